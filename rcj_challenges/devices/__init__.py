@@ -1,0 +1,1 @@
+"""Sensors, motors and radio: what a program can read and set."""

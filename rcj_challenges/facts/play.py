@@ -1,0 +1,167 @@
+"""What the physics tells the referee, and what the referee answers.
+
+Frame everywhere: x along the short side, y along the long side, z up, origin at the centre of the field; metres,
+radians, yaw counter-clockwise from +x.
+
+An *entity* is a thing that can move and has a name: robots, balls, movable obstacles, in this order, each kind in
+the order of the scenario. A *thing* is an entity, then a fixed obstacle, then (last) ``walls``; touches are pairs of
+things. Both orders are fixed once by `rcj_challenges.scenario.roster.Roster`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+Pose2 = tuple[float, float, float]
+"""x in m, y in m, yaw in rad."""
+
+JsonScalar = str | int | float | bool | None
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """A program's failure: it is silent with wheels at 0 from ``tick`` on.
+
+    Attributes:
+        robot: the robot's name, ``Y1``.
+        kind: ``crash``, ``exit``, ``start_timeout``, ``step_timeout``, ``half_timeout``, ``memory``, ``protocol``,
+            ``output_flood`` or ``start`` (the process could not be started).
+        tick: the tick of the half from which its wheels are commanded 0 (0: before the first tick).
+        half: 1-based.
+        detail: one line for the team, deterministic (no times of day, no addresses).
+        traceback: the program's own traceback where there is one.
+    """
+
+    robot: str
+    kind: str
+    tick: int
+    half: int
+    detail: str
+    traceback: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Snapshot:
+    """All that the referee may see of one tick. The trajectory holds exactly this, so old matches can be judged again.
+
+    Attributes:
+        tick: 1 for the tick that the first four sub-steps lead to.
+        substeps: ``[sub-step][entity] -> (x, y, yaw)``; the last sub-step holds the judged poses. All numbers are
+            float32 values (the trajectory's precision), as Python floats.
+        heights: ``[entity] -> z`` of the body's centre in m.
+        uprights: ``[entity] -> `` cosine of the tilt (the body's z axis on the world's); 1.0 is upright. 1.0 for balls.
+        touches: ``[sub-step] -> `` pairs of thing indices, the smaller first, that touched in this sub-step.
+        faults: programs that failed since the last snapshot.
+    """
+
+    tick: int
+    substeps: list[list[Pose2]]
+    heights: list[float]
+    uprights: list[float]
+    touches: tuple[tuple[tuple[int, int], ...], ...]
+    faults: tuple[Fault, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Placement:
+    """Where an entity is put after the referee's verdict: standing, at rest, contact memory cleared.
+
+    Attributes:
+        entity: index of the entity.
+        x_m, y_m, yaw_rad: the pose; z follows from the body.
+        parked: True takes it off the field instead (its pose is then the world's parking place).
+    """
+
+    entity: int
+    x_m: float
+    y_m: float
+    yaw_rad: float
+    parked: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """One line of the reflog. ``tick`` counts within the half; payload keeps the order of the scenario."""
+
+    tick: int
+    name: str
+    payload: dict[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Firing:
+    """Why something happened: a rule that fired, or would have.
+
+    Attributes:
+        tick: tick of the half.
+        rule: the rule's name in the scenario.
+        entity: what ``each`` (or the trigger) bound, else None.
+        trigger: the word that fired (``enters``, ``no_progress`` …).
+        measured: what was measured (m, s, m/s or a count; None where the word measures nothing).
+        limit: the limit it was held against, in the same unit.
+        scored: points by entrant that this firing gave.
+        suppressed: None if its actions ran, else why not (``exclusive``, ``cooldown``, ``max_executions``, ``phase``).
+        says: the sentence for screen and log, with names filled in.
+    """
+
+    tick: int
+    rule: str
+    entity: str | None
+    trigger: str
+    measured: float | None = None
+    limit: float | None = None
+    scored: dict[str, int | float] = field(default_factory=dict)
+    suppressed: str | None = None
+    says: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """The referee's answer to one snapshot.
+
+    Attributes:
+        events: to the reflog, in order.
+        firings: to the referee's own log, in order.
+        placements: to be carried out now: all lifted first, then set down in this order.
+        phase: the phase after the actions.
+        waiting_for_kickoff: the flag that programs are told, after the actions.
+        ended: None, or the reason for which an ``end`` action ended the half.
+        broadcast: the JSON object that programs are told beyond the official packet, or None.
+    """
+
+    events: tuple[Event, ...] = ()
+    firings: tuple[Firing, ...] = ()
+    placements: tuple[Placement, ...] = ()
+    phase: str = "play"
+    waiting_for_kickoff: bool = False
+    ended: str | None = None
+    broadcast: dict[str, Any] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class HalfInfo:
+    """What makes one half different from another.
+
+    Attributes:
+        half: 1-based.
+        halves: how many are played.
+        ticks: how many ticks this half judges.
+        match_seed: seed of the whole match; streams add the half to their names.
+        match_id: as printed in MATCH_START.
+        team_names: by entrant (the side played *now*): the name of the team in that seat.
+        teams: by entrant (the side played now): which entrant that team was in the first half. Identity in half 1,
+            exchanged in half 2 of a match with ``swap_sides``.
+        scores: points by entrant (side played now) at the start of the half.
+        kept: draws and flags marked ``keep: match``, as the previous half left them.
+    """
+
+    half: int
+    halves: int
+    ticks: int
+    match_seed: int
+    match_id: int
+    team_names: dict[str, str]
+    teams: dict[str, str]
+    scores: dict[str, int | float]
+    kept: dict[str, Any] = field(default_factory=dict)

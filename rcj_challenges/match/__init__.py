@@ -1,0 +1,1 @@
+"""The loop of a match, halves and seeds."""

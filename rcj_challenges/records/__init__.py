@@ -1,0 +1,1 @@
+"""Reflog, trajectory, result and digest: write and read."""

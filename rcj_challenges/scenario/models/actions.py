@@ -1,0 +1,122 @@
+"""Actions: what a rule does when it fires."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from rcj_challenges.scenario.models.base import DurationS, EventName, Name, Names, NotNegative, Point, Scalar
+from rcj_challenges.scenario.models.base import Strict, described
+from rcj_challenges.scenario.models.places import At, Facing, Mirror
+from rcj_challenges.scenario.models.state import Amount, DrawValue, Points, Value
+
+
+class Score(Strict):
+    """Give points to an entrant."""
+
+    action: Literal["score"]
+    entrant: Name = described(..., "who gets them (the seat as played in this half)")
+    points: Points = described(1, "how many: a number, {counter: NAME}, or a list of weighted counters and flags")
+
+
+class Count(Strict):
+    """Change a counter."""
+
+    action: Literal["count"]
+    counter: Name = described(..., "the counter")
+    entity: Name | None = described(None, "for a counter kept per entity: whose; each; left out: all of them")
+    by: Amount | None = described(None, "what is added; 1 if neither `by` nor `to` is given")
+    to: Amount | None = described(None, "what it is set to")
+
+
+class SetFlag(Strict):
+    """Set or clear a flag."""
+
+    action: Literal["set_flag"]
+    flag: Name = described(..., "the flag")
+    entity: Name | None = described(None, "for a flag kept per entity: whose; each; left out: all of them")
+    to: bool = described(True, "the new value")
+
+
+class ToggleFlag(Strict):
+    """Turn a flag over."""
+
+    action: Literal["toggle_flag"]
+    flag: Name = described(..., "the flag")
+    entity: Name | None = described(None, "for a flag kept per entity: whose; each; left out: all of them")
+
+
+class TimerAction(Strict):
+    """Start, stop or reset a timer."""
+
+    action: Literal["timer"]
+    timer: Name = described(..., "the timer")
+    entity: Name | None = described(None, "for a timer kept per entity: whose; each; left out: all of them")
+    do: Literal["restart", "start", "stop", "reset"] = described(
+        "restart", "restart: from 0; start: go on; stop: hold; reset: to 0 and stopped"
+    )
+
+
+class DrawAction(Strict):
+    """Draw anew."""
+
+    action: Literal["draw"]
+    draw: Name = described(..., "the draw")
+    as_: Scalar | None = Field(None, alias="as", description="set it to this value instead of drawing")
+
+
+class Place(Strict):
+    """Put entities somewhere: either one placement, or a layout by its name."""
+
+    action: Literal["place"]
+    layout: Name | DrawValue | None = described(None, "a layout of `placements`, or {draw: NAME} whose values are")
+    entity: Names | None = described(None, "what is put there: entities, groups, or each")
+    at: At | None = described(None, "where")
+    facing: Facing = described("start", "which way it looks afterwards")
+    noise_m: Annotated[Point, Field(description="half width of uniform noise on x and y, in m")] = (0.0, 0.0)
+    mirror: Mirror | None = described(None, "mirror the place; with a layout: all its places")
+    min_clearance_m: NotNegative = described(0.0, "smallest gap to any other body's outline, in m")
+    max_attempts: int = described(100, "how often a random place is drawn before giving up", ge=1, le=10_000)
+    on_failure: Literal["retry", "stay"] = described(
+        "retry", "no room: retry on every tick without repeating events, or stay where it is"
+    )
+
+
+class Remove(Strict):
+    """Take an entity off the field: parked, silent, invisible; any later placement brings it back."""
+
+    action: Literal["remove"]
+    entity: Names = described(..., "what is taken off: entities, groups, or each")
+    for_s: DurationS | None = described(None, "it comes back after this time, in s; left out: when a rule places it")
+    back_at: At = described("start", "where it comes back to")
+    facing: Facing = described("start", "which way it looks when it comes back")
+
+
+class SetPhase(Strict):
+    """Enter a phase."""
+
+    action: Literal["set_phase"]
+    phase: Name = described(..., "the phase")
+
+
+class Emit(Strict):
+    """Write an event to the reflog, for people and other rules (which see it one tick later)."""
+
+    action: Literal["emit"]
+    event: EventName = described(..., "its name")
+    payload: dict[Name, Value] = described({}, "what is told with it: literals, or {counter|flag|draw|word: NAME}")
+
+
+class End(Strict):
+    """End the half after the last firing of this tick."""
+
+    action: Literal["end"]
+    what: Literal["half", "match"] = described("half", "half: the next one still follows; match: none follows")
+    reason: str = described("", "why, for the record", max_length=200)
+
+
+Action = Annotated[
+    Score | Count | SetFlag | ToggleFlag | TimerAction | DrawAction | Place | Remove | SetPhase | Emit | End,
+    Field(discriminator="action"),
+]

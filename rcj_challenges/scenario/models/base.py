@@ -1,0 +1,47 @@
+"""What all models of the scenario share: strictness, names, points and durations."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from pydantic import BaseModel, ConfigDict, Field, StringConstraints
+
+
+class Strict(BaseModel):
+    """Base of all models: unknown keys are refused, text is never taken for a number, nothing changes afterwards."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False, validate_default=False)
+
+
+def described(default: Any, text: str, **bounds: Any) -> Any:
+    """Return a pydantic field with its one-sentence description; ``...`` as default means required."""
+    return Field(default, description=text, **bounds)
+
+
+Name = Annotated[
+    str,
+    StringConstraints(pattern=r"^[A-Za-z_][A-Za-z0-9_]*$", max_length=64),
+    Field(description="a name: letters, digits and _, not beginning with a digit"),
+]
+EventName = Annotated[
+    str,
+    StringConstraints(pattern=r"^[A-Z][A-Z0-9_]*$", max_length=64),
+    Field(description="an event's name, in capitals: GOAL"),
+]
+DeviceName = Annotated[str, StringConstraints(min_length=1, max_length=64)]
+Scalar = str | int | float | bool
+
+Point = Annotated[
+    tuple[float, float],
+    Field(strict=False, description="[x, y] in m; x along the short side, y along the long side, origin in the centre"),
+]
+Positive = Annotated[float, Field(gt=0)]
+NotNegative = Annotated[float, Field(ge=0)]
+DurationS = Annotated[float, Field(gt=0, le=86_400, description="a duration in s, rounded up to ticks of 0.032 s")]
+Names = Annotated[
+    Name | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)],
+    Field(
+        union_mode="left_to_right",
+        description="a name, or a list of names; a group's name stands for its members",
+    ),
+]

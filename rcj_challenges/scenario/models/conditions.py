@@ -1,0 +1,130 @@
+"""Conditions: levels, what must hold when a trigger fires."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from rcj_challenges.scenario.models.base import Name, Names, NotNegative, Point, Scalar, Strict, described
+from rcj_challenges.scenario.models.state import Amount
+
+
+class AtLeast(Strict):
+    """At least so many of a group."""
+
+    at_least: int = described(..., "how many", ge=1)
+
+
+Quantifier = Annotated[
+    Literal["any", "all", "none"] | AtLeast,
+    Field(union_mode="left_to_right", description="how many of a group: any, all, none, {at_least: n}"),
+]
+
+
+class _Condition(Strict):
+    negate: bool = described(False, "True: the opposite must hold")
+
+
+class _Compared(_Condition):
+    at_least: Amount | None = described(None, "holds from this value on; a number or {counter: NAME}")
+    at_most: Amount | None = described(None, "holds up to this value; a number or {counter: NAME}")
+    equals: Amount | None = described(None, "holds at this value only; a number or {counter: NAME}")
+
+
+class InZone(_Condition):
+    """Whether an entity's centre is in a zone."""
+
+    condition: Literal["in_zone"]
+    entity: Names = described(..., "an entity, each, or a group with `of`")
+    zone: Names = described(..., "a zone; with a list or group: in any of them")
+    of: Quantifier = described("any", "how many of a group must be in")
+
+
+class Speed(_Compared):
+    """How fast an entity's centre moves, in m/s (path of the last tick over its time)."""
+
+    condition: Literal["speed"]
+    entity: Names = described(..., "an entity, each, or a group with `of`")
+    of: Quantifier = described("any", "how many of a group must satisfy it")
+
+
+class Distance(_Compared):
+    """How far an entity's centre is from another, a spot or a point, in m."""
+
+    condition: Literal["distance"]
+    entity: Names = described(..., "an entity, each, or a group with `of`")
+    to: Name | Point = described(..., "an entity, each, a spot, or [x, y] in m")
+    of: Quantifier = described("any", "how many of a group must satisfy it")
+
+
+class CounterIs(_Compared):
+    """The value of a counter, or of an entrant's score."""
+
+    condition: Literal["counter"]
+    counter: Name = described(..., "a counter, or an entrant: its score")
+    entity: Name | None = described(None, "for a counter kept per entity: whose; each: the current one")
+
+
+class FlagIs(_Condition):
+    """Whether a flag is set."""
+
+    condition: Literal["flag"]
+    flag: Name = described(..., "a flag")
+    entity: Name | None = described(None, "for a flag kept per entity: whose; each: the current one")
+
+
+class Drawn(_Condition):
+    """What a draw decided."""
+
+    condition: Literal["drawn"]
+    draw: Name = described(..., "a draw")
+    equals: Scalar = described(..., "the value it must have")
+
+
+class TimerIs(_Compared):
+    """How long a timer has run, in s; without a comparison: whether it is running."""
+
+    condition: Literal["timer"]
+    timer: Name = described(..., "a timer")
+    entity: Name | None = described(None, "for a timer kept per entity: whose; each: the current one")
+
+
+class LastTouch(_Condition):
+    """Which robot touched an entity last, since it was put where it is."""
+
+    condition: Literal["last_touch"]
+    entity: Name = described("ball", "what was touched")
+    by: Names = described(..., "a robot, each, or a group: any of them")
+
+
+class SpotFree(_Condition):
+    """Whether a spot is free."""
+
+    condition: Literal["spot_free"]
+    spot: Names = described(..., "a spot, or a group with `of`")
+    of: Quantifier = described("any", "how many of a group must be free")
+    clearance_m: NotNegative = described(0.08, "free: no robot's or ball's centre within this, in m")
+
+
+class SequenceAt(_Condition):
+    """At which step a sequence stands."""
+
+    condition: Literal["sequence_at"]
+    sequence: Name = described(..., "a sequence")
+    step: Name = described(..., "the zone or gate reached last")
+
+
+Condition = Annotated[
+    InZone
+    | Speed
+    | Distance
+    | CounterIs
+    | FlagIs
+    | Drawn
+    | TimerIs
+    | LastTouch
+    | SpotFree
+    | SequenceAt,
+    Field(discriminator="condition"),
+]

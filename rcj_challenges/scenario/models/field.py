@@ -1,0 +1,88 @@
+"""Sections ``match``, ``field``, ``balls`` and ``obstacles``: what is there before anybody plays."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from rcj_challenges.scenario.models.base import DurationS, Point, Positive, Strict, described
+
+
+class Match(Strict):
+    """How many halves of what length, and whether the entrants change sides between them."""
+
+    halves: int = described(1, "how many halves are played", ge=1, le=10)
+    half_s: DurationS = described(600.0, "simulated length of a half in s")
+    swap_sides: bool = described(False, "whether two entrants change sides after each half; scores follow the team")
+
+
+class Goal(Strict):
+    """A goal: an opening in an end wall with a box of walls behind it. The zone that counts is a zone of its own."""
+
+    end: Literal["positive_y", "negative_y"] = described(..., "the end of the field where it stands")
+    colour: str = described(..., "its colour in pictures and the replay: a CSS colour name or #rrggbb")
+    width_m: Positive = described(0.4, "inner width of the opening in m")
+    depth_m: Positive = described(0.1, "from the end line to the back wall in m")
+    wall_height_m: Positive = described(0.121, "top of the goal's walls above the floor in m")
+
+
+class FieldModel(Strict):
+    """The rectangle of play, its walls and its goals. Inner faces of the walls, origin at the centre."""
+
+    width_m: Positive = described(1.3, "between the inner faces of the side walls (x) in m", le=10)
+    length_m: Positive = described(1.5, "between the inner faces of the end walls (y) in m", le=10)
+    wall_height_m: Positive = described(0.09, "height of the walls above the floor in m", le=1)
+    corner_cut_m: float = described(
+        0.06, "how far the 45° corner walls cut into the corner along each axis in m; 0: square corners", ge=0
+    )
+    friction: float = described(1.0, "Coulomb friction of all contacts", ge=0, le=2)
+    restitution: float = described(0.5, "share of speed kept when the ball meets a wall", ge=0, le=0.95)
+    goals: dict[str, Goal] = described({}, "goals by name")
+
+
+class Ball(Strict):
+    """A ball: a rolling sphere that sends infra-red to the robots' ball receivers."""
+
+    start_m: Point = described((0.0, 0.0), "where it lies at the start of a half, [x, y] in m")
+    radius_m: Positive = described(0.021, "radius in m", le=0.2)
+    mass_kg: Positive = described(0.05, "mass in kg", le=5)
+    colour: str = described("#e8590c", "colour in pictures: a CSS colour name or #rrggbb")
+    emits: bool = described(True, "whether it sends infra-red; with several emitting balls a robot hears them all")
+
+
+class _Obstacle(Strict):
+    centre_m: Point = described(..., "where its centre stands at the start of a half, [x, y] in m")
+    height_m: Positive = described(0.09, "height above the floor in m", le=1)
+    movable: bool = described(False, "whether robots can push it")
+    mass_kg: Positive = described(0.5, "mass in kg, if movable", le=50)
+    colour: str = described("#868e96", "colour in pictures: a CSS colour name or #rrggbb")
+
+
+class Box(_Obstacle):
+    """A box that stands on the floor."""
+
+    shape: Literal["box"]
+    size_m: Point = described(..., "full size along its own x and y in m")
+    yaw_rad: float = described(0.0, "turn about the vertical in rad, counter-clockwise")
+
+
+class Cylinder(_Obstacle):
+    """An upright cylinder that stands on the floor."""
+
+    shape: Literal["cylinder"]
+    radius_m: Positive = described(..., "radius in m", le=1)
+
+
+class Wall(Strict):
+    """A fixed wall between two points."""
+
+    shape: Literal["wall"]
+    from_m: Point = described(..., "one end, [x, y] in m")
+    to_m: Point = described(..., "the other end, [x, y] in m")
+    thickness_m: Positive = described(0.01, "thickness in m", le=0.5)
+    height_m: Positive = described(0.09, "height above the floor in m", le=1)
+    colour: str = described("#868e96", "colour in pictures: a CSS colour name or #rrggbb")
+
+
+Obstacle = Annotated[Box | Cylinder | Wall, Field(discriminator="shape")]

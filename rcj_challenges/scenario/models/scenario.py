@@ -1,0 +1,181 @@
+"""The whole file: rules, results, limits, tests, and the sections put together."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import Field
+
+from rcj_challenges.scenario.models.actions import Action
+from rcj_challenges.scenario.models.base import DurationS, EventName, Name, Scalar, Strict, described
+from rcj_challenges.scenario.models.conditions import Condition
+from rcj_challenges.scenario.models.field import Ball, FieldModel, Match, Obstacle
+from rcj_challenges.scenario.models.places import Gate, Layout, Spot, Zone
+from rcj_challenges.scenario.models.robots import Entrant, Kit, Robot
+from rcj_challenges.scenario.models.state import Counter, Draw, Flag, Phase, Sequence, Timer, Value
+from rcj_challenges.scenario.models.triggers import Trigger
+
+SCHEMA_VERSION = 1
+
+
+class Rule(Strict):
+    """One trigger suffices, all conditions must hold, the actions run in order."""
+
+    triggers: tuple[Trigger, ...] = Field(..., strict=False, min_length=1, description="edges; one suffices")
+    conditions: tuple[Condition, ...] = Field((), strict=False, description="levels; all must hold")
+    actions: tuple[Action, ...] = Field(..., strict=False, min_length=1, description="what happens, in order")
+    for_each: Name | None = described(None, "a group or entity: the rule exists once for each member, named `each`")
+    phases: Literal["any"] | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)] = Field(
+        ("play",), description="the phases in which it lives; any: all of them"
+    )
+    priority: int = described(0, "lower fires first; equal ones in the order of the file", ge=-1000, le=1000)
+    exclusive: Name | None = described(None, "of the rules of one such group only the first fires in a tick, per entity")
+    cooldown_s: DurationS | None = described(None, "after firing it rests this long, per entity, in s")
+    max_executions: int | None = described(None, "how often it may fire in a half, per entity", ge=1)
+    says: str = described("", "the sentence for sheet, log and screen; {entity}, {team}, {measured} are filled in",
+                          max_length=500)  # fmt: skip
+
+
+class Broadcast(Strict):
+    """What programs are told beyond the official packet: after it, one JSON object a tick on the same channel."""
+
+    fields: dict[Name, Value] = described(..., "values by key")
+    every_ticks: int = described(1, "sent every this many ticks", ge=1, le=10_000)
+
+
+class RankByScore(Strict):
+    """Rank by score."""
+
+    score: Literal["ascending", "descending"] = described(..., "which is better first")
+
+
+class PlusPart(Strict):
+    """Seconds added to a time for each count of a counter."""
+
+    counter: Name = described(..., "a counter")
+    weight: float = described(..., "seconds for each count")
+
+
+class RankByTime(Strict):
+    """Rank by the time at which the half ended, plus penalties."""
+
+    time: Literal["ascending", "descending"] = described(..., "which is better first")
+    plus: tuple[PlusPart, ...] = Field((), strict=False, description="seconds added by counters")
+
+
+class RankByCounter(Strict):
+    """Rank by a counter."""
+
+    counter: Name = described(..., "a counter")
+    order: Literal["ascending", "descending"] = described("descending", "which is better first")
+
+
+class Result(Strict):
+    """How entrants are ranked, first criterion first."""
+
+    rank: tuple[RankByScore | RankByTime | RankByCounter, ...] = Field(
+        (RankByScore(score="descending"),), strict=False, min_length=1, description="criteria; a later one breaks ties"
+    )
+
+
+class Limits(Strict):
+    """What a program may use. One that exceeds a limit is killed and its wheels stop; nobody else is disturbed."""
+
+    start_s: DurationS = described(30.0, "wall time from launch to its first step, in s")
+    step_s: DurationS = described(5.0, "wall time that is waited for one step, in s")
+    half_s: DurationS = described(120.0, "wall time that is waited for it in a whole half, in s")
+    memory_mb: int = described(1024, "memory in MB", ge=64, le=65_536)
+    output_mb: float = described(8.0, "what it may print in a half, in MB", gt=0, le=1024)
+    message_kb: float = described(1024.0, "largest radio packet in kB", gt=0, le=16_384)
+    scratch_mb: float = described(64.0, "what it may write into its private folder, in MB", gt=0, le=4096)
+    processes: int = described(32, "threads it may start", ge=1, le=1000)
+
+
+class Keyframe(Strict):
+    """A moment of a scripted play: where things are put by hand, what touches what, whose program fails."""
+
+    at_s: float = described(..., "time in the half in s", ge=0, le=86_400)
+    place: dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]] = described(
+        {}, "entity -> [x, y] or [x, y, yaw] in m and rad"
+    )
+    move: dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]] = described(
+        {}, "entity -> [x, y] or [x, y, yaw]: it glides there in a straight line from where it was a keyframe before"
+    )
+    touch: tuple[tuple[Name, Name], ...] = Field((), strict=False, description="pairs that touch in this tick")
+    tips: tuple[Name, ...] = Field((), strict=False, description="robots that lie on their side from here on")
+    fault: tuple[Name, ...] = Field((), strict=False, description="robots whose program fails here")
+
+
+class ExpectedEvent(Strict):
+    """An event that must come."""
+
+    event: EventName = described(..., "its name")
+    at_s: float | None = described(None, "when, in s; left out: any time", ge=0)
+    tolerance_s: float = described(0.033, "how far off it may be, in s", ge=0)
+    payload: dict[Name, Scalar] = described({}, "the part of its payload that is checked")
+
+
+class Expectation(Strict):
+    """A test inside the file: scripted poses and touches fed straight to the referee, and what must follow."""
+
+    seed: int = described(1, "seed of the draws", ge=0)
+    half: int = described(1, "which half is played", ge=1)
+    draws: dict[Name, Scalar] = described({}, "draws decided beforehand")
+    keyframes: tuple[Keyframe, ...] = Field(..., strict=False, min_length=1, description="the script, in order of time")
+    lasts_s: DurationS = described(..., "how long it is played, in s")
+    events: tuple[ExpectedEvent, ...] | None = Field(
+        None, strict=False, description="all events of the named kinds, in order; left out: not checked"
+    )
+    ignore: tuple[EventName, ...] = Field(
+        ("MATCH_START", "KICKOFF", "MATCH_FINISH"), strict=False, description="events left out of the comparison"
+    )
+    score: dict[Name, float] = described({}, "score by entrant at the end")
+    counters: dict[Name, float] = described({}, "counters at the end")
+    flags: dict[Name, bool] = described({}, "flags at the end")
+    phase: Name | None = described(None, "the phase at the end")
+    poses: dict[Name, Annotated[tuple[float, float], Field(strict=False)]] = described(
+        {}, "entity -> [x, y] at the end in m"
+    )
+    tolerance_m: float = described(0.001, "how far off a pose may be, in m", ge=0)
+
+
+class Scenario(Strict):
+    """A challenge: field, robots, rules, all that decides a result."""
+
+    schema_version: Literal[1] = described(..., "version of this format: 1")
+    id: Name = described(..., "short name, also of the records' folders")
+    title: str = described(..., "what people call it", min_length=1, max_length=120)
+    description: str = described("", "what it is about, for the rule sheet", max_length=4000)
+    extends: str | None = described(None, "a shipped preset (soccersim_v2, soccersim_2021) or a relative path")
+    params: dict[Name, Scalar] = described({}, "named values; {param: NAME} stands for them anywhere")
+    match: Match = described(Match(), "halves and their length")
+    field: FieldModel = described(FieldModel(), "the field, its walls and goals")
+    balls: dict[Name, Ball] = described({}, "balls by name")
+    obstacles: dict[Name, Obstacle] = described({}, "obstacles by name")
+    kits: dict[Name, Kit] = described({}, "robot kits by name")
+    robots: dict[Name, Robot] = described(..., "robots by name")
+    entrants: dict[Name, Entrant] = described(..., "who competes, by the name of the seat")
+    zones: dict[Name, Zone] = described({}, "zones by name")
+    gates: dict[Name, Gate] = described({}, "gates by name")
+    spots: dict[Name, Spot] = described({}, "spots by name")
+    groups: dict[Name, Annotated[tuple[Name, ...], Field(strict=False, min_length=1)]] = described(
+        {}, "several robots, balls, obstacles, zones, gates or spots under one name"
+    )
+    draws: dict[Name, Draw] = described({}, "what chance decides")
+    counters: dict[Name, Counter] = described({}, "numbers that rules count")
+    flags: dict[Name, Flag] = described({}, "what rules remember")
+    timers: dict[Name, Timer] = described({}, "clocks that rules start")
+    sequences: dict[Name, Sequence] = described({}, "orders in which things must happen")
+    placements: dict[Name, Layout] = described({}, "layouts by name")
+    phases: dict[Name, Phase] = described({}, "phases beside play")
+    first_phase: Name = described("play", "the phase in which a half begins")
+    rules: dict[Name, Rule] = described({}, "the rules, in the order in which they are judged")
+    broadcast: Broadcast | None = described(None, "what programs are told beyond the official packet")
+    result: Result = described(Result(), "how entrants are ranked")
+    limits: Limits = described(Limits(), "what a program may use")
+    expect: dict[Name, Expectation] = described({}, "tests of the rules, by a name that says what must happen")
+
+
+def blank_fields() -> dict[str, Any]:
+    """Return the smallest sections that make a valid scenario, for tests and starters."""
+    return {"schema_version": SCHEMA_VERSION, "id": "blank", "title": "Blank", "robots": {}, "entrants": {}}

@@ -1,0 +1,165 @@
+"""Sections ``draws``, ``counters``, ``flags``, ``timers``, ``sequences``, ``phases``; and the values rules can name."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import Discriminator, Field, Tag
+
+from rcj_challenges.scenario.models.base import DurationS, Name, Scalar, Strict, described
+
+
+class Draw(Strict):
+    """What chance decides at the start of a half, and again on every ``draw`` action."""
+
+    values: tuple[Scalar, ...] = Field(..., strict=False, min_length=1, description="the values, equally likely")
+    not_last: bool = described(False, "True: never the same value twice running")
+    keep: Literal["half", "match"] = described("half", "match: the value lives on in the next half, undrawn")
+
+
+class Counter(Strict):
+    """A number that rules count up and down. Scores are readable like counters, under the entrant's name."""
+
+    initial: float = described(0.0, "value at the start of a half")
+    per: Name | None = described(None, "a group: one counter for each of its members")
+
+
+class Flag(Strict):
+    """A yes or no that rules set."""
+
+    initial: bool = described(False, "value at the start")
+    per: Name | None = described(None, "a group: one flag for each of its members")
+    keep: Literal["half", "match"] = described("half", "match: the value lives on in the next half")
+
+
+class Timer(Strict):
+    """A clock that rules start and stop; it expires once when it reaches its length."""
+
+    lasts_s: DurationS = described(..., "its length in s")
+    per: Name | None = described(None, "a group: one timer for each of its members")
+    starts: bool = described(False, "True: it runs from the start of the half")
+
+
+class AnyStep(Strict):
+    """A step that several places satisfy."""
+
+    any_of: tuple[Name, ...] = Field(..., strict=False, min_length=1, description="zones or gates")
+
+
+class Sequence(Strict):
+    """Steps to be made in order over zones or gates."""
+
+    entity: Name = described(..., "whose way is followed")
+    steps: tuple[Name | AnyStep, ...] = Field(..., strict=False, min_length=2, description="zones or gates in order")
+    cyclic: bool = described(False, "True: complete on re-entering the first step, and begins again there")
+    wrong_step: Literal["break", "ignore"] = described("ignore", "what entering another of its steps does")
+
+
+class Phase(Strict):
+    """A time in which only the rules that live in it run. ``play`` always exists."""
+
+    lasts_s: DurationS | None = described(None, "after this time the next phase is entered; left out: until a rule")
+    next: Name = described("play", "the phase that follows")
+    waiting_for_kickoff: bool = described(False, "what programs are told meanwhile")
+    clock: Literal["runs", "stops"] = described("runs", "whether the time of the half goes on")
+
+
+class CounterValue(Strict):
+    """The value of a counter, or an entrant's score."""
+
+    counter: Name = described(..., "a counter, or an entrant: its score")
+    entity: Name | None = described(None, "for a counter that is kept per entity: whose; each: the current one")
+
+
+class FlagValue(Strict):
+    """The value of a flag, true or false."""
+
+    flag: Name = described(..., "a flag")
+    entity: Name | None = described(None, "for a flag that is kept per entity: whose; each: the current one")
+
+
+class DrawValue(Strict):
+    """What a draw decided."""
+
+    draw: Name = described(..., "a draw")
+
+
+class WordValue(Strict):
+    """A fact of the match by its word."""
+
+    word: Literal[
+        "robot_name", "entity_name", "team_name", "entrant", "score", "halftime", "match_id", "total_match_time_s",
+        "time_s", "time_left_s", "measured", "limit", "phase", "seed_id",
+    ] = described(..., "the word")  # fmt: skip
+    of: Name | None = described(None, "for team_name and score: the entrant; left out: that of the current entity")
+
+
+class PositionValue(Strict):
+    """Where an entity is: [x, y, yaw] in m and rad; null while it is off the field."""
+
+    position_of: Name = described(..., "an entity")
+
+
+def _which_value(value: Any) -> str | None:
+    keys = ("counter", "flag", "draw", "word", "position_of")
+    if isinstance(value, dict):
+        return next((key for key in keys if key in value), None)
+    if isinstance(value, Strict):
+        return next((key for key in keys if hasattr(value, key)), None)
+    return "literal"
+
+
+Value = Annotated[
+    Annotated[Scalar, Tag("literal")]
+    | Annotated[CounterValue, Tag("counter")]
+    | Annotated[FlagValue, Tag("flag")]
+    | Annotated[DrawValue, Tag("draw")]
+    | Annotated[WordValue, Tag("word")]
+    | Annotated[PositionValue, Tag("position_of")],
+    Discriminator(_which_value),
+]
+
+
+class WeightedCounter(Strict):
+    """A part of a score: the value of a counter times a weight."""
+
+    counter: Name = described(..., "a counter")
+    weight: float = described(1.0, "points for each")
+
+
+class WeightedFlag(Strict):
+    """A part of a score: points if a flag is set."""
+
+    flag: Name = described(..., "a flag")
+    weight: float = described(1.0, "points if it is true")
+
+
+def _which_part(value: Any) -> str | None:
+    if isinstance(value, dict):
+        return "counter" if "counter" in value else "flag" if "flag" in value else None
+    return "counter" if isinstance(value, WeightedCounter) else "flag"
+
+
+Part = Annotated[
+    Annotated[WeightedCounter, Tag("counter")] | Annotated[WeightedFlag, Tag("flag")], Discriminator(_which_part)
+]
+
+
+def _which_number(value: Any) -> str | None:
+    if isinstance(value, (list, tuple)):
+        return "parts"
+    if isinstance(value, (dict, CounterValue)):
+        return "counter"
+    return "number"
+
+
+Amount = Annotated[
+    Annotated[int | float, Tag("number")] | Annotated[CounterValue, Tag("counter")],
+    Discriminator(lambda value: "counter" if isinstance(value, (dict, CounterValue)) else "number"),
+]
+Points = Annotated[
+    Annotated[int | float, Tag("number")]
+    | Annotated[CounterValue, Tag("counter")]
+    | Annotated[tuple[Part, ...], Field(strict=False), Tag("parts")],
+    Discriminator(_which_number),
+]

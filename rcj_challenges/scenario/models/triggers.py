@@ -1,0 +1,182 @@
+"""Triggers: edges, moments at which a rule may fire."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from rcj_challenges.scenario.models.base import DurationS, EventName, Name, Names, NotNegative, Point, Positive
+from rcj_challenges.scenario.models.base import Strict, described
+from rcj_challenges.scenario.models.conditions import Condition
+
+_ENTITY = "whose: an entity, a group (any of them), or each"
+
+
+class HalfStarted(Strict):
+    """Fires at tick 0 of every half, after the draws."""
+
+    trigger: Literal["half_started"]
+
+
+class HalfEnded(Strict):
+    """Fires once after the last tick of a half."""
+
+    trigger: Literal["half_ended"]
+
+
+class PhaseEntered(Strict):
+    """Fires when a phase is entered (not for the first phase of a half: that is ``half_started``)."""
+
+    trigger: Literal["phase_entered"]
+    phase: Name = described(..., "the phase entered")
+    from_: Name | None = Field(None, alias="from", description="only when it comes from this phase")
+
+
+class TimeReached(Strict):
+    """Fires when the clock of the half reaches a time."""
+
+    trigger: Literal["time_reached"]
+    at_s: DurationS = described(..., "time since the start of the half in s")
+
+
+class TimerExpired(Strict):
+    """Fires when a timer reaches its length."""
+
+    trigger: Literal["timer_expired"]
+    timer: Name = described(..., "the timer")
+
+
+class Enters(Strict):
+    """Fires when an entity's centre comes into a zone it was not in."""
+
+    trigger: Literal["enters"]
+    entity: Names = described(..., _ENTITY)
+    zone: Names = described(..., "a zone; with a list or group: into any of them from none of them")
+
+
+class Leaves(Strict):
+    """Fires when an entity's centre leaves a zone it was in."""
+
+    trigger: Literal["leaves"]
+    entity: Names = described(..., _ENTITY)
+    zone: Names = described(..., "a zone; with a list or group: from any of them to none of them")
+
+
+class Crosses(Strict):
+    """Fires when an entity's centre crosses a gate."""
+
+    trigger: Literal["crosses"]
+    entity: Names = described(..., _ENTITY)
+    gate: Names = described(..., "a gate, or several: any of them")
+    direction: Literal["forward", "backward", "either"] = described("either", "which way, seen from the gate")
+
+
+class Touches(Strict):
+    """Fires when two bodies come into contact that were not in the sub-step before."""
+
+    trigger: Literal["touches"]
+    entity: Names = described(..., _ENTITY)
+    other: Names = described(..., "what it touches: entities, obstacles, walls, or a group")
+
+
+class Displaced(Strict):
+    """Fires when an entity has been moved further than a distance from where it was put."""
+
+    trigger: Literal["displaced"]
+    entity: Names = described(..., _ENTITY)
+    from_: Literal["last_placement"] | Point = Field(
+        "last_placement", alias="from", description="measured from where it was last put (nominal), or from [x, y] in m"
+    )
+    distance_m: Positive = described(..., "fires beyond this, in m")
+    axis: Literal["either", "distance"] = described(
+        "distance", "distance: the straight line; either: the larger of the shifts in x and in y"
+    )
+
+
+class NoProgress(Strict):
+    """Fires when the length of an entity's path over a sliding window falls short; a window that is not full cannot."""
+
+    trigger: Literal["no_progress"]
+    entity: Names = described(..., _ENTITY)
+    distance_m: Positive = described(..., "path length that is expected, in m")
+    within_s: DurationS = described(..., "length of the window in s")
+
+
+class StaysIn(Strict):
+    """Fires while inside, once the stay is longer than a limit; short excursions count as inside."""
+
+    trigger: Literal["stays_in"]
+    entity: Names = described(..., _ENTITY)
+    zone: Names = described(..., "a zone; with a list or group: in any of them")
+    limit_s: DurationS = described(..., "fires after this time, in s")
+    grace_s: NotNegative = described(0.0, "an absence of up to this time counts as inside, in s")
+
+
+class TipsOver(Strict):
+    """Fires when a robot tilts further than an angle."""
+
+    trigger: Literal["tips_over"]
+    entity: Names = described(..., _ENTITY)
+    angle_rad: Positive = described(0.7854, "tilt of its vertical axis in rad", lt=3.1416)
+
+
+class SequenceCompleted(Strict):
+    """Fires when the last step of a sequence is made."""
+
+    trigger: Literal["sequence_completed"]
+    sequence: Name = described(..., "the sequence")
+
+
+class SequenceBroken(Strict):
+    """Fires when a wrong step is made in a sequence with ``wrong_step: break``."""
+
+    trigger: Literal["sequence_broken"]
+    sequence: Name = described(..., "the sequence")
+
+
+class OnEvent(Strict):
+    """Fires one tick after an event was emitted."""
+
+    trigger: Literal["event"]
+    event: EventName = described(..., "the event")
+
+
+class ProgramFault(Strict):
+    """Fires when a robot's program has failed."""
+
+    trigger: Literal["program_fault"]
+    robot: Names = described("robots", "which robot, a group, or each")
+
+
+class Holds(Strict):
+    """Fires when a condition has held for a time, and again at intervals if asked."""
+
+    trigger: Literal["holds"]
+    condition: Condition = described(..., "the condition")
+    for_s: NotNegative = described(0.0, "how long it must hold, in s")
+    grace_s: NotNegative = described(0.0, "an interruption of up to this time counts as holding, in s")
+    every_s: DurationS | None = described(None, "fires again after each of these while it goes on; left out: once")
+
+
+Trigger = Annotated[
+    HalfStarted
+    | HalfEnded
+    | PhaseEntered
+    | TimeReached
+    | TimerExpired
+    | Enters
+    | Leaves
+    | Crosses
+    | Touches
+    | Displaced
+    | NoProgress
+    | StaysIn
+    | TipsOver
+    | SequenceCompleted
+    | SequenceBroken
+    | OnEvent
+    | ProgramFault
+    | Holds,
+    Field(discriminator="trigger"),
+]

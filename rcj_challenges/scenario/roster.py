@@ -1,0 +1,80 @@
+"""Names to indices, once: which entities and things there are, in which order, and what a group stands for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.scenario.models.scenario import Scenario
+
+WALLS = "walls"
+
+
+@dataclass(frozen=True)
+class Roster:
+    """The order in which entities and things are numbered everywhere.
+
+    Attributes:
+        entities: robots, balls, movable obstacles; each kind in the order of the file.
+        robots, balls: how many of the entities are robots; how many are balls.
+        things: the entities, then the fixed obstacles, then ``walls``.
+        index: name to index in ``things``.
+        groups: group to the names of its members, nested groups resolved; the groups that always exist included.
+    """
+
+    entities: tuple[str, ...]
+    robots: int
+    balls: int
+    things: tuple[str, ...]
+    index: dict[str, int]
+    groups: dict[str, tuple[str, ...]]
+
+    @classmethod
+    def of(cls, scenario: Scenario) -> Roster:
+        """Return the roster of a scenario whose references have been checked."""
+        robots = tuple(scenario.robots)
+        balls = tuple(scenario.balls)
+        movable = tuple(name for name, obstacle in scenario.obstacles.items() if _movable(obstacle))
+        fixed = tuple(name for name in scenario.obstacles if name not in movable)
+        entities = robots + balls + movable
+        things = (*entities, *fixed, WALLS)
+        groups: dict[str, tuple[str, ...]] = {
+            "robots": robots,
+            "balls": balls,
+            "obstacles": tuple(scenario.obstacles),
+            WALLS: (WALLS,),
+        }
+        for name, robot in scenario.robots.items():
+            groups[robot.colour] = (*groups.get(robot.colour, ()), name)
+        for name in scenario.groups:
+            groups[name] = _members(scenario, groups, name, ())
+        return cls(
+            entities=entities,
+            robots=len(robots),
+            balls=len(balls),
+            things=things,
+            index={name: index for index, name in enumerate(things)},
+            groups=groups,
+        )
+
+    def expand(self, names: str | tuple[str, ...]) -> tuple[str, ...]:
+        """Return the members that a name, a group or a list of both stands for, without repeats, in order."""
+        listed = (names,) if isinstance(names, str) else names
+        return tuple(dict.fromkeys(member for name in listed for member in self.groups.get(name, (name,))))
+
+
+def _movable(obstacle: Strict) -> bool:
+    return bool(getattr(obstacle, "movable", False))
+
+
+def _members(
+    scenario: Scenario, known: dict[str, tuple[str, ...]], name: str, above: tuple[str, ...]
+) -> tuple[str, ...]:
+    if name in above:  # a cycle; the checks report it, here it must only end
+        return ()
+    if name in known and name not in scenario.groups:
+        return known[name]
+    if name not in scenario.groups:
+        return (name,)
+    members = (m for part in scenario.groups[name] for m in _members(scenario, known, part, (*above, name)))
+    return tuple(dict.fromkeys(members))

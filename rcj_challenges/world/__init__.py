@@ -1,0 +1,1 @@
+"""Scenario to MuJoCo model, stepping, snapshots, placements; contact parameters with their source."""
