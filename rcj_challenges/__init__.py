@@ -1,1 +1,5 @@
-"""RCJ Challenges."""
+"""RCJ Challenges: robot-soccer matches and technical challenges for pupils, declared in YAML, played on MuJoCo."""
+
+from __future__ import annotations
+
+__version__ = "0.1.0"

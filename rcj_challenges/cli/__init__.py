@@ -1,1 +1,59 @@
-"""The command rcj-challenge; imports lazily."""
+"""The command ``rcj-challenge``.
+
+Belongs here: options, exit codes, and which room is called. Does not belong here: work. Every command imports what it
+needs when it runs, so that ``validate`` loads no physics and ``--help`` loads nothing.
+
+Exit codes: 0 done, 1 a negative verdict, 2 wrong input, 3 a fault of ours (with a report file), 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import sys
+
+OK = 0
+NEGATIVE = 1
+WRONG_INPUT = 2
+OUR_FAULT = 3
+INTERRUPTED = 130
+
+
+def main() -> None:
+    """Run the command line and exit with its code."""
+    from rcj_challenges.cli.app import app
+    from rcj_challenges.cli.faults import report_our_fault
+    from rcj_challenges.facts.errors import RcjError
+
+    try:
+        code = app(standalone_mode=False)
+    except RcjError as error:
+        _complain(str(error))
+        sys.exit(WRONG_INPUT)
+    except KeyboardInterrupt:
+        _complain("interrupted")
+        sys.exit(INTERRUPTED)
+    except BrokenPipeError:
+        sys.exit(OK)  # the reader of our output has seen enough
+    except Exception as error:
+        sys.exit(_usage_error(error) or report_our_fault(error))
+    sys.exit(code if isinstance(code, int) else OK)
+
+
+def _usage_error(error: Exception) -> int | None:
+    """Show a wrong option as the command line's own words; None if the error is something else."""
+    show = getattr(error, "show", None)
+    code = getattr(error, "exit_code", None)
+    if show is not None and isinstance(code, int):
+        show()
+        return WRONG_INPUT
+    if type(error).__name__ == "Abort":
+        _complain("interrupted")
+        return INTERRUPTED
+    return None
+
+
+def _complain(message: str) -> None:
+    for stream in (sys.stdout, sys.stderr):
+        reconfigure = getattr(stream, "reconfigure", None)
+        if reconfigure is not None:
+            reconfigure(errors="replace")
+    print(message, file=sys.stderr)  # noqa: T201 - this is the terminal

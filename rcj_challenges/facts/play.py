@@ -127,6 +127,7 @@ class Verdict:
         phase: the phase after the actions.
         waiting_for_kickoff: the flag that programs are told, after the actions.
         ended: None, or the reason for which an ``end`` action ended the half.
+        ends_match: True if that action ended the whole match: no half follows.
         broadcast: the JSON object that programs are told beyond the official packet, or None.
     """
 
@@ -136,6 +137,7 @@ class Verdict:
     phase: str = "play"
     waiting_for_kickoff: bool = False
     ended: str | None = None
+    ends_match: bool = False
     broadcast: dict[str, Any] | None = None
 
 

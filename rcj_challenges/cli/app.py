@@ -1,0 +1,129 @@
+"""The commands and their options."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from rcj_challenges import __version__
+
+app = typer.Typer(
+    name="rcj-challenge",
+    help="Play robot-soccer matches and challenges that are declared in YAML.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+_Set = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="PATH=VALUE", help="Change a param or any value: --set half_s=60. Repeatable."),
+]
+_Sandbox = Annotated[
+    str, typer.Option("--sandbox", metavar="auto|strict|off", help="How programs are isolated (docs/isolation.md).")
+]
+
+
+def _show_version(asked: bool) -> None:
+    if asked:
+        typer.echo(f"rcj-challenge {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _root(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_show_version, is_eager=True, help="Show the version.")
+    ] = False,
+) -> None:
+    """Play robot-soccer matches and challenges that are declared in YAML."""
+
+
+@app.command()
+def run(
+    scenario: Annotated[str, typer.Argument(help="A scenario file, or the name of one that comes with this: match.")],
+    team: Annotated[
+        list[str] | None,
+        typer.Option("--team", metavar="ENTRANT=PATH", help="Who plays: a folder, a ZIP or a .py file. Repeatable."),
+    ] = None,
+    blue: Annotated[str | None, typer.Option("--blue", metavar="PATH", help="Short for --team blue=PATH.")] = None,
+    yellow: Annotated[
+        str | None, typer.Option("--yellow", metavar="PATH", help="Short for --team yellow=PATH.")
+    ] = None,
+    team_name: Annotated[
+        list[str] | None, typer.Option("--team-name", metavar="ENTRANT=NAME", help="Overrides team_name.txt.")
+    ] = None,
+    seed: Annotated[int, typer.Option("--seed", min=0, help="Seed of all that chance decides.")] = 1,
+    duration: Annotated[
+        float | None, typer.Option("--duration", metavar="S", help="Length of a half in simulated seconds.")
+    ] = None,
+    halves: Annotated[int | None, typer.Option("--halves", help="How many halves.")] = None,
+    set_: _Set = None,
+    match_id: Annotated[int, typer.Option("--match-id", min=0, help="Number of the match in its log.")] = 0,
+    out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the record's folder is made.")] = Path("runs"),
+    json_: Annotated[bool, typer.Option("--json", help="Print the result as JSON and nothing else.")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Print only the last lines.")] = False,
+    real_time: Annotated[bool, typer.Option("--real-time", help="Play at the pace of the clock.")] = False,
+    show_output: Annotated[
+        list[str] | None, typer.Option("--show-output", metavar="ROBOT", help="Show what its program prints.")
+    ] = None,
+    debug: Annotated[
+        list[str] | None,
+        typer.Option("--debug", metavar="ROBOT", help="Its program has the terminal: breakpoints work, no limits."),
+    ] = None,
+    sandbox: _Sandbox = "auto",
+    replay: Annotated[bool, typer.Option("--replay/--no-replay", help="Write the replay page.")] = True,
+) -> None:
+    """Play a scenario with the teams' programs."""
+    from rcj_challenges.cli.run import RunOptions, run_scenario
+
+    raise typer.Exit(
+        run_scenario(
+            RunOptions(
+                scenario=scenario,
+                teams=[*(team or ()), *(f"blue={blue}",) * bool(blue), *(f"yellow={yellow}",) * bool(yellow)],
+                team_names=team_name or [],
+                seed=seed,
+                match_id=match_id,
+                overrides=[
+                    *(set_ or ()),
+                    *(() if duration is None else (f"match.half_s={duration}",)),
+                    *(() if halves is None else (f"match.halves={halves}",)),
+                ],
+                out=out,
+                json=json_,
+                quiet=quiet,
+                real_time=real_time,
+                show_output=frozenset(show_output or ()),
+                debug=frozenset(debug or ()),
+                sandbox=sandbox,
+                replay=replay,
+            )
+        )
+    )
+
+
+@app.command()
+def validate(
+    files: Annotated[list[str], typer.Argument(metavar="FILE...", help="Scenario files, or names of shipped ones.")],
+    set_: _Set = None,
+) -> None:
+    """Check scenario files; every mistake is named with file, line and column."""
+    from rcj_challenges.cli.validate import validate_files
+
+    raise typer.Exit(validate_files(files, set_ or []))
+
+
+@app.command()
+def schema(
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="FILE", help="Where to write it; left out: standard output.")
+    ] = None,
+) -> None:
+    """Write the JSON schema of scenario files, for completion in editors."""
+    from rcj_challenges.cli.schema import write_schema
+
+    raise typer.Exit(write_schema(out))

@@ -1,0 +1,32 @@
+"""What happens when the fault is ours: one line, a report file, exit code 3."""
+
+from __future__ import annotations
+
+import platform
+import sys
+import tempfile
+import traceback
+from pathlib import Path
+
+from rcj_challenges import __version__
+
+
+def report_our_fault(error: BaseException) -> int:
+    """Write a report that can be sent with a bug report, name it on stderr, and return exit code 3."""
+    lines = [
+        f"rcj-challenges {__version__}, Python {platform.python_version()}, {platform.system()} {platform.machine()}",
+        f"arguments: {' '.join(sys.argv[1:])}",
+        "",
+        "".join(traceback.format_exception(error)),
+    ]
+    with tempfile.NamedTemporaryFile(
+        "w", prefix="rcj-challenge-report-", suffix=".txt", dir=Path.cwd(), delete=False, encoding="utf-8"
+    ) as file:
+        file.write("\n".join(lines))
+    name = Path(file.name).name
+    print(  # noqa: T201 - this is the terminal
+        f"rcj-challenge: this is our fault, not yours: {type(error).__name__}: {error}\n"
+        f"A report is in {name}; please send it to the project.",
+        file=sys.stderr,
+    )
+    return 3

@@ -1,0 +1,164 @@
+"""``rcj-challenge run``: from options to a played match."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rcj_challenges.facts.errors import RcjError
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from rcj_challenges.controllers.team import Team
+    from rcj_challenges.scenario.load import Loaded
+
+_DEFAULT_TEAMS = {"blue": "roles_and_radio", "yellow": "all_sensors"}
+
+
+class UsageError(RcjError):
+    """Options that do not fit the scenario."""
+
+
+@dataclass(frozen=True)
+class RunOptions:
+    """The options of ``run``, as given."""
+
+    scenario: str
+    teams: list[str]
+    team_names: list[str]
+    seed: int
+    match_id: int
+    overrides: list[str]
+    out: Path
+    json: bool
+    quiet: bool
+    real_time: bool
+    show_output: frozenset[str]
+    debug: frozenset[str]
+    sandbox: str
+    replay: bool
+
+
+def run_scenario(options: RunOptions) -> int:
+    """Play it; returns the exit code.
+
+    Raises:
+        RcjError: wrong input: the message says where and what is allowed.
+    """
+    from rcj_challenges.scenario.load import load
+
+    loaded = load(options.scenario, options.overrides)
+    robots = frozenset(robot for entrant in loaded.scenario.entrants.values() for robot in entrant.robots)
+    for robot in (*options.show_output, *options.debug):
+        _known(robot, robots, "robot")
+
+    # The physics is imported while nobody waits for it yet: opening teams is quick, compiling is not.
+    from rcj_challenges.match.match import MatchPlan, play_match
+    from rcj_challenges.views.scoreboard import console_for, watcher_for
+
+    console = console_for(to_stderr=options.json)
+    watcher = watcher_for(console, loaded.scenario.title, quiet=options.quiet or options.json)
+    plan = MatchPlan(
+        loaded=loaded,
+        teams=_open_teams(loaded, options),
+        team_names=_assignments(options.team_names, loaded.scenario.entrants, "--team-name"),
+        seed=options.seed,
+        match_id=options.match_id,
+        out=options.out,
+        sandbox=options.sandbox,
+        real_time=options.real_time,
+        show_output=options.show_output,
+        debug=options.debug,
+    )
+    try:
+        outcome = play_match(plan, watcher)
+    finally:
+        for team in plan.teams.values():
+            team.close()
+    if options.replay:
+        from rcj_challenges.views.replay import write_replay
+
+        write_replay(outcome.folder)
+    if options.json:
+        sys.stdout.write(json.dumps(outcome.result, ensure_ascii=False, indent=2) + "\n")
+    else:
+        _summary(console, outcome.result, outcome.folder, replay=options.replay)
+    return 0
+
+
+def _open_teams(loaded: Loaded, options: RunOptions) -> dict[str, Team]:
+    """Open each seat's team: the one given, else a sample team."""
+    from rcj_challenges.controllers.team import open_team
+
+    entrants = loaded.scenario.entrants
+    given = _assignments(options.teams, entrants, "--team")
+    opened: dict[str, Team] = {}
+    try:
+        for seat, entrant in entrants.items():
+            path = Path(given[seat]) if seat in given else _sample_team(loaded, seat)
+            opened[seat] = open_team(path, entrant)
+    except BaseException:
+        for team in opened.values():
+            team.close()
+        raise
+    return opened
+
+
+def _sample_team(loaded: Loaded, seat: str) -> Path:
+    """Return the sample team for a seat: one made for this scenario, else one of the match's."""
+    from rcj_challenges.scenario.resources import teams_folder
+
+    samples = teams_folder()
+    for name in (loaded.scenario.id, _DEFAULT_TEAMS.get(seat)):
+        if name is not None and (samples / name).is_dir():
+            return samples / name
+    raise UsageError(f"who plays for {seat!r}? There is no sample team for it: give --team {seat}=PATH")
+
+
+def _assignments(given: list[str], seats: Mapping[str, Any], option: str) -> dict[str, str]:
+    """Return ``ENTRANT=VALUE`` options by entrant."""
+    found: dict[str, str] = {}
+    for entry in given:
+        seat, equals, value = entry.partition("=")
+        if not equals or not value:
+            raise UsageError(f"{option} {entry}: expected ENTRANT=VALUE, such as {next(iter(seats))}=…")
+        _known(seat, seats, "entrant")
+        if seat in found:
+            raise UsageError(f"{option}: {seat!r} is given twice")
+        found[seat] = value
+    return found
+
+
+def _known(name: str, names: Mapping[str, Any] | frozenset[str], kind: str) -> None:
+    if name not in names:
+        nearest = get_close_matches(name, names, 1)
+        hint = f"; did you mean {nearest[0]!r}?" if nearest else ""
+        raise UsageError(f"unknown {kind} {name!r}: this scenario has {', '.join(sorted(names))}{hint}")
+
+
+def _summary(console: Console, result: dict[str, Any], folder: Path, *, replay: bool) -> None:
+    """Say how it ended and where the record is."""
+    from rcj_challenges.views.scoreboard import score_line
+    from rcj_challenges.views.sentences import plain
+
+    names = {seat: entrant["name"] for seat, entrant in result["entrants"].items()}
+    lines = [score_line(names, result["score"])]
+    lines += [
+        f"program fault: {fault['robot']} {fault['kind']} at tick {fault['tick']}: {plain(fault['detail'])} "
+        f"(logs/{fault['robot']}.log)"
+        for fault in result["faults"]
+    ]
+    lines.append(
+        f"{result['simulated_s']:.0f} s played in {result['wall_s']:.1f} s ({result['real_time_factor']:.0f} x real time)"
+    )
+    lines.append(f"record: {folder}")
+    if replay:
+        lines.append(f"watch:  {folder / 'replay.html'}")
+    for line in lines:
+        console.print(line, markup=False, highlight=False, soft_wrap=True)

@@ -1,0 +1,152 @@
+"""One half: the loop, in the order of the tick contract (ADR 1)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Protocol
+
+from rcj_challenges.devices.rack import DeviceRack
+from rcj_challenges.facts.play import Fault, HalfInfo, Snapshot, Verdict
+from rcj_challenges.facts.traffic import Observation, Request
+from rcj_challenges.referee.engine import Referee
+from rcj_challenges.world.world import World
+
+
+class Driver(Protocol):
+    """What drives one robot: a program in a process, or a stand-in in tests."""
+
+    def collect(self) -> Request | Fault:
+        """Wait for its next request, or learn that it failed."""
+
+    def release(self, observation: Observation) -> None:
+        """Let its ``step`` return."""
+
+
+@dataclass
+class HalfStage:
+    """All that takes part in a half.
+
+    Attributes:
+        world: the physics, fresh.
+        referee: the rules, fresh.
+        rack: the robots' devices.
+        drivers: by robot index; robots without one stand braked.
+        robot_names: by robot index.
+    """
+
+    world: World
+    referee: Referee
+    rack: DeviceRack
+    drivers: Mapping[int, Driver]
+    robot_names: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class HalfOutcome:
+    """How a half ended.
+
+    Attributes:
+        ticks: how many were judged.
+        ended: None if the time was up, else the reason of the rule that ended it.
+        ends_match: whether that rule ended the whole match.
+        closing: what the rules of ``half_ended`` said after the last tick.
+    """
+
+    ticks: int
+    ended: str | None
+    ends_match: bool
+    closing: Verdict
+
+
+OnTick = Callable[[Snapshot, Verdict, bytes], None]
+
+
+class HalfPlay:
+    """Plays one half, tick by tick.
+
+    Programs of all robots that are due are released first and collected afterwards, so that they overlap with each
+    other and with the writing of the record. A program that fails has its wheels at 0 from the tick of its failure
+    on; the referee hears of it with the next snapshot.
+    """
+
+    def __init__(self, stage: HalfStage, half: HalfInfo, on_tick: OnTick, on_fault: Callable[[Fault], None]) -> None:
+        self._stage = stage
+        self._half = half
+        self._on_tick = on_tick
+        self._on_fault = on_fault
+        self._alive = dict(stage.drivers)
+        self._due = dict.fromkeys(stage.drivers, 0)
+        self._later: list[tuple[int, int, Request]] = []
+        self._faults: list[Fault] = []
+        self.tick = 0
+
+    def play(self) -> HalfOutcome:
+        """Play to the end. Programs still wait in their last ``step`` then: the caller tells them that it is over.
+
+        Raises:
+            PhysicsFault: the simulation became unstable.
+        """
+        verdict = self._begin()
+        while self.tick < self._half.ticks and verdict.ended is None:
+            verdict = self._one_tick(self.tick + 1)
+        closing = self._stage.referee.finish()
+        return HalfOutcome(self.tick, verdict.ended, verdict.ends_match, closing)
+
+    def _begin(self) -> Verdict:
+        """Tick 0: draws, layouts, arming; no physics. Programs run to their first ``step``."""
+        stage = self._stage
+        stage.world.reset()
+        snapshot = stage.world.judged()
+        verdict = stage.referee.start(snapshot)
+        stage.world.place(verdict.placements)
+        stage.rack.begin(verdict)
+        self._on_tick(snapshot, verdict, stage.world.state_bytes())
+        for robot in list(self._alive):
+            self._take(robot, self._alive[robot].collect())
+        return verdict
+
+    def _one_tick(self, tick: int) -> Verdict:
+        stage = self._stage
+        if self._later:
+            self._apply_what_was_late(tick)
+        faults, self._faults = tuple(self._faults), []
+        snapshot = stage.world.step(tick, faults)
+        state = stage.world.state_bytes()
+        verdict = stage.referee.judge(snapshot)
+        if verdict.placements:
+            stage.world.place(verdict.placements)
+        stage.rack.sense(tick, verdict)
+        self.tick = tick
+
+        goes_on = tick < self._half.ticks and verdict.ended is None
+        due = [robot for robot, at in self._due.items() if at == tick] if goes_on else []
+        alive = self._alive
+        for robot in due:
+            alive[robot].release(stage.rack.observe(robot, tick))
+        self._on_tick(snapshot, verdict, state)
+        for robot in due:
+            self._take(robot, alive[robot].collect())
+        return verdict
+
+    def _take(self, robot: int, answer: Request | Fault) -> None:
+        """Carry out a request, now or after the ticks its program slept through; or bury the program."""
+        if isinstance(answer, Fault):
+            del self._alive[robot], self._due[robot]
+            self._stage.rack.silence(robot)
+            self._faults.append(answer)
+            self._on_fault(answer)
+            return
+        begins = self.tick + answer.missed_ticks
+        self._due[robot] = begins + answer.advance_ticks
+        if answer.missed_ticks:
+            self._later.append((begins, robot, answer))
+        else:
+            self._stage.rack.apply(robot, answer)
+
+    def _apply_what_was_late(self, tick: int) -> None:
+        """Requests of programs that slept take effect at the tick at which they woke up."""
+        for begins, robot, request in self._later:
+            if begins < tick:
+                self._stage.rack.apply(robot, request)
+        self._later = [entry for entry in self._later if entry[0] >= tick]

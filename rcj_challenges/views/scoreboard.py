@@ -1,0 +1,140 @@
+"""The scoreboard in a terminal, and plain lines where there is none."""
+
+from __future__ import annotations
+
+import sys
+from collections import deque
+from collections.abc import Mapping
+from typing import Any
+
+from rich.console import Console, Group
+from rich.live import Live
+from rich.progress_bar import ProgressBar
+from rich.table import Table
+from rich.text import Text
+
+from rcj_challenges.facts.play import Event, Fault, HalfInfo
+from rcj_challenges.facts.timing import TICK_S, s_from_ticks
+from rcj_challenges.match.watching import Progress, Silent, Watcher
+from rcj_challenges.views.sentences import clock, event_line, fault_line, plain
+
+_EVENTS_SHOWN = 6
+
+
+def watcher_for(console: Console, title: str, *, quiet: bool) -> Watcher:
+    """Return the scoreboard in a terminal, plain lines elsewhere, nothing if quiet."""
+    if quiet:
+        return Silent()
+    return Scoreboard(console, title) if console.is_terminal else PlainLines(console, title)
+
+
+def score_line(names: Mapping[str, str], scores: Mapping[str, int | float]) -> str:
+    """Return ``Hanse 2 : 1 Alster`` for two seats, ``Hanse 21`` for one."""
+    if len(scores) == 2:
+        (first, first_score), (second, second_score) = scores.items()
+        return f"{plain(names[first], 32)} {first_score:g} : {second_score:g} {plain(names[second], 32)}"
+    return ", ".join(f"{plain(names[seat], 32)} {score:g}" for seat, score in scores.items())
+
+
+class PlainLines(Silent):
+    """One line for each event and each simulated minute: for logs, pipes and editors."""
+
+    progress_every_ticks = round(60 / TICK_S)
+
+    def __init__(self, console: Console, title: str) -> None:
+        self._console = console
+        self._say(title)
+
+    def half_started(self, half: HalfInfo) -> None:
+        """Say who plays where."""
+        seats = ", ".join(f"{seat}: {plain(name, 32)}" for seat, name in half.team_names.items())
+        self._say(f"half {half.half} of {half.halves}  {seats}")
+
+    def progressed(self, progress: Progress) -> None:
+        """Say time, score and speed."""
+        if progress.tick < progress.half.ticks:
+            line = score_line(progress.half.team_names, progress.scores)
+            self._say(
+                f"{clock(s_from_ticks(progress.tick)):>7}  {line}  "
+                f"({progress.factor:.0f} x real time, {progress.remaining_s:.0f} s left)"
+            )
+
+    def event(self, event: Event, half: HalfInfo) -> None:
+        """Say the event."""
+        self._say(event_line(event))
+
+    def fault(self, fault: Fault) -> None:
+        """Say the fault."""
+        self._say(fault_line(fault))
+
+    def printed(self, robot: str, text: str) -> None:
+        """Show what a program printed."""
+        for line in text.splitlines():
+            self._say(f"{robot} | {plain(line, 2000)}")
+
+    def _say(self, line: str) -> None:
+        self._console.print(line, markup=False, highlight=False, soft_wrap=True)
+
+
+class Scoreboard(Silent):
+    """A live board: teams, score, clock, last events, speed and remaining time."""
+
+    progress_every_ticks = 125
+
+    def __init__(self, console: Console, title: str) -> None:
+        self._console = console
+        self._title = title
+        self._events: deque[Text] = deque(maxlen=_EVENTS_SHOWN)
+        self._half: HalfInfo | None = None
+        self._live = Live(console=console, auto_refresh=False, transient=True)
+
+    def half_started(self, half: HalfInfo) -> None:
+        """Put the board up."""
+        self._half = half
+        self._live.start()
+        self._draw(Progress(half, 0, dict(half.scores), "play", 0.0, 0.0))
+
+    def progressed(self, progress: Progress) -> None:
+        """Draw the board anew."""
+        self._draw(progress)
+
+    def event(self, event: Event, half: HalfInfo) -> None:
+        """Remember the event; the next drawing shows it."""
+        style = "bold green" if "GOAL" in event.name else ""
+        self._events.append(Text(event_line(event), style=style, no_wrap=True, overflow="ellipsis"))
+
+    def fault(self, fault: Fault) -> None:
+        """Remember the fault; the next drawing shows it."""
+        self._events.append(Text(fault_line(fault), style="red", no_wrap=True, overflow="ellipsis"))
+
+    def printed(self, robot: str, text: str) -> None:
+        """Show what a program printed, above the board."""
+        for line in text.splitlines():
+            self._console.print(f"{robot} | {plain(line, 2000)}", markup=False, highlight=False)
+
+    def finished(self, result: dict[str, Any]) -> None:
+        """Take the board down."""
+        self._live.stop()
+
+    def _draw(self, progress: Progress) -> None:
+        half = progress.half
+        grid = Table.grid(padding=(0, 2), expand=False)
+        grid.add_row(
+            Text(score_line(half.team_names, progress.scores), style="bold"),
+            Text(f"{clock(s_from_ticks(progress.tick))} / {clock(s_from_ticks(half.ticks))}"),
+            Text(f"half {half.half} of {half.halves}", style="dim"),
+            Text(progress.phase.replace("_", " "), style="dim"),
+        )
+        speed = f"{progress.factor:.0f} x real time, {progress.remaining_s:.0f} s left" if progress.factor else "starting"
+        status = Table.grid(padding=(0, 2))
+        status.add_row(ProgressBar(total=half.ticks, completed=progress.tick, width=40), Text(speed, style="dim"))
+        self._live.update(Group(Text(self._title, style="dim"), grid, status, *self._events), refresh=True)
+
+
+def console_for(*, to_stderr: bool = False) -> Console:
+    """Return the console for people; output that the terminal's encoding lacks is replaced, never an error."""
+    stream = sys.stderr if to_stderr else sys.stdout
+    reconfigure = getattr(stream, "reconfigure", None)
+    if reconfigure is not None:
+        reconfigure(errors="replace")
+    return Console(file=stream, soft_wrap=False)
