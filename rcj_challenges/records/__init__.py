@@ -1,1 +1,5 @@
-"""Reflog, trajectory, result and digest: write and read."""
+"""What a run leaves behind, and how it is read again: reflog, referee's log, trajectory, result, digest.
+
+Belongs here: formats, files, folders, and what makes them survive a kill. Does not belong here: anything that decides a
+result, physics, pages and pictures (views). ``docs/records.md`` describes every file.
+"""

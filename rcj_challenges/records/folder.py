@@ -1,0 +1,76 @@
+"""The folder of a run: its name, the names of its files, and writing a file so that it is never half there."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import BinaryIO
+
+from rcj_challenges.records.errors import RecordError
+
+RECORD_VERSION = 1
+"""Version of everything in the folder; a newer one is refused, an older one is upgraded when read."""
+
+RESULT = "result.json"
+SCENARIO = "scenario.json"
+REFLOG = "reflog.jsonl"
+REFEREE_LOG = "referee.jsonl"
+TRAJECTORY = "trajectory.npz"
+TRAJECTORY_PARTS = "trajectory.part"
+LOGS = "logs"
+REPLAY = "replay.html"
+
+_MOST_RUNS_A_SECOND = 10_000
+
+
+def utc_now() -> datetime:
+    """Return the wall clock. It stands in folder names and ``datetime`` fields and decides nothing."""
+    return datetime.now(UTC)
+
+
+def timestamp(moment: datetime) -> str:
+    """Return ``2021-06-18T00:11:59.888153Z``, as the original's reflog has it."""
+    return moment.astimezone(UTC).replace(tzinfo=None).isoformat(timespec="microseconds") + "Z"
+
+
+def folder_name(moment: datetime, scenario_id: str) -> str:
+    """Return ``20210618-001159-match``: it sorts by time and is a legal name on every system."""
+    return f"{moment.astimezone(UTC):%Y%m%d-%H%M%S}-{scenario_id}"
+
+
+def make_run_folder(out: Path, name: str) -> Path:
+    """Make ``out/name``, or ``out/name-2`` and so on if that exists: two runs never share a folder.
+
+    Raises:
+        RecordError: the folder cannot be made.
+    """
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        for number in range(1, _MOST_RUNS_A_SECOND):
+            folder = out / (name if number == 1 else f"{name}-{number}")
+            try:
+                folder.mkdir()
+            except FileExistsError:
+                continue
+            return folder
+    except OSError as error:
+        raise RecordError(f"cannot make a folder for the record in {out}: {error.strerror}") from error
+    raise RecordError(f"cannot make a folder for the record in {out}: there are too many called {name}")
+
+
+@contextmanager
+def replaced(path: Path) -> Iterator[BinaryIO]:
+    """Write a file that appears whole or not at all: a temporary neighbour, synced, then renamed over it."""
+    temporary = path.with_name(path.name + ".tmp")
+    try:
+        with temporary.open("wb") as file:
+            yield file
+            file.flush()
+            os.fsync(file.fileno())
+        temporary.replace(path)
+    except BaseException:
+        temporary.unlink(missing_ok=True)
+        raise

@@ -1,0 +1,157 @@
+"""``result.json``: what a run was, how it ended, and on what kind of machine."""
+
+from __future__ import annotations
+
+import json
+import platform
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Annotated, Any
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from rcj_challenges.records.errors import RecordError
+from rcj_challenges.records.folder import RECORD_VERSION, RESULT
+
+Score = int | float
+_PACKAGES = {"rcj_challenges": "rcj-challenges", "mujoco": "mujoco", "numpy": "numpy"}
+
+
+class _Part(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+def _described(text: str, **bounds: Any) -> Any:
+    return Field(description=text, **bounds)
+
+
+Half = Annotated[int, _described("half of the match, from 1", ge=1)]
+Tick = Annotated[int, _described("tick of the half: 0.032 s each", ge=0)]
+
+
+class EntrantResult(_Part):
+    """A team, under the name of the seat that it had in the first half."""
+
+    name: str = _described("name of the team")
+    programs: str = _described("SHA-256 of the files of its programs, hexadecimal")
+
+
+class HalfResult(_Part):
+    """One half."""
+
+    half: Half
+    sides: dict[str, str] = _described("by seat: the team that played there")
+    score: dict[str, Score] = _described("by team: points of the match when this half was over")
+    ticks: int = _described("ticks that were judged", ge=0)
+    ended: str | None = _described("the reason of the rule that ended it; null: its time was up")
+
+
+class EventResult(_Part):
+    """One event, as in the reflog, with its half and tick."""
+
+    half: Half
+    tick: Tick
+    matchtime: float = _described("simulated time in this half in s", ge=0)
+    event: str = _described("its name")
+    payload: dict[str, Any] = _described("its payload")
+
+
+class FaultResult(_Part):
+    """A program that failed; its robot stood still from then on, until the half was over."""
+
+    robot: str = _described("name of the robot")
+    team: str | None = _described("the team whose program it was")
+    half: Half
+    tick: Tick
+    kind: str = _described("crash, exit, start, start_timeout, step_timeout, half_timeout, memory, protocol, …")
+    detail: str = _described("one line for the team")
+    traceback: str = _described("the program's own traceback, where there is one")
+
+
+class Versions(_Part):
+    """What decides the bits of a result beside its inputs: digests are comparable where all of these are equal."""
+
+    rcj_challenges: str = _described("version of this package")
+    python: str = _described("implementation and version of Python")
+    mujoco: str = _described("version of MuJoCo")
+    numpy: str = _described("version of numpy")
+    system: str = _described("operating system")
+    machine: str = _described("architecture of the processor")
+
+
+class RunResult(_Part):
+    """The whole file. It is there from the first tick on, with ``complete: false``."""
+
+    record: int = _described("version of the record's format", ge=1)
+    complete: bool = _described("whether the run was played to its end and its record closed")
+    stopped: str | None = _described(
+        "why a run that was not played to its end stopped; null: it did not, or nobody knows"
+    )
+    scenario: str = _described("id of the scenario; scenario.json holds all of it")
+    title: str = _described("title of the scenario")
+    started: str = _described("wall clock in UTC when the run began")
+    seed: int = _described("seed of everything that chance decides")
+    match_id: int = _described("number of the match, as in MATCH_START")
+    entrants: dict[str, EntrantResult] = _described("the teams, by their seat of the first half")
+    score: dict[str, Score] = _described("points by team")
+    halves: list[HalfResult] = _described("the halves that are over")
+    events: list[EventResult] = _described("all events, in order")
+    faults: list[FaultResult] = _described("programs that failed, in order")
+    digest: str = _described("SHA-256 over inputs, states and events; empty while the run is not complete")
+    simulated_s: float = _described("simulated time of all halves in s", ge=0)
+    wall_s: float = _described("wall time of the run in s", ge=0)
+    real_time_factor: float = _described("simulated over wall time", ge=0)
+    versions: Versions
+    sandbox: dict[str, Any] = _described("how programs were isolated: what was asked for and which layers were active")
+    marks: list[str] = _described("what makes this run special, such as debug: it does not count as a fair one")
+
+
+def versions() -> Versions:
+    """Return what this run is made on. No host, no user, no path."""
+    found = {key: _package_version(package) for key, package in _PACKAGES.items()}
+    return Versions(
+        **found,
+        python=f"{platform.python_implementation()} {platform.python_version()}",
+        system=platform.system(),
+        machine=platform.machine(),
+    )
+
+
+def _package_version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "unknown"
+
+
+def read_result(folder: Path) -> RunResult:
+    """Read the result of a run, finished or not.
+
+    Raises:
+        RecordError: there is none, it is damaged, or it was written by a newer version.
+    """
+    path = folder / RESULT
+    try:
+        data = json.loads(path.read_bytes())
+    except FileNotFoundError:
+        raise RecordError(f"{folder.name}: no record of a run ({RESULT} is missing)") from None
+    except (OSError, ValueError) as error:
+        raise RecordError(f"{folder.name}: {RESULT} cannot be read: {error}") from error
+    newer = data.get("record") if isinstance(data, dict) else None
+    if isinstance(newer, int) and newer > RECORD_VERSION:
+        raise RecordError(
+            f"{folder.name}: its record has version {newer}, this package reads up to {RECORD_VERSION}: "
+            "it needs a newer rcj-challenges"
+        )
+    try:
+        return RunResult.model_validate(data)
+    except ValidationError as error:
+        first = error.errors()[0]
+        where = ".".join(map(str, first["loc"])) or "the file"
+        raise RecordError(f"{folder.name}: {RESULT} is damaged: {where}: {first['msg']}") from error
+
+
+def result_schema_text() -> str:
+    """Return the text of ``schemas/result.schema.json``; CI fails when the committed file differs from it."""
+    schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **RunResult.model_json_schema()}
+    return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"

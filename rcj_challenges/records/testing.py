@@ -1,0 +1,166 @@
+"""Records without a match: made-up play for tests of all that reads records."""
+
+from __future__ import annotations
+
+import json
+import math
+import struct
+from collections.abc import Iterator
+from pathlib import Path
+
+from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, Snapshot, Verdict
+from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.records.writer import RecordWriter, RunHeader
+from rcj_challenges.scenario.models.scenario import Scenario
+
+GOAL_EVERY_TICKS = 400
+_SEATS = ("blue", "yellow")
+
+
+def small_scenario(robots_per_team: int = 3, halves: int = 2, half_s: float = 600.0) -> Scenario:
+    """Return a scenario of two teams with a goal each, a penalty area, a spot, a gate and an obstacle."""
+    robots = {
+        f"{seat[0].upper()}{number}": {
+            "colour": seat,
+            "number": number,
+            "kit": "v2",
+            "start": {"x_m": 0.3 * (number - 2), "y_m": 0.3 * side, "yaw_rad": -1.57 * side},
+        }
+        for seat, side in zip(_SEATS, (1, -1), strict=True)
+        for number in range(1, robots_per_team + 1)
+    }
+    goals = {
+        f"{seat}_goal": {"end": end, "colour": colour}
+        for seat, end, colour in zip(_SEATS, ("positive_y", "negative_y"), ("#2563eb", "#eab308"), strict=True)
+    }
+    fields = {
+        "schema_version": 1,
+        "id": "small",
+        "title": "A small match",
+        "match": {"halves": halves, "half_s": half_s, "swap_sides": True},
+        "field": {"goals": goals},
+        "balls": {"ball": {}},
+        "obstacles": {"post": {"shape": "cylinder", "radius_m": 0.02, "centre_m": [0.5, 0.0]}},
+        "kits": {"v2": {}},
+        "robots": robots,
+        "entrants": {
+            seat: {"robots": {name: "robot.py" for name, robot in robots.items() if robot["colour"] == seat}}
+            for seat in _SEATS
+        },
+        "zones": {
+            "blue_goal": {
+                "shape": "rect", "x_min_m": -0.2, "x_max_m": 0.2, "y_min_m": 0.745, "y_max_m": 0.849,
+            },
+            "penalty_area": {"shape": "rect", "x_min_m": -0.35, "x_max_m": 0.35, "y_min_m": 0.59, "drawn": True},
+            "middle": {"shape": "circle", "centre_m": [0, 0], "radius_m": 0.2},
+        },
+        "gates": {"half_way": {"from_m": [-0.65, 0], "to_m": [0.65, 0]}},
+        "spots": {"centre": {"x_m": 0, "y_m": 0}},
+        "rules": {
+            "goal": {
+                "triggers": [{"trigger": "enters", "entity": "ball", "zone": "blue_goal"}],
+                "actions": [
+                    {"action": "score", "entrant": "yellow", "points": 1},
+                    {"action": "emit", "event": "GOAL", "payload": {"team_name": {"word": "team_name", "of": "yellow"}}},
+                ],
+            }
+        },
+    }  # fmt: skip
+    return Scenario.model_validate_json(json.dumps(fields))
+
+
+def small_header(scenario: Scenario, names: tuple[str, str] = ("Hanse", "Alster")) -> RunHeader:
+    """Return the header of a run of that scenario."""
+    teams = dict(zip(scenario.entrants, names, strict=False))
+    return RunHeader(scenario, 1, teams, {seat: "0" * 64 for seat in teams})
+
+
+def half_info(scenario: Scenario, half: int, ticks: int, header: RunHeader) -> HalfInfo:
+    """Return the facts of a half; teams change seats in the second."""
+    seats = list(scenario.entrants)
+    teams = seats if half % 2 else seats[::-1]
+    return HalfInfo(
+        half=half,
+        halves=scenario.match.halves,
+        ticks=ticks,
+        match_seed=header.seed,
+        match_id=0,
+        team_names={seat: header.team_names[team] for seat, team in zip(seats, teams, strict=True)},
+        teams=dict(zip(seats, teams, strict=True)),
+        scores=dict.fromkeys(seats, 0),
+    )
+
+
+def made_up_snapshot(tick: int, robots: int, *, faults: tuple[Fault, ...] = ()) -> Snapshot:
+    """Return robots that drive on circles and a ball that rolls to and fro between the goals."""
+    substeps = [_poses(tick * TICK_S - TICK_S * (3 - sub) / 4, robots) for sub in range(4)]
+    touches = ((), (), ((0, robots),), ((0, robots), (1, robots + 2))) if tick % 50 == 7 else ((), (), (), ())
+    return Snapshot(
+        tick=tick,
+        substeps=substeps,
+        heights=[_float32(0.0375)] * robots + [_float32(0.0209)],
+        uprights=[1.0] * (robots + 1),
+        touches=touches,
+        faults=faults,
+    )
+
+
+def made_up_play(robots: int, ticks: int) -> Iterator[tuple[Snapshot, Verdict]]:
+    """Yield tick 0 and on: a goal and a kick-off now and then, a program that fails at tick 300."""
+    for tick in range(ticks + 1):
+        fault = Fault("Y1", "crash", tick, 1, "ZeroDivisionError: division by zero", "Traceback …\n  robot.py, 7")
+        snapshot = made_up_snapshot(tick, robots, faults=(fault,) if tick == 300 else ())
+        yield snapshot, _verdict(tick, robots)
+
+
+def write_made_up_run(
+    out: Path, *, ticks: int = 1500, halves: int = 2, names: tuple[str, str] = ("Hanse", "Alster")
+) -> Path:
+    """Write the record of a made-up match; returns its folder."""
+    scenario = small_scenario(halves=halves, half_s=ticks * TICK_S)
+    header = small_header(scenario, names)
+    writer = RecordWriter(out, header)
+    robots = len(scenario.robots)
+    for half in range(1, halves + 1):
+        writer.begin_half(half_info(scenario, half, ticks, header))
+        for snapshot, verdict in made_up_play(robots, ticks):
+            writer.tick(snapshot, verdict, struct.pack("<d", snapshot.substeps[-1][0][0]))
+        writer.end_half(Verdict(events=(Event(ticks, "MATCH_FINISH", {"total_match_time": ticks * TICK_S}),)))
+    return writer.finish({"wall_s": 1.0})
+
+
+def _verdict(tick: int, robots: int) -> Verdict:
+    if tick == 0:
+        return Verdict(events=(Event(0, "KICKOFF", {"robot_name": "B3", "team_name": "B"}), Event(0, "MATCH_START")))
+    if tick % GOAL_EVERY_TICKS == 0:
+        firing = Firing(tick, "goal", None, "enters", 0.76, 0.745, {"yellow": 1}, None, "The ball is in the goal.")
+        return Verdict(
+            events=(Event(tick, "GOAL", {"team_name": "Alster"}),),
+            firings=(firing,),
+            placements=(Placement(robots, 0.0, 0.0, 0.0),),
+            phase="goal_pause",
+            waiting_for_kickoff=True,
+        )
+    pausing = tick > GOAL_EVERY_TICKS and tick % GOAL_EVERY_TICKS < 94
+    return Verdict(phase="goal_pause" if pausing else "play", waiting_for_kickoff=pausing)
+
+
+def _poses(time_s: float, robots: int) -> list[Pose2]:
+    circles = [
+        (0.25 + 0.05 * robot, 2 * math.pi * robot / robots + 0.15 * time_s * (1 + robot / 10))
+        for robot in range(robots)
+    ]
+    poses = [
+        _pose(radius * math.cos(angle), radius * math.sin(angle), angle + math.pi / 2) for radius, angle in circles
+    ]
+    return [*poses, _pose(0.1 * math.sin(time_s), 0.6 * math.sin(time_s / 3), 0.0)]
+
+
+def _pose(x_m: float, y_m: float, yaw_rad: float) -> Pose2:
+    wrapped = math.remainder(yaw_rad, 2 * math.pi)
+    return (_float32(x_m), _float32(y_m), _float32(wrapped))
+
+
+def _float32(value: float) -> float:
+    """Return the nearest number that float32 holds: a trajectory's precision."""
+    return float(struct.unpack("<f", struct.pack("<f", value))[0])

@@ -1,0 +1,257 @@
+"""Reading a trajectory: of a run that is finished, still going on, or was killed.
+
+The referee can be run on what `HalfTrack.snapshots` yields: it gives back the very snapshots of the match.
+"""
+
+from __future__ import annotations
+
+import json
+import zipfile
+import zlib
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from rcj_challenges.facts.play import Fault, HalfInfo, Placement, Snapshot
+from rcj_challenges.records.errors import RecordError
+from rcj_challenges.records.folder import RECORD_VERSION, SCENARIO, TRAJECTORY, TRAJECTORY_PARTS
+from rcj_challenges.records.result import read_result
+from rcj_challenges.records.track import part_paths, row_dtype
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+
+Array = npt.NDArray[Any]
+_ROWS_AT_ONCE = 512
+_DAMAGE = (
+    OSError, EOFError, ValueError, KeyError, TypeError, IndexError, zipfile.BadZipFile, zlib.error,
+    NotImplementedError, AttributeError, OverflowError, MemoryError,
+)  # fmt: skip
+"""What numpy, zipfile and json raise on bytes that are not what they should be."""
+
+
+@dataclass(frozen=True)
+class HalfTrack:
+    """One half. ``T`` ticks (row ``i`` is tick ``i + 1``), ``E`` entities; metres and radians, float32.
+
+    Attributes:
+        info: the half's facts, as the referee got them.
+        start: the snapshot of tick 0, None if the run was killed before it was written.
+        substeps: ``[T, 4, E, 3]``, x, y, yaw.
+        heights: ``[T, E]``, z of the centre.
+        uprights: ``[T, E]``, cosine of the tilt.
+        touch_counts: ``[T, 4]``, how many pairs touched in each sub-step.
+        touch_pairs: ``[N, 2]``, pairs of thing indices, one after the other.
+        placements: what was put elsewhere after a tick, by tick.
+        faults: programs that failed, by the tick at which the referee heard of it.
+    """
+
+    info: HalfInfo
+    start: Snapshot | None
+    substeps: Array
+    heights: Array
+    uprights: Array
+    touch_counts: Array
+    touch_pairs: Array
+    placements: Mapping[int, tuple[Placement, ...]]
+    faults: Mapping[int, tuple[Fault, ...]]
+
+    @property
+    def ticks(self) -> int:
+        """How many ticks there are."""
+        return len(self.substeps)
+
+    def snapshots(self) -> Iterator[Snapshot]:
+        """Yield the snapshots of tick 1 and on, equal to those that were recorded."""
+        ends = np.cumsum(self.touch_counts.sum(axis=1, dtype=np.int64))
+        for first in range(0, self.ticks, _ROWS_AT_ONCE):
+            rows = slice(first, first + _ROWS_AT_ONCE)
+            substeps = self.substeps[rows].tolist()
+            heights, uprights = self.heights[rows].tolist(), self.uprights[rows].tolist()
+            counts, stops = self.touch_counts[rows].tolist(), ends[rows].tolist()
+            for offset, stop in enumerate(stops):
+                tick = first + offset + 1
+                yield Snapshot(
+                    tick=tick,
+                    substeps=[[tuple(pose) for pose in substep] for substep in substeps[offset]],
+                    heights=heights[offset],
+                    uprights=uprights[offset],
+                    touches=self._touches(counts[offset], stop),
+                    faults=self.faults.get(tick, ()),
+                )
+
+    def _touches(self, counts: list[int], stop: int) -> tuple[tuple[tuple[int, int], ...], ...]:
+        total = sum(counts)
+        if not total:
+            return ((),) * len(counts)
+        pairs = [tuple(pair) for pair in self.touch_pairs[stop - total : stop].tolist()]
+        ends = np.cumsum(counts).tolist()
+        return tuple(tuple(pairs[end - count : end]) for end, count in zip(ends, counts, strict=True))
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """All halves of a run.
+
+    Attributes:
+        entities: robots, balls, movable obstacles, in this order.
+        robots, balls: how many of the entities are robots; how many are balls.
+        things: the entities, then fixed obstacles, then ``walls``: what touches are pairs of.
+        finished: False if the run was killed or still goes on.
+        halves: those that were begun.
+    """
+
+    entities: tuple[str, ...]
+    robots: int
+    balls: int
+    things: tuple[str, ...]
+    finished: bool
+    halves: tuple[HalfTrack, ...]
+
+    @classmethod
+    def open(cls, folder: Path) -> Self:
+        """Read the trajectory of a run.
+
+        Raises:
+            RecordError: there is none, it is damaged, foreign, or written by a newer version.
+        """
+        packed = folder / TRAJECTORY
+        try:
+            return cls._packed(packed) if packed.exists() else cls._parts(folder)
+        except _DAMAGE as error:
+            raise RecordError(f"{folder.name}: the trajectory is damaged or none of ours: {error}") from error
+
+    @classmethod
+    def _packed(cls, path: Path) -> Self:
+        with np.load(path, allow_pickle=False) as arrays:
+            if "header" not in arrays:
+                raise ValueError(f"{path.name} has no header")
+            header = json.loads(arrays["header"].tobytes())
+            _refuse_newer(header["record"], path.parent)
+            entities = len(header["entities"])
+            halves = tuple(
+                _half(lambda field, half=half: arrays[f"half{half}_{field}"], entities, half)  # type: ignore[misc]
+                for half in range(1, header["halves"] + 1)
+            )
+        return cls._made(header, halves, finished=True)
+
+    @classmethod
+    def _parts(cls, folder: Path) -> Self:
+        result = read_result(folder)
+        parts = folder / TRAJECTORY_PARTS
+        if not parts.is_dir():
+            raise RecordError(f"{folder.name}: the trajectory is missing")
+        roster = Roster.of(Scenario.model_validate_json((folder / SCENARIO).read_bytes()))
+        _refuse_newer(result.record, folder)
+        halves: list[HalfTrack] = []
+        while all(path.exists() for path in part_paths(parts, len(halves) + 1)):
+            half = len(halves) + 1
+            fields = _read_parts(parts, half, len(roster.entities))
+            if not fields["notes"].size:
+                break  # killed before the half's first line was written
+            halves.append(_half(fields.__getitem__, len(roster.entities), half))
+        header = {
+            "entities": roster.entities,
+            "robots": roster.robots,
+            "balls": roster.balls,
+            "things": roster.things,
+        }
+        return cls._made(header, tuple(halves), finished=False)
+
+    @classmethod
+    def _made(cls, header: Mapping[str, Any], halves: tuple[HalfTrack, ...], *, finished: bool) -> Self:
+        return cls(
+            entities=tuple(header["entities"]),
+            robots=int(header["robots"]),
+            balls=int(header["balls"]),
+            things=tuple(header["things"]),
+            finished=finished,
+            halves=halves,
+        )
+
+
+def _refuse_newer(record: int, folder: Path) -> None:
+    if record > RECORD_VERSION:
+        raise RecordError(
+            f"{folder.name}: its record has version {record}, this package reads up to {RECORD_VERSION}: "
+            "it needs a newer rcj-challenges"
+        )
+
+
+def _read_parts(parts: Path, half: int, entities: int) -> dict[str, Array]:
+    """Return the arrays of a half that was not packed, up to its last whole tick."""
+    poses, touches, notes = part_paths(parts, half)
+    dtype = row_dtype(entities)
+    rows = np.fromfile(poses, dtype, poses.stat().st_size // dtype.itemsize)
+    fields = {name: np.ascontiguousarray(rows[name]) for name in dtype.names or ()}
+    pairs = int(fields["touch_counts"].sum(dtype=np.int64))
+    fields["touch_pairs"] = np.fromfile(touches, "<u2", 2 * pairs).reshape(-1, 2)
+    text = notes.read_bytes()
+    fields["notes"] = np.frombuffer(text[: text.rfind(b"\n") + 1], np.uint8)
+    return fields
+
+
+def _half(field: Callable[[str], Array], entities: int, half: int) -> HalfTrack:
+    """Build a half from its arrays.
+
+    Raises:
+        ValueError: they do not fit each other.
+    """
+    substeps = field("substeps")
+    info, start, placements, faults = _read_notes(field("notes").tobytes(), len(substeps))
+    track = HalfTrack(
+        info,
+        start,
+        substeps,
+        field("heights"),
+        field("uprights"),
+        field("touch_counts"),
+        field("touch_pairs"),
+        placements,
+        faults,
+    )
+    ticks, dtype = track.ticks, row_dtype(entities)
+    for name in dtype.names or ():
+        found: Array = getattr(track, name)
+        if found.shape != (ticks, *dtype[name].shape) or found.dtype != dtype[name].base:
+            raise ValueError(f"{name} of half {half} has the shape {found.shape}")
+    if track.touch_pairs.shape != (int(track.touch_counts.sum(dtype=np.int64)), 2):
+        raise ValueError(f"touches of half {half} are not complete")
+    return track
+
+
+def _read_notes(
+    text: bytes, ticks: int
+) -> tuple[HalfInfo, Snapshot | None, dict[int, tuple[Placement, ...]], dict[int, tuple[Fault, ...]]]:
+    """Return what the lines of notes hold: the half's facts, its start, placements and faults by tick.
+
+    A kill may leave notes of ticks whose poses were never written; they are left out.
+    """
+    first, *lines = [json.loads(line) for line in text.splitlines()]
+    start: Snapshot | None = None
+    placements: dict[int, tuple[Placement, ...]] = {}
+    faults: dict[int, tuple[Fault, ...]] = {}
+    for line in lines:
+        if line["tick"] > ticks:
+            break
+        if "start" in line:
+            start = _snapshot(line["start"])
+        if "placements" in line:
+            placements[line["tick"]] = tuple(Placement(*placement) for placement in line["placements"])
+        if "faults" in line:
+            faults[line["tick"]] = tuple(Fault(**fault) for fault in line["faults"])
+    return HalfInfo(**first["half"]), start, placements, faults
+
+
+def _snapshot(data: dict[str, Any]) -> Snapshot:
+    return Snapshot(
+        tick=data["tick"],
+        substeps=[[tuple(pose) for pose in substep] for substep in data["substeps"]],
+        heights=data["heights"],
+        uprights=data["uprights"],
+        touches=tuple(tuple((a, b) for a, b in substep) for substep in data["touches"]),
+        faults=tuple(Fault(**fault) for fault in data["faults"]),
+    )

@@ -1,0 +1,295 @@
+"""Writing the record of a run while it is played: cheap on every tick, readable after a kill at any moment."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from datetime import datetime
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Self
+
+from rcj_challenges.facts.play import Fault, Firing, HalfInfo, Snapshot, Verdict
+from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.records.digest import Digest
+from rcj_challenges.records.folder import (
+    LOGS,
+    RECORD_VERSION,
+    REFEREE_LOG,
+    REFLOG,
+    RESULT,
+    SCENARIO,
+    TRAJECTORY_PARTS,
+    folder_name,
+    make_run_folder,
+    replaced,
+    timestamp,
+    utc_now,
+)
+from rcj_challenges.records.lines import json_line
+from rcj_challenges.records.pack import pack_trajectory
+from rcj_challenges.records.reflog import event_line, events_of, firing_line, reflog_lines
+from rcj_challenges.records.result import RunResult, versions
+from rcj_challenges.records.track import TrackWriter
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+
+Score = int | float
+
+
+@dataclass(frozen=True)
+class RunHeader:
+    """What is known of a run before it begins.
+
+    Attributes:
+        scenario: resolved: presets, parameters and command line worked in.
+        seed: of everything that chance decides.
+        team_names: name of each team, by its seat of the first half.
+        programs: hash of each team's files, by its seat of the first half.
+        match_id: as in MATCH_START.
+        sandbox: how programs are isolated, JSON-able.
+        marks: what makes this run special, such as ``debug``.
+    """
+
+    scenario: Scenario
+    seed: int
+    team_names: Mapping[str, str]
+    programs: Mapping[str, str]
+    match_id: int = 0
+    sandbox: Mapping[str, Any] = field(default_factory=dict)
+    marks: tuple[str, ...] = ()
+
+
+class RecordWriter:
+    """The record of one run.
+
+    Use as a context manager, or call `finish` in any case: without it the folder stays readable, but marked as not
+    complete. Left by an exception, the context closes the record as it is and names the exception's type.
+
+    Attributes:
+        folder: of this run, made by the constructor, shared with nobody.
+        logs: folder for the programs' output.
+    """
+
+    def __init__(
+        self,
+        out: Path,
+        header: RunHeader,
+        *,
+        name: str | None = None,
+        now: Callable[[], datetime] = utc_now,
+    ) -> None:
+        """Make the folder; write the scenario and a result that is not complete yet.
+
+        Args:
+            out: the folder in which the run's folder is made (``runs``).
+            header: what is known before the start.
+            name: of the run's folder; left out: time and scenario. A number is added if it exists.
+            now: the wall clock, for the name and for ``datetime`` in the reflog.
+
+        Raises:
+            RecordError: the folder cannot be made.
+        """
+        self._now = now
+        self._started = now()
+        self._header = header
+        self._roster = Roster.of(header.scenario)
+        scenario = header.scenario.model_dump(mode="json", by_alias=True)
+        self._digest = Digest(scenario, header.seed, header.programs)
+        self.folder = make_run_folder(out, name or folder_name(self._started, header.scenario.id))
+        self.logs = self.folder / LOGS
+        self.logs.mkdir()
+        self._parts = self.folder / TRAJECTORY_PARTS
+        self._parts.mkdir()
+        (self.folder / SCENARIO).write_bytes(json_line(scenario))
+        self._reflog = (self.folder / REFLOG).open("xb", buffering=0)
+        self._referee_log = (self.folder / REFEREE_LOG).open("xb", buffering=0)
+        self._track: TrackWriter | None = None
+        self._half: HalfInfo | None = None
+        self._phase: tuple[str, bool] | None = None
+        self._events: list[dict[str, Any]] = []
+        self._faults: list[dict[str, Any]] = []
+        self._halves: list[dict[str, Any]] = []
+        self._begun = 0
+        self._scores: dict[str, Score] = dict.fromkeys(header.team_names, 0)
+        self._result: dict[str, Any] | None = None
+        self._versions = versions().model_dump()
+        self._write_result({})
+
+    @property
+    def result(self) -> dict[str, Any]:
+        """What ``result.json`` says at present; a copy may be printed or sent as JSON."""
+        return dict(self._result or {})
+
+    def begin_half(self, half: HalfInfo) -> None:
+        """Begin a half; its ticks follow, tick 0 (the start, before physics) first."""
+        self._track = TrackWriter(self._parts, half, len(self._roster.entities))
+        self._begun = half.half
+        self._half = half
+        self._phase = None
+        self._scores |= {half.teams[seat]: points for seat, points in half.scores.items()}
+        self._digest.half(half.half)
+
+    def tick(self, snapshot: Snapshot, verdict: Verdict, state: bytes) -> None:
+        """Record one judged tick.
+
+        Args:
+            snapshot: what the referee saw.
+            verdict: what it answered; its placements are carried out after the snapshot.
+            state: the judged qpos and qvel as little-endian float64.
+        """
+        track = self._track
+        if track is None:
+            raise ValueError("a tick outside of a half: call begin_half first")
+        self._digest.state(state)
+        track.append(snapshot, verdict.placements)
+        if verdict.firings or verdict.events or snapshot.faults:
+            self._say(snapshot, verdict)
+        if (verdict.phase, verdict.waiting_for_kickoff) != self._phase:
+            self._phase = (verdict.phase, verdict.waiting_for_kickoff)
+            self._note_phase(snapshot.tick, verdict)
+
+    def end_half(self, closing: Verdict, scores: Mapping[str, Score] | None = None, ended: str | None = None) -> None:
+        """End the half.
+
+        Args:
+            closing: what the rules of ``half_ended`` said.
+            scores: points by seat; left out: the sum of what the firings scored.
+            ended: the reason of the rule that ended it, None if the time was up.
+        """
+        if self._track is None or self._half is None:
+            raise ValueError("no half to end: call begin_half first")
+        half, ticks = self._half, self._track.ticks
+        if closing.firings or closing.events:
+            self._say(Snapshot(ticks, [], [], [], ()), closing)
+        if scores is not None:
+            self._scores |= {half.teams[seat]: points for seat, points in scores.items()}
+        self._halves.append(
+            {
+                "half": half.half,
+                "sides": dict(half.teams),
+                "score": dict(self._scores),
+                "ticks": ticks,
+                "ended": ended,
+            }
+        )
+        self._track.close()
+        self._track = None
+        self._write_result({})
+
+    def finish(self, result: Mapping[str, Any] | None = None) -> Path:
+        """Close the record: the trajectory becomes one file, the result is complete. Returns the folder.
+
+        Args:
+            result: fields of `RunResult` that only the caller knows (``wall_s``, ``sandbox``, ``marks``, ``score``),
+                and ``complete: False`` with ``stopped`` for a run that was not played to its end.
+        """
+        if self._track is not None:
+            self._track.close()
+            self._track = None
+        self._reflog.close()
+        self._referee_log.close()
+        pack_trajectory(self.folder, self._trajectory_header(), self._begun)
+        self._write_result({"complete": True, "digest": self._digest.hexdigest()} | dict(result or {}))
+        return self.folder
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if kind is not None and not self._reflog.closed:
+            self.finish({"complete": False, "digest": "", "stopped": kind.__name__})
+
+    # --- parts ------------------------------------------------------------------------------------------------------
+
+    def _say(self, snapshot: Snapshot, verdict: Verdict) -> None:
+        """Write what happened: to the reflog, the referee's log, the digest and the result to come."""
+        half = self._half
+        assert half is not None  # noqa: S101 - only called within a half
+        events = events_of(snapshot, verdict)
+        if events:
+            self._reflog.write(reflog_lines(events, timestamp(self._now())))
+        for event in events:
+            self._digest.event(event)
+        lines = [event_line(half.half, event) for event in events]
+        self._events += lines
+        self._referee_log.write(
+            b"".join(
+                [
+                    *(json_line(firing_line(half.half, firing)) for firing in verdict.firings),
+                    *(json_line({"kind": "event", **line}) for line in lines),
+                ]
+            )
+        )
+        self._faults += [self._fault(fault, half) for fault in snapshot.faults]
+        for firing in verdict.firings:
+            self._add_points(firing, half)
+
+    def _note_phase(self, tick: int, verdict: Verdict) -> None:
+        half = self._half
+        assert half is not None  # noqa: S101 - only called within a half
+        line = {"half": half.half, "kind": "phase", "tick": tick, "phase": verdict.phase}
+        self._referee_log.write(json_line(line | {"waiting_for_kickoff": verdict.waiting_for_kickoff}))
+
+    def _add_points(self, firing: Firing, half: HalfInfo) -> None:
+        if firing.suppressed is None:
+            for seat, points in firing.scored.items():
+                self._scores[half.teams[seat]] += points
+
+    def _fault(self, fault: Fault, half: HalfInfo) -> dict[str, Any]:
+        entrants = self._header.scenario.entrants
+        team = next((half.teams[seat] for seat, entrant in entrants.items() if fault.robot in entrant.robots), None)
+        return {
+            "robot": fault.robot,
+            "team": team,
+            "half": fault.half,
+            "tick": fault.tick,
+            "kind": fault.kind,
+            "detail": fault.detail,
+            "traceback": fault.traceback,
+        }
+
+    def _trajectory_header(self) -> dict[str, Any]:
+        roster = self._roster
+        return {
+            "scenario": self._header.scenario.id,
+            "seed": self._header.seed,
+            "entities": list(roster.entities),
+            "robots": roster.robots,
+            "balls": roster.balls,
+            "things": list(roster.things),
+        }
+
+    def _write_result(self, more: Mapping[str, Any]) -> None:
+        header = self._header
+        simulated_s = round(sum(half["ticks"] for half in self._halves) * TICK_S, 3)
+        entrants = {team: {"name": name, "programs": header.programs[team]} for team, name in header.team_names.items()}
+        fields: dict[str, Any] = {
+            "record": RECORD_VERSION,
+            "complete": False,
+            "stopped": None,
+            "scenario": header.scenario.id,
+            "title": header.scenario.title,
+            "started": timestamp(self._started),
+            "seed": header.seed,
+            "match_id": header.match_id,
+            "entrants": entrants,
+            "score": dict(self._scores),
+            "halves": self._halves,
+            "events": self._events,
+            "faults": self._faults,
+            "digest": "",
+            "simulated_s": simulated_s,
+            "wall_s": 0.0,
+            "real_time_factor": 0.0,
+            "versions": self._versions,
+            "sandbox": dict(header.sandbox),
+            "marks": list(header.marks),
+        } | dict(more)
+        if fields["wall_s"] > 0 and "real_time_factor" not in more:
+            fields["real_time_factor"] = round(fields["simulated_s"] / fields["wall_s"], 2)
+        self._result = RunResult.model_validate(fields).model_dump(mode="json")
+        with replaced(self.folder / RESULT) as file:
+            file.write(json_line(self._result))

@@ -1,0 +1,110 @@
+"""A sheet as blocks, rendered as Markdown or as HTML."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from html import escape
+
+
+@dataclass(frozen=True)
+class Heading:
+    """A heading; level 1 is the title."""
+
+    level: int
+    text: str
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    """Running text."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Items:
+    """A list; with ``numbered`` its order means something."""
+
+    entries: tuple[str, ...]
+    numbered: bool = False
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table with a head."""
+
+    head: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True)
+class Picture:
+    """An SVG document."""
+
+    svg: str
+
+
+Block = Heading | Paragraph | Items | Table | Picture
+
+_MARKDOWN_MARKS = str.maketrans({mark: f"\\{mark}" for mark in "\\`*_[]<>#|"})
+
+_CSS = """
+:root{color-scheme:light dark}
+body{font:16px/1.5 system-ui,-apple-system,'Segoe UI',sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem}
+table{border-collapse:collapse;margin:.5rem 0 1rem}th,td{border:1px solid #8886;padding:.3rem .6rem;text-align:left}
+th{background:#8882}svg{max-width:100%;height:auto;background:#fff;border-radius:6px}li{margin:.3rem 0}
+@media print{body{margin:0;max-width:none}}
+"""
+
+
+def as_markdown(blocks: Iterable[Block]) -> str:
+    """Return the blocks as Markdown; pictures stand in it as inline SVG."""
+    return "\n\n".join(_markdown(block) for block in blocks) + "\n"
+
+
+def as_html(title: str, blocks: Iterable[Block]) -> str:
+    """Return the blocks as one self-contained HTML page."""
+    body = "\n".join(_html(block) for block in blocks)
+    return (
+        '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n"
+        f"<title>{escape(title)}</title>\n<style>{_CSS}</style>\n</head>\n<body>\n{body}\n</body>\n</html>\n"
+    )
+
+
+def _markdown(block: Block) -> str:
+    if isinstance(block, Heading):
+        return f"{'#' * block.level} {_plain(block.text)}"
+    if isinstance(block, Paragraph):
+        return _plain(block.text)
+    if isinstance(block, Items):
+        return "\n".join(f"{f'{k}.' if block.numbered else '-'} {_plain(e)}" for k, e in enumerate(block.entries, 1))
+    if isinstance(block, Table):
+        rows = [block.head, tuple("---" for _ in block.head), *block.rows]
+        return "\n".join(
+            "| " + " | ".join(cell if k == 1 else _plain(cell) for cell in row) + " |" for k, row in enumerate(rows)
+        )
+    return "\n".join(line for line in block.svg.splitlines() if line.strip())
+
+
+def _plain(text: str) -> str:
+    return " ".join(text.split()).translate(_MARKDOWN_MARKS)
+
+
+def _html(block: Block) -> str:
+    if isinstance(block, Heading):
+        return f"<h{block.level}>{escape(block.text)}</h{block.level}>"
+    if isinstance(block, Paragraph):
+        return f"<p>{escape(block.text)}</p>"
+    if isinstance(block, Items):
+        tag = "ol" if block.numbered else "ul"
+        return f"<{tag}>" + "".join(f"<li>{escape(entry)}</li>" for entry in block.entries) + f"</{tag}>"
+    if isinstance(block, Table):
+        return "<table>" + _row("th", block.head) + "".join(_row("td", row) for row in block.rows) + "</table>"
+    return block.svg
+
+
+def _row(tag: str, cells: Sequence[str]) -> str:
+    return "<tr>" + "".join(f"<{tag}>{escape(cell)}</{tag}>" for cell in cells) + "</tr>"
