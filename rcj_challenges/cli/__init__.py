@@ -33,7 +33,7 @@ def main() -> None:
         sys.exit(INTERRUPTED)
     except BrokenPipeError:
         sys.exit(OK)  # the reader of our output has seen enough
-    except Exception as error:
+    except Exception as error:  # noqa: BLE001 - the last line of defence: what is unexpected becomes a report
         sys.exit(_usage_error(error) or report_our_fault(error))
     sys.exit(code if isinstance(code, int) else OK)
 

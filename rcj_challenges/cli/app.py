@@ -23,7 +23,8 @@ _Set = Annotated[
     typer.Option("--set", metavar="PATH=VALUE", help="Change a param or any value: --set half_s=60. Repeatable."),
 ]
 _Sandbox = Annotated[
-    str, typer.Option("--sandbox", metavar="auto|strict|off", help="How programs are isolated (docs/isolation.md).")
+    str,
+    typer.Option("--sandbox", metavar="auto|strict|off", help="How programs are isolated (docs/isolation.md)."),
 ]
 
 
@@ -63,7 +64,9 @@ def run(
     halves: Annotated[int | None, typer.Option("--halves", help="How many halves.")] = None,
     set_: _Set = None,
     match_id: Annotated[int, typer.Option("--match-id", min=0, help="Number of the match in its log.")] = 0,
-    out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the record's folder is made.")] = Path("runs"),
+    out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the record's folder is made.")] = Path(
+        "runs"
+    ),
     json_: Annotated[bool, typer.Option("--json", help="Print the result as JSON and nothing else.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Print only the last lines.")] = False,
     real_time: Annotated[bool, typer.Option("--real-time", help="Play at the pace of the clock.")] = False,
@@ -120,10 +123,65 @@ def validate(
 @app.command()
 def schema(
     out: Annotated[
-        Path | None, typer.Option("--out", metavar="FILE", help="Where to write it; left out: standard output.")
+        Path | None,
+        typer.Option("--out", metavar="FILE", help="Where to write it; left out: standard output."),
     ] = None,
 ) -> None:
     """Write the JSON schema of scenario files, for completion in editors."""
     from rcj_challenges.cli.schema import write_schema
 
     raise typer.Exit(write_schema(out))
+
+
+_Scenario = Annotated[str, typer.Argument(help="A scenario file, or the name of a shipped one.")]
+
+
+@app.command()
+def draw(
+    scenario: _Scenario,
+    out: Annotated[
+        Path | None, typer.Option("--out", "-o", metavar="FILE", help="SVG file; left out: standard output.")
+    ] = None,
+    set_: _Set = None,
+) -> None:
+    """Draw the field with zones, gates, spots, start poses and placement areas."""
+    from rcj_challenges.cli import author
+
+    raise typer.Exit(author.draw(scenario, out, set_ or []))
+
+
+@app.command()
+def sheet(
+    scenario: _Scenario,
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", "-o", metavar="FILE", help=".md or .html; left out: Markdown to the terminal."),
+    ] = None,
+    set_: _Set = None,
+) -> None:
+    """Write the rule sheet for the teams."""
+    from rcj_challenges.cli import author
+
+    raise typer.Exit(author.sheet(scenario, out, set_ or []))
+
+
+@app.command()
+def simulate(
+    scenario: _Scenario,
+    seeds: Annotated[str, typer.Option("--seeds", metavar="1..N", help="Which seeds: 1..10, 3 or 1,4,7..9.")] = "1..10",
+    team: Annotated[
+        list[str] | None,
+        typer.Option("--team", metavar="ENTRANT=PATH", help="Who plays; left out: the sample team. Repeatable."),
+    ] = None,
+    set_: _Set = None,
+    out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the records are made.")] = Path("runs"),
+    at_once: Annotated[int | None, typer.Option("--at-once", min=1, help="Matches at a time; default: cores.")] = None,
+    json_: Annotated[bool, typer.Option("--json", help="Print the summary as JSON and nothing else.")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress lines.")] = False,
+) -> None:
+    """Play a challenge with many seeds in parallel and report scores, events and faults."""
+    from rcj_challenges.cli import simulate as command
+
+    raise typer.Exit(
+        command.simulate(command.SimulateOptions(scenario, seeds, team or [], set_ or [], out, at_once, json_, quiet))
+    )

@@ -102,7 +102,7 @@ def _open_teams(loaded: Loaded, options: RunOptions) -> dict[str, Team]:
     try:
         for seat, entrant in entrants.items():
             path = Path(given[seat]) if seat in given else _sample_team(loaded, seat)
-            opened[seat] = open_team(path, entrant)
+            opened[seat] = open_team(path, *(entrants.values() if loaded.scenario.match.swap_sides else (entrant,)))
     except BaseException:
         for team in opened.values():
             team.close()
@@ -155,7 +155,8 @@ def _summary(console: Console, result: dict[str, Any], folder: Path, *, replay: 
         for fault in result["faults"]
     ]
     lines.append(
-        f"{result['simulated_s']:.0f} s played in {result['wall_s']:.1f} s ({result['real_time_factor']:.0f} x real time)"
+        f"{result['simulated_s']:.0f} s played in {result['wall_s']:.1f} s "
+        f"({result['real_time_factor']:.0f} x real time)"
     )
     lines.append(f"record: {folder}")
     if replay:

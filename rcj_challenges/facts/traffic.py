@@ -110,6 +110,7 @@ class Request:
         sampling: (device index, period in ticks; 0 = disable) changed since the last request, in order.
         channels: (device index, channel) set by ``setChannel``.
         printed_bytes: how much the program has printed so far.
+        frequencies: (device index, Hz) set by ``setFrequency`` of a rotating lidar.
     """
 
     advance_ticks: int
@@ -119,3 +120,4 @@ class Request:
     sampling: tuple[tuple[int, int], ...] = ()
     channels: tuple[tuple[int, int], ...] = ()
     printed_bytes: int = 0
+    frequencies: tuple[tuple[int, float], ...] = ()

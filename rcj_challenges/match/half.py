@@ -32,14 +32,12 @@ class HalfStage:
         referee: the rules, fresh.
         rack: the robots' devices.
         drivers: by robot index; robots without one stand braked.
-        robot_names: by robot index.
     """
 
     world: World
     referee: Referee
     rack: DeviceRack
     drivers: Mapping[int, Driver]
-    robot_names: tuple[str, ...]
 
 
 @dataclass(frozen=True)

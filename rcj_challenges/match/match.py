@@ -1,25 +1,32 @@
-"""A whole match: halves one after the other, each with a fresh world and fresh processes."""
+"""A whole match: halves one after the other, each with a fresh world and fresh processes, all of it recorded."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.controllers.crew import Crew
+from rcj_challenges.controllers.crew import Crew, CrewPlan
+from rcj_challenges.controllers.isolation import active_layers
+from rcj_challenges.controllers.program import Program
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.devices.rack import DeviceRack
-from rcj_challenges.facts.play import Event, Fault, HalfInfo, Snapshot, Verdict
-from rcj_challenges.facts.timing import TICK_S, ticks_from_s
+from rcj_challenges.devices import DeviceRack, device_sites
+from rcj_challenges.devices.fitting import fit, robot_specs
+from rcj_challenges.facts.play import HalfInfo
+from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.facts.traffic import RobotSpec
+from rcj_challenges.match.clerk import HalfClerk
 from rcj_challenges.match.half import HalfOutcome, HalfPlay, HalfStage
 from rcj_challenges.match.seats import by_seat, by_team, teams_by_seat
-from rcj_challenges.match.watching import Progress, Silent, Watcher
-from rcj_challenges.records.writer import RecordWriter
+from rcj_challenges.match.watching import Silent, Watcher
+from rcj_challenges.records.writer import RecordWriter, RunHeader
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.world.world import World
+
+Score = int | float
 
 
 @dataclass(frozen=True)
@@ -29,7 +36,7 @@ class MatchPlan:
     Attributes:
         loaded: the scenario.
         teams: by seat of the first half.
-        team_names: as shown and logged, by seat of the first half.
+        team_names: as shown and logged, by seat of the first half; overrides what the teams call themselves.
         seed: of everything that chance decides.
         match_id: as printed in MATCH_START.
         out: the folder in which the record's folder is made.
@@ -48,4 +55,117 @@ class MatchPlan:
     sandbox: str = "auto"
     real_time: bool = False
     show_output: frozenset[str] = frozenset()
-    debug: frozenset[str] = field(default_factory=frozenset)
+    debug: frozenset[str] = frozenset()
+
+    def name_of(self, team: str) -> str:
+        """Return what a team is called."""
+        return self.team_names.get(team) or self.teams[team].name
+
+
+@dataclass(frozen=True)
+class PlayedMatch:
+    """A match that is over.
+
+    Attributes:
+        folder: of its record.
+        result: as in ``result.json``.
+    """
+
+    folder: Path
+    result: dict[str, Any]
+
+
+def play_match(plan: MatchPlan, watcher: Watcher | None = None) -> PlayedMatch:
+    """Play all halves of a match and record them.
+
+    Raises:
+        RcjError: the record's folder cannot be made, a sandbox layer is missing, the physics became unstable.
+        KeyboardInterrupt: somebody interrupted it; the record is closed, marked as not complete.
+    """
+    return _MatchPlay(plan, watcher or Silent()).play()
+
+
+class _MatchPlay:
+    def __init__(self, plan: MatchPlan, watcher: Watcher) -> None:
+        self._plan = plan
+        self._watcher = watcher
+        self._scenario = plan.loaded.scenario
+        self._roster = plan.loaded.roster
+        self._scores: dict[str, Score] = dict.fromkeys(self._scenario.entrants, 0)
+        self._kept: dict[str, Any] = {}
+        self._half_ticks = ticks_from_s(self._scenario.match.half_s)
+
+    def play(self) -> PlayedMatch:
+        plan = self._plan
+        began = time.perf_counter()
+        header = RunHeader(
+            scenario=self._scenario,
+            seed=plan.seed,
+            team_names={team: plan.name_of(team) for team in plan.teams},
+            programs={team: opened.digest for team, opened in plan.teams.items()},
+            match_id=plan.match_id,
+            sandbox={"mode": plan.sandbox, "layers": list(active_layers(plan.sandbox))},
+            marks=("debug",) if plan.debug else (),
+        )
+        with RecordWriter(plan.out, header) as record:
+            for number in range(1, self._scenario.match.halves + 1):
+                if self._play_half(number, record).ends_match:
+                    break
+            record.finish({"wall_s": round(time.perf_counter() - began, 3)})
+        self._watcher.finished(record.result)
+        return PlayedMatch(record.folder, record.result)
+
+    def _play_half(self, number: int, record: RecordWriter) -> HalfOutcome:
+        """Play one half with a world and processes of its own; programs start while the world is compiled."""
+        plan, scenario, roster = self._plan, self._scenario, self._roster
+        half = self._half_info(number)
+        specs = robot_specs(scenario, roster, fit(scenario, roster))
+        crew_plan = CrewPlan(scenario.limits, half.half, plan.seed, record.logs, sandbox=plan.sandbox, debug=plan.debug)
+        with Crew(crew_plan) as crew:
+            drivers = self._launch(crew, specs, half)
+            world = World(scenario, roster, device_sites(scenario, roster))
+            referee = Referee(scenario, roster, half)
+            rack = DeviceRack(scenario, roster, world, half)
+            clerk = HalfClerk(half, referee, record, self._watcher, crew, plan.show_output, real_time=plan.real_time)
+            record.begin_half(half)
+            self._watcher.half_started(half)
+            stage = HalfStage(world, referee, rack, drivers)
+            outcome = HalfPlay(stage, half, clerk.ticked, self._watcher.fault).play()
+            record.end_half(outcome.closing, referee.scores, outcome.ended)
+            crew.finish(
+                {
+                    roster.entities[robot]: rack.observe(robot, outcome.ticks, over=True)
+                    for robot, driver in drivers.items()
+                    if driver.fault is None
+                }
+            )
+            clerk.closed(outcome.closing)
+        self._scores = by_team(referee.scores, half.teams)
+        self._kept = dict(referee.kept)
+        return outcome
+
+    def _launch(self, crew: Crew, specs: Mapping[int, RobotSpec], half: HalfInfo) -> dict[int, Program]:
+        """Start the programs of all seats; returns them by robot index."""
+        drivers: dict[int, Program] = {}
+        for seat, entrant in self._scenario.entrants.items():
+            team = self._plan.teams[half.teams[seat]]
+            for name, entry_points in entrant.robots.items():
+                robot = self._roster.index[name]
+                if robot in specs:
+                    drivers[robot] = crew.add(specs[robot], team, team.entry_for(name, entry_points))
+        crew.launch()
+        return {robot: drivers[robot] for robot in sorted(drivers)}
+
+    def _half_info(self, number: int) -> HalfInfo:
+        teams = teams_by_seat(self._scenario, number)
+        return HalfInfo(
+            half=number,
+            halves=self._scenario.match.halves,
+            ticks=self._half_ticks,
+            match_seed=self._plan.seed,
+            match_id=self._plan.match_id,
+            team_names={seat: self._plan.name_of(team) for seat, team in teams.items()},
+            teams=teams,
+            scores=by_seat(self._scores, teams),
+            kept=dict(self._kept),
+        )

@@ -33,6 +33,7 @@ class Digest:
         """
         self._sha = hashlib.sha256(f"rcj-challenges digest {DIGEST_VERSION}\n".encode("ascii"))
         self._pending = bytearray()
+        self._state_bytes = -1
         self._state_head = b""
         for part in (scenario, seed, dict(programs)):
             self._frame(b"I", canonical(part))
@@ -43,11 +44,11 @@ class Digest:
 
     def state(self, state: bytes) -> None:
         """Add the judged state of one tick."""
-        if len(state) != len(self._state_head):
-            self._state_head = state  # only its length matters: it says whether the head below still fits
-            self._head = b"S" + len(state).to_bytes(4, "little")
+        if len(state) != self._state_bytes:
+            self._state_bytes = len(state)
+            self._state_head = b"S" + len(state).to_bytes(4, "little")
         pending = self._pending
-        pending += self._head
+        pending += self._state_head
         pending += state
         if len(pending) > _CHUNK_BYTES:
             self._sha.update(pending)

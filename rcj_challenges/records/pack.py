@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 import zipfile
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -21,19 +21,19 @@ _FIXED_DATE = (1980, 1, 1, 0, 0, 0)  # the earliest a ZIP can hold: equal runs g
 Array = npt.NDArray[Any]
 
 
-def pack_trajectory(folder: Path, header: Mapping[str, Any], halves: int) -> Path:
+def pack_trajectory(folder: Path, header: Mapping[str, Any], halves: Sequence[int]) -> Path:
     """Write ``trajectory.npz`` from the parts, by streaming, and remove them. Returns its path.
 
     Args:
         folder: of the run.
         header: what all halves share: entities, things, scenario, seed.
-        halves: how many were begun.
+        halves: the numbers of those that were begun.
     """
     parts = folder / TRAJECTORY_PARTS
     path = folder / TRAJECTORY
     with replaced(path) as file, zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
-        _add(archive, "header", [_as_bytes({**header, "record": RECORD_VERSION, "halves": halves})])
-        for half in range(1, halves + 1):
+        _add(archive, "header", [_as_bytes({**header, "record": RECORD_VERSION, "halves": list(halves)})])
+        for half in halves:
             _pack_half(archive, parts, half, len(header["entities"]))
     shutil.rmtree(parts)
     return path

@@ -61,7 +61,7 @@ def small_scenario(robots_per_team: int = 3, halves: int = 2, half_s: float = 60
                 "triggers": [{"trigger": "enters", "entity": "ball", "zone": "blue_goal"}],
                 "actions": [
                     {"action": "score", "entrant": "yellow", "points": 1},
-                    {"action": "emit", "event": "GOAL", "payload": {"team_name": {"word": "team_name", "of": "yellow"}}},
+                    {"action": "emit", "event": "GOAL", "payload": {"team_name": "yellow"}},
                 ],
             }
         },
@@ -72,11 +72,13 @@ def small_scenario(robots_per_team: int = 3, halves: int = 2, half_s: float = 60
 def small_header(scenario: Scenario, names: tuple[str, str] = ("Hanse", "Alster")) -> RunHeader:
     """Return the header of a run of that scenario."""
     teams = dict(zip(scenario.entrants, names, strict=False))
-    return RunHeader(scenario, 1, teams, {seat: "0" * 64 for seat in teams})
+    return RunHeader(scenario, 1, teams, dict.fromkeys(teams, "0" * 64))
 
 
-def half_info(scenario: Scenario, half: int, ticks: int, header: RunHeader) -> HalfInfo:
-    """Return the facts of a half; teams change seats in the second."""
+def half_info(
+    scenario: Scenario, half: int, ticks: int, header: RunHeader, score: dict[str, int | float] | None = None
+) -> HalfInfo:
+    """Return the facts of a half; teams change seats in the second. ``score`` is by team."""
     seats = list(scenario.entrants)
     teams = seats if half % 2 else seats[::-1]
     return HalfInfo(
@@ -87,7 +89,7 @@ def half_info(scenario: Scenario, half: int, ticks: int, header: RunHeader) -> H
         match_id=0,
         team_names={seat: header.team_names[team] for seat, team in zip(seats, teams, strict=True)},
         teams=dict(zip(seats, teams, strict=True)),
-        scores=dict.fromkeys(seats, 0),
+        scores={seat: (score or {}).get(team, 0) for seat, team in zip(seats, teams, strict=True)},
     )
 
 
@@ -122,7 +124,7 @@ def write_made_up_run(
     writer = RecordWriter(out, header)
     robots = len(scenario.robots)
     for half in range(1, halves + 1):
-        writer.begin_half(half_info(scenario, half, ticks, header))
+        writer.begin_half(half_info(scenario, half, ticks, header, writer.result["score"]))
         for snapshot, verdict in made_up_play(robots, ticks):
             writer.tick(snapshot, verdict, struct.pack("<d", snapshot.substeps[-1][0][0]))
         writer.end_half(Verdict(events=(Event(ticks, "MATCH_FINISH", {"total_match_time": ticks * TICK_S}),)))

@@ -111,6 +111,17 @@ class Trajectory:
     finished: bool
     halves: tuple[HalfTrack, ...]
 
+    def snapshots(self, half: int) -> Iterator[Snapshot]:
+        """Yield the snapshots of a half (1-based) from tick 1 on; its tick 0 is the half's ``start``.
+
+        Raises:
+            RecordError: that half was never begun.
+        """
+        track = next((track for track in self.halves if track.info.half == half), None)
+        if track is None:
+            raise RecordError(f"the record has no half {half}")
+        return track.snapshots()
+
     @classmethod
     def open(cls, folder: Path) -> Self:
         """Read the trajectory of a run.
@@ -126,7 +137,8 @@ class Trajectory:
 
     @classmethod
     def _packed(cls, path: Path) -> Self:
-        with np.load(path, allow_pickle=False) as arrays:
+        # Opened here, because numpy leaves a file open that it refuses.
+        with path.open("rb") as file, np.load(file, allow_pickle=False) as arrays:
             if "header" not in arrays:
                 raise ValueError(f"{path.name} has no header")
             header = json.loads(arrays["header"].tobytes())
@@ -134,7 +146,7 @@ class Trajectory:
             entities = len(header["entities"])
             halves = tuple(
                 _half(lambda field, half=half: arrays[f"half{half}_{field}"], entities, half)  # type: ignore[misc]
-                for half in range(1, header["halves"] + 1)
+                for half in header["halves"]
             )
         return cls._made(header, halves, finished=True)
 
@@ -147,12 +159,10 @@ class Trajectory:
         roster = Roster.of(Scenario.model_validate_json((folder / SCENARIO).read_bytes()))
         _refuse_newer(result.record, folder)
         halves: list[HalfTrack] = []
-        while all(path.exists() for path in part_paths(parts, len(halves) + 1)):
-            half = len(halves) + 1
+        for half in sorted(int(path.stem.partition("-")[2]) for path in parts.glob("half-*.poses")):
             fields = _read_parts(parts, half, len(roster.entities))
-            if not fields["notes"].size:
-                break  # killed before the half's first line was written
-            halves.append(_half(fields.__getitem__, len(roster.entities), half))
+            if fields["notes"].size:  # else killed before the half's first line was written
+                halves.append(_half(fields.__getitem__, len(roster.entities), half))
         header = {
             "entities": roster.entities,
             "robots": roster.robots,

@@ -110,7 +110,7 @@ class RecordWriter:
         self._events: list[dict[str, Any]] = []
         self._faults: list[dict[str, Any]] = []
         self._halves: list[dict[str, Any]] = []
-        self._begun = 0
+        self._begun: list[int] = []
         self._scores: dict[str, Score] = dict.fromkeys(header.team_names, 0)
         self._result: dict[str, Any] | None = None
         self._versions = versions().model_dump()
@@ -124,7 +124,7 @@ class RecordWriter:
     def begin_half(self, half: HalfInfo) -> None:
         """Begin a half; its ticks follow, tick 0 (the start, before physics) first."""
         self._track = TrackWriter(self._parts, half, len(self._roster.entities))
-        self._begun = half.half
+        self._begun.append(half.half)
         self._half = half
         self._phase = None
         self._scores |= {half.teams[seat]: points for seat, points in half.scores.items()}

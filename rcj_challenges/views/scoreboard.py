@@ -125,7 +125,9 @@ class Scoreboard(Silent):
             Text(f"half {half.half} of {half.halves}", style="dim"),
             Text(progress.phase.replace("_", " "), style="dim"),
         )
-        speed = f"{progress.factor:.0f} x real time, {progress.remaining_s:.0f} s left" if progress.factor else "starting"
+        speed = (
+            f"{progress.factor:.0f} x real time, {progress.remaining_s:.0f} s left" if progress.factor else "starting"
+        )
         status = Table.grid(padding=(0, 2))
         status.add_row(ProgressBar(total=half.ticks, completed=progress.tick, width=40), Text(speed, style="dim"))
         self._live.update(Group(Text(self._title, style="dim"), grid, status, *self._events), refresh=True)

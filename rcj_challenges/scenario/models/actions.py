@@ -6,8 +6,17 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.scenario.models.base import DurationS, EventName, Name, Names, NotNegative, Point, Scalar
-from rcj_challenges.scenario.models.base import Strict, described
+from rcj_challenges.scenario.models.base import (
+    DurationS,
+    EventName,
+    Name,
+    Names,
+    NotNegative,
+    Point,
+    Scalar,
+    Strict,
+    described,
+)
 from rcj_challenges.scenario.models.places import At, Facing, Mirror
 from rcj_challenges.scenario.models.state import Amount, DrawValue, Points, Value
 

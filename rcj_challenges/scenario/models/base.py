@@ -6,11 +6,14 @@ from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field, StringConstraints
 
+from rcj_challenges.facts.timing import TICK_S
+
 
 class Strict(BaseModel):
     """Base of all models: unknown keys are refused, text is never taken for a number, nothing changes afterwards."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False, validate_default=False)
+    # Deferred: the whole file's validator is built once, not one more for each of its parts.
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False, defer_build=True)
 
 
 def described(default: Any, text: str, **bounds: Any) -> Any:
@@ -37,7 +40,10 @@ Point = Annotated[
 ]
 Positive = Annotated[float, Field(gt=0)]
 NotNegative = Annotated[float, Field(ge=0)]
-DurationS = Annotated[float, Field(gt=0, le=86_400, description="a duration in s, rounded up to ticks of 0.032 s")]
+DurationS = Annotated[
+    float, Field(ge=TICK_S, le=86_400, description="a duration in s, rounded up to ticks of 0.032 s")
+]
+WallTimeS = Annotated[float, Field(gt=0, le=86_400, description="time of the clock on the wall in s")]
 Names = Annotated[
     Name | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)],
     Field(

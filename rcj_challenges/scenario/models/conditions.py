@@ -116,15 +116,6 @@ class SequenceAt(_Condition):
 
 
 Condition = Annotated[
-    InZone
-    | Speed
-    | Distance
-    | CounterIs
-    | FlagIs
-    | Drawn
-    | TimerIs
-    | LastTouch
-    | SpotFree
-    | SequenceAt,
+    InZone | Speed | Distance | CounterIs | FlagIs | Drawn | TimerIs | LastTouch | SpotFree | SequenceAt,
     Field(discriminator="condition"),
 ]

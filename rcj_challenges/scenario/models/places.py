@@ -36,7 +36,9 @@ class PolygonZone(_Zone):
     """A simple polygon."""
 
     shape: Literal["polygon"]
-    points_m: tuple[Point, ...] = Field(..., strict=False, min_length=3, description="corners in order, [x, y] in m")
+    points_m: tuple[Point, ...] = Field(
+        ..., strict=False, min_length=3, max_length=100, description="corners in order, [x, y] in m"
+    )
 
 
 class HalfPlaneZone(_Zone):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import Field, StringConstraints
 
 from rcj_challenges.scenario.models.base import DeviceName, Name, NotNegative, Point, Positive, Strict, described
 
@@ -166,11 +166,15 @@ class Robot(Strict):
     idle: bool = described(False, "True: no program drives it, its wheels are braked (an obstacle)")
 
 
+EntryPoint = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9_][A-Za-z0-9_./-]*\.py$", max_length=200)]
+EntryPoints = EntryPoint | Annotated[tuple[EntryPoint, ...], Field(strict=False, min_length=1)]
+
+
 class Entrant(Strict):
     """Who competes: which robots its programs drive. ``check`` demands these entry points of a ZIP."""
 
-    robots: dict[Name, str] = described(
-        ..., "entry point by robot, as a path inside the submission: rcj_soccer_team_blue/rcj_soccer_team_blue.py"
+    robots: dict[Name, EntryPoints] = described(
+        ..., "entry point by robot: a path inside the submission, or several of which the first that exists is taken"
     )
     radio_channel: int = described(2, "team radio channel; robots of one colour share it", ge=1, le=1000)
     title: str = described("", "what the seat is called on screen when no team name is given", max_length=64)

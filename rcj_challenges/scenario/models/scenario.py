@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from rcj_challenges.scenario.models.actions import Action
-from rcj_challenges.scenario.models.base import DurationS, EventName, Name, Scalar, Strict, described
+from rcj_challenges.scenario.models.base import DurationS, EventName, Name, Scalar, Strict, WallTimeS, described
 from rcj_challenges.scenario.models.conditions import Condition
 from rcj_challenges.scenario.models.field import Ball, FieldModel, Match, Obstacle
 from rcj_challenges.scenario.models.places import Gate, Layout, Spot, Zone
@@ -29,7 +29,9 @@ class Rule(Strict):
         ("play",), description="the phases in which it lives; any: all of them"
     )
     priority: int = described(0, "lower fires first; equal ones in the order of the file", ge=-1000, le=1000)
-    exclusive: Name | None = described(None, "of the rules of one such group only the first fires in a tick, per entity")
+    exclusive: Name | None = described(
+        None, "of the rules of one such group only the first fires in a tick, per entity"
+    )
     cooldown_s: DurationS | None = described(None, "after firing it rests this long, per entity, in s")
     max_executions: int | None = described(None, "how often it may fire in a half, per entity", ge=1)
     says: str = described("", "the sentence for sheet, log and screen; {entity}, {team}, {measured} are filled in",
@@ -81,9 +83,9 @@ class Result(Strict):
 class Limits(Strict):
     """What a program may use. One that exceeds a limit is killed and its wheels stop; nobody else is disturbed."""
 
-    start_s: DurationS = described(30.0, "wall time from launch to its first step, in s")
-    step_s: DurationS = described(5.0, "wall time that is waited for one step, in s")
-    half_s: DurationS = described(120.0, "wall time that is waited for it in a whole half, in s")
+    start_s: WallTimeS = described(30.0, "wall time from launch to its first step, in s")
+    step_s: WallTimeS = described(5.0, "wall time that is waited for one step, in s")
+    half_s: WallTimeS = described(120.0, "wall time that is waited for it in a whole half, in s")
     memory_mb: int = described(1024, "memory in MB", ge=64, le=65_536)
     output_mb: float = described(8.0, "what it may print in a half, in MB", gt=0, le=1024)
     message_kb: float = described(1024.0, "largest radio packet in kB", gt=0, le=16_384)

@@ -6,8 +6,17 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.scenario.models.base import DurationS, EventName, Name, Names, NotNegative, Point, Positive
-from rcj_challenges.scenario.models.base import Strict, described
+from rcj_challenges.scenario.models.base import (
+    DurationS,
+    EventName,
+    Name,
+    Names,
+    NotNegative,
+    Point,
+    Positive,
+    Strict,
+    described,
+)
 from rcj_challenges.scenario.models.conditions import Condition
 
 _ENTITY = "whose: an entity, a group (any of them), or each"

@@ -64,7 +64,8 @@ def _robots(scenario: Scenario, _roster: Roster) -> Iterator[Block]:
         top = chassis.wheel_radius_m * chassis.max_wheel_radps
         yield Paragraph(
             f"A cube of {metres(chassis.size_m)} on two wheels; top speed {top:g} m/s "
-            f"at {chassis.max_wheel_radps:g} rad/s. Programs step {kit.control_step_ms} ms; messages as in version {kit.messages}."
+            f"at {chassis.max_wheel_radps:g} rad/s. Programs step {kit.control_step_ms} ms; "
+            f"messages as in version {kit.messages}."
         )
         yield Table(("device", "what it is"), tuple((name, device_words(d)) for name, d in kit.devices.items()))
     for name, robot in scenario.robots.items():
@@ -206,6 +207,7 @@ def _submission(scenario: Scenario, _roster: Roster) -> Iterator[Block]:
     limits = scenario.limits
     yield Paragraph(
         f"Limits: {seconds(limits.start_s)} to the first step, {seconds(limits.step_s)} for a step "
-        f"and {seconds(limits.half_s)} in all in a half (only the waiting for that program counts), {limits.memory_mb} MB of memory, "
-        f"{limits.output_mb:g} MB of output. A program that exceeds one stops for the rest of the half."
+        f"and {seconds(limits.half_s)} in all in a half (only the waiting for that program counts), "
+        f"{limits.memory_mb} MB of memory, {limits.output_mb:g} MB of output. "
+        "A program that exceeds one stops for the rest of the half."
     )

@@ -1,0 +1,43 @@
+"""Commands for authors: ``draw`` and ``sheet``. They look at the scenario alone; no physics, no programs."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from rcj_challenges.facts.errors import RcjError
+
+
+class OutputError(RcjError):
+    """A file that cannot be written."""
+
+
+def draw(scenario: str, out: Path | None, overrides: list[str]) -> int:
+    """Write the drawing of a scenario as SVG; returns the exit code."""
+    from rcj_challenges.scenario.load import load
+    from rcj_challenges.views.drawing import draw_scenario
+
+    loaded = load(scenario, overrides)
+    return _deliver(draw_scenario(loaded.scenario, loaded.roster), out)
+
+
+def sheet(scenario: str, out: Path | None, overrides: list[str]) -> int:
+    """Write the rule sheet of a scenario: HTML if the file is called ``.html``, else Markdown."""
+    from rcj_challenges.scenario.load import load
+    from rcj_challenges.views.sheet import sheet_html, sheet_markdown
+
+    loaded = load(scenario, overrides)
+    make = sheet_html if out is not None and out.suffix.lower() in (".html", ".htm") else sheet_markdown
+    return _deliver(make(loaded.scenario, loaded.roster), out)
+
+
+def _deliver(text: str, out: Path | None) -> int:
+    if out is None:
+        sys.stdout.write(text)
+        return 0
+    try:
+        out.write_text(text, encoding="utf-8", newline="\n")
+    except OSError as error:
+        raise OutputError(f"{out}: cannot be written: {error.strerror}") from error
+    sys.stdout.write(f"{out}\n")
+    return 0

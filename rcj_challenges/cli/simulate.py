@@ -1,0 +1,159 @@
+"""``rcj-challenge simulate``: play a challenge many times and say how the scores are spread."""
+
+from __future__ import annotations
+
+import json
+import os
+import statistics
+import sys
+import time
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rcj_challenges.facts.errors import RcjError
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from rcj_challenges.match.many import Outcome
+
+_MOST_SEEDS = 100_000
+
+
+class SeedsError(RcjError):
+    """Seeds that cannot be understood."""
+
+
+@dataclass(frozen=True)
+class SimulateOptions:
+    """The options of ``simulate``, as given."""
+
+    scenario: str
+    seeds: str
+    teams: list[str]
+    overrides: list[str]
+    out: Path
+    at_once: int | None
+    json: bool
+    quiet: bool
+
+
+def simulate(options: SimulateOptions) -> int:
+    """Play all seeds; returns 0, or 3 if a match could not be played.
+
+    Raises:
+        RcjError: wrong input.
+    """
+    from rcj_challenges.match.many import Job, play_many
+    from rcj_challenges.scenario.load import load
+    from rcj_challenges.views.scoreboard import console_for
+
+    load(options.scenario, options.overrides)  # one clear message instead of one for each seed
+    seeds = parse_seeds(options.seeds)
+    arguments = [options.scenario, "--out", str(options.out), "--no-replay", "--quiet"]
+    arguments += [part for team in options.teams for part in ("--team", team)]
+    arguments += [part for entry in options.overrides for part in ("--set", entry)]
+    console = console_for(to_stderr=True)
+    progress = _Progress(console, len(seeds), quiet=options.quiet or options.json)
+    jobs = [Job(seed, tuple(arguments)) for seed in seeds]
+    try:
+        outcomes = play_many(jobs, options.at_once or os.cpu_count() or 1, progress.done)
+    except KeyboardInterrupt:
+        _report(summary(progress.outcomes), options)
+        raise
+    wrong = next((outcome for outcome in outcomes if outcome.wrong_input), None)
+    if wrong is not None:
+        raise SeedsError(wrong.complaint)
+    _report(summary(outcomes), options)
+    return 3 if any(outcome.result is None for outcome in outcomes) else 0
+
+
+def parse_seeds(text: str) -> list[int]:
+    """Return the seeds of ``1..10``, ``3`` or ``1,4,7..9``.
+
+    Raises:
+        SeedsError: it is none of these.
+    """
+    seeds: list[int] = []
+    for part in text.split(","):
+        first, dots, last = part.strip().partition("..")
+        if not first.isdecimal() or (dots and not last.isdecimal()):
+            raise SeedsError(f"--seeds {text}: expected 1..10, 3 or 1,4,7..9")
+        end = int(last) if dots else int(first)
+        if not 0 <= end - int(first) < _MOST_SEEDS:
+            raise SeedsError(f"--seeds {text}: {part} is empty or more than {_MOST_SEEDS} seeds")
+        seeds += range(int(first), end + 1)
+    return seeds
+
+
+def summary(outcomes: Sequence[Outcome]) -> dict[str, Any]:
+    """Return scores by seed, their spread by entrant, and counts of events and faults."""
+    played = [outcome for outcome in outcomes if outcome.result is not None]
+    results = [outcome.result for outcome in played if outcome.result is not None]
+    entrants = list(results[0]["score"]) if results else []
+    return {
+        "played": len(results),
+        "failed": [{"seed": o.job.seed, "message": o.complaint[-2000:]} for o in outcomes if o.result is None],
+        "scores": [{"seed": o.job.seed, **(o.result or {})["score"]} for o in played],
+        "spread": {entrant: _spread([result["score"][entrant] for result in results]) for entrant in entrants},
+        "events": dict(Counter(event["event"] for result in results for event in result["events"]).most_common()),
+        "faults": dict(
+            Counter(
+                f"{fault['robot']} {fault['kind']}" for result in results for fault in result["faults"]
+            ).most_common()
+        ),
+    }
+
+
+def _spread(scores: Sequence[float]) -> dict[str, float]:
+    return {
+        "least": min(scores),
+        "median": statistics.median(scores),
+        "mean": round(statistics.fmean(scores), 3),
+        "most": max(scores),
+    }
+
+
+class _Progress:
+    def __init__(self, console: Console, total: int, *, quiet: bool) -> None:
+        self.outcomes: list[Outcome] = []
+        self._console = console
+        self._total = total
+        self._quiet = quiet
+        self._began = time.perf_counter()
+
+    def done(self, outcome: Outcome) -> None:
+        self.outcomes.append(outcome)
+        if self._quiet:
+            return
+        count = len(self.outcomes)
+        left_s = (time.perf_counter() - self._began) / count * (self._total - count)
+        score = "could not be played" if outcome.result is None else str(list(outcome.result["score"].values()))
+        self._console.print(
+            f"{count}/{self._total}  seed {outcome.job.seed}  {score}  {left_s:.0f} s left",
+            markup=False,
+            highlight=False,
+        )
+
+
+def _report(told: dict[str, Any], options: SimulateOptions) -> None:
+    if options.json:
+        sys.stdout.write(json.dumps(told, ensure_ascii=False, indent=2) + "\n")
+        return
+    from rich.table import Table
+
+    from rcj_challenges.views.scoreboard import console_for
+
+    console = console_for()
+    table = Table("entrant", "least", "median", "mean", "most", title=f"{told['played']} matches")
+    for entrant, spread in told["spread"].items():
+        table.add_row(entrant, *(f"{value:g}" for value in spread.values()))
+    console.print(table)
+    for head in ("events", "faults"):
+        counts = ", ".join(f"{name} {count}" for name, count in told[head].items()) or "none"
+        console.print(f"{head}: {counts}", markup=False, highlight=False)
+    for failure in told["failed"]:
+        console.print(f"seed {failure['seed']}: {failure['message']}", markup=False, highlight=False)

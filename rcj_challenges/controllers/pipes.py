@@ -1,0 +1,249 @@
+"""Exchanging frames with a process over two pipes, without ever waiting longer than asked.
+
+Two ways that behave alike: `PolledPipes` is fast and needs ``poll`` (POSIX); `ThreadedPipes` works everywhere.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import queue
+import select
+import sys
+import threading
+import time
+from typing import Protocol
+
+from rcj_challenges.controllers.protocol import LENGTH
+
+_CHUNK = 1 << 16
+
+
+class ChannelClosedError(Exception):
+    """The other side is gone."""
+
+
+class FrameTooLongError(Exception):
+    """The other side announced a frame beyond the limit. The size in bytes is the argument."""
+
+
+class Channel(Protocol):
+    """One side of a conversation in frames: a length of four bytes, then that many bytes."""
+
+    def send(self, frame: bytes) -> None:
+        """Send a frame, its length included. Never waits; a side that is gone shows at the next `receive`."""
+
+    def receive(self, timeout_s: float) -> bytes | None:
+        """Return the next frame without its length, or None if it did not come in time.
+
+        Raises:
+            ChannelClosedError: there will be none.
+            FrameTooLongError: it would be too long.
+        """
+
+    def close(self) -> None:
+        """Give the pipes back."""
+
+
+class FrameBuffer:
+    """Puts frames together from the pieces in which they arrive."""
+
+    def __init__(self, limit_bytes: int) -> None:
+        self._limit_bytes = limit_bytes
+        self._held = bytearray()
+
+    def add(self, chunk: bytes) -> None:
+        """Take in what arrived."""
+        self._held += chunk
+
+    def __bool__(self) -> bool:
+        return bool(self._held)
+
+    def next(self) -> bytes | None:
+        """Return the next whole frame without its length, or None.
+
+        Raises:
+            FrameTooLongError: its announced length is beyond the limit.
+        """
+        if len(self._held) < 4:
+            return None
+        (length,) = LENGTH.unpack_from(self._held)
+        if length > self._limit_bytes:
+            raise FrameTooLongError(length)
+        end = 4 + length
+        if len(self._held) < end:
+            return None
+        body = bytes(self._held[4:end])
+        del self._held[:end]
+        return body
+
+
+class PolledPipes:
+    """Non-blocking pipes and ``poll``: three system calls for a question and its answer."""
+
+    def __init__(self, read_fd: int, write_fd: int, limit_bytes: int) -> None:
+        os.set_blocking(read_fd, False)
+        os.set_blocking(write_fd, False)
+        self._read_fd = read_fd
+        self._write_fd = write_fd
+        self._poll = select.poll()
+        self._poll.register(read_fd, select.POLLIN)
+        self._buffer = FrameBuffer(limit_bytes)
+        self._unsent = b""
+        self._broken = False
+
+    def send(self, frame: bytes) -> None:
+        """See `Channel`. What the pipe does not take at once is sent while receiving."""
+        self._unsent += frame
+        self._push()
+        if self._unsent:
+            self._poll.register(self._write_fd, select.POLLOUT)
+
+    def receive(self, timeout_s: float) -> bytes | None:
+        """See `Channel`."""
+        if self._buffer and (held := self._buffer.next()) is not None:
+            return held
+        deadline = time.perf_counter() + timeout_s
+        wait_s = timeout_s
+        while True:
+            # A side that does not listen any more may still have said why: that is here already, or never comes.
+            ready = self._poll.poll(0 if self._broken else wait_s * 1000)
+            for fd, _ in ready:
+                if fd == self._write_fd:
+                    self._push()
+                    if not self._unsent:
+                        self._poll.unregister(self._write_fd)
+                elif (body := self._read()) is not None:
+                    return body
+            if self._broken and not ready:
+                raise ChannelClosedError
+            wait_s = deadline - time.perf_counter()
+            if wait_s <= 0:
+                return None
+
+    def close(self) -> None:
+        """See `Channel`."""
+        for fd in (self._read_fd, self._write_fd):
+            os.close(fd)
+
+    def _read(self) -> bytes | None:
+        try:
+            chunk = os.read(self._read_fd, _CHUNK)
+        except BlockingIOError:
+            return None
+        except OSError:
+            raise ChannelClosedError from None
+        if not chunk:
+            raise ChannelClosedError
+        # Nearly always exactly one frame arrives, whole.
+        if not self._buffer and len(chunk) >= 4 and LENGTH.unpack_from(chunk)[0] == len(chunk) - 4:
+            return chunk[4:]
+        self._buffer.add(chunk)
+        return self._buffer.next()
+
+    def _push(self) -> None:
+        try:
+            self._unsent = self._unsent[os.write(self._write_fd, self._unsent) :]
+        except BlockingIOError:
+            pass
+        except OSError:
+            self._unsent = b""
+            self._broken = True
+
+
+_QUEUED_FRAMES = 8
+"""A program has one frame under way, and a farewell; one that sends more waits."""
+
+
+_CLOSING_S = 1.0
+
+
+class ThreadedPipes:
+    """Blocking pipes, each with a thread: works where pipes cannot be polled (Windows)."""
+
+    def __init__(self, read_fd: int, write_fd: int, limit_bytes: int) -> None:
+        self._read_fd = read_fd
+        self._write_fd = write_fd
+        self._buffer = FrameBuffer(limit_bytes)
+        self._arrived: queue.Queue[bytes | Exception] = queue.Queue(_QUEUED_FRAMES)
+        self._to_send: queue.SimpleQueue[bytes | None] = queue.SimpleQueue()
+        self._end: Exception | None = None
+        self._closing = False
+        self._threads = [
+            threading.Thread(target=work, name=f"rcj-pipe-{work.__name__}", daemon=True)
+            for work in (self._read_all, self._write_all)
+        ]
+        for thread in self._threads:
+            thread.start()
+
+    def send(self, frame: bytes) -> None:
+        """See `Channel`."""
+        self._to_send.put(frame)
+
+    def receive(self, timeout_s: float) -> bytes | None:
+        """See `Channel`."""
+        if self._end is not None:
+            raise self._end
+        try:
+            arrived = self._arrived.get(timeout=timeout_s) if timeout_s > 0 else self._arrived.get_nowait()
+        except queue.Empty:
+            return None
+        if isinstance(arrived, Exception):
+            self._end = arrived
+            raise arrived
+        return arrived
+
+    def close(self) -> None:
+        """See `Channel`. The process must have ended: that is what ends the threads."""
+        self._closing = True
+        self._to_send.put(None)
+        give_up = time.perf_counter() + _CLOSING_S
+        while any(thread.is_alive() for thread in self._threads):
+            if time.perf_counter() > give_up:
+                return  # something that the program started escaped and holds the pipes: leave them to it
+            with contextlib.suppress(queue.Empty):
+                self._arrived.get_nowait()
+            for thread in self._threads:
+                thread.join(0.001)
+        os.close(self._read_fd)
+        os.close(self._write_fd)
+
+    def _read_all(self) -> None:
+        while True:
+            try:
+                chunk = os.read(self._read_fd, _CHUNK)
+            except OSError:
+                chunk = b""
+            if not chunk or self._closing:
+                self._arrived.put(ChannelClosedError())
+                return
+            self._buffer.add(chunk)
+            try:
+                while (body := self._buffer.next()) is not None:
+                    self._arrived.put(body)
+            except FrameTooLongError as error:
+                self._arrived.put(error)
+                return
+
+    def _write_all(self) -> None:
+        while (frame := self._to_send.get()) is not None:
+            view = memoryview(frame)
+            try:
+                while view:
+                    view = view[os.write(self._write_fd, view) :]
+            except OSError:
+                return
+
+
+def open_channel(read_fd: int, write_fd: int, limit_bytes: int, *, portable: bool | None = None) -> Channel:
+    """Return the best channel for this platform.
+
+    Args:
+        read_fd: where the other side's frames arrive; the channel owns it from now on.
+        write_fd: where frames go; the channel owns it from now on.
+        limit_bytes: the longest frame that is accepted.
+        portable: True takes the one that works everywhere; None decides by platform.
+    """
+    if portable is None:
+        portable = sys.platform == "win32" or not hasattr(select, "poll")
+    return ThreadedPipes(read_fd, write_fd, limit_bytes) if portable else PolledPipes(read_fd, write_fd, limit_bytes)

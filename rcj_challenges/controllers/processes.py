@@ -1,0 +1,203 @@
+"""Starting a process with pipes, and ending it with all that it started.
+
+The seam between platforms: POSIX has sessions and process groups, Windows has job objects.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import os
+import py_compile
+import signal
+import subprocess
+import sys
+from dataclasses import dataclass
+from importlib.util import cache_from_source
+from pathlib import Path
+from typing import Any
+
+if sys.platform == "win32":
+    import msvcrt
+
+    from rcj_challenges.controllers.windows_job import Job, startup_info
+
+PUPIL_FOLDER = Path(__file__).parent / "pupil"
+_START = "import sys; sys.path.insert(0, sys.argv[4]); from controller._boot import main; main()"
+_DUMP_S = 0.2
+
+NEEDS_LIFELINE = sys.platform != "linux"
+"""True where the kernel does not end children with their parent."""
+
+
+@dataclass(frozen=True, slots=True)
+class Ends:
+    """The parent's ends of the pipes to a process.
+
+    Attributes:
+        read_fd: what the process says.
+        write_fd: what it is told.
+        lifeline_fd: never written to; the process notices when it closes. None where the kernel does that.
+    """
+
+    read_fd: int
+    write_fd: int
+    lifeline_fd: int | None
+
+
+class Process:
+    """A running program, and everything that it starts."""
+
+    def __init__(self, popen: subprocess.Popen[bytes], job: Any, *, own_session: bool) -> None:
+        self._popen = popen
+        self._job = job
+        self._own_session = own_session
+
+    @property
+    def pid(self) -> int:
+        """Its process id."""
+        return self._popen.pid
+
+    def exit_status(self, timeout_s: float) -> int | None:
+        """Wait for its end up to ``timeout_s``; return its exit status (negative: minus a signal), None if it runs."""
+        try:
+            return self._popen.wait(timeout_s)
+        except subprocess.TimeoutExpired:
+            return None
+
+    def has_ended(self) -> bool:
+        """Return whether it is over."""
+        return self._popen.poll() is not None
+
+    def say_where_it_is(self) -> None:
+        """Let it write its present traceback to its log and end (POSIX; it may refuse, so `kill` afterwards)."""
+        if sys.platform != "win32" and not self.has_ended():
+            self._popen.send_signal(signal.SIGABRT)
+            self.exit_status(_DUMP_S)
+
+    def kill(self) -> None:
+        """End it and all its descendants at once, and wait until it is gone."""
+        if sys.platform == "win32":
+            self._job.terminate()
+        elif self._own_session:
+            with contextlib.suppress(ProcessLookupError, PermissionError):
+                os.killpg(self._popen.pid, signal.SIGKILL)
+        with contextlib.suppress(OSError):
+            self._popen.kill()
+        self._popen.wait()
+
+
+def start(
+    cwd: Path, environment: dict[str, str], log_fd: int | None, memory_bytes: int | None, *, lifeline: bool
+) -> tuple[Process, Ends]:
+    """Start the program that the first message will describe.
+
+    Args:
+        cwd: where it starts.
+        environment: all of its environment variables.
+        log_fd: where its output goes; None: it has this process's terminal, for debugging.
+        memory_bytes: limit that the platform sets from outside (Windows); None: no limit.
+        lifeline: whether it gets a pipe by which it notices the end of this process.
+
+    Raises:
+        OSError: it cannot be started.
+    """
+    _compile_pupil_side()
+    with contextlib.ExitStack() as undo:
+        theirs_read, write_fd = _pipe(undo)
+        read_fd, theirs_write = _pipe(undo)
+        theirs_life, lifeline_fd = _pipe(undo) if lifeline else (None, None)
+        inherited = [fd for fd in (theirs_read, theirs_write, theirs_life) if fd is not None]
+        arguments = [*_handles(theirs_read, theirs_write, theirs_life), str(PUPIL_FOLDER)]
+        process = _popen(
+            [_python(), "-s", "-S", "-P", "-B", "-X", "utf8", "-X", "faulthandler", "-c", _START, *arguments],
+            inherited,
+            {"cwd": cwd, "env": environment},
+            log_fd,
+            memory_bytes,
+        )
+        undo.pop_all()
+    for fd in inherited:
+        os.close(fd)
+    return process, Ends(read_fd, write_fd, lifeline_fd)
+
+
+def _pipe(undo: contextlib.ExitStack) -> tuple[int, int]:
+    read_fd, write_fd = os.pipe()
+    undo.callback(os.close, read_fd)
+    undo.callback(os.close, write_fd)
+    return read_fd, write_fd
+
+
+def _popen(
+    command: list[str], inherited: list[int], place: dict[str, Any], log_fd: int | None, memory_bytes: int | None
+) -> Process:
+    streams: dict[str, Any] = {}
+    if log_fd is not None:
+        streams = {"stdin": subprocess.DEVNULL, "stdout": log_fd, "stderr": log_fd}
+    if sys.platform == "win32":
+        # A window of its own for each program would cover the pupil's screen.
+        flags = 0 if log_fd is None else subprocess.CREATE_NO_WINDOW | subprocess.CREATE_NEW_PROCESS_GROUP
+        job = Job(memory_bytes)
+        popen = subprocess.Popen(command, creationflags=flags, startupinfo=startup_info(inherited), **place, **streams)
+        try:
+            job.add(popen)
+        except OSError:
+            popen.kill()
+            raise
+        return Process(popen, job, own_session=True)
+    # A session of its own: Ctrl-C reaches only the match, and all that it starts can be ended together. A program that
+    # is debugged stays in ours, where the terminal is.
+    own_session = log_fd is not None
+    popen = subprocess.Popen(
+        command, pass_fds=inherited, start_new_session=own_session, restore_signals=True, **place, **streams
+    )
+    return Process(popen, None, own_session=own_session)
+
+
+def _handles(*fds: int | None) -> list[str]:
+    """Return how the started process names what it inherits: file descriptors, handles on Windows, -1 for none."""
+    if sys.platform == "win32":
+        return [str(-1 if fd is None else msvcrt.get_osfhandle(fd)) for fd in fds]
+    return [str(-1 if fd is None else fd) for fd in fds]
+
+
+def _python() -> str:
+    """Return the interpreter. On Windows that of a virtual environment only starts another one: take that."""
+    if sys.platform == "win32":
+        return str(getattr(sys, "_base_executable", sys.executable))
+    return sys.executable
+
+
+@functools.cache
+def _compile_pupil_side() -> None:
+    """Byte-compile what every program imports, once: programs themselves write no byte code."""
+    for source in sorted((PUPIL_FOLDER / "controller").glob("*.py")):
+        compiled = Path(cache_from_source(str(source)))
+        with contextlib.suppress(OSError, py_compile.PyCompileError):
+            if not compiled.exists() or compiled.stat().st_mtime < source.stat().st_mtime:
+                py_compile.compile(str(source), doraise=True)
+
+
+@functools.cache
+def site_folders() -> list[str]:
+    """Return the folders from which programs may import what is installed: those that hold numpy or scipy."""
+    return [
+        entry
+        for entry in sys.path
+        if entry and any((Path(entry) / package / "__init__.py").is_file() for package in ("numpy", "scipy"))
+    ]
+
+
+def is_crash(status: int) -> bool:
+    """Return whether an exit status means that the system ended the process (a signal; an exception on Windows)."""
+    return status < 0 or status >= 0xC0000000
+
+
+def told(status: int) -> str:
+    """Return in words what the exit status of a crash means."""
+    if status < 0:
+        with contextlib.suppress(ValueError):
+            return f"the signal {signal.Signals(-status).name}"
+        return f"signal {-status}"
+    return f"the exception {status:#010x}"

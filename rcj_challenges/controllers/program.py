@@ -1,0 +1,337 @@
+"""One program: from its launch to its end, and whatever goes wrong in between."""
+
+from __future__ import annotations
+
+import codecs
+import contextlib
+import math
+import os
+import shutil
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from rcj_challenges.controllers import isolation, processes
+from rcj_challenges.controllers.pipes import Channel, ChannelClosedError, FrameTooLongError, open_channel
+from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hello_frame, most_frame_bytes, one_line
+from rcj_challenges.controllers.team import Team
+from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.play import Fault
+from rcj_challenges.facts.streams import stream_seed
+from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.facts.traffic import Observation, Request, RobotSpec
+from rcj_challenges.scenario.models.scenario import Limits
+
+CLEAN_UP_S = 1.0
+"""How long a program may go on after its ``step`` returned -1 (reference, section 3)."""
+
+_SLICE_S = 0.25  # how often a program that lets us wait is looked at
+_FOLDER_LOOKED_AT_EVERY = 256  # requests; walking through a folder is slow
+_OUTPUT_SLACK_BYTES = 65_536  # what the interpreter and the match itself add to a log
+_FAREWELL_S = 1.0
+
+
+@dataclass(frozen=True)
+class Assignment:
+    """Which program drives which robot, and under what conditions.
+
+    Attributes:
+        spec: the robot as its program will see it.
+        team: whose program it is.
+        entry: its path inside the team's folder.
+        limits: what it may use.
+        half: 1-based.
+        match_seed: its randomness derives from it.
+        log_path: where its output goes; appended to.
+        sandbox: ``auto``, ``strict`` or ``off``.
+        debug: True gives it the terminal and takes away the limits.
+        portable: True exchanges messages in the way that works everywhere; None decides by platform.
+    """
+
+    spec: RobotSpec
+    team: Team
+    entry: str
+    limits: Limits
+    half: int
+    match_seed: int
+    log_path: Path
+    sandbox: str = "auto"
+    debug: bool = False
+    portable: bool | None = None
+
+
+class Program:
+    """A team's program in a process of its own. After its first `Fault` it is gone until the next half."""
+
+    def __init__(self, assignment: Assignment) -> None:
+        self._assignment = assignment
+        self._limits = assignment.limits
+        message_bytes = isolation.message_bytes(self._limits)
+        self._codec = Codec(assignment.spec, message_bytes)
+        self._frame_limit = most_frame_bytes(message_bytes)
+        self._output_limit = isolation.output_bytes(self._limits) + _OUTPUT_SLACK_BYTES
+        self._scratch_limit = isolation.megabytes(self._limits.scratch_mb) + assignment.team.size_bytes()
+        self._portable = processes.NEEDS_LIFELINE if assignment.portable is None else assignment.portable
+        self._folder: Path | None = None
+        self._log_fd = -1
+        self._log_start = 0
+        self._shown = 0
+        self._decoder = codecs.getincrementaldecoder("utf-8")("replace")
+        self._process: processes.Process | None = None
+        self._channel: Channel | None = None
+        self._lifeline_fd: int | None = None
+        self._tick = 0
+        self._requests = 0
+        self._launched_at = 0.0
+        self._is_over = False
+        self.fault: Fault | None = None
+        self.waited_s = 0.0
+
+    @property
+    def name(self) -> str:
+        """The robot's name."""
+        return self._assignment.spec.name
+
+    def launch(self) -> None:
+        """Start the process; it runs to its first ``step``, which `collect` waits for.
+
+        Raises:
+            IsolationError: strict isolation cannot be had here.
+            OSError: the log cannot be written.
+        """
+        layers = isolation.active_layers(self._assignment.sandbox)
+        if self._assignment.debug:
+            layers = tuple(layer for layer in layers if layer != "resource_limits")
+        self._open_log()
+        self._launched_at = time.perf_counter()
+        try:
+            self._start(layers)
+        except (OSError, ValueError, RcjError) as error:
+            self._fail("start", f"the program could not be started: {one_line(str(error))}")
+
+    def release(self, observation: Observation) -> None:
+        """Let the program's ``step`` return with this. Does not wait."""
+        self._tick = observation.tick
+        if self._channel is not None:
+            self._channel.send(self._codec.encode(observation))
+
+    def collect(self) -> Request | Fault:
+        """Wait until the program calls ``step``, or until its limit is reached or it fails.
+
+        The first time, the limit is ``start_s`` since the launch; then it is ``step_s`` since this call, and
+        ``half_s`` for all calls together.
+        """
+        if self._channel is None:
+            return self.fault or self._fail("start", "the program was not started")
+        began = time.perf_counter()
+        try:
+            body = self._wait(began)
+            answer = None if body is None else self._codec.decode(body, self._tick)
+        except ChannelClosedError:
+            return self._gone()
+        except FrameTooLongError as error:
+            return self._fail("protocol", f"the program sent a message of {error.args[0]} bytes")
+        except ProtocolError as error:
+            return self._fail("protocol", f"the program sent what is no message: {error}")
+        if self._requests:
+            self.waited_s += time.perf_counter() - began
+        if answer is None:
+            return self._too_slow()
+        return self._judged(answer)
+
+    def _judged(self, answer: Request | Ended) -> Request | Fault:
+        """Return what the program asks for, unless it ended or wrote too much."""
+        if isinstance(answer, Ended):
+            return self._fail(answer.kind, answer.detail, answer.traceback)
+        self._requests += 1
+        trespass = self._trespass(look_at_folder=self._requests % _FOLDER_LOOKED_AT_EVERY == 0)
+        return answer if trespass is None else self._fail("output_flood", trespass)
+
+    def finish(self, observation: Observation) -> None:
+        """Tell the program that the match is over: its ``step`` returns -1, then it may clean up until `close`."""
+        if self._channel is not None and not self._is_over:
+            self._is_over = True
+            self.release(observation)
+
+    def has_ended(self) -> bool:
+        """Return whether its process is gone."""
+        return self._process is None or self._process.has_ended()
+
+    def wait_until(self, moment: float) -> None:
+        """Wait until it has ended, at most until ``moment`` (of ``time.perf_counter``)."""
+        if self._process is not None:
+            self._process.exit_status(max(0.0, moment - time.perf_counter()))
+
+    def kill(self) -> None:
+        """End it, with all that it started. Can be called at any time, and again."""
+        process, self._process = self._process, None
+        if process is not None:
+            process.kill()
+        channel, self._channel = self._channel, None
+        if channel is not None:
+            channel.close()
+        if self._lifeline_fd is not None:
+            os.close(self._lifeline_fd)
+            self._lifeline_fd = None
+
+    def close(self) -> None:
+        """End it and remove its private folder. `new_output` still tells what it said last."""
+        self.kill()
+        if self._folder is not None:
+            _remove(self._folder)
+            self._folder = None
+        if self._log_fd >= 0:
+            os.close(self._log_fd)
+            self._log_fd = -1
+
+    def new_output(self) -> str:
+        """Return what it printed since the last call."""
+        try:
+            with self._assignment.log_path.open("rb") as log:
+                log.seek(self._shown)
+                chunk = log.read()
+        except OSError:
+            return ""
+        self._shown += len(chunk)
+        return self._decoder.decode(chunk)
+
+    def _open_log(self) -> None:
+        path = self._assignment.log_path
+        path.parent.mkdir(parents=True, exist_ok=True)
+        self._log_fd = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND | getattr(os, "O_BINARY", 0), 0o644)
+        self._shown = self._log_size()
+        self._log(f"--- half {self._assignment.half}: {self._assignment.entry} ---\n")
+        self._log_start = self._log_size()
+
+    def _start(self, layers: tuple[str, ...]) -> None:
+        assignment = self._assignment
+        folder = self._folder = Path(tempfile.mkdtemp(prefix=f"rcj-{self.name}-")).resolve()
+        root = folder / "team"
+        root.mkdir()
+        assignment.team.unpack(root)
+        limited = "resource_limits" in layers
+        self._process, ends = processes.start(
+            root,
+            isolation.environment(folder),
+            None if assignment.debug else self._log_fd,
+            isolation.memory_bytes(self._limits) if limited else None,
+            lifeline=self._portable,
+        )
+        self._lifeline_fd = ends.lifeline_fd
+        self._channel = open_channel(ends.read_fd, ends.write_fd, self._frame_limit, portable=assignment.portable)
+        self._channel.send(hello_frame(assignment.spec, self._setup(root, layers)))
+
+    def _setup(self, root: Path, layers: tuple[str, ...]) -> dict[str, Any]:
+        """Return what the process needs to know beyond the robot."""
+        assignment = self._assignment
+        return {
+            "half": assignment.half,
+            "seed": stream_seed(assignment.match_seed, f"program/{self.name}/half{assignment.half}"),
+            "program": {
+                "root": str(root),
+                "entry": str(root.joinpath(*assignment.entry.split("/"))),
+                "site": processes.site_folders(),
+            },
+            "limits": isolation.limits_told(self._limits, layers, portable=self._portable),
+            "layers": isolation.set_by_process(layers, portable=self._portable),
+            "debug": assignment.debug,
+        }
+
+    def _wait(self, began: float) -> bytes | None:
+        """Return the program's next message, None if it took too long."""
+        assert self._channel is not None  # noqa: S101 - `collect` has looked
+        left_s = self._patience_s(began)
+        body = self._channel.receive(min(max(left_s, 0.0), _SLICE_S))
+        while body is None:
+            left_s = self._patience_s(began) - (time.perf_counter() - began)
+            if left_s <= 0:
+                return None
+            if self._trespass(look_at_folder=True) is not None:
+                return None
+            if self.has_ended():
+                # Something that it started may still hold its pipes open.
+                body = self._channel.receive(0.0)
+                if body is None:
+                    raise ChannelClosedError
+                return body
+            body = self._channel.receive(min(left_s, _SLICE_S))
+        return body
+
+    def _patience_s(self, began: float) -> float:
+        """Return how long this wait may last in all."""
+        if self._assignment.debug:
+            return math.inf
+        if not self._requests:
+            return self._launched_at + self._limits.start_s - began
+        return min(self._limits.step_s, self._limits.half_s - self.waited_s)
+
+    def _too_slow(self) -> Fault:
+        limits = self._limits
+        trespass = self._trespass(look_at_folder=True)
+        if trespass is not None:
+            return self._fail("output_flood", trespass)
+        if not self._requests:
+            kind, detail = "start_timeout", f"the program did not call step within {limits.start_s:g} s of its start"
+        elif self.waited_s >= limits.half_s:
+            kind, detail = "half_timeout", f"the program let the match wait for {limits.half_s:g} s in all"
+        else:
+            kind, detail = "step_timeout", f"the program did not call step for {limits.step_s:g} s"
+        self._log(f"[{kind}] {detail}; it was here:\n")
+        if self._process is not None:
+            self._process.say_where_it_is()
+        return self._fail(kind, detail)
+
+    def _gone(self) -> Fault:
+        """Tell why there is nobody at the other end."""
+        status = None if self._process is None else self._process.exit_status(_FAREWELL_S)
+        if status is None:
+            return self._fail("protocol", "the program closed its connection to the match")
+        if processes.is_crash(status):
+            return self._fail("crash", f"the program was ended by {processes.told(status)}")
+        return self._fail("exit", f"the program ended itself (exit status {status})")
+
+    def _trespass(self, *, look_at_folder: bool) -> str | None:
+        """Return what it wrote too much of, if anything."""
+        if self._assignment.debug:
+            return None
+        if self._log_size() - self._log_start > self._output_limit:
+            return f"the program printed more than {self._limits.output_mb:g} MB"
+        if look_at_folder and self._folder is not None and _size_bytes(self._folder) > self._scratch_limit:
+            return f"the program wrote more than {self._limits.scratch_mb:g} MB into its folder"
+        return None
+
+    def _fail(self, kind: str, detail: str, traceback: str = "") -> Fault:
+        self.kill()
+        self.fault = Fault(self.name, kind, self._tick, self._assignment.half, detail, traceback)
+        at = f"tick {self._tick} ({s_from_ticks(self._tick):.3f} s)"
+        self._log(f"{traceback}[{kind}] {self.name} at {at}: {detail}\n")
+        return self.fault
+
+    def _log(self, text: str) -> None:
+        with contextlib.suppress(OSError):
+            os.write(self._log_fd, text.encode("utf-8", "replace"))
+
+    def _log_size(self) -> int:
+        return os.fstat(self._log_fd).st_size
+
+
+def _size_bytes(folder: Path) -> int:
+    """Return the size of all files below a folder; what disappears meanwhile counts as nothing."""
+    total = 0
+    for root, _, names in os.walk(folder):
+        for name in names:
+            with contextlib.suppress(OSError):
+                total += os.lstat(os.path.join(root, name)).st_size  # noqa: PTH118 - called for each file of a flood
+    return total
+
+
+def _remove(folder: Path) -> None:
+    """Remove a folder whatever a program did to its permissions."""
+    shutil.rmtree(folder, ignore_errors=True)
+    if folder.exists():
+        for root, _, _ in os.walk(folder):
+            with contextlib.suppress(OSError):
+                os.chmod(root, 0o700)  # noqa: PTH101 - ours alone, and about to go
+        shutil.rmtree(folder, ignore_errors=True)

@@ -1,0 +1,228 @@
+"""The match's end of the protocol: what goes to a program and what is taken from it (``docs/protocol.md``).
+
+Whatever comes from a program is judged here, strictly: a message that is not exactly as described, or asks for what
+cannot be, is a `ProtocolError`, and nothing of it is carried out.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import unicodedata
+from dataclasses import asdict, dataclass
+from struct import Struct
+from struct import error as StructError  # noqa: N812 - the standard library's name is too plain to be read alone
+from typing import Any
+
+from rcj_challenges.facts.timing import TICK_MS
+from rcj_challenges.facts.traffic import MotorCommand, Observation, Request, RobotSpec
+
+PROTOCOL_VERSION = 1
+HELLO, OBSERVATION, REQUEST, FAULT = 0x48, 0x4F, 0x52, 0x46
+OVER = 1
+FAULT_KINDS = ("crash", "exit", "memory", "output_flood", "start")
+
+LENGTH = Struct("<I")
+_OBSERVATION = Struct("<IBIBII")
+_PACKET = Struct("<HI4d")
+_REQUEST = Struct("<BIIIQHHHHI")
+_MOTOR = Struct("<Hdd")
+_SAMPLING = Struct("<HI")
+_CHANNEL = Struct("<Hi")
+_FREQUENCY = Struct("<Hd")
+_EMISSION = Struct("<HI")
+_FAULT = Struct("<BBI")
+
+_SAMPLED_KINDS = frozenset({"position_sensor", "gps", "compass", "distance_sensor", "receiver", "lidar"})
+_TUNED_KINDS = frozenset({"receiver", "emitter"})
+_TURNING_KINDS = frozenset({"lidar"})
+_MOTOR_KINDS = frozenset({"motor"})
+_EMITTING_KINDS = frozenset({"emitter"})
+_ADDRESS = re.compile(r"\b0x[0-9a-fA-F]{6,}")
+_SPEED_TOLERANCE = 1e-9
+
+
+class ProtocolError(ValueError):
+    """A message that is not as the protocol demands. The text is one line for the team."""
+
+
+@dataclass(frozen=True, slots=True)
+class Ended:
+    """A program's own word about its end: kind of `Fault`, one line, traceback."""
+
+    kind: str
+    detail: str
+    traceback: str
+
+
+def most_frame_bytes(message_bytes: int) -> int:
+    """Return the size beyond which no message of an honest program is.
+
+    A step may carry radio packets of twice the largest packet in all; the rest is room for settings and faults.
+    """
+    return 2 * message_bytes + (1 << 16)
+
+
+def hello_frame(spec: RobotSpec, setup: dict[str, Any]) -> bytes:
+    """Return the first message: the robot, and what its process needs to know, as JSON."""
+    told = {"protocol": PROTOCOL_VERSION, "tick_ms": TICK_MS, "robot": asdict(spec), **setup}
+    body = json.dumps(told, ensure_ascii=False, allow_nan=False).encode()
+    return LENGTH.pack(1 + len(body)) + bytes((HELLO,)) + body
+
+
+class Codec:
+    """Encodes observations for one robot and decodes its program's messages."""
+
+    def __init__(self, spec: RobotSpec, message_bytes: int) -> None:
+        self._values = spec.values
+        self._values_form = Struct(f"<{spec.values}d")
+        self._kinds = {device.index: device.kind for device in spec.devices}
+        self._max_velocity = spec.max_velocity_radps * (1 + _SPEED_TOLERANCE)
+        self._message_bytes = message_bytes
+
+    def encode(self, observation: Observation) -> bytes:
+        """Return an observation as a frame."""
+        packets = observation.packets
+        values = self._values_form.pack(*observation.values)
+        flags = OVER if observation.over else 0
+        if not packets:
+            length = _OBSERVATION.size - 4 + len(values)
+            return _OBSERVATION.pack(length, OBSERVATION, observation.tick, flags, self._values, 0) + values
+        parts = [values]
+        for packet in packets:
+            parts.append(_PACKET.pack(packet.device, len(packet.data), packet.strength, *packet.direction))
+            parts.append(packet.data)
+        body = b"".join(parts)
+        length = _OBSERVATION.size - 4 + len(body)
+        return _OBSERVATION.pack(length, OBSERVATION, observation.tick, flags, self._values, len(packets)) + body
+
+    def decode(self, body: bytes, tick: int) -> Request | Ended:
+        """Return what a program's message asks for.
+
+        Args:
+            body: a frame without its length.
+            tick: of the observation that it answers.
+
+        Raises:
+            ProtocolError: it is not as the protocol demands.
+        """
+        if not body:
+            raise ProtocolError("an empty message")
+        if body[0] == FAULT:
+            return _ended(body)
+        if body[0] != REQUEST:
+            raise ProtocolError(f"a message of unknown type {body[0]}")
+        try:
+            _, answered, advance, missed, printed, *counts = _REQUEST.unpack_from(body)
+        except StructError:
+            raise ProtocolError(f"a request of {len(body)} bytes") from None
+        if answered != tick:
+            raise ProtocolError(f"a request that answers tick {answered} at tick {tick}")
+        if advance < 1:
+            raise ProtocolError("a request to advance by no tick")
+        if not any(counts):
+            if len(body) != _REQUEST.size:
+                raise ProtocolError(f"a request with {len(body) - _REQUEST.size} bytes too many")
+            return Request(advance, missed, printed_bytes=printed)
+        motors, sampling, channels, frequencies, emissions = counts
+        tail = _Tail(body, _REQUEST.size)
+        request = Request(
+            advance,
+            missed,
+            motors=tuple(self._motor(*tail.take(_MOTOR)) for _ in range(motors)),
+            sampling=tuple(self._sampling(*tail.take(_SAMPLING)) for _ in range(sampling)),
+            channels=tuple(self._tuning(*tail.take(_CHANNEL)) for _ in range(channels)),
+            frequencies=tuple(self._frequency(*tail.take(_FREQUENCY)) for _ in range(frequencies)),
+            emissions=tuple(self._emission(tail) for _ in range(emissions)),
+            printed_bytes=printed,
+        )
+        tail.must_be_empty()
+        return request
+
+    def _motor(self, device: int, velocity: float, position: float) -> MotorCommand:
+        self._must_be(device, _MOTOR_KINDS, "a motor")
+        if not abs(velocity) <= self._max_velocity:
+            raise ProtocolError(f"device {device}: a velocity of {velocity:g} rad/s")
+        if math.isnan(position) or position == -math.inf:
+            raise ProtocolError(f"device {device}: a position of {position:g} rad")
+        return MotorCommand(device, velocity, position)
+
+    def _sampling(self, device: int, period_ticks: int) -> tuple[int, int]:
+        self._must_be(device, _SAMPLED_KINDS, "a sensor")
+        return device, period_ticks
+
+    def _tuning(self, device: int, channel: int) -> tuple[int, int]:
+        self._must_be(device, _TUNED_KINDS, "a radio")
+        return device, channel
+
+    def _frequency(self, device: int, frequency_hz: float) -> tuple[int, float]:
+        self._must_be(device, _TURNING_KINDS, "a lidar")
+        if not math.isfinite(frequency_hz):
+            raise ProtocolError(f"device {device}: a frequency of {frequency_hz:g} Hz")
+        return device, frequency_hz
+
+    def _emission(self, tail: _Tail) -> tuple[int, bytes]:
+        device, size = tail.take(_EMISSION)
+        self._must_be(device, _EMITTING_KINDS, "an emitter")
+        if size > self._message_bytes:
+            raise ProtocolError(f"a radio packet of {size} bytes")
+        return device, tail.take_bytes(size)
+
+    def _must_be(self, device: int, kinds: frozenset[str], wanted: str) -> None:
+        if self._kinds.get(device) not in kinds:
+            raise ProtocolError(f"device {device} is not {wanted}")
+
+
+class _Tail:
+    """The part of a message that has no fixed size, taken piece by piece."""
+
+    def __init__(self, body: bytes, at: int) -> None:
+        self._body = body
+        self._at = at
+
+    def take(self, form: Struct) -> tuple[Any, ...]:
+        try:
+            fields = form.unpack_from(self._body, self._at)
+        except StructError:
+            raise ProtocolError("a request that ends too early") from None
+        self._at += form.size
+        return fields
+
+    def take_bytes(self, size: int) -> bytes:
+        end = self._at + size
+        if end > len(self._body):
+            raise ProtocolError("a request that ends too early")
+        data = self._body[self._at : end]
+        self._at = end
+        return data
+
+    def must_be_empty(self) -> None:
+        if self._at != len(self._body):
+            raise ProtocolError(f"a request with {len(self._body) - self._at} bytes too many")
+
+
+def _ended(body: bytes) -> Ended:
+    try:
+        _, kind, size = _FAULT.unpack_from(body)
+    except StructError:
+        raise ProtocolError(f"a farewell of {len(body)} bytes") from None
+    if kind >= len(FAULT_KINDS) or _FAULT.size + size > len(body):
+        raise ProtocolError("a farewell that is none")
+    detail = body[_FAULT.size : _FAULT.size + size].decode("utf-8", "replace")
+    trace = body[_FAULT.size + size :].decode("utf-8", "replace")
+    return Ended(FAULT_KINDS[kind], one_line(detail), _without_addresses(_printable(trace, keep="\n\t")))
+
+
+def one_line(text: str) -> str:
+    """Return text from a program as one harmless line: no control characters, no addresses, at most 1000 letters."""
+    return _without_addresses(" ".join(_printable(text, keep="").split()))[:1_000]
+
+
+def _printable(text: str, keep: str) -> str:
+    return "".join(letter if letter in keep or unicodedata.category(letter)[0] != "C" else " " for letter in text)
+
+
+def _without_addresses(text: str) -> str:
+    """Addresses differ from run to run, and what a fault says is part of the result."""
+    return _ADDRESS.sub("0x…", text)

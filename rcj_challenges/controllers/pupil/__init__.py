@@ -1,0 +1,7 @@
+"""What a team's program sees: the ``controller`` package, and the code that starts the program in its own process.
+
+Belongs here: the classes that programs import, the simulated clock, the seeded chance, the counted output. Does not
+belong here: anything beyond the standard library (this runs in the program's process, started without
+``site-packages`` of its own), and anything that the match decides. The parent never imports from here: both sides
+know only the protocol (``docs/protocol.md``).
+"""

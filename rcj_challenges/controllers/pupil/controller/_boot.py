@@ -1,0 +1,184 @@
+"""Starts a team's program: the first code that runs in its process."""
+
+# ruff: noqa: PTH120, PTH123, PLC0415, SIM105 - each import costs every program, so there are few, and late ones
+
+from __future__ import annotations
+
+import builtins
+import os
+import sys
+from typing import Any
+
+from . import _chance, _clock, _confine, _hub, _report
+from ._hooks import AfterImport, Patch
+from ._output import Output
+from ._wire import HELLO, Wire, fault_frame, leave
+
+_RESERVE_BYTES = 1 << 20
+
+
+class Boot:
+    """One program, from its first line to its last."""
+
+    def __init__(self, wire: Wire, hello: dict[str, Any]) -> None:
+        self._wire = wire
+        self._hello = hello
+        self._limits: dict[str, Any] = hello["limits"]
+        self._root: str = hello["program"]["root"]
+        self._library = sys.path[:]
+        self._clock = _clock.Clock(hello["tick_ms"] * 1_000_000)
+        self._output: Any = _Uncounted() if hello["debug"] else Output(self._limits["output_bytes"], self._flooded)
+        self._hub = _hub.Hub(wire, hello, self._clock, self._output)
+
+    def run(self) -> None:
+        """Run the program and tell the match how it ended, unless the match ended it."""
+        try:
+            _confine.confine(self._hello["layers"], self._limits)
+        except OSError as error:
+            self._end("start", f"the program could not be isolated: {error}")
+        _hub.connect(self._hub)
+        self._prepare_modules()
+        reserve = bytearray(_RESERVE_BYTES)  # given back before a lack of memory is told
+        try:
+            self._run_entry()
+        except SystemExit as left:
+            self._left(left)
+        except MemoryError as error:
+            del reserve
+            self._crashed("memory", error)
+        except BaseException as error:  # noqa: BLE001 - whatever a program raises ends it, KeyboardInterrupt too
+            self._crashed("crash", error)
+        else:
+            self._ended("exit", "the program came to its end while the match goes on: it has to call step in a loop")
+
+    def out_of_memory(self) -> None:
+        """The program holds more memory than it may (told by the watch)."""
+        self._end("memory", "the program takes more memory than it may")
+
+    def _run_entry(self) -> None:
+        entry: str = self._hello["program"]["entry"]
+        folder = os.path.dirname(entry)
+        os.chdir(folder)
+        sys.argv = [entry]
+        # The program's folder first, as Python does; then the folder that holds all of the team's programs.
+        outer = [os.path.dirname(folder)] if folder != self._root else []
+        sys.path[:] = [folder, *outer, *self._library, *self._hello["program"]["site"]]
+        with open(entry, "rb") as file:
+            source = file.read()
+        program = type(sys)("__main__")
+        program.__dict__.update(__file__=entry, __builtins__=builtins, __cached__=None)
+        sys.modules["__main__"] = program
+        exec(compile(source, entry, "exec", dont_inherit=True), program.__dict__)  # noqa: S102 - the team's program
+
+    def _prepare_modules(self) -> None:
+        _clock.show_simulated_time(self._clock)
+        seeds = [_chance.Seeds(self._hello["seed"] + number) for number in range(3)]
+        patches: dict[str, Patch] = {
+            "datetime": _clock.dates_of(self._clock),
+            "random": _chance.seed_random(seeds[0]),
+            "numpy.random.bit_generator": _chance.seed_numpy_entropy(seeds[1]),
+            "numpy.random": _chance.seed_numpy_global(seeds[2]),
+            # Waiting for a lock takes real time, so its limits are measured in it.
+            "threading": _give_real_clock("_time"),
+            "queue": _give_real_clock("time"),
+        }
+        AfterImport(patches, self._root + os.sep).install()
+        # What `site` adds; the interpreter runs without it.
+        import _sitebuiltins
+
+        for name in ("exit", "quit"):
+            setattr(builtins, name, _sitebuiltins.Quitter(name, "Ctrl-D (i.e. EOF)"))
+
+    def _left(self, left: SystemExit) -> None:
+        code = left.code
+        if isinstance(code, str):
+            _print_quietly(code)
+            self._ended("exit", f"the program called sys.exit: {code}")
+        else:
+            self._ended("exit", f"the program called sys.exit({'' if code is None else code})")
+
+    def _ended(self, kind: str, detail: str) -> None:
+        if not self._hub.over:
+            self._end(kind, detail)
+
+    def _crashed(self, kind: str, error: BaseException) -> None:
+        detail, trace = _report.describe(error, self._root)
+        if self._hub.over:
+            _print_quietly(trace or detail)
+        else:
+            self._end(kind, detail, trace)
+
+    def _flooded(self) -> None:
+        limit_mb = self._limits["output_bytes"] / 1e6
+        self._wire.send(fault_frame("output_flood", f"the program printed more than {limit_mb:g} MB"))
+        leave(1)
+
+    def _end(self, kind: str, detail: str, trace: str = "") -> None:
+        """Tell the match why this is the end, after all output is written. Never returns."""
+        for stream in (sys.stdout, sys.stderr):
+            try:
+                stream.flush()
+            except Exception:  # noqa: BLE001, S110 - a program may have put anything there
+                pass
+        self._wire.send(fault_frame(kind, detail, trace))
+        leave(1)
+
+
+class _Uncounted:
+    """Output that goes to a terminal, without a limit."""
+
+    printed_bytes = 0
+
+
+def _give_real_clock(name: str) -> Patch:
+    def patch(module: Any) -> None:
+        setattr(module, name, _clock.real_monotonic)
+
+    return patch
+
+
+def _print_quietly(text: str) -> None:
+    try:
+        print(text, file=sys.stderr)
+    except Exception:  # noqa: BLE001, S110 - a program may have closed it
+        pass
+
+
+def _parsed(text: str) -> dict[str, Any]:
+    """Return the parent's JSON as Python data.
+
+    JSON as Python writes it, without escapes beyond Python's, is a Python expression; importing ``json`` would cost
+    each program 9 ms at its start. The text comes from the match, never from a team.
+    """
+    names = {"__builtins__": {}, "true": True, "false": False, "null": None}
+    return eval(text, names)  # type: ignore[no-any-return]  # noqa: S307 - see above
+
+
+def _fd(number: int, flags: int) -> int:
+    """Return the file descriptor for what the parent handed over: itself, or a handle on Windows."""
+    if sys.platform == "win32":
+        import msvcrt
+
+        return msvcrt.open_osfhandle(number, flags)
+    return number
+
+
+def main() -> None:
+    """Start the program that the parent describes in its first message.
+
+    Arguments of the process: read end, write end and lifeline, as file descriptors (handles on Windows; -1: none);
+    then the folder from which this code was imported, which is no business of the program's.
+    """
+    sys.path.remove(sys.argv[4])
+    read_end, write_end, lifeline = (int(argument) for argument in sys.argv[1:4])
+    binary = getattr(os, "O_BINARY", 0)
+    wire = Wire(_fd(read_end, os.O_RDONLY | binary), _fd(write_end, os.O_WRONLY | binary))
+    body = wire.receive()
+    if body[0] != HELLO:
+        leave(1)
+    hello = _parsed(body[1:].decode())
+    boot = Boot(wire, hello)
+    if lifeline >= 0:
+        watched = hello["limits"]["memory_bytes"] if hello["limits"]["watch_memory"] else 0
+        _confine.watch(_fd(lifeline, os.O_RDONLY | binary), watched, boot.out_of_memory)
+    boot.run()

@@ -1,0 +1,165 @@
+"""The simulated clock: what ``time`` and ``datetime`` show to a program.
+
+The clock stands still between two steps, except that each reading by the main thread advances it by 1 µs, and that
+``time.sleep`` advances it by what was asked for. Time that passed this way beyond whole ticks is what the program
+missed: its next ``step`` says so.
+"""
+
+from __future__ import annotations
+
+import time
+from _thread import get_ident
+from collections.abc import Callable
+from typing import Any
+
+EPOCH_NS = 1_704_067_200_000_000_000
+"""Every half begins at 2024-01-01T00:00:00Z: any fixed date serves, this one is a plausible one."""
+
+_READING_NS = 1_000
+_MOST_MISSED = 2**31 - 1
+
+real_monotonic = time.monotonic
+_real_sleep = time.sleep
+
+
+class Clock:
+    """Simulated time of one program."""
+
+    def __init__(self, tick_ns: int) -> None:
+        self._tick_ns = tick_ns
+        self._tick_began_ns = 0
+        self._since_ns = 0
+        self._main = get_ident()
+
+    def now_ns(self) -> int:
+        """Return simulated nanoseconds since the half began; the reading itself takes 1 µs of the main thread."""
+        if get_ident() == self._main:
+            self._since_ns += _READING_NS
+        return self._tick_began_ns + self._since_ns
+
+    def unix_ns(self) -> int:
+        """Return simulated nanoseconds since 1970."""
+        return EPOCH_NS + self.now_ns()
+
+    def unix_s(self) -> float:
+        """Return simulated seconds since 1970."""
+        return (EPOCH_NS + self.now_ns()) / 1e9
+
+    def now_s(self) -> float:
+        """Return simulated seconds since the half began."""
+        return self.now_ns() / 1e9
+
+    def sleep(self, seconds: float) -> None:
+        """Let simulated time pass for the main thread; other threads really sleep."""
+        if get_ident() != self._main:
+            _real_sleep(seconds)
+            return
+        _real_sleep(min(0, seconds))  # the original's errors for what is no duration
+        self._since_ns += min(int(seconds * 1e9), _MOST_MISSED * self._tick_ns)
+
+    def missed_ticks(self) -> int:
+        """Return how many whole ticks passed since the last observation by sleeping and reading."""
+        return min(self._since_ns // self._tick_ns, _MOST_MISSED)
+
+    def tick_began(self, tick: int) -> None:
+        """A new observation came: it is now the beginning of the time after ``tick``; the clock never runs back."""
+        self._tick_began_ns = max(tick * self._tick_ns, self._tick_began_ns + self._since_ns)
+        self._since_ns = 0
+
+
+def show_simulated_time(clock: Clock) -> None:
+    """Make the ``time`` module show ``clock``."""
+    for name in ("time", "time_ns"):
+        setattr(time, name, clock.unix_s if name == "time" else clock.unix_ns)
+    for name in ("monotonic", "perf_counter", "process_time", "thread_time"):
+        setattr(time, name, clock.now_s)
+        setattr(time, name + "_ns", clock.now_ns)
+    setattr(time, "sleep", clock.sleep)  # noqa: B010 - no other type of sleep is foreseen
+    for name in ("gmtime", "localtime", "ctime"):
+        setattr(time, name, _with_default_now(getattr(time, name), clock))
+    _patch_of_broken_down_time(clock)
+    _patch_of_named_clocks(clock)
+
+
+def _with_default_now(real: Callable[[float], Any], clock: Clock) -> Callable[..., Any]:
+    def shown(seconds: float | None = None, /) -> Any:
+        return real(clock.unix_s() if seconds is None else seconds)
+
+    shown.__name__ = real.__name__
+    return shown
+
+
+def _patch_of_broken_down_time(clock: Clock) -> None:
+    """``asctime`` and ``strftime`` take the present time where none is given."""
+    real_asctime, real_strftime, localtime = time.asctime, time.strftime, time.localtime
+
+    def asctime(moment: Any = None, /) -> str:
+        return real_asctime(localtime(clock.unix_s()) if moment is None else moment)
+
+    def strftime(form: str, moment: Any = None, /) -> str:
+        return real_strftime(form, localtime(clock.unix_s()) if moment is None else moment)
+
+    time.asctime, time.strftime = asctime, strftime
+
+
+def _patch_of_named_clocks(clock: Clock) -> None:
+    """``clock_gettime`` (POSIX) shows simulated time for every clock."""
+    if not hasattr(time, "clock_gettime"):
+        return
+    wall = time.CLOCK_REALTIME
+
+    def clock_gettime_ns(clock_id: int, /) -> int:
+        return clock.unix_ns() if clock_id == wall else clock.now_ns()
+
+    def clock_gettime(clock_id: int, /) -> float:
+        return clock_gettime_ns(clock_id) / 1e9
+
+    time.clock_gettime, time.clock_gettime_ns = clock_gettime, clock_gettime_ns
+
+
+def dates_of(clock: Clock) -> Callable[[Any], None]:
+    """Return what replaces the classes of the module ``datetime`` by ones that show ``clock``.
+
+    The classes stay interchangeable with the real ones: instances of either pass for instances of both.
+    """
+
+    def replace(module: Any) -> None:
+        real_datetime, real_date = module.datetime, module.date
+        utc = module.timezone.utc
+
+        def kind_of(real: type) -> type:
+            def passes(cls: type, thing: object) -> bool:
+                return isinstance(thing, real) if cls.__bases__ == (real,) else type.__instancecheck__(cls, thing)
+
+            def descends(cls: type, other: type) -> bool:
+                return issubclass(other, real) if cls.__bases__ == (real,) else type.__subclasscheck__(cls, other)
+
+            return type("ClockedType", (type,), {"__instancecheck__": passes, "__subclasscheck__": descends})
+
+        def now(cls: Any, tz: Any = None) -> Any:
+            micros = clock.unix_ns() // 1_000
+            moment = cls.fromtimestamp(micros // 1_000_000, utc).replace(microsecond=micros % 1_000_000)
+            return moment.replace(tzinfo=None) if tz is None else moment.astimezone(tz)
+
+        def utcnow(cls: Any) -> Any:
+            return now(cls)
+
+        def today(cls: Any) -> Any:
+            moment = now(module.datetime)
+            return cls(moment.year, moment.month, moment.day)
+
+        def replaced(real: type, extra: dict[str, Any]) -> type:
+            names = {"__module__": "datetime", "__qualname__": real.__name__, "__doc__": real.__doc__, **extra}
+            return kind_of(real)(real.__name__, (real,), names)  # type: ignore[no-any-return]
+
+        module.date = replaced(real_date, {"today": classmethod(today)})
+        module.datetime = replaced(
+            real_datetime,
+            {
+                "now": classmethod(now),
+                "utcnow": classmethod(utcnow),
+                "today": classmethod(utcnow),
+            },
+        )
+
+    return replace

@@ -1,0 +1,165 @@
+"""What all devices of a robot share: the latest observation, what is to be requested, and the exchange itself."""
+
+from __future__ import annotations
+
+import sys
+from collections import deque
+from typing import Any
+
+from ._wire import EMISSION_OVERHEAD, Packet, Wire, request_frame
+
+QUEUE_BYTES = 16 << 20
+"""What the unread packets of one receiver may take, about 80 000 small ones; honest programs leave up to 20 000."""
+
+_PACKET_OVERHEAD = 200
+_MOST_TICKS = 2**31 - 1
+
+
+class PacketQueue:
+    """The unread packets of one receiver, oldest first. Beyond its bound the oldest are dropped."""
+
+    def __init__(self) -> None:
+        self.packets: deque[Packet] = deque()
+        self._bytes = 0
+
+    def add(self, packet: Packet) -> None:
+        """Append a packet that arrived."""
+        self.packets.append(packet)
+        self._bytes += len(packet[1]) + _PACKET_OVERHEAD
+        while self._bytes > QUEUE_BYTES and len(self.packets) > 1:
+            self.drop()
+
+    def drop(self) -> None:
+        """Forget the oldest packet."""
+        self._bytes -= len(self.packets.popleft()[1]) + _PACKET_OVERHEAD
+
+
+class Hub:
+    """The robot's side of the exchange with the match.
+
+    Attributes:
+        spec: the robot, as the match described it.
+        values: all numbers of all devices, as of ``tick``.
+        previous: those of the observation before, of ``previous_tick``.
+        queues: unread packets by the index of the receiver.
+    """
+
+    def __init__(self, wire: Wire, hello: dict[str, Any], clock: Any, output: Any) -> None:
+        self.spec: dict[str, Any] = hello["robot"]
+        self.tick_ms: int = hello["tick_ms"]
+        self.tick = 0
+        self.values: tuple[float, ...] = (float("nan"),) * self.spec["values"]
+        self.previous, self.previous_tick = self.values, 0
+        self.queues: dict[int, PacketQueue] = {}
+        self.over = False
+        self.robot_made = False
+        self._wire = wire
+        self._clock = clock
+        self._output = output
+        self._message_bytes: int = hello["limits"]["message_bytes"]
+        self._motors: dict[int, tuple[float, float]] = {}
+        self._motors_sent: dict[int, tuple[float, float]] = {}
+        self._sampling: list[tuple[int, int]] = []
+        self._channels: list[tuple[int, int]] = []
+        self._frequencies: list[tuple[int, float]] = []
+        self._emissions: list[tuple[int, bytes]] = []
+        self._emitted_bytes = 0
+        wire.expect_values(self.spec["values"])
+
+    def time_s(self) -> float:
+        """Return simulated seconds at the latest observation."""
+        return round(self.tick * self.tick_ms / 1000, 3)
+
+    def ticks_from_ms(self, duration_ms: float) -> int:
+        """Return the ticks that cover a duration: at least one, rounded up."""
+        return int(min(max(1, -(-duration_ms // self.tick_ms)), _MOST_TICKS))
+
+    def command(self, device: int, velocity_radps: float, position_rad: float) -> None:
+        """Set a motor; the last setting before the step counts."""
+        self._motors[device] = (velocity_radps, position_rad)
+
+    def sample(self, device: int, period_ticks: int) -> None:
+        """Let a sensor or receiver sample every so many ticks; 0 stops it."""
+        self._sampling.append((device, period_ticks))
+
+    def tune(self, device: int, channel: int) -> None:
+        """Set the channel of a receiver or emitter."""
+        self._channels.append((device, channel))
+
+    def spin(self, device: int, frequency_hz: float) -> None:
+        """Set how fast the head of a lidar turns."""
+        self._frequencies.append((device, frequency_hz))
+
+    def emit(self, device: int, data: bytes) -> bool:
+        """Hand a packet to an emitter. Returns False if it, or all of this step together, is too large."""
+        size = len(data) + EMISSION_OVERHEAD
+        if len(data) > self._message_bytes or self._emitted_bytes + size > 2 * self._message_bytes:
+            return False
+        self._emitted_bytes += size
+        self._emissions.append((device, data))
+        return True
+
+    def exchange(self, duration_ms: float) -> bool:
+        """Send what was asked for, wait until the time is over, take in what came. Returns False at the end."""
+        if self.over:
+            return False
+        advance_ticks = self.ticks_from_ms(duration_ms)
+        sent = self._motors_sent
+        motors = [(device, *setting) for device, setting in self._motors.items() if sent.get(device) != setting]
+        self._wire.send(
+            request_frame(
+                self.tick,
+                advance_ticks,
+                self._clock.missed_ticks(),
+                self._output.printed_bytes,
+                motors,
+                self._sampling,
+                self._channels,
+                self._frequencies,
+                self._emissions,
+            )
+        )
+        if motors:
+            sent.update(self._motors)
+        self._motors.clear()
+        if self._sampling or self._channels or self._frequencies:
+            self._sampling, self._channels, self._frequencies = [], [], []
+        if self._emissions:
+            self._emissions, self._emitted_bytes = [], 0
+        return self._take_in()
+
+    def _take_in(self) -> bool:
+        self.previous, self.previous_tick = self.values, self.tick
+        self.tick, self.over, self.values, packets = self._wire.observation(self._wire.receive())
+        self._clock.tick_began(self.tick)
+        for packet in packets:
+            queue = self.queues.get(packet[0])
+            if queue is None:
+                queue = self.queues[packet[0]] = PacketQueue()
+            queue.add(packet)
+        return not self.over
+
+
+_hub: Hub | None = None
+
+
+def connect(hub: Hub) -> None:
+    """Make ``hub`` the one that ``Robot()`` uses."""
+    global _hub  # noqa: PLW0603 - a process drives one robot
+    _hub = hub
+
+
+def connected() -> Hub:
+    """Return the hub of this process.
+
+    Raises:
+        RuntimeError: the program was not started by a match.
+    """
+    if _hub is None:
+        raise RuntimeError("this program drives a robot only when `rcj-challenge run` starts it")
+    return _hub
+
+
+def complain(text: str) -> None:
+    """Tell the program's author something, on standard error."""
+    print(text, file=sys.stderr)

@@ -1,0 +1,57 @@
+"""What a program prints: counted, capped, UTF-8 whatever it prints."""
+
+from __future__ import annotations
+
+import io
+import sys
+from collections.abc import Callable
+from typing import Any
+
+
+class Output:
+    """Standard output and error, both into the program's log, counted together."""
+
+    def __init__(self, limit_bytes: int, on_flood: Callable[[], None]) -> None:
+        self.printed_bytes = 0
+        self._limit_bytes = limit_bytes
+        self._on_flood = on_flood
+        sys.stdout = self._stream(1)
+        sys.stderr = self._stream(2)
+        for name in ("stdout", "stderr"):
+            setattr(sys, f"__{name}__", getattr(sys, name))
+
+    def room_for(self, size: int) -> int:
+        """Count ``size`` more bytes; return how many of them may still be written."""
+        room = self._limit_bytes - self.printed_bytes
+        self.printed_bytes += size
+        return min(size, room)
+
+    def flooded(self) -> None:
+        """More was printed than the limit allows: this ends the program, and no ``except`` of it can help."""
+        self._on_flood()
+
+    def _stream(self, fd: int) -> io.TextIOWrapper:
+        # Straight onto the file, as `python -u` does: a line is in the log as soon as it is printed, whatever follows.
+        raw: Any = _CountedFile(fd, self)
+        return io.TextIOWrapper(raw, encoding="utf-8", errors="backslashreplace", line_buffering=True)
+
+
+class _CountedFile(io.FileIO):
+    """A file descriptor that counts what is written to it."""
+
+    def __init__(self, fd: int, output: Output) -> None:
+        super().__init__(fd, "w", closefd=False)
+        self._output = output
+
+    def write(self, data: Any, /) -> int:
+        """Write as much of ``data`` as the limit allows."""
+        view = memoryview(data).cast("B")
+        size = len(view)
+        room = self._output.room_for(size)
+        if room < size:
+            super().write(view[: max(room, 0)])
+            self._output.flooded()
+        at = 0
+        while at < size:
+            at += super().write(view[at:]) or 0
+        return size

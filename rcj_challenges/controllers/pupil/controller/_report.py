@@ -1,0 +1,62 @@
+"""How a program's end is told: its own lines of the traceback, with paths as the team knows them."""
+
+# ruff: noqa: PTH120, PLC0415 - each import costs every program, so there are few, and late ones
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import Any
+
+
+def describe(error: BaseException, team_root: str) -> tuple[str, str]:
+    """Return what went wrong in one line, and the traceback of the program's own lines.
+
+    Args:
+        error: what the program did not catch.
+        team_root: the folder of its files; paths are told relative to it.
+    """
+    try:
+        return _describe(error, team_root + os.sep)
+    except Exception:  # noqa: BLE001 - a program may break everything that is used here; the fault must be told
+        return type(error).__name__, ""
+
+
+def _describe(error: BaseException, inside: str) -> tuple[str, str]:
+    traceback = _standard_traceback()
+    told = traceback.TracebackException(type(error), error, error.__traceback__, compact=True)
+    _keep_own_frames(told, inside)
+    where = ""
+    if isinstance(error, SyntaxError) and error.filename:
+        where = f" ({error.filename}, line {error.lineno})"
+    elif told.stack:
+        where = f" ({told.stack[-1].filename}, line {told.stack[-1].lineno})"
+    last = list(told.format_exception_only())[-1].strip()
+    summary = f"{type(error).__name__}: {error.msg}" if isinstance(error, SyntaxError) else " ".join(last.split())
+    return (summary[:1_000] + where).replace(inside, ""), "".join(told.format()).replace(inside, "")
+
+
+def _keep_own_frames(told: Any, inside: str) -> None:
+    """Drop the frames of everything but the program, in the exception and in those it came from."""
+    seen = set()
+    todo = [told]
+    while todo:
+        entry = todo.pop()
+        if entry is None or id(entry) in seen:
+            continue
+        seen.add(id(entry))
+        entry.stack[:] = [frame for frame in entry.stack if frame.filename.startswith((inside, "<string>"))]
+        todo += [entry.__cause__, entry.__context__, *(getattr(entry, "exceptions", None) or ())]
+
+
+def _standard_traceback() -> Any:
+    """Import ``traceback`` from the standard library, whatever the team called its own files."""
+    standard = os.path.dirname(os.__file__)
+    kept = sys.path[:]
+    sys.path[:] = [path for path in kept if path.startswith(standard)]
+    try:
+        import traceback
+
+        return traceback
+    finally:
+        sys.path[:] = kept

@@ -1,0 +1,145 @@
+"""The laser scanner."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from ._hub import Hub, complain
+from .device import Sensor
+
+
+class LidarPoint:
+    """One reading as a point.
+
+    Attributes:
+        x: forward, in m, in the robot's frame.
+        y: to the left, in m.
+        z: up, in m.
+        layer_id: 0, there is one layer.
+        time: when it was read, in s.
+    """
+
+    def __init__(self, x: float, y: float, z: float, layer_id: int, time: float) -> None:
+        self.x, self.y, self.z, self.layer_id, self.time = x, y, z, layer_id, time
+
+    def __repr__(self) -> str:
+        return f"LidarPoint(x={self.x!r}, y={self.y!r}, z={self.z!r}, layer_id={self.layer_id}, time={self.time!r})"
+
+
+class Lidar(Sensor):
+    """Ranges all around, one layer. Index 0 looks forward, the index grows clockwise."""
+
+    def __init__(self, hub: Hub, spec: dict[str, Any]) -> None:
+        super().__init__(hub, spec)
+        self._has_cloud = False
+        self._frequency = float(self._facts.get("frequency", 10.0))
+
+    def getRangeImage(self, data_type: str = "list") -> list[float]:
+        """Return the ranges in m: ``inf`` beyond the range, 0.0 where the head has not been yet."""
+        return list(self._numbers())
+
+    def getLayerRangeImage(self, layer: int) -> list[float]:
+        """Return the ranges of a layer; there is one, 0."""
+        return self.getRangeImage() if layer == 0 else []
+
+    def getRangeImageArray(self) -> list[list[float]]:
+        """Return the ranges as columns: ``[index][layer]``."""
+        return [[reading] for reading in self._numbers()]
+
+    def enablePointCloud(self) -> None:
+        """Let ``getPointCloud`` answer."""
+        self._has_cloud = True
+
+    def disablePointCloud(self) -> None:
+        """Let ``getPointCloud`` give nothing."""
+        self._has_cloud = False
+
+    def isPointCloudEnabled(self) -> bool:
+        """Return whether ``getPointCloud`` answers."""
+        return self._has_cloud
+
+    def getPointCloud(self, data_type: str = "list") -> list[LidarPoint]:
+        """Return the readings as points; empty unless ``enablePointCloud`` was called."""
+        if not self._has_cloud:
+            return []
+        readings, time = self._numbers(), self._hub.time_s()
+        first = float(self._facts.get("first_bearing_rad", 0.0))
+        step = float(self._facts.get("bearing_step_rad", -self.getFov() / max(len(readings), 1)))
+        bearings = [first + step * index for index in range(len(readings))]
+        return [
+            LidarPoint(_part(reading, math.cos(bearing)), _part(reading, math.sin(bearing)), 0.0, 0, time)
+            for reading, bearing in zip(readings, bearings, strict=True)
+        ]
+
+    def getLayerPointCloud(self, layer: int, data_type: str = "list") -> list[LidarPoint]:
+        """Return the points of a layer; there is one, 0."""
+        return self.getPointCloud() if layer == 0 else []
+
+    def getHorizontalResolution(self) -> int:
+        """Return how many readings a layer has."""
+        return int(self._spec["width"])
+
+    def getNumberOfLayers(self) -> int:
+        """Return 1."""
+        return 1
+
+    def getNumberOfPoints(self) -> int:
+        """Return how many readings there are in all."""
+        return self.getHorizontalResolution()
+
+    def getMinRange(self) -> float:
+        """Return the smallest range in m."""
+        return float(self._facts.get("min_range", 0.01))
+
+    def getMaxRange(self) -> float:
+        """Return the largest range in m."""
+        return float(self._facts.get("max_range", 3.0))
+
+    def getFov(self) -> float:
+        """Return the angle that the readings cover, in rad."""
+        return float(self._facts.get("fov", math.tau))
+
+    def getVerticalFov(self) -> float:
+        """Return 0: one flat layer."""
+        return 0.0
+
+    def getFrequency(self) -> float:
+        """Return the turns per second of the head."""
+        return self._frequency
+
+    def setFrequency(self, frequency: float) -> None:
+        """Let the head turn at this pace in Hz, within its bounds."""
+        asked = float(frequency)
+        if math.isnan(asked):
+            complain(f"Error: {self.getName()!r}: setFrequency(NaN) is refused.")
+            return
+        self._frequency = min(max(asked, self.getMinFrequency()), self.getMaxFrequency())
+        self._hub.spin(self._index, self._frequency)
+
+    def getMinFrequency(self) -> float:
+        """Return the slowest pace of the head in Hz."""
+        return float(self._facts.get("min_frequency", 1.0))
+
+    def getMaxFrequency(self) -> float:
+        """Return the fastest pace of the head in Hz."""
+        return float(self._facts.get("max_frequency", 25.0))
+
+    range_image = property(getRangeImage)
+    point_cloud = property(getPointCloud)
+    point_cloud_enabled = property(isPointCloudEnabled)
+    horizontal_resolution = property(getHorizontalResolution)
+    number_of_layers = property(getNumberOfLayers)
+    number_of_points = property(getNumberOfPoints)
+    min_range = property(getMinRange)
+    max_range = property(getMaxRange)
+    fov = property(getFov)
+    vertical_fov = property(getVerticalFov)
+    frequency = property(getFrequency, setFrequency)
+    min_frequency = property(getMinFrequency)
+    max_frequency = property(getMaxFrequency)
+
+
+def _part(reading: float, share: float) -> float:
+    """Return a component of a reading that may be ``inf``; a direction at right angles has none of it."""
+    return reading * share if abs(share) > 1e-12 else 0.0

@@ -1,0 +1,64 @@
+"""Motors: what a program commands, and what reaches the wheels."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from rcj_challenges.devices.fitting import Fitted
+from rcj_challenges.devices.ground import Ground
+from rcj_challenges.facts.traffic import MotorCommand
+from rcj_challenges.scenario.models.robots import MotorDevice
+from rcj_challenges.scenario.models.scenario import Scenario
+
+_BY_VELOCITY = math.inf
+"""The position target that means velocity control."""
+
+
+class Drive:
+    """The motors of one robot. A wheel that was never commanded stays braked, as the world left it."""
+
+    def __init__(self, scenario: Scenario, robot: int, fitted: Sequence[Fitted], ground: Ground) -> None:
+        """Find the robot's motors among its devices."""
+        self._robot = robot
+        self._ground = ground
+        self._motors: dict[int, MotorDevice] = {
+            one.spec.index: one.device for one in fitted if one.robot == robot and isinstance(one.device, MotorDevice)
+        }
+        name = list(scenario.robots)[robot]
+        self._max_radps = scenario.kits[scenario.robots[name].kit].chassis.max_wheel_radps
+        self._commands: dict[str, tuple[float, float]] = {}
+        self._held = False
+
+    def command(self, command: MotorCommand) -> None:
+        """Set a motor: clamped to its top speed; a command that is no number is ignored."""
+        motor = self._motors.get(command.device)
+        if motor is None or math.isnan(command.velocity_radps) or math.isnan(command.position_rad):
+            return
+        velocity = max(-self._max_radps, min(self._max_radps, command.velocity_radps))
+        target = _BY_VELOCITY if math.isinf(command.position_rad) else motor.direction * command.position_rad
+        self._commands[motor.wheel] = (motor.direction * velocity, target)
+        if not self._held:
+            self._ground.set_wheel(self._robot, motor.wheel, *self._commands[motor.wheel])
+
+    def stop(self) -> None:
+        """Command all wheels velocity 0."""
+        for motor in self._motors.values():
+            self._commands[motor.wheel] = (0.0, _BY_VELOCITY)
+        self._issue()
+
+    def hold(self, *, held: bool) -> None:
+        """Stop the wheels of a robot taken off the field; let them turn as commanded when it is back."""
+        if held == self._held:
+            return
+        self._held = held
+        if held:
+            for wheel in self._commands:
+                self._ground.set_wheel(self._robot, wheel, 0.0, _BY_VELOCITY)
+        else:
+            self._issue()
+
+    def _issue(self) -> None:
+        if not self._held:
+            for wheel, (velocity, target) in self._commands.items():
+                self._ground.set_wheel(self._robot, wheel, velocity, target)

@@ -1,0 +1,31 @@
+"""What devices need of the world: a narrow view of `rcj_challenges.world.World`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Protocol
+
+import mujoco
+
+
+class Ground(Protocol):
+    """The physics under the robots.
+
+    Bodies bear the names of their entities and move freely; the joints of wheels are called ``B1/left_wheel``, and
+    their angles grow while the robot drives along its +x; geoms are in the groups of `rcj_challenges.world.contact`.
+    """
+
+    @property
+    def model(self) -> mujoco.MjModel:
+        """The compiled model."""
+
+    @property
+    def data(self) -> mujoco.MjData:
+        """Its state; the same object for the whole half, with poses up to date after steps and placements."""
+
+    @property
+    def parked(self) -> Sequence[bool]:
+        """By entity: whether it has been taken off the field."""
+
+    def set_wheel(self, robot: int, side: str, velocity_radps: float, position_rad: float) -> None:
+        """Command a wheel, ``left`` (+y) or ``right``; positive drives along +x; position ``inf``: by velocity."""

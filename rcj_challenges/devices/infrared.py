@@ -1,0 +1,131 @@
+"""The balls' infra-red: one packet a tick to every robot near enough with nothing in between."""
+
+from __future__ import annotations
+
+import math
+from typing import cast
+
+import mujoco
+import numpy as np
+
+from rcj_challenges.devices.fitting import Fitted
+from rcj_challenges.devices.ground import Ground
+from rcj_challenges.devices.noise import Noise
+from rcj_challenges.devices.poses import Poses, Vector
+from rcj_challenges.devices.receivers import Receiver
+from rcj_challenges.devices.sight import RayMask, as_geomgroup
+from rcj_challenges.facts.play import HalfInfo
+from rcj_challenges.facts.traffic import Packet
+from rcj_challenges.scenario.models.robots import BallReceiverDevice
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.world import contact
+
+PAYLOADS = {"v2.1": b"\x01", "v2.2": b"x", "2021": b"\x01"}
+"""What the ball sends, by the kit's messages: ``struct '?'``, or a letter. Source: reference, 4.1. (The robots of 2021
+had no infra-red; one fitted to them gets bytes.)"""
+
+
+class InfraredEar:
+    """A ball receiver with what it needs: the balls' channel, its noise, its payload."""
+
+    def __init__(self, receiver: Receiver, fitted: Fitted, messages: str, balls: int, half: HalfInfo) -> None:
+        """Join a receiver and its settings.
+
+        Args:
+            receiver: what delivers to the program.
+            fitted: the ball receiver on its robot.
+            messages: of the robot's kit.
+            balls: how many there are; the noise has two draws a tick for each.
+            half: for the noise.
+        """
+        device = cast("BallReceiverDevice", fitted.device)
+        noisy = device.strength_noise > 0 or device.direction_noise_rad > 0
+        self.receiver = receiver
+        self.payload = PAYLOADS[messages]
+        self.ball_channel = device.channel
+        self.range_square_m2 = device.range_m**2
+        self.strength_noise = device.strength_noise
+        self.direction_noise_rad = device.direction_noise_rad
+        self.noise = Noise(half, [(fitted.robot_name, fitted.spec.name)], 2 * max(1, balls)) if noisy else None
+
+    @property
+    def listens(self) -> bool:
+        """Whether it is enabled, and tuned to the balls."""
+        return self.receiver.period_ticks > 0 and self.receiver.channel == self.ball_channel
+
+    def disturb(self, tick: int, ball: int, strength: float, direction: Vector) -> tuple[float, Vector]:
+        """Return strength and direction with this tick's errors."""
+        if self.noise is None:
+            return strength, direction
+        error, turn = self.noise.row(tick)[2 * ball : 2 * ball + 2].tolist()
+        cos, sin = math.cos(turn * self.direction_noise_rad), math.sin(turn * self.direction_noise_rad)
+        x, y, z = direction
+        return max(0.0, strength * (1 + self.strength_noise * error)), (cos * x - sin * y, sin * x + cos * y, z)
+
+
+class Infrared:
+    """From all balls to all ears.
+
+    A ray runs from the ball's centre to the robot's. The ball hears nobody, so balls are left out; the robot's own
+    cube and wheels are what the ray must meet first. Anything else in front of them hides the ball: so a robot's own
+    wheel never does.
+    """
+
+    def __init__(self, scenario: Scenario, roster: Roster, ground: Ground, ears: list[InfraredEar]) -> None:
+        """Look up which geom belongs to which robot, once."""
+        self._ears = ears
+        self._model = ground.model
+        self._data = ground.data
+        names = roster.entities[roster.robots : roster.robots + roster.balls]
+        self._emits = [scenario.balls[name].emits for name in names]
+        robots = roster.entities[: roster.robots]
+        robot_of_body = {ground.model.body(name).id: index for index, name in enumerate(robots)}
+        roots = ground.model.body_rootid[ground.model.geom_bodyid].tolist()
+        self._robot_of_geom = [robot_of_body.get(root, -1) for root in roots]
+        self._groups = as_geomgroup((contact.GROUP_FIXTURES, contact.GROUP_CUBES, contact.GROUP_WHEELS))
+        self._without_parked = RayMask(ground, roster)
+        self._from = np.zeros(3)
+        self._along = np.zeros(3)
+        self._geom = np.zeros(1, np.int32)
+
+    def send(self, tick: int, poses: Poses) -> None:
+        """Send each ball's packet of this tick, in the order of balls."""
+        if poses.any_parked:
+            self._without_parked.hide(poses.parked)
+        for ball in range(len(poses.balls)):
+            if self._emits[ball] and not poses.ball_is_parked(ball):
+                self._send_one(tick, ball, poses)
+        if poses.any_parked:
+            self._without_parked.show()
+
+    def _send_one(self, tick: int, ball: int, poses: Poses) -> None:
+        x, y, z = poses.balls[ball]
+        source = self._from
+        source[0], source[1], source[2] = x, y, z  # item by item: numpy takes longer to unpack a tuple
+        for ear in self._ears:
+            receiver = ear.receiver
+            pose = poses.robots[receiver.robot]
+            dx, dy, dz = x - pose.x, y - pose.y, z - pose.z
+            square = dx * dx + dy * dy + dz * dz
+            if (
+                square > ear.range_square_m2
+                or pose.parked
+                or not ear.listens
+                or self._hidden(receiver.robot, dx, dy, dz)
+            ):
+                continue
+            distance = math.sqrt(square)
+            direction = pose.to_frame(dx / distance, dy / distance, dz / distance)
+            strength = 1 / square
+            if ear.noise is not None:
+                strength, direction = ear.disturb(tick, ball, strength, direction)
+            receiver.hear(Packet(receiver.device, ear.payload, strength, direction))
+
+    def _hidden(self, robot: int, dx: float, dy: float, dz: float) -> bool:
+        """Return whether something stands between the ball and the robot from which it is (dx, dy, dz) away."""
+        along = self._along
+        along[0], along[1], along[2] = -dx, -dy, -dz
+        mujoco.mj_ray(self._model, self._data, self._from, along, self._groups, 1, -1, self._geom)
+        geom = self._geom.item()
+        return geom >= 0 and self._robot_of_geom[geom] != robot

@@ -1,0 +1,152 @@
+"""Laser scanners: a ring of rays, all at once or a part of the turn each tick."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import cast
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from rcj_challenges.devices.body_sensors import Values
+from rcj_challenges.devices.fitting import Fitted, lidar_bearings
+from rcj_challenges.devices.ground import Ground
+from rcj_challenges.devices.noise import Noise
+from rcj_challenges.devices.poses import Poses, RobotPose
+from rcj_challenges.devices.sampling import Schedule
+from rcj_challenges.devices.sight import RayMask, as_geomgroup, groups_at
+from rcj_challenges.facts.play import HalfInfo
+from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.scenario.models.robots import LidarDevice
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+
+NOT_YET_SWEPT = 0.0
+"""What a cell holds that the rays have not reached yet. Source: reference, 4.2."""
+
+
+class Lidar:
+    """One scanner. Its plane is level at its height while the robot stands, and tilts with a robot that lies."""
+
+    def __init__(self, fitted: Fitted, scenario: Scenario, ground: Ground, half: HalfInfo) -> None:
+        """Lay out the ring of rays in the robot's frame."""
+        device = cast("LidarDevice", fitted.device)
+        self.robot = fitted.robot
+        self.slot = fitted.spec.slot
+        self.device = device
+        self.cells: NDArray[np.float32] = np.full(device.points, NOT_YET_SWEPT, np.float32)
+        self._bounds_hz = (fitted.spec.facts["min_frequency"], fitted.spec.facts["max_frequency"])
+        self._frequency_hz = device.frequency_hz
+        self._turns = 0.0
+        first_rad, step_rad = lidar_bearings(device)
+        bearings = first_rad + step_rad * np.arange(device.points)
+        self._forward = np.cos(bearings)
+        self._left = np.sin(bearings)
+        # Where in its clockwise turn from the front the head passes each cell, in turns.
+        self._passed_at = (-bearings / (2 * math.pi)) % 1.0
+        chassis = scenario.kits[scenario.robots[fitted.robot_name].kit].chassis
+        self._above_centre_m = device.height_m - chassis.size_m / 2
+        self._groups = as_geomgroup(groups_at(scenario, device.height_m))
+        self._noise = Noise(half, [(fitted.robot_name, fitted.spec.name)], device.points) if device.noise_m else None
+        self._model = ground.model
+        self._data = ground.data
+        self._body = int(ground.model.body(fitted.robot_name).id)
+        self._origin = np.zeros(3)
+        self._rays = np.zeros((device.points, 3))
+        self._geoms = np.zeros(device.points, np.int32)
+        self._distances = np.zeros(device.points)
+
+    def clear(self) -> None:
+        """Forget all readings and begin the turn at the front."""
+        self.cells[:] = NOT_YET_SWEPT
+        self._turns = 0.0
+
+    def set_frequency(self, frequency_hz: float) -> None:
+        """Set how fast the head turns, within its bounds."""
+        if math.isfinite(frequency_hz):
+            lowest, highest = self._bounds_hz
+            self._frequency_hz = min(highest, max(lowest, frequency_hz))
+
+    def turn(self, tick: int, pose: RobotPose) -> None:
+        """Refresh the cells that a rotating head passes in one tick."""
+        begin = self._turns
+        end = begin + self._frequency_hz * TICK_S
+        self._turns = end % 1.0
+        if end - begin >= 1:
+            self.measure(tick, pose, None)
+            return
+        # Rounded to a billionth of a turn: whether a cell is passed must not hang on the last bit of a sum.
+        since = np.round((self._passed_at - begin) % 1.0, 9) % 1.0
+        self.measure(tick, pose, np.flatnonzero(since < round(end - begin, 9)))
+
+    def measure(self, tick: int, pose: RobotPose, cells: NDArray[np.intp] | None) -> None:
+        """Measure some cells, or all of them (None)."""
+        chosen = slice(None) if cells is None else cells
+        count = len(self.cells) if cells is None else len(cells)
+        if not count:
+            return
+        if pose.parked:
+            self.cells[chosen] = np.inf
+            return
+        self._aim(pose, self._forward[chosen], self._left[chosen], count)
+        distances = self._distances[:count]
+        mujoco.mj_multiRay(
+            self._model, self._data, self._origin, self._rays[:count].reshape(-1), self._groups, 1, self._body,
+            self._geoms[:count], distances, None, count, self.device.max_range_m,
+        )  # fmt: skip
+        unseen = (distances < self.device.min_range_m) | (distances > self.device.max_range_m)
+        readings = distances if self._noise is None else self._disturbed(tick, chosen, distances)
+        self.cells[chosen] = np.where(unseen, np.inf, readings)
+
+    def _disturbed(
+        self, tick: int, chosen: slice | NDArray[np.intp], distances: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        if self._noise is None:
+            return distances
+        return np.maximum(0.0, distances + self.device.noise_m * self._noise.row(tick)[chosen])
+
+    def _aim(self, pose: RobotPose, forward: NDArray[np.float64], left: NDArray[np.float64], count: int) -> None:
+        rays = self._rays[:count]
+        if pose.tipped:
+            rotation = np.reshape(pose.rotation, (3, 3))
+            self._origin[:] = (pose.x, pose.y, pose.z) + self._above_centre_m * rotation[:, 2]
+            rays[:] = np.outer(forward, rotation[:, 0]) + np.outer(left, rotation[:, 1])
+            return
+        self._origin[:] = (pose.x, pose.y, pose.z + self._above_centre_m)
+        rays[:, 0] = pose.cos * forward - pose.sin * left
+        rays[:, 1] = pose.sin * forward + pose.cos * left
+        rays[:, 2] = 0.0
+
+
+class Lidars:
+    """All scanners of all robots."""
+
+    def __init__(
+        self, fitted: Sequence[Fitted], scenario: Scenario, roster: Roster, ground: Ground, half: HalfInfo
+    ) -> None:  # fmt: skip
+        """Build them."""
+        self.schedule = Schedule()
+        self.lidars = [Lidar(one, scenario, ground, half) for one in fitted]
+        self._without_parked = RayMask(ground, roster)
+
+    def sample(self, tick: int, poses: Poses, values: Values) -> None:
+        """Turn the heads that turn, and read the scanners that are due at ``tick``."""
+        enabled = self.schedule.enabled()
+        if not enabled:
+            return
+        due = self.schedule.due(tick)
+        if poses.any_parked:
+            self._without_parked.hide(poses.parked)
+        for member in enabled:
+            lidar = self.lidars[member]
+            if lidar.device.rotating:
+                lidar.turn(tick, poses.robots[lidar.robot])
+            elif member in due:
+                lidar.measure(tick, poses.robots[lidar.robot], None)
+        if poses.any_parked:
+            self._without_parked.show()
+        for member in due:
+            lidar = self.lidars[member]
+            values[lidar.robot][lidar.slot : lidar.slot + lidar.device.points] = lidar.cells.tolist()

@@ -1,0 +1,57 @@
+"""Random errors of sensors: one stream per device and half, one row of draws per tick.
+
+The draws of tick k are always the k-th of their stream, whether a program reads them or not. So neither the sampling
+period of a device, nor another device more or less, ever shifts a reading.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rcj_challenges.facts.play import HalfInfo
+from rcj_challenges.facts.streams import stream_seed
+
+_DRAWS_PER_BLOCK = 8192
+"""Numbers drawn at once: drawing singly costs more than measuring. Of no influence on the numbers themselves."""
+
+
+def sensor_stream(half: HalfInfo, robot: str, device: str) -> np.random.Generator:
+    """Return the generator of one device of one robot in one half."""
+    name = f"half {half.half}/sensor/{robot}/{device}"
+    return np.random.Generator(np.random.PCG64(stream_seed(half.match_seed, name)))
+
+
+class Noise:
+    """Normal draws of several devices, side by side."""
+
+    def __init__(
+        self, half: HalfInfo, devices: Sequence[tuple[str, str]], draws_per_tick: int = 1,
+        scale: NDArray[np.float64] | float = 1.0,
+    ) -> None:  # fmt: skip
+        """Open the streams.
+
+        Args:
+            half: for seed and number of the half.
+            devices: (robot, device) by name, one stream each.
+            draws_per_tick: how many numbers each device uses in a tick.
+            scale: what a row is multiplied by: one number, or one for each of its draws.
+        """
+        self._streams = [sensor_stream(half, robot, device) for robot, device in devices]
+        self._draws = draws_per_tick
+        self._ticks = max(1, _DRAWS_PER_BLOCK // max(1, draws_per_tick * len(devices)))
+        self._block = np.empty((0, len(devices) * draws_per_tick))
+        self._first = 0
+        self._scale = scale
+
+    def row(self, tick: int) -> NDArray[np.float64]:
+        """Return the draws of a tick, shape [devices · draws_per_tick]. Ticks must not go back."""
+        while tick >= self._first + len(self._block):
+            self._first += len(self._block)
+            shape = (self._ticks, self._draws)
+            block = np.concatenate([stream.standard_normal(shape) for stream in self._streams], axis=1)
+            self._block = block * self._scale
+        row: NDArray[np.float64] = self._block[tick - self._first]
+        return row

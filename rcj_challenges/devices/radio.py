@@ -1,0 +1,129 @@
+"""Team radio: emitters with a speed, first in first out, no occlusion, nobody else's channel."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+
+from rcj_challenges.devices.channels import ANY_CHANNEL
+from rcj_challenges.devices.poses import Poses
+from rcj_challenges.devices.receivers import Receiver
+from rcj_challenges.facts.timing import TICK_MS
+from rcj_challenges.facts.traffic import Packet
+
+BACKLOG_PACKETS = 16_384
+"""Packets that wait to be sent; what a program sends beyond it is lost."""
+
+BACKLOG_BYTES = 4_194_304
+"""Payload that waits to be sent. At 460.8 bytes a tick that is five minutes of sending."""
+
+_BITS_PER_BYTE = 8
+"""Source: reference, 4.1 (115200 baud are 460.8 bytes a tick: 8 bits a byte)."""
+
+_MS_PER_S = 1000
+
+
+class Emitter:
+    """One emitter of one robot.
+
+    Time on the air is counted in whole thousandths of a bit (bits · ms / s), so that nothing is ever rounded.
+
+    Attributes:
+        robot: index of the robot.
+        device: index of the emitter among its robot's devices.
+        channel: on which it sends now.
+        range_m: how far it is heard, in m.
+    """
+
+    def __init__(self, robot: int, device: int, channel: int, range_m: float, baud: int, max_packet_bytes: int) -> None:
+        """Build an emitter that has nothing to send."""
+        self.robot = robot
+        self.device = device
+        self.channel = channel
+        self.range_m = range_m
+        self._per_tick = baud * TICK_MS
+        self._max_packet_bytes = max_packet_bytes
+        self._free_from = 0
+        self._waiting: deque[tuple[int, int, bytes]] = deque()
+        self._bytes = 0
+
+    def send(self, data: bytes, now: int) -> None:
+        """Queue a packet at tick ``now``; it is on the air as soon as those before it are out."""
+        room = len(self._waiting) < BACKLOG_PACKETS and self._bytes + len(data) <= BACKLOG_BYTES
+        if not data or len(data) > self._max_packet_bytes or (self._waiting and not room):
+            return
+        begin = max(self._free_from, now * self._per_tick)
+        self._free_from = begin + len(data) * _BITS_PER_BYTE * _MS_PER_S
+        arrives = -(-self._free_from // self._per_tick)
+        self._waiting.append((arrives, self.channel, data))
+        self._bytes += len(data)
+
+    def arriving(self, tick: int) -> list[tuple[int, bytes]]:
+        """Return (channel, data) of the packets whose last bit arrives by ``tick``, in order."""
+        arrived = []
+        while self._waiting and self._waiting[0][0] <= tick:
+            _, channel, data = self._waiting.popleft()
+            self._bytes -= len(data)
+            arrived.append((channel, data))
+        return arrived
+
+    def fall_silent(self) -> None:
+        """Drop all that has not arrived."""
+        self._waiting.clear()
+        self._bytes = 0
+        self._free_from = 0
+
+    @property
+    def idle(self) -> bool:
+        """Whether nothing is waiting."""
+        return not self._waiting
+
+
+class TeamRadio:
+    """All emitters to all radio receivers of the same team.
+
+    Receivers of the referee's packets are radios too: one that a program sets to its team's channel hears the team.
+    """
+
+    def __init__(self, emitters: list[Emitter], receivers: list[Receiver], teams: dict[int, str]) -> None:
+        """Connect them.
+
+        Args:
+            emitters: in the order of robots.
+            receivers: in the order of robots.
+            teams: the entrant that drives each robot, by its index.
+        """
+        self._emitters = emitters
+        self._listeners = [
+            [r for r in receivers if r.robot != emitter.robot and teams[r.robot] == teams[emitter.robot]]
+            for emitter in emitters
+        ]
+
+    def carry(self, tick: int, poses: Poses) -> None:
+        """Bring what arrives at ``tick`` to those who hear it: in robot order, each robot's in the order sent."""
+        for emitter, listeners in zip(self._emitters, self._listeners, strict=True):
+            if emitter.idle:
+                continue
+            if poses.robots[emitter.robot].parked:
+                emitter.fall_silent()
+                continue
+            arriving = emitter.arriving(tick)
+            if arriving:
+                _spread(emitter, arriving, listeners, poses)
+
+
+def _spread(emitter: Emitter, arriving: list[tuple[int, bytes]], listeners: list[Receiver], poses: Poses) -> None:
+    source = poses.robots[emitter.robot]
+    for receiver in listeners:
+        pose = poses.robots[receiver.robot]
+        if not receiver.period_ticks or pose.parked:
+            continue
+        dx, dy, dz = source.x - pose.x, source.y - pose.y, source.z - pose.z
+        square = dx * dx + dy * dy + dz * dz
+        if square > min(emitter.range_m, receiver.range_m) ** 2 or square == 0.0:
+            continue
+        inverse = 1 / math.sqrt(square)
+        direction = pose.to_frame(dx * inverse, dy * inverse, dz * inverse)
+        for channel, data in arriving:
+            if channel == receiver.channel or ANY_CHANNEL in (channel, receiver.channel):
+                receiver.hear(Packet(receiver.device, data, 1 / square, direction))

@@ -1,0 +1,135 @@
+"""The radio room: builds all receivers and emitters of the robots, and carries what is sent in each tick."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rcj_challenges.devices.channels import entrant_of
+from rcj_challenges.devices.fitting import Fitted
+from rcj_challenges.devices.ground import Ground
+from rcj_challenges.devices.infrared import Infrared, InfraredEar
+from rcj_challenges.devices.poses import Poses
+from rcj_challenges.devices.radio import Emitter, TeamRadio
+from rcj_challenges.devices.receivers import TRIM_EVERY_TICKS, Queue, Receiver
+from rcj_challenges.devices.referee_radio import RefereeRadio
+from rcj_challenges.facts.play import HalfInfo, Verdict
+from rcj_challenges.scenario.models.robots import BallReceiverDevice, SupervisorReceiverDevice, TeamEmitterDevice
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+
+
+class RadioRoom:
+    """Infra-red, team radio and the referee's packets."""
+
+    def __init__(
+        self,
+        scenario: Scenario,
+        roster: Roster,
+        ground: Ground,
+        half: HalfInfo,
+        fitted: Sequence[Fitted],
+        queues: dict[int, Queue],
+    ) -> None:
+        """Build and connect everything that sends or hears.
+
+        Args:
+            scenario: kits and entrants.
+            roster: order of robots and balls.
+            ground: for lines of sight.
+            half: for noise.
+            fitted: all devices of all robots.
+            queues: where each robot's receivers deliver, by robot.
+        """
+        self._receivers: dict[tuple[int, int], Receiver] = {}
+        self._slow: list[Receiver] = []
+        self._emitters: dict[tuple[int, int], Emitter] = {}
+        self._refused: dict[tuple[int, int], frozenset[int]] = {}
+        radios: list[tuple[Fitted, Receiver]] = []
+        ears: list[InfraredEar] = []
+        for one in fitted:
+            key = (one.robot, one.spec.index)
+            facts = one.spec.facts
+            if one.spec.kind == "receiver":
+                receiver = Receiver(*key, facts["channel"], facts["range"], queues[one.robot])
+                self._receivers[key] = receiver
+                if isinstance(one.device, BallReceiverDevice):
+                    messages = scenario.kits[scenario.robots[one.robot_name].kit].messages
+                    ears.append(InfraredEar(receiver, one, messages, roster.balls, half))
+                else:
+                    radios.append((one, receiver))
+            elif isinstance(one.device, TeamEmitterDevice):
+                self._emitters[key] = Emitter(
+                    *key, facts["channel"], facts["range"], facts["baud_rate"], facts["max_packet_bytes"]
+                )
+            if "refused_channels" in facts:
+                self._refused[key] = frozenset(facts["refused_channels"])
+        owners = entrant_of(scenario)
+        teams = {one.robot: owners[one.robot_name] for one in fitted}
+        self._infrared = Infrared(scenario, roster, ground, ears)
+        self._team = TeamRadio(list(self._emitters.values()), [receiver for _, receiver in radios], teams)
+        self._referee = _referee_radios(scenario, roster, radios)
+
+    def set_period(self, robot: int, device: int, period_ticks: int, now: int) -> bool:
+        """Set the sampling period of a receiver; False if the device is none."""
+        receiver = self._receivers.get((robot, device))
+        if receiver is None:
+            return False
+        receiver.set_period(period_ticks, now)
+        self._slow = [receiver for receiver in self._receivers.values() if receiver.slow]
+        return True
+
+    def set_channel(self, robot: int, device: int, channel: int) -> None:
+        """Tune a receiver or an emitter; another team's channel is refused: it stays where it was."""
+        key = (robot, device)
+        if channel in self._refused.get(key, ()):
+            return
+        if key in self._receivers:
+            self._receivers[key].channel = channel
+        elif key in self._emitters:
+            self._emitters[key].channel = channel
+
+    def send(self, robot: int, device: int, data: bytes, now: int) -> None:
+        """Queue what a program sends."""
+        emitter = self._emitters.get((robot, device))
+        if emitter is not None:
+            emitter.send(data, now)
+
+    def fall_silent(self, robot: int) -> None:
+        """Drop all that a robot's emitters have not sent, and let its receivers hear nothing more."""
+        for emitter in self._emitters.values():
+            if emitter.robot == robot:
+                emitter.fall_silent()
+        for receiver in self._receivers.values():
+            if receiver.robot == robot:
+                receiver.set_period(0, 0)
+
+    def speak(self, tick: int, verdict: Verdict, poses: Poses) -> None:
+        """Let the referee say what holds after the verdict of ``tick``."""
+        for referee in self._referee:
+            referee.speak(tick, verdict, poses)
+
+    def carry(self, tick: int, poses: Poses) -> None:
+        """Bring all packets that arrive at ``tick`` to those who hear them."""
+        for referee in self._referee:
+            referee.carry()
+        self._infrared.send(tick, poses)
+        self._team.carry(tick, poses)
+        for receiver in self._slow:
+            receiver.deliver(tick)
+            if tick % TRIM_EVERY_TICKS == 0:
+                receiver.trim()
+
+
+def _referee_radios(
+    scenario: Scenario, roster: Roster, radios: list[tuple[Fitted, Receiver]]
+) -> list[RefereeRadio]:  # fmt: skip
+    """Return one transmitter for each kit in use. It speaks on the channels of its robots' supervisor receivers."""
+    channels: dict[int, set[int]] = {}
+    for one, _ in radios:
+        if isinstance(one.device, SupervisorReceiverDevice):
+            channels.setdefault(one.robot, set()).add(one.device.channel)
+    by_kit: dict[str, list[tuple[Receiver, frozenset[int]]]] = {}
+    for one, receiver in radios:
+        kit = scenario.robots[one.robot_name].kit
+        by_kit.setdefault(kit, []).append((receiver, frozenset(channels.get(one.robot, ()))))
+    return [RefereeRadio(scenario.kits[kit], roster, receivers) for kit, receivers in by_kit.items()]

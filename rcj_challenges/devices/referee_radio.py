@@ -1,0 +1,108 @@
+"""What the referee tells programs: its packet, and the scenario's broadcast after it."""
+
+from __future__ import annotations
+
+import json
+import struct
+from typing import Any
+
+from rcj_challenges.devices.poses import Poses
+from rcj_challenges.devices.receivers import Receiver
+from rcj_challenges.facts.play import Verdict
+from rcj_challenges.facts.traffic import Packet
+from rcj_challenges.scenario.models.robots import Kit
+from rcj_challenges.scenario.roster import Roster
+
+STRENGTH = 1.0
+DIRECTION = (0.0, 0.0, 1.0)
+"""The referee has no place on the field: its packets come from 1 m above whoever hears them."""
+
+
+def flag_bytes(*, waiting: bool) -> bytes:
+    """Return the packet of v2.1: ``struct '?'``."""
+    return struct.pack("?", waiting)
+
+
+def flag_json(*, waiting: bool) -> bytes:
+    """Return the packet of v2.2: JSON text."""
+    return json.dumps({"waiting_for_kickoff": waiting}).encode()
+
+
+def positions_2021(kit: Kit, roster: Roster, poses: Poses, *, waiting: bool) -> bytes:
+    """Return the packet of 2021: per listed robot X, Z and orientation, per ball X and Z, then the flag.
+
+    X is our y and Z is our x; the orientation is the yaw (reference, 4.2). Native byte order, as programs unpack it.
+    """
+    numbers: list[float] = []
+    for name in kit.packet_lists:
+        pose = poses.robots[roster.index[name]]
+        numbers += (pose.y, pose.x, pose.yaw)
+    for x, y, _ in poses.balls:
+        numbers += (y, x)
+    if kit.packet_has_flag:
+        return struct.pack(f"{len(numbers)}d?", *numbers, waiting)
+    return struct.pack(f"{len(numbers)}d", *numbers)
+
+
+class RefereeRadio:
+    """The referee's transmitter for all robots of one kit.
+
+    A packet goes out after the referee's verdict of a tick and is in the air until the next: observation k holds what
+    was said after tick k-1. The robots of 2021 never heard of tick 0, for their referee spoke after its first step.
+    """
+
+    def __init__(self, kit: Kit, roster: Roster, receivers: list[tuple[Receiver, frozenset[int]]]) -> None:
+        """Connect it.
+
+        Args:
+            kit: says how packets look and how often they come.
+            roster: order of robots.
+            receivers: radio receivers of the kit's robots, each with the channels on which its robot's referee speaks.
+        """
+        self._kit = kit
+        self._roster = roster
+        self._receivers = receivers
+        self._in_the_air: tuple[bytes, ...] = ()
+        self._broadcast: bytes | None = None
+        self._packets: dict[tuple[int, bytes], Packet] = {}
+
+    def speak(self, tick: int, verdict: Verdict, poses: Poses) -> None:
+        """Say what holds after the verdict of ``tick``, if the kit's referee speaks at this tick."""
+        if verdict.broadcast is not None:
+            self._broadcast = _as_json(verdict.broadcast)
+        if tick % self._kit.packet_every_ticks or (tick == 0 and self._kit.messages == "2021"):
+            return
+        official = self._official(poses, waiting=verdict.waiting_for_kickoff)
+        self._in_the_air = (official,) if self._broadcast is None else (official, self._broadcast)
+        self._broadcast = None
+
+    def carry(self) -> None:
+        """Bring what was said after the last tick to the receivers that listen."""
+        for data in self._in_the_air:
+            for receiver, channels in self._receivers:
+                if receiver.channel in channels:
+                    receiver.hear(self._packet(receiver.device, data))
+        self._in_the_air = ()
+
+    def _official(self, poses: Poses, *, waiting: bool) -> bytes:
+        if self._kit.messages == "2021":
+            return positions_2021(self._kit, self._roster, poses, waiting=waiting)
+        return flag_json(waiting=waiting) if self._kit.messages == "v2.2" else flag_bytes(waiting=waiting)
+
+    def _packet(self, device: int, data: bytes) -> Packet:
+        """Return the packet; those that several robots hear, or that repeat for minutes, are built once."""
+        key = (device, data)
+        packet = self._packets.get(key)
+        if packet is None:
+            if len(self._packets) >= _REMEMBERED:
+                self._packets.clear()
+            packet = self._packets[key] = Packet(device, data, STRENGTH, DIRECTION)
+        return packet
+
+
+_REMEMBERED = 64
+"""Packets kept for reuse."""
+
+
+def _as_json(broadcast: dict[str, Any]) -> bytes:
+    return json.dumps(broadcast).encode()

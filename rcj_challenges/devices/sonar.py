@@ -1,0 +1,135 @@
+"""Sonars: horizontal rays that find the nearest wall, goal or robot.
+
+All rays of all robots are MuJoCo rangefinders, so that one call measures them all. They see the boxes of the field,
+obstacles and robots' cubes; never what the rule book's sonar passes over (balls and wheels), nor what is parked.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import cast
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from rcj_challenges.devices.body_sensors import Values, write
+from rcj_challenges.devices.fitting import Fitted, fit
+from rcj_challenges.devices.ground import Ground
+from rcj_challenges.devices.noise import Noise
+from rcj_challenges.devices.poses import Poses
+from rcj_challenges.devices.sampling import Schedule
+from rcj_challenges.devices.sight import RayMask, groups_at
+from rcj_challenges.facts.play import HalfInfo
+from rcj_challenges.scenario.models.robots import SonarDevice
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+
+_FIELDS = (
+    mujoco.mjtRayDataField.mjRAYDATA_DIST,
+    mujoco.mjtRayDataField.mjRAYDATA_DIR,
+    mujoco.mjtRayDataField.mjRAYDATA_NORMAL,
+)
+_WIDTH = 7
+"""Numbers of one rangefinder: distance, direction (3), the surface's normal (3)."""
+
+_MM_PER_M = 1000.0
+_NOISE_FULL_FROM_M = 1.0
+"""The noise grows with the distance up to here. Source: reference, 4.1."""
+
+
+def _site_name(one: Fitted) -> str:
+    return f"{one.robot_name}/{one.spec.name}"
+
+
+def device_sites(scenario: Scenario, roster: Roster) -> Callable[[mujoco.MjSpec], None]:
+    """Return what adds the sonars to a model: a site and a rangefinder each, on the robot's body.
+
+    The sensor stage is switched off in the model, for the rays are wanted once a tick and not in every sub-step;
+    `Sonars` switches it on while it measures.
+    """
+    sonars = [one for one in fit(scenario, roster) if isinstance(one.device, SonarDevice)]
+
+    def extend(spec: mujoco.MjSpec) -> None:
+        spec.option.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
+        for one in sonars:
+            sonar = cast("SonarDevice", one.device)
+            kit = scenario.kits[scenario.robots[one.robot_name].kit]
+            cos, sin = math.cos(sonar.bearing_rad), math.sin(sonar.bearing_rad)
+            # A rangefinder looks along its site's z axis: a quarter turn about the horizontal normal to the bearing.
+            spec.body(one.robot_name).add_site(
+                name=_site_name(one),
+                pos=[sonar.offset_m * cos, sonar.offset_m * sin, sonar.height_m - kit.chassis.size_m / 2],
+                quat=[math.sqrt(0.5), -sin * math.sqrt(0.5), cos * math.sqrt(0.5), 0],
+                size=[0.001, 0.001, 0.001],
+                rgba=[0, 0, 0, 0],
+            )
+            rangefinder = spec.add_sensor(
+                name=_site_name(one),
+                type=mujoco.mjtSensor.mjSENS_RANGEFINDER,
+                objtype=mujoco.mjtObj.mjOBJ_SITE,
+                objname=_site_name(one),
+            )
+            rangefinder.intprm[0] = sum(1 << int(field) for field in _FIELDS)
+
+    return extend
+
+
+class Sonars:
+    """All sonars of all robots: v = 1000·d below the range, else the out-of-range value, times the noise."""
+
+    def __init__(
+        self, fitted: Sequence[Fitted], scenario: Scenario, roster: Roster, ground: Ground, half: HalfInfo
+    ) -> None:  # fmt: skip
+        """Find the rangefinders that `device_sites` added, in the same order."""
+        self.schedule = Schedule()
+        devices = [cast("SonarDevice", one.device) for one in fitted]
+        count = len(fitted)
+        self._model: mujoco.MjModel = ground.model
+        self._data: mujoco.MjData = ground.data
+        first = int(self._model.sensor(_site_name(fitted[0])).adr[0])
+        self._rays: NDArray[np.float64] = self._data.sensordata[first : first + _WIDTH * count].reshape(count, _WIDTH)
+        self._distance = self._rays[:, 0]
+        self._direction = self._rays[:, 1:4]
+        self._normal = self._rays[:, 4:7]
+        self._range_m = np.array([device.range_m for device in devices])
+        self._short = all(device.range_m <= _NOISE_FULL_FROM_M for device in devices)
+        self._heard_below = np.array([-math.cos(device.lost_from_rad) for device in devices])
+        shares = np.array([device.noise for device in devices])
+        self._noise = Noise(half, [(one.robot_name, one.spec.name) for one in fitted], scale=_MM_PER_M * shares)
+        self._slots = [(one.robot, one.spec.slot) for one in fitted]
+        self._mask = RayMask(ground, roster, groups_at(scenario, min(device.height_m for device in devices)))
+        self._sensors_on = int(self._model.opt.disableflags) & ~int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
+        self._sensors_off = int(self._model.opt.disableflags)
+
+    def sample(self, tick: int, poses: Poses, values: Values) -> None:
+        """Read the sonars that are due at ``tick``."""
+        due = self.schedule.due(tick)
+        if not due:
+            return
+        self._measure(poses)
+        write(values, self._slots, self._readings(tick, poses), due)
+
+    def _measure(self, poses: Poses) -> None:
+        option = self._model.opt
+        option.disableflags = self._sensors_on
+        self._mask.hide(poses.parked)
+        mujoco.mj_sensorPos(self._model, self._data)
+        self._mask.show()
+        option.disableflags = self._sensors_off
+
+    def _readings(self, tick: int, poses: Poses) -> list[float]:
+        # Cosine of the angle between ray and normal, -1 head on. Where nothing is hit the normal is zero: not heard.
+        # Positive only for a ray that begins inside a body pressed against the robot: an echo from no distance at all.
+        facing = np.vecdot(self._direction, self._normal)
+        heard = facing < self._heard_below
+        heard &= self._distance < self._range_m
+        distance = np.where(heard, self._distance, self._range_m)
+        np.copyto(distance, 0.0, where=facing > 0)
+        if poses.any_parked:
+            gone = [poses.robots[robot].parked for robot, _ in self._slots]
+            np.copyto(distance, self._range_m, where=gone)
+        noisy_up_to = distance if self._short else np.minimum(distance, _NOISE_FULL_FROM_M)
+        readings: list[float] = (distance * (_MM_PER_M + noisy_up_to * self._noise.row(tick))).tolist()
+        return readings

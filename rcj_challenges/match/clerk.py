@@ -1,0 +1,92 @@
+"""The clerk of a half: everything that is told, written or waited for on a tick, and decides nothing."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Collection
+
+from rcj_challenges.controllers.crew import Crew
+from rcj_challenges.facts.play import HalfInfo, Snapshot, Verdict
+from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.match.watching import Progress, Watcher
+from rcj_challenges.records.writer import RecordWriter
+from rcj_challenges.referee.engine import Referee
+
+_OUTPUT_EVERY_TICKS = 16
+
+
+class HalfClerk:
+    """Writes the record of a half, tells watchers, shows programs' output, and keeps the pace of the clock.
+
+    Args:
+        half: what is played.
+        referee: asked for the scores.
+        record: of the run.
+        watcher: who is told.
+        crew: whose output is shown.
+        show_output: robots whose output is shown.
+        real_time: True: no tick is judged before the clock has come to it.
+    """
+
+    def __init__(
+        self,
+        half: HalfInfo,
+        referee: Referee,
+        record: RecordWriter,
+        watcher: Watcher,
+        crew: Crew,
+        show_output: Collection[str],
+        *,
+        real_time: bool,
+    ) -> None:
+        self._half = half
+        self._referee = referee
+        self._record = record
+        self._watcher = watcher
+        self._shown = [program for name, program in crew.programs.items() if name in show_output]
+        self._real_time = real_time
+        self._every_ticks = max(1, watcher.progress_every_ticks)
+        self._began_s = time.perf_counter()
+
+    def ticked(self, snapshot: Snapshot, verdict: Verdict, state: bytes) -> None:
+        """Take note of a judged tick, while the programs think about the next."""
+        self._record.tick(snapshot, verdict, state)
+        tick = snapshot.tick
+        if tick == 0:
+            self._began_s = time.perf_counter()
+        self._watcher.ticked(snapshot, verdict)
+        for event in verdict.events:
+            self._watcher.event(event, self._half)
+        if tick % self._every_ticks == 0 and tick:
+            self._watcher.progressed(self._progress(tick, verdict))
+        if self._shown and tick % _OUTPUT_EVERY_TICKS == 0:
+            self._show_output()
+        if self._real_time:
+            ahead_s = self._began_s + tick * TICK_S - time.perf_counter()
+            if ahead_s > 0:
+                time.sleep(ahead_s)
+
+    def closed(self, closing: Verdict) -> None:
+        """Tell of what the rules said after the last tick, and show the last output."""
+        for event in closing.events:
+            self._watcher.event(event, self._half)
+        self._show_output()
+
+    def _progress(self, tick: int, verdict: Verdict) -> Progress:
+        half = self._half
+        spent_s = max(time.perf_counter() - self._began_s, 1e-9)
+        ticks_left = half.ticks - tick + (half.halves - half.half) * half.ticks
+        return Progress(
+            half=half,
+            tick=tick,
+            scores=dict(self._referee.scores),
+            phase=verdict.phase,
+            factor=tick * TICK_S / spent_s,
+            remaining_s=ticks_left * spent_s / tick,
+        )
+
+    def _show_output(self) -> None:
+        for program in self._shown:
+            text = program.new_output()
+            if text:
+                self._watcher.printed(program.name, text)

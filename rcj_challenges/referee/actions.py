@@ -1,0 +1,229 @@
+"""Actions: each word compiled into something that changes the state. One visible dict: `ACTIONS`.
+
+Actions run in order and read current values: count, then score, pays the new count.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.places import compile_putting
+from rcj_challenges.referee.rules import Occasion, StandingRule
+from rcj_challenges.referee.setting_down import Job
+from rcj_challenges.referee.state import Clock, Number, plain
+from rcj_challenges.referee.values import compile_amount, compile_points, compile_value
+from rcj_challenges.scenario.models import actions as models
+from rcj_challenges.scenario.models.places import Mirror
+from rcj_challenges.scenario.models.state import DrawValue
+
+Act = Callable[[Occasion], None]
+
+
+def compile_action(model: models.Action, workshop: Workshop, rule: StandingRule) -> Act:
+    """Return a compiled action of a rule."""
+    return ACTIONS[model.action](model, workshop, rule)
+
+
+def score(model: models.Score, workshop: Workshop, rule: StandingRule) -> Act:
+    """Give points to an entrant."""
+    state, entrant = workshop.state, model.entrant
+    points = compile_points(model.points, workshop, rule.each)
+
+    def act(occasion: Occasion) -> None:
+        given = points()
+        state.scores[entrant] = plain(state.scores[entrant] + given)
+        occasion.scored[entrant] = plain(occasion.scored.get(entrant, 0) + given)
+
+    return act
+
+
+def count(model: models.Count, workshop: Workshop, rule: StandingRule) -> Act:
+    """Change a counter: first ``to``, then ``by``."""
+    counters, name, whose = workshop.state.counters, model.counter, workshop.whose(model.entity, rule.each)
+    to = None if model.to is None else compile_amount(model.to, workshop, rule.each)
+    by = 1 if model.by is None and model.to is None else model.by
+    step = None if by is None else compile_amount(by, workshop, rule.each)
+
+    def changed(value: Number) -> Number:
+        value = value if to is None else to()
+        return plain(value if step is None else value + step())
+
+    def act(_occasion: Occasion) -> None:
+        value = counters[name]
+        if isinstance(value, dict):
+            for member in value if whose is None else (whose,):
+                value[member] = changed(value[member])
+        else:
+            counters[name] = changed(value)
+
+    return act
+
+
+def _change_flag(
+    workshop: Workshop, rule: StandingRule, name: str, entity: str | None, new: Callable[[bool], bool]
+) -> Act:
+    flags, whose = workshop.state.flags, workshop.whose(entity, rule.each)
+
+    def act(_occasion: Occasion) -> None:
+        value = flags[name]
+        if isinstance(value, dict):
+            for member in value if whose is None else (whose,):
+                value[member] = new(value[member])
+        else:
+            flags[name] = new(value)
+
+    return act
+
+
+def set_flag(model: models.SetFlag, workshop: Workshop, rule: StandingRule) -> Act:
+    """Set or clear a flag."""
+    to = model.to
+    return _change_flag(workshop, rule, model.flag, model.entity, lambda _value: to)
+
+
+def toggle_flag(model: models.ToggleFlag, workshop: Workshop, rule: StandingRule) -> Act:
+    """Turn a flag over."""
+    return _change_flag(workshop, rule, model.flag, model.entity, lambda value: not value)
+
+
+def timer(model: models.TimerAction, workshop: Workshop, rule: StandingRule) -> Act:
+    """Start, stop or reset a timer."""
+    state, do = workshop.state, model.do
+    clocks, whose = state.timers[model.timer], workshop.whose(model.entity, rule.each)
+    meant = tuple(clocks.values()) if whose is None else (clocks[whose],)
+
+    def change(clock: Clock) -> None:
+        elapsed = clock.ticks(state.tick)
+        if do == "restart":
+            clock.elapsed, clock.since = 0, state.tick
+        elif do == "reset":
+            clock.elapsed, clock.since = 0, None
+        elif do == "stop":
+            clock.elapsed, clock.since = elapsed, None
+        elif clock.since is None and elapsed < clock.length:
+            clock.since = state.tick
+
+    def act(_occasion: Occasion) -> None:
+        for clock in meant:
+            change(clock)
+        workshop.timers_changed()
+
+    return act
+
+
+def draw(model: models.DrawAction, workshop: Workshop, _rule: StandingRule) -> Act:
+    """Draw anew, or set a draw to a value."""
+    state, name, fixed = workshop.state, model.draw, model.as_
+    drawn = workshop.scenario.draws[name]
+
+    def act(_occasion: Occasion) -> None:
+        if fixed is not None:
+            state.draws[name] = fixed
+        else:
+            state.draw_anew(name, drawn)
+
+    return act
+
+
+def place(model: models.Place, workshop: Workshop, rule: StandingRule) -> Act:
+    """Put entities somewhere: by a layout, or one after the other."""
+    if isinstance(model.layout, DrawValue):
+        state, name = workshop.state, model.layout.draw
+        layouts = {
+            value: layout_jobs(workshop, str(value), rule, model.mirror)
+            for value in workshop.scenario.draws[name].values
+        }
+        return lambda _occasion: _ask(workshop, layouts[state.draws[name]])
+    if model.layout is not None:
+        jobs = layout_jobs(workshop, model.layout, rule, model.mirror)
+    else:
+        if model.entity is None or model.at is None:
+            message = f"rules.{rule.name}: place needs a layout, or entity and at"
+            raise ValueError(message)
+        names = workshop.members(model.entity, rule.each)
+        jobs = [
+            Job(entity, compile_putting(model, workshop, entity, rule.each, f"rule/{rule.name}/{name}"), rule)
+            for name, entity in zip(names, workshop.entities(model.entity, rule.each), strict=True)
+        ]
+    return lambda _occasion: _ask(workshop, jobs)
+
+
+def layout_jobs(workshop: Workshop, layout: str, rule: StandingRule, mirror: Mirror | None) -> list[Job]:
+    """Return the placements of a layout, in order."""
+    jobs = []
+    for number, placing in enumerate(workshop.scenario.placements[layout]):
+        for entity in workshop.entities(placing.entity, rule.each):
+            stream = f"placement/{layout}/{number}/{workshop.roster.entities[entity]}"
+            putting = compile_putting(placing, workshop, entity, rule.each, stream, also=mirror)
+            jobs.append(Job(entity, putting, rule))
+    return jobs
+
+
+def _ask(workshop: Workshop, jobs: list[Job]) -> None:
+    for job in jobs:
+        workshop.queue.ask(job)
+
+
+def remove(model: models.Remove, workshop: Workshop, rule: StandingRule) -> Act:
+    """Take entities off the field, for a time or until something places them."""
+    state, queue = workshop.state, workshop.queue
+    away = None if model.for_s is None else ticks_from_s(model.for_s)
+    back = models.Place(action="place", entity=model.entity, at=model.back_at, facing=model.facing)
+    returns = {
+        entity: compile_putting(
+            back, workshop, entity, rule.each, f"rule/{rule.name}/{workshop.roster.entities[entity]}"
+        )
+        for entity in workshop.entities(model.entity, rule.each)
+    }
+
+    def act(_occasion: Occasion) -> None:
+        for entity, putting in returns.items():
+            queue.ask(Job(entity, None, rule))
+            if away is not None:
+                queue.ask_later(Job(entity, putting, rule, due=state.tick + away))
+
+    return act
+
+
+def set_phase(model: models.SetPhase, workshop: Workshop, _rule: StandingRule) -> Act:
+    """Enter a phase, at once."""
+    phase = model.phase
+    return lambda _occasion: workshop.enter_phase(phase)
+
+
+def emit(model: models.Emit, workshop: Workshop, rule: StandingRule) -> Act:
+    """Write an event."""
+    name = model.event
+    payload = {key: compile_value(value, workshop, rule.each) for key, value in model.payload.items()}
+    return lambda occasion: workshop.emit(name, {key: read(occasion) for key, read in payload.items()})
+
+
+def end(model: models.End, workshop: Workshop, rule: StandingRule) -> Act:
+    """End the half, or the match, after the last firing of this tick."""
+    state, reason = workshop.state, model.reason or rule.name
+
+    def act(_occasion: Occasion) -> None:
+        if state.ended is None:
+            state.ended = reason
+        state.match_over = state.match_over or model.what == "match"
+
+    return act
+
+
+ACTIONS: dict[str, Callable[[Any, Workshop, StandingRule], Act]] = {
+    "score": score,
+    "count": count,
+    "set_flag": set_flag,
+    "toggle_flag": toggle_flag,
+    "timer": timer,
+    "draw": draw,
+    "place": place,
+    "remove": remove,
+    "set_phase": set_phase,
+    "emit": emit,
+    "end": end,
+}
+"""Every word of an action, with what compiles it."""

@@ -1,0 +1,54 @@
+"""The rules of a scenario put together: one standing rule per member of ``for_each``, in the order of firing."""
+
+from __future__ import annotations
+
+from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.referee.actions import compile_action
+from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.conditions import compile_condition
+from rcj_challenges.referee.rules import StandingRule
+from rcj_challenges.referee.triggers import TRIGGERS
+from rcj_challenges.scenario.models.scenario import Rule
+
+
+def assemble(workshop: Workshop) -> list[StandingRule]:
+    """Compile all rules of the workshop's scenario: lower priority first, then file order, then entity order."""
+    rules = workshop.scenario.rules
+    standing = [
+        (rule.priority, number, place, _standing(name, rule, each))
+        for number, (name, rule) in enumerate(rules.items())
+        for place, each in enumerate(_members(rule, workshop))
+    ]
+    standing.sort(key=lambda entry: entry[:3])
+    for rank, (*_, rule) in enumerate(standing):
+        rule.rank = rank
+    for *_, rule in standing:
+        _compile(rules[rule.name], rule, workshop)
+    return [rule for *_, rule in standing]
+
+
+def _members(rule: Rule, workshop: Workshop) -> tuple[str | None, ...]:
+    if rule.for_each is None:
+        return (None,)
+    # Entity order is that of the roster; zones, gates and spots keep the order of their group.
+    index = workshop.roster.index
+    return tuple(sorted(workshop.members(rule.for_each, None), key=lambda name: index.get(name, 0)))
+
+
+def _standing(name: str, rule: Rule, each: str | None) -> StandingRule:
+    return StandingRule(
+        name=name,
+        each=each,
+        phases=None if rule.phases == "any" else frozenset(rule.phases),
+        exclusive=None if rule.exclusive is None else (rule.exclusive, each),
+        cooldown=0 if rule.cooldown_s is None else ticks_from_s(rule.cooldown_s),
+        max_executions=rule.max_executions,
+        says=rule.says,
+    )
+
+
+def _compile(model: Rule, rule: StandingRule, workshop: Workshop) -> None:
+    for position, trigger in enumerate(model.triggers):
+        TRIGGERS[trigger.trigger](trigger, rule, position, workshop)
+    rule.tests = tuple(compile_condition(condition, workshop, rule.each) for condition in model.conditions)
+    rule.actions = tuple(compile_action(action, workshop, rule) for action in model.actions)

@@ -1,0 +1,156 @@
+"""From the names of a scenario to indices, regions and closures: what every word needs to be compiled, once.
+
+A word's compiler gets the `Workshop`: it resolves names (``each`` included), shares watches between rules that follow
+the same thing, and keeps the ears of the moments that have no place on the field.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import TypeVar
+
+from rcj_challenges.referee.contacts import Contacts
+from rcj_challenges.referee.outlines import Bodies
+from rcj_challenges.referee.regions import AnyOf, Region, region_of
+from rcj_challenges.referee.rules import Hits, Listener, StandingRule
+from rcj_challenges.referee.setting_down import Queue
+from rcj_challenges.referee.state import State
+from rcj_challenges.referee.watching import Lookout, Track, Watch
+
+EACH = "each"
+Names = str | tuple[str, ...]
+
+_W = TypeVar("_W", bound=Watch)
+
+
+@dataclass
+class Moments:
+    """Ears for what happens at no place: by what they wait for."""
+
+    half_started: list[Listener] = field(default_factory=list)
+    half_ended: list[Listener] = field(default_factory=list)
+    entered: dict[str, list[tuple[str | None, Listener]]] = field(default_factory=dict)
+    events: dict[str, list[Listener]] = field(default_factory=dict)
+    times: dict[int, list[tuple[Listener, float]]] = field(default_factory=dict)
+    faults: dict[str, list[Listener]] = field(default_factory=dict)
+
+
+class Workshop:
+    """All that compilers of words share.
+
+    Attributes:
+        state: the referee's memory; closures read it when they run.
+        hits: where watches report.
+        lookout: where watches are followed.
+        track: judged poses of the past.
+        moments: ears for moments.
+        contacts: who touches whom.
+        bodies: outlines.
+        queue: placements asked for.
+        emit: writes an event; set by the engine.
+        enter_phase: enters a phase; set by the engine.
+        sequences: their watches, by name.
+        timers_changed: to be called after a timer was started or stopped; the lookout reckons anew.
+    """
+
+    def __init__(self, state: State) -> None:
+        self.state = state
+        self.scenario = state.scenario
+        self.roster = state.roster
+        self.hits = Hits()
+        self.track = Track()
+        self.lookout = Lookout(state, self.track)
+        self.moments = Moments()
+        self.contacts = Contacts(state.roster.robots)
+        self.bodies = Bodies(state.scenario, state.roster)
+        self.queue = Queue()
+        self.emit: Callable[[str, dict[str, object]], None] = lambda _name, _payload: None
+        self.enter_phase: Callable[[str], None] = lambda _phase: None
+        self.timers_changed: Callable[[], None] = self.lookout.reckon
+        self.sequences: dict[str, Watch] = {}
+        self._shared: dict[tuple[object, ...], Watch] = {}
+
+    # --- names ------------------------------------------------------------------------------------------------------
+
+    def members(self, names: Names, each: str | None) -> tuple[str, ...]:
+        """Return what names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
+        listed = (names,) if isinstance(names, str) else names
+        found = (member for name in listed for member in self._member(name, each))
+        return tuple(dict.fromkeys(found))
+
+    def _member(self, name: str, each: str | None) -> tuple[str, ...]:
+        if name == EACH and each is not None:
+            return (each,)
+        return self.roster.expand(name)
+
+    def entities(self, names: Names, each: str | None) -> tuple[int, ...]:
+        """Return the indices of entities.
+
+        Raises:
+            ValueError: one of them is no entity.
+        """
+        return tuple(self.entity(name, each) for name in self.members(names, each))
+
+    def entity(self, name: str, each: str | None) -> int:
+        """Return the index of one entity; of a group its first member.
+
+        Raises:
+            ValueError: it is no entity.
+        """
+        member = self.members(name, each)[0]
+        index = self.roster.index.get(member)
+        if index is None or index >= len(self.roster.entities):
+            message = f"not an entity: {member!r}"
+            raise ValueError(message)
+        return index
+
+    def whose(self, name: str | None, each: str | None) -> str | None:
+        """Return whose counter, flag or timer is meant; None: all of them, or the only one."""
+        return each if name == EACH else name
+
+    def region(self, names: Names, each: str | None) -> Region:
+        """Return the region of a zone, or of several zones taken as one.
+
+        Raises:
+            ValueError: one of them is no zone.
+        """
+        return any_of(tuple(self.zone(name) for name in self.members(names, each)))
+
+    def zone(self, name: str) -> Region:
+        """Return the region of one zone.
+
+        Raises:
+            ValueError: there is none of this name.
+        """
+        zone = self.scenario.zones.get(name)
+        if zone is None:
+            message = f"unknown zone {name!r}"
+            raise ValueError(message)
+        return region_of(zone)
+
+    # --- watches and ears -------------------------------------------------------------------------------------------
+
+    def listener(self, rule: StandingRule, position: int, trigger: str, entity: int | None = None) -> Listener:
+        """Return the ear of a rule's trigger (its place in the rule is ``position``)."""
+        name = None if entity is None else self.roster.entities[entity]
+        return Listener(rule, name, trigger, (rule.rank, position, -1 if entity is None else entity))
+
+    def watch(self, kind: type[_W], key: tuple[object, ...], rule: StandingRule, make: Callable[[], _W]) -> _W:
+        """Return the watch that follows ``key`` in the phases of the rule; rules that follow the same share it."""
+        full = (kind, *key, rule.phases)
+        found = self._shared.get(full)
+        if found is None:
+            found = make()
+            found.phases = rule.phases
+            self._shared[full] = found
+            self.lookout.add(found)
+        if not isinstance(found, kind):
+            message = f"two kinds of watches under one key: {full}"
+            raise TypeError(message)
+        return found
+
+
+def any_of(regions: tuple[Region, ...]) -> Region:
+    """Return several regions taken as one."""
+    return regions[0] if len(regions) == 1 else AnyOf(regions)

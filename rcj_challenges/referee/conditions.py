@@ -1,0 +1,196 @@
+"""Conditions: each word compiled into a test that reads the state. One visible dict: `CONDITIONS`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from math import sqrt
+from typing import Any
+
+from rcj_challenges.facts.timing import TICK_S, s_from_ticks
+from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.places import spots_of
+from rcj_challenges.referee.rules import Test
+from rcj_challenges.referee.sequences import sequence_watch
+from rcj_challenges.referee.setting_down import Board
+from rcj_challenges.referee.state import Number
+from rcj_challenges.referee.values import compile_amount
+from rcj_challenges.scenario.models import conditions as models
+
+
+def compile_condition(model: models.Condition, workshop: Workshop, each: str | None) -> Test:
+    """Return the test of a condition, turned over if it is negated."""
+    test = CONDITIONS[model.condition](model, workshop, each)
+    if model.negate:
+        return lambda: not test()
+    return test
+
+
+def watched_entities(model: models.Condition, workshop: Workshop, each: str | None) -> tuple[int, ...]:
+    """Return the entities whose placement makes a condition begin anew: those whose place it reads."""
+    match model:
+        case models.InZone() | models.Speed() | models.LastTouch():
+            return workshop.entities(model.entity, each)
+        case models.Distance():
+            found = workshop.entities(model.entity, each)
+            return (*found, *_anchors(model.to, workshop, each))
+        case _:
+            return ()
+
+
+def _anchors(to: str | tuple[float, float], workshop: Workshop, each: str | None) -> tuple[int, ...]:
+    """Return the entities among what a distance is measured to."""
+    if isinstance(to, tuple):
+        return ()
+    entities = len(workshop.roster.entities)
+    found = (workshop.roster.index.get(name, entities) for name in workshop.members(to, each))
+    return tuple(index for index in found if index < entities)
+
+
+# --- comparing and counting -----------------------------------------------------------------------------------------
+
+
+def _comparison(model: Any, workshop: Workshop, each: str | None) -> Callable[[Number], bool]:
+    """Return the comparison of a model with at_least, at_most and equals; without any: is it other than 0?"""
+    least, most, equals = (
+        None if bound is None else compile_amount(bound, workshop, each)
+        for bound in (model.at_least, model.at_most, model.equals)
+    )
+    if least is None and most is None and equals is None:
+        return lambda value: value != 0
+
+    def holds(value: Number) -> bool:
+        return (
+            (least is None or value >= least())
+            and (most is None or value <= most())
+            and (equals is None or value == equals())
+        )
+
+    return holds
+
+
+def _quantified(of: str | models.AtLeast, results: Iterable[bool]) -> bool:
+    if of == "any":
+        return any(results)
+    if of == "none":
+        return not any(results)
+    judged = list(results)
+    if isinstance(of, models.AtLeast):
+        return sum(judged) >= of.at_least
+    # "all" of nobody is no statement: with all of them off the field it does not hold.
+    return bool(judged) and all(judged)
+
+
+# --- the words ------------------------------------------------------------------------------------------------------
+
+
+def in_zone(model: models.InZone, workshop: Workshop, each: str | None) -> Test:
+    """Whether centres are in a zone; entities off the field are not counted."""
+    state, of = workshop.state, model.of
+    entities, region = workshop.entities(model.entity, each), workshop.region(model.zone, each)
+
+    def test() -> bool:
+        poses = state.poses
+        return _quantified(of, (region.contains(poses[e][0], poses[e][1]) for e in entities if state.present[e]))
+
+    return test
+
+
+def speed(model: models.Speed, workshop: Workshop, each: str | None) -> Test:
+    """How fast centres move: the way of the last tick over its time, in m/s."""
+    state, of = workshop.state, model.of
+    entities, holds = workshop.entities(model.entity, each), _comparison(model, workshop, each)
+
+    def mps(entity: int) -> float:
+        (x, y, _), (was_x, was_y, _) = state.poses[entity], state.before[entity]
+        return sqrt((x - was_x) ** 2 + (y - was_y) ** 2) / TICK_S
+
+    return lambda: _quantified(of, (holds(mps(entity)) for entity in entities if state.present[entity]))
+
+
+def distance(model: models.Distance, workshop: Workshop, each: str | None) -> Test:
+    """How far centres are from an entity (the nearest of a group), a spot or a point, in m."""
+    state, of, to = workshop.state, model.of, model.to
+    entities, holds = workshop.entities(model.entity, each), _comparison(model, workshop, each)
+    anchors = _anchors(to, workshop, each)
+    fixed = () if anchors else (to,) if isinstance(to, tuple) else spots_of(workshop, to, each)
+
+    def results() -> Iterable[bool]:
+        points = [state.poses[anchor][:2] for anchor in anchors if state.present[anchor]] if anchors else fixed
+        for entity in entities:
+            if state.present[entity] and points:
+                x, y, _ = state.poses[entity]
+                yield holds(min(sqrt((x - px) ** 2 + (y - py) ** 2) for px, py in points))
+
+    return lambda: _quantified(of, results())
+
+
+def counter(model: models.CounterIs, workshop: Workshop, each: str | None) -> Test:
+    """The value of a counter or of a score."""
+    state, name, whose = workshop.state, model.counter, workshop.whose(model.entity, each)
+    holds = _comparison(model, workshop, each)
+    return lambda: holds(state.counter(name, whose))
+
+
+def flag(model: models.FlagIs, workshop: Workshop, each: str | None) -> Test:
+    """Whether a flag is set."""
+    state, name, whose = workshop.state, model.flag, workshop.whose(model.entity, each)
+    return lambda: state.flag(name, whose)
+
+
+def drawn(model: models.Drawn, workshop: Workshop, _each: str | None) -> Test:
+    """What a draw decided."""
+    state, name, value = workshop.state, model.draw, model.equals
+    return lambda: state.draws[name] == value
+
+
+def timer(model: models.TimerIs, workshop: Workshop, each: str | None) -> Test:
+    """How long a timer has run in s (of several the longest); without a comparison: whether one is running."""
+    state, clocks = workshop.state, workshop.state.timers[model.timer]
+    whose = workshop.whose(model.entity, each)
+    meant = tuple(clocks.values()) if whose is None else (clocks[whose],)
+    if model.at_least is None and model.at_most is None and model.equals is None:
+        return lambda: any(clock.running(state.tick) for clock in meant)
+    holds = _comparison(model, workshop, each)
+    return lambda: holds(s_from_ticks(max(clock.ticks(state.tick) for clock in meant)))
+
+
+def last_touch(model: models.LastTouch, workshop: Workshop, each: str | None) -> Test:
+    """Which robot touched an entity last since it was put where it is."""
+    entity, by = workshop.entity(model.entity, each), frozenset(workshop.entities(model.by, each))
+    contacts = workshop.contacts
+    contacts.follow_last(entity)
+    return lambda: contacts.last(entity) in by
+
+
+def spot_free(model: models.SpotFree, workshop: Workshop, each: str | None) -> Test:
+    """Whether no robot's or ball's centre is near a spot."""
+    state, bodies, of, clearance = workshop.state, workshop.bodies, model.of, model.clearance_m
+    spots = spots_of(workshop, model.spot, each)
+
+    def test() -> bool:
+        board = Board(state, bodies, set())
+        return _quantified(of, (board.free(spot, clearance, None) for spot in spots))
+
+    return test
+
+
+def sequence_at(model: models.SequenceAt, workshop: Workshop, _each: str | None) -> Test:
+    """Which step of a sequence was reached last."""
+    watch = sequence_watch(workshop, model.sequence)
+    step = model.step
+    return lambda: watch.reached == step
+
+
+CONDITIONS: dict[str, Callable[[Any, Workshop, str | None], Test]] = {
+    "in_zone": in_zone,
+    "speed": speed,
+    "distance": distance,
+    "counter": counter,
+    "flag": flag,
+    "drawn": drawn,
+    "timer": timer,
+    "last_touch": last_touch,
+    "spot_free": spot_free,
+    "sequence_at": sequence_at,
+}
+"""Every word of a condition, with what compiles it."""

@@ -1,0 +1,324 @@
+"""The referee: one snapshot in, one verdict out. The tick contract (ADR 1) as a list of steps.
+
+Detect, then apply: all triggers and conditions are judged against the snapshot and against counters, flags and phase
+as they were at the start of the tick; then the rules fire in order, and at last things are set down.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Snapshot, Verdict
+from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.referee.assembling import assemble
+from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.places import compile_putting, start_pose
+from rcj_challenges.referee.rules import Hit, Occasion, StandingRule
+from rcj_challenges.referee.setting_down import Job, set_down
+from rcj_challenges.referee.state import Number, State
+from rcj_challenges.referee.values import compile_value, spoken
+from rcj_challenges.referee.watching import NEVER
+from rcj_challenges.scenario.models.base import Scalar
+from rcj_challenges.scenario.models.places import Placing
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+
+
+class Referee:
+    """Judges one half.
+
+    Call `start` once with the snapshot of tick 0, then `judge` with that of each tick in order, then `finish`. What a
+    verdict places must be carried out exactly; the next snapshot shows what physics made of it.
+
+    Args:
+        scenario: a checked scenario.
+        roster: its roster.
+        half: what makes this half different from others.
+        draws: values of draws decided beforehand (for tests): they stand until a rule draws anew.
+
+    Raises:
+        ValueError: ``draws`` names no draw, or a value that it cannot have; or a name in the scenario is unknown.
+    """
+
+    def __init__(
+        self, scenario: Scenario, roster: Roster, half: HalfInfo, draws: Mapping[str, Scalar] | None = None
+    ) -> None:
+        self._state = State(scenario, roster, half)
+        self._half = half
+        self._workshop = Workshop(self._state)
+        self._workshop.emit = self._emit
+        self._workshop.enter_phase = self._enter_phase
+        self._rules = assemble(self._workshop)
+        self._state.decide_draws(dict(draws or {}))
+        self._lookout, self._hits = self._workshop.lookout, self._workshop.hits
+        self._contacts, self._queue = self._workshop.contacts, self._workshop.queue
+        self._moments, self._track = self._workshop.moments, self._workshop.track
+        self._all_present = True
+        self._clock_runs = True
+        self._waiting = False
+        self._phase_ends = NEVER
+        self._entered: list[tuple[str, str]] = []
+        self._emitted: list[str] = []
+        self._events: list[Event] = []
+        self._firings: list[Firing] = []
+        self._quiet: dict[str, Verdict] = {}
+        self._broadcast = self._compile_broadcast()
+
+    # --- what others may read ---------------------------------------------------------------------------------------
+
+    @property
+    def scores(self) -> dict[str, Number]:
+        """Points by entrant, as seated in this half."""
+        return self._state.scores
+
+    @property
+    def phase(self) -> str:
+        """The phase now."""
+        return self._state.phase
+
+    @property
+    def counters(self) -> dict[str, Number | dict[str, Number]]:
+        """Counters by name; those kept per entity as a mapping."""
+        return self._state.counters
+
+    @property
+    def flags(self) -> dict[str, bool | dict[str, bool]]:
+        """Flags by name; those kept per entity as a mapping."""
+        return self._state.flags
+
+    @property
+    def draws(self) -> dict[str, Scalar]:
+        """What the draws decided, by name."""
+        return self._state.draws
+
+    @property
+    def kept(self) -> dict[str, Any]:
+        """Draws and flags marked ``keep: match``, as the next half's `HalfInfo.kept`."""
+        return self._state.kept()
+
+    @property
+    def clock_ticks(self) -> int:
+        """Ticks of the half's clock; the ticks of phases whose clock stops are not among them."""
+        return self._state.clock
+
+    @property
+    def time_is_up(self) -> bool:
+        """Whether the half has been judged in full: its clock has reached its length."""
+        return self._state.clock >= self._half.ticks
+
+    # --- the three calls --------------------------------------------------------------------------------------------
+
+    def start(self, snapshot: Snapshot) -> Verdict:
+        """Judge tick 0: layouts, arming, ``half_started``. The snapshot holds the nominal start poses."""
+        state = self._state
+        state.poses = state.before = list(snapshot.substeps[-1])
+        state.uprights = snapshot.uprights
+        state.put_at = [(x, y) for x, y, _ in state.poses]
+        self._track.add(state.poses)
+        self._set_phase(state.phase)
+        self._lookout.enter(state.phase, None)
+        self._hits.report(self._moments.half_started)
+        self._hear_faults(snapshot.faults)
+        self._fire()
+        self._scatter_starts()
+        return self._verdict()
+
+    def judge(self, snapshot: Snapshot) -> Verdict:
+        """Judge a tick."""
+        state = self._state
+        tick = state.tick = snapshot.tick
+        substeps = snapshot.substeps
+        changed_phase = tick >= self._phase_ends
+        if self._clock_runs:
+            state.clock += 1
+        state.before = state.poses
+        state.poses = substeps[-1] if self._all_present else self._without_parked(substeps[-1])
+        state.uprights = snapshot.uprights
+        if self._track.used:
+            self._track.add(substeps[-1])
+        if self._contacts.used:
+            self._contacts.advance(snapshot.touches)
+        heard = self._entered or self._emitted
+        if changed_phase:
+            self._enter_phase(state.scenario.phases[state.phase].next)
+        self._lookout.advance(substeps, changed_phase=changed_phase)
+        if heard or changed_phase or snapshot.faults or self._moments.times:
+            self._hear(snapshot.faults)
+        if self._hits:
+            self._fire()
+        if self._events or self._firings or self._queue.busy or self._broadcast is not None:
+            return self._verdict()
+        return self._quiet_verdict()
+
+    def finish(self) -> Verdict:
+        """Run the ``half_ended`` rules after the last tick."""
+        self._hits.report(self._moments.half_ended)
+        self._fire()
+        return self._verdict()
+
+    # --- hearing ----------------------------------------------------------------------------------------------------
+
+    def _without_parked(self, judged: list[tuple[float, float, float]]) -> list[tuple[float, float, float]]:
+        """Return the judged poses; what is off the field stays where it was last seen."""
+        state = self._state
+        return [pose if state.present[i] else state.poses[i] for i, pose in enumerate(judged)]
+
+    def _hear(self, faults: tuple[Fault, ...]) -> None:
+        """Report the moments of this tick: phases entered, events of the tick before, times, faults."""
+        entered, self._entered = self._entered, []
+        emitted, self._emitted = self._emitted, []
+        for phase, left in entered:
+            for wanted, listener in self._moments.entered.get(phase, ()):
+                if wanted is None or wanted == left:
+                    self._hits.report([listener])
+        for name in dict.fromkeys(emitted):
+            self._hits.report(self._moments.events.get(name, []))
+        if self._clock_runs:
+            for listener, at_s in self._moments.times.get(self._state.clock, ()):
+                self._hits.report([listener], at_s, at_s)
+        self._hear_faults(faults)
+
+    def _hear_faults(self, faults: tuple[Fault, ...]) -> None:
+        for fault in faults:
+            self._hits.report(self._moments.faults.get(fault.robot, []))
+
+    # --- firing -----------------------------------------------------------------------------------------------------
+
+    def _fire(self) -> None:
+        """Judge the conditions of all rules whose triggers fired, then run the actions in order."""
+        phase = self._state.phase
+        chosen = [
+            hit
+            for hit in self._hits.first_by_rule()
+            if hit.listener.rule.lives_in(phase) and all(test() for test in hit.listener.rule.tests)
+        ]
+        self._hits.clear()
+        won: set[tuple[str, str | None]] = set()
+        for hit in chosen:
+            self._run(hit, won)
+
+    def _run(self, hit: Hit, won: set[tuple[str, str | None]]) -> None:
+        rule, state = hit.listener.rule, self._state
+        occasion = Occasion(rule, hit.listener.entity, hit.listener.trigger, hit.measured, hit.limit)
+        suppressed = self._suppressed(rule, won)
+        if suppressed is None:
+            if rule.exclusive is not None:
+                won.add(rule.exclusive)
+            rule.executions += 1
+            rule.rests_until = state.tick + rule.cooldown
+            for act in rule.actions:
+                act(occasion)
+        self._firings.append(
+            Firing(
+                tick=state.tick,
+                rule=rule.name,
+                entity=occasion.subject,
+                trigger=occasion.trigger,
+                measured=occasion.measured,
+                limit=occasion.limit,
+                scored=occasion.scored,
+                suppressed=suppressed,
+                says=spoken(rule.says, state, occasion),
+            )
+        )
+
+    def _suppressed(self, rule: StandingRule, won: set[tuple[str, str | None]]) -> str | None:
+        if not rule.lives_in(self._state.phase):
+            return "phase"
+        if rule.exclusive in won:
+            return "exclusive"
+        if self._state.tick < rule.rests_until:
+            return "cooldown"
+        if rule.max_executions is not None and rule.executions >= rule.max_executions:
+            return "max_executions"
+        return None
+
+    def _emit(self, name: str, payload: dict[str, object]) -> None:
+        self._events.append(Event(self._state.tick, name, payload))
+        self._emitted.append(name)
+
+    # --- phases -----------------------------------------------------------------------------------------------------
+
+    def _enter_phase(self, phase: str) -> None:
+        """Enter a phase at once; ``phase_entered`` is heard in the next round of hearing."""
+        left = self._state.phase
+        self._entered.append((phase, left))
+        self._state.phase = phase
+        self._set_phase(phase)
+        self._lookout.enter(phase, left)
+
+    def _set_phase(self, phase: str) -> None:
+        model = self._state.phase_model(phase)
+        self._clock_runs = model.clock == "runs"
+        self._waiting = model.waiting_for_kickoff
+        self._phase_ends = NEVER if model.lasts_s is None else self._state.tick + ticks_from_s(model.lasts_s)
+
+    # --- placements -------------------------------------------------------------------------------------------------
+
+    def _scatter_starts(self) -> None:
+        """At tick 0: what has noise in its start pose and was placed by no rule starts with that noise."""
+        for entity, name in enumerate(self._state.roster.entities):
+            _, noise = start_pose(self._workshop, entity)
+            if noise != (0.0, 0.0) and not self._queue.concerns(entity):
+                placing = Placing(entity=name, at="start")
+                putting = compile_putting(placing, self._workshop, entity, None, f"placement/start/{name}")
+                self._queue.ask(Job(entity, putting, None))
+
+    def _set_down(self) -> tuple[Placement, ...]:
+        state = self._state
+        jobs = self._queue.take(state)
+        if not jobs:
+            return ()
+        placements, failed = set_down(jobs, state, self._workshop.bodies)
+        for job in failed:
+            if job.putting is not None and job.putting.retry:
+                self._queue.ask_later(Job(job.entity, job.putting, job.rule, due=state.tick + 1))
+        moved = {placement.entity for placement in placements}
+        if moved:
+            self._all_present = all(state.present)
+            self._contacts.forget(moved)
+            self._lookout.begin_anew(moved)
+        return tuple(placements)
+
+    # --- answering --------------------------------------------------------------------------------------------------
+
+    def _verdict(self) -> Verdict:
+        placements = self._set_down() if self._queue.busy else ()
+        events, firings = tuple(self._events), tuple(self._firings)
+        self._events.clear()
+        self._firings.clear()
+        return Verdict(
+            events=events,
+            firings=firings,
+            placements=placements,
+            phase=self._state.phase,
+            waiting_for_kickoff=self._waiting,
+            ended=self._state.ended,
+            ends_match=self._state.match_over,
+            broadcast=self._told(),
+        )
+
+    def _quiet_verdict(self) -> Verdict:
+        """Return the verdict of an uneventful tick: one object per phase, shared by all such ticks."""
+        phase = self._state.phase
+        found = self._quiet.get(phase)
+        if found is None:
+            found = self._quiet[phase] = Verdict(phase=phase, waiting_for_kickoff=self._waiting)
+        return found
+
+    def _compile_broadcast(self) -> tuple[int, dict[str, Any]] | None:
+        broadcast = self._state.scenario.broadcast
+        if broadcast is None:
+            return None
+        fields = {key: compile_value(value, self._workshop, None) for key, value in broadcast.fields.items()}
+        return broadcast.every_ticks, fields
+
+    def _told(self) -> dict[str, Any] | None:
+        if self._broadcast is None:
+            return None
+        every, fields = self._broadcast
+        if self._state.tick % every:
+            return None
+        nobody = Occasion(StandingRule("", None, None, None, 0, None, ""), None, "")
+        return {key: read(nobody) for key, read in fields.items()}

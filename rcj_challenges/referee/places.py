@@ -1,0 +1,299 @@
+"""Where things go: each word of ``at`` compiled, and facing and mirroring. One visible dict: `PLACES`."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from math import atan2, cos, pi, sin, sqrt, tau
+from typing import Any
+
+from rcj_challenges.facts.play import Pose2
+from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.outlines import obstacle_outline
+from rcj_challenges.referee.regions import Polygon
+from rcj_challenges.referee.setting_down import Board, Point, Putting, Request, Where
+from rcj_challenges.scenario.models import places as models
+
+Locate = Callable[[Board], Point]
+"""Returns where something is now."""
+
+# Distances are compared to the nanometre, so that spots at equal distances stand in the order of the file.
+_EQUAL_DIGITS = 9
+
+
+def start_pose(workshop: Workshop, entity: int) -> tuple[Pose2, Point]:
+    """Return the nominal start pose of an entity, and the half widths of its noise in m."""
+    scenario, name = workshop.scenario, workshop.roster.entities[entity]
+    if name in scenario.robots:
+        start = scenario.robots[name].start
+        return (start.x_m, start.y_m, start.yaw_rad), start.noise_m
+    if name in scenario.balls:
+        return (*scenario.balls[name].start_m, 0.0), (0.0, 0.0)
+    return obstacle_outline(scenario.obstacles[name])[1], (0.0, 0.0)
+
+
+def spots_of(workshop: Workshop, names: str | tuple[str, ...], each: str | None) -> tuple[Point, ...]:
+    """Return the points of spots, groups expanded, in order.
+
+    Raises:
+        ValueError: one of them is no spot.
+    """
+    return tuple(_spot(workshop, name) for name in workshop.members(names, each))
+
+
+def _spot(workshop: Workshop, name: object) -> Point:
+    spot = workshop.scenario.spots.get(name) if isinstance(name, str) else None
+    if spot is None:
+        message = f"unknown spot {name!r}"
+        raise ValueError(message)
+    return (spot.x_m, spot.y_m)
+
+
+def _spot_or_draw(workshop: Workshop, name: str) -> Callable[[], Point]:
+    """Return what reads a spot, or the spot that a draw of this name decided."""
+    if name in workshop.scenario.draws and name not in workshop.scenario.spots:
+        return lambda: _spot(workshop, workshop.state.draws[name])
+    point = _spot(workshop, name)
+    return lambda: point
+
+
+def _locate(workshop: Workshop, what: str | Point, each: str | None) -> tuple[Locate, bool]:
+    """Return what tells where an entity, a spot or a point is, and whether it is an entity."""
+    if isinstance(what, tuple):
+        return (lambda _board: what), False
+    member = workshop.members(what, each)[0]
+    index = workshop.roster.index.get(member, len(workshop.roster.entities))
+    if index < len(workshop.roster.entities):
+        return (lambda board: board.poses[index][:2]), True
+    read = _spot_or_draw(workshop, member)
+    return (lambda _board: read()), False
+
+
+# --- the words of `at` ----------------------------------------------------------------------------------------------
+
+
+def at_start(_model: object, workshop: Workshop, entity: int, _each: str | None) -> Where:
+    """Its own start, with its noise."""
+    (x, y, _), noise = start_pose(workshop, entity)
+    return Where(lambda request: request.mirrored((x, y)), noise_m=noise)
+
+
+def at_point(model: models.AtPoint, _workshop: Workshop, _entity: int, _each: str | None) -> Where:
+    """A point."""
+    return Where(lambda request: request.mirrored(model.point))
+
+
+def at_spot(model: models.AtSpot, workshop: Workshop, _entity: int, each: str | None) -> Where:
+    """A spot, or the spot that a draw decided."""
+    read = _spot_or_draw(workshop, workshop.members(model.spot, each)[0])
+    return Where(lambda request: request.mirrored(read()))
+
+
+def uniform_in(model: models.UniformIn, workshop: Workshop, _entity: int, each: str | None) -> Where:
+    """A random point of a bounded zone."""
+    name = workshop.members(model.uniform_in, each)[0]
+    sample = _sampler(workshop.scenario.zones[name], name)
+    return Where(lambda request: request.mirrored(sample(request.rng)), random=True)
+
+
+def on_line(model: models.OnLine, _workshop: Workshop, _entity: int, _each: str | None) -> Where:
+    """A random point of a segment."""
+    (ax, ay), (bx, by) = model.on_line
+
+    def find(request: Request) -> Point:
+        share = request.rng.random()
+        return request.mirrored((ax + share * (bx - ax), ay + share * (by - ay)))
+
+    return Where(find, random=True)
+
+
+def choice(model: models.Choice, workshop: Workshop, _entity: int, each: str | None) -> Where:
+    """One of several spots or points; a draw's name among them stands for the spot that it decided."""
+    options: list[Callable[[], Point]] = []
+    for option in model.choice:
+        if isinstance(option, tuple):
+            options.append(_always(option))
+        else:
+            options += [_spot_or_draw(workshop, name) for name in workshop.members(option, each)]
+    return Where(lambda request: request.mirrored(request.rng.choice(options)()), random=len(options) > 1)
+
+
+def nearest_free(model: models.NearestFree, workshop: Workshop, entity: int, each: str | None) -> Where:
+    """A random one of the nearest free spots."""
+    reference, _ = _locate(workshop, _own_or(model.to, workshop, entity), each)
+    spots = spots_of(workshop, model.nearest_free, each)
+    return _free_spot(spots, reference, 1.0, model.choose_among, model.clearance_m)
+
+
+def furthest_free(model: models.FurthestFree, workshop: Workshop, entity: int, each: str | None) -> Where:
+    """A random one of the furthest free spots."""
+    reference, _ = _locate(workshop, _own_or(model.from_, workshop, entity), each)
+    spots = spots_of(workshop, model.furthest_free, each)
+    return _free_spot(spots, reference, -1.0, model.choose_among, model.clearance_m)
+
+
+def relative_to(model: models.RelativeTo, workshop: Workshop, _entity: int, each: str | None) -> Where:
+    """Beside an entity or a spot. Mirroring turns the offset over; a spot is mirrored with it, an entity is not."""
+    place, moves = _locate(workshop, model.relative_to, each)
+    anchor = workshop.entity(model.relative_to, each) if moves else None
+    dx, dy = model.offset_m
+
+    def find(request: Request) -> Point:
+        x, y = place(request.board)
+        if anchor is None:
+            return request.mirrored((x + dx, y + dy))
+        if model.turns:
+            yaw = request.board.poses[anchor][2]
+            return (x + dx * cos(yaw) - dy * sin(yaw), y + dx * sin(yaw) + dy * cos(yaw))
+        offset_x, offset_y = request.mirrored((dx, dy))
+        return (x + offset_x, y + offset_y)
+
+    return Where(find)
+
+
+PLACES: dict[str, Callable[[Any, Workshop, int, str | None], Where]] = {
+    "start": at_start,
+    "point": at_point,
+    "spot": at_spot,
+    "uniform_in": uniform_in,
+    "on_line": on_line,
+    "choice": choice,
+    "nearest_free": nearest_free,
+    "furthest_free": furthest_free,
+    "relative_to": relative_to,
+}
+"""Every word of ``at``, with what compiles it."""
+
+
+def compile_place(at: Any, workshop: Workshop, entity: int, each: str | None) -> Where:
+    """Return the compiled place of an entity."""
+    word = "start" if at == "start" else next(key for key in PLACES if hasattr(at, key))
+    return PLACES[word](at, workshop, entity, each)
+
+
+def _always(point: Point) -> Callable[[], Point]:
+    return lambda: point
+
+
+def _own_or(name: str | Point | None, workshop: Workshop, entity: int) -> str | Point:
+    return workshop.roster.entities[entity] if name is None else name
+
+
+def _free_spot(spots: tuple[Point, ...], reference: Locate, sign: float, among: int, clearance_m: float) -> Where:
+    def find(request: Request) -> Point | None:
+        x, y = reference(request.board)
+        free = [
+            spot
+            for spot in map(request.mirrored, spots)
+            if request.board.free(spot, clearance_m, request.entity) and request.fits(spot)
+        ]
+        free.sort(key=lambda spot: round(sign * sqrt((spot[0] - x) ** 2 + (spot[1] - y) ** 2), _EQUAL_DIGITS))
+        return request.rng.choice(free[:among]) if free else None
+
+    return Where(find, random=among > 1)
+
+
+def _sampler(zone: object, name: str) -> Callable[[random.Random], Point]:
+    """Return what draws a point of a zone, every point equally likely.
+
+    Raises:
+        ValueError: the zone has no end in some direction.
+    """
+    if getattr(zone, "inverted", False):
+        zone = None
+    match zone:
+        case models.RectZone(x_min_m=float() | int() as x_0, x_max_m=float() | int() as x_1,
+                             y_min_m=float() | int() as y_0, y_max_m=float() | int() as y_1):  # fmt: skip
+            return lambda rng: (rng.uniform(x_0, x_1), rng.uniform(y_0, y_1))
+        case models.CircleZone(centre_m=(x, y), radius_m=radius):
+
+            def in_circle(rng: random.Random) -> Point:
+                turn, far = rng.uniform(0, tau), radius * sqrt(rng.random())
+                return (x + far * cos(turn), y + far * sin(turn))
+
+            return in_circle
+        case models.PolygonZone(points_m=points):
+            return _polygon_sampler(points)
+    message = f"uniform_in: the zone {name!r} is not bounded on all sides"
+    raise ValueError(message)
+
+
+def _polygon_sampler(points: tuple[Point, ...]) -> Callable[[random.Random], Point]:
+    polygon = Polygon(points)
+    xs, ys = [x for x, _ in points], [y for _, y in points]
+
+    def in_polygon(rng: random.Random) -> Point:
+        for _ in range(10_000):  # a sliver of a ten-thousandth of its box would be drawn in vain
+            point = (rng.uniform(min(xs), max(xs)), rng.uniform(min(ys), max(ys)))
+            if polygon.contains(*point):
+                return point
+        return points[0]
+
+    return in_polygon
+
+
+# --- facing, mirroring, and all of it together ----------------------------------------------------------------------
+
+
+def _compile_facing(
+    facing: Any, workshop: Workshop, entity: int, each: str | None,
+) -> Callable[[Board, int, Point, random.Random], float]:  # fmt: skip
+    (_, _, start_yaw), _ = start_pose(workshop, entity)
+    state = workshop.state
+    match facing:
+        case models.Towards():
+            target, _ = _locate(workshop, facing.towards, each)
+
+            def towards(board: Board, _entity: int, point: Point, _rng: random.Random) -> float:
+                x, y = target(board)
+                here = (x, y) == point
+                return start_yaw if here else atan2(y - point[1], x - point[0])
+
+            return towards
+        case models.RandomFacing():
+            return lambda _board, _entity, _point, rng: rng.uniform(-pi, pi)
+        case "keep":
+            return lambda _board, whose, _point, _rng: state.poses[whose][2]
+        case "start":
+            return lambda _board, _entity, _point, _rng: start_yaw
+        case _:
+            yaw = float(facing)
+            return lambda _board, _entity, _point, _rng: yaw
+
+
+def compile_mirror(mirror: models.Mirror, workshop: Workshop) -> Callable[[], Point]:
+    """Return what tells the signs of x and y now."""
+    flipped = (-1.0 if mirror.axis in {"x", "both"} else 1.0, -1.0 if mirror.axis in {"y", "both"} else 1.0)
+    state, flag = workshop.state, mirror.when
+    if flag is None:
+        return lambda: flipped
+    return lambda: flipped if state.flag(flag, None) else (1.0, 1.0)
+
+
+def compile_putting(
+    model: Any, workshop: Workshop, entity: int, each: str | None, stream: str, *,
+    also: models.Mirror | None = None,
+) -> Putting:  # fmt: skip
+    """Return how an entity is put somewhere.
+
+    Args:
+        model: a `Placing` of a layout, or a ``place`` action.
+        workshop: names and state.
+        entity: index of the entity.
+        each: what ``each`` stands for.
+        stream: name of its random stream.
+        also: the mirror of the whole layout.
+    """
+    mirrors = [mirror for mirror in (model.mirror, also) if mirror is not None]
+    return Putting(
+        entity=entity,
+        where=compile_place(model.at, workshop, entity, each),
+        facing=_compile_facing(model.facing, workshop, entity, each),
+        spins=isinstance(model.facing, models.RandomFacing),
+        noise_m=model.noise_m,
+        flips=tuple(compile_mirror(mirror, workshop) for mirror in mirrors),
+        clearance_m=model.min_clearance_m,
+        attempts=model.max_attempts,
+        retry=model.on_failure == "retry",
+        stream=stream,
+    )

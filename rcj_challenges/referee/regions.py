@@ -1,0 +1,259 @@
+"""Plane geometry of zones and gates: is a centre inside, and around it, how far nothing can change.
+
+A *cell* is a box around a centre in which the answer is the same everywhere. The lookout checks one box per entity and
+sub-step instead of every zone of every rule; only a centre that leaves its box is looked at closely. A cell is
+``(x_low, x_high, y_low, y_high)`` in m; a centre is in it when it is strictly between, so a centre exactly on a
+boundary is always looked at closely.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from math import inf, sqrt
+
+from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone
+
+Cell = tuple[float, float, float, float]
+"""(x_low, x_high, y_low, y_high) in m; strictly between is inside."""
+
+EVERYWHERE: Cell = (-inf, inf, -inf, inf)
+NOWHERE: Cell = (inf, -inf, inf, -inf)
+# A box of half side 0.7 d lies inside the circle of radius d (1/sqrt(2) = 0.7071, the rest is room for rounding).
+_BOX_IN_CIRCLE = 0.7
+
+
+def common_cell(first: Cell, second: Cell) -> Cell:
+    """Return the box that lies in both cells (empty if they do not meet)."""
+    return (max(first[0], second[0]), min(first[1], second[1]), max(first[2], second[2]), min(first[3], second[3]))
+
+
+def box_around(x_m: float, y_m: float, clear_m: float) -> Cell:
+    """Return a cell around a centre to which the nearest boundary is ``clear_m`` away."""
+    half = clear_m * _BOX_IN_CIRCLE
+    return (x_m - half, x_m + half, y_m - half, y_m + half)
+
+
+def distance_to_segment_m(x_m: float, y_m: float, ax: float, ay: float, bx: float, by: float) -> float:
+    """Return the distance from a point to the segment from a to b, in m."""
+    dx, dy = bx - ax, by - ay
+    squared = dx * dx + dy * dy
+    share = 0.0 if squared == 0.0 else max(0.0, min(1.0, ((x_m - ax) * dx + (y_m - ay) * dy) / squared))
+    ex, ey = x_m - ax - share * dx, y_m - ay - share * dy
+    return sqrt(ex * ex + ey * ey)
+
+
+class Region(ABC):
+    """A part of the plane."""
+
+    @abstractmethod
+    def contains(self, x_m: float, y_m: float) -> bool:
+        """Return whether the point is in it; a point on the boundary is not (all limits are strict)."""
+
+    @abstractmethod
+    def cell(self, x_m: float, y_m: float) -> Cell:
+        """Return a cell around the point in which `contains` gives the same answer."""
+
+
+class Rect(Region):
+    """An upright rectangle; open sides are infinite."""
+
+    def __init__(self, x_min_m: float, x_max_m: float, y_min_m: float, y_max_m: float) -> None:
+        self._sides = (x_min_m, x_max_m, y_min_m, y_max_m)
+
+    def contains(self, x_m: float, y_m: float) -> bool:
+        """Return whether the point is strictly between all four sides."""
+        x_min, x_max, y_min, y_max = self._sides
+        return x_min < x_m < x_max and y_min < y_m < y_max
+
+    def cell(self, x_m: float, y_m: float) -> Cell:
+        """Return the rectangle itself, or all that lies beyond one of its sides, as the point does."""
+        x_min, x_max, y_min, y_max = self._sides
+        if x_m <= x_min:
+            return (-inf, x_min, -inf, inf)
+        if x_m >= x_max:
+            return (x_max, inf, -inf, inf)
+        if y_m <= y_min:
+            return (-inf, inf, -inf, y_min)
+        if y_m >= y_max:
+            return (-inf, inf, y_max, inf)
+        return self._sides
+
+
+class Circle(Region):
+    """A disc."""
+
+    def __init__(self, centre_m: tuple[float, float], radius_m: float) -> None:
+        self._x, self._y = centre_m
+        self._radius = radius_m
+
+    def contains(self, x_m: float, y_m: float) -> bool:
+        """Return whether the point is nearer to the centre than the radius."""
+        dx, dy = x_m - self._x, y_m - self._y
+        return sqrt(dx * dx + dy * dy) < self._radius
+
+    def cell(self, x_m: float, y_m: float) -> Cell:
+        """Return a box that stays clear of the circle's line."""
+        dx, dy = x_m - self._x, y_m - self._y
+        return box_around(x_m, y_m, abs(sqrt(dx * dx + dy * dy) - self._radius))
+
+
+class HalfPlane(Region):
+    """All points beyond a line, on the side that the normal shows to."""
+
+    def __init__(self, through_m: tuple[float, float], normal: tuple[float, float]) -> None:
+        length = sqrt(normal[0] ** 2 + normal[1] ** 2)
+        self._x, self._y = through_m
+        self._nx, self._ny = (normal[0] / length, normal[1] / length) if length else (0.0, 0.0)
+
+    def _height(self, x_m: float, y_m: float) -> float:
+        return (x_m - self._x) * self._nx + (y_m - self._y) * self._ny
+
+    def contains(self, x_m: float, y_m: float) -> bool:
+        """Return whether the point is strictly beyond the line."""
+        return self._height(x_m, y_m) > 0.0
+
+    def cell(self, x_m: float, y_m: float) -> Cell:
+        """Return a box that stays clear of the line."""
+        return box_around(x_m, y_m, abs(self._height(x_m, y_m)))
+
+
+class Polygon(Region):
+    """A simple polygon."""
+
+    def __init__(self, points_m: tuple[tuple[float, float], ...]) -> None:
+        self.points = points_m
+        self._edges = tuple(zip(points_m, (*points_m[1:], points_m[0]), strict=True))
+
+    def contains(self, x_m: float, y_m: float) -> bool:
+        """Return whether the point is inside (a ray to +x crosses the outline an odd number of times)."""
+        inside = False
+        for (ax, ay), (bx, by) in self._edges:
+            if (ay > y_m) != (by > y_m):
+                across = (bx - ax) * (y_m - ay) / (by - ay) + ax
+                if x_m == across:
+                    return False
+                if x_m < across:
+                    inside = not inside
+            elif ay == by == y_m and min(ax, bx) <= x_m <= max(ax, bx):
+                return False
+        return inside and (x_m, y_m) not in self.points
+
+    def cell(self, x_m: float, y_m: float) -> Cell:
+        """Return a box that stays clear of the outline."""
+        clear = min(distance_to_segment_m(x_m, y_m, *a, *b) for a, b in self._edges)
+        return box_around(x_m, y_m, clear)
+
+
+class Outside(Region):
+    """Everything but a region."""
+
+    def __init__(self, region: Region) -> None:
+        self._region = region
+
+    def contains(self, x_m: float, y_m: float) -> bool:
+        """Return whether the point is not in the region."""
+        return not self._region.contains(x_m, y_m)
+
+    def cell(self, x_m: float, y_m: float) -> Cell:
+        """Return the region's own cell: the answer changes in the same places."""
+        return self._region.cell(x_m, y_m)
+
+
+class AnyOf(Region):
+    """Several regions taken as one."""
+
+    def __init__(self, regions: tuple[Region, ...]) -> None:
+        self._regions = regions
+
+    def contains(self, x_m: float, y_m: float) -> bool:
+        """Return whether the point is in any of them."""
+        return any(region.contains(x_m, y_m) for region in self._regions)
+
+    def cell(self, x_m: float, y_m: float) -> Cell:
+        """Return the cell of the one that holds the point, or what all of them leave free."""
+        cell = EVERYWHERE
+        for region in self._regions:
+            own = region.cell(x_m, y_m)
+            if region.contains(x_m, y_m):
+                return own
+            cell = common_cell(cell, own)
+        return cell
+
+
+class FarFrom(Region):
+    """All points further from an anchor than a limit; the anchor moves when the entity is put elsewhere.
+
+    Args:
+        limit_m: strict limit in m.
+        square: True measures the larger of the shifts in x and in y, False the straight line.
+    """
+
+    def __init__(self, limit_m: float, *, square: bool) -> None:
+        self._limit = limit_m
+        self._square = square
+        self.anchor = (0.0, 0.0)
+
+    def distance_m(self, x_m: float, y_m: float) -> float:
+        """Return how far the point is from the anchor, in m."""
+        dx, dy = x_m - self.anchor[0], y_m - self.anchor[1]
+        return max(abs(dx), abs(dy)) if self._square else sqrt(dx * dx + dy * dy)
+
+    def contains(self, x_m: float, y_m: float) -> bool:
+        """Return whether the point is further away than the limit."""
+        return self.distance_m(x_m, y_m) > self._limit
+
+    def cell(self, x_m: float, y_m: float) -> Cell:
+        """Return a box that stays clear of the limit."""
+        # The square's sides lie beyond the circle's line, so its clearance is a distance in the plane as well.
+        return box_around(x_m, y_m, abs(self.distance_m(x_m, y_m) - self._limit))
+
+
+def region_of(zone: Strict) -> Region:
+    """Return the region of a zone of the scenario.
+
+    Raises:
+        TypeError: the zone is of no known shape.
+    """
+    region: Region
+    match zone:
+        case RectZone():
+            region = Rect(
+                -inf if zone.x_min_m is None else zone.x_min_m,
+                inf if zone.x_max_m is None else zone.x_max_m,
+                -inf if zone.y_min_m is None else zone.y_min_m,
+                inf if zone.y_max_m is None else zone.y_max_m,
+            )
+        case CircleZone():
+            region = Circle(zone.centre_m, zone.radius_m)
+        case PolygonZone():
+            region = Polygon(zone.points_m)
+        case HalfPlaneZone():
+            region = HalfPlane(zone.through_m, zone.normal)
+        case _:
+            message = f"not a zone: {type(zone).__name__}"
+            raise TypeError(message)
+    return Outside(region) if zone.inverted else region
+
+
+def crossing(
+    start: tuple[float, float], end: tuple[float, float], post_a: tuple[float, float], post_b: tuple[float, float]
+) -> int:
+    """Return 1 if the way from start to end crosses the gate forward, -1 backward, 0 if it does not.
+
+    Forward is from the right of the gate to its left, seen from post a to post b. A centre on the gate's line counts
+    as still on its right, so that no way of two pieces is counted twice or missed.
+    """
+    (ax, ay), (bx, by) = post_a, post_b
+    gx, gy = bx - ax, by - ay
+    height_0 = gx * (start[1] - ay) - gy * (start[0] - ax)
+    height_1 = gx * (end[1] - ay) - gy * (end[0] - ax)
+    if (height_0 > 0.0) == (height_1 > 0.0):
+        return 0
+    share = height_0 / (height_0 - height_1)
+    x = start[0] + share * (end[0] - start[0])
+    y = start[1] + share * (end[1] - start[1])
+    along = (x - ax) * gx + (y - ay) * gy
+    if not 0.0 <= along <= gx * gx + gy * gy:
+        return 0
+    return 1 if height_1 > 0.0 else -1

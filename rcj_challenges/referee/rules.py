@@ -1,0 +1,115 @@
+"""A rule as it stands for one entity, what it listens to, and the moment in which it fires."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from rcj_challenges.referee.state import Number
+
+Test = Callable[[], bool]
+"""A compiled condition: whether it holds now."""
+
+
+@dataclass(eq=False)
+class StandingRule:
+    """A rule of the scenario for one member of its ``for_each`` (or for nobody in particular).
+
+    Attributes:
+        name: as in the scenario.
+        each: the member that ``each`` stands for, or None.
+        phases: in which it lives; None: in all.
+        exclusive: the group of which only one fires a tick, per entity.
+        cooldown: ticks it rests after firing.
+        max_executions: how often it may fire in the half.
+        says: the sentence, names not filled in yet.
+        rank: place in the order of firing, over all standing rules.
+        tests: compiled conditions.
+        actions: compiled actions.
+        rests_until: first tick at which it may fire again.
+        executions: how often it has fired.
+    """
+
+    name: str
+    each: str | None
+    phases: frozenset[str] | None
+    exclusive: tuple[str, str | None] | None
+    cooldown: int
+    max_executions: int | None
+    says: str
+    rank: int = 0
+    tests: tuple[Test, ...] = ()
+    actions: tuple[Callable[[Occasion], None], ...] = ()
+    rests_until: int = 0
+    executions: int = 0
+
+    def lives_in(self, phase: str) -> bool:
+        """Return whether the rule lives in a phase."""
+        return self.phases is None or phase in self.phases
+
+
+@dataclass(slots=True)
+class Occasion:
+    """One firing while it happens: what the actions can name.
+
+    Attributes:
+        rule: the rule that fires.
+        entity: what the trigger found (an entity's name), or None.
+        trigger: the word that fired.
+        measured, limit: what was measured against what.
+        scored: points given so far, by entrant.
+    """
+
+    rule: StandingRule
+    entity: str | None
+    trigger: str
+    measured: float | None = None
+    limit: float | None = None
+    scored: dict[str, Number] = field(default_factory=dict)
+
+    @property
+    def subject(self) -> str | None:
+        """What the firing is about: ``each``, else what the trigger found."""
+        return self.rule.each if self.rule.each is not None else self.entity
+
+
+@dataclass(frozen=True, slots=True)
+class Listener:
+    """A rule's ear at one trigger.
+
+    Attributes:
+        rule: whose it is.
+        entity: the entity it is about, or None.
+        trigger: the word.
+        key: order among all listeners: the rule's rank, the trigger's place in the rule, the entity's index.
+    """
+
+    rule: StandingRule
+    entity: str | None
+    trigger: str
+    key: tuple[int, int, int]
+
+
+@dataclass(frozen=True, slots=True)
+class Hit:
+    """A trigger that fired in this tick."""
+
+    listener: Listener
+    measured: float | None = None
+    limit: float | None = None
+
+
+class Hits(list[Hit]):
+    """The triggers that fired in this tick."""
+
+    def report(self, listeners: list[Listener], measured: float | None = None, limit: float | None = None) -> None:
+        """Note that the trigger of each of the listeners fired."""
+        for listener in listeners:
+            self.append(Hit(listener, measured, limit))
+
+    def first_by_rule(self) -> list[Hit]:
+        """Return one hit for each standing rule, in the order of firing; of several, the first trigger's."""
+        first: dict[int, Hit] = {}
+        for hit in sorted(self, key=lambda hit: hit.listener.key):
+            first.setdefault(hit.listener.key[0], hit)
+        return list(first.values())

@@ -1,0 +1,202 @@
+"""Sequences: steps to be made in order over zones or gates."""
+
+from __future__ import annotations
+
+from math import cos, sin
+
+from rcj_challenges.facts.play import Pose2
+from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.regions import (
+    EVERYWHERE,
+    NOWHERE,
+    Cell,
+    Region,
+    box_around,
+    common_cell,
+    crossing,
+    distance_to_segment_m,
+)
+from rcj_challenges.referee.rules import Listener
+from rcj_challenges.referee.watching import PositionWatch
+from rcj_challenges.scenario.models.places import Gate
+from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.models.state import AnyStep, Sequence
+
+_NOT_BEGUN = -1
+
+
+class GateLine:
+    """A gate on the field: fixed, or moving and turning with an entity.
+
+    Args:
+        gate: the gate of the scenario.
+        workshop: names and state.
+    """
+
+    def __init__(self, gate: Gate, workshop: Workshop) -> None:
+        self.anchor = None if gate.anchor is None else workshop.entity(gate.anchor, None)
+        self._from, self._to = gate.from_m, gate.to_m
+        self._state = workshop.state
+
+    def cell(self, x_m: float, y_m: float) -> Cell:
+        """Return a cell that the gate does not reach into; a moving gate leaves none."""
+        if self.anchor is not None:
+            return NOWHERE
+        return box_around(x_m, y_m, distance_to_segment_m(x_m, y_m, *self._from, *self._to))
+
+    def crossed(self, entity: int, was: list[Pose2], now: list[Pose2]) -> int:
+        """Return 1 if the entity crossed it forward in this sub-step, -1 backward, 0 if it did not."""
+        if self.anchor is None:
+            return crossing(was[entity][:2], now[entity][:2], self._from, self._to)
+        if not self._state.present[self.anchor]:
+            return 0
+        start = _seen_from(was[self.anchor], was[entity])
+        end = _seen_from(now[self.anchor], now[entity])
+        return crossing(start, end, self._from, self._to)
+
+
+def _seen_from(anchor: Pose2, pose: Pose2) -> tuple[float, float]:
+    dx, dy = pose[0] - anchor[0], pose[1] - anchor[1]
+    c, s = cos(anchor[2]), sin(anchor[2])
+    return (c * dx + s * dy, c * dy - s * dx)
+
+
+class SequenceWatch(PositionWatch):
+    """Follows an entity along the steps of a sequence.
+
+    Attributes:
+        reached: name of the zone or gate reached last; None before the first step.
+        completed, broken: ears.
+    """
+
+    def __init__(self, sequence: Sequence, workshop: Workshop) -> None:
+        self.entity = workshop.entity(sequence.entity, None)
+        self.entities = (self.entity,)
+        self.reached: str | None = None
+        self.completed: list[Listener] = []
+        self.broken: list[Listener] = []
+        self._workshop = workshop
+        self._state = workshop.state
+        self._cyclic = sequence.cyclic
+        self._breaks = sequence.wrong_step == "break"
+        self._steps = [
+            workshop.members(step.any_of if isinstance(step, AnyStep) else step, None) for step in sequence.steps
+        ]
+        names = tuple(dict.fromkeys(name for step in self._steps for name in step))
+        self._zones: dict[str, Region] = {
+            name: workshop.zone(name) for name in names if name in workshop.scenario.zones
+        }
+        gates = workshop.scenario.gates
+        self._gates = {name: GateLine(gates[name], workshop) for name in names if name not in self._zones}
+        self._inside: set[str] = set()
+        self._at = _NOT_BEGUN
+        self._begun = 0
+
+    def restart(self) -> None:
+        """Stand at the first step if the entity is in it, else before it."""
+        self._inside = set()
+        self._at, self.reached = _NOT_BEGUN, None
+        if not self._state.present[self.entity]:
+            return
+        x, y, _ = self._state.poses[self.entity]
+        self._inside = self._zones_at(x, y)
+        self._stand_at_first()
+
+    def _zones_at(self, x_m: float, y_m: float) -> set[str]:
+        return {name for name, region in self._zones.items() if region.contains(x_m, y_m)}
+
+    def _stand_at_first(self) -> None:
+        inside = [name for name in self._steps[0] if name in self._inside]
+        self._at, self.reached = (0, inside[0]) if inside else (_NOT_BEGUN, None)
+        self._begun = self._state.tick
+
+    def cell(self, x_m: float, y_m: float) -> Cell:
+        """Return a cell in which no step is made."""
+        cell = EVERYWHERE
+        for region in self._zones.values():
+            cell = common_cell(cell, region.cell(x_m, y_m))
+        for gate in self._gates.values():
+            cell = common_cell(cell, gate.cell(x_m, y_m))
+        return cell
+
+    def advance(self, before: list[Pose2], substeps: list[list[Pose2]]) -> None:
+        """Make the steps of this tick, in the order in which they happen."""
+        was = before
+        for now in substeps:
+            x, y, _ = now[self.entity]
+            inside = self._zones_at(x, y)
+            made = [name for name in self._zones if name in inside and name not in self._inside]
+            made += [name for name, gate in self._gates.items() if gate.crossed(self.entity, was, now) > 0]
+            self._inside = inside
+            was = now
+            if made:
+                self._make(made)
+
+    def _make(self, made: list[str]) -> None:
+        """Make steps with the places reached in one sub-step; what is then left over was a wrong step."""
+        left = dict.fromkeys(made)
+        while left:
+            expected = self._expected()
+            step = next((name for name in left if name in expected), None)
+            if step is None:
+                break
+            del left[step]
+            self._step_to(step)
+        current = self._steps[self._at] if self._at != _NOT_BEGUN else ()
+        if self._breaks and self._at != _NOT_BEGUN and any(name not in current for name in left):
+            self._report(self.broken)
+            self._stand_at_first()
+
+    def _expected(self) -> tuple[str, ...]:
+        following = self._at + 1
+        if following < len(self._steps):
+            return self._steps[following]
+        return self._steps[0]
+
+    def _step_to(self, name: str) -> None:
+        last = len(self._steps) - 1
+        if self._at == _NOT_BEGUN:
+            self._begun = self._state.tick
+        self.reached = name
+        if self._at < last:
+            self._at += 1
+            if self._at == last and not self._cyclic:
+                self._report(self.completed)
+                self._at = _NOT_BEGUN
+            return
+        self._report(self.completed)
+        self._at, self._begun = 0, self._state.tick
+
+    def _report(self, listeners: list[Listener]) -> None:
+        self._workshop.hits.report(listeners, measured=s_from_ticks(self._state.tick - self._begun))
+
+
+def sequence_watch(workshop: Workshop, name: str) -> SequenceWatch:
+    """Return the watch of a sequence: one for all rules; it lives wherever one of them does."""
+    found = workshop.sequences.get(name)
+    if found is None:
+        found = SequenceWatch(workshop.scenario.sequences[name], workshop)
+        found.phases = _phases_of(workshop.scenario, name)
+        workshop.sequences[name] = found
+        workshop.lookout.add(found)
+    if not isinstance(found, SequenceWatch):
+        message = f"not a sequence: {name!r}"
+        raise TypeError(message)
+    return found
+
+
+def _phases_of(scenario: Scenario, name: str) -> frozenset[str] | None:
+    phases: set[str] = set()
+    for rule in scenario.rules.values():
+        if not _mentions(rule, name):
+            continue
+        if rule.phases == "any":
+            return None
+        phases.update(rule.phases)
+    return frozenset(phases)
+
+
+def _mentions(rule: Rule, name: str) -> bool:
+    conditions = (*rule.conditions, *(getattr(trigger, "condition", None) for trigger in rule.triggers))
+    return any(getattr(word, "sequence", None) == name for word in (*rule.triggers, *conditions))

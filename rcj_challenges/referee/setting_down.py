@@ -1,0 +1,258 @@
+"""Carrying out placements: all are lifted first, then set down in order, so that two never get one spot."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from rcj_challenges.facts.play import Placement, Pose2
+from rcj_challenges.referee.outlines import Bodies
+from rcj_challenges.referee.rules import StandingRule
+from rcj_challenges.referee.state import State, float32
+
+Point = tuple[float, float]
+
+
+class Board:
+    """The field while things are set down.
+
+    Attributes:
+        poses: by entity, where it is: set down already, or not moved, or (lifted) where it was.
+        standing: those that stand on the field now, by index: not moved, or set down already.
+    """
+
+    def __init__(self, state: State, bodies: Bodies, lifted: set[int]) -> None:
+        self._state = state
+        self._bodies = bodies
+        self.poses = list(state.poses)
+        self.standing = {
+            index: pose for index, pose in enumerate(state.poses) if state.present[index] and index not in lifted
+        }
+        self._judged = state.roster.robots + state.roster.balls
+
+    def put(self, entity: int, pose: Pose2) -> None:
+        """Set an entity down."""
+        self.poses[entity] = pose
+        self.standing[entity] = pose
+
+    def free(self, spot: Point, clearance_m: float, entity: int | None) -> bool:
+        """Return whether no robot's or ball's centre is nearer to a spot than the clearance.
+
+        Args:
+            spot: [x, y] in m.
+            clearance_m: strict limit in m.
+            entity: the one that is to be put there, if any: its own present place counts as well.
+        """
+        centres = [pose for index, pose in self.standing.items() if index < self._judged and index != entity]
+        if entity is not None and entity < self._judged and self._state.present[entity]:
+            centres.append(self._state.poses[entity])
+        limit = clearance_m * clearance_m
+        return all((x - spot[0]) ** 2 + (y - spot[1]) ** 2 >= limit for x, y, _ in centres)
+
+    def fits(self, entity: int, pose: Pose2, clearance_m: float) -> bool:
+        """Return whether an entity can stand at a pose without overlapping anything."""
+        others = {index: other for index, other in self.standing.items() if index != entity}
+        return self._bodies.fits(entity, pose, others, clearance_m)
+
+
+Mirrored = Callable[[Point], Point]
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """What a place is looked for: passed to the compiled words of ``at``.
+
+    Attributes:
+        board: the field now.
+        entity: index of what is to be put there.
+        mirrored: mirrors a point as the scenario asks (or not).
+        rng: the stream of this use.
+        fits: whether the entity can stand at a point, with the facing it will have.
+    """
+
+    board: Board
+    entity: int
+    mirrored: Mirrored
+    rng: random.Random
+    fits: Callable[[Point], bool]
+
+
+@dataclass(frozen=True)
+class Where:
+    """A compiled word of ``at``.
+
+    Attributes:
+        find: returns a point, or None if there is none (no free spot).
+        random: whether another attempt can give another point.
+        noise_m: half widths of noise that the place itself brings along (a start pose's).
+    """
+
+    find: Callable[[Request], Point | None]
+    random: bool = False
+    noise_m: Point = (0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Putting:
+    """How one entity is put somewhere.
+
+    Attributes:
+        entity: its index.
+        where: the compiled place.
+        facing: returns the yaw in rad for a point; gets the board, the entity, the point and the stream.
+        spins: whether the facing is random, so that another attempt can fit where this one did not.
+        noise_m: half widths of the uniform noise on x and y, in m.
+        flips: each returns the signs of x and y (-1 mirrors).
+        clearance_m: smallest gap to any other body.
+        attempts: how often a random place is drawn.
+        retry: whether it is tried again on every tick while there is no room.
+        stream: name of the random stream.
+    """
+
+    entity: int
+    where: Where
+    facing: Callable[[Board, int, Point, random.Random], float]
+    spins: bool
+    noise_m: Point
+    flips: tuple[Callable[[], Point], ...]
+    clearance_m: float
+    attempts: int
+    retry: bool
+    stream: str
+
+    def propose(self, board: Board, rng: random.Random) -> Pose2 | None:
+        """Return a pose at which the entity can stand, or None if there is none."""
+        sign_x, sign_y = 1.0, 1.0
+        for flip in self.flips:
+            flip_x, flip_y = flip()
+            sign_x, sign_y = sign_x * flip_x, sign_y * flip_y
+
+        def mirrored(point: Point) -> Point:
+            return (point[0] * sign_x, point[1] * sign_y)
+
+        def fits(point: Point) -> bool:
+            return board.fits(self.entity, self._pose(board, point, rng), self.clearance_m)
+
+        request = Request(board, self.entity, mirrored, rng, fits)
+        noises = [noise for noise in (self.where.noise_m, self.noise_m) if noise != (0.0, 0.0)]
+        for _ in range(self.attempts if self.where.random or self.spins or noises else 1):
+            point = self.where.find(request)
+            if point is None:
+                return None
+            for noise_x, noise_y in noises:
+                point = (point[0] + rng.uniform(-noise_x, noise_x), point[1] + rng.uniform(-noise_y, noise_y))
+            pose = self._pose(board, point, rng)
+            if board.fits(self.entity, pose, self.clearance_m):
+                return pose
+        return None
+
+    def _pose(self, board: Board, point: Point, rng: random.Random) -> Pose2:
+        yaw = self.facing(board, self.entity, point, rng)
+        return (float32(point[0]), float32(point[1]), float32(yaw))
+
+
+@dataclass(frozen=True, eq=False)
+class Job:
+    """A placement that a rule asked for.
+
+    Attributes:
+        entity: index of the entity.
+        putting: how it is set down; None takes it off the field.
+        rule: the rule that asked; a retry waits while the rule does not live. None: the start of the half.
+        due: from which tick on it is to be done.
+    """
+
+    entity: int
+    putting: Putting | None
+    rule: StandingRule | None
+    due: int = 0
+
+
+class Queue:
+    """The placements asked for in this tick, and those still waiting for room or for their time."""
+
+    def __init__(self) -> None:
+        self._asked: dict[int, Job] = {}
+        self._waiting: dict[int, Job] = {}
+
+    @property
+    def busy(self) -> bool:
+        """Whether there is anything to do or to wait for."""
+        return bool(self._asked) or bool(self._waiting)
+
+    def ask(self, job: Job) -> None:
+        """Queue a placement; the last one queued for an entity wins, also over one that waits."""
+        self._asked.pop(job.entity, None)
+        self._waiting.pop(job.entity, None)
+        self._asked[job.entity] = job
+
+    def ask_later(self, job: Job) -> None:
+        """Note a placement for a later tick; any placement of that entity asked for after this one replaces it."""
+        self._waiting[job.entity] = job
+
+    def concerns(self, entity: int) -> bool:
+        """Return whether something is asked for the entity."""
+        return entity in self._asked or entity in self._waiting
+
+    def take(self, state: State) -> list[Job]:
+        """Return what is to be done in this tick: what waited first, then what was asked for, in order."""
+        ready = [
+            job
+            for job in self._waiting.values()
+            if job.due <= state.tick
+            and job.entity not in self._asked
+            and (job.rule is None or job.rule.lives_in(state.phase))
+        ]
+        for job in ready:
+            del self._waiting[job.entity]
+        jobs = ready + list(self._asked.values())
+        self._asked.clear()
+        return jobs
+
+
+def set_down(jobs: list[Job], state: State, bodies: Bodies) -> tuple[list[Placement], list[Job]]:
+    """Carry out placements: update the state, and return what the world has to do, and the jobs without room.
+
+    One that finds no room stays where it is. As others may have counted on its place, everything is then set down
+    again around it.
+    """
+    failed: list[Job] = []
+    while True:
+        tried = [job for job in jobs if job not in failed]
+        done, without_room = _try(tried, state, bodies)
+        if without_room is None:
+            return _apply(done, state), failed
+        failed.append(without_room)
+
+
+def _try(jobs: list[Job], state: State, bodies: Bodies) -> tuple[list[tuple[int, Pose2 | None]], Job | None]:
+    board = Board(state, bodies, {job.entity for job in jobs})
+    done: list[tuple[int, Pose2 | None]] = []
+    for job in jobs:
+        if job.putting is None:
+            done.append((job.entity, None))
+            continue
+        pose = job.putting.propose(board, state.stream(job.putting.stream))
+        if pose is None:
+            return [], job
+        board.put(job.entity, pose)
+        done.append((job.entity, pose))
+    return done, None
+
+
+def _apply(done: list[tuple[int, Pose2 | None]], state: State) -> list[Placement]:
+    poses, uprights = list(state.poses), list(state.uprights)
+    placements = []
+    for entity, pose in done:
+        if pose is None:
+            state.present[entity] = False
+            placements.append(Placement(entity, *poses[entity], parked=True))
+            continue
+        state.present[entity] = True
+        state.put_at[entity] = (pose[0], pose[1])
+        poses[entity] = pose
+        uprights[entity] = 1.0
+        placements.append(Placement(entity, *pose))
+    state.poses, state.uprights = poses, uprights
+    return placements

@@ -1,0 +1,191 @@
+"""All that the referee remembers within a half, in one place: where things are, what was counted, which phase it is."""
+
+from __future__ import annotations
+
+import random
+import struct
+from dataclasses import dataclass
+
+from rcj_challenges.facts.play import HalfInfo, Pose2
+from rcj_challenges.facts.streams import random_stream, stream_seed
+from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
+from rcj_challenges.scenario.models.base import Scalar
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.models.state import Draw, Phase
+from rcj_challenges.scenario.roster import Roster
+
+Number = int | float
+
+_FLOAT32 = struct.Struct("<f")
+
+
+def float32(value: float) -> float:
+    """Return the value as the world and the trajectory keep it, so that a placed pose is exactly the pose judged."""
+    return float(_FLOAT32.unpack(_FLOAT32.pack(value))[0])
+
+
+def plain(value: Number) -> Number:
+    """Return whole numbers as integers: scores and payloads show 3, not 3.0."""
+    return int(value) if isinstance(value, float) and value.is_integer() else value
+
+
+@dataclass(slots=True)
+class Clock:
+    """One timer: it runs up to its length and stands there.
+
+    Attributes:
+        length: in ticks.
+        elapsed: ticks run until it was last started or held.
+        since: tick from which it runs, None while it is held.
+    """
+
+    length: int
+    elapsed: int = 0
+    since: int | None = None
+
+    def ticks(self, tick: int) -> int:
+        """Return how long it has run."""
+        return min(self.length, self.elapsed + (tick - self.since if self.since is not None else 0))
+
+    def running(self, tick: int) -> bool:
+        """Return whether it runs and has not reached its length."""
+        return self.since is not None and self.ticks(tick) < self.length
+
+
+class State:
+    """What the referee knows at a tick.
+
+    Attributes:
+        tick: tick of the half.
+        clock: ticks of the half's clock: those of phases whose clock stops are not in it.
+        phase: the phase now.
+        poses: by entity, where it is now (after a placement: where it was put).
+        before: by entity, where it was a tick ago (or was put then).
+        uprights: by entity, cosine of the tilt.
+        present: by entity, whether it is on the field.
+        put_at: by entity, [x, y] where it was last put, or started.
+        scores: by entrant, as seated in this half.
+        counters, flags: by name; a mapping by entity for those kept per entity.
+        timers: by name, then entity (None for one that is not kept per entity).
+        draws: by name, the value drawn.
+        ended: None, or why an ``end`` action ended the half.
+        match_over: whether that action ended the whole match.
+    """
+
+    def __init__(self, scenario: Scenario, roster: Roster, half: HalfInfo) -> None:
+        self.scenario = scenario
+        self.roster = roster
+        self.half = half
+        self.tick = 0
+        self.clock = 0
+        self.phase = scenario.first_phase
+        self.poses: list[Pose2] = []
+        self.before: list[Pose2] = []
+        self.uprights: list[float] = []
+        self.present = [True] * len(roster.entities)
+        self.put_at: list[tuple[float, float]] = []
+        self.scores: dict[str, Number] = {name: half.scores.get(name, 0) for name in scenario.entrants}
+        self.counters: dict[str, Number | dict[str, Number]] = {}
+        self.flags: dict[str, bool | dict[str, bool]] = {}
+        self.timers: dict[str, dict[str | None, Clock]] = {}
+        self.draws: dict[str, Scalar] = {}
+        self.ended: str | None = None
+        self.match_over = False
+        self.entrant_of = {robot: name for name, entrant in scenario.entrants.items() for robot in entrant.robots}
+        self._streams: dict[str, random.Random] = {}
+        self._fill()
+
+    def _fill(self) -> None:
+        kept_flags = self.half.kept.get("flags", {})
+        for name, counter in self.scenario.counters.items():
+            first = plain(counter.initial)
+            self.counters[name] = first if counter.per is None else dict.fromkeys(self._members(counter.per), first)
+        for name, flag in self.scenario.flags.items():
+            if flag.keep == "match" and name in kept_flags:
+                kept = kept_flags[name]
+                self.flags[name] = dict(kept) if isinstance(kept, dict) else bool(kept)
+            elif flag.per is None:
+                self.flags[name] = flag.initial
+            else:
+                self.flags[name] = dict.fromkeys(self._members(flag.per), flag.initial)
+        for name, timer in self.scenario.timers.items():
+            members = (None,) if timer.per is None else self._members(timer.per)
+            length, since = ticks_from_s(timer.lasts_s), 0 if timer.starts else None
+            self.timers[name] = {member: Clock(length, since=since) for member in members}
+
+    def _members(self, group: str) -> tuple[str, ...]:
+        return self.roster.expand(group)
+
+    def stream(self, use: str) -> random.Random:
+        """Return the random stream of a use in this half."""
+        found = self._streams.get(use)
+        if found is None:
+            found = random_stream(self.half.match_seed, f"{use}/half-{self.half.half}")
+            self._streams[use] = found
+        return found
+
+    def decide_draws(self, decided: dict[str, Scalar]) -> None:
+        """Draw everything at the start of the half, but for what is decided beforehand or kept from the last half.
+
+        Raises:
+            ValueError: a value is decided that the draw cannot have, or for a draw that does not exist.
+        """
+        for name, value in decided.items():
+            if name not in self.scenario.draws or value not in self.scenario.draws[name].values:
+                message = f"draws.{name}: {value!r} is not one of its values"
+                raise ValueError(message)
+        kept = self.half.kept.get("draws", {})
+        for name, draw in self.scenario.draws.items():
+            if name in decided:
+                self.draws[name] = decided[name]
+            elif draw.keep == "match" and name in kept:
+                self.draws[name] = kept[name]
+            else:
+                self.draw_anew(name, draw)
+
+    def draw_anew(self, name: str, draw: Draw) -> None:
+        """Draw a value, equally likely each; with ``not_last`` never the one it has."""
+        values = draw.values
+        if draw.not_last and name in self.draws:
+            values = tuple(value for value in values if value != self.draws[name]) or values
+        self.draws[name] = self.stream(f"draw/{name}").choice(values)
+
+    def kept(self) -> dict[str, dict[str, object]]:
+        """Return the draws and flags marked ``keep: match``, for the next half's `HalfInfo.kept`."""
+        return {
+            "draws": {name: self.draws[name] for name, draw in self.scenario.draws.items()
+                      if draw.keep == "match" and name in self.draws},
+            "flags": {name: self.flags[name] for name, flag in self.scenario.flags.items() if flag.keep == "match"},
+        }  # fmt: skip
+
+    def phase_model(self, name: str) -> Phase:
+        """Return a phase of the scenario; ``play`` need not be written."""
+        return self.scenario.phases.get(name) or Phase()
+
+    def counter(self, name: str, entity: str | None) -> Number:
+        """Return a counter; one kept per entity without an entity is the sum; an entrant's name is its score."""
+        value = self.counters.get(name)
+        if value is None:
+            return self.scores[name]
+        if isinstance(value, dict):
+            return value[entity] if entity is not None else sum(value.values())
+        return value
+
+    def flag(self, name: str, entity: str | None) -> bool:
+        """Return a flag; one kept per entity without an entity is whether any of them is set."""
+        value = self.flags[name]
+        if isinstance(value, dict):
+            return value[entity] if entity is not None else any(value.values())
+        return value
+
+    def half_length_s(self) -> Number:
+        """Return the length of the half in s as the record prints it.
+
+        The scenario's own number (600, as in the original's log) unless the half is played at another length.
+        """
+        nominal = self.scenario.match.half_s
+        return plain(nominal if ticks_from_s(nominal) == self.half.ticks else s_from_ticks(self.half.ticks))
+
+    def seed_id(self) -> str:
+        """Return eight hexadecimal digits that tell two seeds apart without telling the seed."""
+        return f"{stream_seed(self.half.match_seed, 'seed_id') & 0xFFFFFFFF:08x}"

@@ -1,0 +1,66 @@
+"""The trigger holds: a condition that has held for a time."""
+
+from __future__ import annotations
+
+from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
+from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.conditions import compile_condition, watched_entities
+from rcj_challenges.referee.rules import Listener, StandingRule, Test
+from rcj_challenges.referee.watching import NEVER, TickWatch
+from rcj_challenges.scenario.models import triggers as models
+
+
+def holds(model: models.Holds, rule: StandingRule, position: int, workshop: Workshop) -> None:
+    """Fires when a condition has held for a time, and again at intervals if asked."""
+    test = compile_condition(model.condition, workshop, rule.each)
+    watch = HoldWatch(test, model, workshop)
+    watch.phases = rule.phases
+    watch.entities = watched_entities(model.condition, workshop, rule.each)
+    # What it is about is known if one entity stands in the condition.
+    entity = watch.entities[0] if len(watch.entities) == 1 else None
+    watch.listeners.append(workshop.listener(rule, position, model.trigger, entity))
+    workshop.lookout.add(watch)
+
+
+class HoldWatch(TickWatch):
+    """Measures how long a condition holds; an interruption of up to the grace counts as holding.
+
+    Attributes:
+        listeners: ears.
+    """
+
+    def __init__(self, test: Test, model: models.Holds, workshop: Workshop) -> None:
+        self.listeners: list[Listener] = []
+        self._test = test
+        self._for_s = model.for_s
+        self._for = ticks_from_s(model.for_s)
+        self._grace = ticks_from_s(model.grace_s)
+        self._every = None if model.every_s is None else ticks_from_s(model.every_s)
+        self._began: int | None = None
+        self._lost: int | None = None
+        self._next = NEVER
+        self._state = workshop.state
+        self._hits = workshop.hits
+
+    def restart(self) -> None:
+        """Begin to count now if it holds. What must hold for no time at all was true before and does not fire."""
+        tick = self._state.tick
+        self._lost = None
+        self._began = tick if self._test() else None
+        self._next = tick + self._for
+        if self._for == 0:
+            self._next = NEVER if self._every is None else tick + self._every
+
+    def look(self) -> None:
+        """Report when it has held long enough."""
+        tick = self._state.tick
+        if not self._test():
+            if self._began is not None and self._lost is None:
+                self._lost = tick
+            return
+        if self._began is None or (self._lost is not None and tick - self._lost > self._grace):
+            self._began, self._next = tick, tick + self._for
+        self._lost = None
+        if tick >= self._next:
+            self._next = NEVER if self._every is None else tick + self._every
+            self._hits.report(self.listeners, s_from_ticks(tick - self._began), self._for_s)

@@ -1,0 +1,73 @@
+"""Triggers about ways: crosses, sequence_completed, sequence_broken."""
+
+from __future__ import annotations
+
+from rcj_challenges.facts.play import Pose2
+from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.regions import Cell
+from rcj_challenges.referee.rules import Listener, StandingRule
+from rcj_challenges.referee.sequences import GateLine, sequence_watch
+from rcj_challenges.referee.watching import PositionWatch
+from rcj_challenges.scenario.models import triggers as models
+
+_WAYS = {"forward": (1,), "backward": (-1,), "either": (1, -1)}
+
+
+def crosses(model: models.Crosses, rule: StandingRule, position: int, workshop: Workshop) -> None:
+    """Fires when a centre crosses a gate."""
+    for entity in workshop.entities(model.entity, rule.each):
+        for gate in workshop.members(model.gate, rule.each):
+            if workshop.scenario.gates[gate].anchor == workshop.roster.entities[entity]:
+                continue  # nothing crosses a gate that it carries
+            watch = workshop.watch(
+                GateWatch,
+                (entity, gate),
+                rule,
+                lambda e=entity, g=gate: GateWatch(e, GateLine(workshop.scenario.gates[g], workshop), workshop),  # type: ignore[misc]
+            )
+            for way in _WAYS[model.direction]:
+                watch.listeners[way].append(workshop.listener(rule, position, model.trigger, entity))
+
+
+class GateWatch(PositionWatch):
+    """Follows an entity across a gate.
+
+    Attributes:
+        listeners: ears by direction, 1 forward and -1 backward.
+    """
+
+    def __init__(self, entity: int, gate: GateLine, workshop: Workshop) -> None:
+        self.entity = entity
+        self.entities = (entity,)
+        self.listeners: dict[int, list[Listener]] = {1: [], -1: []}
+        self._gate = gate
+        self._hits = workshop.hits
+
+    def restart(self) -> None:
+        """Nothing is remembered: a way begins where the entity is."""
+
+    def cell(self, x_m: float, y_m: float) -> Cell:
+        """Return a cell that the gate does not reach into."""
+        return self._gate.cell(x_m, y_m)
+
+    def advance(self, before: list[Pose2], substeps: list[list[Pose2]]) -> None:
+        """Report each direction once a tick."""
+        was, crossed = before, set()
+        for now in substeps:
+            crossed.add(self._gate.crossed(self.entity, was, now))
+            was = now
+        for way in (1, -1):
+            if way in crossed:
+                self._hits.report(self.listeners[way])
+
+
+def sequence_completed(model: models.SequenceCompleted, rule: StandingRule, position: int, workshop: Workshop) -> None:
+    """Fires when the last step of a sequence is made; measured is the time since its first, in s."""
+    watch = sequence_watch(workshop, model.sequence)
+    watch.completed.append(workshop.listener(rule, position, model.trigger, watch.entity))
+
+
+def sequence_broken(model: models.SequenceBroken, rule: StandingRule, position: int, workshop: Workshop) -> None:
+    """Fires when a wrong step is made."""
+    watch = sequence_watch(workshop, model.sequence)
+    watch.broken.append(workshop.listener(rule, position, model.trigger, watch.entity))

@@ -1,0 +1,267 @@
+"""Cross references: every name that a scenario uses must exist, and be of the kind that is needed there.
+
+Walks the tree beside the shapes of the models, so that unknown names come in one report with everything else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from rcj_challenges.scenario.catalogue import EACH, FAMILIES, Catalogue, texts
+from rcj_challenges.scenario.errors import Problem, listing, nearest
+from rcj_challenges.scenario.models import actions, conditions, state
+from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
+from rcj_challenges.scenario.references import REFERENCES, Field, Named, Reference
+from rcj_challenges.scenario.shape import Shape, bare, chosen, is_model, step_into
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, in_names, mark_of, node_at
+from rcj_challenges.scenario.wording import found_text
+
+Each = tuple[str, ...] | None
+"""What ``each`` stands for: the members of the rule's ``for_each``; None outside of such a rule."""
+
+_WORDED = ("triggers", "conditions", "actions")
+_READS = (conditions.CounterIs, conditions.FlagIs, conditions.TimerIs, state.CounterValue, state.FlagValue)
+_WRITES = (actions.Count, actions.SetFlag, actions.ToggleFlag, actions.TimerAction)
+_STATE_SECTIONS = {"counter": "counters", "flag": "flags", "timer": "timers"}
+
+
+def check_references(catalogue: Catalogue, removed: Mapping[Path, Mark]) -> list[Problem]:
+    """Return what is wrong with the names that a scenario uses.
+
+    Args:
+        catalogue: the names that it defines.
+        removed: where entries of a base were removed, for the message to who still names them.
+    """
+    walker = _Walker(catalogue, removed)
+    walker.walk(catalogue.root, Scenario, (), None)
+    return walker.problems
+
+
+def shown_path(root: Node, path: Path) -> str:
+    """Return a path in names that ends, within a rule, at the trigger, condition or action."""
+    worded = [i for i in range(1, len(path)) if isinstance(path[i], int) and path[i - 1] in _WORDED]
+    return in_names(root, path[: worded[-1] + 1] if worded and path[0] == "rules" else path)
+
+
+class _Walker:
+    def __init__(self, catalogue: Catalogue, removed: Mapping[Path, Mark]) -> None:
+        self.names = catalogue
+        self.root = catalogue.root
+        self.removed = removed
+        self.problems: list[Problem] = []
+
+    def walk(self, node: Node, shape: Shape, path: Path, each: Each) -> None:
+        """Check a value and all that is in it."""
+        shape = chosen(shape, node) if shape is not None else None
+        if shape is None:
+            return  # not of any known form; that is reported as such
+        if isinstance(node, Items):
+            for index, item in enumerate(node.items):
+                self.walk(item, step_into(shape, node, index), (*path, index), each)
+        elif isinstance(node, Entries):
+            model = bare(shape).kind
+            if is_model(model):
+                each = self._model(model, node, path, each)
+            for key, inner in node.entries.items():
+                self.walk(inner, step_into(shape, node, key), (*path, key), each)
+
+    def add(self, path: Path, mark: Mark, message: str) -> None:
+        self.problems.append(mark.problem(shown_path(self.root, path), message))
+
+    # --- one mapping ------------------------------------------------------------------------------------------------
+
+    def _model(self, model: Any, node: Entries, path: Path, each: Each) -> Each:  # noqa: ANN401 - a model's class
+        if model is Rule:
+            each = self._each_of(node)
+        for name, info in model.model_fields.items():
+            key = info.alias or name
+            reference = REFERENCES.get((model, key))
+            if reference is None:
+                continue
+            if key in node.entries:
+                for text, at, mark in self._named_in(reference, node, key, path):
+                    self._check(reference, text, at, mark, each)
+            elif isinstance(info.default, str):
+                self._check(reference, info.default, path, mark_of(self.root, path), each)
+        self._special(model, node, path, each)
+        return each
+
+    def _each_of(self, rule: Entries) -> Each:
+        group = rule.entries.get("for_each")
+        if group is None:
+            return None
+        return tuple(member for text in texts(group) for member in self.names.expand(text))
+
+    def _named_in(self, reference: Reference, node: Entries, key: str, path: Path) -> Iterator[tuple[str, Path, Mark]]:
+        """Yield the names of a field, each with its place."""
+        value, at = node.entries[key], (*path, key)
+        if reference.keys:
+            if isinstance(value, Entries):
+                yield from ((name, (*at, name), value.key_marks[name]) for name in value.entries)
+            return
+        yield from _leaves(value, at)
+
+    # --- one name ---------------------------------------------------------------------------------------------------
+
+    def _check(self, reference: Reference, name: str, path: Path, mark: Mark, each: Each) -> None:
+        if name in reference.words:
+            return
+        if isinstance(reference, Named):
+            known = [*(known for section in reference.sections for known in self.names.names(section))]
+            if name not in known:
+                words = [*(reference.words - {"any"}), *known]
+                self._unknown(reference.noun, name, words, reference.sections, path, mark)
+        elif name == EACH:
+            self._check_each(reference, path, mark, each)
+        else:
+            self._check_on_field(reference, name, path, mark)
+
+    def _check_each(self, reference: Field, path: Path, mark: Mark, each: Each) -> None:
+        if not reference.each:
+            self.add(path, mark, f"'each' cannot stand here; name {_a(reference.noun)}")
+        elif each is None:
+            self.add(path, mark, "'each' is known only in a rule with for_each")
+        else:
+            wrong = next((name for name in each if self.names.kinds.get(name, "robot") not in reference.kinds), None)
+            if wrong is not None:
+                kind = self.names.kinds[wrong]
+                self.add(path, mark, f"'each' stands for '{wrong}' too, {_a(kind)}; expected {_a(reference.noun)}")
+
+    def _check_on_field(self, reference: Field, name: str, path: Path, mark: Mark) -> None:
+        names = self.names
+        kind = names.kinds.get(name)
+        if kind is not None and (kind in reference.kinds or name not in names.groups):
+            if kind not in reference.kinds:
+                self.add(path, mark, f"'{name}' is {_a(kind)}; expected {_a(reference.noun)}")
+        elif name in names.groups:
+            self._check_group(reference, name, path, mark)
+        elif reference.drawn and name in names.names("draws"):
+            self._check_drawn(Field(reference.noun, reference.kinds), name, path)
+        else:
+            known = names.of_kind(reference.kinds)
+            if reference.groups:
+                known += [group for group in names.groups if self._stranger(reference, group) is None]
+            if reference.drawn:
+                known += names.names("draws")
+            sections = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups")
+            self._unknown(reference.noun, name, known, sections, path, mark)
+
+    def _stranger(self, reference: Field, group: str) -> str | None:
+        """Return a member of a group that is of no kind that is needed; members that do not exist are no strangers."""
+        kinds = self.names.kinds
+        return next((m for m in self.names.groups[group] if m in kinds and kinds[m] not in reference.kinds), None)
+
+    def _check_group(self, reference: Field, name: str, path: Path, mark: Mark) -> None:
+        stranger = self._stranger(reference, name)
+        if not reference.groups:
+            self.add(path, mark, f"'{name}' is a group; name one {reference.noun}")
+        elif stranger is not None:
+            kind = self.names.kinds[stranger]
+            alone = self.names.groups[name] == (stranger,) and name in ("walls",)
+            what = f"'{name}' is" if alone else f"group '{name}' contains '{stranger}',"
+            self.add(path, mark, f"{what} {_a(kind)}; expected {_a(reference.noun)}")
+
+    def _check_drawn(self, reference: Reference, draw: str, user: Path) -> None:
+        """Check that all that a draw may decide can stand where its name is used."""
+        values = node_at(self.root, ("draws", draw, "values"))
+        for index, value in enumerate(values.items if isinstance(values, Items) else ()):
+            at: Path = ("draws", draw, "values", index)
+            text = value.value if isinstance(value, Leaf) else None
+            if isinstance(text, str):
+                self._check(reference, text, at, value.mark, None)
+            else:
+                where = in_names(self.root, user)
+                self.add(at, value.mark, f"expected {_a(reference.noun)} for {where}, found {found_text(value)}")
+
+    def _unknown(
+        self, noun: str, name: str, known: list[str], sections: tuple[str, ...], path: Path, mark: Mark
+    ) -> None:
+        removal = next((self.removed[section, name] for section in sections if (section, name) in self.removed), None)
+        if removal is not None:
+            where = f"{removal.file}:{removal.line}" if removal.line else removal.file
+            self.add(path, mark, f"unknown {noun} '{name}': it was removed in {where}")
+            return
+        hint = nearest(name, known)
+        if not hint:
+            hint = f"; there are {listing(known)}" if known else f"; this scenario has no {noun}"
+        self.add(path, mark, f"unknown {noun} '{name[:64]}'{hint}")
+
+    # --- what a table cannot say ------------------------------------------------------------------------------------
+
+    def _special(self, model: Any, node: Entries, path: Path, each: Each) -> None:  # noqa: ANN401 - a model's class
+        if model in _READS or model in _WRITES:
+            self._per_entity(model, node, path, each)
+        elif model is actions.Place:
+            layout = node.entries.get("layout")
+            drawn = child(layout, "draw")
+            if isinstance(drawn, Leaf) and drawn.value in self.names.names("draws"):
+                self._check_drawn(Named("layout", ("placements",)), str(drawn.value), (*path, "layout"))
+        elif model is conditions.Drawn:
+            self._among_values(node.entries.get("draw"), node.entries.get("equals"), (*path, "equals"))
+        elif model is actions.DrawAction:
+            self._among_values(node.entries.get("draw"), node.entries.get("as"), (*path, "as"))
+        elif model is Expectation:
+            decided = node.entries.get("draws")
+            for name, value in decided.entries.items() if isinstance(decided, Entries) else ():
+                self._among_values(Leaf(name, value.mark), value, (*path, "draws", name))
+        elif model is conditions.SequenceAt:
+            self._among_steps(node, path)
+
+    def _among_values(self, draw: Node | None, value: Node | None, path: Path) -> None:
+        values = node_at(self.root, ("draws", str(draw.value), "values")) if isinstance(draw, Leaf) else None
+        if not isinstance(values, Items) or not isinstance(value, Leaf):
+            return
+        known = [item.value for item in values.items if isinstance(item, Leaf)]
+        if not any(type(value.value) is type(one) and value.value == one for one in known):
+            shown = [str(one) for one in known]
+            hint = nearest(str(value.value), shown) or f"; it draws from {listing(shown)}"
+            self.add(path, value.mark, f"{found_text(value)} is never drawn{hint}")
+
+    def _among_steps(self, node: Entries, path: Path) -> None:
+        sequence, step = node.entries.get("sequence"), node.entries.get("step")
+        steps = node_at(self.root, ("sequences", str(sequence.value), "steps")) if isinstance(sequence, Leaf) else None
+        if not isinstance(steps, Items) or not isinstance(step, Leaf) or not isinstance(step.value, str):
+            return
+        known = [text for part in steps.items for text in texts(child(part, "any_of") or part)]
+        if step.value not in known and self.names.kinds.get(step.value) in {"zone", "gate"}:
+            self.add((*path, "step"), step.mark, f"'{step.value}' is no step of it; its steps are {listing(known)}")
+
+    def _per_entity(self, model: Any, node: Entries, path: Path, each: Each) -> None:  # noqa: ANN401 - a model's class
+        """Check that ``entity`` says whose counter, flag or timer is meant, where there is one for each."""
+        key = next(key for key in _STATE_SECTIONS if key in model.model_fields)
+        name, whose = node.entries.get(key), node.entries.get("entity")
+        if not isinstance(name, Leaf) or not isinstance(name.value, str):
+            return
+        entry = node_at(self.root, (_STATE_SECTIONS[key], name.value))
+        per = child(entry, "per")
+        if not isinstance(per, Leaf) or not isinstance(per.value, str):
+            if whose is not None and (entry is not None or name.value in self.names.names("entrants")):
+                message = f"{key} '{name.value}' is not kept per entity; leave 'entity' out"
+                self.add((*path, "entity"), mark_of(self.root, (*path, "entity")), message)
+            return
+        if whose is None:
+            if each is not None and model in _READS:
+                message = f"{key} '{name.value}' is kept per {per.value}: say whose with 'entity', such as entity: each"
+                self.add(path, name.mark, message)
+            return
+        owners = self.names.expand(per.value)
+        meant = [owner for text in texts(whose) for owner in ((each or ()) if text == EACH else (text,))]
+        stranger = next((one for one in meant if one not in owners and one in self.names.kinds), None)
+        if stranger is not None:
+            message = f"{key} '{name.value}' is kept per {per.value}, and '{stranger}' is not among them"
+            self.add((*path, "entity"), whose.mark, message)
+
+
+def _leaves(node: Node, path: Path) -> Iterator[tuple[str, Path, Mark]]:
+    if isinstance(node, Leaf) and isinstance(node.value, str):
+        yield node.value, path, node.mark
+    elif isinstance(node, Items):
+        for index, item in enumerate(node.items):
+            yield from _leaves(item, (*path, index))
+
+
+def _a(noun: str) -> str:
+    if noun in FAMILIES and noun == "walls":
+        return "the walls"
+    return f"an {noun}" if noun[0] in "aeiou" else f"a {noun}"

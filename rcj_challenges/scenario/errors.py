@@ -1,0 +1,74 @@
+"""What is wrong with a scenario: every problem with its file, line, column and path in names."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from difflib import get_close_matches
+
+from rcj_challenges.facts.errors import RcjError
+
+_SHOWN = 100
+"""More problems than a reader works through; a broken file of 1 MB could bring tens of thousands."""
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """One mistake.
+
+    Attributes:
+        file: as the reader knows it: the path as given, ``soccersim_v2.yaml`` for a preset, ``--set a=1``.
+        line, column: 1-based; 0 where there is no line (the command line, a file that cannot be read).
+        path: where in names, ``rules.goal.triggers[0] (enters)``; empty for the file as a whole.
+        message: what was found, what is allowed, the nearest match.
+    """
+
+    file: str
+    line: int
+    column: int
+    path: str
+    message: str
+
+    def __str__(self) -> str:
+        where = f"{self.file}:{self.line}:{self.column}" if self.line else self.file
+        return ": ".join(part for part in (where, self.path, self.message) if part)
+
+
+class ScenarioError(RcjError):
+    """A scenario cannot be used; ``str()`` is one line for each problem.
+
+    Attributes:
+        problems: all of them, by file and position, without repeats.
+    """
+
+    def __init__(self, problems: Iterable[Problem]) -> None:
+        unique = dict.fromkeys(problems)
+        order = {file: rank for rank, file in enumerate(dict.fromkeys(problem.file for problem in unique))}
+        self.problems = sorted(unique, key=lambda p: (order[p.file], p.line, p.column, p.path, p.message))
+        super().__init__(self._text())
+
+    def _text(self) -> str:
+        lines = [str(problem) for problem in self.problems[:_SHOWN]]
+        if len(self.problems) > _SHOWN:
+            lines.append(f"… and {len(self.problems) - _SHOWN} more")
+        return "\n".join(lines)
+
+
+def nearest(word: str, known: Iterable[str]) -> str:
+    """Return ``; did you mean 'x'?`` for the known word that is most like ``word``, or an empty text."""
+    by_folded: dict[str, str] = {}
+    for name in known:
+        by_folded.setdefault(name.casefold(), name)
+    for folded, name in by_folded.items():
+        if folded.startswith(f"{word.casefold()}_"):  # the unit was forgotten
+            return f"; did you mean {name!r}?"
+    # A long word would make the comparison slow, and is no typing mistake.
+    found = get_close_matches(word.casefold()[:100], by_folded, 1, 0.6)
+    return f"; did you mean {by_folded[found[0]]!r}?" if found else ""
+
+
+def listing(names: Iterable[str], most: int = 12) -> str:
+    """Return names as a list for a sentence: sorted by the caller, cut after ``most``."""
+    known = list(names)
+    more = f", … ({len(known)} in all)" if len(known) > most else ""
+    return ", ".join(known[:most]) + more

@@ -1,0 +1,188 @@
+"""What pydantic refuses, said so that the author of the file knows what to do.
+
+One mistake gives one problem: where pydantic tries every member of a union in turn and reports them all, the member
+that fits the written form is found first, and only what it lacks is reported; a misspelt key is not also a missing one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from pydantic import ConfigDict, TypeAdapter, ValidationError
+
+from rcj_challenges.scenario.errors import Problem, listing, nearest
+from rcj_challenges.scenario.shape import Shape, bare, chosen, fields, is_model, is_union, shape_at, step_into, tags
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, child, in_names, mark_of, node_at, plain
+from rcj_challenges.scenario.wording import NAME_RULE, expected, found_text, is_fixed, refusal
+
+_KEY = "[key]"
+"""What pydantic appends to the place of a mapping's entry if its key is wrong."""
+
+
+def explain(error: ValidationError, root: Entries, shape: Shape) -> list[Problem]:
+    """Return a validation error as problems, each at its place in the file.
+
+    Args:
+        error: what validating the plain data of ``root`` as ``shape`` raised.
+        root: the tree with its marks.
+        shape: the model of the whole tree.
+    """
+    explainer = _Explainer(root, shape)
+    mistakes = list(explainer.mistakes(error, shape, ()))
+    return [explainer.problem(mistake) for mistake in _without_echoes(mistakes)]
+
+
+@dataclass(frozen=True)
+class _Mistake:
+    """One complaint of pydantic and where it is.
+
+    Attributes:
+        kind: pydantic's type of the error.
+        details: pydantic's description.
+        path: where, unions and tags left out; of a missing key: where it should stand.
+        shape: what is expected there; the whole union where a value fits no member.
+        union: the widest union of which ``shape`` is a member, if there is one.
+        of_key: it is about the entry's key.
+    """
+
+    kind: str
+    details: Mapping[str, Any]
+    path: Path
+    shape: Shape
+    of_key: bool = False
+    union: Shape = None
+
+
+def _without_echoes(mistakes: list[_Mistake]) -> Iterator[_Mistake]:
+    """Leave out missing keys that stand there misspelt."""
+    misspelt = [mistake.path for mistake in mistakes if mistake.kind == "extra_forbidden"]
+    for mistake in mistakes:
+        above, key = mistake.path[:-1], mistake.path[-1:]
+        echo = mistake.kind == "missing" and any(
+            path[:-1] == above and nearest(str(path[-1]), map(str, key)) for path in misspelt
+        )
+        if not echo:
+            yield mistake
+
+
+class _Explainer:
+    """Explains the errors of one tree."""
+
+    def __init__(self, root: Entries, shape: Shape) -> None:
+        self.root = root
+        self.shape = shape
+
+    def mistakes(self, error: ValidationError, shape: Shape, base: Path, union: Shape = None) -> Iterator[_Mistake]:
+        """Yield the mistakes of a value at ``base``, of which ``shape`` is expected, a member of ``union`` if given."""
+        unions: set[Path] = set()
+        for details in error.errors(include_url=False):
+            mistake, in_union = self._located(details, shape, base, union)
+            node = node_at(self.root, mistake.path)
+            if isinstance(node, Leaf) and node.value is None:
+                continue  # has been reported as an empty value, or an unknown param
+            if in_union:
+                if mistake.path not in unions:
+                    unions.add(mistake.path)
+                    yield from self._of_union(mistake, node)
+            elif not _counts_wrong_entries(mistake, node):
+                yield mistake
+
+    def _located(self, details: Any, shape: Shape, base: Path, union: Shape) -> tuple[_Mistake, bool]:
+        """Walk pydantic's ``loc`` along tree and shapes; True if it leads into a union without discriminator."""
+        path, of_key = base, False
+        for element in details["loc"]:
+            kind, discriminator = bare(shape)
+            if element == _KEY:
+                of_key = True
+            elif is_union(kind) and discriminator is None:
+                return _Mistake(str(details["type"]), details, path, shape, union=union or shape), True
+            elif is_union(kind):
+                union = union or shape
+                shape = tags(shape).get(str(element))
+            else:
+                node = node_at(self.root, path)
+                shape = step_into(shape, node, element) if node is not None else None
+                path, union = (*path, element), None
+        kind_of_error = str(details["type"])
+        fits_none = union is not None and kind_of_error.endswith(("_type", "_error"))
+        return _Mistake(kind_of_error, details, path, union if fits_none else shape, of_key), False
+
+    def _of_union(self, mistake: _Mistake, node: Node | None) -> Iterator[_Mistake]:
+        """Explain a value by the one member of a plain union that has its form."""
+        member = chosen(mistake.shape, node) if node is not None else None
+        if node is None or member is None:
+            yield _Mistake("union_type", mistake.details, mistake.path, mistake.union)
+            return
+        config = None if is_model(bare(member).kind) else ConfigDict(strict=True, allow_inf_nan=False)
+        adapter: TypeAdapter[Any] = TypeAdapter(member, config=config)
+        try:
+            adapter.validate_python(plain(node))
+        except ValidationError as error:
+            yield from self.mistakes(error, member, mistake.path, mistake.union)
+        else:
+            yield _Mistake("union_type", mistake.details, mistake.path, mistake.union)
+
+    def problem(self, mistake: _Mistake) -> Problem:
+        """Return a mistake in words."""
+        above, key = mistake.path[:-1], (mistake.path or ("",))[-1]
+        if mistake.of_key:
+            return self._at(mistake.path, f"'{key}' is no name: {NAME_RULE}", at_key=True)
+        if mistake.kind in {"missing", "extra_forbidden"} and isinstance(key, int):
+            return self._at(above, expected(shape_at(self.shape, self.root, above), node_at(self.root, above)))
+        if mistake.kind == "missing":
+            return self._at(above, f"'{key}' is missing{self._sentence_about(above, str(key))}")
+        if mistake.kind == "extra_forbidden":
+            return self._unknown_key(above, str(key))
+        if mistake.kind.startswith("union_tag") or mistake.kind == "model_attributes_type":
+            return self._wrong_tag(mistake)
+        node = node_at(self.root, mistake.path)
+        return self._at(mistake.path, refusal(mistake.kind, mistake.details, mistake.shape, node))
+
+    def _at(self, path: Path, message: str, *, at_key: bool = False) -> Problem:
+        node = node_at(self.root, path)
+        note = f" ({node.note})" if isinstance(node, Leaf) and node.note else ""
+        return mark_of(self.root, path, at_key=at_key).problem(in_names(self.root, path), message + note)
+
+    def _model_at(self, path: Path) -> Any:
+        node = node_at(self.root, path)
+        shape = shape_at(self.shape, self.root, path)
+        kind = bare(chosen(shape, node)).kind if node is not None and shape is not None else None
+        return kind if is_model(kind) else None
+
+    def _sentence_about(self, above: Path, key: str) -> str:
+        """Return the model's own sentence about a field."""
+        model = self._model_at(above)
+        infos = model.model_fields.items() if model else ()
+        text = next((info.description for name, info in infos if (info.alias or name) == key), None)
+        return f": {text}" if text else ""
+
+    def _unknown_key(self, above: Path, key: str) -> Problem:
+        model = self._model_at(above)
+        allowed = list(fields(model)) if model else []
+        why = " (a param stands for a single value only)" if key == "param" else ""
+        message = f"unknown key '{key[:64]}'; allowed are {listing(allowed, 40)}{nearest(key, allowed)}{why}"
+        return mark_of(self.root, (*above, key), at_key=True).problem(in_names(self.root, above), message)
+
+    def _wrong_tag(self, mistake: _Mistake) -> Problem:
+        node = node_at(self.root, mistake.path)
+        discriminator = bare(mistake.shape).discriminator
+        words = list(tags(mistake.shape))
+        if not isinstance(discriminator, str) or not isinstance(node, Entries):
+            hints = (nearest(key, words) for key in node.entries) if isinstance(node, Entries) else ()
+            return self._at(mistake.path, expected(mistake.shape, node) + next(filter(None, hints), ""))
+        tag = child(node, discriminator)
+        if tag is None:
+            message = f"'{discriminator}' is missing; it is one of {listing(words, 40)}"
+            return self._at(mistake.path, message)
+        written = str(tag.value) if isinstance(tag, Leaf) else found_text(tag)
+        message = f"unknown {discriminator} '{written[:64]}'; there are {listing(words, 40)}{nearest(written, words)}"
+        return mark_of(self.root, (*mistake.path, discriminator)).problem(in_names(self.root, mistake.path), message)
+
+
+def _counts_wrong_entries(mistake: _Mistake, node: Node | None) -> bool:
+    """Return whether a list is called too short only because entries in it are wrong: those are reported."""
+    if mistake.kind != "too_short" or not isinstance(node, Items) or is_fixed(mistake.shape):
+        return False
+    return len(node.items) >= int(mistake.details["ctx"]["min_length"])

@@ -1,0 +1,225 @@
+"""What cannot be on the floor: zones without an inside, goals wider than the field, bodies in walls or in each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+from math import atan2, hypot
+
+from rcj_challenges.scenario.models.field import Box, Cylinder, FieldModel, Wall
+from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, UniformIn, Zone
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.outlines import Disc, Outline, Point, is_simple, rectangle, robot_outline
+from rcj_challenges.scenario.tree import Path
+from rcj_challenges.scenario.visiting import Found, visit
+
+_TOUCH_M = 1e-6
+
+
+def check_ground(scenario: Scenario) -> Iterator[Found]:
+    """Yield what cannot be on the floor."""
+    yield from _shapes(scenario)
+    yield from _goals(scenario.field)
+    yield from _bodies(scenario)
+
+
+# --- shapes -----------------------------------------------------------------------------------------------------------
+
+
+def _shapes(scenario: Scenario) -> Iterator[Found]:
+    for name, zone in scenario.zones.items():
+        yield from _zone(zone, ("zones", name))
+    for name, gate in scenario.gates.items():
+        if gate.from_m == gate.to_m:
+            yield Found(("gates", name, "to_m"), "both posts are at one point; a gate is a segment")
+    for name, obstacle in scenario.obstacles.items():
+        if isinstance(obstacle, Wall) and obstacle.from_m == obstacle.to_m:
+            yield Found(("obstacles", name, "to_m"), "both ends are at one point; a wall is a segment")
+        if isinstance(obstacle, Box) and min(obstacle.size_m) <= 0:
+            yield Found(("obstacles", name, "size_m"), "both sizes must be greater than 0")
+    for model, path in visit(scenario):
+        if isinstance(model, UniformIn) and model.uniform_in in scenario.zones:
+            zone = scenario.zones[model.uniform_in]
+            if not _is_bounded(zone):
+                message = f"zone '{model.uniform_in}' has no end in some direction; a random point needs a bounded zone"
+                yield Found((*path, "uniform_in"), message)
+
+
+def _zone(zone: Zone, path: Path) -> Iterator[Found]:
+    match zone:
+        case RectZone():
+            for axis in "xy":
+                low, high = getattr(zone, f"{axis}_min_m"), getattr(zone, f"{axis}_max_m")
+                if low is not None and high is not None and low >= high:
+                    message = f"{axis}_min_m {low:g} is not smaller than {axis}_max_m {high:g}; the zone would be empty"
+                    yield Found((*path, f"{axis}_min_m"), message)
+            if (zone.x_min_m, zone.x_max_m, zone.y_min_m, zone.y_max_m) == (None,) * 4:
+                yield Found(path, "a rect needs at least one of x_min_m, x_max_m, y_min_m, y_max_m")
+        case PolygonZone():
+            if not is_simple(zone.points_m):
+                message = "the outline crosses or touches itself, or has no area; give its corners in order"
+                yield Found((*path, "points_m"), message)
+        case HalfPlaneZone():
+            if zone.normal == (0.0, 0.0):
+                yield Found((*path, "normal"), "[0, 0] has no direction; the normal points into the zone")
+        case CircleZone():
+            pass
+
+
+def _is_bounded(zone: Zone) -> bool:
+    if zone.inverted or isinstance(zone, HalfPlaneZone):
+        return False
+    limits = (zone.x_min_m, zone.x_max_m, zone.y_min_m, zone.y_max_m) if isinstance(zone, RectZone) else ()
+    return None not in limits
+
+
+# --- field and goals --------------------------------------------------------------------------------------------------
+
+
+def _goals(field: FieldModel) -> Iterator[Found]:
+    if 2 * field.corner_cut_m >= min(field.width_m, field.length_m):
+        message = f"corners cut by {field.corner_cut_m:g} leave nothing of a wall"
+        yield Found(("field", "corner_cut_m"), message)
+        return
+    room = field.width_m - 2 * field.corner_cut_m
+    taken: dict[str, str] = {}
+    for name, goal in field.goals.items():
+        path: Path = ("field", "goals", name)
+        if goal.width_m > room + _TOUCH_M:
+            message = f"{goal.width_m:g} is wider than the end wall between its corners, {room:g}"
+            yield Found((*path, "width_m"), message)
+        if goal.end in taken:
+            yield Found((*path, "end"), f"'{taken[goal.end]}' stands at this end already")
+        taken.setdefault(goal.end, name)
+
+
+class _Floor:
+    """Where a body may stand: the field between its walls, and the goals."""
+
+    def __init__(self, field: FieldModel) -> None:
+        self.half_x, self.half_y = field.width_m / 2, field.length_m / 2
+        self.diagonal = self.half_x + self.half_y - field.corner_cut_m
+        self.goals = {1.0 if goal.end == "positive_y" else -1.0: goal for goal in field.goals.values()}
+
+    def holds(self, outline: Outline) -> bool:
+        """Return whether a body stands on the floor without being in a wall."""
+        return all(
+            self._holds_disc(part) if isinstance(part, Disc) else self._holds_corners(part) for part in outline.parts
+        )
+
+    def _holds_corners(self, corners: tuple[Point, ...]) -> bool:
+        edges = [*pairwise(corners), (corners[-1], corners[0])]
+        return all(self._inside(x, y) for x, y in corners) and all(self._passes(a, b) for a, b in edges)
+
+    def _inside(self, x: float, y: float, margin: float = 0.0) -> bool:
+        reach = _TOUCH_M - margin
+        on_field = (
+            abs(x) <= self.half_x + reach
+            and abs(y) <= self.half_y + reach
+            and abs(x) + abs(y) <= self.diagonal + reach * 2**0.5
+        )
+        return on_field or self._in_goal(x, y, margin)
+
+    def _in_goal(self, x: float, y: float, margin: float) -> bool:
+        goal = self.goals.get(1.0 if y > 0 else -1.0)
+        if goal is None:
+            return False
+        reach = _TOUCH_M - margin
+        return abs(x) <= goal.width_m / 2 + reach and self.half_y - margin <= abs(y) <= self.half_y + goal.depth_m + reach
+
+    def _passes(self, a: Point, b: Point) -> bool:
+        """Return whether an edge that leaves the field does so through the mouth of a goal."""
+        for side in (1.0, -1.0):
+            line = side * self.half_y
+            if (a[1] * side - self.half_y) * (b[1] * side - self.half_y) >= -(_TOUCH_M**2):
+                continue
+            x = a[0] + (b[0] - a[0]) * (line - a[1]) / (b[1] - a[1])
+            goal = self.goals.get(side)
+            if goal is None or abs(x) > goal.width_m / 2 + _TOUCH_M:
+                return False
+        return True
+
+    def _holds_disc(self, disc: Disc) -> bool:
+        (x, y), radius = disc.centre, disc.radius_m
+        if self._inside(x, y, radius):
+            return True
+        goal = self.goals.get(1.0 if y > 0 else -1.0)
+        if goal is None or abs(x) > goal.width_m / 2 - radius + _TOUCH_M:
+            return False
+        # In the mouth: between the posts, neither wholly on the field nor wholly in the goal.
+        return self.half_y - radius <= abs(y) <= self.half_y + goal.depth_m - radius + _TOUCH_M
+
+
+# --- bodies -----------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Body:
+    name: str
+    path: Path
+    outline: Outline
+    fixed: bool = False
+
+
+def _bodies(scenario: Scenario) -> Iterator[Found]:
+    bodies = [*_robots(scenario), *_balls(scenario), *_obstacles(scenario)]
+    floor = _Floor(scenario.field)
+    for body in bodies:
+        if not body.fixed and not floor.holds(body.outline):
+            x_0, x_1, y_0, y_1 = body.outline.box()
+            message = (
+                f"'{body.name}' stands outside the field or in a wall: it covers x {x_0:.3f} to {x_1:.3f}, "
+                f"y {y_0:.3f} to {y_1:.3f}; the walls are at x = ±{floor.half_x:g}, y = ±{floor.half_y:g}"
+            )
+            yield Found(body.path, message)
+    yield from _overlaps(bodies)
+
+
+def _overlaps(bodies: list[_Body]) -> Iterator[Found]:
+    """Sweep along x, so that a file with thousands of bodies does not cost millions of comparisons."""
+    order = {body.name: rank for rank, body in enumerate(bodies)}
+    open_: list[tuple[float, _Body]] = []
+    for body in sorted(bodies, key=lambda body: body.outline.box()[0]):
+        x_0, x_1, _, _ = body.outline.box()
+        open_ = [(end, other) for end, other in open_ if end > x_0]
+        for _, other in open_:
+            if not (body.fixed and other.fixed) and body.outline.overlaps(other.outline):
+                first, second = sorted((body, other), key=lambda one: order[one.name])
+                yield Found(second.path, f"'{second.name}' overlaps '{first.name}' at the start")
+        open_.append((x_1, body))
+
+
+def _robots(scenario: Scenario) -> Iterator[_Body]:
+    for name, robot in scenario.robots.items():
+        kit = scenario.kits.get(robot.kit)
+        if kit is not None:
+            start = robot.start
+            outline = robot_outline(kit.chassis, start.x_m, start.y_m, start.yaw_rad)
+            yield _Body(name, ("robots", name, "start"), outline)
+
+
+def _balls(scenario: Scenario) -> Iterator[_Body]:
+    for name, ball in scenario.balls.items():
+        yield _Body(name, ("balls", name, "start_m"), Outline((Disc(ball.start_m, ball.radius_m),)))
+
+
+def _obstacles(scenario: Scenario) -> Iterator[_Body]:
+    for name, obstacle in scenario.obstacles.items():
+        match obstacle:
+            case Box():
+                part: Disc | tuple[Point, ...] = rectangle(
+                    obstacle.centre_m, obstacle.size_m[0] / 2, obstacle.size_m[1] / 2, obstacle.yaw_rad
+                )
+                fixed = not obstacle.movable
+            case Cylinder():
+                part, fixed = Disc(obstacle.centre_m, obstacle.radius_m), not obstacle.movable
+            case Wall():
+                part, fixed = _wall_corners(obstacle), True
+        yield _Body(name, ("obstacles", name), Outline((part,)), fixed)
+
+
+def _wall_corners(wall: Wall) -> tuple[Point, ...]:
+    (ax, ay), (bx, by) = wall.from_m, wall.to_m
+    length = hypot(bx - ax, by - ay)
+    return rectangle(((ax + bx) / 2, (ay + by) / 2), length / 2, wall.thickness_m / 2, atan2(by - ay, bx - ax))

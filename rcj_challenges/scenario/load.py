@@ -1,0 +1,124 @@
+"""From a file to a checked scenario: read, extend, override, resolve params, validate, cross-check.
+
+Everything that is wrong is reported at once, as far as it can be told: a file that is no YAML hides what is in it, and
+a section that is malformed hides the references into it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from rcj_challenges.scenario.checks import check
+from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.explain import explain
+from rcj_challenges.scenario.extend import Source, read_chain
+from rcj_challenges.scenario.find import find_scenario
+from rcj_challenges.scenario.merge import Merger
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.params import apply_overrides, resolve_params
+from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.tree import Entries, plain
+
+
+@dataclass(frozen=True)
+class Loaded:
+    """A scenario that can be played.
+
+    Attributes:
+        scenario: the models, all references checked.
+        roster: names to indices.
+        name: short name for records and messages: the file's stem.
+        path: the file it came from; None if it came from a record or a text.
+        resolved: the whole scenario as JSON-able data with all defaults filled in, base files merged, params and
+            overrides applied; `load_resolved` reads it again. The digest is taken over it.
+    """
+
+    scenario: Scenario
+    roster: Roster
+    name: str
+    path: Path | None
+    resolved: dict[str, Any]
+
+
+def load(source: str | Path, overrides: Sequence[str] = ()) -> Loaded:
+    """Load a scenario.
+
+    Args:
+        source: a file, or the bare name of a shipped scenario (``match``).
+        overrides: ``PATH=VALUE`` each: a param's name, or a dotted path.
+
+    Raises:
+        ScenarioError: everything that is wrong with it.
+    """
+    path = find_scenario(source)
+    return _load(Source.of_file(path, str(source) if path == Path(source) else path.name), overrides, path.stem, path)
+
+
+def load_text(text: str, overrides: Sequence[str] = (), *, file: str = "scenario.yaml") -> Loaded:
+    """Load a scenario from a text; ``extends`` knows presets only.
+
+    Args:
+        text: the YAML.
+        overrides: as for `load`.
+        file: how messages name it.
+
+    Raises:
+        ScenarioError: everything that is wrong with it.
+    """
+    return _load(Source.of_text(text, file), overrides, Path(file).stem, None)
+
+
+def load_resolved(resolved: Mapping[str, Any], name: str = "") -> Loaded:
+    """Load what ``Loaded.resolved`` holds, for example from a record.
+
+    Args:
+        resolved: the data, as read from JSON.
+        name: short name; left out: the scenario's ``id``.
+
+    Raises:
+        ScenarioError: it is not what this version writes.
+    """
+    source = Source.of_data(resolved, "resolved scenario")
+    scenario = _checked(source.tree, Merger())
+    return Loaded(scenario, Roster.of(scenario), name or scenario.id, None, _dumped(scenario))
+
+
+def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None) -> Loaded:
+    merger = Merger()
+    tree = Entries({}, source.tree.mark)
+    for part in read_chain(source):
+        merger.merge(tree, part.tree, Scenario)
+    tree.entries.pop("extends", None)
+    apply_overrides(tree, overrides, merger)
+    resolve_params(tree, merger)
+    scenario = _checked(tree, merger)
+    return Loaded(scenario, Roster.of(scenario), name, path, _dumped(scenario))
+
+
+def _checked(tree: Entries, merger: Merger) -> Scenario:
+    """Return the scenario of a finished tree.
+
+    Raises:
+        ScenarioError: all that was and is wrong; of problems at one place the first kind only.
+    """
+    problems = list(merger.problems)
+    scenario: Scenario | None = None
+    try:
+        scenario = Scenario.model_validate(plain(tree))
+    except ValidationError as error:
+        problems += explain(error, tree, Scenario)
+    seen = {(problem.file, problem.line, problem.column) for problem in problems}
+    later = check(scenario, tree, merger.removed)
+    problems += [found for found in later if not found.line or (found.file, found.line, found.column) not in seen]
+    if problems or scenario is None:
+        raise ScenarioError(problems)
+    return scenario
+
+
+def _dumped(scenario: Scenario) -> dict[str, Any]:
+    return scenario.model_dump(mode="json", by_alias=True)

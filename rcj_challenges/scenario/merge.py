@@ -1,0 +1,108 @@
+"""Merging a scenario into its base, by the shapes of the models.
+
+Mappings merge by key; lists and single values replace. An entry whose kind changes (another ``shape``, ``device`` …)
+replaces the base's whole, since nothing of a circle makes sense in a rectangle. Overridden entries keep the base's
+place in the order; new ones follow. A written ``null`` removes a named entry of the base; a value that is left empty
+is a mistake, never a removal.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from rcj_challenges.scenario.errors import Problem, listing, nearest
+from rcj_challenges.scenario.shape import Shape, is_named, may_be_scalar, step_into, tag_of
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, in_names
+
+
+@dataclass
+class Merger:
+    """Merges trees and collects what is wrong with them.
+
+    Attributes:
+        problems: what was found.
+        removed: where each entry was removed, by section and name path.
+    """
+
+    problems: list[Problem] = field(default_factory=list)
+    removed: dict[Path, Mark] = field(default_factory=dict)
+
+    def merge(self, base: Entries, over: Entries, shape: Shape, path: Path = ()) -> Entries:
+        """Merge ``over`` into ``base`` (which changes) and return it."""
+        base.mark = over.mark
+        for key, node in over.entries.items():
+            self.merge_entry(base, key, node, over.key_marks[key], shape, path)
+        return base
+
+    def merge_entry(self, base: Entries, key: str, node: Node, key_mark: Mark, shape: Shape, path: Path) -> None:
+        """Merge one entry into the mapping ``base`` whose shape and path are given."""
+        here = (*path, key)
+        if isinstance(node, Leaf) and node.value is None:
+            self._null(base, key, node, key_mark, shape, path)
+            return
+        inner = step_into(shape, base, key)
+        if inner is None and tag_of(shape, base) is None:
+            # The base does not say yet which member of a union this is; the file itself may.
+            inner = step_into(shape, Entries({key: node}, key_mark), key)
+        before = base.entries.get(key)
+        if isinstance(before, Entries) and isinstance(node, Entries) and self._same_kind(before, node, inner):
+            base.put(key, self.merge(before, node, inner, here), key_mark)
+        else:
+            base.put(key, self.adopt(node, inner, here), key_mark)
+
+    def adopt(self, node: Node, shape: Shape, path: Path) -> Node:
+        """Take over a value that has nothing to merge with."""
+        if isinstance(node, Entries):
+            tagged = tag_of(shape, node)
+            fresh = Entries({}, node.mark)
+            for key, inner in node.entries.items():
+                if tagged is None:
+                    self.merge_entry(fresh, key, inner, node.key_marks[key], shape, path)
+                    continue
+                # The whole mapping tells what its keys mean; filled key by key it would not yet.
+                if isinstance(inner, Leaf) and inner.value is None:
+                    self._null(fresh, key, inner, node.key_marks[key], shape, path)
+                else:
+                    inner_shape = step_into(shape, node, key)
+                    fresh.put(key, self.adopt(inner, inner_shape, (*path, key)), node.key_marks[key])
+            return fresh
+        if isinstance(node, Items):
+            for index, item in enumerate(node.items):
+                where = (*path, index)
+                if isinstance(item, Leaf) and item.value is None:
+                    what = "an empty list entry" if item.empty else "null stands for nothing here"
+                    self._add(item.mark, where, f"{what}; write a value, or leave the entry out")
+                node.items[index] = self.adopt(item, step_into(shape, node, index), where)
+        return node
+
+    def _same_kind(self, before: Entries, node: Entries, shape: Shape) -> bool:
+        if may_be_scalar(shape) and (is_param(before) or is_param(node)):
+            return False
+        kind = tag_of(shape, node)
+        return kind is None or kind == tag_of(shape, before)
+
+    def _null(self, base: Entries, key: str, node: Leaf, key_mark: Mark, shape: Shape, path: Path) -> None:
+        if node.empty:
+            self._add(key_mark, (*path, key), "an empty value; write one, or leave the line out")
+            base.put(key, node, key_mark)  # it stays, so that it is not called missing too
+        elif not is_named(shape):
+            self._add(node.mark, (*path, key), "null removes named entries of the base only; leave the line out")
+            base.put(key, node, key_mark)
+        elif key not in base.entries:
+            known = f"; there are {listing(base.entries)}" if base.entries else ""
+            hint = nearest(key, base.entries)
+            self._add(node.mark, (*path, key), f"nothing to remove: the base has no '{key}'{known}{hint}")
+        else:
+            base.drop(key)
+            self.removed[(*path, key)] = node.mark
+
+    def _add(self, mark: Mark, path: Path, message: str) -> None:
+        self.problems.append(mark.problem(in_names(Entries({}, mark), path), message))
+
+
+def is_param(node: Node) -> bool:
+    """Return whether a mapping reads ``{param: NAME}``."""
+    if not isinstance(node, Entries) or list(node.entries) != ["param"]:
+        return False
+    name = node.entries["param"]
+    return isinstance(name, Leaf) and isinstance(name.value, str)

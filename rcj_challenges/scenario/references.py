@@ -1,0 +1,204 @@
+"""Which fields of the models name something, and what: one visible table. A test checks that it is complete."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from pydantic import BaseModel
+
+from rcj_challenges.scenario.models import actions, conditions, places, robots, scenario, state, triggers
+
+
+@dataclass(frozen=True)
+class Field:
+    """A reference to something on the field: entities, zones, gates, spots, or groups of them.
+
+    Attributes:
+        noun: what is named, for messages.
+        kinds: what it may be.
+        groups: whether a group's name may stand for its members.
+        each: whether ``each`` may stand there, within a rule with ``for_each``.
+        drawn: whether a draw's name may stand for what it decided.
+        words: words that are no names.
+        keys: True if the names are the keys of the mapping.
+    """
+
+    noun: str
+    kinds: frozenset[str]
+    groups: bool = False
+    each: bool = False
+    drawn: bool = False
+    words: frozenset[str] = frozenset()
+    keys: bool = False
+
+
+@dataclass(frozen=True)
+class Named:
+    """A reference to an entry of some sections: a counter, a phase, a kit …
+
+    Attributes:
+        noun: what is named, for messages.
+        sections: where it may be defined.
+        words: names that exist without being defined.
+        keys: True if the names are the keys of the mapping.
+    """
+
+    noun: str
+    sections: tuple[str, ...]
+    words: frozenset[str] = frozenset()
+    keys: bool = False
+
+
+Reference = Field | Named
+
+_MOVING = frozenset({"robot", "ball", "obstacle"})
+_ROBOT = frozenset({"robot"})
+_ZONE, _GATE, _SPOT = frozenset({"zone"}), frozenset({"gate"}), frozenset({"spot"})
+
+_ENTITIES = Field("entity", _MOVING, groups=True, each=True)
+_ENTITY = Field("entity", _MOVING, each=True)
+_ONE_ENTITY = Field("entity", _MOVING)
+_THINGS = Field("entity or obstacle", _MOVING | {"fixed obstacle", "walls"}, groups=True, each=True)
+_ROBOTS = Field("robot", _ROBOT, groups=True, each=True)
+_ZONES = Field("zone", _ZONE, groups=True)
+_GATES = Field("gate", _GATE, groups=True)
+_SPOTS = Field("spot", _SPOT, groups=True)
+_ANCHOR = Field("entity or spot", _MOVING | _SPOT, each=True, drawn=True)
+_WHOSE = Field("entity", _MOVING, each=True)
+_MEMBERS = Field("entity", _MOVING, groups=True)
+_STEP = Field("zone or gate", _ZONE | _GATE)
+_MADE_STEP = Field("zone or gate", _ZONE | _GATE)
+
+_COUNTER = Named("counter", ("counters",))
+_READABLE = Named("counter or entrant", ("counters", "entrants"))
+_FLAG = Named("flag", ("flags",))
+_TIMER = Named("timer", ("timers",))
+_DRAW = Named("draw", ("draws",))
+_PHASE = Named("phase", ("phases",), words=frozenset({"play"}))
+_PHASES = Named("phase", ("phases",), words=frozenset({"play", "any"}))
+_SEQUENCE = Named("sequence", ("sequences",))
+_LAYOUT = Named("layout", ("placements",))
+_ENTRANT = Named("entrant", ("entrants",))
+
+REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
+    # triggers
+    (triggers.PhaseEntered, "phase"): _PHASE,
+    (triggers.PhaseEntered, "from"): _PHASE,
+    (triggers.TimerExpired, "timer"): _TIMER,
+    (triggers.Enters, "entity"): _ENTITIES,
+    (triggers.Enters, "zone"): _ZONES,
+    (triggers.Leaves, "entity"): _ENTITIES,
+    (triggers.Leaves, "zone"): _ZONES,
+    (triggers.Crosses, "entity"): _ENTITIES,
+    (triggers.Crosses, "gate"): _GATES,
+    (triggers.Touches, "entity"): _ENTITIES,
+    (triggers.Touches, "other"): _THINGS,
+    (triggers.Displaced, "entity"): _ENTITIES,
+    (triggers.NoProgress, "entity"): _ENTITIES,
+    (triggers.StaysIn, "entity"): _ENTITIES,
+    (triggers.StaysIn, "zone"): _ZONES,
+    (triggers.TipsOver, "entity"): _ROBOTS,
+    (triggers.SequenceCompleted, "sequence"): _SEQUENCE,
+    (triggers.SequenceBroken, "sequence"): _SEQUENCE,
+    (triggers.ProgramFault, "robot"): _ROBOTS,
+    # conditions
+    (conditions.InZone, "entity"): _ENTITIES,
+    (conditions.InZone, "zone"): _ZONES,
+    (conditions.Speed, "entity"): _ENTITIES,
+    (conditions.Distance, "entity"): _ENTITIES,
+    (conditions.Distance, "to"): Field("entity or spot", _MOVING | _SPOT, groups=True, each=True),
+    (conditions.CounterIs, "counter"): _READABLE,
+    (conditions.CounterIs, "entity"): _WHOSE,
+    (conditions.FlagIs, "flag"): _FLAG,
+    (conditions.FlagIs, "entity"): _WHOSE,
+    (conditions.Drawn, "draw"): _DRAW,
+    (conditions.TimerIs, "timer"): _TIMER,
+    (conditions.TimerIs, "entity"): _WHOSE,
+    (conditions.LastTouch, "entity"): _ENTITY,
+    (conditions.LastTouch, "by"): _ROBOTS,
+    (conditions.SpotFree, "spot"): _SPOTS,
+    (conditions.SequenceAt, "sequence"): _SEQUENCE,
+    (conditions.SequenceAt, "step"): _MADE_STEP,
+    # actions
+    (actions.Score, "entrant"): _ENTRANT,
+    (actions.Count, "counter"): _COUNTER,
+    (actions.Count, "entity"): _WHOSE,
+    (actions.SetFlag, "flag"): _FLAG,
+    (actions.SetFlag, "entity"): _WHOSE,
+    (actions.ToggleFlag, "flag"): _FLAG,
+    (actions.ToggleFlag, "entity"): _WHOSE,
+    (actions.TimerAction, "timer"): _TIMER,
+    (actions.TimerAction, "entity"): _WHOSE,
+    (actions.DrawAction, "draw"): _DRAW,
+    (actions.Place, "layout"): _LAYOUT,
+    (actions.Place, "entity"): _ENTITIES,
+    (actions.Remove, "entity"): _ENTITIES,
+    (actions.SetPhase, "phase"): _PHASE,
+    # values
+    (state.CounterValue, "counter"): _READABLE,
+    (state.CounterValue, "entity"): _WHOSE,
+    (state.FlagValue, "flag"): _FLAG,
+    (state.FlagValue, "entity"): _WHOSE,
+    (state.DrawValue, "draw"): _DRAW,
+    (state.WordValue, "of"): _ENTRANT,
+    (state.PositionValue, "position_of"): _ENTITY,
+    (state.WeightedCounter, "counter"): _READABLE,
+    (state.WeightedFlag, "flag"): _FLAG,
+    # state
+    (state.Counter, "per"): _MEMBERS,
+    (state.Flag, "per"): _MEMBERS,
+    (state.Timer, "per"): _MEMBERS,
+    (state.AnyStep, "any_of"): _STEP,
+    (state.Sequence, "entity"): _ONE_ENTITY,
+    (state.Sequence, "steps"): _STEP,
+    (state.Phase, "next"): _PHASE,
+    # places
+    (places.Gate, "anchor"): _ONE_ENTITY,
+    (places.AtSpot, "spot"): Field("spot", _SPOT, drawn=True),
+    (places.UniformIn, "uniform_in"): Field("zone", _ZONE),
+    (places.Choice, "choice"): Field("spot", _SPOT, groups=True, drawn=True),
+    (places.NearestFree, "nearest_free"): _SPOTS,
+    (places.NearestFree, "to"): _ANCHOR,
+    (places.FurthestFree, "furthest_free"): _SPOTS,
+    (places.FurthestFree, "from"): _ANCHOR,
+    (places.RelativeTo, "relative_to"): _ANCHOR,
+    (places.Towards, "towards"): _ANCHOR,
+    (places.Mirror, "when"): _FLAG,
+    (places.Placing, "entity"): _MEMBERS,
+    # robots
+    (robots.Kit, "packet_lists"): Field("robot", _ROBOT),
+    (robots.Robot, "kit"): Named("kit", ("kits",)),
+    (robots.Entrant, "robots"): Field("robot", _ROBOT, keys=True),
+    # the file
+    (scenario.Rule, "for_each"): Field("entity", _MOVING, groups=True),
+    (scenario.Rule, "phases"): _PHASES,
+    (scenario.PlusPart, "counter"): _COUNTER,
+    (scenario.RankByCounter, "counter"): _COUNTER,
+    (scenario.Keyframe, "place"): Field("entity", _MOVING, keys=True),
+    (scenario.Keyframe, "move"): Field("entity", _MOVING, keys=True),
+    (scenario.Keyframe, "touch"): Field("entity or obstacle", _MOVING | {"fixed obstacle", "walls"}),
+    (scenario.Keyframe, "tips"): Field("robot", _ROBOT),
+    (scenario.Keyframe, "fault"): Field("robot", _ROBOT),
+    (scenario.Expectation, "draws"): Named("draw", ("draws",), keys=True),
+    (scenario.Expectation, "score"): Named("entrant", ("entrants",), keys=True),
+    (scenario.Expectation, "counters"): Named("counter", ("counters",), keys=True),
+    (scenario.Expectation, "flags"): Named("flag", ("flags",), keys=True),
+    (scenario.Expectation, "phase"): _PHASE,
+    (scenario.Expectation, "poses"): Field("entity", _MOVING, keys=True),
+    (scenario.Scenario, "first_phase"): _PHASE,
+}
+
+DEFINITIONS: frozenset[tuple[type[BaseModel], str]] = frozenset(
+    {
+        (scenario.Scenario, "id"),
+        (scenario.Scenario, "groups"),  # checked by itself: its members must be of one family
+        (robots.Robot, "colour"),
+        (scenario.Rule, "exclusive"),
+        (actions.Emit, "payload"),
+        (scenario.Broadcast, "fields"),
+        (scenario.ExpectedEvent, "payload"),
+        *((scenario.Scenario, name) for name in scenario.Scenario.model_fields),
+    }
+    - {(scenario.Scenario, "first_phase")}
+)
+"""Fields whose names are chosen there, and refer to nothing."""

@@ -1,0 +1,41 @@
+"""Where the shipped files lie: presets, scenarios, sample teams, schemas.
+
+Presets are part of the package. Scenarios, teams and schemas are package data in a wheel; in a checkout they are the
+folders that people edit, beside the package.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+_PACKAGE = Path(__file__).resolve().parent.parent
+
+
+def presets_folder() -> Path:
+    """Return the folder of the presets that ``extends`` knows by name."""
+    return _PACKAGE / "scenario" / "presets"
+
+
+def scenarios_folder() -> Path:
+    """Return the folder of the shipped scenarios."""
+    return _data("scenarios", "scenarios")
+
+
+def teams_folder() -> Path:
+    """Return the folder of the sample teams."""
+    return _data("teams", "examples/teams")
+
+
+def schemas_folder() -> Path:
+    """Return the folder of the JSON schemas."""
+    return _data("schemas", "schemas")
+
+
+def names_in(folder: Path) -> list[str]:
+    """Return the names of the YAML files of a folder, without the suffix, sorted."""
+    return sorted(path.stem for path in folder.glob("*.yaml")) if folder.is_dir() else []
+
+
+def _data(packaged: str, checked_out: str) -> Path:
+    in_wheel = _PACKAGE / "data" / packaged
+    return in_wheel if in_wheel.is_dir() else _PACKAGE.parent / checked_out

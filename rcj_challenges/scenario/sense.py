@@ -1,0 +1,178 @@
+"""What is well formed and cannot be meant: contradictions within rules, times, draws, kits and entrants."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.scenario.models.actions import Count, Place
+from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.scenario.models.conditions import AtLeast, CounterIs, Distance, InZone, SpotFree, Speed, TimerIs
+from rcj_challenges.scenario.models.robots import LidarDevice
+from rcj_challenges.scenario.models.scenario import Expectation, Scenario
+from rcj_challenges.scenario.models.state import Draw
+from rcj_challenges.scenario.models.triggers import Holds, StaysIn, TimeReached
+from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.tree import Path
+from rcj_challenges.scenario.visiting import Found, visit
+
+
+def check_sense(scenario: Scenario, *, half_is_set: bool) -> Iterator[Found]:
+    """Yield contradictions.
+
+    Args:
+        scenario: the models.
+        half_is_set: the number or length of the halves was changed on the command line: a shortened half does not
+            make what would have come later a mistake.
+    """
+    roster = Roster.of(scenario)
+    for model, path in visit(scenario):
+        yield from _place(model, path)
+        yield from _comparison(model, path)
+        yield from _quantifier(model, path, roster)
+        yield from _times(model, path, scenario, half_is_set=half_is_set)
+        if isinstance(model, Draw) and model.not_last and len(set(map(repr, model.values))) < 2:
+            yield Found((*path, "not_last"), "one value alone cannot be drawn twice running; give two different ones")
+        if isinstance(model, LidarDevice) and model.min_range_m >= model.max_range_m:
+            yield Found((*path, "min_range_m"), "must be less than max_range_m")
+    yield from _robots(scenario)
+    yield from _entrants(scenario)
+
+
+# --- rules ------------------------------------------------------------------------------------------------------------
+
+
+def _place(model: Strict, path: Path) -> Iterator[Found]:
+    match model:
+        case Place(layout=None, entity=None) | Place(layout=None, at=None):
+            missing = " and ".join(key for key in ("entity", "at") if getattr(model, key) is None)
+            yield Found(path, f"'{missing}' missing: place needs either a layout, or entity and at")
+        case Place(layout=layout) if layout is not None:
+            given = [key for key in ("entity", "at") if getattr(model, key) is not None]
+            if given:
+                yield Found((*path, given[0]), "place needs either a layout, or entity and at, not both")
+        case Count(by=by, to=to) if by is not None and to is not None:
+            yield Found((*path, "by"), "count needs either 'by' or 'to', not both")
+
+
+def _comparison(model: Strict, path: Path) -> Iterator[Found]:
+    if not isinstance(model, Speed | Distance | CounterIs | TimerIs):
+        return
+    least, most, equals = model.at_least, model.at_most, model.equals
+    if least is None and most is None and equals is None:
+        if not isinstance(model, TimerIs):
+            yield Found(path, "nothing to compare with; give at least one of at_least, at_most, equals")
+    elif equals is not None and (least is not None or most is not None):
+        yield Found((*path, "equals"), "equals says all; leave at_least and at_most out")
+    elif isinstance(least, (int, float)) and isinstance(most, (int, float)) and least > most:
+        yield Found((*path, "at_least"), f"nothing is at least {least:g} and at most {most:g}")
+
+
+def _quantifier(model: Strict, path: Path, roster: Roster) -> Iterator[Found]:
+    if not isinstance(model, InZone | Speed | Distance | SpotFree) or not isinstance(model.of, AtLeast):
+        return
+    names = model.spot if isinstance(model, SpotFree) else model.entity
+    count = len(roster.expand(names))
+    if model.of.at_least > count:
+        yield Found((*path, "of"), f"at least {model.of.at_least} of {count} can never hold")
+
+
+# --- times ------------------------------------------------------------------------------------------------------------
+
+
+def _times(model: Strict, path: Path, scenario: Scenario, *, half_is_set: bool) -> Iterator[Found]:
+    half_s = scenario.match.half_s
+    match model:
+        case Holds():
+            yield from _under_a_tick(model, path, "for_s", "grace_s")
+        case StaysIn():
+            yield from _under_a_tick(model, path, "grace_s")
+        case TimeReached(at_s=at_s) if at_s > half_s and not half_is_set:
+            yield Found((*path, "at_s"), f"{at_s:g} s is never reached; a half lasts {half_s:g} s")
+        case Expectation():
+            yield from _script(model, path)
+            if model.lasts_s > half_s and not half_is_set:
+                yield Found((*path, "lasts_s"), f"{model.lasts_s:g} s is longer than a half, {half_s:g} s")
+            if model.half > scenario.match.halves and not half_is_set:
+                yield Found((*path, "half"), f"there is no half {model.half}; {scenario.match.halves} are played")
+
+
+def _under_a_tick(model: Strict, path: Path, *keys: str) -> Iterator[Found]:
+    for key in keys:
+        value = getattr(model, key)
+        if 0 < value < TICK_S:
+            message = f"a duration must be 0 or at least one tick ({TICK_S} s), found {value:g}"
+            yield Found((*path, key), message)
+
+
+def _script(test: Expectation, path: Path) -> Iterator[Found]:
+    before = -1.0
+    for index, frame in enumerate(test.keyframes):
+        where = (*path, "keyframes", index, "at_s")
+        if frame.at_s <= before:
+            yield Found(where, f"{frame.at_s:g} s does not come after {before:g} s; keyframes are in order of time")
+        if frame.at_s > test.lasts_s:
+            yield Found(where, f"{frame.at_s:g} s comes after the end, {test.lasts_s:g} s")
+        before = max(before, frame.at_s)
+    for index, event in enumerate(test.events or ()):
+        if event.at_s is not None and event.at_s > test.lasts_s:
+            where = (*path, "events", index, "at_s")
+            yield Found(where, f"{event.at_s:g} s comes after the end, {test.lasts_s:g} s")
+
+
+# --- robots and entrants ----------------------------------------------------------------------------------------------
+
+
+def _robots(scenario: Scenario) -> Iterator[Found]:
+    for name, robot in scenario.robots.items():
+        kit = scenario.kits.get(robot.kit)
+        if kit is None:
+            continue
+        for index, device in enumerate(robot.without):
+            if device not in kit.devices:
+                known = ", ".join(kit.devices)
+                message = f"kit '{robot.kit}' has no device '{device}'; it has {known}"
+                yield Found(("robots", name, "without", index), message)
+
+
+def _entrants(scenario: Scenario) -> Iterator[Found]:
+    driver: dict[str, str] = {}
+    channels: dict[int, str] = {}
+    for name, entrant in scenario.entrants.items():
+        path: Path = ("entrants", name)
+        if not entrant.robots:
+            yield Found((*path, "robots"), "an entrant drives at least one robot")
+        for robot, entry_points in entrant.robots.items():
+            at = (*path, "robots", robot)
+            if robot in driver:
+                yield Found(at, f"'{robot}' is driven by '{driver[robot]}' already", at_key=True)
+            driver.setdefault(robot, name)
+            if robot in scenario.robots and scenario.robots[robot].idle:
+                yield Found(at, f"'{robot}' is idle; no program drives it", at_key=True)
+            yield from _entry_points(entry_points, at)
+        if entrant.radio_channel in channels:
+            message = f"channel {entrant.radio_channel} is that of '{channels[entrant.radio_channel]}': they would hear each other"
+            yield Found((*path, "radio_channel"), message)
+        channels.setdefault(entrant.radio_channel, name)
+    yield from _swap(scenario)
+
+
+def _entry_points(given: str | tuple[str, ...], path: Path) -> Iterator[Found]:
+    for index, entry_point in enumerate((given,) if isinstance(given, str) else given):
+        if any(part in {"", ".", ".."} for part in entry_point.split("/")):
+            where = path if isinstance(given, str) else (*path, index)
+            yield Found(where, f"'{entry_point}' is no plain path inside a submission: leave '.', '..' and '//' out")
+
+
+def _swap(scenario: Scenario) -> Iterator[Found]:
+    if not scenario.match.swap_sides:
+        return
+    counts = {name: len(entrant.robots) for name, entrant in scenario.entrants.items()}
+    if len(counts) != 2:
+        message = f"only two entrants can change sides; there are {len(counts)}"
+        yield Found(("match", "swap_sides"), message)
+    elif len(set(counts.values())) > 1:
+        sizes = " and ".join(f"'{name}' {count}" for name, count in counts.items())
+        yield Found(("match", "swap_sides"), f"entrants that change sides have equally many robots; {sizes}")
+
+

@@ -1,0 +1,167 @@
+"""What the models expect at a place of the tree: used by merging, overrides, error messages and the schema.
+
+A *shape* is a type annotation with its pydantic metadata, as the models wrote it. Walking a tree and the shapes side
+by side says of every value which fields, names or words may stand there.
+"""
+
+from __future__ import annotations
+
+import types
+from collections.abc import Callable
+from functools import cache
+from typing import Annotated, Any, Literal, NamedTuple, Union, get_args, get_origin, get_type_hints
+
+from pydantic import BaseModel, Discriminator, Tag
+from pydantic.fields import FieldInfo
+
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, Step, child, plain
+
+Shape = Any
+"""A type annotation; None where the models know nothing."""
+
+
+class Bare(NamedTuple):
+    """A shape without its wrapping.
+
+    Attributes:
+        kind: the type itself: a class, a Literal, or a dict, tuple or union with its arguments.
+        discriminator: what tells the members of a union apart: a key, a function of the plain value, or None.
+    """
+
+    kind: Any
+    discriminator: str | Callable[[Any], str | None] | None
+
+
+def bare(shape: Shape) -> Bare:
+    """Strip ``Annotated`` and ``None`` from a shape."""
+    discriminator: str | Callable[[Any], str | None] | None = None
+    while True:
+        if get_origin(shape) is Annotated:
+            shape, *extras = get_args(shape)
+            for extra in extras:
+                found = extra.discriminator if isinstance(extra, (FieldInfo, Discriminator)) else None
+                found = found.discriminator if isinstance(found, Discriminator) else found
+                discriminator = found or discriminator
+        elif is_union(shape) and type(None) in get_args(shape):
+            rest = tuple(member for member in get_args(shape) if member is not type(None))
+            shape = rest[0] if len(rest) == 1 else Union[rest]  # noqa: UP007 - built at run time
+        else:
+            return Bare(shape, discriminator)
+
+
+def is_union(shape: Shape) -> bool:
+    """Return whether a shape is a union (``X | None`` included)."""
+    return get_origin(shape) in (Union, types.UnionType)
+
+
+def is_model(shape: Shape) -> bool:
+    """Return whether a bare shape is one of the models."""
+    return isinstance(shape, type) and issubclass(shape, BaseModel)
+
+
+@cache
+def fields(model: type[BaseModel]) -> dict[str, Shape]:
+    """Return the shapes of a model's fields by the key that the file uses."""
+    hints = get_type_hints(model, include_extras=True)
+    return {info.alias or name: hints[name] for name, info in model.model_fields.items()}
+
+
+def members(shape: Shape) -> tuple[Shape, ...]:
+    """Return the members of a union, or the shape alone."""
+    kind = bare(shape).kind
+    return get_args(kind) if is_union(kind) else (shape,)
+
+
+def tags(shape: Shape) -> dict[str, Shape]:
+    """Return the members of a discriminated union by their tag; empty for anything else."""
+    kind, discriminator = bare(shape)
+    if discriminator is None:
+        return {}
+    found: dict[str, Shape] = {}
+    for member in members(kind):
+        model = bare(member).kind
+        if isinstance(discriminator, str):
+            found.update(dict.fromkeys(get_args(fields(model)[discriminator]), member))
+        else:
+            found.update({extra.tag: member for extra in get_args(member)[1:] if isinstance(extra, Tag)})
+    return found
+
+
+def tag_of(shape: Shape, node: Node) -> str | None:
+    """Return the tag that a value has in a discriminated union, or None if it shows none."""
+    discriminator = bare(shape).discriminator
+    if discriminator is None:
+        return None
+    if callable(discriminator):
+        return discriminator(plain(node))
+    tag = child(node, discriminator)
+    return tag.value if isinstance(tag, Leaf) and isinstance(tag.value, str) else None
+
+
+def chosen(shape: Shape, node: Node) -> Shape:
+    """Return the member of a union that fits a value's form (not its content); None if none does."""
+    kind, discriminator = bare(shape)
+    if not is_union(kind):
+        return shape
+    if discriminator is not None:
+        return tags(shape).get(tag_of(shape, node) or "")
+    fitting = [member for member in members(kind) if _fits(bare(member).kind, node)]
+    if isinstance(node, Entries) and len(fitting) > 1:
+        return max(fitting, key=lambda member: sum(key in fields(bare(member).kind) for key in node.entries))
+    if len(fitting) > 1:  # a word among words, else the general member
+        fitting.sort(key=lambda member: not (isinstance(node, Leaf) and node.value in get_args(bare(member).kind)))
+        worded = isinstance(node, Leaf) and node.value in get_args(bare(fitting[0]).kind)
+        return fitting[0] if worded else next((m for m in fitting if get_origin(bare(m).kind) is not Literal), fitting[0])
+    return fitting[0] if fitting else None
+
+
+def _fits(kind: Any, node: Node) -> bool:
+    if isinstance(node, Entries):
+        return is_model(kind) or get_origin(kind) is dict
+    if isinstance(node, Items):
+        return get_origin(kind) is tuple
+    value = node.value
+    if get_origin(kind) is Literal:
+        return any(type(value) is type(word) for word in get_args(kind))
+    if kind is float:
+        return isinstance(value, (int, float)) and not isinstance(value, bool)
+    return isinstance(kind, type) and type(value) is kind
+
+
+def step_into(shape: Shape, node: Node, step: Step) -> Shape:
+    """Return what is expected one step into a value; None where the models know nothing."""
+    kind = bare(chosen(shape, node)).kind
+    if isinstance(step, str):
+        if is_model(kind):
+            return fields(kind).get(step)
+        return get_args(kind)[1] if get_origin(kind) is dict else None
+    if get_origin(kind) is not tuple:
+        return None
+    arguments = get_args(kind)
+    if len(arguments) == 2 and arguments[1] is Ellipsis:
+        return arguments[0]
+    return arguments[step] if step < len(arguments) else None
+
+
+def shape_at(shape: Shape, root: Node, path: Path) -> Shape:
+    """Return what is expected at the end of a path of existing values."""
+    node: Node | None = root
+    for step in path:
+        if node is None or shape is None:
+            return None
+        shape = step_into(shape, node, step)
+        node = child(node, step)
+    return shape
+
+
+def may_be_scalar(shape: Shape) -> bool:
+    """Return whether a single value may stand here, and with it ``{param: NAME}``. True where nothing is known."""
+    return shape is None or any(
+        not is_model(kind) and get_origin(kind) not in (dict, tuple)
+        for kind in (bare(member).kind for member in members(shape))
+    )
+
+
+def is_named(shape: Shape) -> bool:
+    """Return whether a shape is a mapping whose keys are names that authors choose."""
+    return get_origin(bare(shape).kind) is dict

@@ -1,0 +1,144 @@
+"""A scenario as it was written: values with the place of each in its file.
+
+The tree is what loading, merging, params and overrides work on; only the finished tree becomes plain data and then a
+`Scenario`. Every key and value keeps its own mark, so that a mistake in a base file is reported in the base file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from rcj_challenges.scenario.errors import Problem
+
+Step = str | int
+Path = tuple[Step, ...]
+"""From the root to a value: keys and list indices."""
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """A place in a file; line and column are 1-based, 0 where there are none."""
+
+    file: str
+    line: int = 0
+    column: int = 0
+
+    def problem(self, path: str, message: str) -> Problem:
+        """Return a problem at this place."""
+        return Problem(self.file, self.line, self.column, path, message)
+
+
+@dataclass(slots=True)
+class Leaf:
+    """A scalar.
+
+    Attributes:
+        value: text, number, true or false; None for a written ``null`` and for an empty value.
+        mark: where it stands.
+        empty: True if nothing was written at all.
+        note: where the value came from if not from here: ``param 'push_m'``.
+    """
+
+    value: str | int | float | bool | None
+    mark: Mark
+    empty: bool = False
+    note: str = ""
+
+
+@dataclass(slots=True)
+class Items:
+    """A list."""
+
+    items: list[Node]
+    mark: Mark
+
+
+@dataclass(slots=True)
+class Entries:
+    """A mapping, in the order of the file."""
+
+    entries: dict[str, Node]
+    mark: Mark
+    key_marks: dict[str, Mark] = field(default_factory=dict)
+
+    def put(self, key: str, node: Node, key_mark: Mark) -> None:
+        """Set an entry; one that exists keeps its place in the order."""
+        self.entries[key] = node
+        self.key_marks[key] = key_mark
+
+    def drop(self, key: str) -> None:
+        """Remove an entry."""
+        del self.entries[key]
+        self.key_marks.pop(key, None)
+
+
+Node = Leaf | Items | Entries
+
+
+def plain(node: Node) -> Any:
+    """Return the tree as plain dicts, lists and scalars."""
+    if isinstance(node, Entries):
+        return {key: plain(child) for key, child in node.entries.items()}
+    if isinstance(node, Items):
+        return [plain(child) for child in node.items]
+    return node.value
+
+
+def child(node: Node | None, step: Step) -> Node | None:
+    """Return the value one step further, or None if there is none."""
+    if isinstance(node, Entries) and isinstance(step, str):
+        return node.entries.get(step)
+    if isinstance(node, Items) and isinstance(step, int) and 0 <= step < len(node.items):
+        return node.items[step]
+    return None
+
+
+def deepest(root: Node, path: Sequence[Step]) -> tuple[Node, int]:
+    """Return the last value on a path that exists, and how many steps lead to it."""
+    node = root
+    for count, step in enumerate(path):
+        following = child(node, step)
+        if following is None:
+            return node, count
+        node = following
+    return node, len(path)
+
+
+def node_at(root: Node, path: Sequence[Step]) -> Node | None:
+    """Return the value at the end of a path, or None if it does not exist."""
+    node, count = deepest(root, path)
+    return node if count == len(path) else None
+
+
+def mark_of(root: Node, path: Sequence[Step], *, at_key: bool = False) -> Mark:
+    """Return where a value stands, or its key; what was not written stands where its surroundings do."""
+    node, count = deepest(root, path)
+    whole = count == len(path)
+    if not count or (whole and not at_key and not isinstance(node, Entries)):
+        return node.mark
+    # A mapping, and anything left out of one, is best found by its key.
+    parent, _ = deepest(root, path[: count - 1])
+    key = path[count - 1]
+    if isinstance(parent, Entries) and isinstance(key, str):
+        return parent.key_marks.get(key, node.mark)
+    return node.mark
+
+
+_KINDS = {"triggers": "trigger", "conditions": "condition", "actions": "action"}
+
+
+def in_names(root: Node, path: Sequence[Step]) -> str:
+    """Return a path as authors read it: ``rules.goal.triggers[0] (enters).zone``."""
+    text = ""
+    for depth, step in enumerate(path):
+        if isinstance(step, str):
+            text += f".{step}" if text else step
+            continue
+        text += f"[{step}]"
+        word = _KINDS.get(str(path[depth - 1])) if depth else None
+        kind = child(deepest(root, path[: depth + 1])[0], word) if word else None
+        if isinstance(kind, Leaf) and isinstance(kind.value, str):
+            text += f" ({kind.value})"
+    return text

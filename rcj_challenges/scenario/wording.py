@@ -1,0 +1,163 @@
+"""What was expected and what was found, in the words that error messages use."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any, Literal, get_args, get_origin
+
+from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.scenario.errors import listing, nearest
+from rcj_challenges.scenario.models.base import EventName, Name, Names, Point
+from rcj_challenges.scenario.models.robots import EntryPoint
+from rcj_challenges.scenario.shape import Shape, bare, is_model, is_named, is_union, members
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node
+
+NAME_RULE = "letters, digits and _, not beginning with a digit, at most 64"
+
+_TYPES = {str: "a text", int: "a whole number", float: "a number", bool: "true/false"}
+_SPECIAL: tuple[tuple[Any, str], ...] = (
+    (Names, "a name or a list of names"),
+    (Name, "a name"),
+    (EventName, "an event's name in capitals"),
+    (EntryPoint, "a path to a .py file"),
+    (Point, "two numbers [x, y]"),
+)
+
+
+def expected(shape: Shape, node: Node | None) -> str:
+    """Return the sentence for a value of the wrong type or an unknown word."""
+    hint = ""
+    if isinstance(node, Leaf) and isinstance(node.value, str):
+        hint = nearest(node.value, _words(shape))
+    return f"expected {expectation(shape)}, found {found_text(node)}{hint}"
+
+
+def _words(shape: Shape) -> list[str]:
+    kinds = [bare(member).kind for member in members(shape)]
+    return [str(word) for kind in kinds if get_origin(kind) is Literal for word in get_args(kind)]
+
+
+def found_text(node: Node | None) -> str:
+    """Return a value as authors write it, for ``found …``."""
+    if isinstance(node, Entries):
+        return f"a mapping with {listing(node.entries, 6)}" if node.entries else "an empty mapping"
+    if isinstance(node, Items):
+        count = len(node.items)
+        return "an empty list" if not count else f"a list of {count}"
+    value = node.value if node is not None else None
+    if isinstance(value, str):
+        return quoted(value)
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    return "nothing" if value is None else str(value)
+
+
+def quoted(text: str) -> str:
+    """Return a text in quotes on one line, cut if it is long."""
+    flat = " ".join(text.split()) if "\n" in text else text
+    return f"'{flat}'" if len(flat) <= 64 else f"'{flat[:60]}…'"
+
+
+def expectation(shape: Shape) -> str:
+    """Return in words what may stand at a place."""
+    special = next((text for known, text in _SPECIAL if shape == known), None)
+    if special is not None:
+        return special
+    kind, discriminator = bare(shape)
+    if is_union(kind):
+        return _expectation_of_union(shape, discriminator)
+    if is_named(kind):
+        return "a mapping by name"
+    if is_model(kind):
+        keys = [info.alias or key for key, info in kind.model_fields.items() if info.is_required()]
+        return f"{{{keys[0]}: …}}" if len(keys) == 1 else "a mapping"
+    if get_origin(kind) is tuple:
+        return _expectation_of_list(get_args(kind))
+    if get_origin(kind) is Literal:
+        words = ["true" if word is True else str(word) for word in get_args(kind)]
+        return " or ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
+    return _TYPES.get(kind, "a value")
+
+
+def _expectation_of_list(arguments: tuple[Any, ...]) -> str:
+    if len(arguments) == 2 and arguments[1] is Ellipsis:
+        return "a list of names" if arguments[0] == Name else "a list"
+    if arguments == (float, float):
+        return "two numbers [x, y]"
+    if all(argument == Point for argument in arguments):
+        return f"{len(arguments)} points, each [x, y]"
+    return f"a list of {len(arguments)}"
+
+
+def _expectation_of_union(shape: Shape, discriminator: object) -> str:
+    if isinstance(discriminator, str):
+        return f"a mapping with '{discriminator}'"
+    parts = list(dict.fromkeys(expectation(member) for member in members(shape)))
+    if "a number" in parts and "a whole number" in parts:
+        parts.remove("a whole number")
+    return " or ".join([", ".join(parts[:-1]), parts[-1]] if len(parts) > 1 else parts)
+
+
+# --- bounds and forms -------------------------------------------------------------------------------------------------
+
+
+def _number(value: object) -> str:
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+_BOUNDS: dict[str, Callable[[Mapping[str, Any]], str]] = {
+    "greater_than": lambda context: f"must be greater than {_number(context['gt'])}",
+    "greater_than_equal": lambda context: f"must be at least {_number(context['ge'])}",
+    "less_than": lambda context: f"must be less than {_number(context['lt'])}",
+    "less_than_equal": lambda context: f"must be at most {_number(context['le'])}",
+}
+_LENGTHS = {
+    "string_too_short": ("at least", "min_length", "character"),
+    "string_too_long": ("at most", "max_length", "character"),
+    "too_short": ("at least", "min_length", "entry"),
+    "too_long": ("at most", "max_length", "entry"),
+}
+_PLURALS = {"character": "characters", "entry": "entries"}
+
+
+def refusal(kind: str, details: Mapping[str, Any], shape: Shape, node: Node | None) -> str:
+    """Return the sentence for a value that pydantic refuses.
+
+    Args:
+        kind: pydantic's type of the error, ``greater_than``.
+        details: pydantic's description of it.
+        shape: what is expected.
+        node: what stands there.
+    """
+    context = details.get("ctx", {})
+    shown = found_text(node)
+    if kind in _BOUNDS:
+        if context.get("ge") == TICK_S:
+            return f"a duration must be at least one tick ({TICK_S} s), found {shown}"
+        return f"{_BOUNDS[kind](context)}, found {shown}"
+    if kind == "string_pattern_mismatch":
+        return _wrong_form(shape, shown)
+    if kind in _LENGTHS and not is_fixed(shape):
+        bound, key, unit = _LENGTHS[kind]
+        count = context[key]
+        return f"must have {bound} {count} {unit if count == 1 else _PLURALS[unit]}, found {shown}"
+    if kind.endswith(("_type", "_error", "_parsing", "_from_float", "too_long", "too_short")):
+        return expected(shape, node)
+    message = str(details["msg"])
+    return f"{message[:1].lower()}{message[1:]}, found {shown}"
+
+
+def is_fixed(shape: Shape) -> bool:
+    """Return whether a shape is a list of a fixed length, such as ``[x, y]``."""
+    kind = bare(shape).kind
+    return get_origin(kind) is tuple and Ellipsis not in get_args(kind)
+
+
+def _wrong_form(shape: Shape, shown: str) -> str:
+    if shape == EventName:
+        return f"{shown} is no event's name: capitals, digits and _, such as GOAL"
+    if shape == EntryPoint:
+        return f"{shown} is no entry point: a relative path with / to a .py file"
+    if shape == Name:
+        return f"{shown} is no name: {NAME_RULE}"
+    return f"{shown} does not have the form that is needed: {expectation(shape)}"

@@ -1,0 +1,276 @@
+"""YAML, strictly: the scalars of YAML 1.2's core schema, one document, nothing that hides or refers.
+
+PyYAML reads YAML 1.1, in which ``on`` is True, ``12:30`` is 750, ``010`` is 8, ``1e3`` is text and a repeated key wins
+silently. Here only its event stream is used; scalars are resolved and the tree is built by this module, with line and
+column of every key and value. Anchors, aliases, tags, directives and further documents are refused as they pass by,
+before anything is built from them.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+import yaml
+
+from rcj_challenges.scenario.errors import Problem, ScenarioError
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node
+
+MAX_BYTES = 1_000_000
+"""A scenario of a whole tournament is under 50 kB; ten times the largest sensible file is still read in a second."""
+
+MAX_DEPTH = 30
+"""The deepest value of the vocabulary stands 12 levels deep."""
+
+_LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+# YAML 1.2.2, section 10.3.2 (core schema).
+_NULL = frozenset({"", "~", "null", "Null", "NULL"})
+_BOOL = {"true": True, "True": True, "TRUE": True, "false": False, "False": False, "FALSE": False}
+_INT = re.compile(r"[-+]?[0-9]+")
+_OCTAL = re.compile(r"0o[0-7]+")
+_HEX = re.compile(r"0x[0-9a-fA-F]+")
+_FLOAT = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?")
+_NOT_FINITE = re.compile(r"[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)")
+_INT_LIMIT = 2**63
+
+_UNPRINTABLE = re.compile("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]")
+
+# What both of PyYAML's parsers say, and what an author should do about it.
+_HINTS = (
+    ("cannot start any token", "a tab, or a character that YAML reserves: indent with spaces, put texts in quotes"),
+    ("mapping values are not allowed", "a ': ' inside a text needs quotes around the text; or the indentation is off"),
+    ("could not find expected ':'", "a key without ': ' after it"),
+    ("did not find expected key", "the indentation is off, or a quote or bracket before it is not closed"),
+    ("expected <block end>", "the indentation is off, or a quote or bracket before it is not closed"),
+    ("did not find expected '-' indicator", "a list entry that does not begin with '- ', or the indentation is off"),
+    ("did not find expected ',' or", "a ',' or the closing bracket is missing"),
+    ("expected ',' or", "a ',' or the closing bracket is missing"),
+    ("unexpected end of stream", "a quote that is not closed"),
+)
+
+
+def parse_bytes(data: bytes, file: str) -> Node:
+    """Return the tree of a file's contents.
+
+    Args:
+        data: UTF-8, with or without a byte-order mark, any line ends.
+        file: how messages name the file.
+
+    Raises:
+        ScenarioError: it is too large, not UTF-8, or not strict YAML; all that can be told at once.
+    """
+    _refuse_size(len(data), file)
+    try:
+        text = data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        before = data[: error.start]
+        line = before.count(b"\n") + 1
+        column = len(before.rpartition(b"\n")[2].decode("utf-8", "replace")) + 1
+        raise ScenarioError(
+            [Problem(file, line, column, "", f"not UTF-8: byte 0x{data[error.start]:02x}; save the file as UTF-8")]
+        ) from None
+    return parse_text(text, file)
+
+
+def parse_text(text: str, file: str, loader: Any = None) -> Node:
+    """Return the tree of a YAML text.
+
+    Args:
+        text: the document.
+        file: how messages name it.
+        loader: the PyYAML loader whose parser is used; by default the fast one where there is one.
+
+    Raises:
+        ScenarioError: it is not strict YAML; all that can be told at once.
+    """
+    text = text.removeprefix("\ufeff")
+    _refuse_size(len(text), file)
+    bad = _UNPRINTABLE.search(text)
+    if bad is not None:
+        before = text[: bad.start()].replace("\r\n", "\n").replace("\r", "\n")
+        line, column = before.count("\n") + 1, len(before.rpartition("\n")[2]) + 1
+        message = f"character U+{ord(bad.group()):04X} is not allowed in YAML"
+        raise ScenarioError([Problem(file, line, column, "", message)])
+    builder = _Builder(file)
+    try:
+        for event in yaml.parse(text, Loader=loader or _LOADER):
+            builder.take(event)
+    except yaml.MarkedYAMLError as error:
+        builder.problems.append(_syntax_problem(error, file))
+    except yaml.YAMLError as error:
+        builder.problems.append(Problem(file, 1, 1, "", f"not valid YAML: {' '.join(str(error).split())}"))
+    except _Hopeless:
+        pass
+    if builder.problems:
+        raise ScenarioError(builder.problems)
+    if builder.root is None:
+        raise ScenarioError([Problem(file, 1, 1, "", "the file is empty")])
+    return builder.root
+
+
+def parse_value(text: str, file: str) -> Node:
+    """Return the tree of a value written on the command line: a scalar, or a list or mapping in brackets.
+
+    Raises:
+        ScenarioError: it is not strict YAML, or is empty.
+    """
+    return parse_text(text, file)
+
+
+def _refuse_size(size: int, file: str) -> None:
+    if size > MAX_BYTES:
+        message = f"{size} bytes are too much for a scenario; at most {MAX_BYTES} are read"
+        raise ScenarioError([Problem(file, 0, 0, "", message)])
+
+
+def _syntax_problem(error: yaml.MarkedYAMLError, file: str) -> Problem:
+    mark = error.problem_mark or error.context_mark
+    said = " ".join(str(part) for part in (error.context, error.problem) if part) or "not valid YAML"
+    hint = next((f" ({text})" for found, text in _HINTS if found in said), "")
+    line, column = (mark.line + 1, mark.column + 1) if mark is not None else (1, 1)
+    return Problem(file, line, column, "", f"not valid YAML: {said}{hint}")
+
+
+class _Hopeless(Exception):
+    """Reading further makes no sense; the problem has been noted."""
+
+
+@dataclass(slots=True)
+class _Open:
+    """A list or mapping whose end has not come yet; ``key`` waits for its value."""
+
+    node: Items | Entries
+    key: str | None = None
+    key_mark: Mark | None = None
+    skipped: bool = False  # the key was refused: its value is read and dropped
+
+
+@dataclass(slots=True)
+class _Builder:
+    """Takes parser events one by one and builds the tree."""
+
+    file: str
+    root: Node | None = None
+    problems: list[Problem] = field(default_factory=list)
+    stack: list[_Open] = field(default_factory=list)
+    documents: int = 0
+
+    def take(self, event: yaml.Event) -> None:
+        mark = self._mark(event)
+        if isinstance(event, yaml.DocumentStartEvent):
+            self._document(event, mark)
+        elif isinstance(event, yaml.AliasEvent):
+            self._refuse(mark, f"alias '*{event.anchor}': aliases are not allowed; write the value out")
+            raise _Hopeless
+        elif isinstance(event, yaml.NodeEvent):
+            self._node(event, mark)
+        elif isinstance(event, yaml.CollectionEndEvent):
+            self.stack.pop()
+
+    def _mark(self, event: yaml.Event) -> Mark:
+        start = event.start_mark
+        return Mark(self.file, start.line + 1, start.column + 1) if start is not None else Mark(self.file, 1, 1)
+
+    def _refuse(self, mark: Mark, message: str) -> None:
+        self.problems.append(mark.problem("", message))
+
+    def _document(self, event: yaml.DocumentStartEvent, mark: Mark) -> None:
+        self.documents += 1
+        if self.documents > 1:
+            self._refuse(mark, "a second document: a file holds one scenario")
+            raise _Hopeless
+        if event.tags or (event.version is not None and tuple(event.version) != (1, 2)):
+            self._refuse(mark, "directives (%YAML, %TAG) are not allowed; the file is read as YAML 1.2")
+
+    def _node(self, event: Any, mark: Mark) -> None:
+        if event.anchor is not None:
+            self._refuse(mark, f"anchor '&{event.anchor}': anchors are not allowed; write the value out")
+        if event.tag is not None:
+            self._refuse(mark, f"tag '{event.tag}': tags are not allowed; the value alone says what it is")
+        if isinstance(event, yaml.ScalarEvent):
+            self._scalar(event, mark)
+            return
+        if self._wants_key():
+            self._refuse(mark, "a list or mapping cannot be a key; keys are text")
+            raise _Hopeless
+        if len(self.stack) >= MAX_DEPTH:
+            self._refuse(mark, f"nested deeper than {MAX_DEPTH} levels")
+            raise _Hopeless
+        node: Items | Entries = Items([], mark) if isinstance(event, yaml.SequenceStartEvent) else Entries({}, mark)
+        self._place(node)
+        self.stack.append(_Open(node))
+
+    def _scalar(self, event: yaml.ScalarEvent, mark: Mark) -> None:
+        # ``implicit[0]`` is True for a plain scalar, the only ones that may be anything but text.
+        is_plain = bool(event.style is None or event.style == "")
+        value = event.value if not is_plain else self._resolve(event.value, mark)
+        if self._wants_key():
+            self._key(value, event.value, mark)
+        else:
+            self._place(Leaf(value, mark, empty=is_plain and not event.value))
+
+    def _wants_key(self) -> bool:
+        return bool(self.stack) and isinstance(self.stack[-1].node, Entries) and self.stack[-1].key_mark is None
+
+    def _key(self, value: object, written: str, mark: Mark) -> None:
+        top = self.stack[-1]
+        top.key_mark = mark
+        top.skipped = True
+        if not isinstance(value, str):
+            what = f"key {written} is not text; write it in quotes" if written else "a key is missing before ':'"
+            self._refuse(mark, what)
+        elif isinstance(top.node, Entries) and value in top.node.entries:
+            first = top.node.key_marks[value]
+            self._refuse(mark, f"key '{value}' is already given in line {first.line}; only one of them can count")
+        else:
+            top.key = value
+            top.skipped = False
+
+    def _place(self, node: Node) -> None:
+        if not self.stack:
+            self.root = node
+            return
+        top = self.stack[-1]
+        if isinstance(top.node, Items):
+            top.node.items.append(node)
+            return
+        if not top.skipped and top.key is not None and top.key_mark is not None:
+            top.node.put(top.key, node, top.key_mark)
+        top.key = top.key_mark = None
+
+    def _resolve(self, text: str, mark: Mark) -> str | int | float | bool | None:
+        """Return what a plain scalar means in YAML 1.2's core schema."""
+        if text in _NULL:
+            return None
+        if text in _BOOL:
+            return _BOOL[text]
+        if text[0] not in "+-.0123456789":
+            return text
+        if _INT.fullmatch(text) or _OCTAL.fullmatch(text) or _HEX.fullmatch(text):
+            return self._integer(text, mark)
+        if _FLOAT.fullmatch(text):
+            number = float(text)
+            if math.isfinite(number):
+                return number
+        elif not _NOT_FINITE.fullmatch(text):
+            return text
+        self._refuse(mark, f"{text[:40]} is not a finite number; numbers here are finite (in quotes it would be text)")
+        return 0
+
+    def _integer(self, text: str, mark: Mark) -> int:
+        base = {"0o": 8, "0x": 16}.get(text[:2], 10)
+        if len(text) <= 70:
+            number = int(text, base)
+            if -_INT_LIMIT <= number < _INT_LIMIT:
+                return number
+        self._refuse(mark, f"{text[:24]}… is too large a number; whole numbers have at most 64 bits")
+        return 0
+
+
+def events_of(text: str, loader: Any = None) -> Iterator[yaml.Event]:
+    """Yield PyYAML's events of a text, for tests that compare its parsers."""
+    yield from yaml.parse(text, Loader=loader or _LOADER)

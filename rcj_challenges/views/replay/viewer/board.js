@@ -1,0 +1,43 @@
+// Scoreboard: who plays, how it stands, what time it is.
+
+class Board {
+  constructor(recording, find) {
+    this.recording = recording;
+    this.teams = find("teams");
+    this.clockText = find("clock");
+    this.half = find("half");
+    this.phase = find("phase");
+    this.shown = "";
+    this.rows = recording.facts.teams.map((team) => {
+      const row = element("div", "team");
+      const name = element("bdi", "name", team.title);
+      name.title = team.title.slice(0, 200);
+      row.append(element("i", "chip"), name, element("output", "score"));
+      row.lastChild.setAttribute("aria-label", "Points");
+      this.teams.append(row);
+      return { team, row, chip: row.firstChild, score: row.lastChild };
+    });
+    this.teams.classList.toggle("pair", this.rows.length === 2);
+  }
+
+  show(place) {
+    const { recording } = this;
+    const { track } = recording.at(place);
+    const phase = recording.phase(place);
+    const scores = recording.scores(place);
+    this.clockText.textContent = recording.clock(place);
+    const key = JSON.stringify([track.facts.half, phase, scores]);
+    if (key === this.shown) return;
+    this.shown = key;
+    const length = Recording.clockText(track.facts.planned_ticks * recording.tickSeconds).replace(/\.0$/, "");
+    this.half.textContent = recording.facts.halves_planned > 1 ? `half ${track.facts.half} of ${recording.facts.halves_planned} · ${length}` : `of ${length}`;
+    this.phase.textContent = phase.name === "play" ? "" : phase.name.replaceAll("_", " ");
+    this.phase.hidden = !this.phase.textContent;
+    for (const { team, chip, score } of this.rows) {
+      const seat = recording.facts.seats.find((candidate) => track.facts.sides[candidate.name] === team.name);
+      chip.style.background = seat ? seat.colour : "";
+      chip.title = seat ? `plays ${seat.name}` : "";
+      score.textContent = String(scores[team.name] ?? 0);
+    }
+  }
+}

@@ -1,0 +1,124 @@
+// What stands or moves: robots, balls, obstacles, walls and goals, as meshes in their own frames.
+
+const ATLAS_CELLS = 8;
+const ATLAS_CELL_PIXELS = 128;
+const DARK = [0.11, 0.13, 0.16];
+
+const Bodies = {
+  /** The numbers of all robots in one picture, black or white, whichever can be read on the robot. */
+  atlas(entities) {
+    const canvas = document.createElement("canvas");
+    canvas.width = canvas.height = ATLAS_CELLS * ATLAS_CELL_PIXELS;
+    const pen = canvas.getContext("2d");
+    pen.font = `800 ${ATLAS_CELL_PIXELS * 0.8}px system-ui, "Segoe UI", Roboto, "Noto Sans", sans-serif`;
+    pen.textAlign = "center";
+    pen.textBaseline = "middle";
+    entities.slice(0, ATLAS_CELLS * ATLAS_CELLS).forEach((entity, cell) => {
+      if (entity.kind !== "robot") return;
+      pen.fillStyle = Colours.onTop(Colours.rgb(entity.colour));
+      const x = ((cell % ATLAS_CELLS) + 0.5) * ATLAS_CELL_PIXELS, y = (Math.floor(cell / ATLAS_CELLS) + 0.54) * ATLAS_CELL_PIXELS;
+      pen.fillText(String(entity.number), x, y, ATLAS_CELL_PIXELS * 0.9);
+    });
+    return canvas;
+  },
+
+  /** The lid's number; its upper edge is towards the robot's front, so it reads well from behind. */
+  number(entity, cell) {
+    const half = entity.size_m * 0.3, top = entity.size_m / 2 + 0.0008;
+    const x = cell % ATLAS_CELLS, y = Math.floor(cell / ATLAS_CELLS);
+    const place = (column, row) => [(x + column) / ATLAS_CELLS, (y + row) / ATLAS_CELLS];
+    const back = -half - 0.006 * entity.front, front = half - 0.006 * entity.front;
+    const at = (along, left) => [along * entity.front, left * entity.front, top];
+    return new Mesh().quad(
+      at(back, half), at(back, -half), at(front, -half), at(front, half), [1, 1, 1],
+      [place(0, 1), place(1, 1), place(1, 0), place(0, 0)],
+    );
+  },
+
+  robot(entity) {
+    const colour = Colours.rgb(entity.colour);
+    const size = entity.size_m, half = size / 2;
+    const low = size * 0.36;
+    const mesh = new Mesh();
+    // A dark base, the team's colour above it, a lid with a bright arrow that shows the front.
+    mesh.box([0, 0, -half + low / 2], [size, size, low], 0, DARK);
+    mesh.box([0, 0, low / 2], [size, size, size - low], 0, colour, {
+      top: Colours.mix(colour, [1, 1, 1], 0.08),
+      [entity.front > 0 ? "front" : "back"]: Colours.mix(colour, DARK, 0.55),
+    });
+    const tip = (half - 0.002) * entity.front, foot = (half - 0.014) * entity.front, wide = 0.016 * entity.front;
+    const z = half + 0.0007, up = [0, 0, 1];
+    mesh.triangle([[tip, 0, z], [foot, wide, z], [foot, -wide, z]], [up, up, up], [1, 1, 1]);
+    for (const side of [-1, 1]) {
+      mesh.box([(half + 0.001) * entity.front, side * size * 0.2, size * 0.14], [0.004, size * 0.15, size * 0.15], 0, [0.93, 0.96, 1]);
+      const centre = [0, (side * entity.wheel_track_m) / 2, entity.wheel_radius_m - half - 0.0001];
+      mesh.cylinder(centre, entity.wheel_radius_m, entity.wheel_width_m, "y", [0.07, 0.07, 0.08], [0.24, 0.26, 0.29]);
+    }
+    return mesh;
+  },
+
+  ball(entity) {
+    const colour = Colours.rgb(entity.colour);
+    return new Mesh().sphere(entity.radius_m, [colour, Colours.mix(colour, [1, 1, 1], 0.55)]);
+  },
+
+  obstacle(entity) {
+    const colour = Colours.rgb(entity.colour);
+    const height = entity.height_m;
+    if (entity.shape === "cylinder") return new Mesh().cylinder([0, 0, 0], entity.radius_m, height, "z", colour, Colours.mix(colour, [1, 1, 1], 0.25));
+    return new Mesh().box([0, 0, 0], [...entity.size_m, height], 0, colour, { top: Colours.mix(colour, [1, 1, 1], 0.25) });
+  },
+
+  of(entity) {
+    if (entity.kind === "robot") return Bodies.robot(entity);
+    return entity.kind === "ball" ? Bodies.ball(entity) : Bodies.obstacle(entity);
+  },
+
+  /** Obstacles that cannot move. */
+  fixed(facts) {
+    const mesh = new Mesh();
+    for (const thing of facts.fixed) {
+      const colour = Colours.rgb(thing.colour), top = { top: Colours.mix(colour, [1, 1, 1], 0.25) };
+      if (thing.shape === "wall") mesh.wall(thing.from_m, thing.to_m, thing.thickness_m, thing.height_m, colour, top);
+      else if (thing.shape === "box") mesh.box([...thing.centre_m, thing.height_m / 2], [...thing.size_m, thing.height_m], thing.yaw_rad, colour, top);
+      else mesh.cylinder([...thing.centre_m, thing.height_m / 2], thing.radius_m, thing.height_m, "z", colour, top.top);
+    }
+    return mesh;
+  },
+
+  /** The walls as {from, to, height, colour}: around the field with gaps for goals, and round the goals. */
+  walls(field) {
+    const x = field.width_m / 2, y = field.length_m / 2, cut = field.corner_cut_m, height = field.wall_height_m;
+    const grey = [0.72, 0.77, 0.83];
+    const walls = [];
+    const add = (from, to, tall = height, colour = grey) => walls.push({ from, to, height: tall, colour });
+    for (const side of [-1, 1]) {
+      add([side * x, -y + cut], [side * x, y - cut]);
+      if (cut > 0) for (const end of [-1, 1]) add([side * (x - cut), end * y], [side * x, end * (y - cut)]);
+      const goals = field.goals.filter((goal) => (goal.end === "positive_y" ? 1 : -1) === side);
+      if (!goals.length) add([-x + cut, side * y], [x - cut, side * y]);
+      for (const goal of goals) {
+        const half = goal.width_m / 2, back = side * (y + goal.depth_m), colour = Colours.rgb(goal.colour);
+        add([-x + cut, side * y], [-half, side * y]);
+        add([half, side * y], [x - cut, side * y]);
+        add([-half, side * y], [-half, back], goal.wall_height_m, colour);
+        add([half, side * y], [half, back], goal.wall_height_m, colour);
+        add([-half, back], [half, back], goal.wall_height_m, colour);
+      }
+    }
+    return walls;
+  },
+
+  /** Panes of glass, and the solid rim on top of them that shows where they stand. */
+  wallMeshes(field) {
+    const panes = new Mesh(), rims = new Mesh();
+    for (const { from, to, height, colour } of Bodies.walls(field)) {
+      const dx = to[0] - from[0], dy = to[1] - from[1];
+      const middle = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
+      const length = Math.hypot(dx, dy), yaw = Math.atan2(dy, dx);
+      panes.box([...middle, height / 2], [length + 0.008, 0.008, height], yaw, colour);
+      rims.box([...middle, height], [length + 0.012, 0.012, 0.008], yaw, Colours.mix(colour, [1, 1, 1], 0.15));
+    }
+    return { panes, rims };
+  },
+};

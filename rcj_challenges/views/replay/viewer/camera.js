@@ -1,0 +1,185 @@
+// Where one looks from: an eye on a sphere around a target. Presets move it, robots and balls can lead it.
+
+const VIEW_ANGLE = 0.62;
+const NEAR = 0.02;
+const FAR = 40;
+const LOWEST = 0.04;
+const HIGHEST = Math.PI / 2 - 0.001;
+
+class Camera {
+  constructor(field) {
+    this.field = field;
+    this.aspect = 1;
+    this.mode = "overview";
+    this.robot = null;
+    this.pose = { azimuth: Math.PI, elevation: 0.8, distance: 2, target: [0, 0, 0] };
+    this.goal = null;
+    this.offset = { azimuth: 0, elevation: 0.42, distance: 0.62 };
+  }
+
+  /** Portrait: the field stands upright on the screen; landscape: it lies. Blue is at the top or on the left. */
+  get upright() {
+    return this.aspect < 0.95;
+  }
+
+  resize(aspect) {
+    const wasUpright = this.upright;
+    this.aspect = aspect;
+    if (["overview", "top", "side"].includes(this.mode) && (this.fitted || wasUpright !== this.upright)) {
+      this.preset(this.mode, false);
+    }
+  }
+
+  /** Go to a preset: overview, top, side, ball, or robot (with its index). */
+  preset(mode, glide = true, robot = null) {
+    this.mode = mode;
+    this.robot = robot;
+    this.fitted = true;
+    if (mode === "robot") {
+      this.offset = { azimuth: 0, elevation: 0.42, distance: 0.62 };
+      this.goal = null;
+      return;
+    }
+    const facing = this.upright ? -Math.PI / 2 : Math.PI;
+    const elevation = { overview: 0.82, top: HIGHEST, side: 0.3, ball: 0.7 }[mode];
+    const next = { azimuth: facing, elevation, distance: 1.1, target: [0, 0, 0] };
+    if (mode === "ball") next.target = [...this.pose.target];
+    else this.fit(next);
+    if (glide) this.goal = next;
+    else this.pose = next;
+    if (!glide) this.goal = null;
+  }
+
+  /** Set target and distance so that the whole field fits into the picture. */
+  fit(pose) {
+    const { width_m: width, length_m: length, goal_depth_m: depth } = this.field;
+    const x = width / 2 + 0.02, y = length / 2 + depth + 0.02;
+    const corners = [-x, x].flatMap((cx) => [-y, y].flatMap((cy) => [0, 0.1].map((cz) => [cx, cy, cz])));
+    let near = 0.2, far = 30;
+    for (let round = 0; round < 24; round++) {
+      pose.distance = (near + far) / 2;
+      pose.target = [0, 0, 0];
+      const edges = this.edges(pose, corners);
+      // Perspective shows the near half larger: look at the middle of what is seen, not of the field.
+      const shift = ((edges.top + edges.bottom) / 2) * pose.distance * Math.tan(VIEW_ANGLE / 2);
+      const back = shift / Math.max(0.2, Math.sin(pose.elevation));
+      pose.target = [-Math.cos(pose.azimuth) * back, -Math.sin(pose.azimuth) * back, 0];
+      const seen = this.edges(pose, corners);
+      const fits = Math.max(seen.right, -seen.left, seen.top, -seen.bottom) < 0.97;
+      if (fits) far = pose.distance;
+      else near = pose.distance;
+    }
+  }
+
+  edges(pose, corners) {
+    const matrix = this.matrix(pose);
+    const edges = { left: Infinity, right: -Infinity, top: -Infinity, bottom: Infinity };
+    for (const [cx, cy, cz] of corners) {
+      const [x, y, , w] = Maths.transform(matrix, cx, cy, cz);
+      const nx = w > 0 ? x / w : 9, ny = w > 0 ? y / w : 9;
+      edges.left = Math.min(edges.left, nx);
+      edges.right = Math.max(edges.right, nx);
+      edges.bottom = Math.min(edges.bottom, ny);
+      edges.top = Math.max(edges.top, ny);
+    }
+    return edges;
+  }
+
+  eye(pose = this.pose) {
+    const flat = Math.cos(pose.elevation) * pose.distance;
+    return [
+      pose.target[0] + Math.cos(pose.azimuth) * flat,
+      pose.target[1] + Math.sin(pose.azimuth) * flat,
+      pose.target[2] + Math.sin(pose.elevation) * pose.distance,
+    ];
+  }
+
+  matrix(pose = this.pose) {
+    const projection = Maths.perspective(VIEW_ANGLE, this.aspect, NEAR, FAR);
+    return Maths.multiply(projection, Maths.lookAt(this.eye(pose), pose.target, [0, 0, 1]));
+  }
+
+  orbit(right, up) {
+    if (this.mode === "robot") {
+      this.offset.azimuth -= right;
+      this.offset.elevation = Maths.clamp(this.offset.elevation + up, LOWEST, HIGHEST);
+      return;
+    }
+    this.goal = null;
+    this.fitted = false;
+    this.pose.azimuth -= right;
+    this.pose.elevation = Maths.clamp(this.pose.elevation + up, LOWEST, HIGHEST);
+    if (this.mode !== "ball") this.mode = "free";
+  }
+
+  /** Move the target along the floor by parts of the picture's height. */
+  pan(right, up) {
+    if (this.mode === "robot" || this.mode === "ball") this.mode = "free";
+    this.goal = null;
+    this.fitted = false;
+    const { azimuth, elevation, distance, target } = this.pose;
+    const scale = 2 * distance * Math.tan(VIEW_ANGLE / 2);
+    const side = [-Math.sin(azimuth), Math.cos(azimuth)], ahead = [-Math.cos(azimuth), -Math.sin(azimuth)];
+    const forward = (up * scale) / Math.max(0.35, Math.sin(elevation));
+    const reach = Math.max(this.field.width_m, this.field.length_m);
+    for (const axis of [0, 1]) {
+      target[axis] = Maths.clamp(target[axis] - side[axis] * right * scale - ahead[axis] * forward, -reach, reach);
+    }
+    this.mode = "free";
+  }
+
+  zoom(factor) {
+    if (this.mode === "robot") {
+      this.offset.distance = Maths.clamp(this.offset.distance * factor, 0.15, 4);
+      return;
+    }
+    this.fitted = false;
+    if (this.goal) this.goal.distance = Maths.clamp(this.goal.distance * factor, 0.12, 12);
+    this.pose.distance = Maths.clamp(this.pose.distance * factor, 0.12, 12);
+  }
+
+  /** Follow what leads, glide towards the preset. Returns whether the picture still changes by itself. */
+  advance(seconds, leader, snap) {
+    if (this.mode === "robot" && leader) return this.followRobot(seconds, leader, snap);
+    const share = snap ? 1 : 1 - Math.exp(-seconds * 9);
+    if (this.mode === "ball" && leader) {
+      const lead = [leader.x, leader.y, leader.z];
+      if (this.goal) this.goal.target = lead;
+      else this.pose.target = this.pose.target.map((part, axis) => Maths.mix(part, lead[axis], share));
+    }
+    if (!this.goal) return this.mode === "ball" && leader !== null && !this.near(this.pose.target, leader);
+    const { pose, goal } = this;
+    pose.azimuth += Maths.wrap(goal.azimuth - pose.azimuth) * share;
+    pose.elevation = Maths.mix(pose.elevation, goal.elevation, share);
+    pose.distance = Maths.mix(pose.distance, goal.distance, share);
+    pose.target = pose.target.map((part, axis) => Maths.mix(part, goal.target[axis], share));
+    const left = Math.abs(Maths.wrap(goal.azimuth - pose.azimuth)) + Math.abs(goal.distance - pose.distance);
+    if (left < 1e-3 && Math.abs(goal.elevation - pose.elevation) < 1e-3) {
+      this.pose = { ...goal, target: [...goal.target] };
+      this.goal = null;
+    }
+    return true;
+  }
+
+  near(target, leader) {
+    return Math.hypot(target[0] - leader.x, target[1] - leader.y, target[2] - leader.z) < 1e-3;
+  }
+
+  followRobot(seconds, robot, snap) {
+    const share = snap ? 1 : 1 - Math.exp(-seconds * 7);
+    const ahead = 0.16;
+    const next = {
+      azimuth: robot.yaw + Math.PI + this.offset.azimuth,
+      elevation: this.offset.elevation,
+      distance: this.offset.distance,
+      target: [robot.x + Math.cos(robot.yaw) * ahead, robot.y + Math.sin(robot.yaw) * ahead, 0.03],
+    };
+    const turn = Maths.wrap(next.azimuth - this.pose.azimuth);
+    const change = Math.abs(turn) + Math.abs(next.distance - this.pose.distance);
+    this.pose.azimuth += turn * share;
+    this.pose.elevation = Maths.mix(this.pose.elevation, next.elevation, share);
+    this.pose.distance = Maths.mix(this.pose.distance, next.distance, share);
+    this.pose.target = this.pose.target.map((part, axis) => Maths.mix(part, next.target[axis], share));
+    return change > 1e-3 || !this.near(this.pose.target, { x: next.target[0], y: next.target[1], z: next.target[2] });
+  }
+}

@@ -1,0 +1,142 @@
+// The list of events: filters, links to moments, and what the referee measured.
+
+const MOST_ROWS = 1500;
+const LEAD_IN_S = 3;
+
+class EventList {
+  /** go(place, playing): called when a moment is chosen. */
+  constructor(recording, find, go) {
+    this.recording = recording;
+    this.go = go;
+    this.list = find("events");
+    this.empty = find("no-events");
+    this.filters = find("filters");
+    this.kind = null;
+    this.rows = [];
+    this.current = null;
+    this.opened = null;
+    this.buildFilters();
+    this.build();
+  }
+
+  buildFilters() {
+    const counts = new Map();
+    for (const event of this.recording.events) counts.set(event.name, (counts.get(event.name) || 0) + 1);
+    const scoring = new Set(this.recording.events.filter((event) => event.scored).map((event) => event.name));
+    const rank = (name) => (scoring.has(name) ? 0 : name === "PROGRAM_FAULT" ? 1 : 2);
+    const names = [...counts.keys()].sort((a, b) => rank(a) - rank(b) || counts.get(b) - counts.get(a));
+    const add = (kind, text, count) => {
+      const button = element("button", "filter", text);
+      button.type = "button";
+      button.dataset.kind = kind ?? "";
+      button.append(element("span", "count", String(count)));
+      button.setAttribute("aria-pressed", String(kind === this.kind));
+      button.addEventListener("click", () => this.filter(kind));
+      this.filters.append(button);
+    };
+    add(null, "All", this.recording.events.length);
+    for (const name of names) add(name, name, counts.get(name));
+  }
+
+  filter(kind) {
+    this.kind = kind;
+    for (const button of this.filters.children) button.setAttribute("aria-pressed", String(button.dataset.kind === (kind ?? "")));
+    this.opened = null;
+    this.current = null;
+    this.build();
+  }
+
+  get shown() {
+    return this.recording.events.filter((event) => this.kind === null || event.name === this.kind);
+  }
+
+  build() {
+    const events = this.shown;
+    this.rows = events.slice(0, MOST_ROWS).map((event) => this.row(event));
+    const items = [];
+    let half = 0;
+    for (const { event, item } of this.rows) {
+      if (event.half !== half && this.recording.halves.length > 1) items.push(element("li", "divider", `Half ${event.half}`));
+      half = event.half;
+      items.push(item);
+    }
+    if (events.length > MOST_ROWS) items.push(element("li", "divider", `${events.length - MOST_ROWS} more: choose a kind above`));
+    this.list.replaceChildren(...items);
+    this.list.scrollTop = 0;
+    this.empty.hidden = events.length > 0;
+  }
+
+  row(event) {
+    const item = element("li", `event ${event.kind}`);
+    const link = element("a", "moment");
+    link.href = this.recording.fragment(event.place);
+    link.append(element("span", "when", this.recording.clock(event.place)), element("span", "what", event.name));
+    if (event.standing) link.append(element("span", "standing", event.standing));
+    if (event.about) link.append(element("bdi", "about", event.about));
+    const row = { event, item, link };
+    link.addEventListener("click", (click) => {
+      if (click.ctrlKey || click.metaKey || click.shiftKey) return;
+      click.preventDefault();
+      this.open(row);
+      this.go(event.place, false);
+    });
+    item.append(link);
+    return row;
+  }
+
+  /** Unfold what is known of an event under its row. */
+  open(row) {
+    if (this.opened) {
+      this.opened.item.querySelector(".details")?.remove();
+      this.opened.item.classList.remove("open");
+    }
+    this.opened = row;
+    row.item.classList.add("open");
+    const { event } = row;
+    const details = element("div", "details");
+    if (event.says) details.append(element("p", "says", event.says));
+    const facts = element("dl", "");
+    const add = (name, value) => facts.append(element("dt", "", name), element("dd", "", value));
+    if (event.measured !== null) add("measured", `${event.measured} ${event.unit}`.trim());
+    if (event.limit !== null) add("limit", `${event.limit} ${event.unit}`.trim());
+    if (event.rule) add("rule", `${event.rule} (${event.trigger})`);
+    for (const [name, value] of event.payload) add(name, value);
+    details.append(facts);
+    const before = Math.round(LEAD_IN_S / this.recording.tickSeconds);
+    const watch = element("button", "", `▶ from ${LEAD_IN_S} s before`);
+    watch.type = "button";
+    watch.addEventListener("click", () => this.go(this.recording.placeOf(event.half, event.tick - before), true));
+    details.append(watch);
+    row.item.append(details);
+  }
+
+  /** Mark the last event that has happened, and keep it in sight while the match plays. */
+  show(place, playing) {
+    let current = null;
+    for (const row of this.rows) {
+      if (row.event.place > place + 0.5) break;
+      current = row;
+    }
+    if (current === this.current) return;
+    this.current?.link.removeAttribute("aria-current");
+    this.current = current;
+    if (!current) return;
+    current.link.setAttribute("aria-current", "true");
+    if (playing && !this.list.matches(":hover, :focus-within")) this.keepInSight(current.item);
+  }
+
+  keepInSight(item) {
+    const list = this.list;
+    const above = item.offsetTop - list.offsetTop;
+    const hidden = above < list.scrollTop || above + item.offsetHeight > list.scrollTop + list.clientHeight;
+    if (hidden) list.scrollTop = above - list.clientHeight / 2;
+  }
+
+  /** The next event (1) or the one before (-1), seen from a place, or null. */
+  neighbour(place, direction) {
+    const events = this.shown;
+    return direction > 0
+      ? events.find((event) => event.place > place + 0.5) || null
+      : events.findLast((event) => event.place < place - 0.5) || null;
+  }
+}

@@ -1,0 +1,101 @@
+// The field from above on a plain canvas: for browsers without WebGL 2. Same frames, same camera (without tilt).
+
+class Flat {
+  constructor(canvas, facts) {
+    this.canvas = canvas;
+    this.facts = facts;
+    this.name = "2-D";
+    this.pen = canvas.getContext("2d");
+    this.ground = Ground.field(facts);
+    this.matrix = [1, 0, 0, 1, 0, 0];
+  }
+
+  resize(width, height, density) {
+    this.canvas.width = Math.max(1, Math.round(width * density));
+    this.canvas.height = Math.max(1, Math.round(height * density));
+  }
+
+  draw(frame, camera) {
+    const { pen, canvas } = this;
+    pen.setTransform(1, 0, 0, 1, 0, 0);
+    pen.fillStyle = Colours.css(frame.background);
+    pen.fillRect(0, 0, canvas.width, canvas.height);
+    this.matrix = this.seenFrom(camera.pose);
+    pen.setTransform(...this.matrix);
+    for (const shape of this.ground) this.shape(shape);
+    for (const shape of Ground.marks(this.facts, frame.show)) this.shape(shape);
+    for (const trail of frame.trails) {
+      for (const points of trail.pieces) this.shape({ points, line: trail.colour, width: trail.width, alpha: 0.75 });
+    }
+    for (const wall of Bodies.walls(this.facts.field)) {
+      this.shape({ points: [wall.from, wall.to], line: wall.colour, width: 0.012, alpha: 1 });
+    }
+    this.facts.fixed.forEach((thing) => this.thing(thing, { x: thing.centre_m?.[0] ?? 0, y: thing.centre_m?.[1] ?? 0, yaw: thing.yaw_rad || 0 }));
+    this.facts.entities.forEach((entity, index) => this.thing(entity, frame.poses[index], frame.failed.has(index)));
+  }
+
+  /** The 2-D matrix of a camera that looks straight down. */
+  seenFrom({ azimuth, distance, target }) {
+    const scale = this.canvas.height / (2 * distance * Math.tan(VIEW_ANGLE / 2));
+    const c = Math.cos(azimuth) * scale, s = Math.sin(azimuth) * scale;
+    const [x, y] = target;
+    return [-s, c, c, s, this.canvas.width / 2 + s * x - c * y, this.canvas.height / 2 - c * x - s * y];
+  }
+
+  shape({ points, fill, line, width, closed, alpha }) {
+    const { pen } = this;
+    pen.beginPath();
+    points.forEach(([x, y], index) => (index ? pen.lineTo(x, y) : pen.moveTo(x, y)));
+    if (fill || closed) pen.closePath();
+    if (fill) {
+      pen.fillStyle = Colours.css(fill, alpha);
+      pen.fill();
+    } else {
+      pen.strokeStyle = Colours.css(line, alpha);
+      pen.lineWidth = width;
+      pen.stroke();
+    }
+  }
+
+  thing(thing, pose, failed = false) {
+    const { pen } = this;
+    if (thing.shape === "wall") {
+      this.shape({ points: [thing.from_m, thing.to_m], line: Colours.rgb(thing.colour), width: thing.thickness_m, alpha: 1 });
+      return;
+    }
+    pen.save();
+    pen.translate(pose.x, pose.y);
+    pen.rotate(pose.yaw);
+    const colour = failed ? [0.45, 0.46, 0.5] : Colours.rgb(thing.colour);
+    if (thing.kind === "robot") this.robot(thing, colour);
+    else if (thing.radius_m) this.shape({ points: Mesh.circle(0, 0, thing.radius_m, 32), fill: colour, alpha: 1 });
+    else {
+      const [x, y] = thing.size_m;
+      this.shape({ points: Ground.rectangle(-x / 2, -y / 2, x / 2, y / 2), fill: colour, alpha: 1 });
+    }
+    pen.restore();
+  }
+
+  robot(entity, colour) {
+    const { pen } = this;
+    const half = entity.size_m / 2, wheel = entity.wheel_radius_m, outer = entity.wheel_track_m / 2 + entity.wheel_width_m / 2;
+    this.shape({ points: Ground.rectangle(-wheel, -outer, wheel, outer), fill: DARK, alpha: 1 });
+    this.shape({ points: Ground.rectangle(-half, -half, half, half), fill: colour, alpha: 1 });
+    const tip = half * entity.front, foot = (half - 0.014) * entity.front;
+    this.shape({ points: [[tip, 0], [foot, 0.016], [foot, -0.016]], fill: [1, 1, 1], alpha: 1 });
+    // Letters are drawn in pixels: fonts of some hundredths of a unit come out ragged.
+    const { a, b, e, f } = pen.getTransform();
+    const pixels = Math.hypot(a, b) * entity.size_m * 0.55;
+    pen.setTransform(1, 0, 0, 1, e, f);
+    pen.fillStyle = Colours.onTop(colour);
+    pen.font = `800 ${pixels}px system-ui, "Noto Sans", sans-serif`;
+    pen.textAlign = "center";
+    pen.textBaseline = "middle";
+    pen.fillText(String(entity.number), 0, pixels * 0.05);
+  }
+
+  project(x, y) {
+    const [a, b, c, d, e, f] = this.matrix;
+    return [(a * x + c * y + e) / this.canvas.width, (b * x + d * y + f) / this.canvas.height];
+  }
+}

@@ -1,0 +1,127 @@
+// What lies flat on the floor, as polygons and lines: the same list is drawn in 3-D and on a plain canvas.
+// Each shape is {points, fill, alpha} or {points, line, width, closed, alpha}; colours [red, green, blue].
+
+const Ground = {
+  WHITE: [0.96, 0.98, 0.97],
+  LINE_M: 0.008,
+
+  /** The floor itself: grass in stripes, lines of the scenario, goals' floors. */
+  field(facts) {
+    const { width_m: width, length_m: length, corner_cut_m: cut } = facts.field;
+    const x = width / 2, y = length / 2;
+    const shapes = [{ points: Ground.outline(x, y, cut), fill: [0.16, 0.46, 0.3], alpha: 1 }];
+    const stripes = 8, deep = length / stripes;
+    for (let stripe = 1; stripe < stripes; stripe += 2) {
+      const from = -y + stripe * deep;
+      const band = Ground.rectangle(-x, from, x, from + deep);
+      shapes.push({ points: Ground.within(band, x, y, cut), fill: [0.18, 0.5, 0.33], alpha: 1 });
+    }
+    for (const goal of facts.field.goals) {
+      const colour = Colours.mix(Colours.rgb(goal.colour), [0.1, 0.2, 0.15], 0.35);
+      shapes.push({ points: Ground.goalFloor(facts.field, goal), fill: colour, alpha: 1 });
+    }
+    const line = (points, closed = false) =>
+      shapes.push({ points, line: Ground.WHITE, width: Ground.LINE_M, closed, alpha: 0.85 });
+    line(Ground.outline(x - 0.006, y - 0.006, cut), true);
+    if (facts.field.goals.length) line([[-x, 0], [x, 0]]);
+    for (const zone of facts.zones) {
+      if (zone.drawn) line(Ground.within(Ground.zone(zone, facts.field), x, y, cut), true);
+    }
+    return shapes;
+  },
+
+  /** Zones, gates and spots, which a spectator may switch on. */
+  marks(facts, shown) {
+    const shapes = [];
+    if (shown.zones) {
+      facts.zones.forEach((zone, index) => {
+        const points = Ground.zone(zone, facts.field), colour = Ground.markColour(index);
+        if (!zone.inverted) shapes.push({ points, fill: colour, alpha: 0.22 });
+        shapes.push({ points, line: colour, width: 0.007, closed: true, alpha: 0.95 });
+      });
+    }
+    if (shown.gates) {
+      for (const gate of facts.gates) {
+        shapes.push({ points: [gate.from_m, gate.to_m], line: [1, 0.42, 0.7], width: 0.012, closed: false, alpha: 0.95 });
+      }
+    }
+    if (shown.spots) {
+      for (const spot of facts.spots) {
+        shapes.push({ points: Mesh.circle(spot.x_m, spot.y_m, 0.012, 20), fill: [0.02, 0.06, 0.05], alpha: 0.9 });
+        shapes.push({ points: Mesh.circle(spot.x_m, spot.y_m, 0.012, 20), line: Ground.WHITE, width: 0.004, closed: true, alpha: 0.9 });
+      }
+    }
+    return shapes;
+  },
+
+  /** Names of what is shown, and where they stand. */
+  names(facts, shown) {
+    const middle = (points) => [0, 1].map((axis) => {
+      const numbers = points.map((point) => point[axis]);
+      return (Math.min(...numbers) + Math.max(...numbers)) / 2;
+    });
+    const names = [];
+    if (shown.zones) {
+      for (const zone of facts.zones) {
+        names.push({ text: zone.inverted ? `outside ${zone.name}` : zone.name, at: middle(Ground.zone(zone, facts.field)) });
+      }
+    }
+    if (shown.gates) for (const gate of facts.gates) names.push({ text: gate.name, at: middle([gate.from_m, gate.to_m]) });
+    if (shown.spots) for (const spot of facts.spots) names.push({ text: spot.name, at: [spot.x_m, spot.y_m] });
+    return names;
+  },
+
+  markColour(index) {
+    const hue = (index * 137.508) % 360;
+    return Colours.rgb(`hsl(${hue.toFixed(0)} 85% 65%)`);
+  },
+
+  rectangle: (x0, y0, x1, y1) => [[x0, y0], [x1, y0], [x1, y1], [x0, y1]],
+
+  /** The field's inner edge: a rectangle whose corners are cut off. */
+  outline(x, y, cut) {
+    if (cut <= 0) return Ground.rectangle(-x, -y, x, y);
+    return [
+      [-x + cut, -y], [x - cut, -y], [x, -y + cut], [x, y - cut], [x - cut, y], [-x + cut, y], [-x, y - cut], [-x, -y + cut],
+    ];
+  },
+
+  goalFloor(field, goal) {
+    const side = goal.end === "positive_y" ? 1 : -1;
+    const edge = (field.length_m / 2) * side, half = goal.width_m / 2;
+    return Ground.rectangle(-half, Math.min(edge, edge + side * goal.depth_m), half, Math.max(edge, edge + side * goal.depth_m));
+  },
+
+  /** A zone's outline; what is open ends a little outside of the field. */
+  zone(zone, field) {
+    const margin = 0.16, x = field.width_m / 2 + margin, y = field.length_m / 2 + margin;
+    if (zone.shape === "circle") return Mesh.circle(...zone.centre_m, zone.radius_m);
+    if (zone.shape === "polygon") return zone.points_m;
+    if (zone.shape === "half_plane") {
+      const [nx, ny] = zone.normal, [px, py] = zone.through_m;
+      return Ground.clipped(Ground.rectangle(-x, -y, x, y), nx, ny, nx * px + ny * py);
+    }
+    return Ground.rectangle(zone.x_min_m ?? -x, zone.y_min_m ?? -y, zone.x_max_m ?? x, zone.y_max_m ?? y);
+  },
+
+  /** The part of a convex polygon where nx·x + ny·y ≥ least. */
+  clipped(points, nx, ny, least) {
+    const kept = [];
+    points.forEach((from, index) => {
+      const to = points[(index + 1) % points.length];
+      const a = nx * from[0] + ny * from[1] - least, b = nx * to[0] + ny * to[1] - least;
+      if (a >= 0) kept.push(from);
+      if (a >= 0 !== b >= 0) kept.push([0, 1].map((axis) => Maths.mix(from[axis], to[axis], a / (a - b))));
+    });
+    return kept;
+  },
+
+  within(points, x, y, cut) {
+    let kept = points;
+    for (const [nx, ny, least] of [[1, 0, -x], [-1, 0, -x], [0, 1, -y], [0, -1, -y]]) kept = Ground.clipped(kept, nx, ny, least);
+    if (cut > 0) {
+      for (const [nx, ny] of [[1, 1], [1, -1], [-1, 1], [-1, -1]]) kept = Ground.clipped(kept, nx, ny, cut - x - y);
+    }
+    return kept;
+  },
+};

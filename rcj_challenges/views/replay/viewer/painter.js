@@ -1,0 +1,172 @@
+// WebGL 2, no more of it than this viewer needs: one program, meshes, a few ways of laying one over another.
+
+const VERTEX_SHADER = `#version 300 es
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 colour;
+layout(location = 3) in vec2 place;
+uniform mat4 view;
+uniform mat4 model;
+out vec3 worldNormal;
+out vec3 worldPosition;
+out vec3 paint;
+out vec2 atlas;
+void main() {
+  vec4 world = model * vec4(position, 1.0);
+  worldNormal = mat3(model) * normal;
+  worldPosition = world.xyz;
+  paint = colour;
+  atlas = place;
+  gl_Position = view * world;
+}`;
+
+const FRAGMENT_SHADER = `#version 300 es
+precision mediump float;
+in vec3 worldNormal;
+in vec3 worldPosition;
+in vec3 paint;
+in vec2 atlas;
+uniform vec4 tint;       // rgb: mixed in by its share; a: opacity
+uniform float tintShare;
+uniform float lit;       // 0: flat colour, 1: lit
+uniform float lettered;  // 1: colour comes from the atlas
+uniform vec3 light;
+uniform vec3 eye;
+uniform sampler2D letters;
+out vec4 pixel;
+void main() {
+  vec3 base = paint;
+  float opacity = tint.a;
+  if (lettered > 0.5) {
+    vec4 ink = texture(letters, atlas);
+    base = ink.rgb;
+    opacity *= ink.a;
+  }
+  base = mix(base, tint.rgb, tintShare);
+  if (lit > 0.5) {
+    vec3 n = normalize(worldNormal);
+    float sun = max(dot(n, light), 0.0);
+    float sky = 0.5 + 0.5 * n.z;
+    vec3 halfway = normalize(light + normalize(eye - worldPosition));
+    float shine = pow(max(dot(n, halfway), 0.0), 40.0) * 0.18;
+    base = base * (0.42 + 0.2 * sky + 0.5 * sun) + shine;
+  }
+  pixel = vec4(base * opacity, opacity);
+}`;
+
+class Painter {
+  /** Throws if there is no WebGL 2. */
+  constructor(canvas) {
+    const gl = canvas.getContext("webgl2", { antialias: true, stencil: true, alpha: false, powerPreference: "low-power" });
+    if (!gl) throw new Error("no WebGL 2");
+    this.gl = gl;
+    this.program = this.build();
+    const names = ["view", "model", "tint", "tintShare", "lit", "lettered", "light", "eye", "letters"];
+    this.places = Object.fromEntries(names.map((name) => [name, gl.getUniformLocation(this.program, name)]));
+    gl.useProgram(this.program);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    gl.enable(gl.CULL_FACE);
+    this.changing = this.upload(new Mesh(), gl.DYNAMIC_DRAW);
+  }
+
+  build() {
+    const gl = this.gl;
+    const program = gl.createProgram();
+    for (const [kind, source] of [[gl.VERTEX_SHADER, VERTEX_SHADER], [gl.FRAGMENT_SHADER, FRAGMENT_SHADER]]) {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program) || "no shader");
+    return program;
+  }
+
+  upload(mesh, usage = this.gl.STATIC_DRAW) {
+    const gl = this.gl;
+    const array = gl.createVertexArray(), buffer = gl.createBuffer();
+    gl.bindVertexArray(array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+    gl.bufferData(gl.ARRAY_BUFFER, mesh.data(), usage);
+    let first = 0;
+    [3, 3, 3, 2].forEach((size, location) => {
+      gl.enableVertexAttribArray(location);
+      gl.vertexAttribPointer(location, size, gl.FLOAT, false, FLOATS_PER_VERTEX * 4, first * 4);
+      first += size;
+    });
+    return { array, buffer, vertices: mesh.vertices };
+  }
+
+  /** Draw a mesh that is thrown away afterwards. */
+  drawOnce(mesh, model, style) {
+    if (!mesh.vertices) return;
+    const gl = this.gl;
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.changing.buffer);
+    gl.bufferData(gl.ARRAY_BUFFER, mesh.data(), gl.DYNAMIC_DRAW);
+    this.changing.vertices = mesh.vertices;
+    this.draw(this.changing, model, style);
+  }
+
+  useLetters(canvas) {
+    const gl = this.gl;
+    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, canvas);
+    gl.generateMipmap(gl.TEXTURE_2D);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+  }
+
+  begin(background, view, eye, light) {
+    const gl = this.gl;
+    gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
+    gl.clearColor(...background, 1);
+    gl.depthMask(true);
+    gl.stencilMask(0xff);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
+    gl.uniformMatrix4fv(this.places.view, false, view);
+    gl.uniform3fv(this.places.eye, eye);
+    gl.uniform3fv(this.places.light, light);
+  }
+
+  /** What lies on the floor: painted in order, nothing can hide it but what stands. */
+  onFloor() {
+    this.gl.disable(this.gl.DEPTH_TEST);
+    this.gl.disable(this.gl.STENCIL_TEST);
+  }
+
+  /** Shadows: each spot of the floor is darkened once, however many things stand in its light. */
+  shadows() {
+    const gl = this.gl;
+    gl.disable(gl.DEPTH_TEST);
+    gl.disable(gl.CULL_FACE);
+    gl.enable(gl.STENCIL_TEST);
+    gl.stencilFunc(gl.EQUAL, 0, 0xff);
+    gl.stencilOp(gl.KEEP, gl.KEEP, gl.INCR);
+  }
+
+  solid() {
+    const gl = this.gl;
+    gl.disable(gl.STENCIL_TEST);
+    gl.enable(gl.CULL_FACE);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthMask(true);
+  }
+
+  /** What one can see through: drawn last, hides nothing. */
+  glass() {
+    this.gl.depthMask(false);
+  }
+
+  draw(mesh, model, { tint = [0, 0, 0], share = 0, opacity = 1, lit = 1, lettered = 0 } = {}) {
+    const gl = this.gl;
+    gl.uniformMatrix4fv(this.places.model, false, model);
+    gl.uniform4f(this.places.tint, tint[0], tint[1], tint[2], opacity);
+    gl.uniform1f(this.places.tintShare, share);
+    gl.uniform1f(this.places.lit, lit);
+    gl.uniform1f(this.places.lettered, lettered);
+    gl.bindVertexArray(mesh.array);
+    gl.drawArrays(gl.TRIANGLES, 0, mesh.vertices);
+  }
+}

@@ -1,0 +1,170 @@
+// What was recorded, and where everything was at any moment. A moment is a *place*: a number of ticks counted over all
+// halves, with a fraction between ticks. Half i covers the places from its `offset` to `offset + ticks`.
+// This is all that the rest of the viewer knows of a match: a live page would fill the same objects from a socket.
+
+class HalfTrack {
+  /**
+   * facts: the half's part of the page's facts; channels: {x, y, yaw, z, tilt}, each one Int16Array for each entity, a
+   * number for each tick from 0 on; units: what 1 is worth in each channel, in m and rad.
+   */
+  constructor(facts, channels, units, entities) {
+    this.facts = facts;
+    this.ticks = facts.ticks;
+    this.offset = 0;
+    this.channels = channels;
+    this.units = units;
+    this.jumps = entities.map((_, index) => new Set(facts.jumps[index] || []));
+    this.spins = entities.map((entity, index) => (entity.kind === "ball" ? this.rolled(index, entity.radius_m) : null));
+  }
+
+  /** The pose at a tick, with a fraction: positions in m, angles in rad. Nothing glides where it was put elsewhere. */
+  pose(entity, tick) {
+    const from = Math.floor(tick);
+    const share = from >= this.ticks ? 0 : tick - from;
+    const to = share === 0 || this.jumps[entity].has(from) ? from : from + 1;
+    const at = (channel) => {
+      const numbers = this.channels[channel][entity];
+      return Maths.mix(numbers[from], numbers[to], share) * this.units[channel];
+    };
+    const yaws = this.channels.yaw[entity];
+    const turn = Maths.wrap((yaws[to] - yaws[from]) * this.units.yaw);
+    return {
+      x: at("x"),
+      y: at("y"),
+      z: at("z"),
+      yaw: Maths.wrap(yaws[from] * this.units.yaw + turn * share),
+      tilt: at("tilt"),
+    };
+  }
+
+  /** Metres per second over the ticks around this one. */
+  speed(entity, tick, tickSeconds) {
+    const to = Maths.clamp(Math.round(tick), 1, Math.max(1, this.ticks));
+    const from = this.jumps[entity].has(to - 1) ? to : to - 1;
+    if (from === to || to > this.ticks) return 0;
+    const dx = (this.channels.x[entity][to] - this.channels.x[entity][from]) * this.units.x;
+    const dy = (this.channels.y[entity][to] - this.channels.y[entity][from]) * this.units.y;
+    return Math.hypot(dx, dy) / tickSeconds;
+  }
+
+  /** How the ball lies at a tick: it is not recorded, so it is what rolling without slipping makes of its path. */
+  spin(entity, tick) {
+    const all = this.spins[entity];
+    const first = 4 * Math.round(tick);
+    return [all[first], all[first + 1], all[first + 2], all[first + 3]];
+  }
+
+  rolled(entity, radius) {
+    const x = this.channels.x[entity], y = this.channels.y[entity];
+    const spins = new Float32Array(4 * (this.ticks + 1));
+    let q = [0, 0, 0, 1];
+    spins.set(q, 0);
+    for (let tick = 1; tick <= this.ticks; tick++) {
+      const dx = (x[tick] - x[tick - 1]) * this.units.x, dy = (y[tick] - y[tick - 1]) * this.units.y;
+      const length = Math.hypot(dx, dy);
+      if (length > 0 && !this.jumps[entity].has(tick - 1)) {
+        const half = length / radius / 2, s = Math.sin(half) / length, c = Math.cos(half);
+        const i = -dy * s, j = dx * s;
+        const [qi, qj, qk, qw] = q;
+        q = [c * qi + i * qw + j * qk, c * qj + j * qw - i * qk, c * qk + i * qj - j * qi, c * qw - i * qi - j * qj];
+        const scale = 1 / Math.hypot(q[0], q[1], q[2], q[3]);
+        q = q.map((part) => part * scale);
+      }
+      spins.set(q, 4 * tick);
+    }
+    return spins;
+  }
+}
+
+class Recording {
+  constructor(facts, halves) {
+    this.facts = facts;
+    this.entities = facts.entities;
+    this.halves = halves;
+    this.tickSeconds = facts.tick_s;
+    let offset = 0;
+    for (const half of halves) {
+      half.offset = offset;
+      offset += half.ticks + 1;
+    }
+    this.last = Math.max(0, offset - 1);
+    this.events = facts.events
+      .map((event) => ({ ...event, place: this.placeOf(event.half, event.tick) }))
+      .filter((event) => event.place !== null);
+  }
+
+  /** The place of a tick of a half (1-based), or null if that was not recorded. */
+  placeOf(half, tick) {
+    const track = this.halves.find((candidate) => candidate.facts.half === half);
+    return track ? track.offset + Maths.clamp(tick, 0, track.ticks) : null;
+  }
+
+  /** {track, tick} of a place: which half, and which tick of it. */
+  at(place) {
+    let track = this.halves[0];
+    for (const candidate of this.halves) if (candidate.offset <= place) track = candidate;
+    return { track, tick: Maths.clamp(place - track.offset, 0, track.ticks) };
+  }
+
+  pose(entity, place) {
+    const { track, tick } = this.at(place);
+    return track.pose(entity, tick);
+  }
+
+  /** Points by team at a place. */
+  scores(place) {
+    const { track, tick } = this.at(place);
+    let scores = track.facts.scores;
+    for (const [at, standing] of track.facts.score_changes) if (at <= tick) scores = standing;
+    return scores;
+  }
+
+  /** {name, waiting} of the referee's phase at a place. */
+  phase(place) {
+    const { track, tick } = this.at(place);
+    let phase = { name: "", waiting: false };
+    for (const [at, name, waiting] of track.facts.phases) if (at <= tick) phase = { name, waiting };
+    return phase;
+  }
+
+  /** Where an entity was in the `seconds` before a place: pieces of path, cut where it was put elsewhere. */
+  trail(entity, place, seconds) {
+    const { track, tick } = this.at(place);
+    const first = Math.max(0, Math.ceil(tick - seconds / this.tickSeconds));
+    const stride = Math.max(1, Math.floor((tick - first) / 400));
+    const pieces = [[]];
+    for (let at = first; at <= tick; at++) {
+      const cut = at > first && track.jumps[entity].has(at - 1);
+      if (cut) pieces.push([]);
+      if (cut || at === first || at % stride === 0) {
+        pieces[pieces.length - 1].push([
+          track.channels.x[entity][at] * track.units.x,
+          track.channels.y[entity][at] * track.units.y,
+        ]);
+      }
+    }
+    const now = track.pose(entity, tick);
+    pieces[pieces.length - 1].push([now.x, now.y]);
+    return pieces.filter((piece) => piece.length > 1);
+  }
+
+  clock(place) {
+    return Recording.clockText(this.at(place).tick * this.tickSeconds);
+  }
+
+  static clockText(seconds) {
+    const tenths = Math.floor(seconds * 10 + 1e-6);
+    return `${Math.floor(tenths / 600)}:${String(Math.floor(tenths / 10) % 60).padStart(2, "0")}.${tenths % 10}`;
+  }
+
+  /** The address of a moment: `#h1t3560`; and back: a place, or null. */
+  fragment(place) {
+    const { track, tick } = this.at(place);
+    return `#h${track.facts.half}t${Math.round(tick)}`;
+  }
+
+  placeOfFragment(fragment) {
+    const parts = /^#h(\d+)t(\d+)$/.exec(fragment);
+    return parts ? this.placeOf(Number(parts[1]), Number(parts[2])) : null;
+  }
+}

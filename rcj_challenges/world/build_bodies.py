@@ -1,0 +1,159 @@
+"""What moves: robots, balls and movable obstacles.
+
+A robot is a cube on two wheels that moves in the plane: it cannot tip, lean or climb (ADR 2). Its outline against
+ball, walls and other robots is the cube and both wheels as cylinders. Its grip on the floor is dry friction in three
+directions (along the left wheel, along the right wheel, across both), as tendons with friction loss; their
+coefficients follow the robot's yaw, see `rcj_challenges.world.traction`.
+"""
+
+from __future__ import annotations
+
+import math
+
+import mujoco
+
+from rcj_challenges.scenario.models.field import Ball, Box, Cylinder
+from rcj_challenges.scenario.models.robots import Chassis
+from rcj_challenges.world import contact
+from rcj_challenges.world.build_field import set_surface
+
+WHEEL_BELOW_CUBE_M = 0.0001
+"""How much lower the wheels reach than the cube. Source: reference, section 2 (0.0376 and 0.0375 below the centre)."""
+
+MOTOR_INERTIA_KGM2 = 100.0
+"""Of a wheel's drive: so much that nothing turns it but its motor. The original's motors have 10 N·m, five hundred
+times what grip can resist."""
+
+WHEELS = ("left", "right")
+"""Left is +y of a body that looks along +x."""
+
+
+def add_robot(spec: mujoco.MjSpec, name: str, chassis: Chassis, friction: float) -> None:
+    """Add a robot that looks along +x at the origin.
+
+    Names: bodies ``B1``, ``B1/left_wheel``, ``B1/right_wheel``; geoms ``B1/cube``, ``B1/left_wheel``,
+    ``B1/right_wheel``; joints ``B1/x``, ``B1/y``, ``B1/yaw``, ``B1/left_wheel``, ``B1/right_wheel``; tendons
+    ``B1/left_grip``, ``B1/right_grip``, ``B1/side_grip``.
+    """
+    half = chassis.size_m / 2
+    body = _add_planar_body(spec, name, half)
+    cube = body.add_geom(
+        name=f"{name}/cube",
+        type=mujoco.mjtGeom.mjGEOM_BOX,
+        size=[half, half, half],
+        mass=chassis.mass_kg,
+        group=contact.GROUP_CUBES,
+    )
+    make_solid(cube, friction)
+    for wheel, way in zip(WHEELS, (1, -1), strict=True):
+        _add_wheel(body, f"{name}/{wheel}_wheel", way, chassis, friction)
+    _add_grip(spec, name, chassis, contact.grip_of(chassis, friction))
+
+
+def add_ball(spec: mujoco.MjSpec, name: str, ball: Ball, friction: float, restitution: float) -> None:
+    """Add a ball at the origin; body and geom bear its name."""
+    body = spec.worldbody.add_body(name=name, pos=[0, 0, ball.radius_m])
+    body.add_freejoint(name=name)
+    geom = body.add_geom(
+        name=name,
+        type=mujoco.mjtGeom.mjGEOM_SPHERE,
+        size=[ball.radius_m, 0, 0],
+        mass=ball.mass_kg,
+        contype=contact.AMONG_SOLIDS | contact.ON_FLOOR,
+        conaffinity=contact.AMONG_SOLIDS | contact.ON_FLOOR,
+        group=contact.GROUP_BALLS,
+        priority=contact.PRIORITY_BALL,
+    )
+    set_surface(geom, contact.ball_on_solid(restitution), friction)
+
+
+def add_ball_robot_contact(spec: mujoco.MjSpec, ball: str, robot: str) -> None:
+    """Let a ball meet a robot with parameters of their own."""
+    for part in ("cube", "left_wheel", "right_wheel"):
+        pair = spec.add_pair(geomname1=f"{robot}/{part}", geomname2=ball)
+        pair.condim = 3
+        pair.friction = [contact.BALL_ON_ROBOT_FRICTION, contact.BALL_ON_ROBOT_FRICTION, 0, 0, 0]
+        pair.solref = contact.BALL_ON_ROBOT.solref
+        pair.solimp = contact.BALL_ON_ROBOT.solimp
+
+
+def add_movable_obstacle(spec: mujoco.MjSpec, name: str, obstacle: Box | Cylinder, friction: float) -> None:
+    """Add an obstacle that robots can push, at the origin; body and geom bear its name. It glides and cannot tip."""
+    height = obstacle.height_m / 2
+    weight_n = obstacle.mass_kg * contact.GRAVITY_MPS2 * min(friction, contact.OBSTACLE_GLIDES)
+    if isinstance(obstacle, Box):
+        shape, size = mujoco.mjtGeom.mjGEOM_BOX, [obstacle.size_m[0] / 2, obstacle.size_m[1] / 2, height]
+        reach = math.hypot(*obstacle.size_m) / 2
+    else:
+        shape, size = mujoco.mjtGeom.mjGEOM_CYLINDER, [obstacle.radius_m, height, 0]
+        reach = obstacle.radius_m
+    # A disc under even pressure resists turning with 2/3 of friction times radius.
+    body = _add_planar_body(spec, name, height, (weight_n, weight_n, weight_n * reach * 2 / 3))
+    geom = body.add_geom(name=name, type=shape, size=size, mass=obstacle.mass_kg, group=contact.GROUP_FIXTURES)
+    make_solid(geom, friction)
+
+
+def make_solid(geom: mujoco.MjsGeom, friction: float) -> None:
+    """Let a geom touch all solids, but not the floor."""
+    geom.contype, geom.conaffinity = contact.AMONG_SOLIDS, contact.AMONG_SOLIDS
+    geom.priority = contact.PRIORITY_SOLID
+    set_surface(geom, contact.SOLIDS, friction)
+
+
+def _add_planar_body(
+    spec: mujoco.MjSpec, name: str, height_m: float, resistance: tuple[float, float, float] = (0.0, 0.0, 0.0)
+) -> mujoco.MjsBody:
+    """Add a body that slides along x and y and turns about z, with dry friction in N, N and N·m."""
+    body = spec.worldbody.add_body(name=name, pos=[0, 0, height_m])
+    slide, hinge = mujoco.mjtJoint.mjJNT_SLIDE, mujoco.mjtJoint.mjJNT_HINGE
+    for joint, kind, axis, loss in (
+        ("x", slide, [1, 0, 0], resistance[0]),
+        ("y", slide, [0, 1, 0], resistance[1]),
+        ("yaw", hinge, [0, 0, 1], resistance[2]),
+    ):
+        added = body.add_joint(name=f"{name}/{joint}", type=kind, axis=axis, frictionloss=loss)
+        added.solref_friction, added.solimp_friction = _dry_friction()
+    return body
+
+
+def _add_wheel(body: mujoco.MjsBody, name: str, way: int, chassis: Chassis, friction: float) -> None:
+    """Add a wheel that turns forward about +y. ``way`` is 1 on the left, -1 on the right."""
+    radius = chassis.wheel_radius_m
+    below_centre = radius - chassis.size_m / 2 - WHEEL_BELOW_CUBE_M
+    wheel = body.add_body(name=name, pos=[0, way * chassis.wheel_track_m / 2, below_centre])
+    wheel.add_joint(name=name, type=mujoco.mjtJoint.mjJNT_HINGE, axis=[0, 1, 0], armature=MOTOR_INERTIA_KGM2)
+    outline = wheel.add_geom(
+        name=name,
+        type=mujoco.mjtGeom.mjGEOM_CYLINDER,
+        size=[radius, chassis.wheel_width_m / 2, 0],
+        quat=[math.sqrt(0.5), math.sqrt(0.5), 0, 0],
+        mass=chassis.wheel_mass_kg,
+        group=contact.GROUP_WHEELS,
+    )
+    make_solid(outline, friction)
+
+
+def _add_grip(spec: mujoco.MjSpec, name: str, chassis: Chassis, grip: contact.Grip) -> None:
+    """Add the grip of wheels and cube on the floor, for yaw 0.
+
+    The velocity of ``left_grip`` is how fast the left wheel's lowest point slips along the robot: forward speed of
+    the cube, less what turning takes off at the wheel, less what the wheel rolls. ``side_grip`` is the speed of the
+    axle's middle to the left. Dry friction in each is bounded on its own (a box, as in the original).
+    """
+    for wheel, way in zip(WHEELS, (1, -1), strict=True):
+        slip = spec.add_tendon(name=f"{name}/{wheel}_grip", frictionloss=grip.brake_n)
+        slip.solref_friction, slip.solimp_friction = _dry_friction()
+        slip.wrap_joint(f"{name}/x", 1.0)
+        slip.wrap_joint(f"{name}/y", 0.0)
+        slip.wrap_joint(f"{name}/yaw", -way * chassis.wheel_track_m / 2)
+        slip.wrap_joint(f"{name}/{wheel}_wheel", -chassis.wheel_radius_m)
+    drift = spec.add_tendon(name=f"{name}/side_grip", frictionloss=grip.side_n)
+    drift.solref_friction, drift.solimp_friction = _dry_friction()
+    drift.wrap_joint(f"{name}/y", 1.0)
+    drift.wrap_joint(f"{name}/x", 0.0)
+
+
+def _dry_friction() -> tuple[list[float], list[float]]:
+    """`solref` and `solimp` of dry friction: what slips is asked to stop within one sub-step."""
+    softness = contact.Softness(restitution=0.0, stiffness_ps2=0.0, rigidity=contact.GRIP_RIGIDITY)
+    return softness.solref, softness.solimp

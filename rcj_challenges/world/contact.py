@@ -1,0 +1,111 @@
+"""Contact, grip and collision parameters, each with its source: the reference (section 2) or a measurement (ADR 2).
+
+MuJoCo solves contacts on accelerations. A contact of depth r that closes at the speed v asks for the acceleration
+``-b v - k r`` (`solref` = [-k, -b]) and gets the share `solimp` of it. With b = (1 + e) / sub-step, one sub-step turns
+the speed v into -e v: that is restitution e at every speed, wherever within a sub-step the bodies meet.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rcj_challenges.facts.timing import SUBSTEP_S
+from rcj_challenges.scenario.models.robots import Chassis
+
+GRAVITY_MPS2 = 9.81
+"""Standard gravity; the original's worlds use it as well."""
+
+# --- collision bits ---------------------------------------------------------------------------------------------------
+# MuJoCo lets two geoms collide if `contype` of one shares a bit with `conaffinity` of the other.
+ON_FLOOR = 1
+AMONG_SOLIDS = 2
+
+# --- geom groups: what a ray can select -------------------------------------------------------------------------------
+GROUP_FLOOR = 0
+GROUP_FIXTURES = 1
+"""Walls, goals and obstacles, fixed or movable."""
+GROUP_CUBES = 2
+GROUP_WHEELS = 3
+GROUP_BALLS = 4
+
+# --- whose parameters count in a contact: those of the geom of the higher priority ------------------------------------
+PRIORITY_SOLID = 0
+PRIORITY_BALL = 1
+PRIORITY_FLOOR = 2
+
+
+@dataclass(frozen=True)
+class Softness:
+    """How a contact answers.
+
+    Attributes:
+        restitution: share of the closing speed that is given back.
+        stiffness_ps2: how hard it pushes bodies apart that overlap, in 1/s² (acceleration per depth).
+        rigidity: share of the wanted acceleration that is enforced; the rest yields to standing forces.
+    """
+
+    restitution: float
+    stiffness_ps2: float
+    rigidity: float
+
+    @property
+    def solref(self) -> list[float]:
+        """MuJoCo's reference parameters in their direct form: minus stiffness, minus damping."""
+        return [-self.stiffness_ps2, -(1 + self.restitution) / SUBSTEP_S]
+
+    @property
+    def solimp(self) -> list[float]:
+        """MuJoCo's impedance parameters: the same rigidity at any depth."""
+        return [self.rigidity, self.rigidity, 0.001, 0.5, 2.0]
+
+
+BALL_ON_FLOOR = Softness(restitution=0.0, stiffness_ps2=1 / (2 * SUBSTEP_S) ** 2, rigidity=0.96)
+"""No bounce. The ball sinks in by 0.1 mm, so that its centre rests 0.0209 above the floor (reference, section 2)."""
+
+SOLIDS = Softness(restitution=0.5, stiffness_ps2=500.0, rigidity=0.99)
+"""Robots and obstacles against each other and against walls. Restitution 0.5: reference, section 2."""
+
+BALL_ON_ROBOT = Softness(restitution=0.4, stiffness_ps2=500.0, rigidity=0.99)
+"""Chosen so that a robot at full speed sends a resting ball off at 0.24 m/s (reference, section 2; ADR 2)."""
+
+BALL_ON_ROBOT_FRICTION = 0.1
+"""Not 1 as elsewhere: with 1 at the floor and 1 at the face a pushed ball jams instead of rolling (ADR 2)."""
+
+OBSTACLE_GLIDES = 0.1
+"""Highest friction between a movable obstacle and the floor: no robot could push the default 0.5 kg at 1 (ADR 2)."""
+
+GRIP_RIGIDITY = 0.999
+"""Of the wheels' grip: a braked robot creeps by less than 0.1 mm/s under any push that its grip can hold."""
+
+
+def ball_on_solid(restitution: float) -> Softness:
+    """Return the ball's contact with walls, obstacles and other balls."""
+    return Softness(restitution=restitution, stiffness_ps2=500.0, rigidity=0.99)
+
+
+@dataclass(frozen=True)
+class Grip:
+    """The largest forces between a robot and the floor, in N.
+
+    Attributes:
+        drive_n: per wheel, along the wheel, while it pushes the robot on.
+        brake_n: per wheel, along the wheel, while it slows the robot or holds it.
+        side_n: across the wheels, of the whole robot.
+    """
+
+    drive_n: float
+    brake_n: float
+    side_n: float
+
+
+def grip_of(chassis: Chassis, friction: float) -> Grip:
+    """Return the grip of a robot on the floor.
+
+    The original's robot has no caster: pushed on by its wheels it leans on the lower rear edge of its cube, which
+    drags. With the centre of mass as high as the edge is far behind the axle, a load of m·a rests on the edge, and
+    m·a = friction · (weight - m·a) - friction · m·a, so m·a = friction · weight / (1 + 2 friction): g/3 at
+    friction 1, as the reference says (section 2). When it brakes or is pushed, wheels and edges all hold it.
+    """
+    weight_n = (chassis.mass_kg + 2 * chassis.wheel_mass_kg) * GRAVITY_MPS2
+    full_n = friction * weight_n
+    return Grip(drive_n=full_n / (1 + 2 * friction) / 2, brake_n=full_n / 2, side_n=full_n)

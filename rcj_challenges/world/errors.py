@@ -1,0 +1,13 @@
+"""What can go wrong in the physics."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from rcj_challenges.facts.errors import RcjError
+
+
+class PhysicsFault(RcjError):
+    """The simulation became unstable or ran out of room: the match cannot go on. A fault of ours, not of the input."""
+
+    exit_code: ClassVar[int] = 3

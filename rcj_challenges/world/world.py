@@ -1,0 +1,187 @@
+"""The world: a scenario's bodies under physics, tick by tick."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import mujoco
+import numpy as np
+
+from rcj_challenges.facts.play import Fault, Placement, Snapshot
+from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK
+from rcj_challenges.scenario.models.field import Box, Cylinder
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.world.build import build_spec, chassis_of
+from rcj_challenges.world.errors import PhysicsFault
+from rcj_challenges.world.recorder import Recorder
+from rcj_challenges.world.tables import WorldTables
+from rcj_challenges.world.traction import SIDES, Side, Traction
+
+PARKING_X_M = 1000.0
+"""Where things are parked: far beyond the reach of any ray or radio (at most 50 m), …"""
+PARKING_GAP_M = 100.0
+"""… and of each other."""
+
+_SETTLING_SUBSTEPS = 100
+
+
+class World:
+    """All bodies of a scenario, and what the referee and the devices need of them.
+
+    Attributes:
+        model, data: MuJoCo's. `data.xpos`, `data.xmat` and the poses of geoms and sites are up to date after `reset`,
+            `place` and `step`. Geom groups: see `rcj_challenges.world.contact`.
+        tables: ids of bodies and geoms.
+        parked: ``[entity] -> `` whether it has been taken off the field.
+    """
+
+    def __init__(
+        self, scenario: Scenario, roster: Roster, extend: Callable[[mujoco.MjSpec], None] | None = None
+    ) -> None:
+        """Compile a scenario's world; everything stands at its start pose.
+
+        Args:
+            scenario: whose references have been checked.
+            roster: of this scenario.
+            extend: adds to the spec before it is compiled (sites, sensors); bodies bear the names of their entities.
+        """
+        spec = build_spec(scenario, roster)
+        if extend is not None:
+            extend(spec)
+        self.model: Any = spec.compile()
+        self.data: Any = mujoco.MjData(self.model)
+        self.tables = WorldTables.of(self.model, roster)
+        self.parked: list[bool] = [False] * len(roster.entities)
+        chassis = [chassis_of(scenario, name) for name in roster.entities[: roster.robots]]
+        self._names = roster.entities
+        self._starts = _start_placements(scenario, roster)
+        self._traction = Traction(self.model, self.data, self.tables, chassis, scenario.field.friction)
+        self._ball_rest_m = self._settled_ball_heights()
+        heights = tuple(float(self.model.body_pos[body, 2]) for body in self.tables.bodies)
+        self._recorder = Recorder(self.data, self.tables, heights)
+        self._warnings = self.data.warning.number
+        self.reset()
+
+    def reset(self) -> None:
+        """Put everything at its start pose without noise, at rest, wheels at angle 0 and braked, nothing parked."""
+        mujoco.mj_resetData(self.model, self.data)
+        self.parked[:] = [False] * len(self.parked)
+        self._traction.brake_all()
+        self.place(self._starts)
+
+    def place(self, placements: Sequence[Placement]) -> None:
+        """Lift all that is to be moved, then set it down in order: standing, at rest, contact memory cleared.
+
+        Wheels keep their angles and their commands. A parked entity is far away, with its wheels stopped, until it is
+        placed again. An entity that is placed twice stands where the last placement put it.
+        """
+        for placement in placements:
+            self._set_down(placement)
+        mujoco.mj_kinematics(self.model, self.data)
+
+    def set_wheel(self, robot: int, side: Side, velocity_radps: float, position_rad: float) -> None:
+        """Command a wheel. It goes on until the next command, also where the robot is put elsewhere meanwhile.
+
+        Args:
+            robot: its index.
+            side: ``left`` is +y of the body that looks along +x.
+            velocity_radps: positive drives along the body's +x.
+            position_rad: ``inf`` for this velocity; else the wheel angle to go to, at this velocity at most, and hold.
+        """
+        self._traction.set_wheel(robot, SIDES[side], velocity_radps, position_rad)
+
+    def wheel_angles(self) -> list[tuple[float, float]]:
+        """Return the angles of (left, right) wheel in rad, by robot; they grow while it drives along its +x."""
+        return self._traction.angles()
+
+    def step(self, tick: int, faults: tuple[Fault, ...] = ()) -> Snapshot:
+        """Make the four sub-steps of a tick.
+
+        Args:
+            tick: the tick that they lead to.
+            faults: programs that failed since the last snapshot, to be handed on in it.
+
+        Returns:
+            Poses and touches of each sub-step; a touch is one that MuJoCo solved in that sub-step.
+
+        Raises:
+            PhysicsFault: MuJoCo warned of an unstable or overfull simulation.
+        """
+        model, data, traction, recorder = self.model, self.data, self._traction, self._recorder
+        traction.before_tick()
+        for substep in range(SUBSTEPS_PER_TICK):
+            traction.before_substep()
+            mujoco.mj_step(model, data)
+            recorder.note(substep)
+        if self._warnings.any():
+            raise PhysicsFault(self._what_is_wrong(tick))
+        mujoco.mj_kinematics(model, data)
+        return recorder.snapshot(tick, faults)
+
+    def judged(self) -> Snapshot:
+        """Return the present poses as a snapshot of tick 0, in which nothing touches."""
+        return self._recorder.present()
+
+    def state_bytes(self) -> bytes:
+        """Return `qpos` and `qvel` as little-endian float64: the physics' part of the digest."""
+        return b"".join(np.asarray(part, dtype="<f8").tobytes() for part in (self.data.qpos, self.data.qvel))
+
+    def _set_down(self, placement: Placement) -> None:
+        entity = placement.entity
+        self.parked[entity] = placement.parked
+        if entity < self.tables.robots:
+            self._traction.set_stopped(entity, stopped=placement.parked)
+        x, y, yaw = placement.x_m, placement.y_m, placement.yaw_rad
+        if placement.parked:
+            x, y, yaw = PARKING_X_M + entity * PARKING_GAP_M, 0.0, 0.0
+        first = self.tables.pose_at[entity, 0]
+        qpos = self.data.qpos
+        qpos[first], qpos[first + 1] = x, y
+        if entity in self.tables.ball_range:
+            qpos[first + 2] = self._ball_rest_m[entity - self.tables.robots]
+            qpos[first + 3 : first + 7] = (1.0, 0.0, 0.0, 0.0)
+        else:
+            qpos[first + 2] = yaw
+        dofs = self.tables.dofs[entity]
+        self.data.qvel[dofs] = 0.0
+        self.data.qacc_warmstart[dofs] = 0.0
+
+    def _settled_ball_heights(self) -> list[float]:
+        """Return how high each ball's centre is at rest: measured, because contacts give way a little."""
+        if not self.tables.balls:
+            return []
+        mujoco.mj_resetData(self.model, self.data)
+        self._ball_rest_m = [
+            float(self.model.body_pos[self.tables.bodies[ball], 2]) for ball in self.tables.ball_range
+        ]
+        self.place([Placement(entity, 0, 0, 0, parked=True) for entity in range(len(self._names))])
+        for _ in range(_SETTLING_SUBSTEPS):
+            mujoco.mj_step(self.model, self.data)
+        return [float(self.data.qpos[self.tables.pose_at[ball, 2]]) for ball in self.tables.ball_range]
+
+    def _what_is_wrong(self, tick: int) -> str:
+        kinds = [str(mujoco.mjtWarning(kind).name) for kind in np.flatnonzero(self._warnings)]
+        lost = [name for name, at in zip(self._names, self.tables.pose_at, strict=True)
+                if not np.isfinite(self.data.qpos[at]).all()]  # fmt: skip
+        where = f"; no finite pose: {', '.join(lost)}" if lost else ""
+        return f"the physics became unstable in tick {tick} (MuJoCo: {', '.join(kinds)}{where})"
+
+
+def _start_placements(scenario: Scenario, roster: Roster) -> list[Placement]:
+    """Return the start poses of all entities, without noise."""
+    placements = []
+    for entity, name in enumerate(roster.entities):
+        if name in scenario.robots:
+            start = scenario.robots[name].start
+            placements.append(Placement(entity, start.x_m, start.y_m, start.yaw_rad))
+        elif name in scenario.balls:
+            placements.append(Placement(entity, *scenario.balls[name].start_m, 0.0))
+        else:
+            obstacle = scenario.obstacles[name]
+            assert isinstance(obstacle, Box | Cylinder)
+            yaw = obstacle.yaw_rad if isinstance(obstacle, Box) else 0.0
+            placements.append(Placement(entity, *obstacle.centre_m, yaw))
+    return placements
+

@@ -1,0 +1,59 @@
+"""Fail if a Python or JavaScript file is longer than a reader can hold: 500 lines, tests 800.
+
+Exempt are data, goldens and generated pages: what nobody reads from top to bottom.
+
+Usage: ``python scripts/check_file_lengths.py [FOLDER]``; exit status 0 or 1.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+MOST_LINES = 500
+MOST_LINES_OF_A_TEST = 800
+SUFFIXES = {".py", ".js", ".mjs"}
+EXEMPT_FOLDERS = {"data", "goldens", "generated", "build", "dist", "node_modules", "runs", "__pycache__"}
+
+
+def checked_files(root: Path) -> Iterator[Path]:
+    """Yield, in a fixed order, the files below ``root`` that have a limit; hidden folders are not ours."""
+    for path in sorted(root.iterdir()):
+        if path.is_symlink() or path.name.startswith(".") or path.name in EXEMPT_FOLDERS:
+            continue
+        if path.is_dir():
+            yield from checked_files(path)
+        elif path.suffix in SUFFIXES:
+            yield path
+
+
+def limit_of(path: Path, root: Path) -> int:
+    """Return the most lines that a file may have."""
+    return MOST_LINES_OF_A_TEST if path.relative_to(root).parts[0] == "tests" else MOST_LINES
+
+
+def too_long(root: Path) -> list[str]:
+    """Return one line of complaint for each file below ``root`` that is over its limit."""
+    complaints = []
+    for path in checked_files(root):
+        lines = len(path.read_bytes().splitlines())
+        limit = limit_of(path, root)
+        if lines > limit:
+            complaints.append(f"{path.relative_to(root).as_posix()}: {lines} lines, at most {limit} are allowed")
+    return complaints
+
+
+def main() -> int:
+    """Print the complaints; return the exit status."""
+    root = Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
+    complaints = too_long(root)
+    for complaint in complaints:
+        print(complaint)
+    if not complaints:
+        print("every file is within its limit")
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

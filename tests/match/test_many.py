@@ -1,0 +1,37 @@
+"""Many matches at once: each in its own process, in the order of the jobs, one failure harming no other."""
+
+import pytest
+
+from rcj_challenges.cli.simulate import SeedsError, parse_seeds, summary
+from rcj_challenges.match.many import Job, Outcome
+
+
+@pytest.mark.parametrize(
+    ("text", "seeds"),
+    [("1..3", [1, 2, 3]), ("7", [7]), ("1,4,7..9", [1, 4, 7, 8, 9]), ("5..5", [5])],
+)
+def test_seeds_can_be_written_as_ranges_and_lists(text, seeds):
+    assert parse_seeds(text) == seeds
+
+
+@pytest.mark.parametrize("text", ["", "x", "3..1", "1..", "..4", "1.5", "-1", "0..99999999"])
+def test_seeds_that_make_no_sense_are_refused_with_what_is_allowed(text):
+    with pytest.raises(SeedsError, match="--seeds"):
+        parse_seeds(text)
+
+
+def result(blue, yellow, *events):
+    return {"score": {"blue": blue, "yellow": yellow}, "events": [{"event": event} for event in events], "faults": []}
+
+
+def test_the_summary_tells_the_spread_by_entrant():
+    outcomes = [Outcome(Job(seed, ()), result(seed, 2, "GOAL")) for seed in (1, 2, 6)]
+    told = summary(outcomes)
+    assert told["spread"]["blue"] == {"least": 1, "median": 2, "mean": 3.0, "most": 6}
+    assert told["events"] == {"GOAL": 3}
+    assert told["played"] == 3
+
+
+def test_a_match_that_could_not_be_played_is_named_with_its_seed():
+    told = summary([Outcome(Job(4, ()), None, "it broke")])
+    assert told["failed"] == [{"seed": 4, "message": "it broke"}]

@@ -1,0 +1,4 @@
+from controller import Robot
+
+robot = Robot()
+robot.step(32)

@@ -1,0 +1,2 @@
+from controller import Robot
+import a_module_that_was_not_packed

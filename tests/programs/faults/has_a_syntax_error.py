@@ -1,0 +1,5 @@
+from controller import Robot
+
+robot = Robot()
+while robot.step(32) != -1
+    pass

@@ -1,0 +1,7 @@
+from controller import Robot
+
+robot = Robot()
+robot.step(32)
+heap = []
+while True:
+    heap.append(bytearray(1 << 20))

@@ -1,0 +1,66 @@
+"""The documents: links lead somewhere, programs in them are programs, the lock file names the public index only."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+
+import pytest
+import yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+DOCUMENTS = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), *(ROOT / "examples").rglob("*.md")])
+LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
+PROGRAM = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+
+
+def anchors_of(text: str) -> set[str]:
+    """Return the anchors of a document's headings, as code hosts make them."""
+    titles = re.findall(r"^#+ (.+)$", text, re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: path.relative_to(ROOT).as_posix())
+def test_every_link_leads_somewhere(document):
+    text = document.read_text(encoding="utf-8")
+    broken = []
+    for link in LINK.findall(text):
+        if "://" in link:
+            continue
+        path, _, anchor = link.partition("#")
+        target = (document.parent / path).resolve() if path else document
+        if not target.exists() or (anchor and anchor not in anchors_of(target.read_text(encoding="utf-8"))):
+            broken.append(link)
+    assert not broken
+
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: path.relative_to(ROOT).as_posix())
+def test_every_program_in_the_documents_is_python(document):
+    for number, program in enumerate(PROGRAM.findall(document.read_text(encoding="utf-8"))):
+        compile(program, f"{document.name}[{number}]", "exec")
+
+
+def test_the_lock_file_names_the_public_index_only():
+    lock = (ROOT / "uv.lock").read_text(encoding="utf-8")
+    assert set(re.findall(r"(?:https?|file)://[^/\"]*", lock)) == {
+        "https://pypi.org",
+        "https://files.pythonhosted.org",
+    }
+
+
+def test_the_lock_file_knows_every_dependency():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    lock = tomllib.loads((ROOT / "uv.lock").read_text(encoding="utf-8"))
+    locked = {package["name"] for package in lock["package"]}
+    extras = [name for extra in project["optional-dependencies"].values() for name in extra]
+    wanted = [re.split(r"[<>=\[;~! ]", entry)[0].lower() for entry in [*project["dependencies"], *extras]]
+    assert set(wanted) <= locked
+
+
+def test_the_suite_runs_on_the_three_systems_with_the_oldest_and_the_newest_python():
+    workflow = yaml.safe_load((ROOT / ".github" / "workflows" / "ci.yml").read_text(encoding="utf-8"))
+    matrix = workflow["jobs"]["suite"]["strategy"]["matrix"]
+    assert {system.split("-")[0] for system in matrix["os"]} == {"ubuntu", "macos", "windows"}
+    assert "3.11" in matrix["python"]
+    assert len(matrix["python"]) == 2

@@ -1,0 +1,47 @@
+"""The check that no file is longer than a reader can hold."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+SCRIPT = Path(__file__).resolve().parents[2] / "scripts" / "check_file_lengths.py"
+
+
+def check(root: Path) -> tuple[int, str]:
+    done = subprocess.run([sys.executable, str(SCRIPT), str(root)], capture_output=True, encoding="utf-8", check=False)
+    return done.returncode, done.stdout
+
+
+def write(path: Path, lines: int) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text("x = 1\n" * lines, encoding="utf-8")
+
+
+def test_a_python_file_may_have_500_lines(tmp_path):
+    write(tmp_path / "package" / "module.py", 500)
+    write(tmp_path / "viewer.js", 500)
+    assert check(tmp_path)[0] == 0
+
+
+def test_one_line_more_is_named(tmp_path):
+    write(tmp_path / "package" / "module.py", 501)
+    write(tmp_path / "viewer.js", 502)
+    status, output = check(tmp_path)
+    assert status == 1
+    assert "package/module.py: 501 lines" in output
+    assert "viewer.js: 502 lines" in output
+
+
+def test_a_test_may_have_800_lines(tmp_path):
+    write(tmp_path / "tests" / "test_much.py", 800)
+    assert check(tmp_path)[0] == 0
+    write(tmp_path / "tests" / "test_much.py", 801)
+    assert check(tmp_path)[0] == 1
+
+
+def test_goldens_and_hidden_folders_are_exempt(tmp_path):
+    write(tmp_path / "tests" / "goldens" / "page.js", 5000)
+    write(tmp_path / ".venv" / "module.py", 5000)
+    assert check(tmp_path)[0] == 0

@@ -1,0 +1,281 @@
+"""A run's folder: made for one run alone, readable at any moment, complete at the end, without anything private."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from datetime import UTC, datetime
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+from rcj_challenges.facts.play import Event, Fault, Firing, Verdict
+from rcj_challenges.records.errors import RecordError
+from rcj_challenges.records.folder import make_run_folder
+from rcj_challenges.records.result import read_result, result_schema_text
+from rcj_challenges.records.testing import (
+    half_info,
+    made_up_snapshot,
+    small_header,
+    small_scenario,
+    write_made_up_run,
+)
+from rcj_challenges.records.trajectory import Trajectory
+from rcj_challenges.records.writer import RecordWriter
+from rcj_challenges.scenario.models.scenario import Scenario
+
+_NOON = datetime(2021, 6, 18, 12, 0, 0, tzinfo=UTC)
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return write_made_up_run(tmp_path_factory.mktemp("runs"), ticks=900, halves=2)
+
+
+def test_runs_of_the_same_second_never_share_a_folder(tmp_path: Path) -> None:
+    with ThreadPoolExecutor(8) as pool:
+        folders = list(pool.map(lambda _: make_run_folder(tmp_path / "runs", "20210618-120000-match"), range(40)))
+    assert len(set(folders)) == 40
+    assert {"20210618-120000-match", "20210618-120000-match-2"} <= {folder.name for folder in folders}
+
+
+def test_the_folder_is_named_by_time_and_scenario(tmp_path: Path) -> None:
+    writer = RecordWriter(tmp_path, small_header(small_scenario()), now=lambda: _NOON)
+    assert writer.folder.name == "20210618-120000-small"
+    writer.finish({"complete": False})
+
+
+def test_a_folder_that_cannot_be_made_is_said_so(tmp_path: Path) -> None:
+    (tmp_path / "runs").write_text("a file")
+    with pytest.raises(RecordError, match="cannot make a folder for the record"):
+        RecordWriter(tmp_path / "runs", small_header(small_scenario()))
+
+
+def test_from_the_first_moment_there_is_a_result_that_is_not_complete(tmp_path: Path) -> None:
+    writer = RecordWriter(tmp_path, small_header(small_scenario()))
+    result = read_result(writer.folder)
+    assert not result.complete
+    assert result.score == {"blue": 0, "yellow": 0}
+    assert result.digest == ""
+    assert Trajectory.open(writer.folder).halves == ()
+    writer.finish({"complete": False})
+
+
+def test_a_finished_run_tells_who_played_how_it_ended_and_on_what(run: Path) -> None:
+    result = read_result(run)
+    assert result.complete
+    assert {team: entrant.name for team, entrant in result.entrants.items()} == {"blue": "Hanse", "yellow": "Alster"}
+    assert [half.sides for half in result.halves] == [
+        {"blue": "blue", "yellow": "yellow"},
+        {"blue": "yellow", "yellow": "blue"},
+    ]
+    assert result.simulated_s == 57.6
+    assert result.real_time_factor == 57.6
+    assert result.versions.mujoco != "unknown"
+    assert {event.event for event in result.events} == {
+        "KICKOFF", "MATCH_START", "GOAL", "PROGRAM_FAULT", "MATCH_FINISH",
+    }  # fmt: skip
+
+
+def test_points_follow_the_team_when_sides_are_changed(run: Path) -> None:
+    # Twice a half the seat `yellow` scores: Alster sits there in the first half, Hanse in the second.
+    result = read_result(run)
+    assert [half.score for half in result.halves] == [{"blue": 0, "yellow": 2}, {"blue": 2, "yellow": 2}]
+    assert result.score == {"blue": 2, "yellow": 2}
+
+
+def test_a_fault_names_robot_team_kind_and_tick(run: Path) -> None:
+    fault = read_result(run).faults[0]
+    assert (fault.robot, fault.team, fault.kind, fault.tick, fault.half) == ("Y1", "yellow", "crash", 300, 1)
+    assert fault.detail == "ZeroDivisionError: division by zero"
+
+
+def test_suppressed_firings_score_nothing(tmp_path: Path) -> None:
+    scenario = small_scenario(1, 1)
+    header = small_header(scenario)
+    with RecordWriter(tmp_path, header) as writer:
+        writer.begin_half(half_info(scenario, 1, 2, header))
+        would_have = Firing(0, "goal", None, "enters", scored={"blue": 1}, suppressed="phase")
+        writer.tick(made_up_snapshot(0, 2), Verdict(firings=(would_have,)), b"")
+        writer.end_half(Verdict())
+        writer.finish()
+    assert read_result(writer.folder).score == {"blue": 0, "yellow": 0}
+
+
+def test_what_the_rules_of_the_end_said_is_in_the_record(run: Path) -> None:
+    last = json.loads((run / "reflog.jsonl").read_text("utf-8").splitlines()[-1])
+    assert last["event"] == "MATCH_FINISH"
+    assert last["matchtime"] == 28.8
+
+
+def test_the_caller_knows_the_score_better_if_he_says_so(tmp_path: Path) -> None:
+    scenario = small_scenario(1, 2)
+    header = small_header(scenario)
+    with RecordWriter(tmp_path, header) as writer:
+        writer.begin_half(half_info(scenario, 2, 2, header))
+        writer.end_half(Verdict(), {"blue": 5, "yellow": 3}, ended="mercy")
+        writer.finish()
+    half = read_result(writer.folder).halves[0]
+    assert half.score == {"blue": 3, "yellow": 5}
+    assert half.ended == "mercy"
+
+
+def test_a_run_that_an_error_stops_is_closed_and_says_so(tmp_path: Path) -> None:
+    scenario = small_scenario(1, 1)
+    header = small_header(scenario)
+    with pytest.raises(KeyboardInterrupt), RecordWriter(tmp_path, header) as writer:  # noqa: PT012
+        writer.begin_half(half_info(scenario, 1, 50, header))
+        for tick in range(10):
+            writer.tick(made_up_snapshot(tick, 2), Verdict(), b"")
+        raise KeyboardInterrupt
+    result = read_result(writer.folder)
+    assert (result.complete, result.stopped, result.digest) == (False, "KeyboardInterrupt", "")
+    assert Trajectory.open(writer.folder).halves[0].ticks == 9
+
+
+def test_the_scenario_of_the_record_reads_back_equal(run: Path) -> None:
+    assert Scenario.model_validate_json((run / "scenario.json").read_bytes()) == small_scenario(half_s=28.8)
+
+
+def test_nothing_but_the_records_files_is_left(run: Path) -> None:
+    assert sorted(path.name for path in run.iterdir()) == [
+        "logs", "referee.jsonl", "reflog.jsonl", "result.json", "scenario.json", "trajectory.npz",
+    ]  # fmt: skip
+
+
+def test_no_path_user_or_host_stands_in_any_record(run: Path) -> None:
+    private = [
+        str(run.parent),
+        str(Path.home()),
+        os.uname().nodename if hasattr(os, "uname") else os.environ["COMPUTERNAME"],
+    ]
+    for path in run.rglob("*"):
+        if path.is_file():
+            data = path.read_bytes()
+            assert not [word for word in private if len(word) > 3 and word.encode() in data], path.name
+
+
+def test_the_result_fits_its_published_schema(run: Path) -> None:
+    schema = json.loads(result_schema_text())
+    jsonschema.Draft202012Validator.check_schema(schema)
+    jsonschema.validate(json.loads((run / "result.json").read_text("utf-8")), schema)
+
+
+def test_the_committed_schema_is_fresh() -> None:
+    committed = Path(__file__).parents[2] / "schemas" / "result.schema.json"
+    assert committed.read_text("utf-8") == result_schema_text()
+
+
+def test_every_field_of_the_schema_is_described() -> None:
+    schema = json.loads(result_schema_text())
+    for part in (schema, *schema["$defs"].values()):
+        for name, field in part["properties"].items():
+            assert field.get("description") or "$ref" in field, name
+
+
+@pytest.mark.parametrize(
+    ("data", "says"),
+    [
+        (b"", "cannot be read"),
+        (b"\xff\xfe", "cannot be read"),
+        (b"[]", "damaged"),
+        (b'{"record": 1}', "damaged: complete: Field required"),
+        (b'{"record": 7}', "needs a newer rcj-challenges"),
+    ],
+)
+def test_a_damaged_result_is_refused_with_a_reason(data: bytes, says: str, tmp_path: Path) -> None:
+    (tmp_path / "result.json").write_bytes(data)
+    with pytest.raises(RecordError, match=says):
+        read_result(tmp_path)
+
+
+# --- killed -------------------------------------------------------------------------------------------------------------
+
+_ENDLESS = """
+import sys
+from pathlib import Path
+from rcj_challenges.records.testing import half_info, made_up_play, small_header, small_scenario
+from rcj_challenges.records.writer import RecordWriter
+
+scenario = small_scenario()
+header = small_header(scenario)
+writer = RecordWriter(Path(sys.argv[1]), header)
+writer.begin_half(half_info(scenario, 1, 10**9, header))
+for snapshot, verdict in made_up_play(6, 10**9):
+    writer.tick(snapshot, verdict, b"12345678")
+    if snapshot.tick == int(sys.argv[2]):
+        print(snapshot.tick, flush=True)
+"""
+
+
+@pytest.fixture
+def endless(tmp_path: Path, at_tick: int) -> Iterator[subprocess.Popen[str]]:
+    process = subprocess.Popen(
+        [sys.executable, "-c", _ENDLESS, str(tmp_path), str(at_tick)],
+        stdout=subprocess.PIPE,
+        text=True,
+        encoding="utf-8",
+    )
+    with process:
+        yield process
+        process.kill()
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="SIGKILL is a thing of POSIX")
+@pytest.mark.parametrize("at_tick", [0, 1013])
+def test_a_kill_at_any_moment_leaves_readable_files(
+    at_tick: int, endless: subprocess.Popen[str], tmp_path: Path
+) -> None:
+    assert endless.stdout is not None
+    reached = int(endless.stdout.readline())
+    endless.send_signal(signal.SIGKILL)
+    endless.wait()
+    (folder,) = tmp_path.iterdir()
+    half = Trajectory.open(folder).halves[0]
+    assert half.ticks >= reached - 25
+    assert [snapshot.tick for snapshot in half.snapshots()] == list(range(1, half.ticks + 1))
+    assert not read_result(folder).complete
+    lines = [json.loads(line) for line in (folder / "reflog.jsonl").read_text("utf-8").splitlines()]
+    assert len([line for line in lines if line["event"] == "GOAL"]) >= reached // 400
+
+
+def test_the_writer_holds_only_what_is_rare_in_memory(tmp_path: Path) -> None:
+    import tracemalloc
+
+    scenario = small_scenario(3, 1)
+    header = small_header(scenario)
+    snapshots = [made_up_snapshot(tick, 6) for tick in range(1, 101)]
+    verdict = Verdict()
+    with RecordWriter(tmp_path, header) as writer:
+        writer.begin_half(half_info(scenario, 1, 100, header))
+        tracemalloc.start()
+        for snapshot in snapshots:
+            writer.tick(snapshot, verdict, bytes(920))
+        held, _ = tracemalloc.get_traced_memory()
+        tracemalloc.stop()
+        writer.finish()
+    assert held < 150_000  # 100 ticks are 40 kB of poses and 90 kB of state; a second of them may wait
+
+
+def test_events_before_a_half_are_a_mistake_of_the_caller(tmp_path: Path) -> None:
+    with RecordWriter(tmp_path, small_header(small_scenario())) as writer:
+        with pytest.raises(ValueError, match="begin_half"):
+            writer.tick(made_up_snapshot(0, 6), Verdict(events=(Event(0, "GOAL"),)), b"")
+        with pytest.raises(ValueError, match="begin_half"):
+            writer.end_half(Verdict())
+        writer.finish({"complete": False})
+
+
+def test_a_fault_of_an_idle_robot_belongs_to_no_team(tmp_path: Path) -> None:
+    scenario = small_scenario(1, 1)
+    header = small_header(scenario)
+    fault = Fault("X9", "crash", 0, 1, "")
+    with RecordWriter(tmp_path, header) as writer:
+        writer.begin_half(half_info(scenario, 1, 2, header))
+        writer.tick(made_up_snapshot(1, 2, faults=(fault,)), Verdict(), b"")
+        writer.finish({"complete": False})
+    assert read_result(writer.folder).faults[0].team is None
