@@ -20,9 +20,8 @@ from collections.abc import Callable
 import mujoco
 
 from rcj_challenges.facts.play import Placement
-from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, TICK_S
-from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.scenario.load import load
 from rcj_challenges.world.world import World
 
 CHASERS = 4
@@ -52,7 +51,7 @@ class MixedLoad:
                     self._set(robot, self._random.uniform(-10, 10), self._random.uniform(-10, 10))
                 continue
             x, y, _ = world.data.xpos[world.tables.bodies[robot]].tolist()
-            yaw = float(world.data.qpos[world.tables.pose_at[robot, 2]])
+            yaw = float(world.data.qpos[world.tables.qpos_at[robot] + 2])
             off = math.remainder(math.atan2(ball_y - y, ball_x - x) - yaw, 2 * math.pi)
             turn = max(-10.0, min(10.0, 12 * off))
             ahead = 10.0 if abs(off) < 0.6 else 0.0
@@ -64,59 +63,58 @@ class MixedLoad:
 
 
 def measure(make_world: Callable[[], World], seconds: float) -> dict[str, float]:
-    """Return median µs per tick of the whole step and of `mj_step` alone.
+    """Return what a tick costs, in µs: the four calls of `mj_step` by themselves, and the whole of `World.step`.
 
-    The two are measured in turns of one second on the same play: in a raw turn the four calls of `mj_step` are timed
-    by themselves, with everything that belongs to a tick still done between them.
+    Both are medians over the ticks, of two runs of the same play, because taking the time of each `mj_step` costs
+    time itself.
     """
-    whole = _measure_whole(make_world(), seconds)
-    raw = _measure_raw(make_world(), seconds)
+    whole_us = statistics.median(_whole_ticks_us(make_world(), seconds))
+    physics_us = statistics.median(_physics_us(make_world(), seconds))
     return {
-        "physics_us_per_tick": round(raw, 1),
-        "world_step_us_per_tick": round(whole, 1),
-        "physics_real_time_factor": round(TICK_S * 1e6 / raw, 1),
+        "physics_us_per_tick": round(physics_us, 1),
+        "world_step_us_per_tick": round(whole_us, 1),
+        "physics_real_time_factor": round(TICK_S * 1e6 / physics_us, 1),
     }
 
 
-def _measure_whole(world: World, seconds: float) -> float:
+def _whole_ticks_us(world: World, seconds: float) -> list[float]:
     load, times = MixedLoad(world), []
     for tick in range(1, round(seconds / TICK_S) + 1):
         load.command(tick)
         began = time.perf_counter_ns()
         world.step(tick)
-        times.append(time.perf_counter_ns() - began)
-    return statistics.fmean(times) / 1000
+        times.append((time.perf_counter_ns() - began) / 1000)
+    return times
 
 
-def _measure_raw(world: World, seconds: float) -> float:
-    load, spent = MixedLoad(world), 0
-    ticks = round(seconds / TICK_S)
+def _physics_us(world: World, seconds: float) -> list[float]:
+    """Time `mj_step` where `World.step` calls it."""
+    load, times, spent_ns = MixedLoad(world), [], 0
     step, clock = mujoco.mj_step, time.perf_counter_ns
 
     def timed(model: mujoco.MjModel, data: mujoco.MjData) -> None:
-        nonlocal spent
+        nonlocal spent_ns
         began = clock()
         step(model, data)
-        spent += clock() - began
+        spent_ns += clock() - began
 
     mujoco.mj_step = timed
     try:
-        for tick in range(1, ticks + 1):
+        for tick in range(1, round(seconds / TICK_S) + 1):
             load.command(tick)
+            spent_ns = 0
             world.step(tick)
+            times.append(spent_ns / 1000)
     finally:
         mujoco.mj_step = step
-    return spent / ticks / 1000
+    return times
 
 
 def main() -> None:
-    """Measure the field and robots of `soccersim_v2` and print the result."""
-    from rcj_challenges.scenario.load import load
-
-    scenario = load("match")
-    roster = Roster.of(scenario)
+    """Measure the field and robots of the match and print the result."""
+    loaded = load("match")
     seconds = float(sys.argv[1]) if len(sys.argv) > 1 else 60.0
-    print(json.dumps(measure(lambda: World(scenario, roster), seconds), indent=2))
+    print(json.dumps(measure(lambda: World(loaded.scenario, loaded.roster), seconds), indent=2))
 
 
 if __name__ == "__main__":

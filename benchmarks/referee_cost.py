@@ -30,7 +30,7 @@ class RandomWalk:
     """Bodies that wander over the field as a match would have them."""
 
     def __init__(self, robots: int, entities: int, seed: int) -> None:
-        self._rng = random.Random(seed)
+        self._rng = random.Random(seed)  # noqa: S311 - a reproducible walk, not a secret
         self._robots = robots
         self.poses = [(0.0, 0.0, 0.0)] * entities
         self._speeds = [self._rng.uniform(0.0, 0.2) for _ in range(entities)]

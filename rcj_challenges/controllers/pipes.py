@@ -94,7 +94,7 @@ class PolledPipes:
 
     def send(self, frame: bytes) -> None:
         """See `Channel`. What the pipe does not take at once is sent while receiving."""
-        self._unsent += frame
+        self._unsent = self._unsent + frame if self._unsent else frame
         self._push()
         if self._unsent:
             self._poll.register(self._write_fd, select.POLLOUT)
@@ -109,12 +109,14 @@ class PolledPipes:
             # A side that does not listen any more may still have said why: that is here already, or never comes.
             ready = self._poll.poll(0 if self._broken else wait_s * 1000)
             for fd, _ in ready:
-                if fd == self._write_fd:
+                if fd == self._read_fd:
+                    body = self._read()
+                    if body is not None:
+                        return body
+                else:
                     self._push()
                     if not self._unsent:
                         self._poll.unregister(self._write_fd)
-                elif (body := self._read()) is not None:
-                    return body
             if self._broken and not ready:
                 raise ChannelClosedError
             wait_s = deadline - time.perf_counter()
@@ -142,13 +144,15 @@ class PolledPipes:
         return self._buffer.next()
 
     def _push(self) -> None:
+        unsent = self._unsent
         try:
-            self._unsent = self._unsent[os.write(self._write_fd, self._unsent) :]
+            sent = os.write(self._write_fd, unsent)
         except BlockingIOError:
-            pass
+            return
         except OSError:
-            self._unsent = b""
             self._broken = True
+            sent = len(unsent)
+        self._unsent = b"" if sent == len(unsent) else unsent[sent:]
 
 
 _QUEUED_FRAMES = 8

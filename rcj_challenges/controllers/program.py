@@ -28,6 +28,7 @@ CLEAN_UP_S = 1.0
 """How long a program may go on after its ``step`` returned -1 (reference, section 3)."""
 
 _SLICE_S = 0.25  # how often a program that lets us wait is looked at
+_LOG_LOOKED_AT_EVERY = 16  # requests
 _FOLDER_LOOKED_AT_EVERY = 256  # requests; walking through a folder is slow
 _OUTPUT_SLACK_BYTES = 65_536  # what the interpreter and the match itself add to a log
 _FAREWELL_S = 1.0
@@ -71,6 +72,9 @@ class Program:
         message_bytes = isolation.message_bytes(self._limits)
         self._codec = Codec(assignment.spec, message_bytes)
         self._frame_limit = most_frame_bytes(message_bytes)
+        self._step_s = math.inf if assignment.debug else self._limits.step_s
+        self._half_s = math.inf if assignment.debug else self._limits.half_s
+        self._slice_s = min(_SLICE_S, self._step_s)
         self._output_limit = isolation.output_bytes(self._limits) + _OUTPUT_SLACK_BYTES
         self._scratch_limit = isolation.megabytes(self._limits.scratch_mb) + assignment.team.size_bytes()
         self._portable = processes.NEEDS_LIFELINE if assignment.portable is None else assignment.portable
@@ -127,8 +131,12 @@ class Program:
             return self.fault or self._fail("start", "the program was not started")
         began = time.perf_counter()
         try:
-            body = self._wait(began)
-            answer = None if body is None else self._codec.decode(body, self._tick)
+            body = self._channel.receive(min(self._slice_s, self._half_s - self.waited_s) if self._requests else 0.0)
+            if body is None:
+                body = self._wait(self._channel, began)
+            if body is None:
+                return self._too_slow()
+            answer = self._codec.decode(body, self._tick)
         except ChannelClosedError:
             return self._gone()
         except FrameTooLongError as error:
@@ -137,17 +145,18 @@ class Program:
             return self._fail("protocol", f"the program sent what is no message: {error}")
         if self._requests:
             self.waited_s += time.perf_counter() - began
-        if answer is None:
-            return self._too_slow()
         return self._judged(answer)
 
     def _judged(self, answer: Request | Ended) -> Request | Fault:
         """Return what the program asks for, unless it ended or wrote too much."""
         if isinstance(answer, Ended):
-            return self._fail(answer.kind, answer.detail, answer.traceback)
+            return self._ended(answer.kind, answer.detail, answer.traceback)
         self._requests += 1
-        trespass = self._trespass(look_at_folder=self._requests % _FOLDER_LOOKED_AT_EVERY == 0)
-        return answer if trespass is None else self._fail("output_flood", trespass)
+        if self._requests % _LOG_LOOKED_AT_EVERY == 0:
+            trespass = self._trespass(look_at_folder=self._requests % _FOLDER_LOOKED_AT_EVERY == 0)
+            if trespass is not None:
+                return self._fail("output_flood", trespass)
+        return answer
 
     def finish(self, observation: Observation) -> None:
         """Tell the program that the match is over: its ``step`` returns -1, then it may clean up until `close`."""
@@ -239,33 +248,25 @@ class Program:
             "debug": assignment.debug,
         }
 
-    def _wait(self, began: float) -> bytes | None:
+    def _wait(self, channel: Channel, began: float) -> bytes | None:
         """Return the program's next message, None if it took too long."""
-        assert self._channel is not None  # noqa: S101 - `collect` has looked
-        left_s = self._patience_s(began)
-        body = self._channel.receive(min(max(left_s, 0.0), _SLICE_S))
-        while body is None:
+        while True:
             left_s = self._patience_s(began) - (time.perf_counter() - began)
-            if left_s <= 0:
+            if left_s <= 0 or self._trespass(look_at_folder=True) is not None:
                 return None
-            if self._trespass(look_at_folder=True) is not None:
-                return None
-            if self.has_ended():
-                # Something that it started may still hold its pipes open.
-                body = self._channel.receive(0.0)
-                if body is None:
-                    raise ChannelClosedError
+            # Something that it started may hold its pipes open after it ended.
+            ended = self.has_ended()
+            body = channel.receive(0.0 if ended else min(left_s, _SLICE_S))
+            if body is not None:
                 return body
-            body = self._channel.receive(min(left_s, _SLICE_S))
-        return body
+            if ended:
+                raise ChannelClosedError
 
     def _patience_s(self, began: float) -> float:
-        """Return how long this wait may last in all."""
-        if self._assignment.debug:
-            return math.inf
+        """Return how long the wait that began then may last in all."""
         if not self._requests:
-            return self._launched_at + self._limits.start_s - began
-        return min(self._limits.step_s, self._limits.half_s - self.waited_s)
+            return math.inf if self._assignment.debug else self._launched_at + self._limits.start_s - began
+        return min(self._step_s, self._half_s - self.waited_s)
 
     def _too_slow(self) -> Fault:
         limits = self._limits
@@ -274,7 +275,7 @@ class Program:
             return self._fail("output_flood", trespass)
         if not self._requests:
             kind, detail = "start_timeout", f"the program did not call step within {limits.start_s:g} s of its start"
-        elif self.waited_s >= limits.half_s:
+        elif limits.half_s - self.waited_s < limits.step_s:
             kind, detail = "half_timeout", f"the program let the match wait for {limits.half_s:g} s in all"
         else:
             kind, detail = "step_timeout", f"the program did not call step for {limits.step_s:g} s"
@@ -289,8 +290,13 @@ class Program:
         if status is None:
             return self._fail("protocol", "the program closed its connection to the match")
         if processes.is_crash(status):
-            return self._fail("crash", f"the program was ended by {processes.told(status)}")
-        return self._fail("exit", f"the program ended itself (exit status {status})")
+            return self._ended("crash", f"the program was ended by {processes.told(status)}")
+        return self._ended("exit", f"the program ended itself (exit status {status})")
+
+    def _ended(self, kind: str, detail: str, traceback: str = "") -> Fault:
+        """Tell how a program ended, or what made it end: at the system's limit for files a flood ends in a crash."""
+        trespass = self._trespass(look_at_folder=True)
+        return self._fail(kind, detail, traceback) if trespass is None else self._fail("output_flood", trespass)
 
     def _trespass(self, *, look_at_folder: bool) -> str | None:
         """Return what it wrote too much of, if anything."""

@@ -24,7 +24,7 @@ OVER = 1
 FAULT_KINDS = ("crash", "exit", "memory", "output_flood", "start")
 
 LENGTH = Struct("<I")
-_OBSERVATION = Struct("<IBIBII")
+_OBSERVATION = "<IBIBII"  # with its length; then the values
 _PACKET = Struct("<HI4d")
 _REQUEST = Struct("<BIIIQHHHHI")
 _MOTOR = Struct("<Hdd")
@@ -37,8 +37,8 @@ _FAULT = Struct("<BBI")
 _SAMPLED_KINDS = frozenset({"position_sensor", "gps", "compass", "distance_sensor", "receiver", "lidar"})
 _TUNED_KINDS = frozenset({"receiver", "emitter"})
 _TURNING_KINDS = frozenset({"lidar"})
-_MOTOR_KINDS = frozenset({"motor"})
 _EMITTING_KINDS = frozenset({"emitter"})
+_NO_OTHERS = [0, 0, 0, 0]
 _ADDRESS = re.compile(r"\b0x[0-9a-fA-F]{6,}")
 _SPEED_TOLERANCE = 1e-9
 
@@ -76,7 +76,7 @@ class Codec:
 
     def __init__(self, spec: RobotSpec, message_bytes: int) -> None:
         self._values = spec.values
-        self._values_form = Struct(f"<{spec.values}d")
+        self._form = Struct(f"{_OBSERVATION}{spec.values}d")
         self._kinds = {device.index: device.kind for device in spec.devices}
         self._max_velocity = spec.max_velocity_radps * (1 + _SPEED_TOLERANCE)
         self._message_bytes = message_bytes
@@ -84,18 +84,18 @@ class Codec:
     def encode(self, observation: Observation) -> bytes:
         """Return an observation as a frame."""
         packets = observation.packets
-        values = self._values_form.pack(*observation.values)
         flags = OVER if observation.over else 0
+        form = self._form
         if not packets:
-            length = _OBSERVATION.size - 4 + len(values)
-            return _OBSERVATION.pack(length, OBSERVATION, observation.tick, flags, self._values, 0) + values
-        parts = [values]
+            return form.pack(form.size - 4, OBSERVATION, observation.tick, flags, self._values, 0, *observation.values)
+        parts: list[bytes] = []
         for packet in packets:
             parts.append(_PACKET.pack(packet.device, len(packet.data), packet.strength, *packet.direction))
             parts.append(packet.data)
-        body = b"".join(parts)
-        length = _OBSERVATION.size - 4 + len(body)
-        return _OBSERVATION.pack(length, OBSERVATION, observation.tick, flags, self._values, len(packets)) + body
+        tail = b"".join(parts)
+        length = form.size - 4 + len(tail)
+        head = form.pack(length, OBSERVATION, observation.tick, flags, self._values, len(packets), *observation.values)
+        return head + tail
 
     def decode(self, body: bytes, tick: int) -> Request | Ended:
         """Return what a program's message asks for.
@@ -114,18 +114,17 @@ class Codec:
         if body[0] != REQUEST:
             raise ProtocolError(f"a message of unknown type {body[0]}")
         try:
-            _, answered, advance, missed, printed, *counts = _REQUEST.unpack_from(body)
+            _, answered, advance, missed, printed, motors, *others = _REQUEST.unpack_from(body)
         except StructError:
             raise ProtocolError(f"a request of {len(body)} bytes") from None
         if answered != tick:
             raise ProtocolError(f"a request that answers tick {answered} at tick {tick}")
         if advance < 1:
             raise ProtocolError("a request to advance by no tick")
-        if not any(counts):
-            if len(body) != _REQUEST.size:
-                raise ProtocolError(f"a request with {len(body) - _REQUEST.size} bytes too many")
-            return Request(advance, missed, printed_bytes=printed)
-        motors, sampling, channels, frequencies, emissions = counts
+        if others == _NO_OTHERS and len(body) == _REQUEST.size + motors * _MOTOR.size:
+            commands = [self._motor(*setting) for setting in _MOTOR.iter_unpack(body[_REQUEST.size :])]
+            return Request(advance, missed, tuple(commands), printed_bytes=printed)
+        sampling, channels, frequencies, emissions = others
         tail = _Tail(body, _REQUEST.size)
         request = Request(
             advance,
@@ -141,10 +140,11 @@ class Codec:
         return request
 
     def _motor(self, device: int, velocity: float, position: float) -> MotorCommand:
-        self._must_be(device, _MOTOR_KINDS, "a motor")
+        if self._kinds.get(device) != "motor":
+            raise ProtocolError(f"device {device} is not a motor")
         if not abs(velocity) <= self._max_velocity:
             raise ProtocolError(f"device {device}: a velocity of {velocity:g} rad/s")
-        if math.isnan(position) or position == -math.inf:
+        if not position > -math.inf:
             raise ProtocolError(f"device {device}: a position of {position:g} rad")
         return MotorCommand(device, velocity, position)
 

@@ -20,11 +20,29 @@ Values = dict[int, list[float]]
 """By robot: the numbers of all its devices, by slot."""
 
 
-def write(values: Values, slots: Sequence[tuple[int, int]], readings: list[float], due: Sequence[int]) -> None:
-    """Write the readings of the members that are due, each of one number, to their (robot, slot)."""
-    for member in due:
-        robot, slot = slots[member]
-        values[robot][slot] = readings[member]
+class Places:
+    """Where the readings of sensors with one number each are written."""
+
+    def __init__(self, fitted: Sequence[Fitted]) -> None:
+        """Find runs of sensors of one robot whose slots follow each other: those are written at once."""
+        self._slots = [(one.robot, one.spec.slot) for one in fitted]
+        self._runs: list[tuple[int, int, int, int, int]] = []
+        for member, (robot, slot) in enumerate(self._slots):
+            if self._runs and self._runs[-1][0] == robot and self._runs[-1][2] == slot:
+                _, first_slot, _, first, _ = self._runs[-1]
+                self._runs[-1] = (robot, first_slot, slot + 1, first, member + 1)
+            else:
+                self._runs.append((robot, slot, slot + 1, member, member + 1))
+
+    def write(self, values: Values, readings: list[float], due: Sequence[int]) -> None:
+        """Write the readings (of all members) of those that are due."""
+        if len(due) == len(self._slots):
+            for robot, first_slot, end_slot, first, end in self._runs:
+                values[robot][first_slot:end_slot] = readings[first:end]
+        else:
+            for member in due:
+                robot, slot = self._slots[member]
+                values[robot][slot] = readings[member]
 
 
 class WheelSensors:
@@ -39,15 +57,15 @@ class WheelSensors:
         ]
         self._angles = ground.data.qpos
         self._at = np.array([int(joint.qposadr[0]) for joint in joints], dtype=np.intp)
-        self._directions = np.array([device.direction for device in devices])
-        self._slots = [(one.robot, one.spec.slot) for one in fitted]
+        self._directions = np.array([float(device.direction) for device in devices])
+        self._places = Places(fitted)
 
     def sample(self, tick: int, _poses: Poses, values: Values) -> None:
         """Read the sensors that are due at ``tick``."""
         due = self.schedule.due(tick)
         if due:
-            readings = (self._angles[self._at] * self._directions).tolist()
-            write(values, self._slots, readings, due)
+            readings = (self._angles.take(self._at) * self._directions).tolist()
+            self._places.write(values, readings, due)
 
 
 class Gpses:

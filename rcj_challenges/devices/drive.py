@@ -27,8 +27,6 @@ class Drive:
         }
         name = list(scenario.robots)[robot]
         self._max_radps = scenario.kits[scenario.robots[name].kit].chassis.max_wheel_radps
-        self._commands: dict[str, tuple[float, float]] = {}
-        self._held = False
 
     def command(self, command: MotorCommand) -> None:
         """Set a motor: clamped to its top speed; a command that is no number is ignored."""
@@ -37,28 +35,9 @@ class Drive:
             return
         velocity = max(-self._max_radps, min(self._max_radps, command.velocity_radps))
         target = _BY_VELOCITY if math.isinf(command.position_rad) else motor.direction * command.position_rad
-        self._commands[motor.wheel] = (motor.direction * velocity, target)
-        if not self._held:
-            self._ground.set_wheel(self._robot, motor.wheel, *self._commands[motor.wheel])
+        self._ground.set_wheel(self._robot, motor.wheel, motor.direction * velocity, target)
 
     def stop(self) -> None:
         """Command all wheels velocity 0."""
         for motor in self._motors.values():
-            self._commands[motor.wheel] = (0.0, _BY_VELOCITY)
-        self._issue()
-
-    def hold(self, *, held: bool) -> None:
-        """Stop the wheels of a robot taken off the field; let them turn as commanded when it is back."""
-        if held == self._held:
-            return
-        self._held = held
-        if held:
-            for wheel in self._commands:
-                self._ground.set_wheel(self._robot, wheel, 0.0, _BY_VELOCITY)
-        else:
-            self._issue()
-
-    def _issue(self) -> None:
-        if not self._held:
-            for wheel, (velocity, target) in self._commands.items():
-                self._ground.set_wheel(self._robot, wheel, velocity, target)
+            self._ground.set_wheel(self._robot, motor.wheel, 0.0, _BY_VELOCITY)

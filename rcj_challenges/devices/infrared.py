@@ -13,7 +13,7 @@ from rcj_challenges.devices.ground import Ground
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import Poses, Vector
 from rcj_challenges.devices.receivers import Receiver
-from rcj_challenges.devices.sight import RayMask, as_geomgroup
+from rcj_challenges.devices.sight import as_geomgroup
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.traffic import Packet
 from rcj_challenges.scenario.models.robots import BallReceiverDevice
@@ -42,6 +42,7 @@ class InfraredEar:
         device = cast("BallReceiverDevice", fitted.device)
         noisy = device.strength_noise > 0 or device.direction_noise_rad > 0
         self.receiver = receiver
+        self.robot = receiver.robot
         self.payload = PAYLOADS[messages]
         self.ball_channel = device.channel
         self.range_square_m2 = device.range_m**2
@@ -67,65 +68,56 @@ class InfraredEar:
 class Infrared:
     """From all balls to all ears.
 
-    A ray runs from the ball's centre to the robot's. The ball hears nobody, so balls are left out; the robot's own
-    cube and wheels are what the ray must meet first. Anything else in front of them hides the ball: so a robot's own
-    wheel never does.
+    A ray runs from the ball's centre to the robot's. Balls never hide a ball; the robot's own cube and wheels are
+    what the ray must meet first (so a robot's own wheel never hides it); anything else in front of them does.
     """
 
     def __init__(self, scenario: Scenario, roster: Roster, ground: Ground, ears: list[InfraredEar]) -> None:
         """Look up which geom belongs to which robot, once."""
-        self._ears = ears
+        self._all_ears = ears
+        self._ears: list[InfraredEar] = []
         self._model = ground.model
         self._data = ground.data
         names = roster.entities[roster.robots : roster.robots + roster.balls]
-        self._emits = [scenario.balls[name].emits for name in names]
+        self._emitting = [index for index, name in enumerate(names) if scenario.balls[name].emits]
         robots = roster.entities[: roster.robots]
-        robot_of_body = {ground.model.body(name).id: index for index, name in enumerate(robots)}
+        robot_of_body = {int(ground.model.body(name).id): index for index, name in enumerate(robots)}
         roots = ground.model.body_rootid[ground.model.geom_bodyid].tolist()
         self._robot_of_geom = [robot_of_body.get(root, -1) for root in roots]
         self._groups = as_geomgroup((contact.GROUP_FIXTURES, contact.GROUP_CUBES, contact.GROUP_WHEELS))
-        self._without_parked = RayMask(ground, roster)
         self._from = np.zeros(3)
         self._along = np.zeros(3)
         self._geom = np.zeros(1, np.int32)
 
+    def retune(self) -> None:
+        """Find out anew who listens. To be called when a ball receiver was enabled, disabled or tuned."""
+        self._ears = [ear for ear in self._all_ears if ear.listens]
+
     def send(self, tick: int, poses: Poses) -> None:
         """Send each ball's packet of this tick, in the order of balls."""
-        if poses.any_parked:
-            self._without_parked.hide(poses.parked)
-        for ball in range(len(poses.balls)):
-            if self._emits[ball] and not poses.ball_is_parked(ball):
+        for ball in self._emitting:
+            if not poses.ball_is_parked(ball):
                 self._send_one(tick, ball, poses)
-        if poses.any_parked:
-            self._without_parked.show()
 
     def _send_one(self, tick: int, ball: int, poses: Poses) -> None:
         x, y, z = poses.balls[ball]
-        source = self._from
+        model, data, groups, robot_of_geom = self._model, self._data, self._groups, self._robot_of_geom
+        source, along, geom = self._from, self._along, self._geom
         source[0], source[1], source[2] = x, y, z  # item by item: numpy takes longer to unpack a tuple
         for ear in self._ears:
-            receiver = ear.receiver
-            pose = poses.robots[receiver.robot]
+            pose = poses.robots[ear.robot]
             dx, dy, dz = x - pose.x, y - pose.y, z - pose.z
             square = dx * dx + dy * dy + dz * dz
-            if (
-                square > ear.range_square_m2
-                or pose.parked
-                or not ear.listens
-                or self._hidden(receiver.robot, dx, dy, dz)
-            ):
+            if square > ear.range_square_m2 or pose.parked:
+                continue
+            along[0], along[1], along[2] = -dx, -dy, -dz
+            mujoco.mj_ray(model, data, source, along, groups, 1, -1, geom)
+            met = geom.item()
+            if met >= 0 and robot_of_geom[met] != ear.robot:
                 continue
             distance = math.sqrt(square)
             direction = pose.to_frame(dx / distance, dy / distance, dz / distance)
             strength = 1 / square
             if ear.noise is not None:
                 strength, direction = ear.disturb(tick, ball, strength, direction)
-            receiver.hear(Packet(receiver.device, ear.payload, strength, direction))
-
-    def _hidden(self, robot: int, dx: float, dy: float, dz: float) -> bool:
-        """Return whether something stands between the ball and the robot from which it is (dx, dy, dz) away."""
-        along = self._along
-        along[0], along[1], along[2] = -dx, -dy, -dz
-        mujoco.mj_ray(self._model, self._data, self._from, along, self._groups, 1, -1, self._geom)
-        geom = self._geom.item()
-        return geom >= 0 and self._robot_of_geom[geom] != robot
+            ear.receiver.hear(Packet(ear.receiver.device, ear.payload, strength, direction))

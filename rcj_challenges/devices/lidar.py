@@ -16,12 +16,11 @@ from rcj_challenges.devices.ground import Ground
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import Poses, RobotPose
 from rcj_challenges.devices.sampling import Schedule
-from rcj_challenges.devices.sight import RayMask, as_geomgroup, groups_at
+from rcj_challenges.devices.sight import as_geomgroup, groups_at
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.models.robots import LidarDevice
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.roster import Roster
 
 NOT_YET_SWEPT = 0.0
 """What a cell holds that the rays have not reached yet. Source: reference, 4.2."""
@@ -87,9 +86,6 @@ class Lidar:
         count = len(self.cells) if cells is None else len(cells)
         if not count:
             return
-        if pose.parked:
-            self.cells[chosen] = np.inf
-            return
         self._aim(pose, self._forward[chosen], self._left[chosen], count)
         distances = self._distances[:count]
         mujoco.mj_multiRay(
@@ -124,12 +120,11 @@ class Lidars:
     """All scanners of all robots."""
 
     def __init__(
-        self, fitted: Sequence[Fitted], scenario: Scenario, roster: Roster, ground: Ground, half: HalfInfo
+        self, fitted: Sequence[Fitted], scenario: Scenario, ground: Ground, half: HalfInfo
     ) -> None:  # fmt: skip
         """Build them."""
         self.schedule = Schedule()
         self.lidars = [Lidar(one, scenario, ground, half) for one in fitted]
-        self._without_parked = RayMask(ground, roster)
 
     def sample(self, tick: int, poses: Poses, values: Values) -> None:
         """Turn the heads that turn, and read the scanners that are due at ``tick``."""
@@ -137,16 +132,12 @@ class Lidars:
         if not enabled:
             return
         due = self.schedule.due(tick)
-        if poses.any_parked:
-            self._without_parked.hide(poses.parked)
         for member in enabled:
             lidar = self.lidars[member]
             if lidar.device.rotating:
                 lidar.turn(tick, poses.robots[lidar.robot])
             elif member in due:
                 lidar.measure(tick, poses.robots[lidar.robot], None)
-        if poses.any_parked:
-            self._without_parked.show()
         for member in due:
             lidar = self.lidars[member]
             values[lidar.robot][lidar.slot : lidar.slot + lidar.device.points] = lidar.cells.tolist()

@@ -2,7 +2,8 @@
 
 The frame of a robot that stands is level: it turns with the robot about the vertical and nothing else, and heights
 are nominal. Programs divide by the small z part of the ball's direction, so a hundredth of a radian of rocking would
-turn 0.58 m into 0.90 (reference, section 2). Once it has tipped over, its frame is that of its body (ADR 5).
+turn 0.58 m into 0.90 (reference, section 2). Once it has tipped over, its frame is that of its body (ADR 5); the
+robots of the present world cannot (ADR 2), and then nothing of this costs anything.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import math
 from collections.abc import Callable
 from itertools import pairwise
 
+import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
@@ -31,6 +33,7 @@ BALL_SINKS_M = 0.0001
 
 _COS_TIPPED = math.cos(TIPPED_FROM_RAD)
 _ON_ITS_NOSE = 1e-6
+_FORWARD = slice(0, 4, 3)
 
 Vector = tuple[float, float, float]
 
@@ -58,6 +61,11 @@ class RobotPose:
         self.tipped = False
         self.rotation: list[float] = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
         self.parked = False
+
+    def read_upright(self, position: list[float], forward: list[float]) -> None:
+        """Take over the pose of a body that cannot tip: [x, y, z] in m, and [cos, sin] of the yaw."""
+        self.x, self.y, _ = position
+        self.cos, self.sin = forward
 
     def read(self, position: list[float], rotation: list[float]) -> None:
         """Take over a pose: [x, y, z] in m, and the body's rotation matrix row by row."""
@@ -117,6 +125,7 @@ class Poses:
         self._ground = ground
         self._robot_positions = _rows(ground.data.xpos, [int(ground.model.body(name).id) for name in robots])
         self._robot_rotations = _rows(ground.data.xmat, [int(ground.model.body(name).id) for name in robots])
+        self._can_tip = any(_can_tip(ground.model, name) for name in robots)
         self._ball_positions = _rows(ground.data.xpos, [int(ground.model.body(name).id) for name in balls])
         self._nominal_balls = [scenario.balls[name].radius_m - BALL_SINKS_M for name in balls]
         self.robots = [RobotPose(scenario.kits[scenario.robots[name].kit].chassis.size_m / 2) for name in robots]
@@ -126,9 +135,13 @@ class Poses:
 
     def refresh(self) -> None:
         """Read all poses; the world has brought them up to date."""
-        positions, rotations = self._robot_positions().tolist(), self._robot_rotations().tolist()
-        for pose, position, rotation in zip(self.robots, positions, rotations, strict=True):
-            pose.read(position, rotation)
+        positions, rotations = self._robot_positions().tolist(), self._robot_rotations()
+        if self._can_tip:
+            for pose, position, rotation in zip(self.robots, positions, rotations.tolist(), strict=True):
+                pose.read(position, rotation)
+        else:
+            for pose, position, forward in zip(self.robots, positions, rotations[:, _FORWARD].tolist(), strict=True):
+                pose.read_upright(position, forward)
         self.balls = [
             (x, y, nominal if abs(z - nominal) < NOMINAL_WITHIN_M else z)
             for (x, y, z), nominal in zip(self._ball_positions().tolist(), self._nominal_balls, strict=True)
@@ -153,3 +166,14 @@ def _rows(array: NDArray[np.float64], rows: list[int]) -> Callable[[], NDArray[n
         return lambda: view
     chosen = np.array(rows, dtype=np.intp)
     return lambda: array[chosen]
+
+
+def _can_tip(model: mujoco.MjModel, body: str) -> bool:
+    """Return whether a body can turn about anything but the vertical. The bodies of ADR 2 cannot."""
+    first, count = int(model.body(body).jntadr[0]), int(model.body(body).jntnum[0])
+    for joint in range(first, first + count):
+        kind = int(model.jnt_type[joint])
+        about_vertical = kind == int(mujoco.mjtJoint.mjJNT_HINGE) and abs(float(model.jnt_axis[joint, 2])) == 1.0
+        if kind != int(mujoco.mjtJoint.mjJNT_SLIDE) and not about_vertical:
+            return True
+    return False

@@ -82,9 +82,9 @@ class DeviceRack:
             elif kind == "compass":
                 family = Compasses(members, half)
             elif kind == "distance_sensor":
-                family = Sonars(members, scenario, roster, self._ground, half)
+                family = Sonars(members, scenario, self._ground, half)
             elif kind == "lidar":
-                family = self._lidars = Lidars(members, scenario, roster, self._ground, half)
+                family = self._lidars = Lidars(members, scenario, self._ground, half)
             else:  # motors and radio are no sensors
                 continue
             families.append(family)
@@ -134,11 +134,7 @@ class DeviceRack:
         """
         self._tick = tick
         poses = self._poses
-        were_parked = poses.parked
         poses.refresh()
-        if poses.parked != were_parked:
-            for robot, drive in self._drives.items():
-                drive.hold(held=poses.robots[robot].parked)
         for family in self._families:
             family.sample(tick, poses, self._values)
         self._radio.carry(tick, poses)

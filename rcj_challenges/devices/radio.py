@@ -33,6 +33,7 @@ class Emitter:
         device: index of the emitter among its robot's devices.
         channel: on which it sends now.
         range_m: how far it is heard, in m.
+        waiting: (tick of arrival, channel, data) of what has not arrived.
     """
 
     def __init__(self, robot: int, device: int, channel: int, range_m: float, baud: int, max_packet_bytes: int) -> None:
@@ -44,39 +45,34 @@ class Emitter:
         self._per_tick = baud * TICK_MS
         self._max_packet_bytes = max_packet_bytes
         self._free_from = 0
-        self._waiting: deque[tuple[int, int, bytes]] = deque()
+        self.waiting: deque[tuple[int, int, bytes]] = deque()
         self._bytes = 0
 
     def send(self, data: bytes, now: int) -> None:
         """Queue a packet at tick ``now``; it is on the air as soon as those before it are out."""
-        room = len(self._waiting) < BACKLOG_PACKETS and self._bytes + len(data) <= BACKLOG_BYTES
-        if not data or len(data) > self._max_packet_bytes or (self._waiting and not room):
+        room = len(self.waiting) < BACKLOG_PACKETS and self._bytes + len(data) <= BACKLOG_BYTES
+        if not data or len(data) > self._max_packet_bytes or (self.waiting and not room):
             return
         begin = max(self._free_from, now * self._per_tick)
         self._free_from = begin + len(data) * _BITS_PER_BYTE * _MS_PER_S
         arrives = -(-self._free_from // self._per_tick)
-        self._waiting.append((arrives, self.channel, data))
+        self.waiting.append((arrives, self.channel, data))
         self._bytes += len(data)
 
     def arriving(self, tick: int) -> list[tuple[int, bytes]]:
         """Return (channel, data) of the packets whose last bit arrives by ``tick``, in order."""
         arrived = []
-        while self._waiting and self._waiting[0][0] <= tick:
-            _, channel, data = self._waiting.popleft()
+        while self.waiting and self.waiting[0][0] <= tick:
+            _, channel, data = self.waiting.popleft()
             self._bytes -= len(data)
             arrived.append((channel, data))
         return arrived
 
     def fall_silent(self) -> None:
         """Drop all that has not arrived."""
-        self._waiting.clear()
+        self.waiting.clear()
         self._bytes = 0
         self._free_from = 0
-
-    @property
-    def idle(self) -> bool:
-        """Whether nothing is waiting."""
-        return not self._waiting
 
 
 class TeamRadio:
@@ -93,16 +89,18 @@ class TeamRadio:
             receivers: in the order of robots.
             teams: the entrant that drives each robot, by its index.
         """
-        self._emitters = emitters
-        self._listeners = [
-            [r for r in receivers if r.robot != emitter.robot and teams[r.robot] == teams[emitter.robot]]
+        self._links = [
+            (
+                emitter,
+                [r for r in receivers if r.robot != emitter.robot and teams[r.robot] == teams[emitter.robot]],
+            )
             for emitter in emitters
         ]
 
     def carry(self, tick: int, poses: Poses) -> None:
         """Bring what arrives at ``tick`` to those who hear it: in robot order, each robot's in the order sent."""
-        for emitter, listeners in zip(self._emitters, self._listeners, strict=True):
-            if emitter.idle:
+        for emitter, listeners in self._links:
+            if not emitter.waiting:
                 continue
             if poses.robots[emitter.robot].parked:
                 emitter.fall_silent()

@@ -75,7 +75,7 @@ class RadioRoom:
         if receiver is None:
             return False
         receiver.set_period(period_ticks, now)
-        self._slow = [receiver for receiver in self._receivers.values() if receiver.slow]
+        self._retune()
         return True
 
     def set_channel(self, robot: int, device: int, channel: int) -> None:
@@ -85,6 +85,7 @@ class RadioRoom:
             return
         if key in self._receivers:
             self._receivers[key].channel = channel
+            self._retune()
         elif key in self._emitters:
             self._emitters[key].channel = channel
 
@@ -102,6 +103,14 @@ class RadioRoom:
         for receiver in self._receivers.values():
             if receiver.robot == robot:
                 receiver.set_period(0, 0)
+        self._retune()
+
+    def _retune(self) -> None:
+        """Find out anew who listens to what."""
+        self._slow = [receiver for receiver in self._receivers.values() if receiver.slow]
+        self._infrared.retune()
+        for referee in self._referee:
+            referee.retune()
 
     def speak(self, tick: int, verdict: Verdict, poses: Poses) -> None:
         """Let the referee say what holds after the verdict of ``tick``."""

@@ -62,9 +62,16 @@ class RefereeRadio:
         self._kit = kit
         self._roster = roster
         self._receivers = receivers
+        self._listening: list[Receiver] = []
         self._in_the_air: tuple[bytes, ...] = ()
         self._broadcast: bytes | None = None
         self._packets: dict[tuple[int, bytes], Packet] = {}
+
+    def retune(self) -> None:
+        """Find out anew who listens. To be called when a receiver was enabled, disabled or tuned."""
+        self._listening = [
+            receiver for receiver, channels in self._receivers if receiver.period_ticks and receiver.channel in channels
+        ]
 
     def speak(self, tick: int, verdict: Verdict, poses: Poses) -> None:
         """Say what holds after the verdict of ``tick``, if the kit's referee speaks at this tick."""
@@ -79,9 +86,8 @@ class RefereeRadio:
     def carry(self) -> None:
         """Bring what was said after the last tick to the receivers that listen."""
         for data in self._in_the_air:
-            for receiver, channels in self._receivers:
-                if receiver.channel in channels:
-                    receiver.hear(self._packet(receiver.device, data))
+            for receiver in self._listening:
+                receiver.hear(self._packet(receiver.device, data))
         self._in_the_air = ()
 
     def _official(self, poses: Poses, *, waiting: bool) -> bytes:

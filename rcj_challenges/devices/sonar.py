@@ -1,7 +1,7 @@
 """Sonars: horizontal rays that find the nearest wall, goal or robot.
 
 All rays of all robots are MuJoCo rangefinders, so that one call measures them all. They see the boxes of the field,
-obstacles and robots' cubes; never what the rule book's sonar passes over (balls and wheels), nor what is parked.
+obstacles and robots' cubes; never what the rule book's sonar passes over: balls and wheels.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from rcj_challenges.devices.body_sensors import Values, write
+from rcj_challenges.devices.body_sensors import Places, Values
 from rcj_challenges.devices.fitting import Fitted, fit
 from rcj_challenges.devices.ground import Ground
 from rcj_challenges.devices.noise import Noise
@@ -80,7 +80,7 @@ class Sonars:
     """All sonars of all robots: v = 1000·d below the range, else the out-of-range value, times the noise."""
 
     def __init__(
-        self, fitted: Sequence[Fitted], scenario: Scenario, roster: Roster, ground: Ground, half: HalfInfo
+        self, fitted: Sequence[Fitted], scenario: Scenario, ground: Ground, half: HalfInfo
     ) -> None:  # fmt: skip
         """Find the rangefinders that `device_sites` added, in the same order."""
         self.schedule = Schedule()
@@ -98,38 +98,34 @@ class Sonars:
         self._heard_below = np.array([-math.cos(device.lost_from_rad) for device in devices])
         shares = np.array([device.noise for device in devices])
         self._noise = Noise(half, [(one.robot_name, one.spec.name) for one in fitted], scale=_MM_PER_M * shares)
-        self._slots = [(one.robot, one.spec.slot) for one in fitted]
-        self._mask = RayMask(ground, roster, groups_at(scenario, min(device.height_m for device in devices)))
+        self._places = Places(fitted)
+        self._mask = RayMask(ground, groups_at(scenario, min(device.height_m for device in devices)))
+        self._option = self._model.opt
         self._sensors_on = int(self._model.opt.disableflags) & ~int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
         self._sensors_off = int(self._model.opt.disableflags)
 
-    def sample(self, tick: int, poses: Poses, values: Values) -> None:
+    def sample(self, tick: int, _poses: Poses, values: Values) -> None:
         """Read the sonars that are due at ``tick``."""
         due = self.schedule.due(tick)
         if not due:
             return
-        self._measure(poses)
-        write(values, self._slots, self._readings(tick, poses), due)
+        self._measure()
+        self._places.write(values, self._readings(tick), due)
 
-    def _measure(self, poses: Poses) -> None:
-        option = self._model.opt
+    def _measure(self) -> None:
+        option = self._option
         option.disableflags = self._sensors_on
-        self._mask.hide(poses.parked)
+        self._mask.hide()
         mujoco.mj_sensorPos(self._model, self._data)
         self._mask.show()
         option.disableflags = self._sensors_off
 
-    def _readings(self, tick: int, poses: Poses) -> list[float]:
+    def _readings(self, tick: int) -> list[float]:
         # Cosine of the angle between ray and normal, -1 head on. Where nothing is hit the normal is zero: not heard.
         # Positive only for a ray that begins inside a body pressed against the robot: an echo from no distance at all.
         facing = np.vecdot(self._direction, self._normal)
-        heard = facing < self._heard_below
-        heard &= self._distance < self._range_m
-        distance = np.where(heard, self._distance, self._range_m)
+        distance = np.where(facing < self._heard_below, np.minimum(self._distance, self._range_m), self._range_m)
         np.copyto(distance, 0.0, where=facing > 0)
-        if poses.any_parked:
-            gone = [poses.robots[robot].parked for robot, _ in self._slots]
-            np.copyto(distance, self._range_m, where=gone)
         noisy_up_to = distance if self._short else np.minimum(distance, _NOISE_FULL_FROM_M)
         readings: list[float] = (distance * (_MM_PER_M + noisy_up_to * self._noise.row(tick))).tolist()
         return readings

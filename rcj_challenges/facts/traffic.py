@@ -7,7 +7,7 @@ knows the other: this file is all they share.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,9 +54,8 @@ class RobotSpec:
     max_velocity_radps: float = 10.0
 
 
-@dataclass(frozen=True, slots=True)
-class Packet:
-    """A radio packet as a receiver sees it.
+class Packet(NamedTuple):
+    """A radio packet as a receiver sees it; a tuple, for a dozen are made every tick.
 
     Attributes:
         device: index of the receiving device.
@@ -71,8 +70,7 @@ class Packet:
     direction: tuple[float, float, float]
 
 
-@dataclass(frozen=True, slots=True)
-class Observation:
+class Observation(NamedTuple):
     """What one program is told when its ``step`` returns.
 
     Attributes:

@@ -6,6 +6,7 @@ Actions run in order and read current values: count, then score, pays the new co
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 from rcj_challenges.facts.timing import ticks_from_s
@@ -164,7 +165,10 @@ def layout_jobs(workshop: Workshop, layout: str, rule: StandingRule, mirror: Mir
 
 def _ask(workshop: Workshop, jobs: list[Job]) -> None:
     for job in jobs:
-        workshop.queue.ask(job)
+        if job.putting is not None and job.putting.flips:
+            workshop.queue.ask(replace(job, signs=job.putting.signs()))
+        else:
+            workshop.queue.ask(job)
 
 
 def remove(model: models.Remove, workshop: Workshop, rule: StandingRule) -> Act:

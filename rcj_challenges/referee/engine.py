@@ -7,6 +7,7 @@ as they were at the start of the tick; then the rules fire in order, and at last
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Snapshot, Verdict
@@ -55,7 +56,7 @@ class Referee:
         self._contacts, self._queue = self._workshop.contacts, self._workshop.queue
         self._moments, self._track = self._workshop.moments, self._workshop.track
         self._all_present = True
-        self._clock_runs = True
+        self._clock_runs = self._clock_ran = True
         self._waiting = False
         self._phase_ends = NEVER
         self._entered: list[tuple[str, str]] = []
@@ -130,7 +131,8 @@ class Referee:
         tick = state.tick = snapshot.tick
         substeps = snapshot.substeps
         changed_phase = tick >= self._phase_ends
-        if self._clock_runs:
+        self._clock_ran = self._clock_runs
+        if self._clock_ran:
             state.clock += 1
         state.before = state.poses
         state.poses = substeps[-1] if self._all_present else self._without_parked(substeps[-1])
@@ -174,7 +176,7 @@ class Referee:
                     self._hits.report([listener])
         for name in dict.fromkeys(emitted):
             self._hits.report(self._moments.events.get(name, []))
-        if self._clock_runs:
+        if self._clock_ran:
             for listener, at_s in self._moments.times.get(self._state.clock, ()):
                 self._hits.report([listener], at_s, at_s)
         self._hear_faults(faults)
@@ -273,7 +275,7 @@ class Referee:
         placements, failed = set_down(jobs, state, self._workshop.bodies)
         for job in failed:
             if job.putting is not None and job.putting.retry:
-                self._queue.ask_later(Job(job.entity, job.putting, job.rule, due=state.tick + 1))
+                self._queue.ask_later(replace(job, due=state.tick + 1))
         moved = {placement.entity for placement in placements}
         if moved:
             self._all_present = all(state.present)

@@ -121,12 +121,17 @@ class Putting:
     retry: bool
     stream: str
 
-    def propose(self, board: Board, rng: random.Random) -> Pose2 | None:
-        """Return a pose at which the entity can stand, or None if there is none."""
+    def signs(self) -> Point:
+        """Return the signs of x and y with all mirrors as they are now."""
         sign_x, sign_y = 1.0, 1.0
         for flip in self.flips:
             flip_x, flip_y = flip()
             sign_x, sign_y = sign_x * flip_x, sign_y * flip_y
+        return sign_x, sign_y
+
+    def propose(self, board: Board, rng: random.Random, signs: Point) -> Pose2 | None:
+        """Return a pose at which the entity can stand, or None if there is none."""
+        sign_x, sign_y = signs
 
         def mirrored(point: Point) -> Point:
             return (point[0] * sign_x, point[1] * sign_y)
@@ -161,12 +166,14 @@ class Job:
         putting: how it is set down; None takes it off the field.
         rule: the rule that asked; a retry waits while the rule does not live. None: the start of the half.
         due: from which tick on it is to be done.
+        signs: of x and y, as the mirrors stood when it was asked for; a retry keeps them.
     """
 
     entity: int
     putting: Putting | None
     rule: StandingRule | None
     due: int = 0
+    signs: Point = (1.0, 1.0)
 
 
 class Queue:
@@ -233,7 +240,7 @@ def _try(jobs: list[Job], state: State, bodies: Bodies) -> tuple[list[tuple[int,
         if job.putting is None:
             done.append((job.entity, None))
             continue
-        pose = job.putting.propose(board, state.stream(job.putting.stream))
+        pose = job.putting.propose(board, state.stream(job.putting.stream), job.signs)
         if pose is None:
             return [], job
         board.put(job.entity, pose)

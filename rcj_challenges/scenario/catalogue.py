@@ -26,10 +26,12 @@ class Catalogue:
         kinds: what each name on the field is: ``robot``, ``ball``, ``obstacle`` (movable), ``fixed obstacle``,
             ``walls``, ``zone``, ``gate`` or ``spot``.
         groups: the members of each group, nested groups resolved, unknown names left in.
+        broken: sections that are there and are no mappings.
     """
 
     def __init__(self, root: Entries) -> None:
         self.root = root
+        self.broken = {name for name, node in root.entries.items() if not isinstance(node, Entries)}
         self.kinds: dict[str, str] = {}
         for section, kind in KIND_OF_SECTION.items():
             self.kinds.update(dict.fromkeys(self.names(section), kind))

@@ -29,7 +29,9 @@ def check(scenario: Scenario | None, tree: Entries, removed: Mapping[Path, Mark]
     half_is_set = any(
         mark_of(tree, ("match", key), at_key=True).file.startswith("--set") for key in ("half_s", "halves")
     )
-    for path, message, at_key in (*check_ground(scenario), *check_sense(scenario, half_is_set=half_is_set)):
+    for path, message, at_key, other in (*check_ground(scenario), *check_sense(scenario, half_is_set=half_is_set)):
+        if other and mark_of(tree, path).file != tree.mark.file == mark_of(tree, other).file:
+            path, at_key = other, False  # noqa: PLW2901 - the other place takes over
         leaf = node_at(tree, path)
         note = f" ({leaf.note})" if isinstance(leaf, Leaf) and leaf.note else ""
         mark = mark_of(tree, path, at_key=at_key)

@@ -6,10 +6,11 @@ Walks the tree beside the shapes of the models, so that unknown names come in on
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
-from rcj_challenges.scenario.catalogue import EACH, FAMILIES, Catalogue, texts
-from rcj_challenges.scenario.errors import Problem, listing, nearest
+from rcj_challenges.scenario.catalogue import EACH, Catalogue, texts
+from rcj_challenges.scenario.errors import Problem, known_text, listing, nearest
 from rcj_challenges.scenario.models import actions, conditions, state
 from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
 from rcj_challenges.scenario.references import REFERENCES, Field, Named, Reference
@@ -71,7 +72,7 @@ class _Walker:
 
     # --- one mapping ------------------------------------------------------------------------------------------------
 
-    def _model(self, model: Any, node: Entries, path: Path, each: Each) -> Each:  # noqa: ANN401 - a model's class
+    def _model(self, model: Any, node: Entries, path: Path, each: Each) -> Each:
         if model is Rule:
             each = self._each_of(node)
         for name, info in model.model_fields.items():
@@ -126,7 +127,7 @@ class _Walker:
             wrong = next((name for name in each if self.names.kinds.get(name, "robot") not in reference.kinds), None)
             if wrong is not None:
                 kind = self.names.kinds[wrong]
-                self.add(path, mark, f"'each' stands for '{wrong}' too, {_a(kind)}; expected {_a(reference.noun)}")
+                self.add(path, mark, f"'each' stands for '{wrong}', {_a(kind)}; expected {_a(reference.noun)}")
 
     def _check_on_field(self, reference: Field, name: str, path: Path, mark: Mark) -> None:
         names = self.names
@@ -158,38 +159,39 @@ class _Walker:
             self.add(path, mark, f"'{name}' is a group; name one {reference.noun}")
         elif stranger is not None:
             kind = self.names.kinds[stranger]
-            alone = self.names.groups[name] == (stranger,) and name in ("walls",)
-            what = f"'{name}' is" if alone else f"group '{name}' contains '{stranger}',"
+            what = f"'{name}' is" if name == stranger else f"group '{name}' contains '{stranger}',"
             self.add(path, mark, f"{what} {_a(kind)}; expected {_a(reference.noun)}")
 
     def _check_drawn(self, reference: Reference, draw: str, user: Path) -> None:
         """Check that all that a draw may decide can stand where its name is used."""
         values = node_at(self.root, ("draws", draw, "values"))
+        before = len(self.problems)
         for index, value in enumerate(values.items if isinstance(values, Items) else ()):
             at: Path = ("draws", draw, "values", index)
             text = value.value if isinstance(value, Leaf) else None
             if isinstance(text, str):
                 self._check(reference, text, at, value.mark, None)
             else:
-                where = in_names(self.root, user)
-                self.add(at, value.mark, f"expected {_a(reference.noun)} for {where}, found {found_text(value)}")
+                self.add(at, value.mark, f"expected {_a(reference.noun)}, found {found_text(value)}")
+        needed = f" (needed by {shown_path(self.root, user)})"
+        self.problems[before:] = [replace(p, message=p.message + needed) for p in self.problems[before:]]
 
     def _unknown(
         self, noun: str, name: str, known: list[str], sections: tuple[str, ...], path: Path, mark: Mark
     ) -> None:
+        if any(section in self.names.broken for section in sections):
+            return  # that the section is none is reported; what might stand in it is unknown
         removal = next((self.removed[section, name] for section in sections if (section, name) in self.removed), None)
         if removal is not None:
             where = f"{removal.file}:{removal.line}" if removal.line else removal.file
             self.add(path, mark, f"unknown {noun} '{name}': it was removed in {where}")
             return
-        hint = nearest(name, known)
-        if not hint:
-            hint = f"; there are {listing(known)}" if known else f"; this scenario has no {noun}"
+        hint = nearest(name, known) or known_text(known, noun)
         self.add(path, mark, f"unknown {noun} '{name[:64]}'{hint}")
 
     # --- what a table cannot say ------------------------------------------------------------------------------------
 
-    def _special(self, model: Any, node: Entries, path: Path, each: Each) -> None:  # noqa: ANN401 - a model's class
+    def _special(self, model: Any, node: Entries, path: Path, each: Each) -> None:
         if model in _READS or model in _WRITES:
             self._per_entity(model, node, path, each)
         elif model is actions.Place:
@@ -227,7 +229,7 @@ class _Walker:
         if step.value not in known and self.names.kinds.get(step.value) in {"zone", "gate"}:
             self.add((*path, "step"), step.mark, f"'{step.value}' is no step of it; its steps are {listing(known)}")
 
-    def _per_entity(self, model: Any, node: Entries, path: Path, each: Each) -> None:  # noqa: ANN401 - a model's class
+    def _per_entity(self, model: Any, node: Entries, path: Path, each: Each) -> None:
         """Check that ``entity`` says whose counter, flag or timer is meant, where there is one for each."""
         key = next(key for key in _STATE_SECTIONS if key in model.model_fields)
         name, whose = node.entries.get(key), node.entries.get("entity")
@@ -262,6 +264,6 @@ def _leaves(node: Node, path: Path) -> Iterator[tuple[str, Path, Mark]]:
 
 
 def _a(noun: str) -> str:
-    if noun in FAMILIES and noun == "walls":
+    if noun == "walls":
         return "the walls"
     return f"an {noun}" if noun[0] in "aeiou" else f"a {noun}"

@@ -67,6 +67,14 @@ def nearest(word: str, known: Iterable[str]) -> str:
     return f"; did you mean {by_folded[found[0]]!r}?" if found else ""
 
 
+def known_text(names: Iterable[str], noun: str) -> str:
+    """Return what there is instead, for the end of a sentence."""
+    known = list(names)
+    if not known:
+        return f"; this scenario has no {noun}"
+    return f"; there is only {known[0]}" if len(known) == 1 else f"; there are {listing(known)}"
+
+
 def listing(names: Iterable[str], most: int = 12) -> str:
     """Return names as a list for a sentence: sorted by the caller, cut after ``most``."""
     known = list(names)

@@ -9,7 +9,9 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any
 
+from rcj_challenges import __version__
 from rcj_challenges.scenario.errors import Problem, ScenarioError, listing, nearest
+from rcj_challenges.scenario.models.scenario import SCHEMA_VERSION
 from rcj_challenges.scenario.resources import names_in, presets_folder, scenarios_folder
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node
 from rcj_challenges.scenario.yaml_strict import MAX_BYTES, parse_bytes, parse_text
@@ -92,6 +94,7 @@ def read_chain(source: Source) -> list[Source]:
         ScenarioError: a base is unknown, unreadable, extends itself, or the chain is too long.
     """
     chain = [source]
+    _refuse_newer(source)
     while (leaf := chain[-1].tree.entries.get("extends")) is not None:
         mark = leaf.mark
         if not isinstance(leaf, Leaf) or not isinstance(leaf.value, str):
@@ -104,8 +107,20 @@ def read_chain(source: Source) -> list[Source]:
         if base.path is not None and base.path.resolve() in known:
             files = " → ".join([*(part.shown for part in chain), base.shown])
             raise _refused(mark, f"a file cannot extend itself: {files}")
+        _refuse_newer(base)
         chain.append(base)
     return chain[::-1]
+
+
+def _refuse_newer(source: Source) -> None:
+    """Refuse a file of a later format before anything else in it is called wrong."""
+    version = source.tree.entries.get("schema_version")
+    if isinstance(version, Leaf) and isinstance(version.value, int) and version.value > SCHEMA_VERSION:
+        message = (
+            f"version {version.value} needs a newer rcj-challenges; this is {__version__}, "
+            f"which reads version {SCHEMA_VERSION}: pip install --upgrade rcj-challenges"
+        )
+        raise ScenarioError([version.mark.problem("schema_version", message)])
 
 
 def _refused(mark: Mark, message: str) -> ScenarioError:
@@ -125,7 +140,7 @@ def _base(name: str, user: Source, mark: Mark) -> Source:
     # Checked as text on every platform alike: what Windows takes for absolute must not pass on Linux either.
     if name.startswith(("/", "~")) or re.search(r"[\\:\x00-\x1f]", name) or not name.endswith((".yaml", ".yml")):
         wanted = "a shipped preset or a relative path with / to a .yaml file"
-        raise _refused(mark, f"'{name[:120]}' is neither {wanted}")
+        raise _refused(mark, f"'{name[:120]}' is not {wanted}")
     if user.path is None:
         raise _refused(mark, "a text has no folder for a relative path; extend a preset")
     if ".." in parts[len([part for part in parts if part == ".."]) :]:

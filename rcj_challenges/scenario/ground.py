@@ -1,4 +1,4 @@
-"""What cannot be on the floor: zones without an inside, goals wider than the field, bodies in walls or in each other."""
+"""What cannot be on the floor: zones without an inside, goals wider than the field, bodies in walls or each other."""
 
 from __future__ import annotations
 
@@ -126,7 +126,8 @@ class _Floor:
         if goal is None:
             return False
         reach = _TOUCH_M - margin
-        return abs(x) <= goal.width_m / 2 + reach and self.half_y - margin <= abs(y) <= self.half_y + goal.depth_m + reach
+        far = self.half_y + goal.depth_m + reach
+        return abs(x) <= goal.width_m / 2 + reach and self.half_y - margin <= abs(y) <= far
 
     def _passes(self, a: Point, b: Point) -> bool:
         """Return whether an edge that leaves the field does so through the mouth of a goal."""
@@ -186,7 +187,8 @@ def _overlaps(bodies: list[_Body]) -> Iterator[Found]:
         for _, other in open_:
             if not (body.fixed and other.fixed) and body.outline.overlaps(other.outline):
                 first, second = sorted((body, other), key=lambda one: order[one.name])
-                yield Found(second.path, f"'{second.name}' overlaps '{first.name}' at the start")
+                message = f"'{second.name}' overlaps '{first.name}' at the start"
+                yield Found(second.path, message, other=first.path)
         open_.append((x_1, body))
 
 

@@ -69,8 +69,8 @@ def _groups(catalogue: Catalogue) -> Iterator[Problem]:
                 path: Path = ("groups", group, index)
                 if name not in known:
                     hint = nearest(name, known) or f"; there are {listing(known)}"
-                    message = f"unknown robot, ball, obstacle, zone, gate, spot or group '{name[:64]}'{hint}"
-                    yield _problem(catalogue, path, message)
+                    if not catalogue.broken.intersection(_SECTIONS):
+                        yield _problem(catalogue, path, f"unknown name '{name[:64]}'{hint}")
                     continue
                 if _leads_to(catalogue, name, group):
                     yield _problem(catalogue, path, f"a group cannot contain itself: '{name}' leads back to '{group}'")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from rcj_challenges.scenario.errors import Problem, ScenarioError, listing, nearest
+from rcj_challenges.scenario.errors import Problem, ScenarioError, known_text, listing, nearest
 from rcj_challenges.scenario.merge import Merger, is_param
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.shape import (
@@ -25,7 +25,7 @@ from rcj_challenges.scenario.yaml_strict import parse_value
 _STEPS = re.compile(r"(?:^|\.)([^.\[\]]+)|\[(\d+)\]")
 
 
-class _Refused(Exception):
+class _RefusedError(Exception):
     """An override that leads nowhere; the text says why."""
 
 
@@ -36,11 +36,11 @@ def apply_overrides(root: Entries, overrides: Sequence[str], merger: Merger) -> 
         path_text, equals, value_text = override.partition("=")
         try:
             if not equals or not path_text.strip() or not value_text.strip():
-                raise _Refused("expected PATH=VALUE: a param's name, or a path such as match.half_s=60")
+                raise _RefusedError("expected PATH=VALUE: a param's name, or a path such as match.half_s=60")
             value = parse_value(value_text, shown)
             _point_to_option(value, Mark(shown))
             _set(root, _steps(path_text.strip(), root), value, Mark(shown), merger)
-        except _Refused as refused:
+        except _RefusedError as refused:
             merger.problems.append(Mark(shown).problem("", str(refused)))
         except ScenarioError as error:
             merger.problems += [Problem(shown, 0, 0, "", problem.message) for problem in error.problems]
@@ -65,19 +65,21 @@ def _steps(text: str, root: Entries) -> Path:
         end = match.end()
         path.append(int(match[2]) if match[1] is None else match[1])
     if end != len(text) or len(path) > 30:
-        raise _Refused(f"'{text}' is no path; write names with dots and list entries with [0]: rules.goal.actions[0]")
+        raise _RefusedError(
+            f"'{text}' is no path; write names with dots and list entries with [0]: rules.goal.actions[0]"
+        )
     params = root.entries.get("params")
     if len(path) == 1 and isinstance(params, Entries) and path[0] in params.entries:
         return ("params", path[0])
     if len(path) == 1 and path[0] not in fields(Scenario):
         names = [*(params.entries if isinstance(params, Entries) else ()), *fields(Scenario)]
-        exact = next((dotted for dotted in _dotted(root) if dotted.rpartition(".")[2] == path[0]), None)
+        exact = next((dotted for dotted in _dotted() if dotted.rpartition(".")[2] == path[0]), None)
         hint = f"; did you mean '{exact}'?" if exact else nearest(str(path[0]), names)
-        raise _Refused(f"unknown param or section '{path[0]}'{hint}")
+        raise _RefusedError(f"unknown param or section '{path[0]}'{hint}")
     return tuple(path)
 
 
-def _dotted(root: Entries) -> Iterator[str]:
+def _dotted() -> Iterator[str]:
     """Yield the paths of single values below the sections that always exist, for a hint."""
     for section, shape in fields(Scenario).items():
         kind = bare(shape).kind
@@ -105,17 +107,15 @@ def _opened(node: Node, step: Step, shape: Shape, inner: Shape, mark: Mark, here
     """Return a new mapping for a section that the file leaves at its defaults; refuse everything else."""
     _check_step(node, step, shape, here)
     if is_named(shape) or not isinstance(node, Entries) or not isinstance(step, str):
-        raise _Refused(_unknown_name(node, step, here))
+        raise _RefusedError(_unknown_name(node, step, here))
     if not any(is_model(bare(member).kind) or is_named(member) for member in members(inner)):
-        raise _Refused(f"{here + '.' if here else ''}{step} is a single value, nothing is inside it")
+        raise _RefusedError(f"{here + '.' if here else ''}{step} is a single value, nothing is inside it")
     fresh = Entries({}, mark)
     node.put(step, fresh, mark)
     return fresh
 
 
-def _put(
-    node: Node, step: Step, value: Node, mark: Mark, shape: Shape, path: Path, here: str, merger: Merger
-) -> None:
+def _put(node: Node, step: Step, value: Node, mark: Mark, shape: Shape, path: Path, here: str, merger: Merger) -> None:
     _check_step(node, step, shape, here)
     if isinstance(node, Items) and isinstance(step, int):
         node.items[step] = merger.adopt(value, step_into(shape, node, step), path)
@@ -124,28 +124,30 @@ def _put(
         return
     # A new name may bring a whole entry; a single value under a new name is a typing mistake.
     if is_named(shape) and step not in node.entries and isinstance(value, Leaf):
-        raise _Refused(_unknown_name(node, step, here))
+        raise _RefusedError(_unknown_name(node, step, here))
     merger.merge_entry(node, step, value, mark, shape, path[:-1])
 
 
 def _check_step(node: Node, step: Step, shape: Shape, here: str) -> None:
     if isinstance(node, Leaf):
-        raise _Refused(f"{here} is a single value, nothing is inside it")
+        raise _RefusedError(f"{here} is a single value, nothing is inside it")
     if isinstance(node, Items):
         if not isinstance(step, int) or step >= len(node.items):
             last = len(node.items) - 1
-            raise _Refused(f"{here} is a list: its entries are [0] to [{last}], not '{step}'")
+            raise _RefusedError(f"{here} is a list: its entries are [0] to [{last}], not '{step}'")
         return
     if not isinstance(step, str):
-        raise _Refused(f"{here} is no list; there are {listing(node.entries)}")
+        raise _RefusedError(f"{here} is no list; there are {listing(node.entries)}")
     kind = bare(chosen(shape, node)).kind
     if is_model(kind) and step not in fields(kind):
-        raise _Refused(f"{here or 'a scenario'} has no '{step}'{nearest(step, fields(kind))}; it has {listing(fields(kind), 40)}")
+        known = fields(kind)
+        where = here or "a scenario"
+        raise _RefusedError(f"{where} has no '{step}'; it has {listing(known, 40)}{nearest(step, known)}")
 
 
 def _unknown_name(node: Node, step: Step, here: str) -> str:
     names = node.entries if isinstance(node, Entries) else {}
-    return f"{here} has no '{step}'{nearest(str(step), names)}; there are {listing(names) or 'none'}"
+    return f"{here} has no '{step}'; there are {listing(names) or 'none'}{nearest(str(step), names)}"
 
 
 def resolve_params(root: Entries, merger: Merger) -> None:
@@ -157,9 +159,7 @@ def resolve_params(root: Entries, merger: Merger) -> None:
             root.entries[key] = _resolved(node, fields(Scenario).get(key), (key,), values, root, merger)
 
 
-def _resolved(
-    node: Node, shape: Shape, path: Path, values: dict[str, Node], root: Entries, merger: Merger
-) -> Node:
+def _resolved(node: Node, shape: Shape, path: Path, values: dict[str, Node], root: Entries, merger: Merger) -> Node:
     if is_param(node) and may_be_scalar(shape) and isinstance(node, Entries):
         use = node.entries["param"]
         name = str(use.value) if isinstance(use, Leaf) else ""
@@ -167,8 +167,7 @@ def _resolved(
         if not isinstance(value, Leaf):
             # A value that is no scalar is reported where it is defined.
             if value is None:
-                known = f"; there are {listing(values)}" if values else "; there are none"
-                message = f"unknown param '{name}'{known}{nearest(name, values)}"
+                message = f"unknown param '{name}'{nearest(name, values) or known_text(values, 'param')}"
                 merger.problems.append(use.mark.problem(in_names(root, path), message))
             return Leaf(None, use.mark, note="unknown param")
         return Leaf(value.value, use.mark, note=f"param '{name}'")

@@ -34,7 +34,7 @@ class Field:
 
 @dataclass(frozen=True)
 class Named:
-    """A reference to an entry of some sections: a counter, a phase, a kit …
+    """A reference to an entry of some sections: a counter, a phase, a kit.
 
     Attributes:
         noun: what is named, for messages.
@@ -188,17 +188,14 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (scenario.Scenario, "first_phase"): _PHASE,
 }
 
-DEFINITIONS: frozenset[tuple[type[BaseModel], str]] = frozenset(
+DEFINITIONS: frozenset[tuple[type[BaseModel], str]] = frozenset[tuple[type[BaseModel], str]](
     {
-        (scenario.Scenario, "id"),
-        (scenario.Scenario, "groups"),  # checked by itself: its members must be of one family
+        *((scenario.Scenario, name) for name in scenario.Scenario.model_fields if name != "first_phase"),
         (robots.Robot, "colour"),
         (scenario.Rule, "exclusive"),
         (actions.Emit, "payload"),
         (scenario.Broadcast, "fields"),
         (scenario.ExpectedEvent, "payload"),
-        *((scenario.Scenario, name) for name in scenario.Scenario.model_fields),
     }
-    - {(scenario.Scenario, "first_phase")}
 )
-"""Fields whose names are chosen there, and refer to nothing."""
+"""Fields whose names are chosen there. The section ``groups`` names things too; its checks are in `naming`."""

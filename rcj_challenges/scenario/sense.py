@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.models.actions import Count, Place
 from rcj_challenges.scenario.models.base import Strict
-from rcj_challenges.scenario.models.conditions import AtLeast, CounterIs, Distance, InZone, SpotFree, Speed, TimerIs
+from rcj_challenges.scenario.models.conditions import AtLeast, CounterIs, Distance, InZone, Speed, SpotFree, TimerIs
 from rcj_challenges.scenario.models.robots import LidarDevice
 from rcj_challenges.scenario.models.scenario import Expectation, Scenario
 from rcj_challenges.scenario.models.state import Draw
@@ -145,13 +145,19 @@ def _entrants(scenario: Scenario) -> Iterator[Found]:
         for robot, entry_points in entrant.robots.items():
             at = (*path, "robots", robot)
             if robot in driver:
-                yield Found(at, f"'{robot}' is driven by '{driver[robot]}' already", at_key=True)
+                yield Found(
+                    at,
+                    f"'{robot}' is driven by '{driver[robot]}' already",
+                    True,
+                    ("entrants", driver[robot], "robots", robot),
+                )
             driver.setdefault(robot, name)
             if robot in scenario.robots and scenario.robots[robot].idle:
-                yield Found(at, f"'{robot}' is idle; no program drives it", at_key=True)
+                yield Found(at, f"'{robot}' is idle; no program drives it", True, ("robots", robot, "idle"))
             yield from _entry_points(entry_points, at)
         if entrant.radio_channel in channels:
-            message = f"channel {entrant.radio_channel} is that of '{channels[entrant.radio_channel]}': they would hear each other"
+            other = channels[entrant.radio_channel]
+            message = f"channel {entrant.radio_channel} is that of '{other}'; they would hear each other"
             yield Found((*path, "radio_channel"), message)
         channels.setdefault(entrant.radio_channel, name)
     yield from _swap(scenario)
@@ -174,5 +180,3 @@ def _swap(scenario: Scenario) -> Iterator[Found]:
     elif len(set(counts.values())) > 1:
         sizes = " and ".join(f"'{name}' {count}" for name, count in counts.items())
         yield Found(("match", "swap_sides"), f"entrants that change sides have equally many robots; {sizes}")
-
-

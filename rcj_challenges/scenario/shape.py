@@ -9,7 +9,7 @@ from __future__ import annotations
 import types
 from collections.abc import Callable
 from functools import cache
-from typing import Annotated, Any, Literal, NamedTuple, Union, get_args, get_origin, get_type_hints
+from typing import Any, Literal, NamedTuple, Union, get_args, get_origin, get_type_hints
 
 from pydantic import BaseModel, Discriminator, Tag
 from pydantic.fields import FieldInfo
@@ -34,24 +34,32 @@ class Bare(NamedTuple):
 
 def bare(shape: Shape) -> Bare:
     """Strip ``Annotated`` and ``None`` from a shape."""
-    discriminator: str | Callable[[Any], str | None] | None = None
+    discriminator: Any = None
     while True:
-        if get_origin(shape) is Annotated:
-            shape, *extras = get_args(shape)
-            for extra in extras:
+        if hasattr(shape, "__metadata__"):
+            for extra in shape.__metadata__:
                 found = extra.discriminator if isinstance(extra, (FieldInfo, Discriminator)) else None
                 found = found.discriminator if isinstance(found, Discriminator) else found
                 discriminator = found or discriminator
-        elif is_union(shape) and type(None) in get_args(shape):
-            rest = tuple(member for member in get_args(shape) if member is not type(None))
-            shape = rest[0] if len(rest) == 1 else Union[rest]  # noqa: UP007 - built at run time
+            shape = get_args(shape)[0]
+        elif (rest := without_none(shape)) is not shape:
+            shape = rest
         else:
             return Bare(shape, discriminator)
 
 
+def without_none(shape: Shape) -> Shape:
+    """Return what may stand at a place that may also be left out; metadata is kept."""
+    if not is_union(shape) or type(None) not in get_args(shape):
+        return shape
+    rest = tuple(member for member in get_args(shape) if member is not type(None))
+    return rest[0] if len(rest) == 1 else Union[rest]  # noqa: UP007 - built at run time
+
+
 def is_union(shape: Shape) -> bool:
     """Return whether a shape is a union (``X | None`` included)."""
-    return get_origin(shape) in (Union, types.UnionType)
+    origin: Any = get_origin(shape)
+    return origin is Union or origin is types.UnionType
 
 
 def is_model(shape: Shape) -> bool:
@@ -108,11 +116,16 @@ def chosen(shape: Shape, node: Node) -> Shape:
     fitting = [member for member in members(kind) if _fits(bare(member).kind, node)]
     if isinstance(node, Entries) and len(fitting) > 1:
         return max(fitting, key=lambda member: sum(key in fields(bare(member).kind) for key in node.entries))
-    if len(fitting) > 1:  # a word among words, else the general member
-        fitting.sort(key=lambda member: not (isinstance(node, Leaf) and node.value in get_args(bare(member).kind)))
-        worded = isinstance(node, Leaf) and node.value in get_args(bare(fitting[0]).kind)
-        return fitting[0] if worded else next((m for m in fitting if get_origin(bare(m).kind) is not Literal), fitting[0])
+    if isinstance(node, Leaf) and len(fitting) > 1:
+        # One of the listed words is that; any other text belongs to the member that takes any.
+        fitting.sort(key=lambda member: _reluctance(bare(member).kind, node))
     return fitting[0] if fitting else None
+
+
+def _reluctance(kind: Any, leaf: Leaf) -> int:
+    if get_origin(kind) is not Literal:
+        return 1
+    return 0 if leaf.value in get_args(kind) else 2
 
 
 def _fits(kind: Any, node: Node) -> bool:

@@ -16,14 +16,16 @@ class Found(NamedTuple):
         path: where it is.
         message: what is wrong.
         at_key: whether it is the key that is wrong.
+        other: another place that has part in it: reported there if only that one stands in the author's own file.
     """
 
     path: Path
     message: str
     at_key: bool = False
+    other: Path = ()
 
 
-def visit(value: Any, path: Path = ()) -> Iterator[tuple[Strict, Path]]:  # noqa: ANN401 - any part of the models
+def visit(value: Any, path: Path = ()) -> Iterator[tuple[Strict, Path]]:
     """Yield every model in a value, itself included, with its path as the file writes it."""
     if isinstance(value, Strict):
         yield value, path

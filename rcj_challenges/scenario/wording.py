@@ -2,24 +2,29 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from typing import Any, Literal, get_args, get_origin
 
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.errors import listing, nearest
-from rcj_challenges.scenario.models.base import EventName, Name, Names, Point
+from rcj_challenges.scenario.models.base import Colour, EventName, Name, Names, Point
+from rcj_challenges.scenario.models.places import At
 from rcj_challenges.scenario.models.robots import EntryPoint
-from rcj_challenges.scenario.shape import Shape, bare, is_model, is_named, is_union, members
+from rcj_challenges.scenario.shape import Shape, bare, is_model, is_named, is_union, members, without_none
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node
 
 NAME_RULE = "letters, digits and _, not beginning with a digit, at most 64"
 
+_YES, _NO = frozenset({"yes", "on", "y"}), frozenset({"no", "off", "n"})
+_NUMBER = re.compile(r"[-+]?[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?")
 _TYPES = {str: "a text", int: "a whole number", float: "a number", bool: "true/false"}
 _SPECIAL: tuple[tuple[Any, str], ...] = (
     (Names, "a name or a list of names"),
     (Name, "a name"),
     (EventName, "an event's name in capitals"),
     (EntryPoint, "a path to a .py file"),
+    (Colour, "a colour"),
     (Point, "two numbers [x, y]"),
 )
 
@@ -28,8 +33,20 @@ def expected(shape: Shape, node: Node | None) -> str:
     """Return the sentence for a value of the wrong type or an unknown word."""
     hint = ""
     if isinstance(node, Leaf) and isinstance(node.value, str):
-        hint = nearest(node.value, _words(shape))
+        hint = nearest(node.value, _words(shape)) or _hint(shape, node.value)
     return f"expected {expectation(shape)}, found {found_text(node)}{hint}"
+
+
+def _hint(shape: Shape, text: str) -> str:
+    """Return a hint for the usual ways to write a value that YAML takes for a text."""
+    kinds = [bare(member).kind for member in members(shape)]
+    if without_none(shape) == At:
+        return f"; a spot is written {{spot: {text}}}" if text.isidentifier() else ""
+    if bool in kinds and text.lower() in _YES | _NO:
+        return f"; did you mean {'true' if text.lower() in _YES else 'false'}?"
+    if (int in kinds or float in kinds) and _NUMBER.fullmatch(text):
+        return "; leave the quotes out"
+    return ""
 
 
 def _words(shape: Shape) -> list[str]:
@@ -60,23 +77,28 @@ def quoted(text: str) -> str:
 
 def expectation(shape: Shape) -> str:
     """Return in words what may stand at a place."""
+    shape = without_none(shape)
     special = next((text for known, text in _SPECIAL if shape == known), None)
     if special is not None:
         return special
     kind, discriminator = bare(shape)
     if is_union(kind):
         return _expectation_of_union(shape, discriminator)
-    if is_named(kind):
-        return "a mapping by name"
-    if is_model(kind):
-        keys = [info.alias or key for key, info in kind.model_fields.items() if info.is_required()]
-        return f"{{{keys[0]}: …}}" if len(keys) == 1 else "a mapping"
+    if is_named(kind) or is_model(kind):
+        return _expectation_of_mapping(kind)
     if get_origin(kind) is tuple:
         return _expectation_of_list(get_args(kind))
     if get_origin(kind) is Literal:
         words = ["true" if word is True else str(word) for word in get_args(kind)]
         return " or ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
     return _TYPES.get(kind, "a value")
+
+
+def _expectation_of_mapping(kind: Any) -> str:
+    if is_named(kind):
+        return "a mapping by name"
+    keys = [info.alias or key for key, info in kind.model_fields.items() if info.is_required()]
+    return f"{{{keys[0]}: …}}" if len(keys) == 1 else "a mapping"
 
 
 def _expectation_of_list(arguments: tuple[Any, ...]) -> str:
@@ -154,8 +176,11 @@ def is_fixed(shape: Shape) -> bool:
 
 
 def _wrong_form(shape: Shape, shown: str) -> str:
+    shape = without_none(shape)
     if shape == EventName:
         return f"{shown} is no event's name: capitals, digits and _, such as GOAL"
+    if shape == Colour:
+        return f"{shown} is no colour: a CSS colour name or #rrggbb"
     if shape == EntryPoint:
         return f"{shown} is no entry point: a relative path with / to a .py file"
     if shape == Name:

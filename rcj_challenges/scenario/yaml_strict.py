@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -28,8 +27,11 @@ MAX_DEPTH = 30
 _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 # YAML 1.2.2, section 10.3.2 (core schema).
-_NULL = frozenset({"", "~", "null", "Null", "NULL"})
-_BOOL = {"true": True, "True": True, "TRUE": True, "false": False, "False": False, "FALSE": False}
+_WORDS: dict[str, bool | None] = {
+    **dict.fromkeys(("", "~", "null", "Null", "NULL"), None),
+    **dict.fromkeys(("true", "True", "TRUE"), True),
+    **dict.fromkeys(("false", "False", "FALSE"), False),
+}
 _INT = re.compile(r"[-+]?[0-9]+")
 _OCTAL = re.compile(r"0o[0-7]+")
 _HEX = re.compile(r"0x[0-9a-fA-F]+")
@@ -103,7 +105,7 @@ def parse_text(text: str, file: str, loader: Any = None) -> Node:
         builder.problems.append(_syntax_problem(error, file))
     except yaml.YAMLError as error:
         builder.problems.append(Problem(file, 1, 1, "", f"not valid YAML: {' '.join(str(error).split())}"))
-    except _Hopeless:
+    except _HopelessError:
         pass
     if builder.problems:
         raise ScenarioError(builder.problems)
@@ -135,7 +137,7 @@ def _syntax_problem(error: yaml.MarkedYAMLError, file: str) -> Problem:
     return Problem(file, line, column, "", f"not valid YAML: {said}{hint}")
 
 
-class _Hopeless(Exception):
+class _HopelessError(Exception):
     """Reading further makes no sense; the problem has been noted."""
 
 
@@ -165,7 +167,7 @@ class _Builder:
             self._document(event, mark)
         elif isinstance(event, yaml.AliasEvent):
             self._refuse(mark, f"alias '*{event.anchor}': aliases are not allowed; write the value out")
-            raise _Hopeless
+            raise _HopelessError
         elif isinstance(event, yaml.NodeEvent):
             self._node(event, mark)
         elif isinstance(event, yaml.CollectionEndEvent):
@@ -182,7 +184,7 @@ class _Builder:
         self.documents += 1
         if self.documents > 1:
             self._refuse(mark, "a second document: a file holds one scenario")
-            raise _Hopeless
+            raise _HopelessError
         if event.tags or (event.version is not None and tuple(event.version) != (1, 2)):
             self._refuse(mark, "directives (%YAML, %TAG) are not allowed; the file is read as YAML 1.2")
 
@@ -196,10 +198,10 @@ class _Builder:
             return
         if self._wants_key():
             self._refuse(mark, "a list or mapping cannot be a key; keys are text")
-            raise _Hopeless
+            raise _HopelessError
         if len(self.stack) >= MAX_DEPTH:
             self._refuse(mark, f"nested deeper than {MAX_DEPTH} levels")
-            raise _Hopeless
+            raise _HopelessError
         node: Items | Entries = Items([], mark) if isinstance(event, yaml.SequenceStartEvent) else Entries({}, mark)
         self._place(node)
         self.stack.append(_Open(node))
@@ -244,12 +246,8 @@ class _Builder:
 
     def _resolve(self, text: str, mark: Mark) -> str | int | float | bool | None:
         """Return what a plain scalar means in YAML 1.2's core schema."""
-        if text in _NULL:
-            return None
-        if text in _BOOL:
-            return _BOOL[text]
-        if text[0] not in "+-.0123456789":
-            return text
+        if text in _WORDS:
+            return _WORDS[text]
         if _INT.fullmatch(text) or _OCTAL.fullmatch(text) or _HEX.fullmatch(text):
             return self._integer(text, mark)
         if _FLOAT.fullmatch(text):
@@ -269,8 +267,3 @@ class _Builder:
                 return number
         self._refuse(mark, f"{text[:24]}… is too large a number; whole numbers have at most 64 bits")
         return 0
-
-
-def events_of(text: str, loader: Any = None) -> Iterator[yaml.Event]:
-    """Yield PyYAML's events of a text, for tests that compare its parsers."""
-    yield from yaml.parse(text, Loader=loader or _LOADER)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import mujoco
 
 from rcj_challenges.facts.timing import SUBSTEP_S
-from rcj_challenges.scenario.models.field import Wall
+from rcj_challenges.scenario.models.field import Box, Cylinder, Wall
 from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
@@ -35,10 +35,7 @@ def build_spec(scenario: Scenario, roster: Roster) -> mujoco.MjSpec:
         elif name in scenario.balls:
             add_ball(spec, name, scenario.balls[name], field.friction, field.restitution)
         else:
-            obstacle = scenario.obstacles[name]
-            if isinstance(obstacle, Wall):  # pragma: no cover - the roster calls no wall movable
-                raise TypeError(name)
-            add_movable_obstacle(spec, name, obstacle, field.friction)
+            add_movable_obstacle(spec, name, movable_obstacle(scenario, name), field.friction)
     for ball in scenario.balls:
         for robot in scenario.robots:
             add_ball_robot_contact(spec, ball, robot)
@@ -48,6 +45,14 @@ def build_spec(scenario: Scenario, roster: Roster) -> mujoco.MjSpec:
 def chassis_of(scenario: Scenario, robot: str) -> Chassis:
     """Return the chassis of a robot's kit."""
     return scenario.kits[scenario.robots[robot].kit].chassis
+
+
+def movable_obstacle(scenario: Scenario, name: str) -> Box | Cylinder:
+    """Return an obstacle that the roster lists among the entities."""
+    obstacle = scenario.obstacles[name]
+    if isinstance(obstacle, Wall):
+        raise TypeError(f"obstacle {name} is a wall, and walls cannot move")
+    return obstacle
 
 
 def _set_options(spec: mujoco.MjSpec) -> None:

@@ -33,7 +33,7 @@ def add_robot(spec: mujoco.MjSpec, name: str, chassis: Chassis, friction: float)
 
     Names: bodies ``B1``, ``B1/left_wheel``, ``B1/right_wheel``; geoms ``B1/cube``, ``B1/left_wheel``,
     ``B1/right_wheel``; joints ``B1/x``, ``B1/y``, ``B1/yaw``, ``B1/left_wheel``, ``B1/right_wheel``; tendons
-    ``B1/left_grip``, ``B1/right_grip``, ``B1/side_grip``.
+    ``B1/left_grip``, ``B1/side_grip``, ``B1/right_grip``.
     """
     half = chassis.size_m / 2
     body = _add_planar_body(spec, name, half)
@@ -140,17 +140,18 @@ def _add_grip(spec: mujoco.MjSpec, name: str, chassis: Chassis, grip: contact.Gr
     the cube, less what turning takes off at the wheel, less what the wheel rolls. ``side_grip`` is the speed of the
     axle's middle to the left. Dry friction in each is bounded on its own (a box, as in the original).
     """
-    for wheel, way in zip(WHEELS, (1, -1), strict=True):
-        slip = spec.add_tendon(name=f"{name}/{wheel}_grip", frictionloss=grip.brake_n)
+    x, y, yaw = (f"{name}/{joint}" for joint in ("x", "y", "yaw"))
+    arm_m, radius_m = chassis.wheel_track_m / 2, chassis.wheel_radius_m
+    # In this order the six numbers that change with the yaw stand side by side.
+    for tendon, limit_n, coefficients in (
+        ("left_grip", grip.brake_n, {yaw: -arm_m, f"{name}/left_wheel": -radius_m, x: 1.0, y: 0.0}),
+        ("side_grip", grip.side_n, {x: 0.0, y: 1.0}),
+        ("right_grip", grip.brake_n, {x: 1.0, y: 0.0, yaw: arm_m, f"{name}/right_wheel": -radius_m}),
+    ):
+        slip = spec.add_tendon(name=f"{name}/{tendon}", frictionloss=limit_n)
         slip.solref_friction, slip.solimp_friction = _dry_friction()
-        slip.wrap_joint(f"{name}/x", 1.0)
-        slip.wrap_joint(f"{name}/y", 0.0)
-        slip.wrap_joint(f"{name}/yaw", -way * chassis.wheel_track_m / 2)
-        slip.wrap_joint(f"{name}/{wheel}_wheel", -chassis.wheel_radius_m)
-    drift = spec.add_tendon(name=f"{name}/side_grip", frictionloss=grip.side_n)
-    drift.solref_friction, drift.solimp_friction = _dry_friction()
-    drift.wrap_joint(f"{name}/y", 1.0)
-    drift.wrap_joint(f"{name}/x", 0.0)
+        for joint, coefficient in coefficients.items():
+            slip.wrap_joint(joint, coefficient)
 
 
 def _dry_friction() -> tuple[list[float], list[float]]:

@@ -94,7 +94,10 @@ def wall_blocks(field: FieldModel) -> Iterator[Block]:
     outer_x = half_x + WALL_THICKNESS_M
     for side, sign in (("left", -1), ("right", 1)):
         yield Block.between(
-            f"{FIELD}wall_{side}", (sign * half_x, sign * outer_x), (-half_y - WALL_THICKNESS_M, half_y + WALL_THICKNESS_M), height
+            f"{FIELD}wall_{side}",
+            (sign * half_x, sign * outer_x),
+            (-half_y - WALL_THICKNESS_M, half_y + WALL_THICKNESS_M),
+            height,
         )
     for end, sign in (("positive_y", 1), ("negative_y", -1)):
         goal = next((goal for goal in field.goals.values() if goal.end == end), None)
@@ -118,7 +121,9 @@ def _end_blocks(end: str, sign: int, goal: Goal | None, field: FieldModel) -> It
     post, back = goal.width_m / 2, half_y + goal.depth_m
     outer_y = max(back, half_y + WALL_THICKNESS_M)
     for side, way in (("left", -1), ("right", 1)):
-        yield Block.between(f"{FIELD}wall_{end}_{side}", (way * post, way * outer_x), (sign * half_y, sign * outer_y), height)
+        yield Block.between(
+            f"{FIELD}wall_{end}_{side}", (way * post, way * outer_x), (sign * half_y, sign * outer_y), height
+        )
         if goal.wall_height_m > field.wall_height_m:
             yield Block.between(
                 f"{FIELD}goal_{end}_{side}",
@@ -136,8 +141,11 @@ def _corner_blocks(field: FieldModel) -> Iterator[Block]:
     depth = cut / math.sqrt(2) + WALL_THICKNESS_M / 2
     half = (cut / math.sqrt(2) + WALL_THICKNESS_M / 2, depth / 2, field.wall_height_m / 2)
     for name, way_x, way_y in (
-        ("right_positive_y", 1, 1), ("left_positive_y", -1, 1), ("left_negative_y", -1, -1), ("right_negative_y", 1, -1),
-    ):  # fmt: skip
+        ("right_positive_y", 1, 1),
+        ("left_positive_y", -1, 1),
+        ("left_negative_y", -1, -1),
+        ("right_negative_y", 1, -1),
+    ):
         middle_x, middle_y = field.width_m / 2 - cut / 2, field.length_m / 2 - cut / 2
         out = depth / 2 / math.sqrt(2)
         yield Block(

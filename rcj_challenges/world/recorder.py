@@ -13,63 +13,82 @@ from rcj_challenges.world.tables import NO_THING, WorldTables
 
 Touches = tuple[tuple[int, int], ...]
 
-_POSE = np.dtype([("x", np.float32), ("y", np.float32), ("yaw", np.float32)])
-_FULL_TURN = 2 * math.pi
+_FULL_TURN_RAD = np.float32(2 * math.pi)
+_REMEMBERED = 4096
+"""How many patterns of touching geoms are remembered. Most sub-steps repeat the pattern of the one before."""
 
 
 class Recorder:
     """Collects one tick. Poses come straight from `qpos`, which never lags behind the sub-step."""
 
-    def __init__(self, data: Any, tables: WorldTables, cube_heights_m: tuple[float, ...]) -> None:
+    def __init__(self, data: Any, tables: WorldTables, heights_m: tuple[float, ...]) -> None:
+        entities = len(tables.bodies)
         self._data = data
         self._qpos = data.qpos
-        entities = len(tables.bodies)
-        self._pose_at = tables.pose_at
-        self._raw = np.zeros((SUBSTEPS_PER_TICK, entities, 3))
-        self._yaws = self._raw[:, :, 2]
-        balls = slice(tables.robots, tables.robots + tables.balls)
-        self._ball_yaws = self._yaws[:, balls]
-        self._balls = balls
-        self._exact = np.zeros((SUBSTEPS_PER_TICK, entities, 3), dtype=np.float32)
-        self._poses = self._exact.view(_POSE)[:, :, 0]
+        self._rows = np.zeros((SUBSTEPS_PER_TICK, len(data.qpos)))
+        exact = np.zeros((SUBSTEPS_PER_TICK, entities, 3), dtype=np.float32)
+        self._exact = exact.reshape(SUBSTEPS_PER_TICK, -1)
+        self._yaws = exact[:, :, 2]
+        robots, balls, obstacles = tables.by_kind(self._rows)
+        first_ball, first_obstacle = tables.robots, tables.robots + tables.balls
+        # A ball has no yaw: it is 0 for ever.
+        self._copies = [
+            (target, source)
+            for target, source in (
+                (exact[:, :first_ball], robots[..., :3]),
+                (exact[:, first_ball:first_obstacle, :2], balls[..., :2]),
+                (exact[:, first_obstacle:], obstacles),
+            )
+            if target.size
+        ]
+        self._ball_heights_m = balls[-1, :, 2]
+        self._ball_entities = slice(first_ball, first_obstacle)
         self._things = tables.geom_things
-        self._walls = int(tables.geom_things.max(initial=0))
-        self._heights = list(cube_heights_m)
+        self._heights_m = list(heights_m)
         self._uprights = [1.0] * entities
         self._touches: list[Touches] = [()] * SUBSTEPS_PER_TICK
+        self._known: dict[bytes, Touches] = {}
 
     def note(self, substep: int) -> None:
         """Take down a sub-step that has just been made."""
-        self._qpos.take(self._pose_at, out=self._raw[substep], mode="clip")
-        self._touches[substep] = self._touching()
+        self._rows[substep] = self._qpos
+        self._touches[substep] = self._touching() if self._data.ncon else ()
 
     def snapshot(self, tick: int, faults: tuple[Fault, ...]) -> Snapshot:
         """Return the tick whose sub-steps have all been noted."""
-        return self._as_snapshot(tick, tuple(self._touches), faults)
+        for target, source in self._copies:
+            target[:] = source
+        substeps = self._as_poses()
+        for _, _, yaw in substeps[-1]:
+            if yaw > math.pi or yaw < -math.pi:
+                self._yaws -= _FULL_TURN_RAD * np.round(self._yaws / _FULL_TURN_RAD)
+                substeps = self._as_poses()
+                break
+        heights = self._heights_m.copy()
+        heights[self._ball_entities] = self._ball_heights_m.astype(np.float32).tolist()
+        return Snapshot(tick, substeps, heights, self._uprights.copy(), tuple(self._touches), faults)
 
     def present(self) -> Snapshot:
         """Return the present poses as a snapshot of tick 0, in which nothing touches."""
-        for substep in range(SUBSTEPS_PER_TICK):
-            self._qpos.take(self._pose_at, out=self._raw[substep], mode="clip")
-        return self._as_snapshot(0, ((),) * SUBSTEPS_PER_TICK, ())
+        self._rows[:] = self._qpos
+        self._touches = [()] * SUBSTEPS_PER_TICK
+        return self.snapshot(0, ())
 
-    def _as_snapshot(self, tick: int, touches: tuple[Touches, ...], faults: tuple[Fault, ...]) -> Snapshot:
-        heights = self._heights.copy()
-        heights[self._balls] = self._raw[-1, self._balls, 2].astype(np.float32).tolist()
-        # Where a ball has its height, all others have their yaw; balls have none.
-        self._ball_yaws[:] = 0.0
-        yaws = self._yaws
-        yaws -= _FULL_TURN * np.round(yaws / _FULL_TURN)
-        self._exact[:] = self._raw
-        substeps: list[list[Pose2]] = self._poses.tolist()
-        return Snapshot(tick, substeps, heights, self._uprights, touches, faults)
+    def _as_poses(self) -> list[list[Pose2]]:
+        poses = []
+        for numbers in self._exact.tolist():
+            one_by_one = iter(numbers)
+            poses.append(list(zip(one_by_one, one_by_one, one_by_one, strict=True)))
+        return poses
 
     def _touching(self) -> Touches:
-        data = self._data
-        if not data.ncon:
-            return ()
-        pairs = set()
-        for one, other in self._things[data.contact.geom].tolist():
-            if one != other and one != NO_THING and other != NO_THING:
-                pairs.add((one, other) if one < other else (other, one))
-        return tuple(sorted(pairs))
+        geoms = self._data.contact.geom
+        pattern = geoms.tobytes()
+        touches = self._known.get(pattern)
+        if touches is None:
+            if len(self._known) >= _REMEMBERED:
+                self._known.clear()
+            pairs = {(min(pair), max(pair)) for pair in self._things[geoms].tolist()}
+            touches = tuple(sorted(pair for pair in pairs if pair[0] != NO_THING and pair[0] != pair[1]))
+            self._known[pattern] = touches
+        return touches

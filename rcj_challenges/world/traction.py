@@ -10,15 +10,14 @@ import math
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rcj_challenges.facts.timing import SUBSTEP_S
 from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.world import contact
-from rcj_challenges.world.tables import WorldTables
+from rcj_challenges.world.tables import ROBOT_QPOS, WorldTables
 
 Side = Literal["left", "right"]
-SIDES: dict[str, int] = {"left": 0, "right": 1}
+SIDES: dict[Side, int] = {"left": 0, "right": 1}
 
 POSITION_GAIN_PS = 10.0
 """A wheel on its way to a target angle turns at gain times what is left. Source: the Webots reference, Motor: the
@@ -27,108 +26,154 @@ default of ``controlPID`` is a proportional gain of 10."""
 ARRIVED_RAD = 1e-6
 """This close to its target angle a wheel is set on it and held."""
 
+# Robots come first in the model, and so do their grip tendons: left wheel, across, right wheel.
+_TENDONS_PER_ROBOT = 3
 _COEFFICIENTS_PER_ROBOT = 10
-"""Of its grip tendons: 4 left (x, y, yaw, wheel), 4 right, 2 across (y, x)."""
+_TURNING = slice(2, 8)
+_PHASES_RAD = np.array([0, -math.pi / 2, math.pi / 2, 0, 0, -math.pi / 2])
+"""The coefficients that turn with the robot, as cos(yaw + phase): left wheel x, y; across x, y; right wheel x, y."""
+
+
+class Wheel:
+    """One wheel and its command.
+
+    Attributes:
+        arm_m: how far left of the cube's centre it is; negative on the right.
+        grip: of its robot.
+        commanded_radps: as set.
+        target_rad: ``inf``: by velocity; else the angle to go to and hold.
+        stopped: whether its robot has been taken off the field.
+        turns_radps: how fast it turns now.
+    """
+
+    __slots__ = ("arm_m", "commanded_radps", "grip", "stopped", "target_rad", "turns_radps")
+
+    def __init__(self, arm_m: float, grip: contact.Grip) -> None:
+        self.arm_m = arm_m
+        self.grip = grip
+        self.commanded_radps = 0.0
+        self.target_rad = 0.0
+        self.turns_radps = 0.0
+        self.stopped = False
 
 
 class Traction:
-    """The wheels of all robots."""
+    """The wheels of all robots. A wheel's index is twice its robot's, plus 1 on the right."""
 
     def __init__(self, model: Any, data: Any, tables: WorldTables, chassis: list[Chassis], friction: float) -> None:
         robots = tables.robots
-        self._qpos, self._qvel = data.qpos, data.qvel
-        self._wheel_at, self._wheel_dofs = tables.wheel_at, tables.wheel_dofs
-        self._yaw_at = tables.pose_at[:robots, 2].copy()
-        # The grip tendons are the model's first ones, in the order of the robots.
-        self._coefficients = model.wrap_prm[: _COEFFICIENTS_PER_ROBOT * robots].reshape(robots, _COEFFICIENTS_PER_ROBOT)
-        self._along_x = self._coefficients[:, 0:9:4]
-        self._along_y = self._coefficients[:, 1:6:4]
-        self._across_x = self._coefficients[:, 9:]
-        self._slip = data.ten_velocity[: 3 * robots].reshape(robots, 3)[:, :2]
-        self._grip = model.tendon_frictionloss[: 3 * robots].reshape(robots, 3)[:, :2]
-        self._radii_m = np.array([one.wheel_radius_m for one in chassis]).reshape(robots, 1)
-        grips = [contact.grip_of(one, friction) for one in chassis]
-        self._drive_n = np.array([grip.drive_n for grip in grips]).reshape(robots, 1)
-        self._brake_n = np.array([grip.brake_n for grip in grips]).reshape(robots, 1)
-        # While a wheel still rolls faster than one sub-step can stop it, brakes cannot overshoot into driving.
+        poses = tables.by_kind(data.qpos)[0]
+        self._yaws = poses[:, 2:3]
+        self._angles = poses[:, 3:5]
+        self._velocities = data.qvel[: ROBOT_QPOS * robots].reshape(robots, ROBOT_QPOS)
+        self._speeds = self._velocities[:, 3:5]
+        self._turns = np.zeros((robots, 2))
+        coefficients = model.wrap_prm[: _COEFFICIENTS_PER_ROBOT * robots].reshape(robots, _COEFFICIENTS_PER_ROBOT)
+        self._turning = coefficients[:, _TURNING]
+        self._phased = np.zeros((robots, len(_PHASES_RAD)))
+        limits_n = model.tendon_frictionloss[: _TENDONS_PER_ROBOT * robots]
+        self._limits_n = limits_n.reshape(robots, _TENDONS_PER_ROBOT)[:, ::2]
+        self._wheels = [
+            Wheel(way * one.wheel_track_m / 2, contact.grip_of(one, friction)) for one in chassis for way in (1, -1)
+        ]
         self._stops_mps = friction * contact.GRAVITY_MPS2 * SUBSTEP_S
-        self._commanded = [[0.0, 0.0] for _ in range(robots)]
-        self._targets = [[0.0, 0.0] for _ in range(robots)]
-        self._speeds: NDArray[np.float64] = np.zeros((robots, 2))
-        self._stopped = [False] * robots
-        self._on_the_way: list[tuple[int, int]] = []
-        self.brake_all()
+        self._on_the_way: list[int] = []
+        self._grip_is_old = True
 
     def brake_all(self) -> None:
-        """Hold every wheel where it is: robots that nobody has commanded yet."""
-        for robot in range(len(self._targets)):
-            self._stopped[robot] = False
-            for side in (0, 1):
-                self._commanded[robot][side] = 0.0
-                self._targets[robot][side] = self._angle(robot, side)
-                self._update(robot, side)
+        """Hold every wheel where it is: nobody has commanded it yet."""
+        for index, wheel in enumerate(self._wheels):
+            wheel.stopped = False
+            self._command(index, 0.0, self._angle(index))
 
-    def set_wheel(self, robot: int, side: int, velocity_radps: float, position_rad: float) -> None:
-        """Command a wheel: at a velocity (position ``inf``), or to an angle at this velocity at most."""
-        self._commanded[robot][side] = velocity_radps
-        self._targets[robot][side] = position_rad
-        self._update(robot, side)
+    def set_wheel(self, robot: int, side: Side, velocity_radps: float, position_rad: float) -> None:
+        """Command a wheel: by velocity (position ``inf``), or to an angle at this velocity at most."""
+        self._command(2 * robot + SIDES[side], velocity_radps, position_rad)
 
     def set_stopped(self, robot: int, *, stopped: bool) -> None:
         """Stop the wheels of a robot that is taken off the field; let them go on as commanded when it is back."""
-        if self._stopped[robot] != stopped:
-            self._stopped[robot] = stopped
-            self._update(robot, 0)
-            self._update(robot, 1)
+        for index in (2 * robot, 2 * robot + 1):
+            wheel = self._wheels[index]
+            if wheel.stopped != stopped:
+                wheel.stopped = stopped
+                self._command(index, wheel.commanded_radps, wheel.target_rad)
 
-    def angles(self) -> list[tuple[float, float]]:
-        """Return (left, right) in rad by robot."""
-        angles = self._qpos[self._wheel_at].tolist()
-        return list(zip(angles[0::2], angles[1::2], strict=True))
-
-    def before_substep(self) -> None:
-        """Turn the wheels as commanded, and the grip with the robots."""
-        yaw = self._qpos[self._yaw_at][:, None]
-        sin = np.sin(yaw)
-        self._along_x[:] = np.cos(yaw)
-        self._along_y[:] = sin
-        np.negative(sin, out=self._across_x)
-        if self._on_the_way:
-            self._steer_to_targets()
-        self._qvel[self._wheel_dofs] = self._speeds.ravel()
+    def angles(self) -> list[list[float]]:
+        """Return [left, right] in rad by robot."""
+        angles: list[list[float]] = self._angles.tolist()
+        return angles
 
     def before_tick(self) -> None:
-        """Choose the grip of each wheel: whether it pushes its robot on, or slows or holds it."""
-        speeds = self._speeds
-        rim_mps = speeds * self._radii_m
-        # Ground speed at the wheel times its commanded direction: negative while it is to be reversed.
-        ahead = (self._slip + rim_mps) * np.sign(speeds)
-        self._grip[:] = np.where((speeds == 0.0) | (ahead < -self._stops_mps), self._brake_n, self._drive_n)
+        """Turn the wheels as commanded; contacts change that by less than a millionth within a tick."""
+        self._speeds[:] = self._turns
+        self._grip_is_old = True
 
-    def _angle(self, robot: int, side: int) -> float:
-        return float(self._qpos[self._wheel_at[2 * robot + side]])
+    def before_substep(self) -> None:
+        """Let the grip follow the robots' yaw, and what their wheels do."""
+        if self._on_the_way:
+            self._steer_to_targets()
+        np.add(self._yaws, _PHASES_RAD, out=self._phased)
+        np.cos(self._phased, out=self._turning)
+        if self._grip_is_old:
+            self._choose_grip()
 
-    def _update(self, robot: int, side: int) -> None:
-        """Take over a wheel's command."""
-        key = (robot, side)
-        if key in self._on_the_way:
-            self._on_the_way.remove(key)
-        by_velocity = math.isinf(self._targets[robot][side])
-        self._speeds[robot, side] = 0.0
-        if self._stopped[robot]:
-            return
-        if by_velocity:
-            self._speeds[robot, side] = self._commanded[robot][side]
-        elif self._angle(robot, side) != self._targets[robot][side]:
-            self._on_the_way.append(key)
+    def _choose_grip(self) -> None:
+        """A wheel that pushes its robot on has less grip than one that slows or holds it, see `contact.grip_of`.
+
+        One whose robot still moves against it slows it, with all its grip down to the speed that one sub-step can
+        stop, and with less and less below, so that it does not push it on with more than the grip to drive. This is
+        looked at once a tick, and in every sub-step while it is so.
+        """
+        self._grip_is_old = False
+        limits_n = []
+        wheels = iter(self._wheels)
+        for velocity, turning in zip(self._velocities.tolist(), self._turning.tolist(), strict=True):
+            forward_mps = turning[0] * velocity[0] + turning[1] * velocity[1]
+            for wheel in (next(wheels), next(wheels)):
+                turns = wheel.turns_radps
+                if turns == 0:
+                    limits_n.append(wheel.grip.brake_n)
+                    continue
+                along_mps = forward_mps - wheel.arm_m * velocity[2]
+                against_mps = -along_mps if turns > 0 else along_mps
+                if against_mps <= 0:
+                    limits_n.append(wheel.grip.drive_n)
+                    continue
+                self._grip_is_old = True
+                share = min(1.0, against_mps / self._stops_mps)
+                limits_n.append(wheel.grip.drive_n + share * (wheel.grip.brake_n - wheel.grip.drive_n))
+        self._limits_n[:] = np.reshape(limits_n, (-1, 2))
+
+    def _angle(self, index: int) -> float:
+        return float(self._angles[index // 2, index % 2])
+
+    def _command(self, index: int, velocity_radps: float, target_rad: float) -> None:
+        wheel = self._wheels[index]
+        wheel.commanded_radps, wheel.target_rad = velocity_radps, target_rad
+        if index in self._on_the_way:
+            self._on_the_way.remove(index)
+        by_velocity = math.isinf(target_rad)
+        self._turn(index, velocity_radps if by_velocity and not wheel.stopped else 0.0)
+        if not by_velocity and not wheel.stopped and self._angle(index) != target_rad:
+            self._on_the_way.append(index)
+
+    def _turn(self, index: int, radps: float) -> None:
+        wheel = self._wheels[index]
+        if wheel.turns_radps != radps:
+            wheel.turns_radps = radps
+            self._turns[index // 2, index % 2] = radps
+            self._grip_is_old = True
 
     def _steer_to_targets(self) -> None:
-        for robot, side in tuple(self._on_the_way):
-            left_rad = self._targets[robot][side] - self._angle(robot, side)
+        """Turn wheels that go to an angle; set those that have arrived on it."""
+        for index in tuple(self._on_the_way):
+            wheel = self._wheels[index]
+            left_rad = wheel.target_rad - self._angle(index)
             if abs(left_rad) <= ARRIVED_RAD:
-                self._qpos[self._wheel_at[2 * robot + side]] = self._targets[robot][side]
-                self._speeds[robot, side] = 0.0
-                self._on_the_way.remove((robot, side))
-                continue
-            limit = abs(self._commanded[robot][side])
-            self._speeds[robot, side] = max(-limit, min(limit, POSITION_GAIN_PS * left_rad))
+                self._angles[index // 2, index % 2] = wheel.target_rad
+                self._turn(index, 0.0)
+                self._on_the_way.remove(index)
+            else:
+                limit = abs(wheel.commanded_radps)
+                self._turn(index, max(-limit, min(limit, POSITION_GAIN_PS * left_rad)))
+        self._speeds[:] = self._turns

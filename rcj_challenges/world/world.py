@@ -10,14 +10,14 @@ import numpy as np
 
 from rcj_challenges.facts.play import Fault, Placement, Snapshot
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK
-from rcj_challenges.scenario.models.field import Box, Cylinder
+from rcj_challenges.scenario.models.field import Box
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.world.build import build_spec, chassis_of
+from rcj_challenges.world.build import build_spec, chassis_of, movable_obstacle
 from rcj_challenges.world.errors import PhysicsFault
 from rcj_challenges.world.recorder import Recorder
 from rcj_challenges.world.tables import WorldTables
-from rcj_challenges.world.traction import SIDES, Side, Traction
+from rcj_challenges.world.traction import Side, Traction
 
 PARKING_X_M = 1000.0
 """Where things are parked: far beyond the reach of any ray or radio (at most 50 m), …"""
@@ -90,10 +90,10 @@ class World:
             velocity_radps: positive drives along the body's +x.
             position_rad: ``inf`` for this velocity; else the wheel angle to go to, at this velocity at most, and hold.
         """
-        self._traction.set_wheel(robot, SIDES[side], velocity_radps, position_rad)
+        self._traction.set_wheel(robot, side, velocity_radps, position_rad)
 
-    def wheel_angles(self) -> list[tuple[float, float]]:
-        """Return the angles of (left, right) wheel in rad, by robot; they grow while it drives along its +x."""
+    def wheel_angles(self) -> list[list[float]]:
+        """Return the angles of [left, right] wheel in rad, by robot; they grow while it drives along its +x."""
         return self._traction.angles()
 
     def step(self, tick: int, faults: tuple[Fault, ...] = ()) -> Snapshot:
@@ -136,7 +136,7 @@ class World:
         x, y, yaw = placement.x_m, placement.y_m, placement.yaw_rad
         if placement.parked:
             x, y, yaw = PARKING_X_M + entity * PARKING_GAP_M, 0.0, 0.0
-        first = self.tables.pose_at[entity, 0]
+        first = self.tables.qpos_at[entity]
         qpos = self.data.qpos
         qpos[first], qpos[first + 1] = x, y
         if entity in self.tables.ball_range:
@@ -153,18 +153,16 @@ class World:
         if not self.tables.balls:
             return []
         mujoco.mj_resetData(self.model, self.data)
-        self._ball_rest_m = [
-            float(self.model.body_pos[self.tables.bodies[ball], 2]) for ball in self.tables.ball_range
-        ]
+        self._ball_rest_m = [float(self.model.body_pos[self.tables.bodies[ball], 2]) for ball in self.tables.ball_range]
         self.place([Placement(entity, 0, 0, 0, parked=True) for entity in range(len(self._names))])
         for _ in range(_SETTLING_SUBSTEPS):
             mujoco.mj_step(self.model, self.data)
-        return [float(self.data.qpos[self.tables.pose_at[ball, 2]]) for ball in self.tables.ball_range]
+        return [float(self.data.qpos[self.tables.qpos_at[ball] + 2]) for ball in self.tables.ball_range]
 
     def _what_is_wrong(self, tick: int) -> str:
         kinds = [str(mujoco.mjtWarning(kind).name) for kind in np.flatnonzero(self._warnings)]
-        lost = [name for name, at in zip(self._names, self.tables.pose_at, strict=True)
-                if not np.isfinite(self.data.qpos[at]).all()]  # fmt: skip
+        lost = [name for name, at in zip(self._names, self.tables.qpos_at, strict=True)
+                if not np.isfinite(self.data.qpos[at : at + 3]).all()]  # fmt: skip
         where = f"; no finite pose: {', '.join(lost)}" if lost else ""
         return f"the physics became unstable in tick {tick} (MuJoCo: {', '.join(kinds)}{where})"
 
@@ -179,9 +177,7 @@ def _start_placements(scenario: Scenario, roster: Roster) -> list[Placement]:
         elif name in scenario.balls:
             placements.append(Placement(entity, *scenario.balls[name].start_m, 0.0))
         else:
-            obstacle = scenario.obstacles[name]
-            assert isinstance(obstacle, Box | Cylinder)
+            obstacle = movable_obstacle(scenario, name)
             yaw = obstacle.yaw_rad if isinstance(obstacle, Box) else 0.0
             placements.append(Placement(entity, *obstacle.centre_m, yaw))
     return placements
-

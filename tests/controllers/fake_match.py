@@ -47,11 +47,18 @@ SPEC = robot_spec()
 
 def values_at(tick: int) -> list[float]:
     """Numbers by which a test recognizes what a program has read: GPS x is the tick."""
-    wheels, gps, compass, sonars = [0.1 * tick, -0.1 * tick], [float(tick), 0.5, 0.0375], [0.0, 1.0, 0.0], [1000.0, 500.0]
+    wheels, gps, compass, sonars = (
+        [0.1 * tick, -0.1 * tick],
+        [float(tick), 0.5, 0.0375],
+        [0.0, 1.0, 0.0],
+        [1000.0, 500.0],
+    )
     return [*wheels, *gps, *compass, *sonars, *(0.5 + 0.1 * cell for cell in range(8))]
 
 
-def packet(device: str, data: bytes, strength: float = 1.0, direction: tuple[float, float, float] = (1, 0, 0)) -> Packet:
+def packet(
+    device: str, data: bytes, strength: float = 1.0, direction: tuple[float, float, float] = (1, 0, 0)
+) -> Packet:
     return Packet(INDEX[device], data, strength, direction)
 
 
@@ -100,7 +107,13 @@ class FakeMatch:
         return open_team(path)
 
     def crew(self, **plan: object) -> Crew:
-        given = {"limits": self.limits, "half": 1, "match_seed": 1, "logs": self.folder / "logs", "portable": self.portable}
+        given = {
+            "limits": self.limits,
+            "half": 1,
+            "match_seed": 1,
+            "logs": self.folder / "logs",
+            "portable": self.portable,
+        }
         return Crew(CrewPlan(**{**given, **plan}))  # type: ignore[arg-type]
 
     def play(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from math import acos, cos
 
 from rcj_challenges.referee.compiling import Workshop
@@ -49,7 +50,7 @@ def tips_over(model: models.TipsOver, rule: StandingRule, position: int, worksho
     """Fires when a robot tilts further than an angle."""
     for entity in workshop.entities(model.entity, rule.each):
         key = (entity, model.angle_rad)
-        watch = workshop.watch(TiltWatch, key, rule, lambda e=entity: TiltWatch(e, model.angle_rad, workshop))  # type: ignore[misc]
+        watch = workshop.watch(TiltWatch, key, rule, partial(TiltWatch, entity, model.angle_rad, workshop))
         watch.listeners.append(workshop.listener(rule, position, model.trigger, entity))
 
 

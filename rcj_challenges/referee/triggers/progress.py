@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from functools import partial
 from itertools import pairwise
 from math import sqrt
 
@@ -17,7 +18,7 @@ def no_progress(model: models.NoProgress, rule: StandingRule, position: int, wor
     """Fires when the path of a full window falls short of a length."""
     for entity in workshop.entities(model.entity, rule.each):
         key = (entity, model.distance_m, model.within_s)
-        watch = workshop.watch(PathWatch, key, rule, lambda e=entity: PathWatch(e, model, workshop))  # type: ignore[misc]
+        watch = workshop.watch(PathWatch, key, rule, partial(PathWatch, entity, model, workshop))
         watch.listeners.append(workshop.listener(rule, position, model.trigger, entity))
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from rcj_challenges.facts.play import Pose2
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.regions import Cell
@@ -19,12 +21,8 @@ def crosses(model: models.Crosses, rule: StandingRule, position: int, workshop: 
         for gate in workshop.members(model.gate, rule.each):
             if workshop.scenario.gates[gate].anchor == workshop.roster.entities[entity]:
                 continue  # nothing crosses a gate that it carries
-            watch = workshop.watch(
-                GateWatch,
-                (entity, gate),
-                rule,
-                lambda e=entity, g=gate: GateWatch(e, GateLine(workshop.scenario.gates[g], workshop), workshop),  # type: ignore[misc]
-            )
+            line = GateLine(workshop.scenario.gates[gate], workshop)
+            watch = workshop.watch(GateWatch, (entity, gate), rule, partial(GateWatch, entity, line, workshop))
             for way in _WAYS[model.direction]:
                 watch.listeners[way].append(workshop.listener(rule, position, model.trigger, entity))
 

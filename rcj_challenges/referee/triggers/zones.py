@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from rcj_challenges.facts.play import Pose2
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.referee.compiling import Workshop
@@ -27,7 +29,7 @@ def leaves(model: models.Leaves, rule: StandingRule, position: int, workshop: Wo
 
 def _zone_watch(entity: int, zones: tuple[str, ...], rule: StandingRule, workshop: Workshop) -> ZoneWatch:
     region = workshop.region(zones, None)
-    return workshop.watch(ZoneWatch, (entity, zones), rule, lambda: ZoneWatch(entity, region, workshop))
+    return workshop.watch(ZoneWatch, (entity, zones), rule, partial(ZoneWatch, entity, region, workshop))
 
 
 class ZoneWatch(PositionWatch):
@@ -75,7 +77,7 @@ def displaced(model: models.Displaced, rule: StandingRule, position: int, worksh
     """Fires when an entity is further from where it was put than a distance."""
     for entity in workshop.entities(model.entity, rule.each):
         key = (entity, model.from_, model.distance_m, model.axis)
-        watch = workshop.watch(DisplacedWatch, key, rule, lambda e=entity: DisplacedWatch(e, model, workshop))  # type: ignore[misc]
+        watch = workshop.watch(DisplacedWatch, key, rule, partial(DisplacedWatch, entity, model, workshop))
         watch.listeners.append(workshop.listener(rule, position, model.trigger, entity))
 
 
@@ -127,7 +129,7 @@ def stays_in(model: models.StaysIn, rule: StandingRule, position: int, workshop:
         zones = workshop.members(model.zone, rule.each)
         key = (entity, zones, model.limit_s, model.grace_s)
         region = workshop.region(zones, None)
-        watch = workshop.watch(StayWatch, key, rule, lambda e=entity, r=region: StayWatch(e, r, model, workshop))  # type: ignore[misc]
+        watch = workshop.watch(StayWatch, key, rule, partial(StayWatch, entity, region, model, workshop))
         watch.listeners.append(workshop.listener(rule, position, model.trigger, entity))
 
 
@@ -168,7 +170,7 @@ class StayWatch(PositionWatch, DueWatch):
         return self._region.cell(x_m, y_m)
 
     def advance(self, _before: list[Pose2], substeps: list[list[Pose2]]) -> None:
-        """Begin, go on with, or leave a stay, as the judged sub-step says; without grace any sub-step outside ends it."""
+        """Begin, go on with, or leave a stay, as the judged poses say; without grace any sub-step outside ends it."""
         tick = self._state.tick
         inside = [self._region.contains(*poses[self.entity][:2]) for poses in substeps]
         if not inside[-1]:

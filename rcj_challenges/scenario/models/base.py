@@ -32,6 +32,11 @@ EventName = Annotated[
     Field(description="an event's name, in capitals: GOAL"),
 ]
 DeviceName = Annotated[str, StringConstraints(min_length=1, max_length=64)]
+Colour = Annotated[
+    str,
+    StringConstraints(pattern=r"^(#[0-9a-fA-F]{6}|[A-Za-z]{3,32})$"),
+    Field(description="a colour: a CSS colour name or #rrggbb"),
+]
 Scalar = str | int | float | bool
 
 Point = Annotated[
@@ -40,9 +45,7 @@ Point = Annotated[
 ]
 Positive = Annotated[float, Field(gt=0)]
 NotNegative = Annotated[float, Field(ge=0)]
-DurationS = Annotated[
-    float, Field(ge=TICK_S, le=86_400, description="a duration in s, rounded up to ticks of 0.032 s")
-]
+DurationS = Annotated[float, Field(ge=TICK_S, le=86_400, description="a duration in s, rounded up to ticks of 0.032 s")]
 WallTimeS = Annotated[float, Field(gt=0, le=86_400, description="time of the clock on the wall in s")]
 Names = Annotated[
     Name | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)],

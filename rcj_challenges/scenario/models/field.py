@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.scenario.models.base import DurationS, Point, Positive, Strict, described
+from rcj_challenges.scenario.models.base import Colour, DurationS, Point, Positive, Strict, described
 
 
 class Match(Strict):
@@ -21,7 +21,7 @@ class Goal(Strict):
     """A goal: an opening in an end wall with a box of walls behind it. The zone that counts is a zone of its own."""
 
     end: Literal["positive_y", "negative_y"] = described(..., "the end of the field where it stands")
-    colour: str = described(..., "its colour in pictures and the replay: a CSS colour name or #rrggbb")
+    colour: Colour = described(..., "its colour in pictures and the replay: a CSS colour name or #rrggbb")
     width_m: Positive = described(0.4, "inner width of the opening in m")
     depth_m: Positive = described(0.1, "from the end line to the back wall in m")
     wall_height_m: Positive = described(0.121, "top of the goal's walls above the floor in m")
@@ -47,7 +47,7 @@ class Ball(Strict):
     start_m: Point = described((0.0, 0.0), "where it lies at the start of a half, [x, y] in m")
     radius_m: Positive = described(0.021, "radius in m", le=0.2)
     mass_kg: Positive = described(0.05, "mass in kg", le=5)
-    colour: str = described("#e8590c", "colour in pictures: a CSS colour name or #rrggbb")
+    colour: Colour = described("#e8590c", "colour in pictures: a CSS colour name or #rrggbb")
     emits: bool = described(True, "whether it sends infra-red; with several emitting balls a robot hears them all")
 
 
@@ -56,7 +56,7 @@ class _Obstacle(Strict):
     height_m: Positive = described(0.09, "height above the floor in m", le=1)
     movable: bool = described(False, "whether robots can push it")
     mass_kg: Positive = described(0.5, "mass in kg, if movable", le=50)
-    colour: str = described("#868e96", "colour in pictures: a CSS colour name or #rrggbb")
+    colour: Colour = described("#868e96", "colour in pictures: a CSS colour name or #rrggbb")
 
 
 class Box(_Obstacle):
@@ -82,7 +82,7 @@ class Wall(Strict):
     to_m: Point = described(..., "the other end, [x, y] in m")
     thickness_m: Positive = described(0.01, "thickness in m", le=0.5)
     height_m: Positive = described(0.09, "height above the floor in m", le=1)
-    colour: str = described("#868e96", "colour in pictures: a CSS colour name or #rrggbb")
+    colour: Colour = described("#868e96", "colour in pictures: a CSS colour name or #rrggbb")
 
 
 Obstacle = Annotated[Box | Cylinder | Wall, Field(discriminator="shape")]

@@ -126,10 +126,12 @@ class Expectation(Strict):
     keyframes: tuple[Keyframe, ...] = Field(..., strict=False, min_length=1, description="the script, in order of time")
     lasts_s: DurationS = described(..., "how long it is played, in s")
     events: tuple[ExpectedEvent, ...] | None = Field(
-        None, strict=False, description="all events of the named kinds, in order; left out: not checked"
+        None, strict=False, description="all events but those in `ignore`, in order; left out: not checked"
     )
     ignore: tuple[EventName, ...] = Field(
-        ("MATCH_START", "KICKOFF", "MATCH_FINISH"), strict=False, description="events left out of the comparison"
+        ("MATCH_START", "KICKOFF", "MATCH_FINISH"),
+        strict=False,
+        description="events left out of the comparison, unless they are expected by name",
     )
     score: dict[Name, float] = described({}, "score by entrant at the end")
     counters: dict[Name, float] = described({}, "counters at the end")

@@ -69,16 +69,18 @@ def striker_place(place, ball):
     along = from_ball_x * goal_x + from_ball_y * goal_y  # negative: we are behind the ball
     across = from_ball_x * goal_y - from_ball_y * goal_x  # how far beside the line we are; positive: right of it
 
-    if along < -0.03 and abs(across) < 0.03:
+    if along < -0.03 and abs(across) < 0.035:
         return ball[0] + 0.2 * goal_x, ball[1] + 0.2 * goal_y  # shoot: drive through the ball
-    if along > -0.06:
+    if along > -0.05:
         # Beside or before the ball: go around it, on the side where we are, at 0.12 m.
         side = 1 if across > 0 else -1
         return (
             ball[0] - 0.10 * goal_x + side * 0.12 * goal_y,
             ball[1] - 0.10 * goal_y - side * 0.12 * goal_x,
         )
-    return ball[0] - 0.18 * goal_x, ball[1] - 0.18 * goal_y  # well behind the ball, on the line to the goal
+    # Behind the ball, but not on the line to the goal: go there. The farther off we are, the more room we need.
+    behind = clamp(2.5 * abs(across), 0.08, 0.18)
+    return ball[0] - behind * goal_x, ball[1] - behind * goal_y
 
 
 def support_place(ball):

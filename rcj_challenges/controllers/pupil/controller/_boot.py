@@ -173,10 +173,10 @@ def main() -> None:
     read_end, write_end, lifeline = (int(argument) for argument in sys.argv[1:4])
     binary = getattr(os, "O_BINARY", 0)
     wire = Wire(_fd(read_end, os.O_RDONLY | binary), _fd(write_end, os.O_WRONLY | binary))
-    body = wire.receive()
-    if body[0] != HELLO:
+    frame = wire.receive()
+    if frame[4] != HELLO:
         leave(1)
-    hello = _parsed(body[1:].decode())
+    hello = _parsed(frame[5:].decode())
     boot = Boot(wire, hello)
     if lifeline >= 0:
         watched = hello["limits"]["memory_bytes"] if hello["limits"]["watch_memory"] else 0

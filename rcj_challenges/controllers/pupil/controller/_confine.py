@@ -35,15 +35,13 @@ def limit_resources(settings: dict[str, Any]) -> None:
         "RLIMIT_NOFILE": settings["open_files"],
         "RLIMIT_CORE": 0,
     }
+    if settings["watch_memory"]:
+        del wanted["RLIMIT_AS"]  # macOS takes no limit on the address space
     for name, value in wanted.items():
-        _, hard = resource.getrlimit(getattr(resource, name))
+        kind = getattr(resource, name)
+        _, hard = resource.getrlimit(kind)
         capped = value if hard == resource.RLIM_INFINITY else min(value, hard)
-        try:
-            resource.setrlimit(getattr(resource, name), (capped, capped))
-        except (OSError, ValueError):
-            # macOS takes no limit on the address space; its memory is watched instead.
-            if sys.platform == "linux":
-                raise
+        resource.setrlimit(kind, (capped, capped))
 
 
 def refuse_new_privileges(settings: dict[str, Any]) -> None:  # noqa: ARG001 - all layers are called alike

@@ -103,13 +103,17 @@ class Hub:
         """Send what was asked for, wait until the time is over, take in what came. Returns False at the end."""
         if self.over:
             return False
-        advance_ticks = self.ticks_from_ms(duration_ms)
-        sent = self._motors_sent
-        motors = [(device, *setting) for device, setting in self._motors.items() if sent.get(device) != setting]
-        self._wire.send(
+        motors: list[tuple[int, float, float]] = []
+        if self._motors:
+            sent = self._motors_sent
+            motors = [(device, *setting) for device, setting in self._motors.items() if sent.get(device) != setting]
+            sent.update(self._motors)
+            self._motors.clear()
+        wire = self._wire
+        wire.send(
             request_frame(
                 self.tick,
-                advance_ticks,
+                self.ticks_from_ms(duration_ms),
                 self._clock.missed_ticks(),
                 self._output.printed_bytes,
                 motors,
@@ -119,18 +123,12 @@ class Hub:
                 self._emissions,
             )
         )
-        if motors:
-            sent.update(self._motors)
-        self._motors.clear()
         if self._sampling or self._channels or self._frequencies:
             self._sampling, self._channels, self._frequencies = [], [], []
         if self._emissions:
             self._emissions, self._emitted_bytes = [], 0
-        return self._take_in()
-
-    def _take_in(self) -> bool:
         self.previous, self.previous_tick = self.values, self.tick
-        self.tick, self.over, self.values, packets = self._wire.observation(self._wire.receive())
+        self.tick, self.over, self.values, packets = wire.observation(wire.receive())
         self._clock.tick_began(self.tick)
         for packet in packets:
             queue = self.queues.get(packet[0])

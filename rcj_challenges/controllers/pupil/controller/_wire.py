@@ -15,10 +15,12 @@ OVER = 1
 FAULT_KINDS = ("crash", "exit", "memory", "output_flood", "start")
 
 _LENGTH = Struct("<I")
-_OBSERVATION = Struct("<BIBII")
+_OBSERVATION = "<IBIBII"  # with its length; then the values
 _PACKET = Struct("<HI4d")
-_REQUEST = Struct("<IBIIIQHHHHI")
-_MOTOR = Struct("<Hdd")
+_PACKET_SIZE = _PACKET.size
+_REQUEST = "<IBIIIQHHHHI"  # with its length; then the settings
+_MOTOR = "Hdd"
+_MOTOR_FORM = Struct("<" + _MOTOR)
 _SAMPLING = Struct("<HI")
 _CHANNEL = Struct("<Hi")
 _FREQUENCY = Struct("<Hd")
@@ -26,6 +28,9 @@ _EMISSION = Struct("<HI")
 _FAULT = Struct("<IBBI")
 _CHUNK = 1 << 16
 EMISSION_OVERHEAD = _EMISSION.size
+
+# The common requests, whole: no, one, two … motors set, and nothing else.
+_WITH_MOTORS = [Struct(_REQUEST + count * _MOTOR) for count in range(5)]
 
 
 class Wire:
@@ -39,28 +44,32 @@ class Wire:
         self._write_fd = write_fd
         self._rest = b""
         self._writing = allocate_lock()
-        self._values = Struct("<0d")
+        self._form = Struct(_OBSERVATION)
 
     def expect_values(self, count: int) -> None:
         """Fix how many numbers each observation holds."""
-        self._values = Struct(f"<{count}d")
+        self._form = Struct(f"{_OBSERVATION}{count}d")
 
     def receive(self) -> bytes:
-        """Wait for the next frame and return it without its length."""
-        held = self._rest or self._read()
+        """Wait for the next frame and return it, its length included."""
+        frame = self._rest or self._read()
+        if len(frame) >= 4 and _LENGTH.unpack_from(frame)[0] == len(frame) - 4:
+            self._rest = b""
+            return frame
+        return self._receive_in_pieces(frame)
+
+    def _receive_in_pieces(self, held: bytes) -> bytes:
         while len(held) < 4:
             held += self._read()
-        (length,) = _LENGTH.unpack_from(held)
-        end = 4 + length
-        if len(held) < end:
-            parts, have = [held], len(held)
-            while have < end:
-                part = self._read()
-                parts.append(part)
-                have += len(part)
-            held = b"".join(parts)
+        end = 4 + _LENGTH.unpack_from(held)[0]
+        parts, have = [held], len(held)
+        while have < end:
+            part = self._read()
+            parts.append(part)
+            have += len(part)
+        held = b"".join(parts)
         self._rest = held[end:]
-        return held[4:end]
+        return held[:end]
 
     def send(self, frame: bytes) -> None:
         """Write a whole frame, its length included."""
@@ -72,20 +81,19 @@ class Wire:
             except OSError:
                 leave(1)
 
-    def observation(self, body: bytes) -> tuple[int, bool, tuple[float, ...], list[Packet]]:
-        """Return tick, whether it is the last one, the values and the packets of an observation's body."""
-        kind, tick, flags, _, packet_count = _OBSERVATION.unpack_from(body)
+    def observation(self, frame: bytes) -> tuple[int, bool, tuple[float, ...], list[Packet]]:
+        """Return tick, whether it is the last one, the values and the packets of an observation."""
+        _, kind, tick, flags, _, packet_count, *values = self._form.unpack_from(frame)
         if kind != OBSERVATION:
             raise error(f"expected an observation, got a message of type {kind}")
-        values = self._values.unpack_from(body, _OBSERVATION.size)
         packets: list[Packet] = []
-        at = _OBSERVATION.size + self._values.size
+        at = self._form.size
         for _ in range(packet_count):
-            device, size, strength, x, y, z = _PACKET.unpack_from(body, at)
-            at += _PACKET.size
-            packets.append((device, body[at : at + size], strength, x, y, z))
+            device, size, strength, x, y, z = _PACKET.unpack_from(frame, at)
+            at += _PACKET_SIZE
+            packets.append((device, frame[at : at + size], strength, x, y, z))
             at += size
-        return tick, bool(flags & OVER), values, packets
+        return tick, flags == OVER, tuple(values), packets
 
     def _read(self) -> bytes:
         try:
@@ -112,30 +120,23 @@ def request_frame(
     emissions: list[tuple[int, bytes]],
 ) -> bytes:
     """Return a request as a frame. ``tick`` is that of the observation it answers."""
-    parts = [b""]
-    parts += [_MOTOR.pack(*entry) for entry in motors]
+    if not (sampling or channels or frequencies or emissions) and len(motors) < len(_WITH_MOTORS):
+        whole = _WITH_MOTORS[len(motors)]
+        numbers = [number for setting in motors for number in setting]
+        return whole.pack(
+            whole.size - 4, REQUEST, tick, advance_ticks, missed_ticks, printed, len(motors), 0, 0, 0, 0, *numbers
+        )
+    parts = [_MOTOR_FORM.pack(*entry) for entry in motors]
     parts += [_SAMPLING.pack(*entry) for entry in sampling]
     parts += [_CHANNEL.pack(*entry) for entry in channels]
     parts += [_FREQUENCY.pack(*entry) for entry in frequencies]
     for device, data in emissions:
         parts += (_EMISSION.pack(device, len(data)), data)
     tail = b"".join(parts)
-    return (
-        _REQUEST.pack(
-            _REQUEST.size - 4 + len(tail),
-            REQUEST,
-            tick,
-            advance_ticks,
-            missed_ticks,
-            printed,
-            len(motors),
-            len(sampling),
-            len(channels),
-            len(frequencies),
-            len(emissions),
-        )
-        + tail
-    )
+    head = _WITH_MOTORS[0]
+    counts = len(motors), len(sampling), len(channels), len(frequencies), len(emissions)
+    length = head.size - 4 + len(tail)
+    return head.pack(length, REQUEST, tick, advance_ticks, missed_ticks, printed, *counts) + tail
 
 
 def fault_frame(kind: str, detail: str, traceback: str = "") -> bytes:

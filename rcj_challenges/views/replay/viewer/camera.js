@@ -1,6 +1,6 @@
 // Where one looks from: an eye on a sphere around a target. Presets move it, robots and balls can lead it.
 
-const VIEW_ANGLE = 0.62;
+const VIEW_ANGLE = 0.5;
 const NEAR = 0.02;
 const FAR = 40;
 const LOWEST = 0.04;
@@ -50,39 +50,29 @@ class Camera {
     if (!glide) this.goal = null;
   }
 
-  /** Set target and distance so that the whole field fits into the picture. */
+  /**
+   * Set target and distance so that the whole field just fits into the picture. Along each of the picture's two axes
+   * the two outermost corners touch its edges; the axis that needs more distance decides.
+   */
   fit(pose) {
     const { width_m: width, length_m: length, goal_depth_m: depth } = this.field;
     const x = width / 2 + 0.02, y = length / 2 + depth + 0.02;
     const corners = [-x, x].flatMap((cx) => [-y, y].flatMap((cy) => [0, 0.1].map((cz) => [cx, cy, cz])));
-    let near = 0.2, far = 30;
-    for (let round = 0; round < 24; round++) {
-      pose.distance = (near + far) / 2;
-      pose.target = [0, 0, 0];
-      const edges = this.edges(pose, corners);
-      // Perspective shows the near half larger: look at the middle of what is seen, not of the field.
-      const shift = ((edges.top + edges.bottom) / 2) * pose.distance * Math.tan(VIEW_ANGLE / 2);
-      const back = shift / Math.max(0.2, Math.sin(pose.elevation));
-      pose.target = [-Math.cos(pose.azimuth) * back, -Math.sin(pose.azimuth) * back, 0];
-      const seen = this.edges(pose, corners);
-      const fits = Math.max(seen.right, -seen.left, seen.top, -seen.bottom) < 0.97;
-      if (fits) far = pose.distance;
-      else near = pose.distance;
-    }
-  }
-
-  edges(pose, corners) {
-    const matrix = this.matrix(pose);
-    const edges = { left: Infinity, right: -Infinity, top: -Infinity, bottom: Infinity };
-    for (const [cx, cy, cz] of corners) {
-      const [x, y, , w] = Maths.transform(matrix, cx, cy, cz);
-      const nx = w > 0 ? x / w : 9, ny = w > 0 ? y / w : 9;
-      edges.left = Math.min(edges.left, nx);
-      edges.right = Math.max(edges.right, nx);
-      edges.bottom = Math.min(edges.bottom, ny);
-      edges.top = Math.max(edges.top, ny);
-    }
-    return edges;
+    const { azimuth, elevation } = pose;
+    const right = [-Math.sin(azimuth), Math.cos(azimuth), 0];
+    const forward = [-Math.cos(azimuth) * Math.cos(elevation), -Math.sin(azimuth) * Math.cos(elevation), -Math.sin(elevation)];
+    const up = Maths.cross(right, forward);
+    const open = Math.tan(VIEW_ANGLE / 2);
+    const along = (axis, slope) => {
+      const reach = (side) => Math.max(...corners.map((corner) => side * Maths.dot(corner, axis) - Maths.dot(corner, forward) * slope));
+      const high = reach(1), low = reach(-1);
+      return { distance: (high + low) / (2 * slope), middle: (high - low) / 2 };
+    };
+    const across = along(right, open * this.aspect * 0.97), upwards = along(up, open * 0.9);
+    const away = Math.max(across.distance, upwards.distance);
+    const eye = [0, 1, 2].map((k) => right[k] * across.middle + up[k] * upwards.middle - forward[k] * away);
+    pose.distance = eye[2] / -forward[2];
+    pose.target = eye.map((part, k) => part + forward[k] * pose.distance);
   }
 
   eye(pose = this.pose) {

@@ -80,7 +80,6 @@ class Scene {
     const dark = { tint: [0, 0.02, 0.05], share: 1, lit: 0, opacity: 0.34 };
     models.forEach((model, index) => painter.draw(this.bodies[index], Maths.multiply(SHADOW, model), dark));
     painter.draw(this.fixed, SHADOW, dark);
-    painter.draw(this.rims, SHADOW, { ...dark, opacity: 0.16 });
   }
 
   model(entity, pose, spin) {

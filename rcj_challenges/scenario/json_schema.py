@@ -1,0 +1,275 @@
+"""The JSON schema of scenario files, for completion and hints in editors.
+
+Written from the models by this module and not by pydantic's own generator, for three reasons: ``{param: NAME}`` may
+stand for any single value; a file that extends another one may leave out what its base brings and remove entries by
+``null``; and the file must not change with pydantic's version, since CI compares it.
+
+What sits in lists never merges with a base, so it must always be complete there. Everything else may be partial if
+the file says ``extends``; if it does not, the ``else`` part of the schema demands what is required.
+"""
+
+from __future__ import annotations
+
+import inspect
+import json
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any, Literal, get_args, get_origin
+
+from pydantic import BaseModel, StringConstraints
+from pydantic.fields import FieldInfo
+from pydantic_core import PydanticUndefined
+
+from rcj_challenges.scenario.models.base import DurationS, EventName, Name, Names, Point
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.resources import schemas_folder
+from rcj_challenges.scenario.shape import Shape, bare, fields, is_model, is_union, members, tags, without_none
+
+FILE = "scenario.schema.json"
+_Json = dict[str, Any]
+
+_PARAM = {
+    "type": "object",
+    "description": "The value of a param: {param: NAME} stands for any single value.",
+    "properties": {"param": {"type": "string", "description": "a name of the section params"}},
+    "required": ["param"],
+    "additionalProperties": False,
+}
+_PARAM_REF = {"$ref": "#/$defs/param"}
+_NULL = {"type": "null", "description": "null removes this entry of the base"}
+_TYPES = {str: "string", int: "integer", float: "number", bool: "boolean"}
+_BOUNDS = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum", "le": "maximum"}
+_SHARED: tuple[tuple[Shape, str], ...] = (
+    (Names, "names"), (Name, "name"), (EventName, "event_name"), (DurationS, "duration_s"), (Point, "point"),
+)  # fmt: skip
+"""Shapes that stand in so many places that the schema defines them once."""
+
+_WITHOUT_PARAM = frozenset({"schema_version", "id", "extends", "params"})
+"""Sections that must be known before params are, or are the params themselves."""
+
+
+def scenario_schema() -> _Json:
+    """Return the JSON schema (draft 2020-12) of a scenario file."""
+    writer = _Writer()
+    properties = writer.properties(Scenario, partial=True)
+    for section in _WITHOUT_PARAM:
+        properties[section] = _without_param(properties[section])
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "RCJ Challenges scenario",
+        "description": _sentence(Scenario),
+        "type": "object",
+        "properties": properties,
+        "additionalProperties": False,
+        "if": {"required": ["extends"]},
+        "else": _demand(Scenario),
+        "$defs": {"param": _PARAM, **dict(sorted(writer.definitions.items()))},
+    }
+
+
+def schema_text() -> str:
+    """Return the schema as it is committed."""
+    return json.dumps(scenario_schema(), indent=2, ensure_ascii=False) + "\n"
+
+
+def schema_is_fresh(folder: Path | None = None) -> bool:
+    """Return whether the committed schema is what the models say.
+
+    Args:
+        folder: where it lies; left out: the shipped schemas.
+    """
+    file = (folder or schemas_folder()) / FILE
+    return file.is_file() and file.read_text(encoding="utf-8") == schema_text()
+
+
+def _sentence(model: type[BaseModel]) -> str:
+    """Return the first paragraph of a model's docstring on one line."""
+    return " ".join((inspect.getdoc(model) or "").partition("\n\n")[0].split()).replace("``", "`")
+
+
+class _Writer:
+    """Writes shapes as schemas and collects the definitions that they refer to."""
+
+    def __init__(self) -> None:
+        self.definitions: dict[str, _Json] = {}
+
+    def properties(self, model: type[BaseModel], *, partial: bool) -> _Json:
+        """Return the schemas of a model's fields."""
+        shapes = fields(model)
+        return {
+            (info.alias or name): self._property(model, info, shapes[info.alias or name], partial=partial)
+            for name, info in model.model_fields.items()
+        }
+
+    def _property(self, model: type[BaseModel], info: FieldInfo, shape: Shape, *, partial: bool) -> _Json:
+        schema = self.schema(shape, partial=partial)
+        if "$ref" not in schema:
+            schema = _bounded(schema, _keywords([info], shape))
+        description = info.description or (_sentence(model) if "const" in schema else "")
+        described = {"description": description} if description else {}
+        default = {} if info.default in (PydanticUndefined, None) else {"default": _jsonable(info.default)}
+        return {**described, **default, **{k: v for k, v in schema.items() if k != "description" or not described}}
+
+    def schema(self, shape: Shape, *, partial: bool) -> _Json:
+        """Return the schema of a shape; ``partial`` if a base may bring the rest of it."""
+        shape = without_none(shape)
+        shared = next((name for known, name in _SHARED if shape == known), None)
+        if shared is None:
+            return self._with_param(shape, partial=partial)
+        if shared not in self.definitions:
+            self.definitions[shared] = self._with_param(shape, partial=False)
+        return {"$ref": f"#/$defs/{shared}"}
+
+    def _with_param(self, shape: Shape, *, partial: bool) -> _Json:
+        plain = self._plain(shape, partial=partial)
+        options = plain.get("anyOf", [plain])
+        if any(_is_scalar(option) for option in options) and _PARAM_REF not in options:
+            described = {key: value for key, value in plain.items() if key == "description"}
+            if options == [plain]:
+                options = [{key: value for key, value in plain.items() if key != "description"}]
+            return {**described, "anyOf": [*options, _PARAM_REF]}
+        return plain
+
+    def _plain(self, shape: Shape, *, partial: bool) -> _Json:
+        kind, discriminator = bare(shape)
+        extras = get_args(shape)[1:] if hasattr(shape, "__metadata__") else ()
+        described = {"description": text} if (text := _description(extras)) else {}
+        if is_union(kind):
+            options = [self._plain(member, partial=partial) for member in members(shape)]
+            word = "oneOf" if isinstance(discriminator, str) and not partial else "anyOf"
+            return {**described, word: _flat(options)}
+        if is_model(kind):
+            return {**described, "$ref": self._definition(kind, partial=partial)}
+        if get_origin(kind) is dict:
+            key, value = get_args(kind)
+            inner = self.schema(value, partial=partial)
+            inner = {"anyOf": [*inner.get("anyOf", [inner]), _NULL]} if partial else inner
+            names = {k: v for k, v in self._plain(key, partial=False).items() if k != "type"}
+            return {**described, "type": "object", "propertyNames": names, "additionalProperties": inner}
+        if get_origin(kind) is tuple:
+            return _bounded({**described, **self._array(get_args(kind))}, _keywords(extras, shape))
+        if get_origin(kind) is Literal:
+            words = list(get_args(kind))
+            return {**described, **({"const": words[0]} if len(words) == 1 else {"enum": words})}
+        return {**described, "type": _TYPES[kind], **_keywords(extras, shape)}
+
+    def _array(self, arguments: tuple[Any, ...]) -> _Json:
+        if len(arguments) == 2 and arguments[1] is Ellipsis:
+            return {"type": "array", "items": self.schema(arguments[0], partial=False)}
+        items = [self.schema(argument, partial=False) for argument in arguments]
+        return {"type": "array", "prefixItems": items, "items": False, "minItems": len(items), "maxItems": len(items)}
+
+    def _definition(self, model: type[BaseModel], *, partial: bool) -> str:
+        name = f"{model.__name__.removesuffix('Model')}{'Part' if partial else ''}"
+        if name not in self.definitions:
+            self.definitions[name] = {}  # claimed first, so that a model may contain itself
+            required = [info.alias or key for key, info in model.model_fields.items() if info.is_required()]
+            self.definitions[name] = {
+                "type": "object",
+                "description": _sentence(model),
+                "properties": self.properties(model, partial=partial),
+                **({"required": required} if required and not partial else {}),
+                "additionalProperties": False,
+            }
+        return f"#/$defs/{name}"
+
+
+def _is_scalar(schema: _Json) -> bool:
+    return schema.get("type") in _TYPES.values() or "enum" in schema
+
+
+def _flat(options: Iterable[_Json]) -> list[_Json]:
+    """Return options without unions in unions, each once."""
+    found: list[_Json] = []
+    for option in options:
+        for part in option["anyOf"] if set(option) == {"anyOf"} else [option]:
+            if part not in found:
+                found.append(part)
+    return found
+
+
+def _description(extras: Iterable[Any]) -> str:
+    found = [extra.description for extra in extras if isinstance(extra, FieldInfo) and extra.description]
+    return found[-1] if found else ""
+
+
+def _keywords(extras: Iterable[Any], shape: Shape) -> _Json:
+    """Return the bounds that pydantic's metadata puts on a shape, as JSON-schema keywords."""
+    kind = bare(shape).kind
+    is_list = get_origin(kind) is tuple
+    found: _Json = {}
+    for extra in extras:
+        parts = extra.metadata if isinstance(extra, FieldInfo) else [extra]
+        for part in parts:
+            if isinstance(part, StringConstraints):
+                found |= {"pattern": part.pattern} if part.pattern else {}
+            for name, keyword in _BOUNDS.items():
+                if getattr(part, name, None) is not None:
+                    found[keyword] = getattr(part, name)
+            for name, of_list, of_text in (
+                ("min_length", "minItems", "minLength"),
+                ("max_length", "maxItems", "maxLength"),
+            ):
+                if getattr(part, name, None) is not None:
+                    found[of_list if is_list else of_text] = getattr(part, name)
+    return found
+
+
+def _bounded(schema: _Json, bounds: _Json) -> _Json:
+    """Put bounds on a schema; in a choice with ``{param: …}`` on its first option, which is the value itself."""
+    if not bounds:
+        return schema
+    if "anyOf" in schema:
+        first, *rest = schema["anyOf"]
+        return {**schema, "anyOf": [{**first, **bounds}, *rest]}
+    return {**schema, **bounds}
+
+
+def _jsonable(value: Any) -> Any:
+    if isinstance(value, BaseModel):
+        # Only what differs from the defaults of its own fields: those are described at the fields.
+        return value.model_dump(mode="json", by_alias=True, exclude_defaults=True)
+    if isinstance(value, tuple):
+        return [_jsonable(part) for part in value]
+    return value
+
+
+def _without_param(schema: Any) -> Any:
+    """Return a schema in which ``{param: …}`` is no choice."""
+    if isinstance(schema, dict):
+        cleaned = {key: _without_param(value) for key, value in schema.items()}
+        options = cleaned.get("anyOf")
+        if isinstance(options, list) and len(options) == 1:
+            only = cleaned.pop("anyOf")[0]
+            cleaned |= {key: value for key, value in only.items() if key not in cleaned}
+        return cleaned
+    if isinstance(schema, list):
+        return [_without_param(part) for part in schema if part != _PARAM_REF]
+    return schema
+
+
+def _demand(shape: Shape) -> _Json:
+    """Return what a shape requires where no base can bring it; lists are complete anyway."""
+    kind, discriminator = bare(shape)
+    if isinstance(discriminator, str):
+        cases = []
+        for tag, member in tags(shape).items():
+            inner = _demand(member)
+            inner = {**inner, "required": [key for key in inner.get("required", ()) if key != discriminator]}
+            inner = {key: value for key, value in inner.items() if value}
+            if inner:
+                condition = {"properties": {discriminator: {"const": tag}}, "required": [discriminator]}
+                cases.append({"if": condition, "then": inner})
+        return {"required": [discriminator], **({"allOf": cases} if cases else {})}
+    if is_model(kind):
+        required = [info.alias or key for key, info in kind.model_fields.items() if info.is_required()]
+        inner_demands = {key: _demand(inner) for key, inner in fields(kind).items()}
+        properties = {key: inner for key, inner in inner_demands.items() if inner}
+        return {
+            **({"required": required} if required else {}),
+            **({"properties": properties} if properties else {}),
+        }
+    if get_origin(kind) is dict:
+        inner = _demand(get_args(kind)[1])
+        return {"additionalProperties": inner} if inner else {}
+    return {}

@@ -1,0 +1,183 @@
+"""What happened, for the page: events with what the referee measured, the score as it went, phases."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from rcj_challenges.records.folder import REFEREE_LOG
+from rcj_challenges.records.reflog import PROGRAM_FAULT
+from rcj_challenges.records.result import RunResult
+from rcj_challenges.records.trajectory import HalfTrack
+from rcj_challenges.scenario.models.actions import Emit
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.views.replay.things import shown_colour
+
+UNITS = {
+    "no_progress": "m",
+    "displaced": "m",
+    "stays_in": "s",
+    "holds": "s",
+    "time_reached": "s",
+    "timer_expired": "s",
+    "tips_over": "",
+}
+"""The unit of what a trigger measures, by its word."""
+
+_QUIET = ("MATCH_START", "MATCH_FINISH", "KICKOFF")
+_LONGEST_TEXT = 2_000
+Score = int | float
+
+
+@dataclass
+class Story:
+    """All halves of a run, told.
+
+    Attributes:
+        events: in order, as the page shows them.
+        phases: by half, ``[tick, phase, waiting for kick-off]`` from each change on.
+        score_changes: by half, ``[tick, points by team]`` from each change on.
+        unreadable: how many lines of the log were damaged.
+    """
+
+    events: list[dict[str, Any]] = field(default_factory=list)
+    phases: dict[int, list[list[Any]]] = field(default_factory=dict)
+    score_changes: dict[int, list[list[Any]]] = field(default_factory=dict)
+    unreadable: int = 0
+
+
+def tell(folder: Path, scenario: Scenario, halves: list[HalfTrack], result: RunResult) -> Story:
+    """Return the story of a run from the referee's log, as far as it can be read."""
+    story = Story()
+    lines = list(_lines(folder, story))
+    if not lines:
+        lines = [{"kind": "event", **event.model_dump()} for event in result.events]
+    firings = [line for line in lines if line["kind"] == "firing" and line.get("suppressed") is None]
+    for half in halves:
+        _follow_the_score(story, half, [line for line in firings if line["half"] == half.info.half])
+        story.phases[half.info.half] = [
+            [line["tick"], line["phase"], line["waiting_for_kickoff"]]
+            for line in lines
+            if line["kind"] == "phase" and line["half"] == half.info.half
+        ]
+    told = _Teller(scenario, halves, firings, story)
+    story.events = [told.event(line) for line in lines if line["kind"] == "event"]
+    return story
+
+
+def _lines(folder: Path, story: Story) -> Iterator[dict[str, Any]]:
+    """Yield the lines of the referee's log that can be read; count the others."""
+    path = folder / REFEREE_LOG
+    for line in path.read_bytes().splitlines() if path.exists() else ():
+        try:
+            found = json.loads(line)
+            fits = {"kind", "half", "tick"} <= found.keys() and found["kind"] in _NEEDED
+            fits = fits and _NEEDED[found["kind"]] <= found.keys()
+        except (ValueError, AttributeError, TypeError):
+            fits = False
+        if fits:
+            yield found
+        else:
+            story.unreadable += 1
+
+
+_NEEDED = {
+    "firing": {"rule", "trigger", "scored"},
+    "event": {"event", "payload"},
+    "phase": {"phase", "waiting_for_kickoff"},
+}
+
+
+def _follow_the_score(story: Story, half: HalfTrack, firings: list[dict[str, Any]]) -> None:
+    teams = half.info.teams
+    scores = {teams[seat]: points for seat, points in half.info.scores.items()}
+    changes = []
+    for firing in firings:
+        if firing["scored"]:
+            for seat, points in firing["scored"].items():
+                scores[teams[seat]] += points
+            changes.append([firing["tick"], dict(scores)])
+    story.score_changes[half.info.half] = changes
+
+
+class _Teller:
+    """Joins events with the firings of the rules that emitted them."""
+
+    def __init__(
+        self, scenario: Scenario, halves: list[HalfTrack], firings: list[dict[str, Any]], story: Story
+    ) -> None:
+        self._emitted = {
+            rule: [action.event for action in definition.actions if isinstance(action, Emit)]
+            for rule, definition in scenario.rules.items()
+        }
+        # One place for each event that a firing emits, in order; an event takes the first that fits it.
+        self._open: dict[tuple[int, int, str], list[dict[str, Any]]] = {}
+        for firing in firings:
+            for event in self._emitted.get(firing["rule"], ()):
+                self._open.setdefault((firing["half"], firing["tick"], event), []).append(firing)
+        self._story = story
+        self._order = {half.info.half: list(half.info.teams.values()) for half in halves}
+        first = min(self._order, default=0)
+        self._teams = self._order.get(first, [])
+        self._colours = {
+            seat: shown_colour(scenario.robots[next(iter(entrant.robots))].colour)
+            for seat, entrant in scenario.entrants.items()
+            if next(iter(entrant.robots), None) in scenario.robots
+        }
+
+    def event(self, line: Mapping[str, Any]) -> dict[str, Any]:
+        """Return an event as the page shows it."""
+        half, tick, name = line["half"], line["tick"], line["event"]
+        waiting = self._open.get((half, tick, name))
+        firing = waiting.pop(0) if waiting else {}
+        scored: Mapping[str, Score] = firing.get("scored") or {}
+        trigger = firing.get("trigger", "")
+        payload = line["payload"] if isinstance(line["payload"], dict) else {"payload": line["payload"]}
+        says = _short(firing.get("says") or "")
+        about = says or ", ".join(_short(value, 80) for value in payload.values())
+        return {
+            "half": half,
+            "tick": tick,
+            "name": name,
+            "kind": _kind(name, scored),
+            "scored": bool(scored),
+            "colour": self._colours.get(next(iter(scored), "")),
+            "standing": self._standing(half, tick) if scored else "",
+            "about": _short(about, 300),
+            "caption": _short(f"{name}: {about}" if about else name, 200),
+            "says": says,
+            "rule": firing.get("rule", ""),
+            "trigger": trigger,
+            "measured": _rounded(firing.get("measured")),
+            "limit": _rounded(firing.get("limit")),
+            "unit": UNITS.get(trigger, ""),
+            "payload": [[key, _short(value)] for key, value in payload.items()],
+        }
+
+    def _standing(self, half: int, tick: int) -> str:
+        """Return the score after a tick, ``2 : 1`` in the order of the scoreboard."""
+        scores: Mapping[str, Score] = {}
+        for at, standing in self._story.score_changes.get(half, ()):
+            if at <= tick:
+                scores = standing
+        return " : ".join(f"{scores.get(team, 0):g}" for team in self._teams)
+
+
+def _kind(name: str, scored: Mapping[str, Score]) -> str:
+    if scored:
+        return "goal"
+    if name == PROGRAM_FAULT:
+        return "fault"
+    return "start" if name in _QUIET else "call"
+
+
+def _short(value: Any, longest: int = _LONGEST_TEXT) -> str:
+    text = value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
+    return text if len(text) <= longest else text[: longest - 1] + "…"
+
+
+def _rounded(value: Any) -> float | int | None:
+    return round(value, 4) if isinstance(value, int | float) else None

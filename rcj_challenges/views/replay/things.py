@@ -1,0 +1,85 @@
+"""What of a scenario can be seen: field, robots, balls, obstacles, zones, gates and spots, for the page."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rcj_challenges.scenario.models.field import Wall
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+
+_TEAM_COLOURS = {"blue": "#3b82f6", "yellow": "#f2c018"}
+"""Brighter than CSS's `blue`, darker than its `yellow`: both must stand out from green, in the light and the dark."""
+
+
+def shown_colour(colour: str) -> str:
+    """Return the CSS colour in which a team's colour is shown."""
+    return _TEAM_COLOURS.get(colour, colour)
+
+
+def visible_things(scenario: Scenario) -> dict[str, Any]:
+    """Return field, entities (in the roster's order), fixed obstacles, zones, gates and spots."""
+    roster = Roster.of(scenario)
+    field = scenario.field
+    return {
+        "field": {
+            "width_m": field.width_m,
+            "length_m": field.length_m,
+            "wall_height_m": field.wall_height_m,
+            "corner_cut_m": field.corner_cut_m,
+            "goals": [goal.model_dump(mode="json") for goal in field.goals.values()],
+        },
+        "entities": [_entity(scenario, name) for name in roster.entities],
+        "fixed": [
+            scenario.obstacles[name].model_dump(mode="json")
+            for name in scenario.obstacles
+            if name not in roster.entities
+        ],
+        "zones": [{"name": name, **zone.model_dump(mode="json")} for name, zone in scenario.zones.items()],
+        # A gate that moves with an entity stands where the entity is: the page shows those that stand still.
+        "gates": [
+            {"name": name, **gate.model_dump(mode="json")}
+            for name, gate in scenario.gates.items()
+            if gate.anchor is None
+        ],
+        "spots": [{"name": name, **spot.model_dump(mode="json")} for name, spot in scenario.spots.items()],
+        "seats": [_seat(scenario, name) for name in scenario.entrants],
+    }
+
+
+def _entity(scenario: Scenario, name: str) -> dict[str, Any]:
+    if name in scenario.robots:
+        return _robot(scenario, name)
+    if name in scenario.balls:
+        ball = scenario.balls[name]
+        return {"name": name, "kind": "ball", "radius_m": ball.radius_m, "colour": ball.colour}
+    obstacle = scenario.obstacles[name]
+    if isinstance(obstacle, Wall):  # a roster has movable obstacles only, and a wall is none
+        raise TypeError(f"{name} is a wall and cannot move")
+    return {"name": name, "kind": "obstacle", **obstacle.model_dump(mode="json")}
+
+
+def _robot(scenario: Scenario, name: str) -> dict[str, Any]:
+    robot = scenario.robots[name]
+    kit = scenario.kits[robot.kit]
+    chassis = kit.chassis
+    seat = next((seat for seat, entrant in scenario.entrants.items() if name in entrant.robots), None)
+    return {
+        "name": name,
+        "kind": "robot",
+        "number": robot.number,
+        "colour": shown_colour(robot.colour),
+        "seat": seat,
+        "idle": robot.idle,
+        "front": 1 if kit.looks_along == "+x" else -1,
+        "size_m": chassis.size_m,
+        "wheel_radius_m": chassis.wheel_radius_m,
+        "wheel_width_m": chassis.wheel_width_m,
+        "wheel_track_m": chassis.wheel_track_m,
+    }
+
+
+def _seat(scenario: Scenario, name: str) -> dict[str, Any]:
+    robots = scenario.entrants[name].robots
+    colours = [scenario.robots[robot].colour for robot in robots if robot in scenario.robots]
+    return {"name": name, "colour": shown_colour(colours[0] if colours else "grey")}

@@ -1,0 +1,250 @@
+// The page: puts the parts together, draws when something changed, listens to keys and addresses.
+
+const KEYS = [
+  ["space, K", "play or pause"], ["J, L", "rewind, fast forward"], [", .", "one frame back, forward"],
+  ["← →", "5 s back, forward"], ["↑ ↓", "faster, slower"], ["P, N", "previous, next event of the list"],
+  ["Home, End", "start, end"], ["1 2 3 4 5", "cameras: field, top, side, ball, behind a robot"],
+  ["Z", "zones, gates and spots"], ["drag", "turn"], ["shift-drag, two fingers", "move"], ["wheel, pinch", "zoom"],
+  ["double click", "the whole field again"], ["click on a robot", "its trail"],
+];
+const BACKGROUNDS = { light: [0.86, 0.89, 0.92], dark: [0.055, 0.07, 0.09] };
+const SLOW_FRAME_MS = 24;
+
+class App {
+  constructor(recording) {
+    this.recording = recording;
+    this.find = (id) => document.getElementById(id);
+    this.player = new Player(recording);
+    this.camera = new Camera({ ...recording.facts.field, goal_depth_m: Math.max(0, ...recording.facts.field.goals.map((goal) => goal.depth_m)) });
+    this.density = Math.min(2, window.devicePixelRatio || 1);
+    this.slowness = 0;
+    this.view = this.bestView();
+    this.drawn = 0;
+    const changed = () => this.changed();
+    this.board = new Board(recording, this.find);
+    this.events = new EventList(recording, this.find, (place, playing) => this.go(place, playing));
+    this.robots = new RobotList(recording, this.find, changed, (index) => this.look("robot", index));
+    this.deck = new Deck(recording, this.player, this.find, changed, (direction) => this.toEvent(direction));
+    this.labels = new Labels(recording, this.find("labels"));
+    this.hands = new Hands(this.find("view"), this.camera, {
+      changed: () => { this.showCamera(); changed(); },
+      tapped: (x, y) => this.tapped(x, y),
+      flat: () => this.view instanceof Flat,
+    });
+    this.panels = new Panels(this, changed);
+    this.showCamera();
+    this.bindWindow();
+    this.fromAddress();
+    this.resize();
+  }
+
+  bestView() {
+    const canvas = this.find("view"), { facts } = this.recording;
+    if (!new URLSearchParams(location.search).has("flat")) {
+      try {
+        return new Scene(canvas, facts);
+      } catch (error) {
+        console.info(`drawing from above: ${error.message}`);
+      }
+    }
+    const plain = canvas.cloneNode(true);
+    canvas.replaceWith(plain);
+    document.body.classList.add("flat");
+    return new Flat(plain, facts);
+  }
+
+  bindWindow() {
+    new ResizeObserver(() => this.resize()).observe(this.find("view").parentElement);
+    new ResizeObserver(() => this.deck.drawMarks()).observe(this.find("marks"));
+    window.addEventListener("hashchange", () => this.fromAddress());
+    window.addEventListener("keydown", (event) => this.key(event));
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.panels.retheme());
+    this.find("view").addEventListener("webglcontextlost", (event) => { event.preventDefault(); });
+    this.find("view").addEventListener("webglcontextrestored", () => { this.view = new Scene(this.find("view"), this.recording.facts); this.resize(); });
+  }
+
+  resize() {
+    const stage = this.find("view").parentElement;
+    const width = stage.clientWidth, height = stage.clientHeight;
+    if (!width || !height) return;
+    this.view.resize(width, height, this.density);
+    this.camera.resize(width / height);
+    this.draw();
+  }
+
+  // --- moments ---------------------------------------------------------------------------------------------------------
+
+  go(place, playing) {
+    this.player.pause();
+    this.player.seek(place);
+    if (playing) this.player.start(1, 1);
+    this.changed();
+  }
+
+  toEvent(direction) {
+    const event = this.events.neighbour(this.player.place, direction);
+    if (!event) return;
+    this.go(event.place, false);
+    this.say(`${event.name}, ${this.recording.clock(event.place)}`);
+  }
+
+  fromAddress() {
+    const place = this.recording.placeOfFragment(location.hash);
+    if (place !== null) this.go(place, false);
+  }
+
+  /** Keep the address at the moment that is shown, so that copying it shares the moment. */
+  toAddress() {
+    const fragment = this.recording.fragment(this.player.place);
+    if (fragment === location.hash) return;
+    try {
+      history.replaceState(null, "", fragment);
+    } catch {
+      // Some browsers forbid it for pages from disk; the Link button still works.
+    }
+  }
+
+  // --- cameras ---------------------------------------------------------------------------------------------------------
+
+  look(mode, robot = null) {
+    this.camera.preset(mode, true, robot);
+    this.showCamera();
+    this.changed();
+  }
+
+  nextRobot() {
+    const robots = this.recording.entities.map((entity, index) => [entity, index]).filter(([entity]) => entity.kind === "robot");
+    if (!robots.length) return;
+    const at = robots.findIndex(([, index]) => index === this.camera.robot);
+    this.look("robot", robots[(at + 1) % robots.length][1]);
+  }
+
+  showCamera() {
+    const { mode, robot } = this.camera;
+    for (const button of this.find("cameras").querySelectorAll("button")) {
+      button.setAttribute("aria-pressed", String(button.dataset.camera === mode));
+    }
+    this.find("behind").value = mode === "robot" ? String(robot) : "";
+  }
+
+  get leader() {
+    if (this.camera.mode === "robot") return this.recording.pose(this.camera.robot, this.player.place);
+    const ball = this.recording.entities.findIndex((entity) => entity.kind === "ball");
+    return this.camera.mode === "ball" && ball >= 0 ? this.recording.pose(ball, this.player.place) : null;
+  }
+
+  /** A click near a robot or ball switches its trail. */
+  tapped(x, y) {
+    const { clientWidth: width, clientHeight: height } = this.find("view");
+    let best = null, least = 34;
+    this.recording.entities.forEach((_, index) => {
+      const pose = this.recording.pose(index, this.player.place);
+      const place = this.view.project(pose.x, pose.y, pose.z);
+      const away = place ? Math.hypot((place[0] - x) * width, (place[1] - y) * height) : Infinity;
+      if (away < least) [best, least] = [index, away];
+    });
+    if (best !== null) this.robots.cards[best].trail.click();
+  }
+
+  // --- drawing ---------------------------------------------------------------------------------------------------------
+
+  changed() {
+    if (this.waiting) return;
+    this.waiting = requestAnimationFrame((now) => this.tick(now));
+  }
+
+  tick(now) {
+    this.waiting = null;
+    const passed = this.before === undefined ? 16 : now - this.before;
+    const seconds = Math.min(0.25, passed / 1000);
+    this.before = now;
+    this.player.advance(seconds);
+    const snap = this.player.jumped && this.camera.mode !== "robot" && !this.camera.goal;
+    const moving = this.camera.advance(seconds, this.leader, snap);
+    this.player.jumped = false;
+    this.draw();
+    if (this.player.playing) this.adapt(passed);
+    if (this.player.playing || moving) this.changed();
+    else {
+      this.before = undefined;
+      this.toAddress();
+    }
+  }
+
+  /** Draw fewer pixels where frames come slowly: smooth motion matters more than sharp edges. */
+  adapt(passed) {
+    this.slowness = Maths.mix(this.slowness, passed > SLOW_FRAME_MS ? 1 : 0, 0.06);
+    if (this.slowness > 0.7 && this.density > 0.6) {
+      this.density = Math.max(0.6, this.density * 0.8);
+      this.slowness = 0;
+      this.resize();
+    }
+  }
+
+  get frame() {
+    const { place } = this.player;
+    const { track, tick } = this.recording.at(place);
+    const failed = this.robots.failed(place);
+    return {
+      poses: this.recording.entities.map((_, index) => track.pose(index, tick)),
+      spins: this.recording.entities.map((entity, index) => (entity.kind === "ball" ? track.spin(index, tick) : null)),
+      trails: this.robots.trailsAt(place, this.panels.trailSeconds),
+      show: this.panels.shown,
+      failed,
+      background: BACKGROUNDS[this.panels.themeNow],
+    };
+  }
+
+  draw() {
+    const { place, playing } = this.player;
+    const frame = this.frame;
+    this.view.draw(frame, this.camera);
+    this.labels.show(frame, this.view);
+    this.board.show(place);
+    this.deck.show(place);
+    this.events.show(place, playing);
+    if (!this.find("panel-robots").hidden) this.robots.show(place, frame.failed);
+    this.caption(place);
+    this.drawn += 1;
+  }
+
+  /** What the referee said in the last two seconds, over the picture. */
+  caption(place) {
+    const since = place - 2 / this.recording.tickSeconds;
+    const recent = this.recording.events.filter((event) => event.place <= place + 0.5 && event.place > since && event.kind !== "start");
+    const best = recent.findLast((event) => event.scored) || recent[recent.length - 1];
+    const box = this.find("caption");
+    box.hidden = !best;
+    if (best && box.textContent !== best.caption) box.textContent = best.caption;
+  }
+
+  say(text) {
+    this.find("spoken").textContent = text;
+  }
+
+  // --- keys ------------------------------------------------------------------------------------------------------------
+
+  key(event) {
+    const field = event.target.closest?.("select, input[type=text], dialog, [role=tablist]");
+    const onButton = event.target.closest?.("button, a, input[type=checkbox]");
+    if (field || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (onButton && (event.key === " " || event.key === "Enter")) return;
+    if (event.target.id === "trail" && /^(Arrow|Home|End|Page)/.test(event.key)) return;
+    const { player } = this;
+    const actions = {
+      " ": () => player.toggle(), k: () => player.toggle(), j: () => player.wind(-1), l: () => player.wind(1),
+      ",": () => player.frames(-1), ".": () => player.frames(1),
+      ArrowLeft: () => player.seconds(-5), ArrowRight: () => player.seconds(5),
+      ArrowUp: () => player.faster(1), ArrowDown: () => player.faster(-1),
+      p: () => this.toEvent(-1), n: () => this.toEvent(1),
+      Home: () => player.seek(0), End: () => player.seek(this.recording.last),
+      1: () => this.look("overview"), 2: () => this.look("top"), 3: () => this.look("side"), 4: () => this.look("ball"),
+      5: () => this.nextRobot(), z: () => this.panels.toggleMarks(), "?": () => this.panels.help(),
+    };
+    const action = actions[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    if (!action) return;
+    event.preventDefault();
+    action();
+    this.changed();
+  }
+}

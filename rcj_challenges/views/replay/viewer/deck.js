@@ -1,0 +1,98 @@
+// Time line and keys under the picture.
+
+const PLAY_ICON = "M7 4v16l13-8z";
+const PAUSE_ICON = "M6 4h4v16H6zM14 4h4v16h-4z";
+
+class Deck {
+  constructor(recording, player, find, changed, toEvent) {
+    this.recording = recording;
+    this.player = player;
+    this.find = find;
+    this.seek = find("seek");
+    this.marks = find("marks");
+    this.hover = find("hover");
+    this.frame = find("frame");
+    this.speed = find("speed");
+    this.dragging = false;
+    this.seek.max = String(recording.last);
+    const act = (id, action) => find(id).addEventListener("click", () => { action(); changed(); });
+    act("play", () => player.toggle());
+    act("rewind", () => player.wind(-1));
+    act("forward", () => player.wind(1));
+    act("back", () => player.frames(-1));
+    act("step", () => player.frames(1));
+    act("previous", () => toEvent(-1));
+    act("next", () => toEvent(1));
+    for (const speed of SPEEDS) this.speed.append(new Option(`${speed} ×`, String(speed)));
+    this.speed.addEventListener("change", () => { player.speed = Number(this.speed.value); changed(); });
+    this.seek.addEventListener("input", () => { player.seek(Number(this.seek.value)); changed(); });
+    this.seek.addEventListener("pointermove", (event) => this.tell(event));
+    this.seek.addEventListener("pointerleave", () => { this.hover.hidden = true; });
+    // The arrow keys move by seconds and frames, as everywhere on the page: app.js handles them.
+    this.seek.addEventListener("keydown", (event) => { if (event.key.startsWith("Arrow")) event.preventDefault(); });
+  }
+
+  /** Time and event under the pointer. */
+  tell(event) {
+    const box = this.seek.getBoundingClientRect();
+    const share = Maths.clamp((event.clientX - box.left) / box.width, 0, 1);
+    const place = Math.round(share * this.recording.last);
+    const reach = (6 / box.width) * this.recording.last;
+    const near = this.recording.events.filter((candidate) => Math.abs(candidate.place - place) <= reach);
+    const best = near.find((candidate) => candidate.scored) || near[0];
+    this.hover.textContent = best ? `${this.recording.clock(best.place)}  ${best.name}` : this.recording.clock(place);
+    this.hover.hidden = false;
+    this.hover.style.left = `${Maths.clamp(share * 100, 4, 96)}%`;
+  }
+
+  /** Draw a mark for each event: goals tall in the colour of who scored, faults red, the rest small. */
+  drawMarks() {
+    const { marks, recording } = this;
+    const density = window.devicePixelRatio || 1;
+    const width = marks.clientWidth, height = marks.clientHeight;
+    if (!width || !height) return;
+    marks.width = Math.round(width * density);
+    marks.height = Math.round(height * density);
+    const pen = marks.getContext("2d");
+    pen.scale(density, density);
+    const styles = getComputedStyle(marks);
+    const at = (place) => 8 + ((width - 16) * place) / Math.max(1, recording.last);
+    pen.fillStyle = styles.getPropertyValue("--line");
+    for (const half of recording.halves.slice(1)) pen.fillRect(at(half.offset) - 1, 0, 2, height);
+    pen.fillStyle = styles.getPropertyValue("--quiet");
+    for (const event of recording.events) if (event.kind === "call") pen.fillRect(at(event.place) - 0.5, height - 6, 1, 6);
+    for (const event of recording.events) {
+      if (event.kind === "fault") {
+        pen.fillStyle = styles.getPropertyValue("--fault");
+        pen.fillRect(at(event.place) - 1, height - 12, 2, 12);
+      }
+      if (event.kind === "goal") {
+        const x = at(event.place);
+        pen.fillStyle = event.colour || styles.getPropertyValue("--accent");
+        pen.strokeStyle = styles.getPropertyValue("--text");
+        pen.lineWidth = 1;
+        pen.beginPath();
+        pen.arc(x, 6, 4.5, 0, 2 * Math.PI);
+        pen.fill();
+        pen.stroke();
+        pen.fillRect(x - 1, 11, 2, height - 11);
+      }
+    }
+  }
+
+  show(place) {
+    const { recording, player } = this;
+    const { track, tick } = recording.at(place);
+    if (document.activeElement !== this.seek || this.seek.value !== String(Math.round(place))) this.seek.value = String(Math.round(place));
+    this.seek.setAttribute("aria-valuetext", `half ${track.facts.half}, ${recording.clock(place)}`);
+    this.seek.style.setProperty("--done", `${(100 * place) / Math.max(1, recording.last)}%`);
+    this.frame.textContent = `tick ${Math.round(tick)}`;
+    const plain = player.playing && player.direction > 0 && player.winding === 1;
+    const play = this.find("play");
+    play.querySelector("path").setAttribute("d", plain ? PAUSE_ICON : PLAY_ICON);
+    play.setAttribute("aria-label", plain ? "Pause" : "Play");
+    this.find("rewind").setAttribute("aria-pressed", String(player.playing && player.direction < 0));
+    this.find("forward").setAttribute("aria-pressed", String(player.playing && player.direction > 0 && player.winding > 1));
+    if (this.speed.value !== String(player.speed)) this.speed.value = String(player.speed);
+  }
+}

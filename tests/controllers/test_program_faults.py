@@ -1,0 +1,246 @@
+"""Each way in which a program can fail, and what the match then knows of it."""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from fake_match import FakeMatch
+
+from rcj_challenges.controllers.team import open_team
+from rcj_challenges.facts.play import Fault
+
+posix = pytest.mark.skipif(sys.platform == "win32", reason="POSIX only")
+
+
+def fault_of(match: FakeMatch, program: str, ticks: int = 30) -> Fault:
+    played = match.play(program, ticks)
+    assert played.fault is not None
+    assert f"[{played.fault.kind}] Y1 at tick {played.fault.tick} " in played.log
+    return played.fault
+
+
+def test_a_crash_is_told_with_the_programs_own_traceback(either_match: FakeMatch) -> None:
+    fault = fault_of(either_match, "faults/crashes_in_play")
+    assert fault == Fault(
+        robot="Y1",
+        kind="crash",
+        tick=3,
+        half=1,
+        detail="ZeroDivisionError: division by zero (crashes_in_play.py, line 5)",
+        traceback=fault.traceback,
+    )
+    lines = fault.traceback.splitlines()
+    assert lines[0] == "Traceback (most recent call last):"
+    assert [line for line in lines if line.startswith("  File")] == [
+        '  File "crashes_in_play.py", line 12, in <module>',
+        '  File "crashes_in_play.py", line 5, in drive',
+    ]
+    assert "    return 1 / number" in lines
+
+
+def test_an_import_that_was_not_packed_is_a_crash_before_the_first_tick(match: FakeMatch) -> None:
+    fault = fault_of(match, "faults/crashes_at_import")
+    assert (fault.kind, fault.tick) == ("crash", 0)
+    assert fault.detail == (
+        "ModuleNotFoundError: No module named 'a_module_that_was_not_packed' (crashes_at_import.py, line 2)"
+    )
+
+
+def test_a_syntax_error_names_file_and_line(match: FakeMatch) -> None:
+    fault = fault_of(match, "faults/has_a_syntax_error")
+    assert fault.kind == "crash"
+    assert fault.detail.startswith("SyntaxError: ")
+    assert fault.detail.endswith(" (has_a_syntax_error.py, line 4)")
+
+
+def test_the_traceback_of_a_chained_error_tells_both_and_nothing_of_this_project(match: FakeMatch) -> None:
+    program = """
+from controller import Robot
+robot = Robot()
+robot.step(32)
+receiver = robot.getDevice("team receiver")
+try:
+    receiver.getData()
+except RuntimeError as error:
+    raise ValueError(f"{object()}") from error
+"""
+    fault = fault_of(match, program)
+    assert fault.detail == "ValueError: <object object at 0x…> (robot.py, line 9)"
+    assert "direct cause" in fault.traceback
+    assert "radio.py" not in fault.traceback
+    assert str(match.folder) not in fault.traceback
+
+
+def test_a_fault_is_the_same_in_every_run(match: FakeMatch) -> None:
+    assert fault_of(match, "faults/crashes_in_play") == fault_of(match, "faults/crashes_in_play")
+
+
+def test_a_program_that_never_steps_is_stopped_at_its_start(either_match: FakeMatch) -> None:
+    either_match.limits = either_match.limits.model_copy(update={"start_s": 0.7})
+    fault = fault_of(either_match, "faults/never_steps")
+    assert (fault.kind, fault.tick) == ("start_timeout", 0)
+    assert fault.detail == "the program did not call step within 0.7 s of its start"
+
+
+def test_a_program_that_hangs_is_stopped_at_the_limit_and_its_log_shows_where(tmp_path: Path) -> None:
+    match = FakeMatch(tmp_path, step_s=0.4)
+    began = time.perf_counter()
+    played = match.play("faults/hangs_in_play", 10)
+    assert played.fault is not None
+    assert (played.fault.kind, played.fault.tick) == ("step_timeout", 2)
+    assert played.fault.detail == "the program did not call step for 0.4 s"
+    assert time.perf_counter() - began < 10
+    assert "now it hangs" in played.log
+    if sys.platform != "win32":
+        assert "hangs_in_play.py" in played.log.split("it was here")[1]
+
+
+def test_a_program_that_is_slow_on_every_step_is_stopped_by_the_sum(tmp_path: Path) -> None:
+    fault = fault_of(FakeMatch(tmp_path, half_s=0.3), "faults/slow_on_every_step", 1000)
+    assert fault.kind == "half_timeout"
+    assert fault.detail == "the program let the match wait for 0.3 s in all"
+    assert 1 <= fault.tick <= 7
+
+
+@pytest.mark.parametrize(
+    ("program", "detail", "tick"),
+    [
+        ("exits_quietly", "the program called sys.exit(4)", 3),
+        ("exits_hard", "the program ended itself (exit status 3)", 1),
+        ("comes_to_its_end", "the program came to its end while the match goes on: it has to call step in a loop", 1),
+    ],
+)
+def test_a_program_that_leaves_while_the_match_goes_on_is_told_so(
+    either_match: FakeMatch, program: str, detail: str, tick: int
+) -> None:
+    fault = fault_of(either_match, f"faults/{program}")
+    assert (fault.kind, fault.tick, fault.detail) == ("exit", tick, detail)
+
+
+def test_quit_with_words_leaves_them_in_the_log(match: FakeMatch) -> None:
+    played = match.play("from controller import Robot\nRobot().step(32)\nquit('no more')\n", 5)
+    assert played.fault is not None
+    assert (played.fault.kind, played.fault.detail) == ("exit", "the program called sys.exit: no more")
+    assert played.said[0] == "no more"
+
+
+@pytest.mark.skipif(sys.platform == "darwin", reason="macOS takes no limit on memory; the watch has its own test")
+def test_a_program_that_takes_too_much_memory_is_ended(tmp_path: Path) -> None:
+    fault = fault_of(FakeMatch(tmp_path, memory_mb=128), "faults/wants_too_much_memory")
+    assert (fault.kind, fault.tick) == ("memory", 1)
+    assert fault.detail == "MemoryError (wants_too_much_memory.py, line 7)"
+
+
+@posix
+def test_where_the_system_does_not_limit_memory_a_watch_does(tmp_path: Path) -> None:
+    match = FakeMatch(tmp_path, portable=True, memory_mb=128)
+    program = """
+import resource
+from controller import Robot
+robot = Robot()
+robot.step(32)
+heap = []
+while True:
+    try:
+        heap.append(bytearray(b"x") * (1 << 20))
+    except MemoryError:
+        pass
+"""
+    fault = fault_of(match, program)
+    assert (fault.kind, fault.tick) == ("memory", 1)
+
+
+def test_a_flood_of_output_is_stopped_at_the_same_tick_in_every_run_whatever_the_program_catches(
+    tmp_path: Path,
+) -> None:
+    match = FakeMatch(tmp_path, output_mb=0.1)
+    played = match.play("faults/floods_its_output", 30)
+    assert played.fault is not None
+    # 20 lines of 1000 bytes a tick: the fifth tick fills the 100 kB, the sixth breaks them.
+    assert (played.fault.kind, played.fault.tick) == ("output_flood", 6)
+    assert played.fault.detail == "the program printed more than 0.1 MB"
+    assert (tmp_path / "logs" / "Y1.log").stat().st_size < 101_000
+
+
+def test_a_flood_past_the_counter_is_stopped_by_the_size_of_the_log(tmp_path: Path) -> None:
+    match = FakeMatch(tmp_path, output_mb=0.5)
+    fault = fault_of(match, "faults/floods_the_descriptor")
+    assert (fault.kind, fault.tick) == ("output_flood", 1)
+
+
+def test_a_program_that_fills_its_folder_is_stopped(tmp_path: Path) -> None:
+    fault = fault_of(FakeMatch(tmp_path, scratch_mb=5), "faults/fills_its_folder")
+    assert (fault.kind, fault.tick) == ("output_flood", 1)
+    assert fault.detail == "the program wrote more than 5 MB into its folder"
+
+
+@posix
+def test_a_program_that_is_killed_by_a_signal_has_crashed(match: FakeMatch) -> None:
+    fault = fault_of(match, "faults/breaks_by_a_signal")
+    assert (fault.kind, fault.tick, fault.detail) == ("crash", 1, "the program was ended by the signal SIGKILL")
+
+
+def test_a_program_that_closes_its_connection_breaks_the_protocol(match: FakeMatch) -> None:
+    fault = fault_of(match, "faults/closes_its_connection")
+    assert (fault.kind, fault.tick, fault.detail) == (
+        "protocol",
+        1,
+        "the program closed its connection to the match",
+    )
+
+
+@posix
+def test_a_program_that_talks_garbage_breaks_the_protocol(either_match: FakeMatch) -> None:
+    fault = fault_of(either_match, "faults/talks_garbage")
+    assert (fault.kind, fault.tick) == ("protocol", 1)
+    assert fault.detail == "the program sent what is no message: a message of unknown type 104"
+
+
+@posix
+def test_a_program_that_announces_an_endless_message_breaks_the_protocol(either_match: FakeMatch) -> None:
+    garbage = (Path(__file__).parent.parent / "programs/faults/talks_garbage.py").read_text(encoding="utf-8")
+    fault = fault_of(either_match, garbage.replace(r"\x05\x00\x00\x00hello", r"\xff\xff\xff\xff"))
+    assert (fault.kind, fault.detail) == ("protocol", "the program sent a message of 4294967295 bytes")
+
+
+def test_a_program_that_failed_stays_dead_and_says_the_same_again(match: FakeMatch) -> None:
+    with match.crew() as crew:
+        from fake_match import SPEC
+
+        team = match.team("faults/crashes_at_import")
+        program = crew.add(SPEC, team, team.entry_for("Y1", "robot.py"))
+        crew.launch()
+        first = program.collect()
+        assert isinstance(first, Fault)
+        assert program.collect() == first == program.fault
+        assert program.has_ended()
+
+
+def test_a_program_of_a_folder_is_told_by_its_path_in_the_folder(match: FakeMatch, tmp_path: Path) -> None:
+    (tmp_path / "t" / "robot1").mkdir(parents=True)
+    (tmp_path / "t" / "robot1" / "robot1.py").write_text("import tools\n", encoding="utf-8")
+    (tmp_path / "t" / "robot1" / "tools.py").write_text("open('missing.txt')\n", encoding="utf-8")
+    played = match.play(open_team(tmp_path / "t"), entry="robot1/robot1.py")
+    assert played.fault is not None
+    assert played.fault.detail == (
+        "FileNotFoundError: [Errno 2] No such file or directory: 'missing.txt' (robot1/tools.py, line 1)"
+    )
+
+
+def test_a_dead_program_does_not_end_the_others(match: FakeMatch) -> None:
+    from fake_match import Played, play_on, robot_spec
+
+    sane, broken = match.team("patterns/keeps_state_at_module_level"), match.team("faults/exits_hard")
+    with match.crew() as crew:
+        first = crew.add(robot_spec("Y1"), broken, broken.entry_for("Y1", "robot.py"))
+        second = crew.add(robot_spec("Y2"), sane, sane.entry_for("Y2", "robot.py"))
+        crew.launch()
+        one, two = Played(), Played()
+        play_on(first, one, 20)
+        play_on(second, two, 20)
+    assert one.fault is not None
+    assert two.fault is None
+    assert len(two.requests) == 20

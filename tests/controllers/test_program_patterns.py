@@ -1,0 +1,374 @@
+"""What real teams' programs do (reference, section 4.3), each as a small program in a real process."""
+
+from __future__ import annotations
+
+import pickle
+import struct
+from pathlib import Path
+
+import pytest
+from fake_match import INDEX, FakeMatch, copy_of, packet, robot_spec, supervisor_every_tick
+
+from rcj_challenges.controllers.team import open_team
+
+LEFT, RIGHT = INDEX["left wheel motor"], INDEX["right wheel motor"]
+INFINITE = float("inf")
+
+
+def test_a_program_reads_what_its_robot_senses_and_drives(either_match: FakeMatch) -> None:
+    played = either_match.play("patterns/drives_by_what_it_senses", ticks=3)
+    assert played.fault is None
+    assert played.said == [
+        "first [nan, nan, nan] nan Y1 32.0",
+        "0.032 [1.0, 0.5, 0.0375] [0.0, 1.0, 0.0] 500.0 0.1",
+        "0.064 [2.0, 0.5, 0.0375] [0.0, 1.0, 0.0] 500.0 0.2",
+        "over",
+    ]
+    assert played.motors() == [
+        (LEFT, 0.0, INFINITE),
+        (RIGHT, 0.0, INFINITE),
+        (LEFT, 5.0, INFINITE),
+        (RIGHT, -0.032, INFINITE),
+        (RIGHT, -0.064, INFINITE),
+    ]
+    wanted = {(INDEX[name], 1) for name in ("gps", "compass", "distancesensor front", "left wheel sensor")}
+    assert set(played.requests[0][1].sampling) == wanted
+
+
+def test_step_loops_may_be_nested_in_helpers(match: FakeMatch) -> None:
+    played = match.play("patterns/nested_step_loops", ticks=12)
+    assert played.fault is None
+    assert played.said[-1].startswith("[4.0, 8.0, ")
+
+
+def test_a_program_that_steps_64_ms_and_reads_one_of_two_packets_lags_more_and_more(match: FakeMatch) -> None:
+    played = match.play("patterns/steps_of_64_ms", 11, lambda tick: [packet("ball receiver", str(tick).encode())])
+    assert played.said == ["2 1 2", "4 2 3", "6 3 4", "8 4 5", "10 5 6"]
+    assert [request.advance_ticks for _, request in played.requests] == [2] * 6
+    assert played.requests[0][1].sampling == ((INDEX["ball receiver"], 2),)
+
+
+def test_a_program_may_read_without_asking_how_many_packets_there_are(match: FakeMatch) -> None:
+    def air(tick: int) -> list:
+        return (
+            [packet("supervisor receiver", struct.pack("ddd?", tick, 0, 0, True))] if tick % 2 == 0 and tick > 2 else []
+        )
+
+    played = match.play("patterns/reads_without_asking", 8, air)
+    assert played.fault is None
+    assert played.said[1:] == ["(4.0, 0.0, 0.0, True)", "(6.0, 0.0, 0.0, True)"]
+
+
+def test_draining_the_queue_gives_all_packets_in_order_and_then_nothing(match: FakeMatch) -> None:
+    def air(tick: int) -> list:
+        return [packet("team receiver", f"{tick}{letter}".encode(), 0.25) for letter in "ab"] if tick == 1 else []
+
+    played = match.play("patterns/drains_the_queue", 3, air)
+    assert played.said == [
+        "1a 0.25 [1.0, 0.0, 0.0] 2",
+        "1b 0.25 [1.0, 0.0, 0.0] 2",
+        "newest 1b 0 -1 nan",
+        "newest None 0 -1 nan",
+    ]
+
+
+def test_several_radio_packets_per_tick_are_sent_in_order(match: FakeMatch) -> None:
+    played = match.play(
+        "patterns/several_radio_packets", 3, lambda _: [packet("team receiver", struct.pack("ii", 2, 5))]
+    )
+    expected = [struct.pack("ii", 1, 1), struct.pack("ii", 1, 2), "Grüße".encode(), struct.pack("2d", 0.5, 2)]
+    assert played.sent() == expected * 2
+    assert played.said == ["{2: [5, 5]} 3 10.0 3"]
+
+
+def test_a_pickled_dict_travels_on_the_radio(match: FakeMatch) -> None:
+    sent = match.play("patterns/pickles_on_the_radio", 2).sent()
+    assert len(sent[0]) > 200
+    assert pickle.loads(sent[0])["role"] == "striker"  # noqa: S301 - our own
+    played = match.play("patterns/pickles_on_the_radio", 3, lambda _: [packet("team receiver", sent[0])])
+    assert played.said == ["True", "True"]
+
+
+def test_the_clock_advances_by_the_step_and_never_stands_still(match: FakeMatch) -> None:
+    played = match.play("patterns/divides_by_time_passed", 4)
+    assert played.said == ["0.032 31"] * 3
+
+
+def test_the_direction_of_the_ball_can_be_divided_by_its_z(match: FakeMatch) -> None:
+    ball = packet("ball receiver", b"\0", 7.68, (0.986, 0.158, -0.046))
+    assert match.play("patterns/divides_by_z", 2, lambda _: [ball]).said == ["-21.435 -3.435 0.361"]
+
+
+def test_a_program_that_sleeps_misses_ticks(match: FakeMatch) -> None:
+    # 0.2 s are 6 whole ticks and a bit.
+    played = match.play("patterns/sleeps_in_the_loop", 16)
+    assert [(tick, r.missed_ticks, r.advance_ticks) for tick, r in played.requests] == [
+        (0, 0, 1),
+        (1, 6, 1),
+        (8, 6, 1),
+        (15, 6, 1),
+    ]
+    assert played.said == ["1 0.20", "8 0.20", "15 0.20"]
+
+
+def test_a_busy_wait_for_the_clock_misses_ticks_too(match: FakeMatch) -> None:
+    played = match.play("patterns/busy_waits", 9)
+    assert [(tick, r.missed_ticks) for tick, r in played.requests] == [(0, 0), (1, 3), (5, 3)]
+
+
+def test_too_high_a_speed_is_clamped_with_one_warning_and_nan_refused(match: FakeMatch) -> None:
+    played = match.play("patterns/asks_for_too_much", 6)
+    # A motor whose speed was never set has its full one; asking for 15 then changes nothing.
+    assert played.motors() == [(LEFT, 10.0, INFINITE), (RIGHT, 1.0, INFINITE), (LEFT, -10.0, INFINITE)]
+    assert sum("beyond the maximum" in line for line in played.said) == 1
+    assert [line for line in played.said if "NaN" in line] == [
+        "Error: 'left wheel motor': setVelocity(NaN) is refused.",
+        "Error: 'left wheel motor': setPosition(NaN) is refused.",
+    ]
+    assert played.said[-1] == "-10.0 10.0 inf"
+
+
+def test_a_catch_all_except_round_the_whole_loop_works(match: FakeMatch) -> None:
+    played = match.play("patterns/catches_everything", 5)
+    assert played.fault is None
+    assert played.said[-1] == "caught 4"
+    assert "getData was called with an empty queue" in played.said[0]
+
+
+def test_state_at_module_level_lasts(match: FakeMatch) -> None:
+    assert match.play("patterns/keeps_state_at_module_level", 5).said == ["4 4 __main__"]
+
+
+def test_prints_on_every_tick_reach_the_log_as_utf_8_whatever_they_hold(match: FakeMatch) -> None:
+    played = match.play("patterns/prints_on_every_tick", 4)
+    line = "Höhe 7.5 ボール ⚽ \\udc80"
+    assert played.said == [line] * 3
+    assert [request.printed_bytes for _, request in played.requests] == [(len(line.encode()) + 1) * n for n in range(4)]
+
+
+def test_packets_that_are_never_popped_stay(match: FakeMatch) -> None:
+    assert match.play("patterns/never_pops", 50, supervisor_every_tick).said == ["49 False"]
+
+
+def test_a_queue_that_is_never_popped_drops_the_oldest_beyond_its_bound(match: FakeMatch) -> None:
+    program = """
+from controller import Robot
+robot = Robot()
+team = robot.getDevice("team receiver")
+team.enable(32)
+while robot.step(32) != -1:
+    pass
+print(team.getQueueLength(), team.getBytes()[:2])
+"""
+    played = match.play(program, 30, lambda tick: [packet("team receiver", b"%02d" % tick + bytes(999_998))])
+    # 16 MiB hold 16 packets of a megabyte.
+    assert played.said == ["16 b'14'"]
+
+
+def test_properties_in_snake_case_do_what_the_methods_do(match: FakeMatch) -> None:
+    played = match.play("patterns/uses_properties", 2, supervisor_every_tick)
+    assert played.said == [
+        "Y1 0.032 32.0 2.0 10.0 left wheel motor",
+        "[1.0, 0.5, 0.0375] 32 1000.0 1000.0",
+        "1 b'\\x00' 1 1.0 1",
+        "3 10.0 13 [<class 'controller.motor.Motor'>, <class 'controller.sensors.GPS'>, <class 'controller.sensors.DistanceSensor'>]",
+    ]
+    assert played.motors() == [(LEFT, 2.0, INFINITE)]
+
+
+def test_the_getters_of_old_work_after_a_line_of_deprecation_and_unknown_devices_are_none(match: FakeMatch) -> None:
+    played = match.play("patterns/uses_old_getters", 2)
+    assert played.fault is None
+    assert sum("DEPRECATION: Robot.getMotor" in line for line in played.said) == 1
+    assert any('"kicker" device not found' in line for line in played.said)
+    assert played.said[-1] == "True None supervisor receiver 1000.0"
+
+
+def test_from_v2_2_on_get_data_returns_text(match: FakeMatch) -> None:
+    def air(tick: int) -> list:
+        return [packet("supervisor receiver", b'{"waiting_for_kickoff": false}')]
+
+    played = match.play("patterns/speaks_v2_2", 2, air, spec=robot_spec(getdata_returns="text"))
+    assert played.said == ["""str {'waiting_for_kickoff': False} b'{"waiting_for_kickoff": false}'"""]
+
+
+def test_imports_work_by_name_and_only_what_robots_lack_is_refused_on_use(match: FakeMatch) -> None:
+    played = match.play("patterns/imports_a_lot", 2)
+    assert played.fault is None
+    assert played.said == [
+        "5.0 2.0 team 1",
+        "NotImplementedError there is no Camera on these robots",
+        "NotImplementedError there is no Keyboard on these robots",
+        "PermissionError a player's program cannot be a Supervisor: use Robot",
+        "RuntimeError Only one instance of the Robot class should be created.",
+        "? no keyboard",
+    ]
+
+
+def test_clock_and_calendar_show_simulated_time(match: FakeMatch) -> None:
+    played = match.play("patterns/asks_the_time", 95)
+    assert played.fault is None
+    assert played.said[0].startswith("1000 2024-01-01 00:00:00 2024 1970 Mon Jan  1 00:00:00 2024")
+    assert played.said[1].startswith("2024-01-01 00:00:00.0320")
+    assert played.said[1].endswith("+00:00")
+    assert played.said[2] == "3.0 True True True"
+    assert played.said[3] == "3.032 3.032 3.032 3.032"
+    assert played.said[4] == "sleep length must be non-negative"
+    assert len(played.said) == 6
+    # 3 s are 93.75 ticks; the readings add some microseconds.
+    assert [r.missed_ticks for _, r in played.requests] == [0, 93]
+
+
+def test_dice_fall_alike_for_one_seed_and_differently_for_robots_halves_and_seeds(match: FakeMatch) -> None:
+    first = match.play("patterns/throws_dice", 2).said
+    again = match.play("patterns/throws_dice", 2).said
+    others = [
+        match.play("patterns/throws_dice", 2, spec=robot_spec("Y2")).said,
+        match.play("patterns/throws_dice", 2, half=2).said,
+        match.play("patterns/throws_dice", 2, match_seed=2).said,
+    ]
+    assert len(first) == 2
+    assert first == again
+    numbers = first[0].split()[:7]
+    assert len(set(numbers)) == 7
+    for other in others:
+        assert not set(numbers) & set(other[0].split()[:7])
+        assert other[1] == first[1]  # a seed of the program's own is honoured
+
+
+def test_the_lidar_is_read_by_all_its_methods(match: FakeMatch) -> None:
+    played = match.play("patterns/looks_around", 2)
+    assert played.said == [
+        "[0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2] 8 True",
+        # Index 2 of 8 looks to the right.
+        "0.0 -0.7 0.0 0 0.032 8 8",
+        "True 0.01 3.0 1 20.0",
+    ]
+    assert played.requests[0][1].frequencies == ((INDEX["lidar"], 20.0),)
+
+
+def test_locks_and_queues_with_a_timeout_do_not_hang(match: FakeMatch) -> None:
+    assert match.play("patterns/threads_unused", 3).said == ["empty", "empty"]
+
+
+def test_files_with_windows_line_ends_and_a_byte_order_mark_run(match: FakeMatch, tmp_path: Path) -> None:
+    source = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    print('tick')\n"
+    (tmp_path / "crlf.py").write_bytes(b"\xef\xbb\xbf" + source.replace("\n", "\r\n").encode())
+    assert match.play(open_team(tmp_path / "crlf.py"), 3).said == ["tick", "tick"]
+
+
+def test_a_step_shorter_than_a_tick_is_rounded_up(match: FakeMatch) -> None:
+    program = (
+        "from controller import Robot\nrobot = Robot()\nfor ms in (16, 32, 33, 64, 0, 1e12):\n    robot.step(ms)\n"
+    )
+    played = match.play(program, 9)
+    assert [r.advance_ticks for _, r in played.requests] == [1, 1, 2, 2, 1, 2**31 - 1]
+
+
+def test_the_first_of_2021s_folders_is_the_current_one_and_the_shared_libraries_are_found(
+    match: FakeMatch, tmp_path: Path
+) -> None:
+    team = tmp_path / "team"
+    for number in (1, 2):
+        (team / f"robot{number}").mkdir(parents=True)
+        (team / f"robot{number}" / f"robot{number}.py").write_text(
+            "import os, sys\n"
+            "from controller import Robot\n"
+            "import helper\n"
+            "sys.path.append('/app/controllers')\n"
+            "sys.path.append(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))\n"
+            "from team_AB_libraries.robot1 import NAME\n"
+            "robot = Robot()\n"
+            "print(os.path.basename(os.getcwd()), helper.WHO, NAME, open('data.txt').read(), __file__ == sys.argv[0])\n"
+            "robot.step(32)\n",
+            encoding="utf-8",
+        )
+        (team / f"robot{number}" / "helper.py").write_text(f"WHO = {number}\n", encoding="utf-8")
+        (team / f"robot{number}" / "data.txt").write_text(f"data{number}", encoding="utf-8")
+    (team / "team_AB_libraries").mkdir()
+    (team / "team_AB_libraries" / "robot1.py").write_text("NAME = 'shared'\n", encoding="utf-8")
+    for number in (1, 2):
+        played = match.play(open_team(team), 1, entry=f"robot{number}/robot{number}.py")
+        assert played.fault is None
+        assert played.said == [f"robot{number} {number} shared data{number} True"]
+
+
+def test_a_file_of_the_team_may_have_the_name_of_a_standard_module(match: FakeMatch, tmp_path: Path) -> None:
+    copy_of("patterns/keeps_state_at_module_level", tmp_path / "team", "robot.py")
+    (tmp_path / "team" / "random.py").write_text("def dice():\n    return 'own dice'\n", encoding="utf-8")
+    (tmp_path / "team" / "main.py").write_text(
+        "import random\nfrom controller import Robot\nprint(random.dice())\nRobot().step(32)\n1 / 0\n", encoding="utf-8"
+    )
+    played = match.play(open_team(tmp_path / "team"), 3, entry="main.py")
+    assert played.said[0] == "own dice"
+    assert played.fault is not None
+    assert played.fault.detail == "ZeroDivisionError: division by zero (main.py, line 5)"
+
+
+def test_writing_into_the_current_folder_changes_nothing_of_the_teams(match: FakeMatch, tmp_path: Path) -> None:
+    program = "from controller import Robot\nrobot = Robot()\nopen('notes.txt', 'w').write('x')\nrobot.step(32)\nprint(open('notes.txt').read())\nrobot.step(32)\n"
+    (tmp_path / "team").mkdir()
+    (tmp_path / "team" / "robot.py").write_text(program, encoding="utf-8")
+    assert match.play(open_team(tmp_path / "team"), 2).said == ["x"]
+    assert [path.name for path in (tmp_path / "team").iterdir()] == ["robot.py"]
+
+
+def test_programs_see_none_of_the_parents_environment(match: FakeMatch, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SECRET_OF_THE_PARENT", "42")
+    program = "import os\nfrom controller import Robot\nrobot = Robot()\nprint(os.environ.get('SECRET_OF_THE_PARENT'), os.environ['TZ'])\nrobot.step(32)\n"
+    assert match.play(program, 1).said == ["None UTC"]
+
+
+def test_after_the_match_a_program_may_clean_up(match: FakeMatch) -> None:
+    program = """
+import atexit, sys
+from controller import Robot
+robot = Robot()
+atexit.register(lambda: print("bye"))
+while robot.step(32) != -1:
+    pass
+print(robot.step(32), robot.step(32))
+sys.exit(1)
+"""
+    played = match.play(program, 3)
+    assert played.fault is None
+    assert played.said == ["-1 -1", "bye"]
+
+
+def test_reading_a_sensor_that_is_not_enabled_gives_a_hint(match: FakeMatch) -> None:
+    program = "from controller import Robot\nrobot = Robot()\ngps = robot.getDevice('gps')\nrobot.step(32)\ngps.getValues()\ngps.getValues()\nrobot.step(32)\n"
+    said = match.play(program, 2).said
+    assert said == ["Warning: 'gps' is read but not enabled: call enable(32) before the first step."]
+
+
+def test_another_teams_channel_is_refused_with_a_message(match: FakeMatch) -> None:
+    program = """
+from controller import Robot
+robot = Robot()
+team = robot.getDevice("team receiver")
+team.setChannel(2)
+print(team.getChannel())
+team.setChannel(7)
+print(team.channel)
+robot.step(32)
+"""
+    played = match.play(program, 1)
+    assert played.said == ["Error: 'team receiver': channel 2 is not for this team; it stays on 3.", "3", "7"]
+    assert played.requests[0][1].channels == ((INDEX["team receiver"], 7),)
+
+
+def test_a_packet_beyond_the_limit_is_dropped_with_a_warning(match: FakeMatch) -> None:
+    program = """
+from controller import Robot
+robot = Robot()
+team = robot.getDevice("team emitter")
+print(team.send(bytes(1_024_001)), team.send(bytes(1_024_000)), team.send("hi"))
+try:
+    team.send(5)
+except TypeError as error:
+    print("TypeError")
+robot.step(32)
+"""
+    played = match.play(program, 1)
+    assert played.said[-2:] == ["0 1 1", "TypeError"]
+    assert [len(data) for data in played.sent()] == [1_024_000, 2]

@@ -1,0 +1,197 @@
+"""The ball's infra-red: strength, direction, occlusion (reference, 4.1)."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rcj_challenges.facts.traffic import Packet
+from tests.devices.device_bench import Bench
+
+
+@pytest.fixture
+def bench() -> Bench:
+    bench = Bench()
+    bench.enable("Y1", "ball receiver")
+    return bench
+
+
+def ball_heard(bench: Bench, robot: str = "Y1") -> list[Packet]:
+    bench.sense()
+    return bench.heard(robot, "ball receiver")
+
+
+def test_the_worked_example(bench: Bench) -> None:
+    bench.place("Y1", 0.2, -0.4, 2)
+    bench.place("ball", 0, -0.1)
+    (packet,) = ball_heard(bench)
+    assert packet.direction == pytest.approx((0.986, 0.158, -0.046), abs=0.0005)
+    assert packet.strength == pytest.approx(7.68, abs=0.005)
+
+
+def test_the_z_part_of_the_direction_gives_the_distance(bench: Bench) -> None:
+    bench.place("Y1", 0, 0, 1)
+    bench.place("ball", 0.3, 0.2)
+    (packet,) = ball_heard(bench)
+    assert -0.0166 / packet.direction[2] == pytest.approx(math.hypot(0.3, 0.2, 0.0166), rel=1e-3)
+
+
+_SHARED: list[Bench] = []
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.floats(0.1, 0.55), st.floats(-math.pi, math.pi), st.floats(-math.pi, math.pi))
+def test_direction_and_strength_say_where_the_ball_is(distance: float, bearing: float, yaw: float) -> None:
+    if not _SHARED:
+        _SHARED.append(Bench())
+        _SHARED[0].enable("Y1", "ball receiver")
+    bench = _SHARED[0]
+    bench.place("Y1", 0, 0, yaw)
+    bench.place("ball", distance * math.cos(yaw + bearing), distance * math.sin(yaw + bearing))
+    (packet,) = ball_heard(bench)
+    x, y, z = packet.direction
+    assert math.hypot(x, y, z) == pytest.approx(1)
+    assert math.remainder(math.atan2(y, x) - bearing, math.tau) == pytest.approx(0, abs=1e-9)
+    assert 1 / math.sqrt(packet.strength) == pytest.approx(math.hypot(distance, 0.0166), abs=1e-9)
+    assert z < 0
+
+
+def test_it_is_heard_up_to_0_6_in_space(bench: Bench) -> None:
+    bench.place("Y1", -0.3, 0)
+    bench.place("ball", -0.3 + 0.5997, 0)  # with the 16.6 mm of height: 0.59993
+    assert len(ball_heard(bench)) == 1
+    bench.place("ball", -0.3 + 0.5999, 0)  # 0.60013
+    assert ball_heard(bench) == []
+
+
+def test_another_robots_cube_hides_the_ball(bench: Bench) -> None:
+    bench.place("Y1", -0.3, 0)
+    bench.place("ball", 0.1, 0)
+    bench.place("B1", -0.1, 0.03, 0)
+    assert ball_heard(bench) == []
+    bench.place("B1", -0.1, 0.06, 0)
+    assert len(ball_heard(bench)) == 1
+
+
+def test_another_robots_wheel_hides_the_ball(bench: Bench) -> None:
+    bench.place("Y1", -0.3, 0)
+    bench.place("ball", 0.1, 0)
+    # The cube ends 0.0065 beside the line; the wheel reaches over it (outside 0.05 from the middle).
+    bench.place("B1", -0.1, 0.044, 0)
+    assert ball_heard(bench) == []
+    bench.place("B1", -0.1, 0.044, math.pi / 2)  # now the wheels are before and behind the cube, none on this side
+    assert len(ball_heard(bench)) == 1
+
+
+def test_a_team_mate_hides_the_ball_as_well(bench: Bench) -> None:
+    bench.place("Y1", -0.3, 0)
+    bench.place("ball", 0.1, 0)
+    bench.place("Y2", -0.1, 0)
+    assert ball_heard(bench) == []
+
+
+@pytest.mark.parametrize("yaw", [0, math.pi / 2, -math.pi / 2, math.pi, 0.9])
+def test_the_robot_itself_never_hides_the_ball(bench: Bench, yaw: float) -> None:
+    bench.place("Y1", 0, 0, yaw)
+    bench.place("ball", 0.08, 0)
+    assert len(ball_heard(bench)) == 1
+
+
+def test_a_goal_wall_hides_the_ball(bench: Bench) -> None:
+    bench.place("Y1", 0.4, 0.65)
+    bench.place("ball", 0.1, 0.82)
+    assert ball_heard(bench) == []
+    bench.place("ball", 0.1, 0.70)
+    assert len(ball_heard(bench)) == 1
+
+
+def test_an_obstacle_hides_the_ball() -> None:
+    bench = Bench(change={"obstacles": {"box": {"shape": "box", "centre_m": [0, 0], "size_m": [0.02, 0.2]}}})
+    bench.enable("Y1", "ball receiver")
+    bench.place("Y1", -0.2, 0)
+    bench.place("ball", 0.2, 0)
+    assert ball_heard(bench) == []
+    bench.place("ball", -0.1, 0)
+    assert len(ball_heard(bench)) == 1
+
+
+def test_several_balls_are_heard_in_their_order_and_do_not_hide_each_other() -> None:
+    balls = {"second": {"start_m": [0.2, 0.2]}, "silent": {"start_m": [0.3, 0.3], "emits": False}}
+    bench = Bench(change={"balls": balls})
+    bench.enable("Y1", "ball receiver")
+    bench.place("Y1", 0, 0)
+    bench.place("ball", 0.4, 0)
+    bench.place("second", 0.2, 0)
+    bench.place("silent", 0.1, 0)
+    packets = ball_heard(bench)
+    assert [round(1 / math.sqrt(packet.strength), 1) for packet in packets] == [0.4, 0.2]
+
+
+def test_the_packet_is_fresh(bench: Bench) -> None:
+    bench.place("Y1", 0, 0)
+    bench.place("ball", 0.2, 0)
+    bench.sense()
+    bench.place("ball", 0, 0.3)
+    bench.sense()
+    old, new = bench.heard("Y1", "ball receiver")
+    assert old.direction[0] > 0.99
+    assert new.direction[1] > 0.99
+
+
+@pytest.mark.parametrize(("messages", "data"), [("v2.1", b"\x01"), ("v2.2", b"x")])
+def test_the_packet_is_never_empty(messages: str, data: bytes) -> None:
+    bench = Bench(change={"kits": {"v2": {"messages": messages}}})
+    bench.enable("Y1", "ball receiver")
+    bench.place("Y1", 0, 0)
+    bench.place("ball", 0.2, 0)
+    (packet,) = ball_heard(bench)
+    assert packet.data == data
+
+
+def test_a_parked_ball_is_not_heard_and_a_parked_robot_hears_none() -> None:
+    # A range that reaches as far as things are parked: being parked alone must be enough.
+    bench = Bench(change={"kits": {"v2": {"devices": {"ball receiver": {"range_m": 1e9}}}}})
+    bench.enable("Y1", "ball receiver")
+    bench.place("Y1", 0, 0)
+    assert ball_heard(bench) == []
+    bench.place("ball", 0.2, 0)
+    bench.park("Y1")
+    assert ball_heard(bench) == []
+    bench.place("Y1", 0, 0)
+    assert len(ball_heard(bench)) == 1
+
+
+def test_a_parked_robot_hides_nothing(bench: Bench) -> None:
+    bench.place("Y1", -0.3, 0)
+    bench.place("ball", 0.1, 0)
+    bench.place("B1", -0.1, 0)
+    bench.park("B1")
+    assert len(ball_heard(bench)) == 1
+
+
+def test_a_receiver_tuned_elsewhere_does_not_hear_the_ball(bench: Bench) -> None:
+    bench.place("Y1", 0, 0)
+    bench.place("ball", 0.2, 0)
+    bench.tune("Y1", "ball receiver", 5)
+    assert ball_heard(bench) == []
+    bench.tune("Y1", "ball receiver", 4)
+    assert len(ball_heard(bench)) == 1
+
+
+def test_strength_and_direction_can_be_noisy() -> None:
+    noise = {"strength_noise": 0.1, "direction_noise_rad": 0.05}
+    bench = Bench(change={"kits": {"v2": {"devices": {"ball receiver": noise}}}})
+    bench.enable("Y1", "ball receiver")
+    bench.place("Y1", 0, 0)
+    bench.place("ball", 0.2, 0)
+    bench.sense(ticks=500)
+    packets = bench.heard("Y1", "ball receiver")
+    true = 1 / (0.2**2 + 0.0166**2)
+    strength = math.sqrt(sum((packet.strength / true - 1) ** 2 for packet in packets) / 500)
+    bearing = math.sqrt(sum(math.atan2(packet.direction[1], packet.direction[0]) ** 2 for packet in packets) / 500)
+    assert strength == pytest.approx(0.1, rel=0.15)
+    assert bearing == pytest.approx(0.05, rel=0.15)
+    assert all(math.hypot(*packet.direction) == pytest.approx(1) for packet in packets)

@@ -1,0 +1,231 @@
+"""What the referee tells programs: bytes, age and period, in all three versions (reference, 4.1 and 4.2)."""
+
+from __future__ import annotations
+
+import json
+import struct
+from typing import Any
+
+import pytest
+
+from rcj_challenges.facts.play import Verdict
+from tests.devices.device_bench import BLANK, WAITING, Bench
+
+RECEIVER = "supervisor receiver"
+
+
+def told(bench: Bench, robot: str = "Y1", receiver: str = RECEIVER) -> list[bytes]:
+    return [packet.data for packet in bench.heard(robot, receiver)]
+
+
+def kit_2021(**settings: Any) -> dict[str, Any]:
+    return {"kits": {"legacy_2021": settings}}
+
+
+# --- v2 ---------------------------------------------------------------------------------------------------------------
+
+
+def test_there_is_one_packet_a_tick_of_one_byte() -> None:
+    bench = Bench()
+    bench.enable("Y1", RECEIVER)
+    bench.sense(ticks=3)
+    assert told(bench) == [b"\x00"] * 3
+    assert struct.unpack("?", b"\x00") == (False,)
+
+
+def test_observation_k_tells_the_phase_after_the_actions_of_tick_k_minus_1() -> None:
+    bench = Bench()
+    bench.enable("Y1", RECEIVER)
+    bench.sense(WAITING)  # the goal's own tick
+    assert told(bench) == [b"\x00"]
+    bench.sense(BLANK)
+    assert told(bench) == [b"\x01"]
+    bench.sense(BLANK)
+    assert told(bench) == [b"\x00"]
+
+
+def test_a_pause_of_94_ticks_is_told_94_times() -> None:
+    bench = Bench()
+    bench.enable("Y1", RECEIVER)
+    for tick in range(1, 200):
+        bench.sense(WAITING if 50 <= tick < 144 else BLANK)
+    assert sum(told(bench).count(flag) for flag in (b"\x01",)) == 94
+
+
+def test_the_first_packet_tells_of_tick_0() -> None:
+    bench = Bench()
+    bench.rack.begin(WAITING)
+    bench.enable("Y1", RECEIVER)
+    bench.sense(BLANK)
+    assert told(bench) == [b"\x01"]
+
+
+def test_v2_2_sends_json_text() -> None:
+    bench = Bench(change={"kits": {"v2": {"messages": "v2.2"}}})
+    bench.enable("Y1", RECEIVER)
+    bench.sense(WAITING)
+    bench.sense(BLANK)
+    assert told(bench) == [b'{"waiting_for_kickoff": false}', b'{"waiting_for_kickoff": true}']
+    assert bench.rack.specs[bench.roster.index["Y1"]].getdata_returns == "text"
+
+
+def test_a_declared_broadcast_follows_the_official_packet_as_json() -> None:
+    bench = Bench()
+    bench.enable("Y1", RECEIVER)
+    bench.sense(Verdict(broadcast={"target": "left", "score": 3, "gold": [0.1, None]}))
+    bench.sense(BLANK)
+    bench.sense(BLANK)
+    first, official, broadcast, last = told(bench)
+    assert (first, official, last) == (b"\x00", b"\x00", b"\x00")
+    assert json.loads(broadcast) == {"target": "left", "score": 3, "gold": [0.1, None]}
+
+
+def test_all_robots_are_told_also_those_taken_off_the_field() -> None:
+    bench = Bench()
+    for name in ("B1", "Y3"):
+        bench.enable(name, RECEIVER)
+    bench.place("B1", 0, 0)  # Y3 stays parked
+    bench.sense()
+    assert told(bench, "B1") == told(bench, "Y3") == [b"\x00"]
+
+
+def test_unread_packets_stay_until_the_program_looks() -> None:
+    bench = Bench()
+    bench.enable("Y1", RECEIVER)
+    bench.sense(ticks=1000)
+    assert len(told(bench)) == 1000
+
+
+def test_a_receiver_hears_only_from_when_it_is_enabled() -> None:
+    bench = Bench()
+    bench.sense(ticks=10)
+    bench.enable("Y1", RECEIVER)
+    bench.sense()
+    assert len(told(bench)) == 1
+
+
+def test_the_queue_of_a_program_that_never_looks_is_bounded_and_drops_the_oldest() -> None:
+    bench = Bench()
+    bench.enable("Y1", RECEIVER)
+    bench.sense(WAITING, ticks=500)
+    bench.sense(BLANK, ticks=18_000)
+    packets = told(bench)
+    assert 16_384 <= len(packets) <= 16_384 + 32
+    assert b"\x01" not in packets
+
+
+# --- 2021 -------------------------------------------------------------------------------------------------------------
+
+
+def test_the_worked_example_of_2021() -> None:
+    bench = Bench("soccersim_2021", kit_2021(packet_lists=["Y3"]))
+    bench.place("Y3", -0.3, 0.2, 0.5)
+    bench.place("ball", 0.1, -0.2)
+    bench.enable("Y3", "receiver", period=2)
+    bench.sense(ticks=4)
+    (data,) = told(bench, "Y3", "receiver")
+    assert len(data) == 41
+    assert struct.unpack("ddddd?", data) == pytest.approx((0.2, -0.3, 0.5, -0.2, 0.1, False))
+
+
+@pytest.mark.parametrize(("yaw", "orientation"), [(1.57, 1.57), (-1.57, -1.57), (0, 0), (3, 3), (4, 4 - 6.283185307)])
+def test_orientation_is_the_yaw_blue_goal_is_plus_1_57(yaw: float, orientation: float) -> None:
+    bench = Bench("soccersim_2021", kit_2021(packet_lists=["Y3"]))
+    bench.place("Y3", 0, 0, yaw)
+    bench.enable("Y3", "receiver")
+    bench.sense(ticks=3)
+    assert struct.unpack("ddd", told(bench, "Y3", "receiver")[0][:24])[2] == pytest.approx(orientation, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("settings", "length"),
+    [
+        ({}, 161),
+        ({"packet_has_flag": False}, 160),
+        ({"packet_lists": ["Y3"]}, 41),
+        ({"packet_lists": ["B1", "B2", "Y1", "Y2"]}, 113),
+        ({"packet_lists": []}, 17),
+    ],
+)
+def test_every_length_of_the_2021_packet(settings: dict[str, Any], length: int) -> None:
+    bench = Bench("soccersim_2021", kit_2021(**settings))
+    bench.enable("Y3", "receiver")
+    bench.sense(ticks=3)
+    assert [len(data) for data in told(bench, "Y3", "receiver")] == [length]
+
+
+def test_the_order_of_a_2021_match_is_blue_yellow_ball() -> None:
+    bench = Bench("soccersim_2021")
+    for index, name in enumerate(bench.roster.entities):
+        bench.place(name, -0.5 + 0.15 * index, 0.1 * index)
+    bench.enable("B1", "receiver")
+    bench.sense(ticks=3)
+    numbers = struct.unpack("ddd" * 6 + "dd?", told(bench, "B1", "receiver")[0])
+    assert numbers[0::3][:6] == pytest.approx([0.1 * index for index in range(6)])
+    assert numbers[18:20] == pytest.approx((0.6, 0.4))
+
+
+def test_the_first_64_ms_step_of_2021_finds_an_empty_queue_and_then_one_packet_each() -> None:
+    bench = Bench("soccersim_2021")
+    bench.enable("Y1", "receiver", period=2)
+    counts = []
+    for _ in range(5):
+        bench.sense(ticks=2)
+        counts.append(len(told(bench, "Y1", "receiver")))
+    assert counts == [0, 1, 1, 1, 1]
+
+
+def test_a_2021_packet_is_one_control_step_old() -> None:
+    bench = Bench("soccersim_2021", kit_2021(packet_lists=["Y1"]))
+    bench.enable("Y1", "receiver", period=2)
+    seen = []
+    for tick in range(1, 9):
+        bench.place("Y1", 0, tick / 100)
+        bench.sense()
+        if tick % 2 == 0:
+            seen.append([struct.unpack("d", data[:8])[0] for data in told(bench, "Y1", "receiver")])
+    assert seen == [[], [pytest.approx(0.02)], [pytest.approx(0.04)], [pytest.approx(0.06)]]
+
+
+def test_the_flag_of_2021_tells_of_the_same_tick_as_the_positions() -> None:
+    bench = Bench("soccersim_2021", kit_2021(packet_lists=[]))
+    bench.enable("Y1", "receiver", period=2)
+    bench.sense(ticks=3)
+    bench.sense(WAITING)
+    bench.sense(BLANK, ticks=2)
+    assert [data[-1] for data in told(bench, "Y1", "receiver")] == [0, 1]
+
+
+def test_a_broadcast_of_2021_waits_for_the_next_official_packet() -> None:
+    bench = Bench("soccersim_2021", kit_2021(packet_lists=[]))
+    bench.enable("Y1", "receiver")
+    bench.sense(Verdict(broadcast={"round": 1}))
+    bench.sense(BLANK, ticks=2)
+    official, broadcast = told(bench, "Y1", "receiver")
+    assert len(official) == 17
+    assert json.loads(broadcast) == {"round": 1}
+
+
+def test_several_balls_stand_in_the_packet_in_their_order() -> None:
+    bench = Bench("soccersim_2021", {**kit_2021(packet_lists=[]), "balls": {"second": {}}})
+    bench.place("ball", 0.1, 0.2)
+    bench.place("second", 0.3, 0.4)
+    bench.enable("Y1", "receiver")
+    bench.sense(ticks=3)
+    assert struct.unpack("dddd?", told(bench, "Y1", "receiver")[0]) == pytest.approx((0.2, 0.1, 0.4, 0.3, False))
+
+
+def test_robots_of_different_kits_get_their_own_packets() -> None:
+    legacy = {
+        "legacy_2021": {
+            "messages": "2021",
+            "packet_every_ticks": 2,
+            "devices": {"receiver": {"device": "supervisor_receiver", "channel": 0}},
+        }
+    }
+    bench = Bench(change={"kits": legacy, "robots": {"B1": {"kit": "legacy_2021"}}})
+    bench.enable("B1", "receiver")
+    bench.enable("Y1", RECEIVER)
+    bench.sense(ticks=3)
+    assert [len(data) for data in told(bench, "B1", "receiver")] == [17]
+    assert [len(data) for data in told(bench)] == [1, 1, 1]

@@ -1,0 +1,79 @@
+"""Same scenario, seed, programs and versions: same digest; and the record alone gives the same reflog."""
+
+import json
+
+import pytest
+
+from rcj_challenges.records.reflog import reflog_lines
+from rcj_challenges.referee.engine import Referee
+from rcj_challenges.scenario.load import load_resolved
+from tests.match.programs import AHEAD
+
+RANDOM = """
+import random
+import numpy as np
+from controller import Robot
+robot = Robot()
+motors = [robot.getDevice(side + " wheel motor") for side in ("left", "right")]
+for motor in motors:
+    motor.setPosition(float("inf"))
+sonar = robot.getDevice("distancesensor front")
+sonar.enable(32)
+while robot.step(32) != -1:
+    turn = random.uniform(-4, 4) + np.random.default_rng().normal()
+    motors[0].setVelocity(6 + turn - sonar.getValue() / 1000)
+    motors[1].setVelocity(6 - turn)
+"""
+
+
+@pytest.fixture
+def wild(play, team_folder):
+    teams = {"blue": team_folder(RANDOM, name="Wild"), "yellow": team_folder(RANDOM, AHEAD, RANDOM, name="Wilder")}
+    return lambda *overrides, **plan: play("robot_progress_s=2", *overrides, **teams, **plan)
+
+
+def test_the_same_match_has_the_same_digest(wild):
+    assert wild().result["digest"] == wild().result["digest"]
+
+
+def test_another_seed_is_another_match(wild):
+    assert wild(seed=1).result["digest"] != wild(seed=2).result["digest"]
+
+
+def test_another_limit_is_another_digest(wild):
+    assert wild().result["digest"] != wild("penalty_area_s=14").result["digest"]
+
+
+def test_real_time_only_delays(wild):
+    fast, slow = wild("match.half_s=2"), wild("match.half_s=2", real_time=True)
+    assert fast.result["digest"] == slow.result["digest"]
+    assert slow.result["wall_s"] > 2
+
+
+@pytest.mark.nightly
+def test_ten_seconds_in_real_time_have_the_same_digest(wild):
+    assert wild("match.half_s=10").result["digest"] == wild("match.half_s=10", real_time=True).result["digest"]
+
+
+def test_the_referee_judges_the_trajectory_alone_as_it_judged_the_match(wild):
+    run = wild("match.halves=2")
+    assert run.events("LACK_OF_PROGRESS")
+    assert rejudged(run) == [without_datetime(line) for line in run.reflog]
+
+
+def rejudged(run):
+    """Run the referee on the record: no physics, no programs."""
+    loaded = load_resolved(json.loads((run.folder / "scenario.json").read_text("utf-8")))
+    lines = []
+    for half in run.trajectory.halves:
+        referee = Referee(loaded.scenario, loaded.roster, half.info)
+        events = list(referee.start(half.start).events)
+        for snapshot in half.snapshots():
+            events += referee.judge(snapshot).events
+        events += referee.finish().events
+        lines += [without_datetime(json.loads(line)) for line in reflog_lines(events, "").splitlines()]
+    return lines
+
+
+def without_datetime(line):
+    return {key: value for key, value in line.items() if key != "datetime"}

@@ -1,0 +1,347 @@
+"""Actions: each word, set off by a rule at tick 10 (or by a fault of B1's program)."""
+
+import pytest
+
+from rcj_challenges.referee.script import ScriptedPlay
+
+
+def at_tick_10(*actions: str) -> str:
+    """Return a rule that runs these actions at tick 10."""
+    return f"rules: {{act: {{triggers: [{{trigger: time_reached, at_s: 0.32}}], actions: [{', '.join(actions)}]}}}}"
+
+
+def acted(play: ScriptedPlay) -> ScriptedPlay:
+    """Return the play after tick 10."""
+    play.play_until(10)
+    return play
+
+
+class TestActionScore:
+    def test_it_gives_points_to_an_entrant(self, stage):
+        play = acted(stage(at_tick_10("{action: score, entrant: blue, points: 2}"), scores={"blue": 1, "yellow": 4}))
+        assert play.referee.scores == {"blue": 3, "yellow": 4}
+        assert play.firings[-1].scored == {"blue": 2}
+
+    def test_points_can_be_negative_and_default_to_one(self, stage):
+        actions = ("{action: score, entrant: blue, points: -3}", "{action: score, entrant: yellow}")
+        assert acted(stage(at_tick_10(*actions))).referee.scores == {"blue": -3, "yellow": 1}
+
+    def test_points_can_be_a_counter_or_weighted_parts(self, stage):
+        state = """
+        counters: {streak: {initial: 4}, fouls: {initial: 2}}
+        flags: {bonus: {initial: true}, malus: {}}
+        """
+        play = acted(
+            stage(
+                state,
+                at_tick_10(
+                    "{action: score, entrant: blue, points: {counter: streak}}",
+                    "{action: score, entrant: yellow, points: [{counter: streak}, {counter: fouls, weight: -0.5}, "
+                    "{flag: bonus, weight: 10}, {flag: malus, weight: 100}]}",
+                ),
+            )
+        )
+        assert play.referee.scores == {"blue": 4, "yellow": 13}
+        assert isinstance(play.referee.scores["yellow"], int)
+
+
+class TestActionCount:
+    def test_count_then_score_pays_the_new_count(self, stage):
+        play = stage(
+            "counters: {rounds: {}}",
+            at_tick_10("{action: count, counter: rounds}", "{action: score, entrant: blue, points: {counter: rounds}}"),
+        )
+        assert acted(play).referee.scores["blue"] == 1
+
+    @pytest.mark.parametrize(
+        ("how", "expected"),
+        [("by: 2.5", 7.5), ("by: -1", 4), ("to: 0", 0), ("to: {counter: other}", 9), ("by: {counter: other}", 14)],
+    )
+    def test_by_adds_and_to_sets(self, stage, how, expected):
+        play = stage(
+            "counters: {number: {initial: 5}, other: {initial: 9}}",
+            at_tick_10(f"{{action: count, counter: number, {how}}}"),
+        )
+        assert acted(play).referee.counters["number"] == expected
+
+    def test_one_per_entity_counts_for_one_or_for_all(self, stage):
+        play = stage(
+            "counters: {calls: {per: blue}}",
+            at_tick_10("{action: count, counter: calls, by: 5}", "{action: count, counter: calls, entity: B2}"),
+        )
+        assert acted(play).referee.counters["calls"] == {"B1": 5, "B2": 6}
+
+
+class TestActionSetFlag:
+    def test_it_sets_or_clears(self, stage):
+        play = stage(
+            "flags: {up: {}, down: {initial: true}, seen: {per: robots}}",
+            at_tick_10(
+                "{action: set_flag, flag: up}",
+                "{action: set_flag, flag: down, to: false}",
+                "{action: set_flag, flag: seen, entity: Y1}",
+            ),
+        )
+        flags = acted(play).referee.flags
+        assert (flags["up"], flags["down"]) == (True, False)
+        assert flags["seen"] == {"B1": False, "B2": False, "Y1": True, "Y2": False}
+
+
+class TestActionToggleFlag:
+    def test_it_turns_it_over(self, stage):
+        twice = "{action: toggle_flag, flag: b}"
+        play = acted(stage("flags: {a: {}, b: {}}", at_tick_10("{action: toggle_flag, flag: a}", twice, twice)))
+        assert play.referee.flags == {"a": True, "b": False}
+
+
+class TestActionTimer:
+    TOLD = "rules: {told: {triggers: [{trigger: timer_expired, timer: egg}], actions: [{action: emit, event: TOLD}]}}"
+
+    @pytest.mark.parametrize(
+        ("do", "expired"), [("restart", [40]), ("start", [30]), ("stop", []), ("reset", [])]
+    )
+    def test_what_it_does_to_a_running_timer(self, stage, do, expired):
+        play = stage(
+            "timers: {egg: {lasts_s: 0.96, starts: true}}",
+            self.TOLD,
+            at_tick_10(f"{{action: timer, timer: egg, do: {do}}}"),
+        )
+        play.play(100)
+        assert [event.tick for event in play.events] == expired
+
+    def test_a_stopped_timer_goes_on_from_where_it_stood(self, stage):
+        play = stage(
+            "timers: {egg: {lasts_s: 0.96, starts: true}}",
+            self.TOLD,
+            at_tick_10("{action: timer, timer: egg, do: stop}"),
+            "rules: {go_on: {triggers: [{trigger: time_reached, at_s: 1.6}], "
+            "actions: [{action: timer, timer: egg, do: start}]}}",
+        )
+        play.play(100)
+        assert [event.tick for event in play.events] == [70]  # 10 ticks before, 20 after tick 50
+
+    def test_it_expires_once_until_restarted(self, stage):
+        play = stage(
+            "timers: {egg: {lasts_s: 0.096}}",
+            self.TOLD,
+            at_tick_10("{action: timer, timer: egg}"),
+            "rules: {again: {triggers: [{trigger: time_reached, at_s: 1.6}], "
+            "actions: [{action: timer, timer: egg, do: start}]}}",
+        )
+        play.play(100)
+        assert [event.tick for event in play.events] == [13]
+
+
+class TestActionDraw:
+    def test_it_draws_anew_never_the_same_twice_running_if_asked(self, stage):
+        play = stage(
+            "draws: {side: {values: [a, b, c], not_last: true}}",
+            "rules: {again: {triggers: [{trigger: program_fault}], actions: [{action: draw, draw: side}]}}",
+        )
+        values = [play.referee.draws["side"]]
+        for _ in range(60):
+            play.fail("B1")
+            play.play()
+            values.append(play.referee.draws["side"])
+        assert all(one != other for one, other in zip(values, values[1:], strict=False))
+        assert set(values) == {"a", "b", "c"}
+
+    def test_it_can_set_a_value(self, stage):
+        play = stage(
+            "draws: {side: {values: [a, b, c]}}", at_tick_10("{action: draw, draw: side, as: c}"), draws={"side": "a"}
+        )
+        assert play.referee.draws == {"side": "a"}
+        assert acted(play).referee.draws == {"side": "c"}
+
+    def test_adding_a_draw_shifts_no_other(self, stage):
+        one = stage("draws: {side: {values: [1, 2, 3, 4, 5, 6, 7, 8, 9]}}", seed=5)
+        two = stage("draws: {new: {values: [1, 2]}, side: {values: [1, 2, 3, 4, 5, 6, 7, 8, 9]}}", seed=5)
+        assert one.referee.draws["side"] == two.referee.draws["side"]
+
+    def test_a_value_it_cannot_have_is_refused(self, stage):
+        with pytest.raises(ValueError, match="draws.side: 'd' is not one of its values"):
+            stage("draws: {side: {values: [a, b]}}", draws={"side": "d"})
+
+
+class TestActionPlace:
+    def test_it_puts_entities_one_after_the_other(self, stage):
+        play = acted(stage(at_tick_10("{action: place, entity: [B1, Y1], at: {nearest_free: neutral_spots}}")))
+        assert [placement.entity for _, placement in play.placements] == [0, 2]
+        assert play.pose("B1")[:2] == pytest.approx((0.3, 0.3))
+
+    def test_a_layout_is_an_ordered_list_and_a_later_one_may_refer_to_an_earlier(self, stage):
+        play = stage(
+            """
+            placements:
+              duel:
+                - {entity: ball, at: {point: [0.1, 0.2]}}
+                - {entity: B1, at: {relative_to: ball, offset_m: [0, 0.1]}}
+            """,
+            at_tick_10("{action: place, layout: duel}"),
+        )
+        assert acted(play).pose("B1")[:2] == pytest.approx((0.1, 0.3))
+
+    @pytest.mark.parametrize(("formation", "x"), [("wide", 0.5), ("narrow", 0.2)])
+    def test_a_layout_may_be_drawn(self, stage, formation, x):
+        play = stage(
+            """
+            draws: {formation: {values: [wide, narrow]}}
+            placements:
+              wide: [{entity: B1, at: {point: [0.5, 0]}}]
+              narrow: [{entity: B1, at: {point: [0.2, 0]}}]
+            """,
+            at_tick_10("{action: place, layout: {draw: formation}}"),
+            draws={"formation": formation},
+        )
+        assert acted(play).pose("B1")[0] == pytest.approx(x)
+
+    def test_a_layout_can_be_mirrored_while_a_flag_is_set(self, stage):
+        sections = (
+            "flags: {turned: {}}\nplacements: {one: [{entity: B1, at: {point: [0.2, 0.4]}}]}",
+            at_tick_10(
+                "{action: place, layout: one, mirror: {axis: y, when: turned}}",
+                "{action: toggle_flag, flag: turned}",
+            ),
+        )
+        assert acted(stage(*sections)).pose("B1")[:2] == pytest.approx((0.2, 0.4))  # as it was when asked for
+        turned = stage(*sections, "flags: {turned: {initial: true}}")
+        assert acted(turned).pose("B1")[:2] == pytest.approx((0.2, -0.4))
+
+    def test_what_finds_no_room_waits_for_it_without_repeating_the_event(self, stage):
+        play = stage(at_tick_10("{action: emit, event: BACK}", "{action: place, entity: ball, at: {point: [0, 0.3]}}"))
+        play.place("B1", 0.0, 0.3)
+        play.play(30)
+        assert play.pose("ball")[:2] == (0.0, 0.0)
+        play.place("B1", 0.5, 0.5)
+        play.play()
+        assert play.pose("ball")[:2] == pytest.approx((0.0, 0.3))
+        assert play.names() == ["BACK"]
+
+    def test_on_failure_stay_gives_up(self, stage):
+        play = stage(at_tick_10("{action: place, entity: ball, at: {point: [0, 0.3]}, on_failure: stay}"))
+        play.place("B1", 0.0, 0.3)
+        play.play(11)
+        play.place("B1", 0.5, 0.5)
+        play.play(20)
+        assert play.pose("ball")[:2] == (0.0, 0.0)
+
+    def test_a_waiting_placement_is_cancelled_by_another_of_that_entity(self, stage):
+        play = stage(
+            at_tick_10("{action: place, entity: ball, at: {point: [0, 0.3]}}"),
+            "rules: {other: {triggers: [{trigger: time_reached, at_s: 0.64}], "
+            "actions: [{action: place, entity: ball, at: {point: [0.2, -0.2]}}]}}",
+        )
+        play.place("B1", 0.0, 0.3)
+        play.play(25)
+        play.place("B1", 0.5, 0.5)
+        play.play(20)
+        assert play.pose("ball")[:2] == pytest.approx((0.2, -0.2))
+
+    def test_a_waiting_placement_rests_in_phases_its_rule_does_not_live_in(self, stage):
+        play = stage(
+            at_tick_10("{action: place, entity: ball, at: {point: [0, 0.3]}}"),
+            "phases: {pause: {lasts_s: 0.32}}\n"
+            "rules: {rest: {triggers: [{trigger: time_reached, at_s: 0.64}], actions: [{action: set_phase, phase: pause}]}}",
+        )
+        play.place("B1", 0.0, 0.3)
+        play.play(20)
+        play.place("B1", 0.5, 0.5)
+        play.play(9)
+        assert play.pose("ball")[:2] == (0.0, 0.0)
+        play.play()
+        assert play.pose("ball")[:2] == pytest.approx((0.0, 0.3))
+
+
+class TestActionRemove:
+    def test_it_takes_off_and_brings_back_after_a_time(self, stage):
+        play = stage(at_tick_10("{action: remove, entity: B1, for_s: 0.64, back_at: {spot: centre}}"))
+        play.place("ball", 0.5, 0.0)
+        play.play(10)
+        assert [(tick, placement.parked) for tick, placement in play.placements] == [(10, True)]
+        play.play(20)
+        assert [(tick, placement.parked) for tick, placement in play.placements] == [(10, True), (30, False)]
+        assert play.pose("B1") == pytest.approx((0.0, 0.0, -1.57))
+
+    def test_without_a_time_any_placement_brings_it_back(self, stage):
+        play = stage(
+            at_tick_10("{action: remove, entity: B1}"),
+            "rules: {back: {triggers: [{trigger: time_reached, at_s: 1.6}], "
+            "actions: [{action: place, entity: B1, at: start}]}}",
+        )
+        play.play(60)
+        assert [(tick, placement.parked) for tick, placement in play.placements] == [(10, True), (50, False)]
+
+    def test_a_placement_before_the_time_brings_it_back_for_good(self, stage):
+        play = stage(
+            at_tick_10("{action: remove, entity: B1, for_s: 1.28}"),
+            "rules: {back: {triggers: [{trigger: time_reached, at_s: 0.64}], "
+            "actions: [{action: place, entity: B1, at: {spot: corner_blue_left}}]}}",
+        )
+        play.play(100)
+        assert [(tick, placement.parked) for tick, placement in play.placements] == [(10, True), (20, False)]
+
+    def test_it_is_invisible_to_rules(self, stage):
+        play = stage(
+            at_tick_10("{action: remove, entity: B1}"),
+            """
+            match: {half_s: 600}
+            rules:
+              seen:
+                for_each: robots
+                triggers:
+                  - {trigger: leaves, entity: each, zone: pitch}
+                  - {trigger: displaced, entity: each, distance_m: 0.1}
+                  - {trigger: no_progress, entity: each, distance_m: 0.1, within_s: 3.2}
+                actions: [{action: emit, event: SEEN, payload: {who: {word: robot_name}}}]
+            """,
+        )
+        play.play(200)  # the stage parks B1 3 m away
+        assert {event.payload["who"] for event in play.events} == {"B2", "Y1", "Y2"}
+
+    def test_its_place_is_free_for_others(self, stage):
+        play = stage(at_tick_10("{action: remove, entity: B1}", "{action: place, entity: Y1, at: {point: [0.4, 0.5]}}"))
+        assert acted(play).pose("Y1")[:2] == pytest.approx((0.4, 0.5))
+
+
+class TestActionSetPhase:
+    def test_it_takes_effect_at_once(self, stage):
+        play = stage("phases: {pause: {waiting_for_kickoff: true}}", at_tick_10("{action: set_phase, phase: pause}"))
+        play.play(9)
+        assert (play.verdict.phase, play.verdict.waiting_for_kickoff) == ("play", False)
+        play.play()
+        assert (play.verdict.phase, play.verdict.waiting_for_kickoff) == ("pause", True)
+
+    def test_a_phase_with_a_length_runs_out(self, stage):
+        play = stage("phases: {pause: {lasts_s: 0.32}}", at_tick_10("{action: set_phase, phase: pause}"))
+        phases = [play.play().phase for _ in range(22)]
+        assert phases == ["play"] * 9 + ["pause"] * 10 + ["play"] * 3
+
+
+class TestActionEmit:
+    def test_payload_keeps_its_order_and_reads_current_values(self, stage):
+        play = stage(
+            "counters: {rounds: {}}",
+            at_tick_10(
+                "{action: count, counter: rounds, by: 2}",
+                "{action: emit, event: TOLD, payload: {zebra: 1, rounds: {counter: rounds}, apple: text}}",
+            ),
+        )
+        event = acted(play).events[0]
+        assert (event.tick, event.name) == (10, "TOLD")
+        assert list(event.payload.items()) == [("zebra", 1), ("rounds", 2), ("apple", "text")]
+
+
+class TestActionEnd:
+    def test_it_ends_the_half_after_the_last_firing(self, stage):
+        play = stage(
+            at_tick_10("{action: end, reason: enough}"),
+            "rules: {later: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: score, entrant: blue}]}}",
+        )
+        verdict = play.play(10)
+        assert (verdict.ended, verdict.ends_match) == ("enough", False)
+        assert play.referee.scores["blue"] == 1
+
+    def test_it_can_end_the_match(self, stage):
+        play = stage(at_tick_10("{action: end, what: match}"))
+        verdict = play.play(10)
+        assert (verdict.ended, verdict.ends_match) == ("act", True)

@@ -1,0 +1,250 @@
+"""Triggers about ways: crosses, sequences; and the path of no_progress."""
+
+import random
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rcj_challenges.referee.script import ScriptedPlay, half_of
+from rcj_challenges.scenario.roster import Roster
+
+
+def walk(play: ScriptedPlay, entity: str, *places: tuple[float, float], ticks: int = 4) -> None:
+    """Let an entity glide through these places."""
+    for place in places:
+        play.glide(entity, place, ticks)
+        play.play(ticks)
+
+
+class TestTriggerCrosses:
+    def rules(self, direction: str, gate: str = "halfway") -> str:
+        return f"""
+        rules:
+          over:
+            triggers: [{{trigger: crosses, entity: ball, gate: {gate}, direction: {direction}}}]
+            actions: [{{action: emit, event: OVER}}]
+        """
+
+    # `halfway` runs from +x to -x: its left is -y, so forward is towards -y.
+    @pytest.mark.parametrize(("direction", "expected"), [("forward", 1), ("backward", 2), ("either", 3)])
+    def test_direction_is_seen_from_the_gate(self, stage, direction, expected):
+        play = stage(self.rules(direction))
+        play.place("ball", 0.1, -0.2)
+        play.play()
+        before = len(play.events)
+        walk(play, "ball", (0.1, 0.2), (0.1, -0.2), (0.1, 0.2))
+        assert len(play.events) - before == expected
+
+    def test_past_the_posts_is_not_through(self, stage):
+        play = stage("gates: {narrow: {from_m: [0.1, 0], to_m: [-0.1, 0]}}", self.rules("either", "narrow"))
+        play.place("ball", 0.3, 0.2)
+        play.play()
+        walk(play, "ball", (0.3, -0.2), (0.12, 0.2))
+        assert play.names() == []
+        walk(play, "ball", (0.05, -0.2))
+        assert play.names() == ["OVER"]
+
+    def test_a_gate_can_move_and_turn_with_an_entity(self, stage):
+        play = stage("""
+        gates: {mouth: {from_m: [0.1, -0.05], to_m: [0.1, 0.05], anchor: B1}}
+        """, self.rules("either", "mouth"))
+        play.place("B1", -0.4, 0.0, 0.0)
+        play.place("ball", 0.2, 0.0)
+        play.play()
+        walk(play, "B1", (0.05, 0.0))  # the gate, 0.1 ahead, stops short of the ball
+        assert play.names() == []
+        walk(play, "B1", (0.15, 0.0))
+        assert play.names() == ["OVER"]
+
+    def test_a_gate_off_the_field_is_not_crossed(self, stage):
+        play = stage("""
+        gates: {mouth: {from_m: [0.1, -0.05], to_m: [0.1, 0.05], anchor: B1}}
+        """, self.rules("either", "mouth"), """
+        rules:
+          gone: {triggers: [{trigger: half_started}], actions: [{action: remove, entity: B1}]}
+        """)
+        play.place("ball", 3.2, 0.0)  # where the stage parks things
+        play.play()
+        walk(play, "ball", (3.0, 0.0))
+        assert play.names() == []
+
+
+SEQUENCE = """
+zones:
+  a: {shape: circle, centre_m: [-0.4, 0], radius_m: 0.1}
+  b: {shape: circle, centre_m: [0, 0], radius_m: 0.1}
+  c: {shape: circle, centre_m: [0.4, 0], radius_m: 0.1}
+gates:
+  high: {from_m: [-0.1, 0.3], to_m: [0.1, 0.3]}
+balls: {ball: {start_m: [-0.4, -0.2]}}
+sequences:
+  way: {entity: ball, steps: [a, b, c], %s}
+rules:
+  done:
+    triggers: [{trigger: sequence_completed, sequence: way}]
+    actions: [{action: emit, event: DONE, payload: {took: {word: measured}}}]
+  wrong: {triggers: [{trigger: sequence_broken, sequence: way}], actions: [{action: emit, event: WRONG}]}
+"""
+A, B, C = (-0.4, 0.0), (0.0, 0.0), (0.4, 0.0)
+A_LOW, B_LOW, C_LOW = (-0.4, -0.3), (0.0, -0.3), (0.4, -0.3)
+
+
+class TestTriggerSequenceCompleted:
+    def test_it_fires_when_the_last_step_is_made(self, stage):
+        play = stage(SEQUENCE % "cyclic: false")
+        walk(play, "ball", A, B)
+        assert play.names() == []
+        walk(play, "ball", C)
+        assert play.names() == ["DONE"]
+
+    def test_it_measures_the_time_since_the_first_step(self, stage):
+        play = stage(SEQUENCE % "cyclic: false")
+        play.place("ball", *A)
+        play.play(10)
+        play.place("ball", *B)
+        play.play(10)
+        play.place("ball", *C)
+        play.play()
+        assert play.events[0].payload == {"took": 0.64}
+
+    def test_steps_out_of_order_do_not_complete_it(self, stage):
+        play = stage(SEQUENCE % "cyclic: false")
+        walk(play, "ball", A, A_LOW, C_LOW, C, B)
+        assert play.names() == []
+
+    def test_a_cyclic_one_is_complete_on_re_entering_the_first_step_and_begins_again(self, stage):
+        play = stage(SEQUENCE % "cyclic: true")
+        walk(play, "ball", A, B, C)
+        assert play.names() == []
+        walk(play, "ball", C_LOW, A_LOW, A)
+        assert play.names() == ["DONE"]
+        walk(play, "ball", B, C, C_LOW, A_LOW, A)
+        assert play.names() == ["DONE", "DONE"]
+
+    def test_one_that_is_not_cyclic_begins_again_at_its_first_step(self, stage):
+        play = stage(SEQUENCE % "cyclic: false")
+        walk(play, "ball", A, B, C, C_LOW, B_LOW, B, C)
+        assert play.names() == ["DONE"]
+        walk(play, "ball", C_LOW, A_LOW, A, B, C)
+        assert play.names() == ["DONE", "DONE"]
+
+    def test_it_stands_at_its_first_step_if_the_entity_is_in_it_when_armed(self, stage):
+        play = stage((SEQUENCE % "cyclic: false").replace("start_m: [-0.4, -0.2]", "start_m: [-0.4, 0]"))
+        walk(play, "ball", B, C)
+        assert play.names() == ["DONE"]
+
+    def test_any_of_several_places_makes_a_step(self, stage):
+        play = stage((SEQUENCE % "cyclic: false").replace("[a, b, c]", "[a, {any_of: [b, high]}, c]"))
+        walk(play, "ball", A, (-0.3, 0.2), (0.0, 0.2), (0.0, 0.4), (0.4, 0.4), C)
+        assert play.names() == ["DONE"]
+
+    def test_a_gate_counts_only_forward(self, stage):
+        play = stage((SEQUENCE % "cyclic: false").replace("[a, b, c]", "[a, high, c]"))
+        walk(play, "ball", A, (-0.2, 0.4), (0.0, 0.4), (0.0, 0.2), (0.2, 0.2), C)  # through `high` downwards
+        assert play.names() == []
+
+    def test_all_steps_within_one_tick_are_seen(self, stage):
+        play = stage(SEQUENCE % "cyclic: false")
+        play.place("ball", -0.55, 0.0)
+        play.play()
+        walk(play, "ball", (0.45, 0.0), ticks=2)
+        assert play.names() == ["DONE"]
+
+
+class TestTriggerSequenceBroken:
+    def test_another_of_its_steps_breaks_it(self, stage):
+        play = stage(SEQUENCE % "cyclic: true, wrong_step: break")
+        walk(play, "ball", A, A_LOW, C_LOW, C)
+        assert play.names() == ["WRONG"]
+
+    def test_re_entering_the_current_step_is_never_wrong(self, stage):
+        play = stage(SEQUENCE % "cyclic: true, wrong_step: break")
+        walk(play, "ball", A, B, B_LOW, B, B_LOW, B, C)
+        assert play.names() == []
+
+    def test_a_broken_one_begins_from_its_first_step(self, stage):
+        play = stage(SEQUENCE % "cyclic: false, wrong_step: break")
+        walk(play, "ball", A, B, A, B, C)  # back to a: wrong, and at once the new beginning
+        assert play.names() == ["WRONG", "DONE"]
+
+    def test_with_ignore_a_wrong_step_is_none(self, stage):
+        play = stage(SEQUENCE % "cyclic: false, wrong_step: ignore")
+        walk(play, "ball", A, A_LOW, C_LOW, C, C_LOW, B_LOW, B, C)
+        assert play.names() == ["DONE"]
+
+    def test_one_that_has_not_begun_cannot_be_broken(self, stage):
+        play = stage(SEQUENCE % "cyclic: true, wrong_step: break")
+        walk(play, "ball", C_LOW, C, B)
+        assert play.names() == []
+
+
+PROGRESS = """
+match: {half_s: 600}
+rules:
+  stuck:
+    triggers: [{trigger: no_progress, entity: ball, distance_m: %s, within_s: %s}]
+    actions: [{action: emit, event: STUCK, payload: {path: {word: measured}}}]
+"""
+
+
+class TestTriggerNoProgress:
+    @pytest.mark.parametrize(("within_s", "first"), [(15, 470), (10, 314), (0.32, 11)])
+    def test_a_window_that_is_not_full_cannot_fall_short(self, stage, within_s, first):
+        play = stage(PROGRESS % (0.5, within_s))
+        play.play(first - 1)
+        assert play.names() == []
+        play.play()
+        assert [(event.tick, event.payload) for event in play.events] == [(first, {"path": 0})]
+
+    def test_the_length_of_the_way_counts_not_the_distance(self, stage):
+        play = stage(PROGRESS % (0.5, 3.2))
+        for _ in range(30):  # to and fro, 0.1 m in 10 ticks: 1 m in the window
+            walk(play, "ball", (0.1, 0.0), (0.0, 0.0), ticks=10)
+        assert play.names() == []
+
+    def test_it_fires_once_until_there_was_progress_again(self, stage):
+        play = stage(PROGRESS % (0.5, 3.2))
+        play.play(500)
+        assert len(play.events) == 1
+        walk(play, "ball", (0.5, 0.0), (-0.5, 0.0), ticks=20)
+        play.play(300)
+        assert len(play.events) == 2
+
+    @pytest.mark.parametrize(("length", "calls"), [(0.3125, 0), (0.3126, 1)])
+    def test_a_path_of_just_the_length_is_progress(self, stage, length, calls):
+        play = stage(PROGRESS % (length, 0.32))  # 10 pieces of 1/32 m, exact in binary
+        for step in range(40):
+            play.place("ball", step / 32, 0.0)
+            play.play()
+        assert len(play.events) == calls
+
+    @settings(max_examples=40, deadline=None)
+    @given(
+        st.lists(st.sampled_from([0.0, 0.001, 0.004, 0.01, 0.03]), min_size=1, max_size=12),
+        st.integers(2, 40),
+        st.sampled_from([0.05, 0.1, 0.3]),
+        st.integers(0, 2**32),
+    )
+    def test_the_sliding_window_equals_the_naive_sum(self, small, speeds, pieces, length, seed):
+        scenario = small(PROGRESS % (length, pieces * 0.032))
+        play = ScriptedPlay(scenario, Roster.of(scenario), half_of(scenario))
+        rng = random.Random(seed)
+        seen: list[tuple[float, float]] = []
+        expected, was_short = [], False
+        for tick in range(1, 241):
+            if tick % 7 == 0:
+                speed = rng.choice(speeds)
+            elif tick == 1:
+                speed = speeds[0]
+            x, y, _ = play.pose("ball")
+            play.place("ball", x + speed * rng.choice([-1, 0, 1]), y + speed * rng.choice([-1, 0, 1]))
+            play.play()
+            seen.append(play.pose("ball")[:2])
+            window = seen[-pieces - 1 :]
+            path = sum(((a - c) ** 2 + (b - d) ** 2) ** 0.5 for (a, b), (c, d) in zip(window, window[1:], strict=False))
+            short = len(window) == pieces + 1 and path < length
+            if short and not was_short:
+                expected.append((tick, pytest.approx(path, abs=1e-6)))
+            was_short = short
+        assert [(event.tick, event.payload["path"]) for event in play.events] == expected

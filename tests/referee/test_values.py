@@ -1,0 +1,148 @@
+"""Values that rules can name, the broadcast, and the sentences."""
+
+import pytest
+
+from rcj_challenges.referee.values import WORDS
+from rcj_challenges.scenario.models.state import WordValue
+
+
+def payload(play, *, fault: str = "Y1") -> dict:
+    """Return what the next emission tells."""
+    play.fail(fault)
+    play.play()
+    return play.events[-1].payload
+
+
+def telling(values: str, rule: str = "") -> str:
+    """Return a rule that tells values whenever a program fails."""
+    return f"""
+    rules:
+      told: {{{rule} triggers: [{{trigger: program_fault}}], actions: [{{action: emit, event: TOLD, payload: {values}}}]}}
+    """
+
+
+class TestValueLiteral:
+    def test_it_stands_as_written(self, stage):
+        assert payload(stage(telling("{a: 1, b: text, c: true, d: 0.5}"))) == {"a": 1, "b": "text", "c": True, "d": 0.5}
+
+
+class TestValueCounter:
+    def test_it_is_the_count_or_the_score(self, stage):
+        play = stage(
+            "counters: {all: {initial: 2}, own: {per: robots, initial: 1.5}}",
+            telling("{a: {counter: all}, b: {counter: own}, c: {counter: own, entity: B1}, d: {counter: yellow}}"),
+            scores={"blue": 0, "yellow": 7},
+        )
+        assert payload(play) == {"a": 2, "b": 6, "c": 1.5, "d": 7}
+
+
+class TestValueFlag:
+    def test_it_is_true_or_false(self, stage):
+        play = stage(
+            "flags: {up: {initial: true}, own: {per: robots}}", telling("{a: {flag: up}, b: {flag: own, entity: B1}}")
+        )
+        assert payload(play) == {"a": True, "b": False}
+
+
+class TestValueDraw:
+    def test_it_is_what_was_drawn(self, stage):
+        play = stage("draws: {side: {values: [left, right]}}", telling("{a: {draw: side}}"), draws={"side": "right"})
+        assert payload(play) == {"a": "right"}
+
+
+class TestValuePositionOf:
+    def test_it_is_where_an_entity_is_or_nothing_off_the_field(self, stage):
+        play = stage(
+            telling("{a: {position_of: B1}}"),
+            "rules: {gone: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: remove, entity: B1}]}}",
+        )
+        assert payload(play) == {"a": [0.4, 0.5, pytest.approx(-1.57, abs=1e-6)]}
+        play.play_until(15)
+        assert payload(play) == {"a": None}
+
+
+class TestValueWord:
+    WHO = (
+        "{robot: {word: robot_name}, entity: {word: entity_name}, team: {word: team_name}, entrant: {word: entrant}, "
+        "score: {word: score}, other: {word: team_name, of: blue}, others: {word: score, of: blue}}"
+    )
+
+    def test_words_about_who(self, stage):
+        told = payload(stage(telling(self.WHO), scores={"blue": 3, "yellow": 5}))
+        assert told == {
+            "robot": "Y1", "entity": "Y1", "team": "Yellow Sub", "entrant": "yellow",
+            "score": 5, "other": "Blue Moon", "others": 3,
+        }  # fmt: skip
+
+    def test_each_goes_before_what_the_trigger_found(self, stage):
+        play = stage(telling(self.WHO, "for_each: blue,"))
+        play.fail("Y1")
+        play.play()
+        assert [event.payload["robot"] for event in play.events] == ["B1", "B2"]
+
+    def test_words_about_the_match(self, stage):
+        values = (
+            "{a: {word: halftime}, b: {word: match_id}, c: {word: total_match_time_s}, d: {word: time_s}, "
+            "e: {word: time_left_s}, f: {word: phase}}"
+        )
+        play = stage(telling(values), half=2, match_id=77)
+        play.play(9)
+        assert payload(play) == {"a": 2, "b": 77, "c": 60, "d": 0.32, "e": 59.68, "f": "play"}
+
+    def test_the_length_of_a_half_played_shorter_is_the_played_one(self, stage):
+        assert payload(stage(telling("{a: {word: total_match_time_s}}"), ticks=313)) == {"a": 10.016}
+
+    def test_measured_and_limit_are_of_the_firing(self, stage):
+        play = stage("""
+        rules:
+          told:
+            triggers: [{trigger: displaced, entity: B1, distance_m: 0.25}]
+            actions: [{action: emit, event: TOLD, payload: {m: {word: measured}, l: {word: limit}}}]
+            says: "{entity} of {team} is {measured} m away, over {limit} m; {unknown} {measured"
+        """)
+        play.place("B1", 0.4, 0.0)
+        play.play()
+        assert play.events[0].payload == {"m": 0.5, "l": 0.25}
+        assert play.firings[0].says == "B1 of Blue Moon is 0.5 m away, over 0.25 m; {unknown} {measured"
+
+    def test_the_seed_cannot_be_read_but_told_from_others(self, stage):
+        values = "{a: {word: seed_id}}"
+        one, again, two = (payload(stage(telling(values), seed=seed))["a"] for seed in (1, 1, 2))
+        assert one == again != two
+        assert len(one) == 8
+
+    def test_every_word_of_the_model_is_known(self):
+        literal = WordValue.model_fields["word"].annotation
+        assert set(WORDS) == set(literal.__args__)
+
+
+def test_a_name_that_looks_like_a_placeholder_stays_a_name(stage):
+    play = stage(
+        """
+        rules:
+          told:
+            triggers: [{trigger: program_fault}]
+            actions: [{action: score, entrant: blue}]
+            says: "{team} {entity}"
+        """,
+        team_names={"blue": "B", "yellow": "{entity} {limit}"},
+    )
+    play.fail("Y1")
+    play.play()
+    assert play.firings[0].says == "{entity} {limit} Y1"
+
+
+class TestBroadcast:
+    FIELDS = "{score: {counter: blue}, phase: {word: phase}, ball: {position_of: ball}}"
+
+    def test_it_tells_the_state_after_the_actions_on_every_tick(self, stage):
+        play = stage(
+            f"broadcast: {{fields: {self.FIELDS}}}",
+            "rules: {point: {triggers: [{trigger: time_reached, at_s: 0.064}], actions: [{action: score, entrant: blue}]}}",
+        )
+        assert play.verdict.broadcast == {"score": 0, "phase": "play", "ball": [0.0, 0.0, 0.0]}
+        assert [play.play().broadcast["score"] for _ in range(3)] == [0, 1, 1]
+
+    def test_it_can_be_rarer(self, stage):
+        play = stage(f"broadcast: {{every_ticks: 3, fields: {self.FIELDS}}}")
+        assert [play.play().broadcast is not None for _ in range(6)] == [False, False, True, False, False, True]
