@@ -90,8 +90,8 @@ class Team:
 
     def _first_of(self, entry_points: EntryPoints) -> str | None:
         alternatives = _alternatives(entry_points)
-        if len(self._files) == 1 and (only := next(iter(self._files))).suffix == ".py":
-            return str(only)
+        if self.source.suffix == ".py" and len(self._files) == 1:
+            return str(next(iter(self._files)))  # a single file drives all robots
         return next((entry for entry in alternatives if PurePosixPath(entry) in self._files), None)
 
     def _find_entries(self, seats: Iterable[Entrant]) -> dict[str, tuple[str, ...]]:

@@ -6,8 +6,6 @@ import math
 from collections.abc import Sequence
 from typing import cast
 
-import numpy as np
-
 from rcj_challenges.devices.fitting import Fitted
 from rcj_challenges.devices.ground import Ground
 from rcj_challenges.devices.noise import Noise
@@ -20,52 +18,23 @@ Values = dict[int, list[float]]
 """By robot: the numbers of all its devices, by slot."""
 
 
-class Places:
-    """Where the readings of sensors with one number each are written."""
-
-    def __init__(self, fitted: Sequence[Fitted]) -> None:
-        """Find runs of sensors of one robot whose slots follow each other: those are written at once."""
-        self._slots = [(one.robot, one.spec.slot) for one in fitted]
-        self._runs: list[tuple[int, int, int, int, int]] = []
-        for member, (robot, slot) in enumerate(self._slots):
-            if self._runs and self._runs[-1][0] == robot and self._runs[-1][2] == slot:
-                _, first_slot, _, first, _ = self._runs[-1]
-                self._runs[-1] = (robot, first_slot, slot + 1, first, member + 1)
-            else:
-                self._runs.append((robot, slot, slot + 1, member, member + 1))
-
-    def write(self, values: Values, readings: list[float], due: Sequence[int]) -> None:
-        """Write the readings (of all members) of those that are due."""
-        if len(due) == len(self._slots):
-            for robot, first_slot, end_slot, first, end in self._runs:
-                values[robot][first_slot:end_slot] = readings[first:end]
-        else:
-            for member in due:
-                robot, slot = self._slots[member]
-                values[robot][slot] = readings[member]
-
-
 class WheelSensors:
     """The turning angles of wheels, in rad since the start of the half."""
 
     def __init__(self, fitted: Sequence[Fitted], ground: Ground) -> None:
         self.schedule = Schedule()
-        devices = [cast("WheelSensorDevice", one.device) for one in fitted]
-        joints = [
-            ground.model.joint(f"{one.robot_name}/{device.wheel}_wheel")
-            for one, device in zip(fitted, devices, strict=True)
-        ]
-        self._angles = ground.data.qpos
-        self._at = np.array([int(joint.qposadr[0]) for joint in joints], dtype=np.intp)
-        self._directions = np.array([float(device.direction) for device in devices])
-        self._places = Places(fitted)
+        self._sensors = []
+        for one in fitted:
+            device = cast("WheelSensorDevice", one.device)
+            at = int(ground.model.joint(f"{one.robot_name}/{device.wheel}_wheel").qposadr[0])
+            self._sensors.append((one.robot, one.spec.slot, at, device.direction))
 
-    def sample(self, tick: int, _poses: Poses, values: Values) -> None:
+    def sample(self, tick: int, poses: Poses, values: Values) -> None:
         """Read the sensors that are due at ``tick``."""
-        due = self.schedule.due(tick)
-        if due:
-            readings = (self._angles.take(self._at) * self._directions).tolist()
-            self._places.write(values, readings, due)
+        state = poses.state
+        for member in self.schedule.due(tick):
+            robot, slot, at, direction = self._sensors[member]
+            values[robot][slot] = direction * state[at]
 
 
 class Gpses:

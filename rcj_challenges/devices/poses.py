@@ -9,12 +9,8 @@ robots of the present world cannot (ADR 2), and then nothing of this costs anyth
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from itertools import pairwise
 
 import mujoco
-import numpy as np
-from numpy.typing import NDArray
 
 from rcj_challenges.devices.ground import Ground
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -33,7 +29,6 @@ BALL_SINKS_M = 0.0001
 
 _COS_TIPPED = math.cos(TIPPED_FROM_RAD)
 _ON_ITS_NOSE = 1e-6
-_FORWARD = slice(0, 4, 3)
 
 Vector = tuple[float, float, float]
 
@@ -45,39 +40,38 @@ class RobotPose:
         x, y, z: centre of the cube in m; z is nominal while the robot stands.
         cos, sin: of the yaw.
         tipped: whether the robot lies; then ``rotation`` counts instead of the yaw.
-        rotation: body to world, row by row.
+        rotation: body to world, row by row; of robots that move freely.
         parked: whether it has been taken off the field.
     """
 
-    __slots__ = ("_highest", "_lowest", "_nominal_z", "cos", "parked", "rotation", "sin", "tipped", "x", "y", "z")
+    __slots__ = ("_nominal_z", "cos", "parked", "rotation", "sin", "tipped", "x", "y", "z")
 
     def __init__(self, nominal_z: float) -> None:
         """Build the pose of a robot whose centre is at the height ``nominal_z`` in m while it stands."""
         self._nominal_z = nominal_z
-        self._lowest, self._highest = nominal_z - NOMINAL_WITHIN_M, nominal_z + NOMINAL_WITHIN_M
         self.x = self.y = 0.0
         self.z = nominal_z
         self.cos, self.sin = 1.0, 0.0
         self.tipped = False
-        self.rotation: list[float] = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
+        self.rotation: tuple[float, ...] = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
         self.parked = False
 
-    def read_upright(self, position: list[float], forward: list[float]) -> None:
-        """Take over the pose of a body that cannot tip: [x, y, z] in m, and [cos, sin] of the yaw."""
-        self.x, self.y, _ = position
-        self.cos, self.sin = forward
+    def read_upright(self, x: float, y: float, yaw: float) -> None:
+        """Take over the pose of a robot that cannot tip."""
+        self.x, self.y = x, y
+        self.cos, self.sin = math.cos(yaw), math.sin(yaw)
 
-    def read(self, position: list[float], rotation: list[float]) -> None:
-        """Take over a pose: [x, y, z] in m, and the body's rotation matrix row by row."""
+    def read(self, position: list[float], quaternion: list[float]) -> None:
+        """Take over the pose of a robot that moves freely: [x, y, z] in m, and the unit quaternion [w, x, y, z]."""
         self.x, self.y, z = position
-        self.rotation = rotation
+        self.rotation = rotation = _matrix(*quaternion)
         # Forward is the body's x axis, laid flat. A robot on its nose has none; it keeps its last yaw.
-        forward_x, forward_y = rotation[0], rotation[3]
-        length = math.sqrt(forward_x * forward_x + forward_y * forward_y)
+        length = math.hypot(rotation[0], rotation[3])
         if length > _ON_ITS_NOSE:
-            self.cos, self.sin = forward_x / length, forward_y / length
-        self.tipped = tipped = rotation[8] <= _COS_TIPPED
-        self.z = self._nominal_z if not tipped and self._lowest < z < self._highest else z
+            self.cos, self.sin = rotation[0] / length, rotation[3] / length
+        self.tipped = rotation[8] <= _COS_TIPPED
+        stands = not self.tipped and abs(z - self._nominal_z) < NOMINAL_WITHIN_M
+        self.z = self._nominal_z if stands else z
 
     @property
     def yaw(self) -> float:
@@ -108,8 +102,8 @@ class Poses:
     Attributes:
         robots: by index of the robot.
         balls: centres in m, by index of the ball; z is nominal while it rolls.
+        state: MuJoCo's `qpos` of this tick.
         parked: by entity, whether it has been taken off the field.
-        any_parked: whether there is one.
     """
 
     def __init__(self, scenario: Scenario, roster: Roster, ground: Ground) -> None:
@@ -120,36 +114,38 @@ class Poses:
             roster: order of robots and balls.
             ground: the compiled world.
         """
+        model = ground.model
         robots = roster.entities[: roster.robots]
         balls = roster.entities[roster.robots : roster.robots + roster.balls]
         self._ground = ground
-        self._robot_positions = _rows(ground.data.xpos, [int(ground.model.body(name).id) for name in robots])
-        self._robot_rotations = _rows(ground.data.xmat, [int(ground.model.body(name).id) for name in robots])
-        self._can_tip = any(_can_tip(ground.model, name) for name in robots)
-        self._ball_positions = _rows(ground.data.xpos, [int(ground.model.body(name).id) for name in balls])
-        self._nominal_balls = [scenario.balls[name].radius_m - BALL_SINKS_M for name in balls]
+        self._qpos = ground.data.qpos
         self.robots = [RobotPose(scenario.kits[scenario.robots[name].kit].chassis.size_m / 2) for name in robots]
-        self.balls: list[Vector] = [(0.0, 0.0, nominal) for nominal in self._nominal_balls]
+        self._planar: list[tuple[RobotPose, int]] = []
+        self._free: list[tuple[RobotPose, int]] = []
+        for pose, name in zip(self.robots, robots, strict=True):
+            kind = self._planar if _is_planar(model, name) else self._free
+            kind.append((pose, int(model.jnt_qposadr[model.body(name).jntadr[0]])))
+        self._balls = [
+            (int(model.jnt_qposadr[model.body(name).jntadr[0]]), scenario.balls[name].radius_m - BALL_SINKS_M)
+            for name in balls
+        ]
+        self.balls: list[Vector] = [(0.0, 0.0, nominal) for _, nominal in self._balls]
+        self.state: list[float] = []
         self.parked: tuple[bool, ...] = (False,) * len(roster.entities)
-        self.any_parked = False
 
     def refresh(self) -> None:
         """Read all poses; the world has brought them up to date."""
-        positions, rotations = self._robot_positions().tolist(), self._robot_rotations()
-        if self._can_tip:
-            for pose, position, rotation in zip(self.robots, positions, rotations.tolist(), strict=True):
-                pose.read(position, rotation)
-        else:
-            for pose, position, forward in zip(self.robots, positions, rotations[:, _FORWARD].tolist(), strict=True):
-                pose.read_upright(position, forward)
-        self.balls = [
-            (x, y, nominal if abs(z - nominal) < NOMINAL_WITHIN_M else z)
-            for (x, y, z), nominal in zip(self._ball_positions().tolist(), self._nominal_balls, strict=True)
-        ]
+        self.state = state = self._qpos.tolist()
+        for pose, at in self._planar:
+            pose.read_upright(state[at], state[at + 1], state[at + 2])
+        for pose, at in self._free:
+            pose.read(state[at : at + 3], state[at + 3 : at + 7])
+        for ball, (at, nominal) in enumerate(self._balls):
+            x, y, z = state[at : at + 3]
+            self.balls[ball] = (x, y, nominal if abs(z - nominal) < NOMINAL_WITHIN_M else z)
         parked = tuple(self._ground.parked)
         if parked != self.parked:
             self.parked = parked
-            self.any_parked = any(parked)
             for pose, gone in zip(self.robots, parked, strict=False):
                 pose.parked = gone
 
@@ -158,22 +154,35 @@ class Poses:
         return self.parked[len(self.robots) + ball]
 
 
-def _rows(array: NDArray[np.float64], rows: list[int]) -> Callable[[], NDArray[np.float64]]:
-    """Return a function that gives some rows of an array: a view where they are evenly spaced, for that is faster."""
-    steps = {b - a for a, b in pairwise(rows)}
-    if len(rows) > 1 and len(steps) == 1 and min(steps) > 0:
-        view = array[rows[0] : rows[-1] + 1 : steps.pop()]
-        return lambda: view
-    chosen = np.array(rows, dtype=np.intp)
-    return lambda: array[chosen]
+_PLANAR_JOINTS = (
+    (mujoco.mjtJoint.mjJNT_SLIDE, (1.0, 0.0, 0.0)),
+    (mujoco.mjtJoint.mjJNT_SLIDE, (0.0, 1.0, 0.0)),
+    (mujoco.mjtJoint.mjJNT_HINGE, (0.0, 0.0, 1.0)),
+)
 
 
-def _can_tip(model: mujoco.MjModel, body: str) -> bool:
-    """Return whether a body can turn about anything but the vertical. The bodies of ADR 2 cannot."""
+def _is_planar(model: mujoco.MjModel, body: str) -> bool:
+    """Return whether a body slides along x and y and turns about z, as in ADR 2; otherwise it moves freely.
+
+    Raises:
+        TypeError: it does neither.
+    """
     first, count = int(model.body(body).jntadr[0]), int(model.body(body).jntnum[0])
-    for joint in range(first, first + count):
-        kind = int(model.jnt_type[joint])
-        about_vertical = kind == int(mujoco.mjtJoint.mjJNT_HINGE) and abs(float(model.jnt_axis[joint, 2])) == 1.0
-        if kind != int(mujoco.mjtJoint.mjJNT_SLIDE) and not about_vertical:
-            return True
+    joints = tuple(
+        (mujoco.mjtJoint(int(model.jnt_type[joint])), tuple(model.jnt_axis[joint].tolist()))
+        for joint in range(first, first + count)
+    )
+    if joints == _PLANAR_JOINTS:
+        return True
+    if [kind for kind, _ in joints] != [mujoco.mjtJoint.mjJNT_FREE]:
+        raise TypeError(f"body {body!r} moves neither in the plane nor freely")
     return False
+
+
+def _matrix(w: float, i: float, j: float, k: float) -> tuple[float, ...]:
+    """Return the rotation matrix of a unit quaternion, row by row."""
+    return (
+        1 - 2 * (j * j + k * k), 2 * (i * j - w * k), 2 * (i * k + w * j),
+        2 * (i * j + w * k), 1 - 2 * (i * i + k * k), 2 * (j * k - w * i),
+        2 * (i * k - w * j), 2 * (j * k + w * i), 1 - 2 * (i * i + j * j),
+    )  # fmt: skip

@@ -63,6 +63,8 @@ class RefereeRadio:
         self._roster = roster
         self._receivers = receivers
         self._listening: list[Receiver] = []
+        flag = flag_json if kit.messages == "v2.2" else flag_bytes
+        self._flags = {waiting: flag(waiting=waiting) for waiting in (False, True)}
         self._in_the_air: tuple[bytes, ...] = ()
         self._broadcast: bytes | None = None
         self._packets: dict[tuple[int, bytes], Packet] = {}
@@ -93,7 +95,7 @@ class RefereeRadio:
     def _official(self, poses: Poses, *, waiting: bool) -> bytes:
         if self._kit.messages == "2021":
             return positions_2021(self._kit, self._roster, poses, waiting=waiting)
-        return flag_json(waiting=waiting) if self._kit.messages == "v2.2" else flag_bytes(waiting=waiting)
+        return self._flags[waiting]
 
     def _packet(self, device: int, data: bytes) -> Packet:
         """Return the packet; those that several robots hear, or that repeat for minutes, are built once."""

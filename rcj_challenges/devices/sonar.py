@@ -14,7 +14,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from rcj_challenges.devices.body_sensors import Places, Values
+from rcj_challenges.devices.body_sensors import Values
 from rcj_challenges.devices.fitting import Fitted, fit
 from rcj_challenges.devices.ground import Ground
 from rcj_challenges.devices.noise import Noise
@@ -76,6 +76,31 @@ def device_sites(scenario: Scenario, roster: Roster) -> Callable[[mujoco.MjSpec]
     return extend
 
 
+class _Places:
+    """Where the readings are written."""
+
+    def __init__(self, fitted: Sequence[Fitted]) -> None:
+        """Find runs of sensors of one robot whose slots follow each other: those are written at once."""
+        self._slots = [(one.robot, one.spec.slot) for one in fitted]
+        self._runs: list[tuple[int, int, int, int, int]] = []
+        for member, (robot, slot) in enumerate(self._slots):
+            if self._runs and self._runs[-1][0] == robot and self._runs[-1][2] == slot:
+                _, first_slot, _, first, _ = self._runs[-1]
+                self._runs[-1] = (robot, first_slot, slot + 1, first, member + 1)
+            else:
+                self._runs.append((robot, slot, slot + 1, member, member + 1))
+
+    def write(self, values: Values, readings: list[float], due: Sequence[int]) -> None:
+        """Write the readings (of all members) of those that are due."""
+        if len(due) == len(self._slots):
+            for robot, first_slot, end_slot, first, end in self._runs:
+                values[robot][first_slot:end_slot] = readings[first:end]
+        else:
+            for member in due:
+                robot, slot = self._slots[member]
+                values[robot][slot] = readings[member]
+
+
 class Sonars:
     """All sonars of all robots: v = 1000·d below the range, else the out-of-range value, times the noise."""
 
@@ -98,7 +123,7 @@ class Sonars:
         self._heard_below = np.array([-math.cos(device.lost_from_rad) for device in devices])
         shares = np.array([device.noise for device in devices])
         self._noise = Noise(half, [(one.robot_name, one.spec.name) for one in fitted], scale=_MM_PER_M * shares)
-        self._places = Places(fitted)
+        self._places = _Places(fitted)
         self._mask = RayMask(ground, groups_at(scenario, min(device.height_m for device in devices)))
         self._option = self._model.opt
         self._sensors_on = int(self._model.opt.disableflags) & ~int(mujoco.mjtDisableBit.mjDSBL_SENSOR)

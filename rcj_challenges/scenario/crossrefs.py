@@ -212,9 +212,9 @@ class _Walker:
 
     def _among_values(self, draw: Node | None, value: Node | None, path: Path) -> None:
         values = node_at(self.root, ("draws", str(draw.value), "values")) if isinstance(draw, Leaf) else None
-        if not isinstance(values, Items) or not isinstance(value, Leaf):
+        if not isinstance(values, Items) or not isinstance(value, Leaf) or value.value is None:
             return
-        known = [item.value for item in values.items if isinstance(item, Leaf)]
+        known = [item.value for item in values.items if isinstance(item, Leaf) and item.value is not None]
         if not any(type(value.value) is type(one) and value.value == one for one in known):
             shown = [str(one) for one in known]
             hint = nearest(str(value.value), shown) or f"; it draws from {listing(shown)}"

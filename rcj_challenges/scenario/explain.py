@@ -80,7 +80,7 @@ class _Explainer:
         for details in error.errors(include_url=False):
             mistake, in_union = self._located(details, shape, base, union)
             node = node_at(self.root, mistake.path)
-            if isinstance(node, Leaf) and node.value is None:
+            if _is_null(node) or _is_null(_tag(mistake.shape, node)):
                 continue  # has been reported as an empty value, or an unknown param
             if in_union:
                 if mistake.path not in unions:
@@ -179,6 +179,15 @@ class _Explainer:
         written = str(tag.value) if isinstance(tag, Leaf) else found_text(tag)
         message = f"unknown {discriminator} '{written[:64]}'; there are {listing(words, 40)}{nearest(written, words)}"
         return mark_of(self.root, (*mistake.path, discriminator)).problem(in_names(self.root, mistake.path), message)
+
+
+def _is_null(node: Node | None) -> bool:
+    return isinstance(node, Leaf) and node.value is None
+
+
+def _tag(shape: Shape, node: Node | None) -> Node | None:
+    discriminator = bare(shape).discriminator
+    return child(node, discriminator) if isinstance(discriminator, str) else None
 
 
 def _counts_wrong_entries(mistake: _Mistake, node: Node | None) -> bool:

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import types
 from collections.abc import Callable
-from functools import cache
-from typing import Any, Literal, NamedTuple, Union, get_args, get_origin, get_type_hints
+from functools import cache, wraps
+from typing import Any, Literal, NamedTuple, TypeVar, Union, get_args, get_origin, get_type_hints
 
 from pydantic import BaseModel, Discriminator, Tag
 from pydantic.fields import FieldInfo
@@ -18,6 +18,26 @@ from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, Step,
 
 Shape = Any
 """A type annotation; None where the models know nothing."""
+
+
+_Result = TypeVar("_Result")
+
+
+def _once_a_shape(work: Callable[[Shape], _Result]) -> Callable[[Shape], _Result]:
+    """Keep what was found out about a shape, by identity: metadata of pydantic has no hash.
+
+    The shapes are those of the models, a fixed few hundred; each is kept, so that its identity stays its own.
+    """
+    known: dict[int, tuple[Shape, _Result]] = {}
+
+    @wraps(work)
+    def look_up(shape: Shape) -> _Result:
+        found = known.get(id(shape))
+        if found is None:
+            found = known[id(shape)] = (shape, work(shape))
+        return found[1]
+
+    return look_up
 
 
 class Bare(NamedTuple):
@@ -32,6 +52,7 @@ class Bare(NamedTuple):
     discriminator: str | Callable[[Any], str | None] | None
 
 
+@_once_a_shape
 def bare(shape: Shape) -> Bare:
     """Strip ``Annotated`` and ``None`` from a shape."""
     discriminator: Any = None
@@ -48,6 +69,7 @@ def bare(shape: Shape) -> Bare:
             return Bare(shape, discriminator)
 
 
+@_once_a_shape
 def without_none(shape: Shape) -> Shape:
     """Return what may stand at a place that may also be left out; metadata is kept."""
     if not is_union(shape) or type(None) not in get_args(shape):
@@ -74,12 +96,14 @@ def fields(model: type[BaseModel]) -> dict[str, Shape]:
     return {info.alias or name: hints[name] for name, info in model.model_fields.items()}
 
 
+@_once_a_shape
 def members(shape: Shape) -> tuple[Shape, ...]:
     """Return the members of a union, or the shape alone."""
     kind = bare(shape).kind
     return get_args(kind) if is_union(kind) else (shape,)
 
 
+@_once_a_shape
 def tags(shape: Shape) -> dict[str, Shape]:
     """Return the members of a discriminated union by their tag; empty for anything else."""
     kind, discriminator = bare(shape)

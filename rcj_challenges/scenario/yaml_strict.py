@@ -39,6 +39,7 @@ _FLOAT = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?")
 _NOT_FINITE = re.compile(r"[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)")
 _INT_LIMIT = 2**63
 
+_SURROGATE = re.compile("[\ud800-\udfff]")
 _UNPRINTABLE = re.compile("[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]")
 
 # What both of PyYAML's parsers say, and what an author should do about it.
@@ -207,8 +208,10 @@ class _Builder:
         self.stack.append(_Open(node))
 
     def _scalar(self, event: yaml.ScalarEvent, mark: Mark) -> None:
-        # ``implicit[0]`` is True for a plain scalar, the only ones that may be anything but text.
-        is_plain = bool(event.style is None or event.style == "")
+        if _SURROGATE.search(event.value):  # PyYAML's own parser lets escapes of half a character pass
+            self._refuse(mark, "an escape stands for half a character; write the character itself")
+        # Only plain scalars may be anything but text. (libyaml says "", PyYAML's own parser None.)
+        is_plain = not event.style
         value = event.value if not is_plain else self._resolve(event.value, mark)
         if self._wants_key():
             self._key(value, event.value, mark)

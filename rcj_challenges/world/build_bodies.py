@@ -47,6 +47,7 @@ def add_robot(spec: mujoco.MjSpec, name: str, chassis: Chassis, friction: float)
     make_solid(cube, friction)
     for wheel, way in zip(WHEELS, (1, -1), strict=True):
         _add_wheel(body, f"{name}/{wheel}_wheel", way, chassis, friction)
+    spec.add_exclude(bodyname1=f"{name}/left_wheel", bodyname2=f"{name}/right_wheel")
     _add_grip(spec, name, chassis, contact.grip_of(chassis, friction))
 
 

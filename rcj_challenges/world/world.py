@@ -47,6 +47,8 @@ class World:
             roster: of this scenario.
             extend: adds to the spec before it is compiled (sites, sensors); bodies bear the names of their entities.
         """
+        # MuJoCo would write its warnings to a file in the current folder; here they become a PhysicsFault.
+        mujoco.set_mju_user_warning(_silent)
         spec = build_spec(scenario, roster)
         if extend is not None:
             extend(spec)
@@ -165,6 +167,10 @@ class World:
                 if not np.isfinite(self.data.qpos[at : at + 3]).all()]  # fmt: skip
         where = f"; no finite pose: {', '.join(lost)}" if lost else ""
         return f"the physics became unstable in tick {tick} (MuJoCo: {', '.join(kinds)}{where})"
+
+
+def _silent(_: str) -> None:
+    """Do nothing with MuJoCo's text; the numbers in `data.warning` are what `World.step` looks at."""
 
 
 def _start_placements(scenario: Scenario, roster: Roster) -> list[Placement]:

@@ -9,16 +9,17 @@ const KEYS = [
 ];
 const BACKGROUNDS = { light: [0.86, 0.89, 0.92], dark: [0.055, 0.07, 0.09] };
 const SLOW_FRAME_MS = 24;
+const CAPTION_S = 2;
 
 class App {
   constructor(recording) {
     this.recording = recording;
     this.find = (id) => document.getElementById(id);
     this.player = new Player(recording);
-    this.camera = new Camera({ ...recording.facts.field, goal_depth_m: Math.max(0, ...recording.facts.field.goals.map((goal) => goal.depth_m)) });
     this.density = Math.min(2, window.devicePixelRatio || 1);
     this.slowness = 0;
     this.view = this.bestView();
+    this.camera = new Camera(recording.facts.field, this.view instanceof Flat);
     this.drawn = 0;
     const changed = () => this.changed();
     this.board = new Board(recording, this.find);
@@ -68,6 +69,7 @@ class App {
     const width = stage.clientWidth, height = stage.clientHeight;
     if (!width || !height) return;
     this.view.resize(width, height, this.density);
+    this.labels.resize(width, height);
     this.camera.resize(width / height);
     this.draw();
   }
@@ -208,11 +210,10 @@ class App {
     this.drawn += 1;
   }
 
-  /** What the referee said in the last two seconds, over the picture. */
+  /** What the referee said just now, over the picture. */
   caption(place) {
-    const since = place - 2 / this.recording.tickSeconds;
-    const recent = this.recording.events.filter((event) => event.place <= place + 0.5 && event.place > since && event.kind !== "start");
-    const best = recent.findLast((event) => event.scored) || recent[recent.length - 1];
+    const recent = this.recording.eventsBetween(place - CAPTION_S / this.recording.tickSeconds, place + 0.5).filter((event) => event.kind !== "start");
+    const best = recent.filter((event) => event.scored).pop() || recent[recent.length - 1];
     const box = this.find("caption");
     box.hidden = !best;
     if (best && box.textContent !== best.caption) box.textContent = best.caption;
@@ -226,9 +227,9 @@ class App {
 
   key(event) {
     const field = event.target.closest?.("select, input[type=text], dialog, [role=tablist]");
-    const onButton = event.target.closest?.("button, a, input[type=checkbox]");
+    const pressable = event.target.closest?.("button, input[type=checkbox]");
     if (field || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (onButton && (event.key === " " || event.key === "Enter")) return;
+    if (pressable && event.key === " ") return;
     if (event.target.id === "trail" && /^(Arrow|Home|End|Page)/.test(event.key)) return;
     const { player } = this;
     const actions = {

@@ -7,10 +7,13 @@ const LOWEST = 0.04;
 const HIGHEST = Math.PI / 2 - 0.001;
 
 class Camera {
-  constructor(field) {
+  /** flat: the picture is a plan, so the eye is always above. */
+  constructor(field, flat) {
     this.field = field;
+    this.flat = flat;
     this.aspect = 1;
     this.mode = "overview";
+    this.fitted = true;
     this.robot = null;
     this.pose = { azimuth: Math.PI, elevation: 0.8, distance: 2, target: [0, 0, 0] };
     this.goal = null;
@@ -41,7 +44,7 @@ class Camera {
       return;
     }
     const facing = this.upright ? -Math.PI / 2 : Math.PI;
-    const elevation = { overview: 0.82, top: HIGHEST, side: 0.3, ball: 0.7 }[mode];
+    const elevation = this.flat ? HIGHEST : { overview: 0.82, top: HIGHEST, side: 0.3, ball: 0.7 }[mode];
     const next = { azimuth: facing, elevation, distance: 1.1, target: [0, 0, 0] };
     if (mode === "ball") next.target = [...this.pose.target];
     else this.fit(next);
@@ -55,9 +58,7 @@ class Camera {
    * the two outermost corners touch its edges; the axis that needs more distance decides.
    */
   fit(pose) {
-    const { width_m: width, length_m: length, goal_depth_m: depth } = this.field;
-    const x = width / 2 + 0.02, y = length / 2 + depth + 0.02;
-    const corners = [-x, x].flatMap((cx) => [-y, y].flatMap((cy) => [0, 0.1].map((cz) => [cx, cy, cz])));
+    const corners = this.outermost();
     const { azimuth, elevation } = pose;
     const right = [-Math.sin(azimuth), Math.cos(azimuth), 0];
     const forward = [-Math.cos(azimuth) * Math.cos(elevation), -Math.sin(azimuth) * Math.cos(elevation), -Math.sin(elevation)];
@@ -73,6 +74,17 @@ class Camera {
     const eye = [0, 1, 2].map((k) => right[k] * across.middle + up[k] * upwards.middle - forward[k] * away);
     pose.distance = eye[2] / -forward[2];
     pose.target = eye.map((part, k) => part + forward[k] * pose.distance);
+  }
+
+  /** Corners of the field and of its goals, at the floor and at the walls' tops. */
+  outermost() {
+    const x = this.field.width_m / 2 + 0.01, y = this.field.length_m / 2 + 0.01;
+    const ends = [[x, y], [-x, y], [x, -y], [-x, -y]];
+    for (const goal of this.field.goals) {
+      const end = (goal.end === "positive_y" ? 1 : -1) * (y + goal.depth_m);
+      ends.push([goal.width_m / 2, end], [-goal.width_m / 2, end]);
+    }
+    return ends.flatMap(([cx, cy]) => [0, this.field.wall_height_m].map((cz) => [cx, cy, cz]));
   }
 
   eye(pose = this.pose) {

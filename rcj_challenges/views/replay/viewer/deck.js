@@ -24,7 +24,7 @@ class Deck {
     act("previous", () => toEvent(-1));
     act("next", () => toEvent(1));
     for (const speed of SPEEDS) this.speed.append(new Option(`${speed} ×`, String(speed)));
-    this.speed.addEventListener("change", () => { player.speed = Number(this.speed.value); changed(); });
+    this.speed.addEventListener("change", () => { player.speed = Number(this.speed.value); this.speed.blur(); changed(); });
     this.seek.addEventListener("input", () => { player.seek(Number(this.seek.value)); changed(); });
     this.seek.addEventListener("pointermove", (event) => this.tell(event));
     this.seek.addEventListener("pointerleave", () => { this.hover.hidden = true; });

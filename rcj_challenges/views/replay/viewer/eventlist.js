@@ -137,6 +137,6 @@ class EventList {
     const events = this.shown;
     return direction > 0
       ? events.find((event) => event.place > place + 0.5) || null
-      : events.findLast((event) => event.place < place - 0.5) || null;
+      : events.filter((event) => event.place < place - 0.5).pop() || null;
   }
 }

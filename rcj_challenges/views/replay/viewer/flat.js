@@ -96,6 +96,6 @@ class Flat {
 
   project(x, y) {
     const [a, b, c, d, e, f] = this.matrix;
-    return [(a * x + c * y + e) / this.canvas.width, (b * x + d * y + f) / this.canvas.height];
+    return [(a * x + c * y + e) / this.canvas.width, (b * x + d * y + f) / this.canvas.height, Math.hypot(a, b) / this.canvas.height];
   }
 }

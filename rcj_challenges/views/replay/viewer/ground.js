@@ -36,7 +36,7 @@ const Ground = {
     if (shown.zones) {
       facts.zones.forEach((zone, index) => {
         const points = Ground.zone(zone, facts.field), colour = Ground.markColour(index);
-        if (!zone.inverted) shapes.push({ points, fill: colour, alpha: 0.22 });
+        if (!zone.inverted) shapes.push({ points, fill: colour, alpha: 0.16 });
         shapes.push({ points, line: colour, width: 0.007, closed: true, alpha: 0.95 });
       });
     }
@@ -63,7 +63,7 @@ const Ground = {
     const names = [];
     if (shown.zones) {
       for (const zone of facts.zones) {
-        names.push({ text: zone.inverted ? `outside ${zone.name}` : zone.name, at: middle(Ground.zone(zone, facts.field)) });
+        names.push({ text: zone.inverted ? `outside ${zone.name}` : zone.name, at: middle(Ground.zone(zone, facts.field)), below: true });
       }
     }
     if (shown.gates) for (const gate of facts.gates) names.push({ text: gate.name, at: middle([gate.from_m, gate.to_m]) });

@@ -75,6 +75,7 @@ class Panels {
     behind.addEventListener("change", () => {
       if (behind.value) app.look("robot", Number(behind.value));
       else app.look("overview");
+      behind.blur();
     });
   }
 

@@ -111,6 +111,22 @@ class Recording {
     return track.pose(entity, tick);
   }
 
+  /** How many events are at or before a place: they are in order. */
+  eventsUntil(place) {
+    let low = 0, high = this.events.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.events[middle].place <= place) low = middle + 1;
+      else high = middle;
+    }
+    return low;
+  }
+
+  /** The events after one place, up to and with another. */
+  eventsBetween(after, until) {
+    return this.events.slice(this.eventsUntil(after), this.eventsUntil(until));
+  }
+
   /** Points by team at a place. */
   scores(place) {
     const { track, tick } = this.at(place);

@@ -91,9 +91,12 @@ class Scene {
     return frame.failed.has(index) ? { tint: [0.45, 0.46, 0.5], share: 0.7 } : {};
   }
 
-  /** Where a point of the field is in the picture, in parts of its width and height from the upper left; or null. */
+  /**
+   * Where a point of the field is in the picture: [x, y, scale], in parts of its width and height from the upper left,
+   * and how much of the height a metre takes there; or null.
+   */
   project(x, y, z) {
     const [px, py, , w] = Maths.transform(this.view, x, y, z);
-    return w > 0 ? [(px / w + 1) / 2, (1 - py / w) / 2] : null;
+    return w > 0 ? [(px / w + 1) / 2, (1 - py / w) / 2, 1 / (2 * w * Math.tan(VIEW_ANGLE / 2))] : null;
   }
 }

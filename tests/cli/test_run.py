@@ -1,0 +1,176 @@
+"""``rcj-challenge run`` as its users meet it: real processes, exit codes, nothing half written."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from rcj_challenges.records.result import read_result
+from rcj_challenges.records.trajectory import Trajectory
+
+COMMAND = [sys.executable, "-m", "rcj_challenges"]
+POSIX = pytest.mark.skipif(os.name != "posix", reason="signals are sent as POSIX has them")
+STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
+
+
+@pytest.fixture
+def team(tmp_path):
+    file = tmp_path / "team.py"
+    file.write_text(STAND, encoding="utf-8")
+    return str(file)
+
+
+def command(*arguments, cwd, **more):
+    return subprocess.run(
+        [*COMMAND, *arguments], cwd=cwd, capture_output=True, text=True, encoding="utf-8", timeout=120, check=False, **more
+    )
+
+
+def short(team, *more):
+    return ["run", "match", "--blue", team, "--yellow", team, "--duration", "1", "--halves", "1", *more]
+
+
+def test_json_prints_the_result_and_nothing_else(tmp_path, team):
+    done = command(*short(team, "--json"), cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    result = json.loads(done.stdout)
+    assert result["complete"]
+    assert result["score"] == {"blue": 0, "yellow": 0}
+    assert result["simulated_s"] == 1.024
+    assert done.stderr == ""
+
+
+def test_without_a_terminal_there_are_plain_lines_and_the_path_of_the_record(tmp_path, team):
+    done = command(*short(team), cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert "\x1b" not in done.stdout
+    assert "KICKOFF" in done.stdout
+    folder = next(line.split(None, 1)[1] for line in done.stdout.splitlines() if line.startswith("record:"))
+    assert (tmp_path / folder / "result.json").is_file()
+    assert (tmp_path / folder / "replay.html").is_file()
+
+
+def test_quiet_says_only_how_it_ended(tmp_path, team):
+    lines = command(*short(team, "--quiet", "--no-replay"), cwd=tmp_path).stdout.splitlines()
+    assert len(lines) == 3
+
+
+def test_the_scores_are_named_by_team_names(tmp_path, team):
+    done = command(*short(team, "--quiet", "--team-name", "blue=Häns e", "--no-replay"), cwd=tmp_path)
+    assert done.stdout.startswith("Häns e 0 : 0 team")
+
+
+def test_show_output_shows_what_a_robot_prints(tmp_path, team):
+    Path(team).write_text(STAND.replace("    pass", "    print('schön', robot.getName())"), encoding="utf-8")
+    done = command(*short(team, "--show-output", "Y2", "--no-replay"), cwd=tmp_path)
+    assert "Y2 | schön Y2" in done.stdout
+    assert "Y1 |" not in done.stdout
+
+
+WRONG = {
+    "no such scenario": (["run", "matsch"], "match"),
+    "no such file": (["run", "nowhere/thing.yaml"], "thing.yaml"),
+    "no such team": (["run", "match", "--blue", "nowhere"], "nowhere"),
+    "a zip that is none": (["run", "match", "--blue", "broken.zip"], "broken.zip"),
+    "a folder without entry point": (["run", "match", "--blue", "empty"], "rcj_soccer_team_blue"),
+    "no such entrant": (["run", "match", "--team", "bleu=x"], "did you mean 'blue'"),
+    "no such robot": (["run", "match", "--show-output", "Y7"], "B1, B2, B3"),
+    "no such value": (["run", "match", "--set", "half_z=3"], "half_z"),
+    "a half without length": (["run", "match", "--duration", "0"], "half_s"),
+    "a wrong option": (["run", "match", "--duratoin", "5"], "duratoin"),
+    "no such sandbox": (["run", "match", "--sandbox", "maybe"], "strict"),
+    "negative mass": (["run", "match", "--set", "balls.ball.mass_kg=-1"], "mass_kg"),
+    "overlapping starts": (["run", "match", "--set", "robots.B1.start.x_m=0.02"], "B3"),
+    "a robot outside": (["run", "match", "--set", "robots.B1.start.x_m=3"], "B1"),
+}
+
+
+@pytest.mark.parametrize(("arguments", "told"), WRONG.values(), ids=WRONG)
+def test_wrong_input_is_told_without_traceback_and_leaves_nothing(tmp_path, arguments, told):
+    (tmp_path / "broken.zip").write_bytes(b"PK\x03\x04 no zip")
+    (tmp_path / "empty").mkdir()
+    (tmp_path / "empty" / "notes.txt").write_text("later")
+    done = command(*arguments, cwd=tmp_path)
+    assert done.returncode == 2, done.stderr
+    assert told in done.stderr
+    assert "Traceback" not in done.stderr
+    assert not (tmp_path / "runs").exists()
+
+
+def started(tmp_path, team, *more):
+    process = subprocess.Popen(
+        [*COMMAND, *short(team, "--duration", "600", "--real-time", "--no-replay", *more)],
+        cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True,
+    )  # fmt: skip
+    for line in process.stdout:
+        if "MATCH_START" in line:
+            return process
+    raise AssertionError(process.stderr.read())
+
+
+@POSIX
+def test_ctrl_c_ends_with_130_and_a_readable_record(tmp_path, team):
+    process = started(tmp_path, team)
+    pids = children_of(process.pid)
+    process.send_signal(signal.SIGINT)
+    _, complaint = process.communicate(timeout=30)
+    assert process.returncode == 130, complaint
+    assert "Traceback" not in complaint
+    (folder,) = (tmp_path / "runs").iterdir()
+    result = read_result(folder)
+    assert not result.complete
+    assert len(list(Trajectory.open(folder).halves)) == 1
+    assert_gone(pids)
+
+
+@POSIX
+def test_a_killed_match_leaves_a_readable_record_and_no_process(tmp_path, team):
+    process = started(tmp_path, team)
+    pids = children_of(process.pid)
+    assert len(pids) == 6
+    process.kill()
+    process.communicate(timeout=30)
+    (folder,) = (tmp_path / "runs").iterdir()
+    assert not read_result(folder).complete
+    assert Trajectory.open(folder).halves[0].ticks >= 0
+    assert_gone(pids)
+
+
+def children_of(pid):
+    listed = subprocess.run(["ps", "-A", "-o", "pid=,ppid="], capture_output=True, text=True, check=True).stdout
+    return [int(line.split()[0]) for line in listed.splitlines() if line.split()[1] == str(pid)]
+
+
+def assert_gone(pids):
+    until = time.monotonic() + 10
+    while time.monotonic() < until:
+        listed = subprocess.run(["ps", "-A", "-o", "pid="], capture_output=True, text=True, check=True).stdout.split()
+        if not {str(pid) for pid in pids} & set(listed):
+            return
+        time.sleep(0.05)
+    raise AssertionError(f"still there: {pids}")
+
+
+def test_two_runs_at_once_never_share_a_folder(tmp_path, team):
+    arguments = [*COMMAND, *short(team, "--json", "--no-replay")]
+    running = [subprocess.Popen(arguments, cwd=tmp_path, stdout=subprocess.PIPE) for _ in range(2)]
+    digests = {json.loads(process.communicate(timeout=60)[0])["digest"] for process in running}
+    assert len(digests) == 1
+    assert len(list((tmp_path / "runs").iterdir())) == 2
+
+
+def test_a_fault_of_ours_leaves_a_report_and_exit_code_3(tmp_path, team):
+    breaks = "import rcj_challenges.match.match as m\nm.play_match = None\nfrom rcj_challenges.cli import main\nmain()\n"
+    done = subprocess.run(
+        [sys.executable, "-c", breaks, *short(team)], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 3
+    (report,) = tmp_path.glob("rcj-challenge-report-*.txt")
+    assert "Traceback" in report.read_text("utf-8")
+    assert report.name in done.stderr
+    assert "Traceback" not in done.stderr

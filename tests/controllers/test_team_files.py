@@ -1,0 +1,271 @@
+"""Opening what a team hands in: a folder, a ZIP, a file; sound, odd or hostile."""
+
+from __future__ import annotations
+
+import io
+import stat
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from rcj_challenges.controllers import archive
+from rcj_challenges.controllers.team import TeamError, open_team, safe_name
+from rcj_challenges.scenario.models.robots import Entrant
+
+ENTRY = "rcj_soccer_team_blue/rcj_soccer_team_blue.py"
+BLUE = Entrant(
+    robots={f"B{n}": (ENTRY, f"robot{n}/robot{n}.py", "robot.py") for n in (1, 2, 3)},
+)
+YELLOW = Entrant(robots={f"Y{n}": (ENTRY, f"robot{n}/robot{n}.py", "robot.py") for n in (1, 2, 3)})
+PRESENT = {ENTRY: b"present", "rcj_soccer_team_blue/utils.py": b"utils", "team_name.txt": b"Phase Moon"}
+OF_2021 = {f"robot{n}/robot{n}.py": b"%d" % n for n in (1, 2, 3)} | {"team_name.txt": b"Old"}
+
+
+def folder_of(root: Path, files: dict[str, bytes]) -> Path:
+    for name, content in files.items():
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+    return root
+
+
+def zip_of(path: Path, files: dict[str, bytes]) -> Path:
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file:
+        for name, content in files.items():
+            file.writestr(name, content)
+    return path
+
+
+def inside(prefix: str, files: dict[str, bytes]) -> dict[str, bytes]:
+    return {f"{prefix}/{name}": content for name, content in files.items()}
+
+
+@pytest.mark.parametrize("files", [PRESENT, OF_2021, {"robot.py": b"r", "team_name.txt": b"R"}])
+def test_a_folder_and_its_zip_are_the_same_team(tmp_path: Path, files: dict[str, bytes]) -> None:
+    from_folder = open_team(folder_of(tmp_path / "team", files), BLUE, YELLOW)
+    from_zip = open_team(zip_of(tmp_path / "team.zip", files), BLUE, YELLOW)
+    assert from_folder.digest == from_zip.digest
+    assert from_folder.name == from_zip.name == files["team_name.txt"].decode()
+    assert [from_zip.entry_for(robot) for robot in BLUE.robots] == [
+        from_folder.entry_for(robot) for robot in BLUE.robots
+    ]
+    (tmp_path / "copy").mkdir()
+    from_zip.unpack(tmp_path / "copy")
+    assert (tmp_path / "copy" / from_zip.entry_for("Y2")).read_bytes() == files[from_zip.entry_for("Y2")]
+
+
+def test_the_first_entry_point_that_exists_is_taken(tmp_path: Path) -> None:
+    assert open_team(folder_of(tmp_path, OF_2021), BLUE).entry_for("B2") == "robot2/robot2.py"
+    assert open_team(folder_of(tmp_path, PRESENT), BLUE).entry_for("B2") == ENTRY
+
+
+def test_a_seat_that_was_not_foreseen_is_served_by_its_entry_points(tmp_path: Path) -> None:
+    team = open_team(folder_of(tmp_path, OF_2021), BLUE)
+    assert team.entry_for("Y3", YELLOW.robots["Y3"]) == "robot3/robot3.py"
+    with pytest.raises(TeamError, match="opened for B1, B2, B3, not for Y3"):
+        team.entry_for("Y3")
+
+
+@pytest.mark.parametrize("prefix", ["My Team", "a/b", "team-x/submission"])
+def test_extra_top_folders_are_looked_through(tmp_path: Path, prefix: str) -> None:
+    junk = {"__MACOSX/x/._robot.py": b"\0", ".DS_Store": b"\0"}
+    team = open_team(zip_of(tmp_path / "t.zip", inside(prefix, PRESENT) | junk), BLUE)
+    assert team.entry_for("B1") == ENTRY
+    assert team.name == "Phase Moon"
+    assert team.digest == open_team(folder_of(tmp_path / "plain", PRESENT), BLUE).digest
+
+
+def test_the_programs_own_folder_will_do_whatever_it_is_called(tmp_path: Path) -> None:
+    files = {"rcj_soccer_team_blue.py": b"x", "utils.py": b"u"}
+    team = open_team(folder_of(tmp_path / "robots", files), BLUE)
+    assert team.entry_for("B1") == ENTRY
+    (tmp_path / "copy").mkdir()
+    team.unpack(tmp_path / "copy")
+    assert (tmp_path / "copy" / "rcj_soccer_team_blue" / "utils.py").read_bytes() == b"u"
+
+
+def test_a_single_file_drives_all_robots(tmp_path: Path) -> None:
+    (tmp_path / "my_bot.py").write_bytes(b"x")
+    team = open_team(tmp_path / "my_bot.py", BLUE, YELLOW)
+    assert {team.entry_for(robot) for robot in (*BLUE.robots, *YELLOW.robots)} == {"my_bot.py"}
+    assert team.name == "my_bot"
+
+
+def test_what_tools_leave_behind_belongs_to_nobody(tmp_path: Path) -> None:
+    junk = {
+        ".git/config": b"g",
+        "rcj_soccer_team_blue/__pycache__/utils.cpython-311.pyc": b"p",
+        "rcj_soccer_team_blue/.DS_Store": b"d",
+        "Icon\r": b"i",
+    }
+    if sys.platform == "win32":
+        del junk["Icon\r"]
+    plain = open_team(folder_of(tmp_path / "plain", PRESENT), BLUE)
+    assert open_team(folder_of(tmp_path / "junk", PRESENT | junk), BLUE).digest == plain.digest
+
+
+def test_any_change_of_a_name_or_a_byte_changes_the_digest(tmp_path: Path) -> None:
+    digests = {
+        open_team(folder_of(tmp_path / str(number), files), BLUE).digest
+        for number, files in enumerate(
+            [PRESENT, PRESENT | {ENTRY: b"changed"}, PRESENT | {"x": b""}, PRESENT | {"y": b""}]
+        )
+    }
+    assert len(digests) == 4
+
+
+def test_a_missing_program_is_told_with_what_was_looked_for_what_is_there_and_the_nearest(tmp_path: Path) -> None:
+    with pytest.raises(TeamError) as caught:
+        open_team(folder_of(tmp_path, {"rcj_soccer_team_blue/rcj_soccer_team_bleu.py": b"x"}), BLUE)
+    told = str(caught.value)
+    assert "B1: looked for rcj_soccer_team_blue/rcj_soccer_team_blue.py or robot1/robot1.py or robot.py" in told
+    assert "found: rcj_soccer_team_blue/rcj_soccer_team_bleu.py" in told
+    assert f"did you mean rcj_soccer_team_blue/rcj_soccer_team_bleu.py to be {ENTRY}?" in told
+    assert "\n" not in told
+
+
+def test_one_of_three_programs_missing_is_told_for_that_robot_only(tmp_path: Path) -> None:
+    files = {name: content for name, content in OF_2021.items() if name != "robot2/robot2.py"}
+    with pytest.raises(TeamError, match=r"no program for B2: looked for") as caught:
+        open_team(folder_of(tmp_path, files), BLUE)
+    assert "B1:" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("content", "name", "notes"),
+    [
+        (b"Phase Moon\r\n", "Phase Moon", 0),
+        (b"\xef\xbb\xbfBOM Team", "BOM Team", 0),
+        ("Öko ⚽".encode(), "Öko ⚽", 0),
+        (b'"Quotes"; a.b!', '"Quotes"; a.b!', 0),
+        (b"x" * 40, "x" * 32, 1),
+        (b"  \n\n", "team", 1),
+        (b"a\x1b[31m\x07b", "a [31m b", 1),
+        ("left\u202eright".encode(), "left right", 1),
+        (b"\xff\xfe", "��", 0),
+    ],
+)
+def test_a_team_has_a_name_that_can_be_shown(tmp_path: Path, content: bytes, name: str, notes: int) -> None:
+    team = open_team(folder_of(tmp_path / "team", PRESENT | {"team_name.txt": content}), BLUE)
+    assert (team.name, len(team.notes)) == (name, notes)
+
+
+def test_without_a_name_file_the_name_is_the_archives(tmp_path: Path) -> None:
+    team = open_team(zip_of(tmp_path / "Robo Cats.zip", {ENTRY: b"x"}), BLUE)
+    assert team.name == "Robo Cats"
+    assert "team_name.txt" in team.notes[0]
+
+
+@given(st.text(max_size=60))
+def test_a_name_is_one_printable_line_of_at_most_32_letters(text: str) -> None:
+    name = safe_name(text)
+    assert len(name) <= 32
+    assert len(name.splitlines()) <= 1
+    assert all(letter.isprintable() or letter == "\u200d" or letter.isspace() for letter in name)
+    assert safe_name(name) == name
+
+
+def refusal(path: Path) -> str:
+    with pytest.raises(TeamError) as caught:
+        open_team(path, BLUE)
+    assert "\n" not in str(caught.value)
+    return str(caught.value)
+
+
+def test_nothing_at_the_path_is_said_plainly(tmp_path: Path) -> None:
+    assert refusal(tmp_path / "nothing").endswith("nothing: there is no such file or folder")
+    (tmp_path / "empty").mkdir()
+    assert "there are no files in it" in refusal(tmp_path / "empty")
+
+
+@pytest.mark.parametrize(
+    ("content", "says"),
+    [
+        (b"Rar!\x1a\x07\x00", "this is a RAR archive, not a ZIP"),
+        (b"7z\xbc\xaf\x27\x1c", "this is a 7-Zip archive"),
+        (b"", "not a ZIP archive"),
+        (b"import this", "not a ZIP archive"),
+    ],
+)
+def test_what_is_no_zip_is_called_what_it_is(tmp_path: Path, content: bytes, says: str) -> None:
+    (tmp_path / "team.zip").write_bytes(content)
+    assert says in refusal(tmp_path / "team.zip")
+
+
+@pytest.mark.parametrize("name", ["../evil.py", "/etc/evil.py", "a/../../evil.py", "C:\\evil.py", "..\\evil.py"])
+def test_a_zip_cannot_write_outside(tmp_path: Path, name: str) -> None:
+    assert "leads out of the archive" in refusal(zip_of(tmp_path / "t.zip", PRESENT | {name: b"x"}))
+
+
+def test_a_zip_with_backslashes_is_understood(tmp_path: Path) -> None:
+    files = {name.replace("/", "\\"): content for name, content in PRESENT.items()}
+    assert open_team(zip_of(tmp_path / "t.zip", files), BLUE).entry_for("B1") == ENTRY
+
+
+def test_links_in_a_zip_are_refused(tmp_path: Path) -> None:
+    with zipfile.ZipFile(tmp_path / "t.zip", "w") as file:
+        link = zipfile.ZipInfo("secret")
+        link.external_attr = (stat.S_IFLNK | 0o777) << 16
+        file.writestr(link, "/etc/passwd")
+    assert "is a link or a device" in refusal(tmp_path / "t.zip")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="links need a privilege on Windows")
+def test_links_that_lead_out_of_a_folder_are_refused_and_others_followed(tmp_path: Path) -> None:
+    folder = folder_of(tmp_path / "team", PRESENT)
+    (folder / "again.py").symlink_to(folder / "rcj_soccer_team_blue" / "utils.py")
+    assert open_team(folder, BLUE).size_bytes() == sum(map(len, PRESENT.values())) + 5
+    (tmp_path / "outside.txt").write_bytes(b"secret")
+    (folder / "secret.txt").symlink_to(tmp_path / "outside.txt")
+    assert "secret.txt is a link that leads out of the folder" in refusal(folder)
+
+
+def test_an_encrypted_zip_is_refused(tmp_path: Path) -> None:
+    path = zip_of(tmp_path / "t.zip", PRESENT)
+    data = bytearray(path.read_bytes())
+    at = data.index(b"PK\x01\x02")
+    data[at + 8] |= 1
+    path.write_bytes(data)
+    assert "is encrypted" in refusal(path)
+
+
+def test_a_zip_bomb_is_stopped_by_what_comes_out_of_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(archive, "MOST_UNPACKED_BYTES", 1_000_000)
+    path = zip_of(tmp_path / "t.zip", PRESENT | {"zeros": bytes(3_000_000)})
+    assert path.stat().st_size < 10_000
+    assert "unpacked, it is more than 1 MB" in refusal(path)
+
+
+def test_too_large_an_archive_too_many_files_and_colliding_names_are_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert "are one file on some computers" in refusal(zip_of(tmp_path / "c.zip", PRESENT | {"A.py": b"", "a.PY": b""}))
+    monkeypatch.setattr(archive, "MOST_FILES", 2)
+    assert "more than 2 files" in refusal(zip_of(tmp_path / "n.zip", PRESENT))
+    assert "is this the folder of the robot programs?" in refusal(folder_of(tmp_path / "n", PRESENT))
+    monkeypatch.setattr(archive, "MOST_PACKED_BYTES", 100)
+    assert "is more than the" in refusal(zip_of(tmp_path / "l.zip", PRESENT))
+
+
+SOUND = io.BytesIO()
+with zipfile.ZipFile(SOUND, "w", zipfile.ZIP_DEFLATED) as _file:
+    for _name, _content in PRESENT.items():
+        _file.writestr(_name, _content * 10)
+
+
+@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(st.data())
+def test_a_damaged_archive_gives_a_team_or_a_message_never_more(tmp_path: Path, data: st.DataObject) -> None:
+    content = bytearray(SOUND.getvalue())
+    for _ in range(data.draw(st.integers(1, 6))):
+        content[data.draw(st.integers(0, len(content) - 1))] = data.draw(st.integers(0, 255))
+    content = content[: data.draw(st.sampled_from([len(content), len(content) - 30, len(content) // 2]))]
+    (tmp_path / "t.zip").write_bytes(content)
+    try:
+        open_team(tmp_path / "t.zip", BLUE)
+    except TeamError as error:
+        assert str(error).startswith(str(tmp_path))  # noqa: PT017 - the property is about every error

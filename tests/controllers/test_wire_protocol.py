@@ -1,0 +1,234 @@
+"""The protocol: both ends agree, and nothing that a program may send harms the match."""
+
+from __future__ import annotations
+
+import math
+import struct
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from fake_match import INDEX, SPEC
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rcj_challenges.controllers.pipes import FrameBuffer, FrameTooLongError
+from rcj_challenges.controllers.processes import PUPIL_FOLDER
+from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hello_frame
+from rcj_challenges.facts.traffic import MotorCommand, Observation, Packet, Request
+
+sys.path.append(str(PUPIL_FOLDER))
+from controller import _boot, _wire  # type: ignore[import-not-found]  # the program's end, as programs import it
+
+MESSAGE_BYTES = 4_000
+CODEC = Codec(SPEC, MESSAGE_BYTES)
+
+ticks = st.integers(0, 2**32 - 1)
+some_ticks = st.integers(1, 2**31 - 1)
+numbers = st.floats(allow_nan=False)
+payloads = st.binary(max_size=200)
+packets = st.builds(Packet, st.integers(0, 12), payloads, numbers, st.tuples(numbers, numbers, numbers))
+observations = st.builds(
+    Observation,
+    ticks,
+    st.lists(numbers, min_size=SPEC.values, max_size=SPEC.values),
+    st.lists(packets, max_size=4),
+    st.booleans(),
+)
+wheels = st.sampled_from([INDEX["left wheel motor"], INDEX["right wheel motor"]])
+sensors = st.sampled_from([INDEX["gps"], INDEX["ball receiver"], INDEX["lidar"]])
+radios = st.sampled_from([INDEX["team receiver"], INDEX["team emitter"]])
+positions = st.one_of(st.just(math.inf), st.floats(allow_nan=False, allow_infinity=False))
+requests = st.builds(
+    Request,
+    advance_ticks=some_ticks,
+    missed_ticks=some_ticks,
+    motors=st.lists(st.builds(MotorCommand, wheels, st.floats(-10, 10), positions), max_size=6).map(tuple),
+    sampling=st.lists(st.tuples(sensors, some_ticks), max_size=3).map(tuple),
+    channels=st.lists(st.tuples(radios, st.integers(-(2**31), 2**31 - 1)), max_size=3).map(tuple),
+    frequencies=st.lists(st.tuples(st.just(INDEX["lidar"]), st.floats(1, 25)), max_size=2).map(tuple),
+    emissions=st.lists(st.tuples(st.just(INDEX["team emitter"]), payloads), max_size=4).map(tuple),
+    printed_bytes=st.integers(0, 2**63),
+)
+
+
+def pupil_wire() -> _wire.Wire:
+    wire = _wire.Wire(-1, -1)
+    wire.expect_values(SPEC.values)
+    return wire
+
+
+def sent_by_pupil(tick: int, request: Request) -> bytes:
+    frame: bytes = _wire.request_frame(
+        tick,
+        request.advance_ticks,
+        request.missed_ticks,
+        request.printed_bytes,
+        [(motor.device, motor.velocity_radps, motor.position_rad) for motor in request.motors],
+        list(request.sampling),
+        list(request.channels),
+        list(request.frequencies),
+        list(request.emissions),
+    )
+    return frame
+
+
+def body_of(frame: bytes) -> bytes:
+    (length,) = struct.unpack_from("<I", frame)
+    assert length == len(frame) - 4
+    return frame[4:]
+
+
+@given(observations)
+def test_a_program_is_told_exactly_what_was_observed(observation: Observation) -> None:
+    frame = CODEC.encode(observation)
+    body_of(frame)
+    tick, over, values, heard = pupil_wire().observation(frame)
+    assert (tick, over, list(values)) == (observation.tick, observation.over, observation.values)
+    assert heard == [(p.device, p.data, p.strength, *p.direction) for p in observation.packets]
+
+
+@given(ticks, requests)
+def test_the_match_is_told_exactly_what_a_program_asks_for(tick: int, request: Request) -> None:
+    assert CODEC.decode(body_of(sent_by_pupil(tick, request)), tick) == request
+
+
+@given(st.sampled_from(_wire.FAULT_KINDS), st.text(st.characters(min_codepoint=33, max_codepoint=126), max_size=40))
+def test_the_match_is_told_exactly_how_a_program_ended(kind: str, detail: str) -> None:
+    body = body_of(_wire.fault_frame(kind, detail, "line 1\n  line 2\n"))
+    if "0x" not in detail:
+        assert CODEC.decode(body, 0) == Ended(kind, detail, "line 1\n  line 2\n")
+
+
+@given(st.binary(max_size=300))
+def test_no_message_of_arbitrary_bytes_does_more_than_break_the_protocol(body: bytes) -> None:
+    try:
+        answer = CODEC.decode(body, 0)
+    except ProtocolError as error:
+        assert "\n" not in str(error)  # noqa: PT017 - the property is about every error
+    else:
+        assert isinstance(answer, (Request, Ended))
+
+
+@given(requests, st.data())
+def test_a_request_with_a_changed_byte_is_refused_or_asks_only_for_what_can_be(
+    request: Request, data: st.DataObject
+) -> None:
+    body = bytearray(body_of(sent_by_pupil(7, request)))
+    at = data.draw(st.integers(0, len(body) - 1))
+    body[at] = data.draw(st.integers(0, 255))
+    try:
+        answer = CODEC.decode(bytes(body), 7)
+    except ProtocolError:
+        return
+    if isinstance(answer, Request):
+        assert answer.advance_ticks >= 1
+        assert all(abs(motor.velocity_radps) <= 10.00001 for motor in answer.motors)
+        assert all(motor.position_rad > -math.inf for motor in answer.motors)
+        assert all(len(payload) <= MESSAGE_BYTES for _, payload in answer.emissions)
+
+
+@given(requests, st.integers(1, 60))
+def test_a_request_that_is_cut_or_followed_by_more_is_refused(request: Request, count: int) -> None:
+    body = body_of(sent_by_pupil(3, request))
+    for wrong in (body[:-count], body + bytes(count)):
+        with pytest.raises(ProtocolError):
+            CODEC.decode(wrong, 3)
+
+
+GOOD = Request(1)
+
+
+@pytest.mark.parametrize(
+    ("request_", "says"),
+    [
+        (replace(GOOD, advance_ticks=0), "a request to advance by no tick"),
+        (replace(GOOD, motors=(MotorCommand(0, math.nan, 0.0),)), "device 0: a velocity of nan rad/s"),
+        (replace(GOOD, motors=(MotorCommand(0, math.inf, 0.0),)), "device 0: a velocity of inf rad/s"),
+        (replace(GOOD, motors=(MotorCommand(1, -10.1, 0.0),)), "device 1: a velocity of -10.1 rad/s"),
+        (replace(GOOD, motors=(MotorCommand(0, 1.0, math.nan),)), "device 0: a position of nan rad"),
+        (replace(GOOD, motors=(MotorCommand(4, 1.0, 0.0),)), "device 4 is not a motor"),
+        (replace(GOOD, motors=(MotorCommand(99, 1.0, 0.0),)), "device 99 is not a motor"),
+        (replace(GOOD, sampling=((0, 1),)), "device 0 is not a sensor"),
+        (replace(GOOD, channels=((4, 1),)), "device 4 is not a radio"),
+        (replace(GOOD, frequencies=((4, 10.0),)), "device 4 is not a lidar"),
+        (replace(GOOD, frequencies=((12, math.nan),)), "device 12: a frequency of nan Hz"),
+        (replace(GOOD, emissions=((10, b"x"),)), "device 10 is not an emitter"),
+        (replace(GOOD, emissions=((11, bytes(MESSAGE_BYTES + 1)),)), "a radio packet of 4001 bytes"),
+    ],
+)
+def test_what_cannot_be_asked_for_is_refused_with_a_reason(request_: Request, says: str) -> None:
+    with pytest.raises(ProtocolError) as caught:
+        CODEC.decode(body_of(sent_by_pupil(0, request_)), 0)
+    assert str(caught.value) == says
+
+
+def test_a_request_that_answers_another_tick_is_refused() -> None:
+    with pytest.raises(ProtocolError, match="answers tick 4 at tick 5"):
+        CODEC.decode(body_of(sent_by_pupil(4, GOOD)), 5)
+
+
+def test_what_a_program_says_of_its_end_is_made_harmless() -> None:
+    body = body_of(_wire.fault_frame("crash", "bad\x1b[31m\n\u202eline  at 0x7f00deadbeef", "a\n\x07b"))
+    assert CODEC.decode(body, 0) == Ended("crash", "bad [31m line at 0x…", "a\n b")
+
+
+@given(st.lists(payloads, max_size=5), st.data())
+def test_frames_are_put_together_however_they_arrive(bodies: list[bytes], data: st.DataObject) -> None:
+    stream = b"".join(struct.pack("<I", len(body)) + body for body in bodies)
+    buffer, found = FrameBuffer(1_000), []
+    while stream:
+        size = data.draw(st.integers(1, len(stream)))
+        buffer.add(stream[:size])
+        stream = stream[size:]
+        while (body := buffer.next()) is not None:
+            found.append(body)
+    assert found == bodies
+    assert not buffer
+
+
+def test_a_frame_is_refused_by_its_announced_length_before_it_is_read() -> None:
+    buffer = FrameBuffer(1_000)
+    buffer.add(struct.pack("<I", 1_001))
+    with pytest.raises(FrameTooLongError):
+        buffer.next()
+
+
+facts = st.recursive(
+    st.none()
+    | st.booleans()
+    | st.integers()
+    | st.floats(allow_nan=False, allow_infinity=False)
+    | st.text(st.characters(exclude_categories=["Cs"])),
+    lambda inner: (
+        st.lists(inner, max_size=3)
+        | st.dictionaries(st.text(st.characters(exclude_categories=["Cs"])), inner, max_size=3)
+    ),
+    max_leaves=8,
+)
+
+
+@given(facts)
+def test_a_program_reads_the_hello_as_json(fact: object) -> None:
+    frame = hello_frame(SPEC, {"fact": fact})
+    assert frame[4] == _wire.HELLO
+    told = _boot._parsed(frame[5:].decode())
+    assert told["fact"] == fact
+    assert told["robot"]["devices"][4]["name"] == "gps"
+    assert told["protocol"] == 1
+
+
+def test_the_programs_end_uses_nothing_but_the_standard_library() -> None:
+    allowed = sys.stdlib_module_names | {"controller"}
+    for source in (PUPIL_FOLDER / "controller").glob("*.py"):
+        for line in source.read_text(encoding="utf-8").splitlines():
+            words = line.split()
+            if words[:1] in (["import"], ["from"]) and not words[1].startswith("."):
+                assert words[1].rstrip(",").split(".")[0] in allowed, f"{source.name}: {line}"
+
+
+def test_the_document_of_the_protocol_names_every_form() -> None:
+    text = (Path(__file__).parents[2] / "docs" / "protocol.md").read_text(encoding="utf-8")
+    for form in (_wire._OBSERVATION, _wire._REQUEST, _wire._PACKET.format, _wire._EMISSION.format, _wire._FAULT.format):
+        assert form.lstrip("<").lstrip("I") in text.replace(" ", ""), form

@@ -1,0 +1,147 @@
+"""The stage itself, the `expect` blocks, and that every word has its tests."""
+
+import re
+import time
+from pathlib import Path
+
+import pytest
+
+from rcj_challenges.referee.actions import ACTIONS
+from rcj_challenges.referee.conditions import CONDITIONS
+from rcj_challenges.referee.places import PLACES
+from rcj_challenges.referee.script import run_expectation
+from rcj_challenges.referee.triggers import TRIGGERS
+from rcj_challenges.scenario.load import Loaded, load
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+
+SCENARIOS = sorted((Path(__file__).parents[2] / "scenarios").glob("*.yaml"))
+
+RULES = """
+zones: {goal: {shape: rect, y_min_m: 0.7}}
+rules:
+  goal:
+    triggers: [{trigger: enters, entity: ball, zone: goal}]
+    actions:
+      - {action: score, entrant: yellow}
+      - {action: emit, event: GOAL, payload: {who: yellow, points: 1, good: true}}
+      - {action: place, entity: ball, at: {point: [0, 0.25]}}
+  hit: {triggers: [{trigger: touches, entity: ball, other: B1}], actions: [{action: emit, event: HIT}]}
+  fell: {triggers: [{trigger: tips_over, entity: B1}], actions: [{action: emit, event: FELL}]}
+  broke: {triggers: [{trigger: program_fault, robot: B1}], actions: [{action: emit, event: BROKE}]}
+counters: {goals: {initial: 2}}
+flags: {up: {}}
+"""
+
+
+@pytest.fixture
+def differences(small):
+    def run(block: str) -> list[str]:
+        scenario: Scenario = small(RULES, f"expect: {{it: {{lasts_s: 2, {block}}}}}")
+        return run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it")
+
+    return run
+
+
+GOAL = "keyframes: [{at_s: 0.32, place: {ball: [0, 0.75]}}]"
+
+
+class TestExpect:
+    def test_what_comes_as_expected_makes_no_difference(self, differences):
+        assert differences(
+            GOAL + ", events: [{event: GOAL, at_s: 0.32, payload: {points: 1, good: true}}], score: {yellow: 1, blue: 0}, "
+            "counters: {goals: 2}, flags: {up: false}, phase: play, poses: {ball: [0, 0.25]}"
+        ) == []  # fmt: skip
+
+    def test_every_difference_is_told_in_words(self, differences):
+        found = differences(
+            GOAL + ", events: [{event: GOAL, at_s: 1, payload: {who: blue, good: false}}, {event: HIT, at_s: 0.5}], "
+            "score: {yellow: 2}, counters: {goals: 3}, flags: {up: true}, phase: pause, poses: {ball: [0, 0.3]}"
+        )
+        assert found == [
+            "event 1 (GOAL): expected at 1 s, came at 0.32 s",
+            "event 1 (GOAL): expected who blue, is yellow",
+            "event 1 (GOAL): expected good false, is true",
+            "event 2: expected HIT at 0.5 s, nothing came",
+            "score of yellow: expected 2, is 1",
+            "counter goals: expected 3, is 2",
+            "flag up: expected true, is false",
+            "phase: expected pause, is play",
+            "ball: expected at (0, 0.3), is at (0, 0.25), 0.05 m off",
+        ]
+
+    def test_an_event_that_nobody_expected_is_a_difference_unless_ignored(self, differences):
+        assert differences(GOAL + ", events: []") == [
+            "event 1: nothing more expected, got GOAL at 0.32 s (who yellow, points 1, good true)"
+        ]
+        assert differences(GOAL + ", events: [], ignore: [GOAL]") == []
+        assert differences(GOAL + ", events: [{event: GOAL}], ignore: [GOAL]") == []
+
+    def test_things_glide_in_a_straight_line_from_the_keyframe_before(self, differences):
+        glide = "keyframes: [{at_s: 0.32, place: {ball: [0.4, 0]}}, {at_s: 0.96, move: {ball: [0.4, 0.4, 1]}}]"
+        assert differences(glide + ", poses: {ball: [0.4, 0.4]}") == []
+        assert differences(glide.replace("lasts_s: 2", "") + ", events: []") == []
+
+    def test_a_glide_enters_on_its_way_and_ends_where_the_referee_puts_the_thing(self, differences):
+        assert differences(
+            "keyframes: [{at_s: 0.32}, {at_s: 0.96, move: {ball: [0, 0.8]}}], "
+            "events: [{event: GOAL, at_s: 0.88, tolerance_s: 0.05}], poses: {ball: [0, 0.25]}"
+        ) == []  # fmt: skip
+
+    def test_touches_tilts_and_faults_are_scripted_too(self, differences):
+        assert differences(
+            "keyframes: [{at_s: 0.64, touch: [[ball, B1]]}, {at_s: 0.96, tips: [B1]}, {at_s: 1.28, fault: [B1]}], "
+            "events: [{event: HIT, at_s: 0.64}, {event: FELL, at_s: 0.96}, {event: BROKE, at_s: 1.28}]"
+        ) == []  # fmt: skip
+
+    def test_a_keyframe_at_0_is_seen_in_the_first_tick(self, differences):
+        assert differences("keyframes: [{at_s: 0, place: {ball: [0, 0.75]}}], events: [{event: GOAL, at_s: 0.032}]") == []
+
+    def test_draws_can_be_decided(self, small):
+        scenario = small(
+            "draws: {side: {values: [left, right]}}",
+            "rules: {told: {triggers: [{trigger: half_started}], actions: [{action: emit, event: TOLD, payload: {side: {draw: side}}}]}}",
+            "expect: {it: {lasts_s: 1, keyframes: [{at_s: 0}], draws: {side: right}, events: [{event: TOLD, payload: {side: right}}]}}",
+        )
+        assert run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it") == []
+
+
+@pytest.mark.parametrize("path", SCENARIOS, ids=lambda path: path.stem)
+def test_the_tests_written_in_the_shipped_scenarios_pass(path):
+    loaded = load(path)
+    assert {name: found for name in loaded.scenario.expect if (found := run_expectation(loaded, name))} == {}
+
+
+def test_a_script_plays_at_200_times_real_time(match_play):
+    play = match_play()
+    play.play(100)
+    best = min(_timed(play, 250) for _ in range(8))
+    assert best < 250 * 0.032 / 200
+
+
+def _timed(play, ticks: int) -> float:
+    began = time.process_time()
+    play.play(ticks)
+    return time.process_time() - began
+
+
+@pytest.mark.parametrize(
+    ("kind", "words"), [("Trigger", TRIGGERS), ("Condition", CONDITIONS), ("Action", ACTIONS), ("Place", PLACES)]
+)
+def test_every_word_has_a_test_class_of_its_name(kind, words):
+    tests = "".join(path.read_text(encoding="utf-8") for path in Path(__file__).parent.glob("test_*.py"))
+    classes = set(re.findall(r"^class (Test\w+)", tests, re.MULTILINE))
+    wanted = {f"Test{kind}{word.title().replace('_', '')}" for word in words}
+    assert wanted - classes == set()
+
+
+@pytest.mark.parametrize(
+    ("section", "field", "words"), [("triggers", "trigger", TRIGGERS), ("conditions", "condition", CONDITIONS), ("actions", "action", ACTIONS)]
+)  # fmt: skip
+def test_every_word_of_the_models_can_be_compiled(section, field, words):
+    import importlib
+
+    module = importlib.import_module(f"rcj_challenges.scenario.models.{section}")
+    fields = [getattr(item, "__annotations__", {}).get(field) for item in vars(module).values() if isinstance(item, type)]
+    modelled = {match for text in fields if text for match in re.findall(r'Literal\["(\w+)"\]', str(text))}
+    assert modelled == set(words)

@@ -1,0 +1,488 @@
+"""The referee's part of the tick contract: one test for each of its sentences in ADR 1, named by its number."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from rcj_challenges.facts.play import Snapshot
+
+ADR = Path(__file__).parents[2] / "docs" / "adr" / "0001-tick-contract.md"
+
+
+def once(tick: int, *actions: str, name: str = "act", more: str = "") -> str:
+    """Return a rule that runs actions at a tick."""
+    seconds = round(tick * 0.032, 3)
+    return (
+        f"rules: {{{name}: {{triggers: [{{trigger: time_reached, at_s: {seconds}}}], {more} "
+        f"actions: [{', '.join(actions)}]}}}}"
+    )
+
+
+def told(play, name: str = "TOLD") -> list[int]:
+    """Return the ticks of the events of a name."""
+    return [event.tick for event in play.events_named(name)]
+
+
+def feed(play, *ball_at: tuple[float, float], touches=None) -> None:
+    """Judge one tick in which the ball is seen at these places, one a sub-step."""
+    poses, substeps = [play.pose(name) for name in play.roster.entities], []
+    for x, y in ball_at:
+        poses = list(poses)
+        poses[play.roster.index["ball"]] = (x, y, 0.0)
+        substeps.append(poses)
+    play.tick += 1
+    touching = touches or ((),) * len(substeps)
+    play._take(play.referee.judge(Snapshot(play.tick, substeps, [0.04] * len(poses), [1.0] * len(poses), touching)))
+
+
+IN_MIDDLE = "{trigger: enters, entity: ball, zone: middle}"
+TELL = "{action: emit, event: TOLD}"
+
+
+class TestLine0:
+    def test_0_2_score_and_what_is_kept_carry_over(self, stage):
+        sections = """
+        draws: {kept: {values: [a, b, c, d, e, f, g, h], keep: match}, fresh: {values: [a]}}
+        flags: {kept: {keep: match}, fresh: {}}
+        counters: {goals: {}}
+        rules:
+          all:
+            triggers: [{trigger: time_reached, at_s: 0.032}]
+            max_executions: 1
+            actions:
+              - {action: score, entrant: blue, points: 2}
+              - {action: set_flag, flag: kept}
+              - {action: set_flag, flag: fresh}
+              - {action: count, counter: goals}
+        """
+        first = stage(sections, draws={"kept": "g"})
+        first.play(3)
+        second = stage(sections, half=2, kept=first.referee.kept, scores=dict(first.referee.scores))
+        assert second.referee.scores == {"blue": 2, "yellow": 0}
+        assert (second.referee.draws["kept"], second.referee.flags, second.referee.counters) == (
+            "g", {"kept": True, "fresh": False}, {"goals": 0},
+        )  # fmt: skip
+        second.play(3)
+        assert second.referee.scores["blue"] == 4
+
+    def test_0_3_tick_0_is_draws_layouts_arming_and_half_started(self, stage):
+        play = stage(f"""
+        draws: {{side: {{values: [left]}}}}
+        rules:
+          begin:
+            triggers: [{{trigger: half_started}}]
+            conditions: [{{condition: drawn, draw: side, equals: left}}]
+            actions: [{{action: place, entity: ball, at: {{point: [0.3, 0]}}}}, {TELL}]
+          came: {{triggers: [{IN_MIDDLE}], actions: [{{action: emit, event: CAME}}]}}
+        """)
+        assert (told(play), play.tick) == ([0], 0)
+        assert play.pose("ball")[0] == pytest.approx(0.3)
+        play.place("ball", 0.0, 0.0)
+        play.play()
+        assert told(play, "CAME") == [1]  # armed with the ball where the layout put it
+
+    def test_0_4_start_noise_is_drawn_at_tick_0(self, stage):
+        noisy = "robots: {B1: {colour: blue, number: 1, kit: v2, start: {x_m: 0, y_m: 0.4, yaw_rad: 0, noise_m: [0.1, 0]}}}"
+        assert [placed.entity for _, placed in stage(noisy).placements] == [0]
+        ruled = "rules: {put: {triggers: [{trigger: half_started}], actions: [{action: place, entity: B1, at: {point: [0, 0.3]}}]}}"
+        assert stage(noisy, ruled).pose("B1")[:2] == pytest.approx((0.0, 0.3))
+
+
+class TestLine2:
+    def test_2_1_zone_and_gate_facts_are_latched_in_each_sub_step(self, stage):
+        play = stage(
+            f"rules: {{came: {{triggers: [{IN_MIDDLE}], actions: [{TELL}]}}, "
+            "over: {triggers: [{trigger: crosses, entity: ball, gate: halfway}], actions: [{action: emit, event: OVER}]}}",
+            "balls: {ball: {start_m: [0.2, 0.2]}}",
+        )
+        feed(play, (0.05, 0.05), (0.05, -0.05), (0.05, 0.05), (0.2, 0.2))
+        assert (told(play), told(play, "OVER")) == ([1], [1])
+
+    def test_2_2_contact_facts_are_latched_in_each_sub_step(self, stage):
+        play = stage(f"rules: {{hit: {{triggers: [{{trigger: touches, entity: ball, other: B1}}], actions: [{TELL}]}}}}")
+        pair = (play.roster.index["B1"], play.roster.index["ball"])
+        feed(play, *[(0.0, 0.0)] * 4, touches=((), (pair,), (), ()))
+        feed(play, *[(0.0, 0.0)] * 4, touches=((pair,), (), (), ()))
+        feed(play, *[(0.0, 0.0)] * 4, touches=((), (), (), (pair,)))
+        feed(play, *[(0.0, 0.0)] * 4, touches=((pair,), (pair,), (), ()))  # still the one that began a tick ago
+        assert told(play) == [1, 2, 3]
+
+    def test_2_3_levels_are_judged_on_the_last_sub_step(self, stage):
+        play = stage(once(1, TELL, more="conditions: [{condition: in_zone, entity: ball, zone: right}],"))
+        feed(play, (0.3, 0.0), (0.3, 0.0), (0.3, 0.0), (0.0, 0.0))
+        assert told(play) == []
+
+
+class TestLine3:
+    def test_3_1_timers_and_sequences_advance_before_anything_is_judged(self, stage):
+        play = stage(
+            "timers: {egg: {lasts_s: 3.2, starts: true}}\n"
+            "sequences: {way: {entity: ball, steps: [middle, right], cyclic: true}}",
+            once(10, TELL, more="conditions: [{condition: timer, timer: egg, equals: 0.32}, "
+                                "{condition: sequence_at, sequence: way, step: right}],"),
+        )  # fmt: skip
+        play.play(9)
+        play.place("ball", 0.3, 0.0)
+        play.play()
+        assert told(play) == [10]
+
+    def test_3_2_all_are_evaluated_against_the_state_at_the_start_of_the_tick(self, stage):
+        flag = "{condition: flag, flag: up}"
+        play = stage(
+            "flags: {up: {}}",
+            once(5, "{action: set_flag, flag: up}", name="first"),
+            once(5, "{action: emit, event: SAW}", name="second", more=f"conditions: [{flag}],"),
+            once(6, "{action: emit, event: SAW}", name="third", more=f"conditions: [{flag}],"),
+        )
+        play.play(10)
+        assert told(play, "SAW") == [6]
+
+    def test_3_3_actions_read_current_values(self, stage):
+        play = stage(
+            "counters: {rounds: {}}",
+            once(5, "{action: count, counter: rounds, by: 3}", "{action: score, entrant: blue, points: {counter: rounds}}"),
+        )
+        play.play(5)
+        assert play.referee.scores["blue"] == 3
+
+    def test_3_4_a_phase_that_runs_out_does_so_at_the_start_of_the_tick(self, stage):
+        play = stage(
+            "phases: {pause: {lasts_s: 0.32}}",
+            once(5, "{action: set_phase, phase: pause}"),
+            "rules: {back: {triggers: [{trigger: phase_entered, phase: play}], actions: [{action: emit, event: BACK}]}}",
+            once(15, TELL, name="in_play"),
+        )
+        play.play(20)
+        assert (told(play, "BACK"), told(play)) == ([15], [15])
+
+    def test_3_5_the_clock_stands_still_while_timers_go_on(self, stage):
+        play = stage(
+            "phases: {pause: {lasts_s: 0.32, clock: stops}}\ntimers: {egg: {lasts_s: 0.64, starts: true}}",
+            once(5, "{action: set_phase, phase: pause}"),
+            once(12, TELL, name="late"),
+            "rules: {egg: {triggers: [{trigger: timer_expired, timer: egg}], actions: [{action: emit, event: EGG}]}}",
+        )
+        play.play(30)
+        assert (told(play), told(play, "EGG")) == ([22], [20])
+        assert play.referee.clock_ticks == 20
+
+
+class TestLine4:
+    def test_4_1_priority_then_file_order_then_entity_order(self, stage):
+        rule = "triggers: [{trigger: time_reached, at_s: 0.032}], actions: [{action: score, entrant: blue}]"
+        play = stage(f"""
+        groups: {{backwards: [Y2, B2, B1]}}
+        rules:
+          late: {{priority: 1, {rule}}}
+          one: {{for_each: backwards, {rule}}}
+          two: {{{rule}}}
+          early: {{priority: -1, {rule}}}
+        """)
+        play.play()
+        assert [(firing.rule, firing.entity) for firing in play.firings] == [
+            ("early", None), ("one", "B1"), ("one", "B2"), ("one", "Y2"), ("two", None), ("late", None),
+        ]  # fmt: skip
+
+    def test_4_2_a_rule_fires_at_most_once_a_tick_about_its_first_trigger(self, stage):
+        play = stage("""
+        rules:
+          any:
+            triggers: [{trigger: enters, entity: ball, zone: right}, {trigger: enters, entity: robots, zone: middle}]
+            actions: [{action: score, entrant: blue}]
+        """)
+        for name, x in (("ball", 0.3), ("Y1", 0.0), ("B2", 0.01)):
+            play.place(name, x, 0.0)
+        play.play()
+        assert [(firing.entity, firing.trigger) for firing in play.firings] == [("ball", "enters")]
+        assert play.referee.scores["blue"] == 1
+
+    RULE = "triggers: [{trigger: program_fault, robot: each}], actions: [{action: emit, event: TOLD}]"
+
+    def test_4_3_within_an_exclusive_group_the_first_wins_and_the_rest_are_logged(self, stage):
+        play = stage(
+            once(5, TELL, name="one", more="exclusive: only,"), once(5, TELL, name="two", more="exclusive: only,")
+        )
+        play.play(5)
+        assert told(play) == [5]
+        assert [(firing.rule, firing.suppressed) for firing in play.firings] == [("one", None), ("two", "exclusive")]
+
+    def test_4_4_exclusive_cooldown_and_max_executions_count_per_entity(self, stage):
+        play = stage(f"""
+        rules:
+          one: {{for_each: robots, exclusive: only, cooldown_s: 0.32, max_executions: 2, {self.RULE}}}
+          two: {{for_each: robots, exclusive: only, {self.RULE.replace("TOLD", "TWO")}}}
+        """)
+        for tick in range(1, 31):
+            if tick in {1, 5, 11, 25}:
+                play.fail("B1")
+            if tick == 5:
+                play.fail("Y1")
+            play.play()
+        record = [(f.tick, f.rule, f.entity, f.suppressed) for f in play.firings]
+        assert record == [
+            (1, "one", "B1", None), (1, "two", "B1", "exclusive"),
+            (5, "one", "B1", "cooldown"), (5, "one", "Y1", None), (5, "two", "B1", None), (5, "two", "Y1", "exclusive"),
+            (11, "one", "B1", None), (11, "two", "B1", "exclusive"),
+            (25, "one", "B1", "max_executions"), (25, "two", "B1", None),
+        ]  # fmt: skip
+
+    def test_4_5_max_executions_counts_per_half(self, stage):
+        rules = f"rules: {{one: {{max_executions: 1, triggers: [{{trigger: program_fault}}], actions: [{TELL}]}}}}"
+        for half in (1, 2):
+            play = stage(rules, half=half)
+            for _ in range(3):
+                play.fail("B1")
+                play.play()
+            assert told(play) == [1]
+
+    def test_4_6_only_a_firing_whose_actions_ran_counts(self, stage):
+        play = stage(f"""
+        rules:
+          worn: {{exclusive: only, max_executions: 1, triggers: [{{trigger: program_fault}}], actions: [{TELL}]}}
+          next: {{exclusive: only, cooldown_s: 0.32, triggers: [{{trigger: program_fault}}], actions: [{TELL}]}}
+        """)
+        for _ in range(3):
+            play.fail("B1")
+            play.play()
+        record = [(f.tick, f.rule, f.suppressed) for f in play.firings]
+        assert record == [
+            (1, "worn", None), (1, "next", "exclusive"),
+            (2, "worn", "max_executions"), (2, "next", None),
+            (3, "worn", "max_executions"), (3, "next", "cooldown"),
+        ]  # fmt: skip
+
+
+class TestLine5:
+    PHASES = "phases: {pause: {}, other: {}}"
+
+    def test_5_1_set_phase_suppresses_later_firings_of_rules_that_do_not_live_there(self, stage):
+        play = stage(
+            self.PHASES,
+            once(5, "{action: set_phase, phase: pause}"),
+            once(5, TELL, name="gone"),
+            once(5, "{action: emit, event: STAYS}", name="stays", more="phases: any,"),
+        )
+        play.play(5)
+        assert [(firing.rule, firing.suppressed) for firing in play.firings] == [
+            ("act", None), ("gone", "phase"), ("stays", None),
+        ]  # fmt: skip
+        assert play.names() == ["STAYS"]
+
+    def test_5_2_entering_a_phase_arms_the_rules_that_did_not_live_in_the_one_left(self, stage):
+        came = f"triggers: [{IN_MIDDLE}], actions: [{{action: emit, event: %s}}]"
+        play = stage(
+            self.PHASES + "\nballs: {ball: {start_m: [0.3, 0]}}",
+            once(5, "{action: set_phase, phase: pause}"),
+            once(10, "{action: set_phase, phase: play}", name="back", more="phases: any,"),
+            f"rules: {{new: {{{came % 'NEW'}}}, both: {{phases: [play, pause], {came % 'BOTH'}}}}}",
+        )
+        play.play(6)
+        play.place("ball", 0.0, 0.0)  # comes in during the pause
+        play.play(10)
+        assert (told(play, "NEW"), told(play, "BOTH")) == ([], [7])
+        play.place("ball", 0.3, 0.0)
+        play.play()
+        play.place("ball", 0.0, 0.0)
+        play.play()
+        assert (told(play, "NEW"), told(play, "BOTH")) == ([18], [7, 18])
+
+    def test_5_3_entering_the_same_phase_arms_all_rules(self, stage):
+        stuck = f"rules: {{stuck: {{triggers: [{{trigger: no_progress, entity: ball, distance_m: 1, within_s: 0.32}}], actions: [{TELL}]}}}}"
+        play = stage(stuck, once(8, "{action: set_phase, phase: play}"))
+        play.play(40)
+        assert told(play) == [19]  # 11 ticks after tick 8, not after tick 0
+
+    def test_5_4_after_an_action_entered_it_phase_entered_fires_in_the_next_tick(self, stage):
+        play = stage(
+            self.PHASES,
+            once(5, "{action: set_phase, phase: pause}"),
+            f"rules: {{heard: {{phases: any, triggers: [{{trigger: phase_entered, phase: pause}}], actions: [{TELL}]}}}}",
+        )
+        play.play(10)
+        assert told(play) == [6]
+
+    def test_5_5_end_takes_effect_after_the_last_firing(self, stage):
+        play = stage(once(5, "{action: end}"), once(5, TELL, name="later"))
+        verdict = play.play(5)
+        assert (verdict.ended, told(play)) == ("act", [5])
+
+    def test_5_6_a_goal_in_the_final_tick_counts(self, stage):
+        play = stage(
+            "match: {half_s: 0.32}",
+            "rules: {goal: {triggers: [{trigger: enters, entity: ball, zone: blue_goal}], actions: [{action: score, entrant: yellow}]}}",
+        )
+        play.play(9)
+        assert not play.referee.time_is_up
+        play.place("ball", 0.0, 0.8)
+        play.play()
+        assert play.referee.time_is_up
+        assert play.referee.scores["yellow"] == 1
+
+    def test_5_7_half_ended_rules_still_run(self, stage):
+        play = stage(
+            once(5, "{action: end}"), f"rules: {{last: {{triggers: [{{trigger: half_ended}}], actions: [{TELL}]}}}}"
+        )
+        play.play(5)
+        play.finish()
+        assert told(play) == [5]
+
+
+class TestLine6:
+    def test_6_1_the_last_placement_queued_for_an_entity_wins(self, stage):
+        play = stage(once(5, *(f"{{action: place, entity: {name}, at: {{point: [{x}, 0.2]}}}}"
+                               for name, x in (("B1", 0.1), ("B2", 0.3), ("B1", -0.1)))))  # fmt: skip
+        play.play(5)
+        assert [placement.entity for _, placement in play.placements] == [1, 0]
+        assert play.pose("B1")[0] == pytest.approx(-0.1)
+
+    def test_6_2_all_are_lifted_first_then_set_down_in_order(self, stage):
+        play = stage(once(5, "{action: place, entity: B1, at: {point: [-0.4, 0.5]}}",
+                          "{action: place, entity: B2, at: {point: [0.4, 0.5]}}"))  # fmt: skip
+        play.play(5)
+        assert (play.pose("B1")[0], play.pose("B2")[0]) == pytest.approx((-0.4, 0.4))
+
+    def test_6_3_two_robots_never_get_one_spot(self, stage):
+        play = stage(once(5, *(f"{{action: place, entity: {name}, at: {{nearest_free: neutral_spots, to: middle_blue}}}}"
+                               for name in ("B1", "B2", "Y1"))))  # fmt: skip
+        play.play(5)
+        assert len({play.pose(name)[:2] for name in ("B1", "B2", "Y1")}) == 3
+
+    def test_6_4_equal_distances_go_by_file_order(self, stage):
+        play = stage(once(5, "{action: place, entity: ball, at: {nearest_free: [corner_yellow_left, corner_blue_right]}}"))
+        play.play(5)
+        assert play.pose("ball")[:2] == pytest.approx((-0.3, -0.3))
+
+    def test_6_5_each_use_draws_from_a_stream_of_its_own(self, stage):
+        line = "{action: place, entity: %s, at: {on_line: [[-0.5, %s], [0.5, %s]]}}"
+        ball = line % ("ball", 0, 0)
+        alone = stage(once(5, ball), seed=9)
+        beside = stage(once(5, line % ("B1", 0.3, 0.3), ball), seed=9)
+        elsewhere = stage(once(5, ball, name="other"), seed=9)
+        second = stage(once(5, ball), seed=9, half=2)
+        for play in (alone, beside, elsewhere, second):
+            play.play(5)
+        assert alone.pose("ball") == beside.pose("ball")
+        assert len({play.pose("ball") for play in (alone, elsewhere, second)}) == 3
+
+    def test_6_6_what_finds_no_room_is_tried_again_without_repeating_events(self, stage):
+        play = stage(once(5, TELL, "{action: place, entity: ball, at: {point: [0, 0.3]}}"))
+        play.place("B1", 0.0, 0.3)
+        play.play(20)
+        assert (play.placements, told(play)) == ([], [5])
+        play.place("B1", 0.5, 0.5)
+        play.play()
+        assert ([tick for tick, _ in play.placements], told(play)) == ([21], [5])
+
+
+class TestLine7:
+    def test_7_2_a_placed_entity_stands_on_its_wheels_and_overlaps_nothing(self, stage):
+        play = stage(
+            "rules: {fell: {triggers: [{trigger: tips_over, entity: B1}], "
+            "actions: [{action: place, entity: B1, at: {nearest_free: neutral_spots}}, {action: emit, event: TOLD}]}}"
+        )
+        play.tip("B1")
+        play.play(10)
+        play.tip("B1")
+        play.play(10)
+        assert told(play) == [1, 11]
+        assert play.pose("B1")[:2] != pytest.approx((0.0, 0.0))  # where the ball lies
+
+    def test_7_3_nothing_fires_because_it_was_already_true(self, stage):
+        play = stage(
+            f"rules: {{came: {{triggers: [{IN_MIDDLE}, {{trigger: displaced, entity: ball, from: [0.5, 0], distance_m: 0.1}}], actions: [{TELL}]}}}}",
+            "balls: {ball: {start_m: [0.5, 0]}}",
+            once(5, "{action: place, entity: ball, at: {point: [0, 0]}}"),
+        )
+        play.play(20)
+        assert told(play) == []
+
+    def test_7_4_the_jump_is_neither_path_nor_enters_nor_leaves_nor_a_crossing(self, stage):
+        edges = ("{trigger: enters, entity: ball, zone: middle}", "{trigger: leaves, entity: ball, zone: right}",
+                 "{trigger: crosses, entity: ball, gate: halfway}")  # fmt: skip
+        play = stage(
+            f"rules: {{edge: {{triggers: [{', '.join(edges)}], actions: [{TELL}]}}, "
+            "stuck: {triggers: [{trigger: no_progress, entity: ball, distance_m: 0.3, within_s: 0.32}], "
+            "actions: [{action: emit, event: STUCK}]}}",
+            "balls: {ball: {start_m: [0.5, 0.2]}}",
+            once(5, "{action: place, entity: ball, at: {point: [0, -0.05]}}"),
+        )
+        play.play(20)
+        assert (told(play), told(play, "STUCK")) == ([], [16])
+
+    def test_7_5_windows_and_stays_begin_anew(self, stage):
+        play = stage(
+            "rules: {stuck: {triggers: [{trigger: no_progress, entity: ball, distance_m: 0.3, within_s: 0.32}], "
+            "actions: [{action: emit, event: STUCK}]}, "
+            "stays: {triggers: [{trigger: stays_in, entity: ball, zone: right, limit_s: 0.32}], actions: [{action: emit, event: STAYS}]}}",
+            "balls: {ball: {start_m: [0.5, 0.2]}}",
+            once(5, "{action: place, entity: ball, at: {point: [0.4, 0.2]}}"),
+        )
+        play.play(30)
+        assert (told(play, "STUCK"), told(play, "STAYS")) == ([16], [15])
+
+
+class TestLine8:
+    def test_8_3_a_removed_robot_is_invisible_to_rules_and_its_place_is_free(self, stage):
+        play = stage(
+            "rules: {seen: {for_each: robots, triggers: [{trigger: leaves, entity: each, zone: pitch}], "
+            "actions: [{action: emit, event: SEEN}]}}",
+            once(5, "{action: remove, entity: B1}", "{action: place, entity: Y1, at: {point: [0.4, 0.5]}}"),
+        )
+        play.play(10)
+        assert told(play, "SEEN") == []
+        assert play.pose("Y1")[:2] == pytest.approx((0.4, 0.5))
+
+    def test_8_5_any_place_brings_it_back(self, stage):
+        play = stage(
+            once(5, "{action: remove, entity: B1, for_s: 60}"),
+            once(9, "{action: place, entity: B1, at: start}", name="back"),
+        )
+        play.play(10)
+        assert [(tick, placed.parked) for tick, placed in play.placements] == [(5, True), (9, False)]
+
+
+class TestLine9:
+    def test_9_2_flag_and_broadcast_are_those_after_the_actions(self, stage):
+        play = stage(
+            "phases: {pause: {waiting_for_kickoff: true, lasts_s: 0.096}}\n"
+            "broadcast: {fields: {phase: {word: phase}, ball: {position_of: ball}}}",
+            once(5, "{action: set_phase, phase: pause}", "{action: place, entity: ball, at: {point: [0.25, 0]}}"),
+        )
+        verdicts = [play.play() for _ in range(9)]
+        assert [verdict.waiting_for_kickoff for verdict in verdicts] == [False] * 4 + [True] * 3 + [False] * 2
+        assert verdicts[4].broadcast == {"phase": "pause", "ball": [0.25, 0.0, 0.0]}
+
+
+class TestLine10:
+    def test_10_1_emitted_events_are_seen_one_tick_later(self, stage):
+        play = stage(
+            once(5, "{action: emit, event: ONE}"),
+            "rules: {two: {triggers: [{trigger: event, event: ONE}], actions: [{action: emit, event: TWO}]}, "
+            "three: {triggers: [{trigger: event, event: TWO}], actions: [{action: emit, event: THREE}]}}",
+        )
+        play.play(10)
+        assert [(event.name, event.tick) for event in play.events] == [("ONE", 5), ("TWO", 6), ("THREE", 7)]
+
+    def test_10_2_every_firing_leaves_a_record(self, stage):
+        play = stage("""
+        rules:
+          far:
+            for_each: blue
+            triggers: [{trigger: displaced, entity: each, distance_m: 0.25}]
+            actions: [{action: score, entrant: yellow, points: 2}]
+        """)
+        play.place("B2", -0.4, 0.0)
+        play.play()
+        (firing,) = play.firings
+        assert (firing.tick, firing.rule, firing.entity, firing.trigger) == (1, "far", "B2", "displaced")
+        assert (firing.measured, firing.limit, firing.scored) == (0.5, 0.25, {"yellow": 2})
+
+
+def test_every_sentence_of_the_referees_part_has_a_test_that_names_it():
+    sentences = re.findall(r"^- \*\*(\d+)\.(\d+)\*\* (.*(?:\n  .*)*)", ADR.read_text(encoding="utf-8"), re.MULTILINE)
+    ours = {f"{line}_{number}" for line, number, text in sentences if not text.rstrip().endswith("]")}
+    tests = re.findall(r"def test_(\d+_\d+)_", Path(__file__).read_text(encoding="utf-8"))
+    assert len(sentences) >= 40
+    assert set(tests) == ours
+    assert len(tests) == len(set(tests))

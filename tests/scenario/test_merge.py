@@ -1,0 +1,153 @@
+"""How a scenario and its base become one."""
+
+import json
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from tests.scenario.writing import complaints
+
+from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.load import load
+from rcj_challenges.scenario.merge import Merger
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.tree import Entries, plain
+from rcj_challenges.scenario.yaml_strict import parse_text
+
+
+def merged(*texts):
+    """Merge texts, the outermost base first; returns plain data and the merger."""
+    merger = Merger()
+    tree = parse_text("{}", "empty")
+    assert isinstance(tree, Entries)
+    for text in texts:
+        merger.merge(tree, parse_text(text, "f"), Scenario)
+    return plain(tree), merger
+
+
+def test_mappings_merge_by_key_and_keep_the_rest_of_the_base():
+    data, _ = merged("match: {halves: 2, half_s: 600}", "match: {half_s: 60}")
+    assert data == {"match": {"halves": 2, "half_s": 60}}
+
+
+def test_lists_and_single_values_replace():
+    data, _ = merged("groups: {g: [a, b, c]}\ntitle: Base", "groups: {g: [d]}\ntitle: Mine")
+    assert data == {"groups": {"g": ["d"]}, "title": "Mine"}
+
+
+def test_overridden_entries_keep_the_place_of_the_base_and_new_ones_follow():
+    base = "rules: {a: {priority: 1}, b: {priority: 2}, c: {priority: 3}}"
+    data, _ = merged(base, "rules: {new: {priority: 9}, b: {priority: 7}}")
+    assert list(data["rules"]) == ["a", "b", "c", "new"]
+    assert data["rules"]["b"] == {"priority": 7}
+
+
+@pytest.mark.parametrize(
+    ("base", "over"),
+    [
+        ("zones: {z: {shape: rect, x_min_m: 0, inverted: true}}", "zones: {z: {shape: circle, radius_m: 1}}"),
+        ("obstacles: {o: {shape: box, size_m: [1, 1]}}", "obstacles: {o: {shape: cylinder, radius_m: 1}}"),
+        ("kits: {k: {devices: {d: {device: gps, noise_m: 1}}}}", "kits: {k: {devices: {d: {device: lidar}}}}"),
+        ("broadcast: {fields: {f: {counter: a, entity: b}}}", "broadcast: {fields: {f: {flag: c}}}"),
+        ("broadcast: {fields: {f: {counter: a}}}", "broadcast: {fields: {f: {param: p}}}"),
+        ("broadcast: {fields: {f: {counter: a}}}", "broadcast: {fields: {f: text}}"),
+        ("broadcast: {fields: {f: text}}", "broadcast: {fields: {f: {counter: a}}}"),
+    ],
+)
+def test_an_entry_whose_kind_changes_replaces_the_bases_whole(base, over):
+    assert merged(base, over)[0] == plain(parse_text(over, "f"))
+
+
+@pytest.mark.parametrize("over", ["{x_max_m: 2}", "{shape: rect, x_max_m: 2}"])
+def test_an_entry_of_the_same_kind_merges(over):
+    data, _ = merged("zones: {z: {shape: rect, x_min_m: 0}}", f"zones: {{z: {over}}}")
+    assert data["zones"]["z"] == {"shape": "rect", "x_min_m": 0, "x_max_m": 2}
+
+
+def test_entries_that_are_called_like_a_kind_are_just_names():
+    data, _ = merged("spots: {point: {x_m: 1}, shape: {x_m: 2}}", "spots: {shape: {y_m: 3}}")
+    assert data == {"spots": {"point": {"x_m": 1}, "shape": {"x_m": 2, "y_m": 3}}}
+    data, _ = merged("params: {shape: a, trigger: b}", "params: {shape: c}")
+    assert data == {"params": {"shape": "c", "trigger": "b"}}
+
+
+def test_null_removes_a_named_entry_and_its_place_is_remembered():
+    data, merger = merged("robots: {B1: {number: 1}, B2: {number: 2}}", "robots: {B1: null}")
+    assert data == {"robots": {"B2": {"number": 2}}}
+    assert ("robots", "B1") in merger.removed
+    assert not merger.problems
+
+
+def test_a_removed_entry_may_come_back_at_the_end():
+    data, _ = merged("robots: {a: {number: 1}, b: {}}", "robots: {a: null}", "robots: {a: {number: 3}}")
+    assert data == {"robots": {"b": {}, "a": {"number": 3}}}
+
+
+def test_the_match_with_one_rule_less_and_one_changed(tmp_path):
+    shipped = load("match")
+    (tmp_path / "match.yaml").write_bytes(shipped.path.read_bytes())
+    variant = tmp_path / "variant.yaml"
+    variant.write_text(
+        "extends: ./match.yaml\nid: variant\nrules: {match_start: null, goal_in_blue: {priority: 5}}\n", encoding="utf-8"
+    )
+    found = load(variant).scenario
+    assert list(found.rules) == [name for name in shipped.scenario.rules if name != "match_start"]
+    assert found.rules["goal_in_blue"].priority == 5
+    assert found.rules["goal_in_blue"].actions == shipped.scenario.rules["goal_in_blue"].actions
+    assert found.id == "variant"
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        ("match:\n", "match: an empty value; write one, or leave the line out"),
+        ("robots: {B1: }\n", "robots.B1: an empty value; write one, or leave the line out"),
+        ("match: {half_s: null}\n", "match.half_s: null removes named entries of the base only; leave the line out"),
+        ("broadcast: null\n", "broadcast: null removes named entries of the base only; leave the line out"),
+        ("groups: {g: [B1, ~]}\n", "groups.g[1]: null stands for nothing here; write a value, or leave the entry out"),
+        ("rules: {r: null}\n", "rules.r: nothing to remove: the base has no 'r'"),
+        ("zones: {pich: null}\n", "zones.pich: nothing to remove: the base has no 'pich'; there are pitch, blue_goal, "
+         "yellow_goal, blue_penalty_area, yellow_penalty_area; did you mean 'pitch'?"),
+    ],
+)  # fmt: skip
+def test_an_empty_value_is_a_mistake_and_null_only_removes_what_the_base_has(body, message):
+    assert complaints(body) == [message]
+
+
+TREES = st.recursive(
+    st.integers(0, 9) | st.text("ab", max_size=2),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.sampled_from("abcd"), inner, max_size=4),
+    max_leaves=12,
+)
+MAPPINGS = st.dictionaries(st.sampled_from(["rules", "zones", "params", "match"]), TREES, max_size=4)
+
+
+def expected(base, over):
+    if not (isinstance(base, dict) and isinstance(over, dict)):
+        return over
+    return {**base, **{key: expected(base[key], value) if key in base else value for key, value in over.items()}}
+
+
+@settings(max_examples=150, deadline=None)
+@given(MAPPINGS, MAPPINGS)
+def test_merging_is_the_plain_recursive_merge_where_no_kinds_are_involved(base, over):
+    found, merger = merged(json.dumps(base), json.dumps(over))
+    assert found == expected(base, over)
+    assert json.dumps(found) == json.dumps(expected(base, over))
+    assert not merger.problems
+
+
+@settings(max_examples=60, deadline=None)
+@given(MAPPINGS)
+def test_merging_with_itself_changes_nothing(tree):
+    text = json.dumps(tree)
+    assert merged(text, text)[0] == merged(text)[0]
+
+
+def test_the_positions_of_a_base_stay_those_of_the_base(tmp_path):
+    (tmp_path / "base.yaml").write_text("extends: soccersim_v2\nmatch:\n  half_s: -1\n", encoding="utf-8")
+    (tmp_path / "mine.yaml").write_text("extends: base.yaml\nmatch:\n  halves: 99\n", encoding="utf-8")
+    with pytest.raises(ScenarioError) as caught:
+        load(tmp_path / "mine.yaml")
+    places = {(problem.file.rpartition("/")[2].rpartition("\\")[2], problem.line) for problem in caught.value.problems}
+    assert places == {("base.yaml", 3), ("mine.yaml", 3)}

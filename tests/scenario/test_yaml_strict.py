@@ -1,0 +1,225 @@
+"""YAML 1.2 scalars, and nothing that hides or refers."""
+
+import json
+import math
+
+import pytest
+import yaml
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.tree import Entries, Leaf, Mark, child, plain
+from rcj_challenges.scenario.yaml_strict import MAX_BYTES, MAX_DEPTH, parse_bytes, parse_text
+
+BOTH_PARSERS = [yaml.SafeLoader, *([yaml.CSafeLoader] if yaml.__with_libyaml__ else [])]
+
+
+def value(text):
+    return plain(parse_text(f"key: {text}", "f.yaml"))["key"]
+
+
+def complaints(text):
+    with pytest.raises(ScenarioError) as caught:
+        parse_text(text, "f.yaml")
+    return [str(problem) for problem in caught.value.problems]
+
+
+@pytest.mark.parametrize("text", ["no", "on", "yes", "off", "NO", "y", "N", "12:30", "1:30:00", "2021-06-18", "<<", "="])
+def test_what_yaml_1_1_takes_for_something_else_is_text(text):
+    assert value(text) == text
+
+
+@pytest.mark.parametrize(
+    ("text", "number"),
+    [
+        ("0", 0), ("-0", 0), ("+7", 7), ("010", 10), ("0o17", 15), ("0x1F", 31), ("600", 600), ("-12", -12),
+        ("1e3", 1000.0), ("1E-3", 0.001), ("-.5", -0.5), (".5", 0.5), ("1.", 1.0), ("+1.5e+2", 150.0), ("1_000", "1_000"),
+        ("0b11", "0b11"), ("0x", "0x"), ("0o8", "0o8"), ("1e", "1e"), (".", "."), ("-", None), ("+", "+"), ("1.2.3", "1.2.3"),
+        ("9223372036854775807", 2**63 - 1), ("-9223372036854775808", -(2**63)),
+    ],
+)  # fmt: skip
+def test_numbers_are_those_of_yaml_1_2(text, number):
+    if number is None:
+        return
+    found = value(text)
+    assert found == number
+    assert type(found) is type(number)
+
+
+@pytest.mark.parametrize(("text", "word"), [("true", True), ("False", False), ("TRUE", True), ("tRUE", "tRUE")])
+def test_true_and_false_are_the_only_booleans(text, word):
+    assert value(text) is word or value(text) == word
+
+
+@pytest.mark.parametrize("text", ["~", "null", "Null", "NULL"])
+def test_a_written_null_is_not_an_empty_value(text):
+    leaf = child(parse_text(f"key: {text}", "f"), "key")
+    assert leaf == Leaf(None, Mark("f", 1, 6), empty=False)
+    assert child(parse_text("key:", "f"), "key").empty
+    assert not child(parse_text("key: ''", "f"), "key").empty
+
+
+def test_quoted_scalars_are_always_text():
+    assert plain(parse_text("[\"1\", '2', \"true\", 'null', \"\"]", "f")) == ["1", "2", "true", "null", ""]
+
+
+@pytest.mark.parametrize("text", [".inf", "-.Inf", "+.INF", ".nan", ".NaN", "1e999", "-1e400"])
+def test_a_number_that_is_not_finite_is_refused(text):
+    assert complaints(f"key: {text}")[0].startswith(f"f.yaml:1:6: {text} is not a finite number")
+
+
+@pytest.mark.parametrize("text", ["9223372036854775808", "1" * 5000, "0x" + "f" * 17])
+def test_a_whole_number_over_64_bits_is_refused(text):
+    assert "too large a number" in complaints(f"key: {text}")[0]
+
+
+def test_every_key_and_value_keeps_its_line_and_column():
+    tree = parse_text("a: 1\nb:\n  - x\n  - {c: [2, 3]}\n", "f.yaml")
+    assert isinstance(tree, Entries)
+    assert tree.key_marks["b"] == Mark("f.yaml", 2, 1)
+    flow = child(tree.entries["b"], 1)
+    assert flow.key_marks["c"] == Mark("f.yaml", 4, 6)
+    assert child(flow.entries["c"], 1).mark == Mark("f.yaml", 4, 13)
+
+
+def test_columns_count_characters_not_bytes():
+    tree = parse_text('{"größe": x}', "f")
+    assert child(tree, "größe").mark == Mark("f", 1, 11)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("a: 1\nb: 2\na: 3", "f.yaml:3:1: key 'a' is already given in line 1; only one of them can count"),
+        ('{a: 1, "a": 2}', "f.yaml:1:8: key 'a' is already given in line 1; only one of them can count"),
+        ("a: !x 1", "f.yaml:1:4: tag '!x': tags are not allowed; the value alone says what it is"),
+        ("a: &x 1", "f.yaml:1:4: anchor '&x': anchors are not allowed; write the value out"),
+        ("1: a", "f.yaml:1:1: key 1 is not text; write it in quotes"),
+        ("true: a", "f.yaml:1:1: key true is not text; write it in quotes"),
+        ("? [a]\n: b", "f.yaml:1:3: a list or mapping cannot be a key; keys are text"),
+        ("{: b}", "f.yaml:1:2: a key is missing before ':'"),
+        ("a: 1\n---\nb: 2", "f.yaml:2:1: a second document: a file holds one scenario"),
+        ("%TAG ! tag:x,2000:\n---\na: 1", "f.yaml:1:1: directives (%YAML, %TAG) are not allowed; the file is read as YAML 1.2"),
+        ("", "f.yaml:1:1: the file is empty"),
+        ("# nothing\n", "f.yaml:1:1: the file is empty"),
+    ],
+)  # fmt: skip
+def test_what_strict_yaml_refuses(text, expected):
+    assert complaints(text) == [expected]
+
+
+def test_a_yaml_1_2_directive_is_harmless():
+    assert plain(parse_text("%YAML 1.2\n---\na: 1\n...\n", "f")) == {"a": 1}
+
+
+def test_all_that_can_be_told_is_told_at_once():
+    assert len(complaints("a: .nan\nb: !x 1\na: &y 2\n")) == 4
+
+
+def test_aliases_are_refused_before_anything_is_built_from_them():
+    bomb = "a: &a [x, x]\n" + "".join(f"k{i}: &k{i} [*a, *a, *a, *a, *a, *a, *a, *a]\n" for i in range(1000))
+    found = complaints(bomb)
+    assert len(found) == 3
+    assert found[-1] == "f.yaml:2:10: alias '*a': aliases are not allowed; write the value out"
+
+
+def test_nesting_has_a_limit():
+    inside = MAX_DEPTH - 1
+    assert parse_text("a: " + "[" * inside + "]" * inside, "f")
+    assert complaints("a: " + "[" * MAX_DEPTH + "]" * MAX_DEPTH) == [
+        f"f.yaml:1:{MAX_DEPTH + 3}: nested deeper than {MAX_DEPTH} levels"
+    ]
+    assert "nested deeper" in complaints("[" * 100_000)[0]
+    assert "nested deeper" in complaints("\n".join(" " * i + "a:" for i in range(500)))[0]
+
+
+def test_size_has_a_limit():
+    with pytest.raises(ScenarioError, match="too much for a scenario"):
+        parse_bytes(b"# " + b"x" * MAX_BYTES, "f.yaml")
+
+
+def test_windows_files_read_the_same():
+    text = "a: 1\nb:\n  - größer\n"
+    unix = parse_bytes(text.encode(), "f")
+    windows = parse_bytes(b"\xef\xbb\xbf" + text.replace("\n", "\r\n").encode(), "f")
+    assert windows == unix
+
+
+def test_a_file_in_another_encoding_is_named_with_the_place():
+    with pytest.raises(ScenarioError) as caught:
+        parse_bytes("a: 1\nb: für\n".encode("latin-1"), "f.yaml")
+    assert str(caught.value) == "f.yaml:2:5: not UTF-8: byte 0xfc; save the file as UTF-8"
+    with pytest.raises(ScenarioError, match="not UTF-8"):
+        parse_bytes("a: 1".encode("utf-16"), "f.yaml")
+
+
+@pytest.mark.parametrize(("text", "place"), [("a: \x07", "1:4"), ("a: 1\nb: \x00", "2:4"), ("a: 1\r\nb: '\ufffe'", "2:5")])
+def test_control_characters_are_refused(text, place):
+    assert complaints(text)[0].startswith(f"f.yaml:{place}: character U+")
+
+
+# --- properties -------------------------------------------------------------------------------------------------------
+
+NASTY = st.text(alphabet="abx10.-+:,{}[]&*!?|>'\"%@`#~ \n\t\r\\éß\ufeff\u2028\x85", max_size=60)
+# YAML escapes characters beyond the basic plane otherwise than JSON does.
+BASIC = st.text(st.characters(max_codepoint=0xFFFF, exclude_categories=["Cs"]), max_size=12)
+SCALARS = st.none() | st.booleans() | st.integers(-(2**63), 2**63 - 1) | BASIC
+FINITE = st.floats(allow_nan=False, allow_infinity=False)
+JSON_LIKE = st.recursive(
+    SCALARS | FINITE,
+    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(BASIC, inner, max_size=4),
+    max_leaves=12,
+)
+
+
+@settings(max_examples=400, deadline=None)
+@given(st.text(max_size=80) | NASTY)
+def test_any_text_is_either_read_or_refused_with_a_place(text):
+    try:
+        parse_text(text, "f.yaml")
+    except ScenarioError as error:
+        assert error.problems
+        assert all(problem.line >= 1 and problem.column >= 1 and problem.message for problem in error.problems)
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.binary(max_size=60))
+def test_any_bytes_are_either_read_or_refused(data):
+    try:
+        parse_bytes(data, "f.yaml")
+    except ScenarioError as error:
+        assert error.problems
+
+
+@settings(max_examples=200, deadline=None)
+@given(JSON_LIKE)
+def test_json_is_read_as_json_means_it(data):
+    found = plain(parse_text(json.dumps(data, ensure_ascii=True), "f"))
+    assert json.dumps(found) == json.dumps(data)
+
+
+@settings(max_examples=200, deadline=None)
+@given(JSON_LIKE)
+def test_what_the_safe_dumper_quotes_for_yaml_1_1_is_read_back(data):
+    text = yaml.safe_dump(data, allow_unicode=False, sort_keys=False, width=1000)
+    found = plain(parse_text(text, "f"))
+    assert json.dumps(found) == json.dumps(data)
+
+
+@settings(max_examples=300, deadline=None)
+@given(FINITE | st.integers(-(2**63), 2**63 - 1))
+def test_numbers_survive_being_written_and_read(number):
+    found = value(repr(number))
+    assert type(found) is type(number)
+    assert found == number
+    assert math.copysign(1, found) == math.copysign(1, number)
+
+
+@pytest.mark.skipif(len(BOTH_PARSERS) == 1, reason="PyYAML was built without libyaml here")
+@settings(max_examples=200, deadline=None)
+@given(JSON_LIKE)
+def test_both_parsers_of_pyyaml_give_the_same_tree(data):
+    for text in (json.dumps(data, indent=1), yaml.safe_dump(data, allow_unicode=False)):
+        slow, fast = (parse_text(text, "f", loader) for loader in BOTH_PARSERS)
+        assert slow == fast

@@ -1,0 +1,30 @@
+"""Small scenarios for the tests of this folder."""
+
+import pytest
+
+from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.load import load_text
+
+HEAD = "schema_version: 1\nid: a\ntitle: A\nextends: soccersim_v2\n"
+HEAD_LINES = HEAD.count("\n")
+
+
+def loaded(body, overrides=(), head=HEAD):
+    """Load a scenario whose sections are given, over the preset."""
+    return load_text(head + body, overrides, file="a.yaml")
+
+
+def scenario(body, overrides=(), head=HEAD):
+    return loaded(body, overrides, head).scenario
+
+
+def complaints(body, overrides=(), head=HEAD):
+    """Return what is said about it: each problem as path and message, without its place."""
+    with pytest.raises(ScenarioError) as caught:
+        loaded(body, overrides, head)
+    return [": ".join(part for part in (p.path, p.message) if part) for p in caught.value.problems]
+
+
+def rule(trigger="{trigger: half_started}", action="{action: end}", rest=""):
+    """Return a section with one rule."""
+    return f"rules:\n  r:\n    triggers: [{trigger}]\n    actions: [{action}]\n{rest}"

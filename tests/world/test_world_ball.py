@@ -1,0 +1,216 @@
+"""How the ball moves: hits, walls, goals, corners."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from tests.world.physics_stage import BALL_R, FULL, HALF_CUBE, Stage
+
+
+def ball_stage(x: float = 0.0, y: float = 0.0, **changes) -> Stage:
+    stage = Stage(**changes)
+    stage.put("ball", x, y)
+    return stage
+
+
+# --- lying and rolling ------------------------------------------------------------------------------------------------
+
+
+def test_a_ball_at_rest_stays_where_it_lies():
+    stage = ball_stage()
+    heights = {snapshot.heights[6] for snapshot in stage.play(5)}
+    assert stage.pose("ball") == pytest.approx((0, 0, 0), abs=1e-6)
+    assert max(heights) - min(heights) < 1e-6
+
+
+def test_its_centre_rests_20_9_mm_above_the_floor():
+    assert ball_stage().world.judged().heights[6] == pytest.approx(0.0209, abs=5e-5)
+
+
+def test_a_ball_of_another_size_and_mass_rests_as_well():
+    stage = ball_stage(balls={"ball": {"radius_m": 0.05, "mass_kg": 0.4}})
+    stage.play(1)
+    assert stage.snapshot.heights[6] == pytest.approx(0.05, abs=3e-4)
+
+
+def test_a_rolling_ball_keeps_its_speed_over_a_metre():
+    stage = ball_stage(0.0, -0.6)
+    stage.roll("ball", 0.0, 0.3)
+    while stage.pose("ball")[1] < 0.4:
+        stage.play()
+    assert stage.speed("ball") >= 0.95 * 0.3
+    assert stage.pose("ball")[0] == pytest.approx(0.0, abs=1e-3)
+
+
+def test_a_ball_that_starts_sliding_loses_two_sevenths_of_its_speed():
+    stage = ball_stage()
+    stage.slide("ball", 0.3, 0.0)
+    stage.play(0.5)
+    assert stage.speed("ball") == pytest.approx(0.3 * 5 / 7, rel=0.02)
+
+
+# --- hits -------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("gap_mm", [0.0, 0.3, 0.7, 1.1, 1.5, 2.3, 4.9])
+def test_a_hit_at_full_speed_sends_a_resting_ball_off_at_24_cm_a_second(gap_mm):
+    stage = ball_stage(0.1 + gap_mm / 1000, 0.0)
+    stage.put("B1", -0.1, 0.0)
+    stage.drive("B1", FULL, FULL)
+    stage.play(1.2)
+    assert stage.velocity("ball")[0] == pytest.approx(0.24, rel=0.10)
+    assert stage.velocity("ball")[1] == pytest.approx(0.0, abs=0.01)
+
+
+def test_a_hit_with_the_side_of_a_wheel_moves_the_ball_too():
+    stage = ball_stage(0.0, 0.09)
+    stage.put("B1", 0.0, 0.0)
+    stage.roll("ball", 0.0, -0.3)
+    snapshots = stage.play(0.5)
+    touched = [snapshot for snapshot in snapshots if ("B1", "ball") in stage.touching(snapshot)]
+    # The wheel's outer face is 0.05 from the middle: the ball turns back there, not at the cube.
+    assert touched
+    assert min(snapshot.substeps[k][6][1] for snapshot in snapshots for k in range(4)) > 0.05 + BALL_R - 0.004
+    assert stage.velocity("ball")[1] > 0.05
+
+
+def test_a_robot_drives_on_behind_a_ball_that_it_hits_again_and_again():
+    stage = ball_stage(-0.2, 0.0)
+    stage.put("B1", -0.3, 0.0)
+    stage.drive("B1", FULL, FULL)
+    stage.play(4)
+    assert stage.pose("B1")[0] > 0.4
+    assert abs(stage.pose("ball")[1]) < 0.02
+
+
+# --- walls ------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("speed", [0.1, 0.24, 0.5, 1.0])
+@pytest.mark.parametrize("offset", [0.0, 0.35, 0.7])
+def test_a_wall_gives_back_half_of_the_speed(speed, offset):
+    stage = ball_stage(0.5 + offset * speed * 0.008, 0.3)
+    stage.roll("ball", speed, 0.0)
+    stage.play(0.25 / speed)
+    assert -stage.velocity("ball")[0] / speed == pytest.approx(0.5, abs=0.1)
+
+
+@pytest.mark.parametrize(("restitution", "share"), [(0.0, 0.0), (0.8, 0.8)])
+def test_restitution_is_what_the_scenario_says(restitution, share):
+    stage = ball_stage(0.5, 0.3, field={"restitution": restitution})
+    stage.roll("ball", 0.5, 0.0)
+    stage.play(0.4)
+    assert -stage.velocity("ball")[0] / 0.5 == pytest.approx(share, abs=0.1)
+
+
+def test_it_leaves_a_wall_at_the_angle_at_which_a_rolling_ball_does():
+    stage = ball_stage(0.5, 0.0)
+    stage.roll("ball", 0.3, 0.2)
+    stage.play(0.8)
+    x, y, _ = stage.velocity("ball")
+    assert x < -0.1
+    assert 0.05 < y <= 0.2
+
+
+@pytest.mark.parametrize("angle_deg", range(0, 360, 7))
+def test_no_wall_corner_or_post_lets_a_ball_through_at_4_metres_a_second(angle_deg):
+    stage = ball_stage(0.05, -0.03)
+    angle = math.radians(angle_deg)
+    stage.roll("ball", 4 * math.cos(angle), 4 * math.sin(angle))
+    for snapshot in stage.play(2):
+        x, y, _ = snapshot.substeps[-1][6]
+        assert abs(x) < 0.69
+        assert abs(y) < 0.89
+    x, y, _ = stage.pose("ball")
+    assert abs(x) <= 0.65 - BALL_R + 0.002
+    assert abs(y) <= 0.85 - BALL_R + 0.002
+
+
+# --- goals ------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("way", [1, -1])
+def test_the_ball_rolls_into_the_goal_and_stops_at_its_back(way):
+    stage = ball_stage(0.1, way * 0.6)
+    stage.roll("ball", 0.0, way * 0.4)
+    deepest = max(abs(pose[6][1]) for snapshot in stage.play(1) for pose in snapshot.substeps)
+    assert deepest == pytest.approx(0.85 - BALL_R, abs=0.004)
+
+
+@pytest.mark.parametrize("x", [-0.205, -0.2, 0.2, 0.205])
+def test_there_is_no_gap_at_the_posts(x):
+    stage = ball_stage(x, 0.6)
+    stage.roll("ball", 0.0, 0.5)
+    for snapshot in stage.play(2):
+        x_ball, y_ball, _ = snapshot.substeps[-1][6]
+        assert abs(x_ball) < 0.2 or y_ball < 0.75
+
+
+def test_a_ball_in_the_goal_stays_between_its_sides():
+    stage = ball_stage(0.0, 0.8)
+    stage.roll("ball", 1.0, 0.0)
+    for snapshot in stage.play(2):
+        assert abs(snapshot.substeps[-1][6][0]) < 0.2 - BALL_R + 0.006
+
+
+# --- where simulators differ ------------------------------------------------------------------------------------------
+
+
+def test_a_ball_pushed_into_a_corner_stays_on_the_floor_of_the_field():
+    stage = ball_stage(0.58, 0.68)
+    stage.put("B1", 0.45, 0.55, math.pi / 4)
+    stage.drive("B1", FULL, FULL)
+    for snapshot in stage.play(10):
+        x, y, _ = snapshot.substeps[-1][6]
+        assert x + y < 1.34
+        assert snapshot.heights[6] < 0.03
+    assert stage.pose("B1")[0] < 0.65 - HALF_CUBE
+
+
+def test_two_robots_that_squeeze_the_ball_neither_swallow_nor_shoot_it():
+    stage = ball_stage()
+    stage.put("B1", 0.1, 0.0, math.pi)
+    stage.put("Y1", -0.1, 0.0, 0.0)
+    stage.drive("B1", FULL, FULL)
+    stage.drive("Y1", FULL, FULL)
+    for snapshot in stage.play(10):
+        poses = snapshot.substeps[-1]
+        assert stage.speed("ball") < 0.7
+        assert snapshot.heights[6] < 0.05
+        if abs(poses[6][1]) < HALF_CUBE:
+            assert poses[0][0] - poses[6][0] > HALF_CUBE + BALL_R - 0.002
+            assert poses[6][0] - poses[3][0] > HALF_CUBE + BALL_R - 0.002
+
+
+def test_a_ball_pinned_to_a_wall_stays_between_wall_and_robot():
+    stage = ball_stage(0.6, 0.3)
+    stage.put("B1", 0.45, 0.3)
+    stage.drive("B1", FULL, FULL)
+    stage.play(5)
+    assert stage.pose("ball")[0] == pytest.approx(0.65 - BALL_R, abs=0.002)
+    assert stage.pose("B1")[0] == pytest.approx(0.65 - 2 * BALL_R - HALF_CUBE, abs=0.003)
+
+
+def test_a_robot_dribbles_the_ball_along_a_wall():
+    stage = ball_stage(0.62, -0.3)
+    stage.put("B1", 0.59, -0.4, math.pi / 2)
+    stage.drive("B1", FULL, FULL)
+    stage.play(4)
+    assert stage.pose("B1")[1] > 0.2
+    assert stage.pose("ball")[1] > 0.3
+
+
+# --- more balls -------------------------------------------------------------------------------------------------------
+
+
+def test_one_ball_hands_its_speed_to_another():
+    stage = Stage(balls={"second": {"start_m": [0.3, 0.0]}})
+    stage.put("ball", 0.0, 0.0)
+    stage.put("second", 0.2, 0.0)
+    stage.roll("ball", 0.3, 0.0)
+    snapshots = stage.play(1.5)
+    assert any(("ball", "second") in stage.touching(snapshot) for snapshot in snapshots)
+    assert stage.velocity("second")[0] > stage.velocity("ball")[0]
+    assert stage.velocity("second")[0] == pytest.approx(0.3 * 0.75, rel=0.25)
