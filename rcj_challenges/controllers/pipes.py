@@ -17,6 +17,7 @@ from typing import Protocol
 from rcj_challenges.controllers.protocol import LENGTH
 
 _CHUNK = 1 << 16
+_USUAL = 4096
 
 
 class ChannelClosedError(Exception):
@@ -46,18 +47,19 @@ class Channel(Protocol):
 
 
 class FrameBuffer:
-    """Puts frames together from the pieces in which they arrive."""
+    """Puts frames together from the pieces in which they arrive.
+
+    Attributes:
+        held: what has arrived and was not given out.
+    """
 
     def __init__(self, limit_bytes: int) -> None:
         self._limit_bytes = limit_bytes
-        self._held = bytearray()
+        self.held = bytearray()
 
     def add(self, chunk: bytes) -> None:
         """Take in what arrived."""
-        self._held += chunk
-
-    def __bool__(self) -> bool:
-        return bool(self._held)
+        self.held += chunk
 
     def next(self) -> bytes | None:
         """Return the next whole frame without its length, or None.
@@ -65,16 +67,16 @@ class FrameBuffer:
         Raises:
             FrameTooLongError: its announced length is beyond the limit.
         """
-        if len(self._held) < 4:
+        if len(self.held) < 4:
             return None
-        (length,) = LENGTH.unpack_from(self._held)
+        (length,) = LENGTH.unpack_from(self.held)
         if length > self._limit_bytes:
             raise FrameTooLongError(length)
         end = 4 + length
-        if len(self._held) < end:
+        if len(self.held) < end:
             return None
-        body = bytes(self._held[4:end])
-        del self._held[:end]
+        body = bytes(self.held[4:end])
+        del self.held[:end]
         return body
 
 
@@ -94,14 +96,17 @@ class PolledPipes:
 
     def send(self, frame: bytes) -> None:
         """See `Channel`. What the pipe does not take at once is sent while receiving."""
-        self._unsent = self._unsent + frame if self._unsent else frame
+        if self._unsent:
+            self._unsent += frame
+            return
+        self._unsent = frame
         self._push()
         if self._unsent:
             self._poll.register(self._write_fd, select.POLLOUT)
 
     def receive(self, timeout_s: float) -> bytes | None:
         """See `Channel`."""
-        if self._buffer and (held := self._buffer.next()) is not None:
+        if self._buffer.held and (held := self._buffer.next()) is not None:
             return held
         deadline = time.perf_counter() + timeout_s
         wait_s = timeout_s
@@ -130,15 +135,15 @@ class PolledPipes:
 
     def _read(self) -> bytes | None:
         try:
-            chunk = os.read(self._read_fd, _CHUNK)
+            # Nearly always exactly one frame arrives, whole and small.
+            chunk = os.read(self._read_fd, _CHUNK if self._buffer.held else _USUAL)
         except BlockingIOError:
             return None
         except OSError:
             raise ChannelClosedError from None
         if not chunk:
             raise ChannelClosedError
-        # Nearly always exactly one frame arrives, whole.
-        if not self._buffer and len(chunk) >= 4 and LENGTH.unpack_from(chunk)[0] == len(chunk) - 4:
+        if not self._buffer.held and len(chunk) >= 4 and LENGTH.unpack_from(chunk)[0] == len(chunk) - 4:
             return chunk[4:]
         self._buffer.add(chunk)
         return self._buffer.next()

@@ -134,29 +134,32 @@ class Program:
             body = self._channel.receive(min(self._slice_s, self._half_s - self.waited_s) if self._requests else 0.0)
             if body is None:
                 body = self._wait(self._channel, began)
-            if body is None:
-                return self._too_slow()
-            answer = self._codec.decode(body, self._tick)
-        except ChannelClosedError:
-            return self._gone()
-        except FrameTooLongError as error:
-            return self._fail("protocol", f"the program sent a message of {error.args[0]} bytes")
-        except ProtocolError as error:
-            return self._fail("protocol", f"the program sent what is no message: {error}")
+            answer = None if body is None else self._codec.decode(body, self._tick)
+        except (ChannelClosedError, FrameTooLongError, ProtocolError) as error:
+            return self._broken(error)
+        if answer is None:
+            return self._too_slow()
         if self._requests:
             self.waited_s += time.perf_counter() - began
+        self._requests += 1
+        if self._requests % _LOG_LOOKED_AT_EVERY and isinstance(answer, Request):
+            return answer
         return self._judged(answer)
+
+    def _broken(self, error: Exception) -> Fault:
+        """Tell why the conversation cannot go on."""
+        if isinstance(error, ChannelClosedError):
+            return self._gone()
+        if isinstance(error, FrameTooLongError):
+            return self._fail("protocol", f"the program sent a message of {error.args[0]} bytes")
+        return self._fail("protocol", f"the program sent what is no message: {error}")
 
     def _judged(self, answer: Request | Ended) -> Request | Fault:
         """Return what the program asks for, unless it ended or wrote too much."""
         if isinstance(answer, Ended):
             return self._ended(answer.kind, answer.detail, answer.traceback)
-        self._requests += 1
-        if self._requests % _LOG_LOOKED_AT_EVERY == 0:
-            trespass = self._trespass(look_at_folder=self._requests % _FOLDER_LOOKED_AT_EVERY == 0)
-            if trespass is not None:
-                return self._fail("output_flood", trespass)
-        return answer
+        trespass = self._trespass(look_at_folder=self._requests % _FOLDER_LOOKED_AT_EVERY == 0)
+        return answer if trespass is None else self._fail("output_flood", trespass)
 
     def finish(self, observation: Observation) -> None:
         """Tell the program that the match is over: its ``step`` returns -1, then it may clean up until `close`."""

@@ -27,6 +27,8 @@ LENGTH = Struct("<I")
 _OBSERVATION = "<IBIBII"  # with its length; then the values
 _PACKET = Struct("<HI4d")
 _REQUEST = Struct("<BIIIQHHHHI")
+_REQUEST_BEGINS = Struct("<BI")
+_NO_OTHERS = [0, 0, 0, 0]
 _MOTOR = Struct("<Hdd")
 _SAMPLING = Struct("<HI")
 _CHANNEL = Struct("<Hi")
@@ -38,7 +40,6 @@ _SAMPLED_KINDS = frozenset({"position_sensor", "gps", "compass", "distance_senso
 _TUNED_KINDS = frozenset({"receiver", "emitter"})
 _TURNING_KINDS = frozenset({"lidar"})
 _EMITTING_KINDS = frozenset({"emitter"})
-_NO_OTHERS = [0, 0, 0, 0]
 _ADDRESS = re.compile(r"\b0x[0-9a-fA-F]{6,}")
 _SPEED_TOLERANCE = 1e-9
 
@@ -80,6 +81,8 @@ class Codec:
         self._kinds = {device.index: device.kind for device in spec.devices}
         self._max_velocity = spec.max_velocity_radps * (1 + _SPEED_TOLERANCE)
         self._message_bytes = message_bytes
+        self._asked_last = b""
+        self._request = Request(1)
 
     def encode(self, observation: Observation) -> bytes:
         """Return an observation as a frame."""
@@ -107,33 +110,36 @@ class Codec:
         Raises:
             ProtocolError: it is not as the protocol demands.
         """
-        if not body:
-            raise ProtocolError("an empty message")
-        if body[0] == FAULT:
-            return _ended(body)
-        if body[0] != REQUEST:
-            raise ProtocolError(f"a message of unknown type {body[0]}")
+        if body[:5] != _REQUEST_BEGINS.pack(REQUEST, tick):
+            return _other_than_request(body, tick)
+        # Most ask for what they asked for before.
+        asked = body[5:]
+        if asked != self._asked_last:
+            self._request = self._requested(body)
+            self._asked_last = asked
+        return self._request
+
+    def _requested(self, body: bytes) -> Request:
         try:
-            _, answered, advance, missed, printed, motors, *others = _REQUEST.unpack_from(body)
+            _, _, advance, missed, printed, motors, *others = _REQUEST.unpack_from(body)
         except StructError:
             raise ProtocolError(f"a request of {len(body)} bytes") from None
-        if answered != tick:
-            raise ProtocolError(f"a request that answers tick {answered} at tick {tick}")
         if advance < 1:
             raise ProtocolError("a request to advance by no tick")
-        if others == _NO_OTHERS and len(body) == _REQUEST.size + motors * _MOTOR.size:
-            commands = [self._motor(*setting) for setting in _MOTOR.iter_unpack(body[_REQUEST.size :])]
-            return Request(advance, missed, tuple(commands), printed_bytes=printed)
-        sampling, channels, frequencies, emissions = others
         tail = _Tail(body, _REQUEST.size)
+        commands = tuple([self._motor(*tail.take(_MOTOR)) for _ in range(motors)])
+        if others == _NO_OTHERS:
+            tail.must_be_empty()
+            return Request(advance, missed, commands, printed_bytes=printed)
+        sampling, channels, frequencies, emissions = others
         request = Request(
             advance,
             missed,
-            motors=tuple(self._motor(*tail.take(_MOTOR)) for _ in range(motors)),
-            sampling=tuple(self._sampling(*tail.take(_SAMPLING)) for _ in range(sampling)),
-            channels=tuple(self._tuning(*tail.take(_CHANNEL)) for _ in range(channels)),
-            frequencies=tuple(self._frequency(*tail.take(_FREQUENCY)) for _ in range(frequencies)),
-            emissions=tuple(self._emission(tail) for _ in range(emissions)),
+            commands,
+            sampling=tuple([self._sampling(*tail.take(_SAMPLING)) for _ in range(sampling)]),
+            channels=tuple([self._tuning(*tail.take(_CHANNEL)) for _ in range(channels)]),
+            frequencies=tuple([self._frequency(*tail.take(_FREQUENCY)) for _ in range(frequencies)]),
+            emissions=tuple([self._emission(tail) for _ in range(emissions)]),
             printed_bytes=printed,
         )
         tail.must_be_empty()
@@ -202,7 +208,17 @@ class _Tail:
             raise ProtocolError(f"a request with {len(self._body) - self._at} bytes too many")
 
 
-def _ended(body: bytes) -> Ended:
+def _other_than_request(body: bytes, tick: int) -> Ended:
+    """Return a farewell; anything else is refused."""
+    if not body:
+        raise ProtocolError("an empty message")
+    if body[0] == REQUEST and len(body) >= _REQUEST_BEGINS.size:
+        _, answered = _REQUEST_BEGINS.unpack_from(body)
+        raise ProtocolError(f"a request that answers tick {answered} at tick {tick}")
+    if body[0] == REQUEST:
+        raise ProtocolError(f"a request of {len(body)} bytes")
+    if body[0] != FAULT:
+        raise ProtocolError(f"a message of unknown type {body[0]}")
     try:
         _, kind, size = _FAULT.unpack_from(body)
     except StructError:

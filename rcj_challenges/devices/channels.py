@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import chain
+
+from rcj_challenges.scenario.models.robots import SupervisorReceiverDevice
 from rcj_challenges.scenario.models.scenario import Scenario
 
 ANY_CHANNEL = -1
-"""What a receiver or emitter is set to that means all channels of its team (Webots: -1)."""
+"""What a receiver is set to that hears all channels of its team (Webots: -1). No emitter may send on all of them: among
+them is the referee's."""
 
 
 def entrant_of(scenario: Scenario) -> dict[str, str]:
@@ -22,14 +26,22 @@ def team_channels(scenario: Scenario) -> dict[str, int]:
 
     A team is an entrant: all its robots share its ``radio_channel``, whatever their colour. In a match that is blue
     2 and yellow 3; in a challenge with one entrant that drives both colours they all hear each other, for they are
-    one team. Two entrants never share a channel: a later one that names a channel already taken gets the next free
-    one.
+    one team. Two entrants never share a channel, nor does one have the referee's: an entrant that names a channel
+    already taken gets the next free one.
     """
     owners = entrant_of(scenario)
+    referee = _referee_channels(scenario)
     by_entrant: dict[str, int] = {}
     for name, entrant in scenario.entrants.items():
         channel = entrant.radio_channel
-        while channel in by_entrant.values():
+        while channel in by_entrant.values() or channel in referee:
             channel += 1
         by_entrant[name] = channel
     return {robot: by_entrant[entrant] for robot, entrant in owners.items()}
+
+
+def _referee_channels(scenario: Scenario) -> set[int]:
+    """Return all channels on which a referee speaks to some robot."""
+    kits = (device for kit in scenario.kits.values() for device in kit.devices.values())
+    robots = (device for robot in scenario.robots.values() for device in robot.devices.values())
+    return {device.channel for device in chain(kits, robots) if isinstance(device, SupervisorReceiverDevice)}

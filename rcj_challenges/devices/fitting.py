@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from rcj_challenges.devices.channels import team_channels
+from rcj_challenges.devices.channels import ANY_CHANNEL, team_channels
 from rcj_challenges.facts.traffic import DeviceSpec, RobotSpec
 from rcj_challenges.scenario.models import robots as models
 from rcj_challenges.scenario.models.base import Strict
@@ -77,7 +77,7 @@ def _team_emitter_facts(emitter: models.TeamEmitterDevice, around: _Surroundings
         "range": emitter.range_m,
         "baud_rate": emitter.baud,
         "max_packet_bytes": around.max_packet_bytes,
-        "refused_channels": sorted({*around.foreign_channels, *around.referee_channels}),
+        "refused_channels": sorted({ANY_CHANNEL, *around.foreign_channels, *around.referee_channels}),
     }
 
 

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Protocol
+from typing import Literal, Protocol
 
 import mujoco
+
+Side = Literal["left", "right"]
 
 
 class Ground(Protocol):
     """The physics under the robots.
 
-    Bodies bear the names of their entities and move freely; the joints of wheels are called ``B1/left_wheel``, and
-    their angles grow while the robot drives along its +x; geoms are in the groups of `rcj_challenges.world.contact`.
+    Bodies bear the names of their entities; robots move in the plane or freely, balls freely. The joints of wheels are
+    called ``B1/left_wheel``, and their angles grow while the robot drives along its +x. Geoms are in the groups of
+    `rcj_challenges.world.contact`.
     """
 
     @property
@@ -27,5 +30,5 @@ class Ground(Protocol):
     def parked(self) -> Sequence[bool]:
         """By entity: whether it has been taken off the field."""
 
-    def set_wheel(self, robot: int, side: str, velocity_radps: float, position_rad: float) -> None:
+    def set_wheel(self, robot: int, side: Side, velocity_radps: float, position_rad: float) -> None:
         """Command a wheel, ``left`` (+y) or ``right``; positive drives along +x; position ``inf``: by velocity."""

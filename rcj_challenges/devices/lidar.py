@@ -93,15 +93,10 @@ class Lidar:
             self._geoms[:count], distances, None, count, self.device.max_range_m,
         )  # fmt: skip
         unseen = (distances < self.device.min_range_m) | (distances > self.device.max_range_m)
-        readings = distances if self._noise is None else self._disturbed(tick, chosen, distances)
-        self.cells[chosen] = np.where(unseen, np.inf, readings)
-
-    def _disturbed(
-        self, tick: int, chosen: slice | NDArray[np.intp], distances: NDArray[np.float64]
-    ) -> NDArray[np.float64]:
-        if self._noise is None:
-            return distances
-        return np.maximum(0.0, distances + self.device.noise_m * self._noise.row(tick)[chosen])
+        if self._noise is not None:
+            distances += self.device.noise_m * self._noise.row(tick)[chosen]
+            np.maximum(distances, 0.0, out=distances)
+        self.cells[chosen] = np.where(unseen, np.inf, distances)
 
     def _aim(self, pose: RobotPose, forward: NDArray[np.float64], left: NDArray[np.float64], count: int) -> None:
         rays = self._rays[:count]

@@ -123,5 +123,5 @@ def _spread(emitter: Emitter, arriving: list[tuple[int, bytes]], listeners: list
         inverse = 1 / math.sqrt(square)
         direction = pose.to_frame(dx * inverse, dy * inverse, dz * inverse)
         for channel, data in arriving:
-            if channel == receiver.channel or ANY_CHANNEL in (channel, receiver.channel):
+            if receiver.channel in (channel, ANY_CHANNEL):
                 receiver.hear(Packet(receiver.device, data, 1 / square, direction))

@@ -35,6 +35,9 @@ _WIDTH = 7
 """Numbers of one rangefinder: distance, direction (3), the surface's normal (3)."""
 
 _MM_PER_M = 1000.0
+_GRAZING = 1e-6
+"""Cosine of the flattest echo there is, also where a scenario says that none is ever lost (`lost_from_rad` ≥ π / 2)."""
+
 _NOISE_FULL_FROM_M = 1.0
 """The noise grows with the distance up to here. Source: reference, 4.1."""
 
@@ -120,7 +123,7 @@ class Sonars:
         self._normal = self._rays[:, 4:7]
         self._range_m = np.array([device.range_m for device in devices])
         self._short = all(device.range_m <= _NOISE_FULL_FROM_M for device in devices)
-        self._heard_below = np.array([-math.cos(device.lost_from_rad) for device in devices])
+        self._heard_below = np.array([-max(_GRAZING, math.cos(device.lost_from_rad)) for device in devices])
         shares = np.array([device.noise for device in devices])
         self._noise = Noise(half, [(one.robot_name, one.spec.name) for one in fitted], scale=_MM_PER_M * shares)
         self._places = _Places(fitted)

@@ -154,13 +154,16 @@ def place(model: models.Place, workshop: Workshop, rule: StandingRule) -> Act:
 
 def layout_jobs(workshop: Workshop, layout: str, rule: StandingRule, mirror: Mirror | None) -> list[Job]:
     """Return the placements of a layout, in order."""
-    jobs = []
-    for number, placing in enumerate(workshop.scenario.placements[layout]):
-        for entity in workshop.entities(placing.entity, rule.each):
-            stream = f"placement/{layout}/{number}/{workshop.roster.entities[entity]}"
-            putting = compile_putting(placing, workshop, entity, rule.each, stream, also=mirror)
-            jobs.append(Job(entity, putting, rule))
-    return jobs
+    key = (layout, rule.each, mirror)
+    puttings = workshop.layouts.get(key)
+    if puttings is None:
+        puttings = workshop.layouts[key] = [
+            compile_putting(placing, workshop, entity, rule.each, stream, also=mirror)
+            for number, placing in enumerate(workshop.scenario.placements[layout])
+            for entity in workshop.entities(placing.entity, rule.each)
+            for stream in (f"placement/{layout}/{number}/{workshop.roster.entities[entity]}",)
+        ]
+    return [Job(putting.entity, putting, rule) for putting in puttings]
 
 
 def _ask(workshop: Workshop, jobs: list[Job]) -> None:

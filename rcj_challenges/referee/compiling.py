@@ -14,9 +14,10 @@ from rcj_challenges.referee.contacts import Contacts
 from rcj_challenges.referee.outlines import Bodies
 from rcj_challenges.referee.regions import AnyOf, Region, region_of
 from rcj_challenges.referee.rules import Hits, Listener, StandingRule
-from rcj_challenges.referee.setting_down import Queue
+from rcj_challenges.referee.setting_down import Putting, Queue
 from rcj_challenges.referee.state import State
 from rcj_challenges.referee.watching import Lookout, Track, Watch
+from rcj_challenges.scenario.models.places import Mirror
 
 EACH = "each"
 Names = str | tuple[str, ...]
@@ -51,6 +52,7 @@ class Workshop:
         emit: writes an event; set by the engine.
         enter_phase: enters a phase; set by the engine.
         sequences: their watches, by name.
+        layouts: compiled layouts by name, what ``each`` stands for, and mirror.
         timers_changed: to be called after a timer was started or stopped; the lookout reckons anew.
     """
 
@@ -69,15 +71,20 @@ class Workshop:
         self.enter_phase: Callable[[str], None] = lambda _phase: None
         self.timers_changed: Callable[[], None] = self.lookout.reckon
         self.sequences: dict[str, Watch] = {}
+        self.layouts: dict[tuple[str, str | None, Mirror | None], list[Putting]] = {}
+        self._members: dict[tuple[Names, str | None], tuple[str, ...]] = {}
         self._shared: dict[tuple[object, ...], Watch] = {}
 
     # --- names ------------------------------------------------------------------------------------------------------
 
     def members(self, names: Names, each: str | None) -> tuple[str, ...]:
         """Return what names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
-        listed = (names,) if isinstance(names, str) else names
-        found = (member for name in listed for member in self._member(name, each))
-        return tuple(dict.fromkeys(found))
+        known = self._members.get((names, each))
+        if known is None:
+            listed = (names,) if isinstance(names, str) else names
+            found = (member for name in listed for member in self._member(name, each))
+            known = self._members[names, each] = tuple(dict.fromkeys(found))
+        return known
 
     def _member(self, name: str, each: str | None) -> tuple[str, ...]:
         if name == EACH and each is not None:

@@ -21,6 +21,7 @@ EVERYWHERE: Cell = (-inf, inf, -inf, inf)
 NOWHERE: Cell = (inf, -inf, inf, -inf)
 # A box of half side 0.7 d lies inside the circle of radius d (1/sqrt(2) = 0.7071, the rest is room for rounding).
 _BOX_IN_CIRCLE = 0.7
+_ROUNDING_M = 1e-9
 
 
 def common_cell(first: Cell, second: Cell) -> Cell:
@@ -32,6 +33,28 @@ def box_around(x_m: float, y_m: float, clear_m: float) -> Cell:
     """Return a cell around a centre to which the nearest boundary is ``clear_m`` away."""
     half = clear_m * _BOX_IN_CIRCLE
     return (x_m - half, x_m + half, y_m - half, y_m + half)
+
+
+def cell_beside_circle(x_m: float, y_m: float, centre_m: tuple[float, float], radius_m: float) -> Cell:
+    """Return a cell around a point that the line of a circle does not reach into, as large as is easily told."""
+    dx, dy = x_m - centre_m[0], y_m - centre_m[1]
+    far = max(abs(dx), abs(dy))
+    if far < _BOX_IN_CIRCLE * radius_m:
+        return box_around(*centre_m, radius_m)
+    side = cell_beside_square(x_m, y_m, centre_m, radius_m)
+    return side if far > radius_m else box_around(x_m, y_m, abs(sqrt(dx * dx + dy * dy) - radius_m))
+
+
+def cell_beside_square(x_m: float, y_m: float, centre_m: tuple[float, float], half_m: float) -> Cell:
+    """Return the inside of an upright square, or all that lies beyond one of its sides, as the point does."""
+    (x, y), dx, dy = centre_m, x_m - centre_m[0], y_m - centre_m[1]
+    # A little beyond the sides, so that rounding cannot put a point of the cell on the other side.
+    out, inner = half_m + _ROUNDING_M, half_m - _ROUNDING_M
+    if abs(dx) <= half_m and abs(dy) <= half_m:
+        return (x - inner, x + inner, y - inner, y + inner)
+    if abs(dx) >= abs(dy):
+        return (x + out, inf, -inf, inf) if dx > 0 else (-inf, x - out, -inf, inf)
+    return (-inf, inf, y + out, inf) if dy > 0 else (-inf, inf, -inf, y - out)
 
 
 def distance_to_segment_m(x_m: float, y_m: float, ax: float, ay: float, bx: float, by: float) -> float:
@@ -94,8 +117,7 @@ class Circle(Region):
 
     def cell(self, x_m: float, y_m: float) -> Cell:
         """Return a box that stays clear of the circle's line."""
-        dx, dy = x_m - self._x, y_m - self._y
-        return box_around(x_m, y_m, abs(sqrt(dx * dx + dy * dy) - self._radius))
+        return cell_beside_circle(x_m, y_m, (self._x, self._y), self._radius)
 
 
 class HalfPlane(Region):
@@ -168,7 +190,10 @@ class AnyOf(Region):
 
     def contains(self, x_m: float, y_m: float) -> bool:
         """Return whether the point is in any of them."""
-        return any(region.contains(x_m, y_m) for region in self._regions)
+        for region in self._regions:  # noqa: SIM110 - a generator is slower, and this is asked in every sub-step
+            if region.contains(x_m, y_m):
+                return True
+        return False
 
     def cell(self, x_m: float, y_m: float) -> Cell:
         """Return the cell of the one that holds the point, or what all of them leave free."""
@@ -205,8 +230,8 @@ class FarFrom(Region):
 
     def cell(self, x_m: float, y_m: float) -> Cell:
         """Return a box that stays clear of the limit."""
-        # The square's sides lie beyond the circle's line, so its clearance is a distance in the plane as well.
-        return box_around(x_m, y_m, abs(self.distance_m(x_m, y_m) - self._limit))
+        beside = cell_beside_square if self._square else cell_beside_circle
+        return beside(x_m, y_m, self.anchor, self._limit)
 
 
 def region_of(zone: Strict) -> Region:

@@ -145,6 +145,7 @@ class Lookout:
         self._phases: dict[str, _Alive] = {}
         self._alive = _Alive((), "", len(state.roster.entities))
         self._cells: list[Cell] = [EVERYWHERE] * len(state.roster.entities)
+        self._own_cells: dict[PositionWatch, Cell] = {}
         self._due = NEVER
 
     def add(self, watch: Watch) -> None:
@@ -187,7 +188,8 @@ class Lookout:
         if self._state.present[entity]:
             x, y, _ = self._state.poses[entity]
             for watch in self._alive.by_entity[entity]:
-                cell = common_cell(cell, watch.cell(x, y))
+                own = self._own_cells[watch] = watch.cell(x, y)
+                cell = common_cell(cell, own)
         self._cells[entity] = cell
 
     def _next_due(self) -> None:
@@ -203,7 +205,7 @@ class Lookout:
         left = range(len(self._cells)) if changed_phase else self._left(substeps)
         tick = self._state.tick
         if left:
-            self._look_closely(left, substeps)
+            self._look_closely(left, substeps, all_of_it=changed_phase)
         if tick >= self._due:
             for watch in self._alive.due:
                 if tick >= watch.due and (watch.since != tick or not changed_phase):
@@ -231,14 +233,30 @@ class Lookout:
         }
         return sorted(found)
 
-    def _look_closely(self, entities: Sequence[int], substeps: list[list[Pose2]]) -> None:
+    def _look_closely(self, entities: Sequence[int], substeps: list[list[Pose2]], *, all_of_it: bool) -> None:
+        """Let the watches whose own cell was left (or all) follow the way of these entities."""
         state = self._state
         for entity in entities:
             if not state.present[entity]:
                 continue
+            cell = EVERYWHERE
+            x, y, _ = state.poses[entity]
             for watch in self._alive.by_entity[entity]:
-                if watch.since != state.tick:
-                    watch.advance(state.before, substeps)
-            self._fit_cell(entity)
+                own = self._own_cells[watch]
+                if all_of_it or not _stayed(own, entity, substeps):
+                    if watch.since != state.tick:
+                        watch.advance(state.before, substeps)
+                    own = self._own_cells[watch] = watch.cell(x, y)
+                cell = common_cell(cell, own)
+            self._cells[entity] = cell
         if not self._alive.stays.isdisjoint(entities):
             self._next_due()
+
+
+def _stayed(cell: Cell, entity: int, substeps: list[list[Pose2]]) -> bool:
+    x_low, x_high, y_low, y_high = cell
+    for poses in substeps:
+        x, y, _ = poses[entity]
+        if not (x_low < x < x_high and y_low < y < y_high):
+            return False
+    return True

@@ -34,10 +34,11 @@ class Catalogue:
         self.broken = {name for name, node in root.entries.items() if not isinstance(node, Entries)}
         self.kinds: dict[str, str] = {}
         for section, kind in KIND_OF_SECTION.items():
-            self.kinds.update(dict.fromkeys(self.names(section), kind))
+            for name in self.names(section):
+                self.kinds.setdefault(name, kind)  # a name given twice is reported; the first one counts
         for name in self.names("obstacles"):
             movable = self.leaf("obstacles", name, "movable") is True
-            self.kinds[name] = "obstacle" if movable else "fixed obstacle"
+            self.kinds.setdefault(name, "obstacle" if movable else "fixed obstacle")
         self.kinds["walls"] = "walls"
         self.groups: dict[str, tuple[str, ...]] = {
             "robots": self.names("robots"),

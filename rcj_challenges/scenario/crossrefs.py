@@ -12,6 +12,7 @@ from typing import Any
 from rcj_challenges.scenario.catalogue import EACH, Catalogue, texts
 from rcj_challenges.scenario.errors import Problem, known_text, listing, nearest
 from rcj_challenges.scenario.models import actions, conditions, state
+from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
 from rcj_challenges.scenario.references import REFERENCES, Field, Named, Reference
 from rcj_challenges.scenario.shape import Shape, bare, chosen, is_model, step_into
@@ -51,6 +52,7 @@ class _Walker:
         self.root = catalogue.root
         self.removed = removed
         self.problems: list[Problem] = []
+        self.kits_in_use = {catalogue.leaf("robots", robot, "kit") for robot in catalogue.names("robots")}
 
     def walk(self, node: Node, shape: Shape, path: Path, each: Each) -> None:
         """Check a value and all that is in it."""
@@ -75,6 +77,8 @@ class _Walker:
     def _model(self, model: Any, node: Entries, path: Path, each: Each) -> Each:
         if model is Rule:
             each = self._each_of(node)
+        if model is Kit and path[-1] not in self.kits_in_use:
+            return each  # a preset's kit may list robots that this scenario has not
         for name, info in model.model_fields.items():
             key = info.alias or name
             reference = REFERENCES.get((model, key))
@@ -142,7 +146,9 @@ class _Walker:
         else:
             known = names.of_kind(reference.kinds)
             if reference.groups:
-                known += [group for group in names.groups if self._stranger(reference, group) is None]
+                known += [
+                    group for group, all_ in names.groups.items() if all_ and self._stranger(reference, group) is None
+                ]
             if reference.drawn:
                 known += names.names("draws")
             sections = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups")

@@ -112,6 +112,8 @@ def _checked(tree: Entries, merger: Merger) -> Scenario:
         scenario = Scenario.model_validate(plain(tree))
     except ValidationError as error:
         problems += explain(error, tree, Scenario)
+        # What explains itself as an echo of something else must never leave nothing at all.
+        problems = problems or [tree.mark.problem("", f"not valid: {error.errors()[0]['msg']}")]
     seen = {(problem.file, problem.line, problem.column) for problem in problems}
     later = check(scenario, tree, merger.removed)
     problems += [found for found in later if not found.line or (found.file, found.line, found.column) not in seen]

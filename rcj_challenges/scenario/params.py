@@ -118,6 +118,8 @@ def _opened(node: Node, step: Step, shape: Shape, inner: Shape, mark: Mark, here
 def _put(node: Node, step: Step, value: Node, mark: Mark, shape: Shape, path: Path, here: str, merger: Merger) -> None:
     _check_step(node, step, shape, here)
     if isinstance(node, Items) and isinstance(step, int):
+        if isinstance(value, Leaf) and value.value is None:
+            raise _RefusedError(f"null removes named entries only; set the whole list {here}")
         node.items[step] = merger.adopt(value, step_into(shape, node, step), path)
         return
     if not isinstance(node, Entries) or not isinstance(step, str):  # pragma: no cover - _check_step refused it

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import combinations
+
 import mujoco
 
 from rcj_challenges.facts.timing import SUBSTEP_S
@@ -12,6 +14,7 @@ from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world import contact
 from rcj_challenges.world.build_bodies import (
     add_ball,
+    add_ball_ball_contact,
     add_ball_robot_contact,
     add_movable_obstacle,
     add_robot,
@@ -39,6 +42,8 @@ def build_spec(scenario: Scenario, roster: Roster) -> mujoco.MjSpec:
     for ball in scenario.balls:
         for robot in scenario.robots:
             add_ball_robot_contact(spec, ball, robot)
+    for ball, other in combinations(scenario.balls, 2):
+        add_ball_ball_contact(spec, ball, other, field.restitution)
     return spec
 
 

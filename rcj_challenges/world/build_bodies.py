@@ -71,11 +71,20 @@ def add_ball(spec: mujoco.MjSpec, name: str, ball: Ball, friction: float, restit
 def add_ball_robot_contact(spec: mujoco.MjSpec, ball: str, robot: str) -> None:
     """Let a ball meet a robot with parameters of their own."""
     for part in ("cube", "left_wheel", "right_wheel"):
-        pair = spec.add_pair(geomname1=f"{robot}/{part}", geomname2=ball)
-        pair.condim = 3
-        pair.friction = [contact.BALL_ON_ROBOT_FRICTION, contact.BALL_ON_ROBOT_FRICTION, 0, 0, 0]
-        pair.solref = contact.BALL_ON_ROBOT.solref
-        pair.solimp = contact.BALL_ON_ROBOT.solimp
+        _add_ball_contact(spec, ball, f"{robot}/{part}", contact.BALL_ON_ROBOT)
+
+
+def add_ball_ball_contact(spec: mujoco.MjSpec, ball: str, other: str, restitution: float) -> None:
+    """Let two balls meet with parameters of their own."""
+    _add_ball_contact(spec, ball, other, contact.ball_on_solid(restitution))
+
+
+def _add_ball_contact(spec: mujoco.MjSpec, ball: str, other: str, softness: contact.Softness) -> None:
+    pair = spec.add_pair(geomname1=other, geomname2=ball)
+    pair.condim = 3
+    pair.friction = [contact.BALL_ON_MOVING_FRICTION, contact.BALL_ON_MOVING_FRICTION, 0, 0, 0]
+    pair.solref = softness.solref
+    pair.solimp = softness.solimp
 
 
 def add_movable_obstacle(spec: mujoco.MjSpec, name: str, obstacle: Box | Cylinder, friction: float) -> None:

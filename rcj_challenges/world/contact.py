@@ -68,8 +68,9 @@ SOLIDS = Softness(restitution=0.5, stiffness_ps2=500.0, rigidity=0.99)
 BALL_ON_ROBOT = Softness(restitution=0.4, stiffness_ps2=500.0, rigidity=0.99)
 """Chosen so that a robot at full speed sends a resting ball off at 0.24 m/s (reference, section 2; ADR 2)."""
 
-BALL_ON_ROBOT_FRICTION = 0.1
-"""Not 1 as elsewhere: with 1 at the floor and 1 at the face a pushed ball jams instead of rolling (ADR 2)."""
+BALL_ON_MOVING_FRICTION = 0.1
+"""Between a ball and a robot or another ball. Not 1 as elsewhere: with 1 at the floor and 1 at the face that pushes
+it, a ball jams instead of rolling, and a hit ends in the floor (ADR 2)."""
 
 OBSTACLE_GLIDES = 0.1
 """Highest friction between a movable obstacle and the floor: no robot could push the default 0.5 kg at 1 (ADR 2)."""
@@ -79,7 +80,7 @@ GRIP_RIGIDITY = 0.999
 
 
 def ball_on_solid(restitution: float) -> Softness:
-    """Return the ball's contact with walls, obstacles and other balls."""
+    """Return the ball's contact with walls, obstacles and (but for the friction) other balls."""
     return Softness(restitution=restitution, stiffness_ps2=500.0, rigidity=0.99)
 
 

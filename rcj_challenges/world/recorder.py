@@ -44,7 +44,7 @@ class Recorder:
         self._ball_heights_m = balls[-1, :, 2]
         self._ball_entities = slice(first_ball, first_obstacle)
         self._things = tables.geom_things
-        self._heights_m = list(heights_m)
+        self._heights_m: list[float] = np.array(heights_m, dtype=np.float32).tolist()
         self._uprights = [1.0] * entities
         self._touches: list[Touches] = [()] * SUBSTEPS_PER_TICK
         self._known: dict[bytes, Touches] = {}

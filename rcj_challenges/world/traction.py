@@ -11,7 +11,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from rcj_challenges.facts.timing import SUBSTEP_S
+from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, TICK_S
 from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.world import contact
 from rcj_challenges.world.tables import ROBOT_QPOS, WorldTables
@@ -44,9 +44,10 @@ class Wheel:
         target_rad: ``inf``: by velocity; else the angle to go to and hold.
         stopped: whether its robot has been taken off the field.
         turns_radps: how fast it turns now.
+        just_reversed: whether it has begun to turn this way in this tick.
     """
 
-    __slots__ = ("arm_m", "commanded_radps", "grip", "stopped", "target_rad", "turns_radps")
+    __slots__ = ("arm_m", "commanded_radps", "grip", "just_reversed", "stopped", "target_rad", "turns_radps")
 
     def __init__(self, arm_m: float, grip: contact.Grip) -> None:
         self.arm_m = arm_m
@@ -54,6 +55,7 @@ class Wheel:
         self.commanded_radps = 0.0
         self.target_rad = 0.0
         self.turns_radps = 0.0
+        self.just_reversed = False
         self.stopped = False
 
 
@@ -76,9 +78,10 @@ class Traction:
         self._wheels = [
             Wheel(way * one.wheel_track_m / 2, contact.grip_of(one, friction)) for one in chassis for way in (1, -1)
         ]
-        self._stops_mps = friction * contact.GRAVITY_MPS2 * SUBSTEP_S
+        # What all its grip stops in this time; on ice it stops nothing.
+        self._stops_in_tick_mps = max(friction * contact.GRAVITY_MPS2 * TICK_S, 1e-9)
+        self._stops_in_substep_mps = self._stops_in_tick_mps / SUBSTEPS_PER_TICK
         self._on_the_way: list[int] = []
-        self._grip_is_old = True
 
     def brake_all(self) -> None:
         """Hold every wheel where it is: nobody has commanded it yet."""
@@ -104,27 +107,27 @@ class Traction:
         return angles
 
     def before_tick(self) -> None:
-        """Turn the wheels as commanded; contacts change that by less than a millionth within a tick."""
+        """Turn the wheels as commanded, with the grip that they have at the robots' present speeds.
+
+        Contacts change a wheel's speed by less than a millionth within the tick.
+        """
         self._speeds[:] = self._turns
-        self._grip_is_old = True
+        self._choose_grip()
 
     def before_substep(self) -> None:
-        """Let the grip follow the robots' yaw, and what their wheels do."""
+        """Let the grip follow the robots' yaw."""
         if self._on_the_way:
             self._steer_to_targets()
         np.add(self._yaws, _PHASES_RAD, out=self._phased)
         np.cos(self._phased, out=self._turning)
-        if self._grip_is_old:
-            self._choose_grip()
 
     def _choose_grip(self) -> None:
         """A wheel that pushes its robot on has less grip than one that slows or holds it, see `contact.grip_of`.
 
-        One whose robot still moves against it slows it, with all its grip down to the speed that one sub-step can
-        stop, and with less and less below, so that it does not push it on with more than the grip to drive. This is
-        looked at once a tick, and in every sub-step while it is so.
+        One against which its robot moves slows it. If it has just been reversed, it has as much of its grip as gives
+        the same speed at the end of the tick as changing over at the moment of standstill. Otherwise the robot is
+        pushed against its wheels, and resists with all its grip but for the slowest speeds, so that it comes to rest.
         """
-        self._grip_is_old = False
         limits_n = []
         wheels = iter(self._wheels)
         for velocity, turning in zip(self._velocities.tolist(), self._turning.tolist(), strict=True):
@@ -139,10 +142,12 @@ class Traction:
                 if against_mps <= 0:
                     limits_n.append(wheel.grip.drive_n)
                     continue
-                self._grip_is_old = True
-                share = min(1.0, against_mps / self._stops_mps)
+                stops_mps = self._stops_in_tick_mps if wheel.just_reversed else self._stops_in_substep_mps
+                share = min(1.0, against_mps / stops_mps)
                 limits_n.append(wheel.grip.drive_n + share * (wheel.grip.brake_n - wheel.grip.drive_n))
         self._limits_n[:] = np.reshape(limits_n, (-1, 2))
+        for wheel in self._wheels:
+            wheel.just_reversed = False
 
     def _angle(self, index: int) -> float:
         return float(self._angles[index // 2, index % 2])
@@ -160,9 +165,9 @@ class Traction:
     def _turn(self, index: int, radps: float) -> None:
         wheel = self._wheels[index]
         if wheel.turns_radps != radps:
+            wheel.just_reversed = wheel.turns_radps * radps <= 0
             wheel.turns_radps = radps
             self._turns[index // 2, index % 2] = radps
-            self._grip_is_old = True
 
     def _steer_to_targets(self) -> None:
         """Turn wheels that go to an angle; set those that have arrived on it."""

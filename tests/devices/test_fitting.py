@@ -123,7 +123,7 @@ def test_every_word_of_the_scenario_has_a_device() -> None:
         ("team receiver", "refused_channels", [2]),
         ("team emitter", "channel", 3),
         ("team emitter", "range", 10),
-        ("team emitter", "refused_channels", [1, 2]),
+        ("team emitter", "refused_channels", [-1, 1, 2]),
     ],
 )
 def test_what_a_program_can_ask_without_stepping(device: str, fact: str, value: object) -> None:

@@ -103,6 +103,24 @@ def test_a_lost_echo_is_not_the_next_object() -> None:
     assert readings(bench)["front"] == 1000
 
 
+def test_a_sonar_can_be_one_that_loses_no_echo() -> None:
+    bench = exact({"kits": {"v2": {"devices": {"distancesensor front": {"lost_from_rad": 3.0}}}}})
+    bench.place("Y1", 0.3, 0, 1.0)
+    assert readings(bench)["front"] == pytest.approx(1000 * (0.35 / math.cos(1.0) - 0.0385), abs=1e-6)
+    bench.place("Y1", 0, 0, math.pi / 2 + 0.3)
+    bench.park("Y1")
+    assert readings(bench)["front"] == 1000
+
+
+def test_what_has_gone_is_not_seen_any_more() -> None:
+    bench = exact({"field": {"wall_height_m": 0.05, "goals": {"blue_goal": None, "yellow_goal": None}}})
+    bench.place("Y1", 0, 0, 0)
+    bench.place("B1", 0.3, 0, 0)
+    assert readings(bench)["front"] < 300
+    bench.park("B1")
+    assert readings(bench)["front"] == 1000
+
+
 def test_a_robot_pressed_into_a_wall_reads_zero() -> None:
     bench = exact()
     bench.place("Y1", 0.65 - 0.0375 + 0.0005, 0, 0)

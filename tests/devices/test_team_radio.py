@@ -137,9 +137,10 @@ def test_the_other_teams_channel_is_refused(bench: Bench) -> None:
     assert heard(bench, "Y2") == [b"secret"]
 
 
-def test_no_emitter_can_speak_in_the_referees_place(bench: Bench) -> None:
+@pytest.mark.parametrize("channel", [1, -1])
+def test_no_emitter_can_speak_in_the_referees_place(bench: Bench, channel: int) -> None:
     bench.enable("Y2", "supervisor receiver")
-    bench.tune("Y1", "team emitter", 1)
+    bench.tune("Y1", "team emitter", channel)
     bench.send("Y1", b"\x01")
     bench.sense()
     assert [packet.data for packet in bench.heard("Y2", "supervisor receiver")] == [b"\x00"]
@@ -173,6 +174,21 @@ def test_two_entrants_never_share_a_channel() -> None:
         d.facts["channel"] for spec in bench.rack.specs.values() for d in spec.devices if d.name == "team receiver"
     }
     assert channels == {5, 6}
+
+
+def test_a_team_never_has_the_referees_channel() -> None:
+    specs = Bench(change={"entrants": {"blue": {"radio_channel": 1}}}).rack.specs
+    assert next(d.facts["channel"] for d in specs[0].devices if d.name == "team emitter") == 2
+
+
+def test_a_receiver_on_all_channels_hears_its_team_on_all_of_them(bench: Bench) -> None:
+    bench.tune("Y2", "team receiver", -1)
+    bench.tune("Y1", "team emitter", 9)
+    bench.send("Y1", b"nine")
+    bench.send("Y3", b"three")
+    bench.send("B1", b"blue")
+    bench.sense()
+    assert heard(bench, "Y2") == [b"nine", b"three"]
 
 
 def test_a_removed_robot_is_silent_and_deaf_on_team_radio(bench: Bench) -> None:

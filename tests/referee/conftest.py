@@ -91,7 +91,9 @@ def match() -> Callable[..., Loaded]:
 def match_play(match: Callable[..., Loaded]) -> Stage:
     """Return what begins a scripted play of the match, yellow kicking off, with overrides."""
 
-    def begin(*overrides: str, half: int = 1, seed: int = 1, kickoff: str | None = "yellow", **facts: Any) -> ScriptedPlay:
+    def begin(
+        *overrides: str, half: int = 1, seed: int = 1, kickoff: str | None = "yellow", **facts: Any
+    ) -> ScriptedPlay:
         played = match(*overrides)
         info = replace(half_of(played.scenario, half, seed), **facts)
         draws = None if kickoff is None else {"first_kickoff": kickoff}

@@ -1,5 +1,7 @@
 """Actions: each word, set off by a rule at tick 10 (or by a fault of B1's program)."""
 
+from itertools import pairwise
+
 import pytest
 
 from rcj_challenges.referee.script import ScriptedPlay
@@ -97,9 +99,7 @@ class TestActionToggleFlag:
 class TestActionTimer:
     TOLD = "rules: {told: {triggers: [{trigger: timer_expired, timer: egg}], actions: [{action: emit, event: TOLD}]}}"
 
-    @pytest.mark.parametrize(
-        ("do", "expired"), [("restart", [40]), ("start", [30]), ("stop", []), ("reset", [])]
-    )
+    @pytest.mark.parametrize(("do", "expired"), [("restart", [40]), ("start", [30]), ("stop", []), ("reset", [])])
     def test_what_it_does_to_a_running_timer(self, stage, do, expired):
         play = stage(
             "timers: {egg: {lasts_s: 0.96, starts: true}}",
@@ -143,7 +143,7 @@ class TestActionDraw:
             play.fail("B1")
             play.play()
             values.append(play.referee.draws["side"])
-        assert all(one != other for one, other in zip(values, values[1:], strict=False))
+        assert all(one != other for one, other in pairwise(values))
         assert set(values) == {"a", "b", "c"}
 
     def test_it_can_set_a_value(self, stage):
@@ -159,7 +159,7 @@ class TestActionDraw:
         assert one.referee.draws["side"] == two.referee.draws["side"]
 
     def test_a_value_it_cannot_have_is_refused(self, stage):
-        with pytest.raises(ValueError, match="draws.side: 'd' is not one of its values"):
+        with pytest.raises(ValueError, match=r"draws\.side: 'd' is not one of its values"):
             stage("draws: {side: {values: [a, b]}}", draws={"side": "d"})
 
 

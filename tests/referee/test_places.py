@@ -133,7 +133,7 @@ class TestPlaceNearestFree:
             play.place("ball", 0.55, 0.55)
             play.play()
             found.add(tuple(round(number, 3) for number in put(play)))
-        assert found == {(0.3, 0.3), (0.0, 0.2), (0.3, -0.3)} or found == {(0.3, 0.3), (0.0, 0.2), (0.0, 0.0)}
+        assert found == {(0.3, 0.3), (0.0, 0.2), (0.0, 0.0)}  # the next would be (0.3, -0.3)
 
     def test_equal_distances_go_by_file_order(self, stage):
         play = stage("groups: {pair: [corner_blue_left, corner_blue_right]}", placing("ball", "{nearest_free: pair}"))
@@ -177,7 +177,13 @@ class TestPlaceRelativeTo:
 class TestFacing:
     @pytest.mark.parametrize(
         ("facing", "yaw"),
-        [("start", -1.57), ("keep", 0.5), ("1.25", 1.25), ("{towards: ball}", -math.pi / 2), ("{towards: [0.3, 0.3]}", 0.0)],
+        [
+            ("start", -1.57),
+            ("keep", 0.5),
+            ("1.25", 1.25),
+            ("{towards: ball}", -math.pi / 2),
+            ("{towards: [0.3, 0.3]}", 0.0),
+        ],
     )
     def test_which_way_it_looks_afterwards(self, stage, facing, yaw):
         play = stage(placing("B1", "{point: [0, 0.3]}", f", facing: {facing}"))
@@ -239,12 +245,14 @@ def test_what_finds_no_room_keeps_its_place_and_others_do_not_get_it(stage):
     assert play.placements == []
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(
     seed=st.integers(0, 2**32),
     spots=st.lists(st.tuples(st.floats(-0.5, 0.5), st.floats(-0.6, 0.6)), min_size=1, max_size=8, unique=True),
     crowd=st.lists(st.tuples(st.floats(-0.5, 0.5), st.floats(-0.6, 0.6)), min_size=3, max_size=3),
-    at=st.sampled_from(["{nearest_free: any_spot, choose_among: 3}", "{furthest_free: any_spot}", "{uniform_in: area}", "start"]),
+    at=st.sampled_from(
+        ["{nearest_free: any_spot, choose_among: 3}", "{furthest_free: any_spot}", "{uniform_in: area}", "start"]
+    ),
 )
 def test_two_never_get_one_spot_and_placements_never_overlap(small, seed, spots, crowd, at):
     listed = ", ".join(f"s{i}: {{x_m: {x:.4f}, y_m: {y:.4f}}}" for i, (x, y) in enumerate(spots))
@@ -267,13 +275,9 @@ def test_two_never_get_one_spot_and_placements_never_overlap(small, seed, spots,
             assert bodies.fits(entity, poses[entity], others, 0.0)
 
 
-def test_the_same_seed_gives_the_same_places_and_each_use_has_its_own_stream(stage):
-    one = many(stage(placing("ball", "{on_line: [[-0.4, 0.4], [0.4, 0.4]]}"), seed=3), times=5)
-    again = many(stage(placing("ball", "{on_line: [[-0.4, 0.4], [0.4, 0.4]]}"), seed=3), times=5)
-    beside = many(stage(placing("[B1, ball]", "{on_line: [[-0.4, 0.4], [0.4, 0.4]]}"), seed=3), times=5)
-    other = many(stage(placing("ball", "{on_line: [[-0.4, 0.4], [0.4, 0.4]]}"), seed=4), times=5)
-    other_half = many(stage(placing("ball", "{on_line: [[-0.4, 0.4], [0.4, 0.4]]}"), seed=3, half=2), times=5)
+def test_the_same_seed_gives_the_same_places_another_seed_or_half_others(stage):
+    rule = placing("ball", "{on_line: [[-0.4, 0.4], [0.4, 0.4]]}")
+    one, again = (many(stage(rule, seed=3), times=5) for _ in range(2))
     assert one == again
-    assert one[0] == beside[0] or beside[0] not in one  # shifted by nothing but room
-    assert one != other
-    assert one != other_half
+    assert one != many(stage(rule, seed=4), times=5)
+    assert one != many(stage(rule, seed=3, half=2), times=5)

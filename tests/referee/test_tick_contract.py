@@ -83,7 +83,9 @@ class TestLine0:
         assert told(play, "CAME") == [1]  # armed with the ball where the layout put it
 
     def test_0_4_start_noise_is_drawn_at_tick_0(self, stage):
-        noisy = "robots: {B1: {colour: blue, number: 1, kit: v2, start: {x_m: 0, y_m: 0.4, yaw_rad: 0, noise_m: [0.1, 0]}}}"
+        noisy = (
+            "robots: {B1: {colour: blue, number: 1, kit: v2, start: {x_m: 0, y_m: 0.4, yaw_rad: 0, noise_m: [0.1, 0]}}}"
+        )
         assert [placed.entity for _, placed in stage(noisy).placements] == [0]
         ruled = "rules: {put: {triggers: [{trigger: half_started}], actions: [{action: place, entity: B1, at: {point: [0, 0.3]}}]}}"
         assert stage(noisy, ruled).pose("B1")[:2] == pytest.approx((0.0, 0.3))
@@ -100,7 +102,9 @@ class TestLine2:
         assert (told(play), told(play, "OVER")) == ([1], [1])
 
     def test_2_2_contact_facts_are_latched_in_each_sub_step(self, stage):
-        play = stage(f"rules: {{hit: {{triggers: [{{trigger: touches, entity: ball, other: B1}}], actions: [{TELL}]}}}}")
+        play = stage(
+            f"rules: {{hit: {{triggers: [{{trigger: touches, entity: ball, other: B1}}], actions: [{TELL}]}}}}"
+        )
         pair = (play.roster.index["B1"], play.roster.index["ball"])
         feed(play, *[(0.0, 0.0)] * 4, touches=((), (pair,), (), ()))
         feed(play, *[(0.0, 0.0)] * 4, touches=((pair,), (), (), ()))
@@ -141,7 +145,11 @@ class TestLine3:
     def test_3_3_actions_read_current_values(self, stage):
         play = stage(
             "counters: {rounds: {}}",
-            once(5, "{action: count, counter: rounds, by: 3}", "{action: score, entrant: blue, points: {counter: rounds}}"),
+            once(
+                5,
+                "{action: count, counter: rounds, by: 3}",
+                "{action: score, entrant: blue, points: {counter: rounds}}",
+            ),
         )
         play.play(5)
         assert play.referee.scores["blue"] == 3
@@ -349,7 +357,9 @@ class TestLine6:
         assert len({play.pose(name)[:2] for name in ("B1", "B2", "Y1")}) == 3
 
     def test_6_4_equal_distances_go_by_file_order(self, stage):
-        play = stage(once(5, "{action: place, entity: ball, at: {nearest_free: [corner_yellow_left, corner_blue_right]}}"))
+        play = stage(
+            once(5, "{action: place, entity: ball, at: {nearest_free: [corner_yellow_left, corner_blue_right]}}")
+        )
         play.play(5)
         assert play.pose("ball")[:2] == pytest.approx((-0.3, -0.3))
 

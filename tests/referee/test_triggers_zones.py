@@ -162,10 +162,13 @@ class TestTriggerStaysIn:
         assert [event.tick for event in play.events] == [81]
 
     def test_a_stay_that_goes_on_when_the_rule_comes_to_life_counts_from_then(self, stage):
-        play = stage("""
+        play = stage(
+            """
         phases: {warm_up: {lasts_s: 0.64}}
         first_phase: warm_up
-        """, self.RULES)
+        """,
+            self.RULES,
+        )
         play.place("ball", 0.3, 0.0)
         play.play(100)
         assert [event.tick for event in play.events] == [70]
@@ -206,12 +209,15 @@ class TestTriggerDisplaced:
         assert play.names() == ["MOVED", "MOVED"]
 
     def test_a_placement_is_the_new_origin(self, stage):
-        play = stage(self.rules(), """
+        play = stage(
+            self.rules(),
+            """
         rules:
           back:
             triggers: [{trigger: event, event: MOVED}]
             actions: [{action: place, entity: B1, at: {point: [0, 0.3]}}]
-        """)
+        """,
+        )
         play.place("B1", 0.4, 0.6)
         play.play(3)
         assert play.pose("B1")[:2] == pytest.approx((0.0, 0.3), abs=1e-6)

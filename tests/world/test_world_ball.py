@@ -85,6 +85,16 @@ def test_a_robot_drives_on_behind_a_ball_that_it_hits_again_and_again():
     assert abs(stage.pose("ball")[1]) < 0.02
 
 
+def share_given_back(stage: Stage, speed: float) -> float:
+    """Roll the ball at the wall at +x; returns its highest speed away from it (rolling, it loses some of it later)."""
+    stage.roll("ball", speed, 0.0)
+    fastest = 0.0
+    for _ in range(8 + int(0.16 / speed / 0.032)):
+        stage.play()
+        fastest = max(fastest, -stage.velocity("ball")[0])
+    return fastest / speed
+
+
 # --- walls ------------------------------------------------------------------------------------------------------------
 
 
@@ -92,17 +102,18 @@ def test_a_robot_drives_on_behind_a_ball_that_it_hits_again_and_again():
 @pytest.mark.parametrize("offset", [0.0, 0.35, 0.7])
 def test_a_wall_gives_back_half_of_the_speed(speed, offset):
     stage = ball_stage(0.5 + offset * speed * 0.008, 0.3)
-    stage.roll("ball", speed, 0.0)
-    stage.play(0.25 / speed)
-    assert -stage.velocity("ball")[0] / speed == pytest.approx(0.5, abs=0.1)
+    assert share_given_back(stage, speed) == pytest.approx(0.5, abs=0.1)
 
 
-@pytest.mark.parametrize(("restitution", "share"), [(0.0, 0.0), (0.8, 0.8)])
-def test_restitution_is_what_the_scenario_says(restitution, share):
+@pytest.mark.parametrize("restitution", [0.2, 0.8])
+def test_restitution_is_what_the_scenario_says(restitution):
     stage = ball_stage(0.5, 0.3, field={"restitution": restitution})
-    stage.roll("ball", 0.5, 0.0)
-    stage.play(0.4)
-    assert -stage.velocity("ball")[0] / 0.5 == pytest.approx(share, abs=0.1)
+    assert share_given_back(stage, 0.5) == pytest.approx(restitution, abs=0.1)
+
+
+def test_without_restitution_only_the_balls_spin_takes_it_off_the_wall():
+    stage = ball_stage(0.5, 0.3, field={"restitution": 0.0})
+    assert share_given_back(stage, 0.5) < 0.15
 
 
 def test_it_leaves_a_wall_at_the_angle_at_which_a_rolling_ball_does():
@@ -114,18 +125,27 @@ def test_it_leaves_a_wall_at_the_angle_at_which_a_rolling_ball_does():
     assert 0.05 < y <= 0.2
 
 
-@pytest.mark.parametrize("angle_deg", range(0, 360, 7))
+@pytest.mark.parametrize("angle_deg", range(0, 360, 13))
 def test_no_wall_corner_or_post_lets_a_ball_through_at_4_metres_a_second(angle_deg):
     stage = ball_stage(0.05, -0.03)
     angle = math.radians(angle_deg)
-    stage.roll("ball", 4 * math.cos(angle), 4 * math.sin(angle))
+    stage.slide("ball", 4 * math.cos(angle), 4 * math.sin(angle))
     for snapshot in stage.play(2):
         x, y, _ = snapshot.substeps[-1][6]
-        assert abs(x) < 0.69
-        assert abs(y) < 0.89
+        # Its centre never gets into a wall by more than one sub-step at this speed.
+        assert abs(x) < 0.65 - BALL_R + 0.033
+        assert abs(y) < 0.85 - BALL_R + 0.033
     x, y, _ = stage.pose("ball")
     assert abs(x) <= 0.65 - BALL_R + 0.002
     assert abs(y) <= 0.85 - BALL_R + 0.002
+
+
+@pytest.mark.parametrize("angle_deg", range(5, 360, 26))
+def test_a_ball_that_rolls_at_1_metre_a_second_does_not_climb_over_a_wall(angle_deg):
+    stage = ball_stage(0.05, -0.03)
+    angle = math.radians(angle_deg)
+    stage.roll("ball", math.cos(angle), math.sin(angle))
+    assert max(snapshot.heights[6] for snapshot in stage.play(3)) < 0.09
 
 
 # --- goals ------------------------------------------------------------------------------------------------------------
@@ -179,9 +199,9 @@ def test_two_robots_that_squeeze_the_ball_neither_swallow_nor_shoot_it():
         poses = snapshot.substeps[-1]
         assert stage.speed("ball") < 0.7
         assert snapshot.heights[6] < 0.05
-        if abs(poses[6][1]) < HALF_CUBE:
-            assert poses[0][0] - poses[6][0] > HALF_CUBE + BALL_R - 0.002
-            assert poses[6][0] - poses[3][0] > HALF_CUBE + BALL_R - 0.002
+        if abs(poses[6][1]) < HALF_CUBE / 2:
+            assert poses[0][0] - poses[6][0] > HALF_CUBE + BALL_R - 0.004
+            assert poses[6][0] - poses[3][0] > HALF_CUBE + BALL_R - 0.004
 
 
 def test_a_ball_pinned_to_a_wall_stays_between_wall_and_robot():
@@ -212,5 +232,5 @@ def test_one_ball_hands_its_speed_to_another():
     stage.roll("ball", 0.3, 0.0)
     snapshots = stage.play(1.5)
     assert any(("ball", "second") in stage.touching(snapshot) for snapshot in snapshots)
-    assert stage.velocity("second")[0] > stage.velocity("ball")[0]
-    assert stage.velocity("second")[0] == pytest.approx(0.3 * 0.75, rel=0.25)
+    assert stage.velocity("second")[0] == pytest.approx(0.3 * 0.75, rel=0.2)
+    assert 0 <= stage.velocity("ball")[0] < 0.15

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import pytest
+
 from tests.world.physics_stage import FULL, Stage
 
 G = 9.81
@@ -83,7 +85,7 @@ def test_reversing_brakes_first_and_never_overshoots():
         stage.play()
         speeds.append(stage.velocity("B1")[0])
     assert min(speeds) >= -0.2001
-    assert all(later <= earlier + 1e-6 for earlier, later in zip(speeds, speeds[1:], strict=False))
+    assert all(later <= earlier + 1e-6 for earlier, later in pairwise(speeds))
     # Had it reversed with the grip to drive alone, it would need 0.122 s.
     assert speeds[2] == pytest.approx(-0.2, abs=0.005)
 
@@ -116,6 +118,10 @@ def test_without_friction_nothing_drives():
     stage.drive("B1", FULL, FULL)
     stage.play(0.5)
     assert stage.speed("B1") == pytest.approx(0, abs=1e-6)
+    stage.put("ball", -0.3, 0.0)
+    stage.roll("ball", -0.5, 0.0)
+    stage.play(0.5)
+    assert stage.velocity("B1")[0] < -0.01
 
 
 def test_it_does_not_tilt_while_it_drives():

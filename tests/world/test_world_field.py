@@ -108,7 +108,7 @@ def test_fixed_obstacles_of_every_shape_stand_where_they_should():
         (-0.3, 0.3, 0, -1): 0.25,
         (0, 0, 0, 1): 0.35,
         (0.19, 0, 0, -1): 0.39,
-        (-0.21, 0, 0, -1): 0.75,
+        (-0.21, -0.2, 0, -1): 0.55,
     }
     for (x, y, dx, dy), distance in rays.items():
         assert stage.ray((x, y, 0.05), (dx, dy, 0), FIXTURES) == pytest.approx(distance, abs=1e-6)

@@ -115,8 +115,9 @@ class DisplacedWatch(PositionWatch):
         furthest = 0.0
         for poses in substeps:
             x, y, _ = poses[self.entity]
-            furthest = max(furthest, self._region.distance_m(x, y))
-            beyond = self._region.contains(x, y)
+            distance = self._region.distance_m(x, y)
+            furthest = max(furthest, distance)
+            beyond = distance > self._limit
             went = went or (beyond and not self._beyond)
             self._beyond = beyond
         if went:
@@ -172,7 +173,8 @@ class StayWatch(PositionWatch, DueWatch):
     def advance(self, _before: list[Pose2], substeps: list[list[Pose2]]) -> None:
         """Begin, go on with, or leave a stay, as the judged poses say; without grace any sub-step outside ends it."""
         tick = self._state.tick
-        inside = [self._region.contains(*poses[self.entity][:2]) for poses in substeps]
+        contains, entity = self._region.contains, self.entity
+        inside = [contains(x, y) for x, y, _ in (poses[entity] for poses in substeps)]
         if not inside[-1]:
             if self._came is not None and self._left is None:
                 self._left, self.due = tick, NEVER

@@ -103,7 +103,9 @@ class Keyframe(Strict):
     move: dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]] = described(
         {}, "entity -> [x, y] or [x, y, yaw]: it glides there in a straight line from where it was a keyframe before"
     )
-    touch: tuple[tuple[Name, Name], ...] = Field((), strict=False, description="pairs that touch in this tick")
+    touch: tuple[Annotated[tuple[Name, Name], Field(strict=False)], ...] = Field(
+        (), strict=False, description="pairs that touch in this tick"
+    )
     tips: tuple[Name, ...] = Field((), strict=False, description="robots that lie on their side from here on")
     fault: tuple[Name, ...] = Field((), strict=False, description="robots whose program fails here")
 

@@ -36,7 +36,7 @@ SCRIPTS = (
 )  # fmt: skip
 """The parts of the viewer in the order in which they are joined: what is used stands before what uses it."""
 
-_LONGEST_NAME = 10_000
+_LONGEST_DETAIL = 10_000
 
 
 def write_replay(folder: Path) -> Path:
@@ -82,9 +82,7 @@ def _facts(
     return {
         "tick_s": TICK_S,
         **visible_things(scenario),
-        "teams": [
-            {"name": team, "title": entrant.name[:_LONGEST_NAME] or team} for team, entrant in result.entrants.items()
-        ],
+        "teams": [{"name": team, "title": entrant.name or team} for team, entrant in result.entrants.items()],
         "halves_planned": halves[0].info.halves,
         "channels": [{"name": name, "unit": units[name]} for name in frames[0].columns],
         "halves": [_half(half, moving, story) for half, moving in zip(halves, frames, strict=True)],
@@ -107,7 +105,7 @@ def _half(half: HalfTrack, frames: Frames, story: Story) -> dict[str, Any]:
         "phases": story.phases[info.half],
         "jumps": [list(ticks) for ticks in frames.jumps],
         "faults": [
-            {"robot": fault.robot, "tick": fault.tick, "kind": fault.kind, "detail": fault.detail[:_LONGEST_NAME]}
+            {"robot": fault.robot, "tick": fault.tick, "kind": fault.kind, "detail": fault.detail[:_LONGEST_DETAIL]}
             for fault in faults
         ],
     }

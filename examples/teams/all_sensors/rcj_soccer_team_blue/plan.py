@@ -114,7 +114,7 @@ class Plan:
         """Behind the ball and nearer to the middle: there most lost balls arrive."""
         side = -1 if ball[0] > 0 else 1
         sway = 0.05 * math.sin(body.time)
-        return clamp(ball[0] + side * 0.2, -0.4, 0.4) + sway, clamp(ball[1] - 0.3, -0.42, 0.3)
+        return clamp(ball[0] + side * 0.14, -0.5, 0.5) + sway, clamp(ball[1] - 0.16, -0.42, 0.5)
 
     def around_robots(self, body, target, ball):
         """If a robot stands in our way and the ball does not, drive around it."""

@@ -55,11 +55,11 @@ class Clock:
             _real_sleep(seconds)
             return
         _real_sleep(min(0, seconds))  # the original's errors for what is no duration
-        self._since_ns += min(int(seconds * 1e9), _MOST_MISSED * self._tick_ns)
+        self._since_ns = min(self._since_ns + int(seconds * 1e9), _MOST_MISSED * self._tick_ns)
 
     def missed_ticks(self) -> int:
         """Return how many whole ticks passed since the last observation by sleeping and reading."""
-        return min(self._since_ns // self._tick_ns, _MOST_MISSED)
+        return self._since_ns // self._tick_ns
 
     def tick_began(self, tick: int) -> None:
         """A new observation came: it is now the beginning of the time after ``tick``; the clock never runs back."""

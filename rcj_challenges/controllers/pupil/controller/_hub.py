@@ -4,9 +4,25 @@ from __future__ import annotations
 
 import sys
 from collections import deque
+from struct import Struct
 from typing import Any
 
-from ._wire import EMISSION_OVERHEAD, Packet, Wire, request_frame
+from ._wire import (
+    EMISSION_OVERHEAD,
+    HEAD_FIELDS,
+    OBSERVATION,
+    OBSERVATION_HEAD,
+    OVER,
+    PACKET,
+    Motors,
+    Wire,
+    leave,
+    motors_frame,
+    request_frame,
+)
+
+Packet = tuple[bytes, float, float, float, float]
+"""Payload, strength, and the direction's x, y, z in the robot's frame."""
 
 QUEUE_BYTES = 16 << 20
 """What the unread packets of one receiver may take, about 80 000 small ones; honest programs leave up to 20 000."""
@@ -25,13 +41,13 @@ class PacketQueue:
     def add(self, packet: Packet) -> None:
         """Append a packet that arrived."""
         self.packets.append(packet)
-        self._bytes += len(packet[1]) + _PACKET_OVERHEAD
+        self._bytes += len(packet[0]) + _PACKET_OVERHEAD
         while self._bytes > QUEUE_BYTES and len(self.packets) > 1:
             self.drop()
 
     def drop(self) -> None:
         """Forget the oldest packet."""
-        self._bytes -= len(self.packets.popleft()[1]) + _PACKET_OVERHEAD
+        self._bytes -= len(self.packets.popleft()[0]) + _PACKET_OVERHEAD
 
 
 class Hub:
@@ -39,8 +55,8 @@ class Hub:
 
     Attributes:
         spec: the robot, as the match described it.
-        values: all numbers of all devices, as of ``tick``.
-        previous: those of the observation before, of ``previous_tick``.
+        numbers: the latest observation: six numbers of its head, then those of all devices, as of ``tick``.
+        previous: the observation before, of ``previous_tick``.
         queues: unread packets by the index of the receiver.
     """
 
@@ -48,23 +64,27 @@ class Hub:
         self.spec: dict[str, Any] = hello["robot"]
         self.tick_ms: int = hello["tick_ms"]
         self.tick = 0
-        self.values: tuple[float, ...] = (float("nan"),) * self.spec["values"]
-        self.previous, self.previous_tick = self.values, 0
-        self.queues: dict[int, PacketQueue] = {}
+        self.numbers: tuple[float, ...] = (float("nan"),) * (HEAD_FIELDS + self.spec["values"])
+        self.previous, self.previous_tick = self.numbers, 0
+        self.queues = {
+            device["index"]: PacketQueue() for device in self.spec["devices"] if device["kind"] == "receiver"
+        }
         self.over = False
         self.robot_made = False
         self._wire = wire
         self._clock = clock
         self._output = output
         self._message_bytes: int = hello["limits"]["message_bytes"]
-        self._motors: dict[int, tuple[float, float]] = {}
-        self._motors_sent: dict[int, tuple[float, float]] = {}
+        self._motors: dict[int, tuple[int, float, float]] = {}
+        self._has_others = False
         self._sampling: list[tuple[int, int]] = []
         self._channels: list[tuple[int, int]] = []
         self._frequencies: list[tuple[int, float]] = []
         self._emissions: list[tuple[int, bytes]] = []
         self._emitted_bytes = 0
-        wire.expect_values(self.spec["values"])
+        self._step_ms: float = -1.0
+        self._step_ticks = 0
+        self._form = Struct(f"{OBSERVATION_HEAD}{self.spec['values']}d")
 
     def time_s(self) -> float:
         """Return simulated seconds at the latest observation."""
@@ -76,18 +96,21 @@ class Hub:
 
     def command(self, device: int, velocity_radps: float, position_rad: float) -> None:
         """Set a motor; the last setting before the step counts."""
-        self._motors[device] = (velocity_radps, position_rad)
+        self._motors[device] = (device, velocity_radps, position_rad)
 
     def sample(self, device: int, period_ticks: int) -> None:
         """Let a sensor or receiver sample every so many ticks; 0 stops it."""
+        self._has_others = True
         self._sampling.append((device, period_ticks))
 
     def tune(self, device: int, channel: int) -> None:
         """Set the channel of a receiver or emitter."""
+        self._has_others = True
         self._channels.append((device, channel))
 
     def spin(self, device: int, frequency_hz: float) -> None:
         """Set how fast the head of a lidar turns."""
+        self._has_others = True
         self._frequencies.append((device, frequency_hz))
 
     def emit(self, device: int, data: bytes) -> bool:
@@ -95,6 +118,7 @@ class Hub:
         size = len(data) + EMISSION_OVERHEAD
         if len(data) > self._message_bytes or self._emitted_bytes + size > 2 * self._message_bytes:
             return False
+        self._has_others = True
         self._emitted_bytes += size
         self._emissions.append((device, data))
         return True
@@ -103,39 +127,41 @@ class Hub:
         """Send what was asked for, wait until the time is over, take in what came. Returns False at the end."""
         if self.over:
             return False
-        motors: list[tuple[int, float, float]] = []
-        if self._motors:
-            sent = self._motors_sent
-            motors = [(device, *setting) for device, setting in self._motors.items() if sent.get(device) != setting]
-            sent.update(self._motors)
-            self._motors.clear()
-        wire = self._wire
-        wire.send(
-            request_frame(
-                self.tick,
-                self.ticks_from_ms(duration_ms),
-                self._clock.missed_ticks(),
-                self._output.printed_bytes,
-                motors,
-                self._sampling,
-                self._channels,
-                self._frequencies,
-                self._emissions,
-            )
-        )
-        if self._sampling or self._channels or self._frequencies:
-            self._sampling, self._channels, self._frequencies = [], [], []
-        if self._emissions:
-            self._emissions, self._emitted_bytes = [], 0
-        self.previous, self.previous_tick = self.values, self.tick
-        self.tick, self.over, self.values, packets = wire.observation(wire.receive())
-        self._clock.tick_began(self.tick)
-        for packet in packets:
-            queue = self.queues.get(packet[0])
-            if queue is None:
-                queue = self.queues[packet[0]] = PacketQueue()
-            queue.add(packet)
+        if duration_ms != self._step_ms:
+            self._step_ms, self._step_ticks = duration_ms, self.ticks_from_ms(duration_ms)
+        clock = self._clock
+        missed, printed, motors = clock.missed_ticks(), self._output.printed_bytes, self._motors.values()
+        build = self._with_others if self._has_others else motors_frame
+        frame = self._wire.exchange(build(self.tick, self._step_ticks, missed, printed, motors))
+        self._motors.clear()
+        self.previous, self.previous_tick = self.numbers, self.tick
+        self.numbers = numbers = self._form.unpack_from(frame)
+        _, kind, self.tick, flags, _, packets = numbers[:HEAD_FIELDS]
+        if kind != OBSERVATION:
+            leave(1)
+        if packets:
+            self._queue(frame, packets)
+        clock.tick_began(self.tick)
+        self.over = flags == OVER
         return not self.over
+
+    def _with_others(self, tick: int, advance_ticks: int, missed_ticks: int, printed: int, motors: Motors) -> bytes:
+        """Return a request with all that is asked for, and forget it."""
+        others = self._sampling, self._channels, self._frequencies, self._emissions
+        frame = request_frame(tick, advance_ticks, missed_ticks, printed, motors, *others)
+        self._has_others = False
+        self._sampling, self._channels, self._frequencies, self._emissions = [], [], [], []
+        self._emitted_bytes = 0
+        return frame
+
+    def _queue(self, frame: bytes, count: int) -> None:
+        """Append the packets of an observation to the queues of their receivers."""
+        at = self._form.size
+        for _ in range(count):
+            device, size, strength, x, y, z = PACKET.unpack_from(frame, at)
+            begin = at + PACKET.size
+            at = begin + size
+            self.queues[device].add((frame[begin:at], strength, x, y, z))
 
 
 _hub: Hub | None = None

@@ -4,21 +4,19 @@ from __future__ import annotations
 
 import os
 from _thread import allocate_lock
-from struct import Struct, error
+from collections.abc import Iterable
+from struct import Struct
 from typing import NoReturn
-
-Packet = tuple[int, bytes, float, float, float, float]
-"""Index of the receiver, payload, strength, and the direction's x, y, z in the robot's frame."""
 
 HELLO, OBSERVATION, REQUEST, FAULT = 0x48, 0x4F, 0x52, 0x46
 OVER = 1
 FAULT_KINDS = ("crash", "exit", "memory", "output_flood", "start")
 
+OBSERVATION_HEAD = "<IBIBII"  # length, type, tick, flags, how many values, how many packets; then the values
+HEAD_FIELDS = 6
+PACKET = Struct("<HI4d")
 _LENGTH = Struct("<I")
-_OBSERVATION = "<IBIBII"  # with its length; then the values
-_PACKET = Struct("<HI4d")
-_PACKET_SIZE = _PACKET.size
-_REQUEST = "<IBIIIQHHHHI"  # with its length; then the settings
+_REQUEST_HEAD = "<IBIIIQHHHHI"  # length, type, tick, advance, missed, printed, five counts; then the settings
 _MOTOR = "Hdd"
 _MOTOR_FORM = Struct("<" + _MOTOR)
 _SAMPLING = Struct("<HI")
@@ -26,11 +24,14 @@ _CHANNEL = Struct("<Hi")
 _FREQUENCY = Struct("<Hd")
 _EMISSION = Struct("<HI")
 _FAULT = Struct("<IBBI")
-_CHUNK = 1 << 16
 EMISSION_OVERHEAD = _EMISSION.size
 
-# The common requests, whole: no, one, two … motors set, and nothing else.
-_WITH_MOTORS = [Struct(_REQUEST + count * _MOTOR) for count in range(5)]
+# Common requests as a whole: no motor set, one, two … and nothing else.
+_WITH_MOTORS = [Struct(_REQUEST_HEAD + count * _MOTOR) for count in range(5)]
+
+_USUAL_READ = 4096
+_LARGE_READ = 1 << 16
+_WHOLE_WRITE = 512  # POSIX writes that much to a pipe in one piece
 
 
 class Wire:
@@ -44,35 +45,20 @@ class Wire:
         self._write_fd = write_fd
         self._rest = b""
         self._writing = allocate_lock()
-        self._form = Struct(_OBSERVATION)
-
-    def expect_values(self, count: int) -> None:
-        """Fix how many numbers each observation holds."""
-        self._form = Struct(f"{_OBSERVATION}{count}d")
 
     def receive(self) -> bytes:
         """Wait for the next frame and return it, its length included."""
-        frame = self._rest or self._read()
+        try:
+            frame = self._rest or os.read(self._read_fd, _USUAL_READ)
+        except OSError:
+            leave(1)
         if len(frame) >= 4 and _LENGTH.unpack_from(frame)[0] == len(frame) - 4:
             self._rest = b""
             return frame
         return self._receive_in_pieces(frame)
 
-    def _receive_in_pieces(self, held: bytes) -> bytes:
-        while len(held) < 4:
-            held += self._read()
-        end = 4 + _LENGTH.unpack_from(held)[0]
-        parts, have = [held], len(held)
-        while have < end:
-            part = self._read()
-            parts.append(part)
-            have += len(part)
-        held = b"".join(parts)
-        self._rest = held[end:]
-        return held[:end]
-
     def send(self, frame: bytes) -> None:
-        """Write a whole frame, its length included."""
+        """Write a whole frame, its length included. Other threads may send theirs meanwhile."""
         with self._writing:
             try:
                 sent = os.write(self._write_fd, frame)
@@ -81,26 +67,32 @@ class Wire:
             except OSError:
                 leave(1)
 
-    def observation(self, frame: bytes) -> tuple[int, bool, tuple[float, ...], list[Packet]]:
-        """Return tick, whether it is the last one, the values and the packets of an observation."""
-        _, kind, tick, flags, _, packet_count, *values = self._form.unpack_from(frame)
-        if kind != OBSERVATION:
-            raise error(f"expected an observation, got a message of type {kind}")
-        packets: list[Packet] = []
-        at = self._form.size
-        for _ in range(packet_count):
-            device, size, strength, x, y, z = _PACKET.unpack_from(frame, at)
-            at += _PACKET_SIZE
-            packets.append((device, frame[at : at + size], strength, x, y, z))
-            at += size
-        return tick, flags == OVER, tuple(values), packets
+    def exchange(self, frame: bytes) -> bytes:
+        """Send a frame, then wait for one and return it."""
+        if len(frame) > _WHOLE_WRITE:
+            self.send(frame)
+        else:
+            try:
+                os.write(self._write_fd, frame)
+            except OSError:
+                leave(1)
+        return self.receive()
 
-    def _read(self) -> bytes:
-        try:
-            chunk = os.read(self._read_fd, _CHUNK)
-        except OSError:
-            chunk = b""
-        return chunk or leave(1)
+    def _receive_in_pieces(self, held: bytes) -> bytes:
+        parts, have, end = [held], len(held), 4
+        if not held:
+            leave(1)
+        while have < end or end == 4:
+            if have >= 4 and end == 4:
+                parts = [b"".join(parts)]
+                end = 4 + _LENGTH.unpack_from(parts[0])[0]
+                continue
+            part = os.read(self._read_fd, _LARGE_READ) or leave(1)
+            parts.append(part)
+            have += len(part)
+        held = b"".join(parts)
+        self._rest = held[end:]
+        return held[:end]
 
 
 def leave(status: int) -> NoReturn:
@@ -108,35 +100,43 @@ def leave(status: int) -> NoReturn:
     os._exit(status)
 
 
+Motors = Iterable[tuple[int, float, float]]
+"""Index, velocity in rad/s, position in rad."""
+
+
+def motors_frame(tick: int, advance_ticks: int, missed_ticks: int, printed: int, motors: Motors) -> bytes:
+    """Return a request that sets motors and nothing else. ``tick`` is that of the observation it answers."""
+    numbers = [number for setting in motors for number in setting]
+    count = len(numbers) // 3
+    if count >= len(_WITH_MOTORS):
+        return request_frame(tick, advance_ticks, missed_ticks, printed, motors, (), (), (), ())
+    form = _WITH_MOTORS[count]
+    return form.pack(form.size - 4, REQUEST, tick, advance_ticks, missed_ticks, printed, count, 0, 0, 0, 0, *numbers)
+
+
 def request_frame(
     tick: int,
     advance_ticks: int,
     missed_ticks: int,
     printed: int,
-    motors: list[tuple[int, float, float]],
-    sampling: list[tuple[int, int]],
-    channels: list[tuple[int, int]],
-    frequencies: list[tuple[int, float]],
-    emissions: list[tuple[int, bytes]],
+    motors: Motors,
+    sampling: Iterable[tuple[int, int]],
+    channels: Iterable[tuple[int, int]],
+    frequencies: Iterable[tuple[int, float]],
+    emissions: Iterable[tuple[int, bytes]],
 ) -> bytes:
-    """Return a request as a frame. ``tick`` is that of the observation it answers."""
-    if not (sampling or channels or frequencies or emissions) and len(motors) < len(_WITH_MOTORS):
-        whole = _WITH_MOTORS[len(motors)]
-        numbers = [number for setting in motors for number in setting]
-        return whole.pack(
-            whole.size - 4, REQUEST, tick, advance_ticks, missed_ticks, printed, len(motors), 0, 0, 0, 0, *numbers
-        )
-    parts = [_MOTOR_FORM.pack(*entry) for entry in motors]
-    parts += [_SAMPLING.pack(*entry) for entry in sampling]
-    parts += [_CHANNEL.pack(*entry) for entry in channels]
-    parts += [_FREQUENCY.pack(*entry) for entry in frequencies]
-    for device, data in emissions:
-        parts += (_EMISSION.pack(device, len(data)), data)
-    tail = b"".join(parts)
+    """Return a request of any kind."""
+    settings = (
+        [_MOTOR_FORM.pack(*entry) for entry in motors],
+        [_SAMPLING.pack(*entry) for entry in sampling],
+        [_CHANNEL.pack(*entry) for entry in channels],
+        [_FREQUENCY.pack(*entry) for entry in frequencies],
+        [_EMISSION.pack(device, len(data)) + data for device, data in emissions],
+    )
+    tail = b"".join([entry for kind in settings for entry in kind])
     head = _WITH_MOTORS[0]
-    counts = len(motors), len(sampling), len(channels), len(frequencies), len(emissions)
     length = head.size - 4 + len(tail)
-    return head.pack(length, REQUEST, tick, advance_ticks, missed_ticks, printed, *counts) + tail
+    return head.pack(length, REQUEST, tick, advance_ticks, missed_ticks, printed, *map(len, settings)) + tail
 
 
 def fault_frame(kind: str, detail: str, traceback: str = "") -> bytes:

@@ -19,6 +19,7 @@ class Motor(Device):
         self._max_velocity = float(self._facts.get("max_velocity", hub.spec["max_velocity_radps"]))
         self._velocity = self._max_velocity
         self._position = 0.0
+        self._commanded = False
         self._acceleration = -1.0
         self._available_torque = self.getMaxTorque()
         self._warned_of_speed = False
@@ -29,8 +30,7 @@ class Motor(Device):
         if math.isnan(asked):
             complain(f"Error: {self.getName()!r}: setPosition(NaN) is refused.")
             return
-        self._position = math.inf if math.isinf(asked) else asked
-        self._hub.command(self._index, self._velocity, self._position)
+        self._command(self._velocity, math.inf if math.isinf(asked) else asked)
 
     def setVelocity(self, velocity: float) -> None:
         """Set the velocity in rad/s; beyond the maximum it is clamped."""
@@ -46,8 +46,13 @@ class Motor(Device):
                     f"{self._max_velocity:g} rad/s, which is taken instead."
                 )
             asked = math.copysign(self._max_velocity, asked)
-        self._velocity = asked
-        self._hub.command(self._index, self._velocity, self._position)
+        if asked != self._velocity or not self._commanded:
+            self._command(asked, self._position)
+
+    def _command(self, velocity: float, position: float) -> None:
+        self._commanded = True
+        self._velocity, self._position = velocity, position
+        self._hub.command(self._index, velocity, position)
 
     def getVelocity(self) -> float:
         """Return the velocity that is set, in rad/s."""

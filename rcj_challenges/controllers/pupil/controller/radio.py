@@ -7,8 +7,7 @@ import struct
 from collections.abc import Sequence
 from typing import Any
 
-from ._hub import Hub, PacketQueue, complain
-from ._wire import Packet
+from ._hub import Hub, Packet, complain
 from .device import Device, Sensor
 
 
@@ -19,7 +18,7 @@ class Receiver(Sensor):
 
     def __init__(self, hub: Hub, spec: dict[str, Any]) -> None:
         super().__init__(hub, spec)
-        self._queue = hub.queues.setdefault(self._index, PacketQueue())
+        self._queue = hub.queues[self._index]
         self._channel = int(self._facts.get("channel", -1))
         self._returns_text = hub.spec["getdata_returns"] == "text"
 
@@ -38,7 +37,7 @@ class Receiver(Sensor):
         Raises:
             RuntimeError: the queue is empty.
         """
-        return self.getString() if self._returns_text else self._first("getData")[1]
+        return self.getString() if self._returns_text else self._first("getData")[0]
 
     def getBytes(self) -> bytes:
         """Return the first packet as bytes.
@@ -46,7 +45,7 @@ class Receiver(Sensor):
         Raises:
             RuntimeError: the queue is empty.
         """
-        return self._first("getBytes")[1]
+        return self._first("getBytes")[0]
 
     def getString(self) -> str:
         """Return the first packet as text, up to its first zero byte.
@@ -55,7 +54,7 @@ class Receiver(Sensor):
             RuntimeError: the queue is empty.
             UnicodeDecodeError: it is not UTF-8.
         """
-        return self._first("getString")[1].split(b"\0", 1)[0].decode()
+        return self._first("getString")[0].split(b"\0", 1)[0].decode()
 
     def getFloats(self) -> list[float]:
         """Return the first packet as a list of doubles.
@@ -64,16 +63,16 @@ class Receiver(Sensor):
             RuntimeError: the queue is empty.
             struct.error: its size is not that of whole doubles.
         """
-        data = self._first("getFloats")[1]
+        data = self._first("getFloats")[0]
         return list(struct.unpack(f"{len(data) / 8:g}d", data))
 
     def getDataSize(self) -> int:
         """Return the first packet's size in bytes; -1 without one."""
-        return len(self._queue.packets[0][1]) if self._queue.packets else -1
+        return len(self._queue.packets[0][0]) if self._queue.packets else -1
 
     def getSignalStrength(self) -> float:
         """Return 1 / r² of the first packet, r in m; NaN without one."""
-        return self._queue.packets[0][2] if self._queue.packets else math.nan
+        return self._queue.packets[0][1] if self._queue.packets else math.nan
 
     def getEmitterDirection(self) -> list[float]:
         """Return the unit vector to the emitter of the first packet: x forward, y left, z up.
@@ -81,7 +80,7 @@ class Receiver(Sensor):
         Raises:
             RuntimeError: the queue is empty.
         """
-        return list(self._first("getEmitterDirection")[3:])
+        return list(self._first("getEmitterDirection")[2:])
 
     def getChannel(self) -> int:
         """Return the channel it listens to."""

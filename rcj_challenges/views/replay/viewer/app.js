@@ -109,7 +109,7 @@ class App {
   // --- cameras ---------------------------------------------------------------------------------------------------------
 
   look(mode, robot = null) {
-    this.camera.preset(mode, true, robot);
+    this.camera.preset(mode, !matchMedia("(prefers-reduced-motion: reduce)").matches, robot);
     this.showCamera();
     this.changed();
   }
@@ -161,7 +161,7 @@ class App {
     const seconds = Math.min(0.25, passed / 1000);
     this.before = now;
     this.player.advance(seconds);
-    const snap = this.player.jumped && this.camera.mode !== "robot" && !this.camera.goal;
+    const snap = this.player.jumped && !this.camera.goal;
     const moving = this.camera.advance(seconds, this.leader, snap);
     this.player.jumped = false;
     this.draw();
@@ -226,7 +226,7 @@ class App {
   // --- keys ------------------------------------------------------------------------------------------------------------
 
   key(event) {
-    const field = event.target.closest?.("select, input[type=text], dialog, [role=tablist]");
+    const field = event.target.closest?.(/^(Arrow|Home|End)/.test(event.key) ? "select, dialog, [role=tablist]" : "select, dialog");
     const pressable = event.target.closest?.("button, input[type=checkbox]");
     if (field || event.ctrlKey || event.metaKey || event.altKey) return;
     if (pressable && event.key === " ") return;

@@ -48,9 +48,8 @@ class Camera {
     const next = { azimuth: facing, elevation, distance: 1.1, target: [0, 0, 0] };
     if (mode === "ball") next.target = [...this.pose.target];
     else this.fit(next);
-    if (glide) this.goal = next;
-    else this.pose = next;
-    if (!glide) this.goal = null;
+    this.goal = glide ? next : null;
+    if (!glide) this.pose = next;
   }
 
   /**

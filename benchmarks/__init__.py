@@ -1,0 +1,1 @@
+"""Benchmarks: each a command of its own; `python -m benchmarks` prints all rows of the table of bars."""

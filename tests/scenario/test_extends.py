@@ -1,0 +1,136 @@
+"""What a scenario may extend."""
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.load import load, load_text
+from rcj_challenges.scenario.resources import names_in, presets_folder, scenarios_folder, teams_folder
+
+
+def write(folder, name, text):
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / name).write_text(text, encoding="utf-8")
+    return folder / name
+
+
+def complaint(path):
+    with pytest.raises(ScenarioError) as caught:
+        load(path)
+    (problem,) = caught.value.problems
+    assert problem.path == "extends"
+    return problem.message
+
+
+def test_presets_are_found_by_name():
+    assert {"soccersim_v2", "soccersim_2021"} <= set(names_in(presets_folder()))
+
+
+@pytest.mark.parametrize("name", names_in(presets_folder()))
+def test_every_preset_is_strict_yaml_and_can_be_extended(name):
+    assert load_text(f"schema_version: 1\nid: x\ntitle: X\nextends: {name}\n").scenario.robots
+
+
+@pytest.mark.parametrize("path", sorted(scenarios_folder().rglob("*.yaml")), ids=lambda path: path.stem)
+def test_every_shipped_scenario_is_in_order(path):
+    assert load(path).scenario.rules
+
+
+def test_a_relative_path_is_read_beside_the_file_that_names_it(tmp_path):
+    write(tmp_path / "deep" / "er", "base.yaml", "extends: ../../root.yaml\nmatch: {half_s: 5}\n")
+    write(tmp_path, "root.yaml", "schema_version: 1\nid: root\ntitle: Root\nextends: soccersim_v2\nmatch: {halves: 3}\n")
+    found = load(write(tmp_path, "mine.yaml", "extends: deep/er/base.yaml\nid: mine\n")).scenario
+    assert (found.id, found.title, found.match.halves, found.match.half_s) == ("mine", "Root", 3, 5)
+
+
+def test_five_bases_behind_each_other_are_allowed_and_six_are_not(tmp_path):
+    write(tmp_path, "b4.yaml", "schema_version: 1\nid: b\ntitle: B\nextends: soccersim_v2\n")
+    for number in (3, 2, 1):
+        write(tmp_path, f"b{number}.yaml", f"extends: b{number + 1}.yaml\n")
+    five = write(tmp_path, "five.yaml", "extends: b1.yaml\n")
+    assert load(five).scenario.title == "B"
+    assert "too many bases behind each other, at most 5" in complaint(write(tmp_path, "six.yaml", "extends: five.yaml\n"))
+
+
+def test_a_circle_is_reported_with_its_way(tmp_path):
+    write(tmp_path, "a.yaml", "extends: b.yaml\n")
+    write(tmp_path, "b.yaml", "extends: ./sub/../a.yaml\n")
+    write(tmp_path / "sub", "c.yaml", "extends: ../a.yaml\n")
+    assert "may stand at the beginning only" in complaint(tmp_path / "a.yaml")
+    write(tmp_path, "b.yaml", "extends: sub/c.yaml\n")
+    assert "a file cannot extend itself" in complaint(tmp_path / "a.yaml")
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "/etc/passwd", "/etc/x.yaml", "https://example.org/x.yaml", "C:/x.yaml", "C:x.yaml", "..\\x.yaml", "~/x.yaml",
+        "//host/x.yaml", "x.json", "x.yaml/", "base", "../base", ".yaml ", "a\\tb.yaml", "file:///x.yaml",
+    ],
+)  # fmt: skip
+def test_nothing_but_a_preset_or_a_relative_yaml_file_can_be_extended(tmp_path, name):
+    text = f'extends: "{name}"\n' if "\\t" in name else f"extends: '{name}'\n"
+    assert complaint(write(tmp_path, "mine.yaml", text))
+
+
+@pytest.mark.parametrize("value", ["[soccersim_v2]", "{preset: x}", "3", "true", "''"])
+def test_extends_is_one_name(tmp_path, value):
+    assert complaint(write(tmp_path, "mine.yaml", f"extends: {value}\n"))
+
+
+def test_a_folder_called_like_a_file_is_no_file(tmp_path):
+    (tmp_path / "base.yaml").mkdir()
+    assert "there is no file 'base.yaml'" in complaint(write(tmp_path, "mine.yaml", "extends: base.yaml\n"))
+
+
+def test_upper_and_lower_case_matter_on_every_machine(tmp_path):
+    write(tmp_path, "Base.yaml", "title: B\n")
+    assert complaint(write(tmp_path, "mine.yaml", "extends: base.yaml\n")).endswith("did you mean 'Base.yaml'?")
+
+
+def test_a_text_has_no_folder_for_a_relative_path():
+    with pytest.raises(ScenarioError, match="extend a preset"):
+        load_text("extends: ./base.yaml\n")
+
+
+def test_a_shipped_scenario_is_not_a_preset_but_the_message_helps():
+    with pytest.raises(ScenarioError, match=r"extended by its relative path, such as \./fast_shooter\.yaml"):
+        load_text("extends: fast_shooter\n")
+
+
+def test_a_broken_base_is_reported_in_the_base(tmp_path):
+    write(tmp_path, "base.yaml", "a: [\n")
+    with pytest.raises(ScenarioError) as caught:
+        load(write(tmp_path, "mine.yaml", "extends: base.yaml\n"))
+    assert Path(caught.value.problems[0].file).name == "base.yaml"
+
+
+def test_a_newer_format_is_refused_naming_what_is_needed(tmp_path):
+    with pytest.raises(ScenarioError, match="version 7 needs a newer rcj-challenges"):
+        load(write(tmp_path, "new.yaml", "schema_version: 7\nwhatever: true\n"))
+    write(tmp_path, "mine.yaml", "schema_version: 1\nextends: new.yaml\n")
+    with pytest.raises(ScenarioError, match="version 7 needs a newer"):
+        load(tmp_path / "mine.yaml")
+
+
+def test_shipped_files_lie_in_the_checkout_or_in_the_package(tmp_path, monkeypatch):
+    from rcj_challenges.scenario import resources
+
+    assert (scenarios_folder() / "match.yaml").is_file()
+    assert teams_folder().is_dir()
+    package = tmp_path / "rcj_challenges"
+    shutil.copytree(scenarios_folder(), package / "data" / "scenarios")
+    monkeypatch.setattr(resources, "_PACKAGE", package)
+    assert resources.scenarios_folder() == package / "data" / "scenarios"
+    assert names_in(resources.scenarios_folder()) == names_in(package / "data" / "scenarios") != []
+    assert resources.teams_folder() == tmp_path / "examples" / "teams"
+
+
+def test_bare_names_find_shipped_scenarios_and_files_come_first(tmp_path, monkeypatch):
+    assert load("match").path == scenarios_folder() / "match.yaml"
+    assert load("match").name == "match"
+    monkeypatch.chdir(tmp_path)
+    write(tmp_path, "match", "schema_version: 1\nid: own\ntitle: Own\nextends: soccersim_v2\n")
+    assert load("match").scenario.id == "own"

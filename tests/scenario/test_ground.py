@@ -1,0 +1,231 @@
+"""What cannot be on the floor."""
+
+from math import pi
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rcj_challenges.scenario.models.robots import Chassis
+from rcj_challenges.scenario.outlines import Disc, Outline, is_simple, rectangle, robot_outline
+from tests.scenario.writing import complaints, loaded, rule
+
+ROBOT = Chassis()
+
+
+def robot_at(x, y, yaw=0.0):
+    return robot_outline(ROBOT, x, y, yaw)
+
+
+# --- outlines ---------------------------------------------------------------------------------------------------------
+
+
+def test_a_robot_is_ten_centimetres_wide_across_its_wheels_and_seven_and_a_half_long():
+    x_0, x_1, y_0, y_1 = robot_at(0, 0).box()
+    assert (x_1 - x_0, y_1 - y_0) == pytest.approx((0.075, 0.1))
+
+
+def test_robots_side_by_side_touch_with_their_wheels_and_end_to_end_with_their_cubes():
+    assert robot_at(0, 0).overlaps(robot_at(0, 0.099))
+    assert not robot_at(0, 0).overlaps(robot_at(0, 0.101))
+    assert robot_at(0, 0).overlaps(robot_at(0.074, 0))
+    assert not robot_at(0, 0).overlaps(robot_at(0.076, 0))
+
+
+def test_the_corner_between_cube_and_wheel_is_free():
+    """A ball fits beside a wheel, where a plain rectangle of 0.075 x 0.1 would be in its way."""
+    ball = Outline((Disc((0.034, 0.05), 0.0115),))
+    assert not robot_at(0, 0).overlaps(ball)
+    assert Outline((rectangle((0, 0), 0.0375, 0.05, 0),)).overlaps(ball)
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.floats(-0.2, 0.2), st.floats(-0.2, 0.2), st.floats(-pi, pi), st.floats(-pi, pi))
+def test_overlap_is_mutual_and_does_not_depend_on_the_frame(x, y, yaw, turn):
+    from math import cos, sin
+
+    a, b = robot_at(0, 0, 0.3), robot_at(x, y, yaw)
+    gap = (x * x + y * y) ** 0.5
+    if abs(gap - 0.075) < 1e-4:
+        return
+    assert a.overlaps(b) == b.overlaps(a)
+    turned = robot_at(x * cos(turn) - y * sin(turn), x * sin(turn) + y * cos(turn), yaw + turn)
+    nearby = robot_at(0, 0, 0.3 + turn)
+    grown = Chassis(size_m=0.0751, wheel_track_m=0.0901)
+    if a.overlaps(b) == robot_outline(grown, 0, 0, 0.3).overlaps(robot_outline(grown, x, y, yaw)):
+        assert nearby.overlaps(turned) == a.overlaps(b)
+    if gap < 0.075:
+        assert a.overlaps(b)
+    if gap > 0.125:  # beyond twice the radius of the outline
+        assert not a.overlaps(b)
+
+
+@pytest.mark.parametrize(
+    ("centre", "radius", "hit"),
+    [((0.06, 0), 0.0224, False), ((0.06, 0), 0.0226, True), ((0, 0), 0.001, True), ((0.0475, 0.0475), 0.0141, False),
+     ((0.0475, 0.0475), 0.0143, True)],
+)  # fmt: skip
+def test_a_ball_touches_the_cube_at_its_faces_and_corners(centre, radius, hit):
+    cube = Outline((rectangle((0, 0), 0.0375, 0.0375, 0),))
+    assert cube.overlaps(Outline((Disc(centre, radius),))) is hit
+
+
+@pytest.mark.parametrize(
+    ("points", "simple"),
+    [
+        ([(0, 0), (1, 0), (1, 1), (0, 1)], True),
+        ([(0, 0), (0, 1), (1, 1), (1, 0)], True),
+        ([(0, 0), (2, 0), (2, 2), (1, 0.5)], True),
+        ([(0, 0), (1, 0), (2, 0), (2, 2)], True),  # a corner on a straight side
+        ([(0, 0), (1, 1), (1, 0), (0, 1)], False),  # a bow
+        ([(0, 0), (1, 0), (2, 0)], False),  # no area
+        ([(0, 0), (1, 0), (1, 0), (0, 1)], False),  # a corner twice
+        ([(0, 0), (2, 0), (2, 2), (1, 0), (0, 2)], False),  # a corner on another side
+        ([(0, 0), (2, 0), (1, 0), (1, 2)], False),  # doubles back
+    ],
+)
+def test_a_polygon_must_be_simple(points, simple):
+    assert is_simple(points) is simple
+
+
+# --- bodies on the field ----------------------------------------------------------------------------------------------
+
+
+def robot_b1(x, y, yaw=0.0):
+    return f"robots: {{B1: {{start: {{x_m: {x}, y_m: {y}, yaw_rad: {yaw}}}}}}}\n"
+
+
+@pytest.mark.parametrize(
+    "pose",
+    [(0.612, 0, 0), (0, 0.699, 0), (0.599, 0.1, pi / 2), (0.5, 0.5, 0.7), (0, 0.79, 0), (0, 0.74, 0.3), (0.15, 0.76, 0),
+     (0.545, 0.645, pi / 4)],
+)  # fmt: skip
+def test_a_robot_may_stand_anywhere_on_the_field_and_in_the_goals(pose):
+    assert loaded(robot_b1(*pose))
+
+
+@pytest.mark.parametrize(
+    "pose",
+    [
+        (0.613, 0, 0),  # the cube in the side wall
+        (0.601, 0.1, pi / 2),  # a wheel in the side wall
+        (0.3, 0.71, 0),  # the wheels in the end wall
+        (0.565, 0.665, pi / 4),  # in the chamfer
+        (0, 0.81, 0),  # through the back of the goal
+        (0.18, 0.76, 0),  # in the post
+        (0.19, 0.9, 0),  # behind the goal
+        (0.2, 0.72, pi / 4),  # a corner through the end wall beside the post
+        (2, 2, 0),
+    ],
+)
+def test_a_robot_in_a_wall_or_outside_is_refused(pose):
+    (line,) = complaints(robot_b1(*pose))
+    assert line.startswith("robots.B1.start: 'B1' stands outside the field or in a wall")
+
+
+@pytest.mark.parametrize("place", ["[0.628, 0.3]", "[-0.1, 0.728]", "[0, 0.8]", "[0.17, 0.75]"])
+def test_a_ball_may_lie_anywhere_on_the_field_and_in_the_goals(place):
+    assert loaded(f"balls: {{ball: {{start_m: {place}}}}}\n")
+
+
+@pytest.mark.parametrize("place", ["[0.63, 0.1]", "[0.3, 0.73]", "[0, 0.84]", "[0.19, 0.75]", "[0.62, 0.72]", "[0, 3]"])
+def test_a_ball_in_a_wall_is_refused(place):
+    (line,) = complaints(f"balls: {{ball: {{start_m: {place}}}}}\n")
+    assert line.startswith("balls.ball.start_m: 'ball' stands outside the field or in a wall")
+
+
+def obstacle(text):
+    return f"obstacles: {{post: {{{text}}}}}\n"
+
+
+def test_a_fixed_obstacle_may_reach_into_the_walls_but_not_into_robots():
+    assert loaded(obstacle("shape: wall, from_m: [-0.65, 0.1], to_m: [-0.4, 0.1]"))
+    assert loaded(obstacle("shape: box, centre_m: [0.65, 0], size_m: [0.1, 0.1]"))
+    assert complaints(obstacle("shape: wall, from_m: [-0.65, 0.3], to_m: [-0.3, 0.3]")) == [
+        "obstacles.post: 'post' overlaps 'B2' at the start"
+    ]
+
+
+def test_a_movable_obstacle_must_stand_free():
+    assert complaints(obstacle("shape: box, centre_m: [0.65, 0], size_m: [0.1, 0.1], movable: true"))[0].startswith(
+        "obstacles.post: 'post' stands outside the field or in a wall"
+    )
+    assert complaints(obstacle("shape: box, centre_m: [0.1, 0], size_m: [0.17, 0.02], movable: true")) == [
+        "obstacles.post: 'post' overlaps 'ball' at the start"
+    ]
+
+
+def test_a_turned_box_covers_other_ground():
+    long_box = "shape: box, centre_m: [0, 0.15], size_m: [0.5, 0.02]"
+    assert loaded(obstacle(long_box))
+    assert complaints(obstacle(long_box + ", yaw_rad: 1.5707963"))
+
+
+def test_all_overlaps_are_reported():
+    body = "balls: {a: {start_m: [0, 0.1]}, b: {start_m: [0.01, 0.1]}, c: {start_m: [0.02, 0.1]}}\n"
+    assert sorted(complaints(body)) == [
+        "balls.b.start_m: 'b' overlaps 'a' at the start",
+        "balls.c.start_m: 'c' overlaps 'a' at the start",
+        "balls.c.start_m: 'c' overlaps 'b' at the start",
+    ]
+
+
+def test_many_bodies_are_checked_in_reasonable_time():
+    rows = "".join(f"  b{i}: {{start_m: [{-0.5 + 0.01 * (i % 100)}, {-0.2 + 0.001 * (i // 100)}]}}\n" for i in range(300))
+    assert len(complaints("balls:\n  ball: null\n" + rows)) > 300
+
+
+# --- shapes -----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("zone", "says"),
+    [
+        ("shape: rect, x_min_m: 0.1, x_max_m: 0.1", "zones.z.x_min_m: x_min_m 0.1 is not smaller than x_max_m 0.1"),
+        ("shape: rect, y_min_m: 1, y_max_m: 0", "zones.z.y_min_m: y_min_m 1 is not smaller than y_max_m 0"),
+        ("shape: rect", "zones.z: a rect needs at least one of"),
+        ("shape: polygon, points_m: [[0, 0], [1, 0], [2, 0]]", "zones.z.points_m: the outline crosses or touches itself"),
+        ("shape: polygon, points_m: [[0, 0], [1, 0]]", "zones.z.points_m: must have at least 3 entries, found a list of 2"),
+        ("shape: half_plane, through_m: [0, 0], normal: [0, 0]", "zones.z.normal: [0, 0] has no direction"),
+        ("shape: circle, centre_m: [0, 0], radius_m: 0", "zones.z.radius_m: must be greater than 0, found 0"),
+    ],
+)
+def test_a_zone_has_an_inside(zone, says):
+    (line,) = complaints(f"zones: {{z: {{{zone}}}}}\n")
+    assert line.startswith(says)
+
+
+@pytest.mark.parametrize(
+    ("zone", "bounded"),
+    [
+        ("shape: rect, x_min_m: 0, x_max_m: 0.1, y_min_m: 0, y_max_m: 0.1", True),
+        ("shape: rect, x_min_m: 0, x_max_m: 0.1, y_min_m: 0", False),
+        ("shape: circle, centre_m: [0, 0], radius_m: 0.1", True),
+        ("shape: circle, centre_m: [0, 0], radius_m: 0.1, inverted: true", False),
+        ("shape: polygon, points_m: [[0, 0], [0.1, 0], [0, 0.1]]", True),
+        ("shape: half_plane, through_m: [0, 0], normal: [1, 0]", False),
+    ],
+)
+def test_a_random_point_needs_a_bounded_zone(zone, bounded):
+    body = f"zones: {{z: {{{zone}}}}}\n" + rule(action="{action: place, entity: ball, at: {uniform_in: z}}")
+    if bounded:
+        assert loaded(body)
+    else:
+        (line,) = complaints(body)
+        assert line.startswith("rules.r.actions[0] (place): zone 'z' has no end in some direction")
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("field: {corner_cut_m: 0.65}\n", "field.corner_cut_m"),
+        ("field: {goals: {blue_goal: {width_m: 1.19}}}\n", "field.goals.blue_goal.width_m: 1.19 is wider"),
+        ("field: {goals: {blue_goal: {end: negative_y}}}\n", "field.goals."),
+        ("gates: {g: {from_m: [1, 1], to_m: [1, 1]}}\n", "gates.g.to_m"),
+        ("obstacles: {w: {shape: wall, from_m: [0.5, 0], to_m: [0.5, 0]}}\n", "obstacles.w.to_m"),
+        ("obstacles: {w: {shape: box, centre_m: [0.5, 0], size_m: [0.1, -0.1]}}\n", "obstacles.w.size_m"),
+    ],
+)
+def test_field_gates_and_obstacles_have_extent(text, says):
+    (line,) = complaints(text)
+    assert line.startswith(says)

@@ -1,0 +1,137 @@
+"""Loading a scenario: what comes out, and that it can be read again."""
+
+import copy
+import json
+import random
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rcj_challenges.scenario.errors import Problem, ScenarioError, nearest
+from rcj_challenges.scenario.load import load, load_resolved, load_text
+from rcj_challenges.scenario.models.scenario import Scenario, blank_fields
+from rcj_challenges.scenario.resources import names_in, scenarios_folder
+from rcj_challenges.scenario.tree import plain
+from rcj_challenges.scenario.yaml_strict import parse_bytes
+from tests.scenario.writing import HEAD, loaded
+
+SHIPPED = names_in(scenarios_folder())
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_the_resolved_scenario_is_json_and_reads_as_the_same(name):
+    first = load(name)
+    text = json.dumps(first.resolved, allow_nan=False)
+    again = load_resolved(json.loads(text), name)
+    assert again.scenario == first.scenario
+    assert again.roster == first.roster
+    assert json.dumps(again.resolved) == text
+    assert (again.name, again.path) == (name, None)
+
+
+def test_the_resolved_scenario_holds_defaults_params_and_overrides_but_no_base():
+    resolved = load("match", ["goal_pause_s=4"]).resolved
+    assert resolved["phases"]["goal_pause"] == {
+        "lasts_s": 4.0, "next": "play", "waiting_for_kickoff": True, "clock": "runs",
+    }  # fmt: skip
+    assert resolved["extends"] is None
+    assert resolved["limits"]["step_s"] == 5.0
+    assert resolved["rules"]["kickoff_blue"]["triggers"][0]["from"] == "goal_pause"
+    assert resolved["params"]["goal_pause_s"] == 4
+
+
+def test_the_same_file_gives_the_same_bytes():
+    assert json.dumps(load("match").resolved) == json.dumps(load("match").resolved)
+
+
+def test_what_a_record_holds_is_checked_too():
+    resolved = load("match").resolved
+    resolved["rules"]["goal_in_blue"]["triggers"][0]["zone"] = "gaol"
+    with pytest.raises(ScenarioError, match=r"resolved scenario: rules\.goal_in_blue\.triggers\[0\] \(enters\): unknown zone"):
+        load_resolved(resolved)
+
+
+def test_the_smallest_scenario():
+    text = json.dumps(blank_fields())
+    assert load_text(text).scenario == Scenario.model_validate(blank_fields())
+
+
+def test_the_name_is_the_files_stem():
+    assert load_text(HEAD, file="my challenge.yaml").name == "my challenge"
+
+
+def test_problems_come_sorted_by_place_and_once_each():
+    a, b, c = Problem("f", 2, 1, "p", "m"), Problem("f", 1, 9, "p", "m"), Problem("f", 1, 10, "", "m")
+    error = ScenarioError([a, b, a, c])
+    assert str(error).splitlines() == ["f:1:9: p: m", "f:1:10: m", "f:2:1: p: m"]
+    assert error.exit_code == 2
+
+
+def test_a_thousand_problems_are_cut():
+    error = ScenarioError(Problem("f", line, 1, "", "m") for line in range(1, 1001))
+    assert str(error).endswith("f:100:1: m\n… and 900 more")
+    assert len(error.problems) == 1000
+
+
+@pytest.mark.parametrize(
+    ("word", "known", "hint"),
+    [
+        ("blue_gaol", ["blue_goal", "yellow_goal"], "; did you mean 'blue_goal'?"),
+        ("Blue_Goal", ["blue_goal"], "; did you mean 'blue_goal'?"),
+        ("distance", ["distance_m", "instance"], "; did you mean 'distance_m'?"),
+        ("xyz", ["blue_goal"], ""),
+        ("x" * 100_000, ["y" * 64], ""),
+    ],
+)
+def test_the_nearest_match(word, known, hint):
+    assert nearest(word, known) == hint
+
+
+def test_kinds_of_values_stay_as_written():
+    found = loaded("draws: {d: {values: [1, 1.0, true, '1', one]}}\n").scenario.draws["d"].values
+    assert [type(value) for value in found] == [int, float, bool, str, str]
+
+
+# --- whatever is written, there is a message and never a traceback ---------------------------------------------------
+
+SOURCES = [plain(parse_bytes((scenarios_folder() / f"{name}.yaml").read_bytes(), name)) for name in SHIPPED]
+ODD = [
+    None, 0, -1, 1.5, True, "x", "each", "ball", "walls", "B1", "blue_goal", "start", "", "1a", "é" * 70, 10**18, 1e300,
+    [], {}, [1], [1, 2], ["a"], [None], {"x": None}, [[0, 0], [1, 1]], {"param": "x"}, {"counter": "a"}, {"draw": "x"},
+    {"towards": [1, 2]}, {"trigger": "enters"}, {"shape": "circle"}, {"action": "place"}, {"any_of": ["x"]},
+]  # fmt: skip
+
+
+def places(data):
+    if isinstance(data, dict):
+        for key, value in data.items():
+            yield data, key
+            yield from places(value)
+    elif isinstance(data, list):
+        for index, value in enumerate(data):
+            yield data, index
+            yield from places(value)
+
+
+@settings(max_examples=80, deadline=None)
+@given(st.integers(0, 2**32))
+def test_a_spoilt_scenario_is_read_or_refused_in_words(seed):
+    choose = random.Random(seed)
+    data = copy.deepcopy(choose.choice(SOURCES))
+    for _ in range(choose.choice([1, 1, 2, 8])):
+        holder, key = choose.choice(list(places(data)))
+        if choose.random() < 0.2:
+            del holder[key]
+        else:
+            holder[key] = copy.deepcopy(choose.choice(ODD))
+    try:
+        found = load_text(json.dumps(data))
+    except ScenarioError as error:
+        assert error.problems
+        for problem in error.problems:
+            assert problem.line == 1 or problem.file == "soccersim_2021.yaml" or problem.file == "soccersim_v2.yaml"
+            assert "nput should" not in problem.message  # pydantic's wording
+            assert "Error" not in problem.message
+    else:
+        assert load_resolved(found.resolved).resolved == found.resolved

@@ -1,0 +1,95 @@
+"""What is well formed and cannot be meant."""
+
+import pytest
+
+from tests.scenario.writing import complaints, loaded, rule
+
+
+def condition(text):
+    return rule(rest=f"    conditions: [{{condition: {text}}}]\n")
+
+
+def expectation(text):
+    return f"expect:\n  t: {{lasts_s: 3, {text}}}\n"
+
+
+GOOD = [
+    rule(action="{action: place, entity: ball, at: start}"),
+    condition("speed, entity: ball, at_least: 0"),
+    condition("speed, entity: ball, at_least: 0.1, at_most: 0.1"),
+    condition("counter, counter: blue, equals: 3"),
+    "timers: {t: {lasts_s: 1}}\n" + condition("timer, timer: t"),
+    rule("{trigger: time_reached, at_s: 600}"),
+    rule("{trigger: holds, condition: {condition: speed, entity: ball, at_most: 1}, for_s: 0, grace_s: 0.032}"),
+    "draws: {d: {values: [1, 2], not_last: true}}\n",
+    "draws: {d: {values: [1, true], not_last: true}}\n",
+    expectation("keyframes: [{at_s: 0}, {at_s: 3}], events: [{event: E, at_s: 3}]"),
+    "robots: {B1: {without: [gps], devices: {lidar: {device: lidar}}}}\n",
+    "match: {halves: 2, swap_sides: true}\n",
+    "entrants: {blue: {robots: {B1: a/b.py, B2: [a.py, b/c-d.py]}}}\n",
+]
+
+
+@pytest.mark.parametrize("body", GOOD)
+def test_what_makes_sense_is_taken(body):
+    assert loaded(body)
+
+
+BAD = [
+    (rule(action="{action: place}"), "rules.r.actions[0] (place): 'entity and at' missing"),
+    (rule(action="{action: place, entity: ball}"), "rules.r.actions[0] (place): 'at' missing"),
+    (rule(action="{action: place, at: start}"), "rules.r.actions[0] (place): 'entity' missing"),
+    ("placements: {l: [{entity: ball, at: start}]}\n" + rule(action="{action: place, layout: l, at: start}"),
+     "rules.r.actions[0] (place): place needs either a layout, or entity and at, not both"),
+    ("counters: {c: {}}\n" + rule(action="{action: count, counter: c, by: 1, to: 1}"),
+     "rules.r.actions[0] (count): count needs either 'by' or 'to'"),
+    (condition("distance, entity: ball, to: B1"), "rules.r.conditions[0] (distance): nothing to compare with"),
+    (condition("counter, counter: blue"), "rules.r.conditions[0] (counter): nothing to compare with"),
+    (rule("{trigger: holds, condition: {condition: speed, entity: ball}}"), "rules.r.triggers[0] (holds): nothing to compare"),
+    (condition("speed, entity: ball, equals: 1, at_least: 1"), "rules.r.conditions[0] (speed): equals says all"),
+    (condition("speed, entity: ball, at_least: 2, at_most: 1"), "rules.r.conditions[0] (speed): nothing is at least 2"),
+    (condition("spot_free, spot: neutral_spots, of: {at_least: 8}"), "rules.r.conditions[0] (spot_free): at least 8 of 7"),
+    (condition("in_zone, entity: [blue, B1], zone: pitch, of: {at_least: 4}"), "rules.r.conditions[0] (in_zone): at least 4 of 3"),
+    (rule("{trigger: time_reached, at_s: 600.1}"), "rules.r.triggers[0] (time_reached): 600.1 s is never reached"),
+    (rule("{trigger: stays_in, entity: ball, zone: pitch, limit_s: 3, grace_s: 0.03}"),
+     "rules.r.triggers[0] (stays_in): a duration must be 0 or at least one tick (0.032 s), found 0.03"),
+    (rule("{trigger: no_progress, entity: ball, distance_m: 1, within_s: 0.031}"),
+     "rules.r.triggers[0] (no_progress).within_s: a duration must be at least one tick (0.032 s), found 0.031"),
+    (rule(rest="    cooldown_s: 0\n"), "rules.r.cooldown_s: a duration must be at least one tick (0.032 s), found 0"),
+    ("draws: {d: {values: [x, x], not_last: true}}\n", "draws.d.not_last: one value alone"),
+    (expectation("keyframes: [{at_s: 1}, {at_s: 1}]"), "expect.t.keyframes[1].at_s: 1 s does not come after 1 s"),
+    (expectation("keyframes: [{at_s: 3.5}]"), "expect.t.keyframes[0].at_s: 3.5 s comes after the end, 3 s"),
+    (expectation("keyframes: [{at_s: 1}], events: [{event: E, at_s: 4}]"), "expect.t.events[0].at_s: 4 s comes after the end"),
+    (expectation("keyframes: [{at_s: 1}], half: 2"), "expect.t.half: there is no half 2; 1 are played"),
+    ("match: {half_s: 2}\n" + expectation("keyframes: [{at_s: 1}]"), "expect.t.lasts_s: 3 s is longer than a half, 2 s"),
+    ("robots: {B1: {without: [lidar]}}\n", "robots.B1.without[0]: kit 'v2' has no device 'lidar'"),
+    ("robots: {B1: {devices: {l: {device: lidar, min_range_m: 3}}}}\n", "robots.B1.devices.l.min_range_m: must be less than"),
+    ("robots: {B1: {idle: true}}\n", "robots.B1.idle: 'B1' is idle; no program drives it"),
+    ("entrants: {yellow: {robots: {B1: x.py}}}\n", "entrants.yellow.robots.B1: 'B1' is driven by 'blue' already"),
+    ("entrants: {blue: {robots: {B1: null, B2: null, B3: null}}}\n", "entrants.blue.robots: an entrant drives at least one robot"),
+    ("entrants: {blue: {radio_channel: 3}}\n", "entrants."),
+    ("entrants: {blue: {robots: {B1: a/../b.py}}}\n", "entrants.blue.robots.B1: 'a/../b.py' is no plain path"),
+    ("entrants: {blue: {robots: {B1: [a.py, b//c.py]}}}\n", "entrants.blue.robots.B1[1]: 'b//c.py' is no plain path"),
+    ("match: {swap_sides: true}\nentrants: {blue: null}\n", "match.swap_sides: only two entrants can change sides; there are 1"),
+    ("match: {swap_sides: true}\nentrants: {blue: {robots: {B1: null}}}\n",
+     "match.swap_sides: entrants that change sides have equally many robots; 'blue' 2 and 'yellow' 3"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("body", "says"), BAD, ids=[case[1][:70] for case in BAD])
+def test_what_cannot_be_meant_is_refused(body, says):
+    (line,) = complaints(body)
+    assert line.startswith(says)
+
+
+def test_a_contradiction_through_a_param_names_the_param():
+    (line,) = complaints("params: {late_s: 700}\n" + rule("{trigger: time_reached, at_s: {param: late_s}}"))
+    assert line.endswith("700 s is never reached; a half lasts 600 s (param 'late_s')")
+
+
+def test_what_a_preset_and_a_scenario_do_wrong_together_is_reported_in_the_scenario():
+    from rcj_challenges.scenario.errors import ScenarioError
+
+    with pytest.raises(ScenarioError) as caught:
+        loaded("robots: {B3: {idle: true}}\n")
+    assert str(caught.value) == "a.yaml:5:21: robots.B3.idle: 'B3' is idle; no program drives it"
