@@ -57,6 +57,9 @@ class HalfOutcome:
     closing: Verdict
 
 
+_MOST_LENGTHS = 10
+"""A half whose clock a phase has stopped for good ends after this many times its length."""
+
 OnTick = Callable[[Snapshot, Verdict, bytes], None]
 
 
@@ -86,10 +89,19 @@ class HalfPlay:
             PhysicsFault: the simulation became unstable.
         """
         verdict = self._begin()
-        while self.tick < self._half.ticks and verdict.ended is None:
+        while self._goes_on(verdict):
             verdict = self._one_tick(self.tick + 1)
         closing = self._stage.referee.finish()
-        return HalfOutcome(self.tick, verdict.ended, verdict.ends_match, closing)
+        ended = verdict.ended
+        if ended is None and not self._stage.referee.time_is_up:
+            ended = f"the clock of the half stood still for too long: {self.tick} ticks were played"
+        return HalfOutcome(self.tick, ended, verdict.ends_match, closing)
+
+    def _goes_on(self, verdict: Verdict) -> bool:
+        """Return whether another tick follows: the clock of the half decides, which a phase may stop."""
+        if verdict.ended is not None or self._stage.referee.time_is_up:
+            return False
+        return self.tick < _MOST_LENGTHS * self._half.ticks
 
     def _begin(self) -> Verdict:
         """Tick 0: draws, layouts, arming; no physics. Programs run to their first ``step``."""
@@ -117,8 +129,7 @@ class HalfPlay:
         stage.rack.sense(tick, verdict)
         self.tick = tick
 
-        goes_on = tick < self._half.ticks and verdict.ended is None
-        due = [robot for robot, at in self._due.items() if at == tick] if goes_on else []
+        due = [robot for robot, at in self._due.items() if at == tick] if self._goes_on(verdict) else []
         alive = self._alive
         for robot in due:
             alive[robot].release(stage.rack.observe(robot, tick))

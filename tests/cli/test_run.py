@@ -27,7 +27,14 @@ def team(tmp_path):
 
 def command(*arguments, cwd, **more):
     return subprocess.run(
-        [*COMMAND, *arguments], cwd=cwd, capture_output=True, text=True, encoding="utf-8", timeout=120, check=False, **more
+        [*COMMAND, *arguments],
+        cwd=cwd,
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        timeout=120,
+        check=False,
+        **more,
     )
 
 
@@ -165,7 +172,9 @@ def test_two_runs_at_once_never_share_a_folder(tmp_path, team):
 
 
 def test_a_fault_of_ours_leaves_a_report_and_exit_code_3(tmp_path, team):
-    breaks = "import rcj_challenges.match.match as m\nm.play_match = None\nfrom rcj_challenges.cli import main\nmain()\n"
+    breaks = (
+        "import rcj_challenges.match.match as m\nm.play_match = None\nfrom rcj_challenges.cli import main\nmain()\n"
+    )
     done = subprocess.run(
         [sys.executable, "-c", breaks, *short(team)], cwd=tmp_path, capture_output=True, text=True, check=False
     )

@@ -12,6 +12,7 @@ from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.scenario.load import load
 from tests.match.programs import STAND
 
+
 @dataclass(frozen=True)
 class Run:
     """A played match, read back from its record."""

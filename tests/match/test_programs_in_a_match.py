@@ -79,9 +79,13 @@ def test_a_program_that_sleeps_misses_ticks_and_goes_on(play, team_folder):
 
 
 def test_commands_given_before_a_sleep_act_after_it(play, team_folder):
-    late = "import time\n" + DRIVE.format(speed=0).split("while")[0] + (
-        "robot.step(32)\nfor motor in motors:\n    motor.setVelocity(10)\ntime.sleep(1)\n"
-        "while robot.step(32) != -1:\n    pass\n"
+    late = (
+        "import time\n"
+        + DRIVE.format(speed=0).split("while")[0]
+        + (
+            "robot.step(32)\nfor motor in motors:\n    motor.setVelocity(10)\ntime.sleep(1)\n"
+            "while robot.step(32) != -1:\n    pass\n"
+        )
     )
     run = play(yellow=team_folder(late))
     path = poses(run)[:, -1, run.trajectory.entities.index("Y1"), 1]

@@ -33,7 +33,9 @@ def test_goal_pause_decides_when_the_conceding_team_kicks_off(play, team_folder)
         run = play(*CLEAR_WAY, f"goal_pause_s={pause_s}", "match.half_s=9", seed=YELLOW_KICKS_OFF,
                    yellow=team_folder(AHEAD))  # fmt: skip
         goal = times(run.events("GOAL"))[0]
-        return [(line["payload"]["robot_name"], round(line["matchtime"] - goal, 3)) for line in run.events("KICKOFF")[1:2]]
+        return [
+            (line["payload"]["robot_name"], round(line["matchtime"] - goal, 3)) for line in run.events("KICKOFF")[1:2]
+        ]
 
     assert kickoffs(3) == [("B3", 3.008)]  # 94 ticks
     assert kickoffs(1) == [("B3", 1.024)]  # 32 ticks

@@ -16,9 +16,9 @@ class App {
     this.recording = recording;
     this.find = (id) => document.getElementById(id);
     this.player = new Player(recording);
-    this.density = Math.min(2, window.devicePixelRatio || 1);
     this.slowness = 0;
     this.view = this.bestView();
+    this.density = Math.min(this.view.finest, window.devicePixelRatio || 1);
     this.camera = new Camera(recording.facts.field, this.view instanceof Flat);
     this.drawn = 0;
     const changed = () => this.changed();
@@ -161,8 +161,7 @@ class App {
     const seconds = Math.min(0.25, passed / 1000);
     this.before = now;
     this.player.advance(seconds);
-    const snap = this.player.jumped && !this.camera.goal;
-    const moving = this.camera.advance(seconds, this.leader, snap);
+    const moving = this.camera.advance(seconds, this.leader, this.player.jumped && !this.camera.goal);
     this.player.jumped = false;
     this.draw();
     if (this.player.playing) this.adapt(passed);

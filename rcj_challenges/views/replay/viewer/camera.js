@@ -38,6 +38,7 @@ class Camera {
     this.mode = mode;
     this.robot = robot;
     this.fitted = true;
+    this.atOnce = !glide;
     if (mode === "robot") {
       this.offset = { azimuth: 0, elevation: 0.42, distance: 0.62 };
       this.goal = null;
@@ -140,7 +141,9 @@ class Camera {
   }
 
   /** Follow what leads, glide towards the preset. Returns whether the picture still changes by itself. */
-  advance(seconds, leader, snap) {
+  advance(seconds, leader, jumped) {
+    const snap = jumped || this.atOnce;
+    this.atOnce = false;
     if (this.mode === "robot" && leader) return this.followRobot(seconds, leader, snap);
     const share = snap ? 1 : 1 - Math.exp(-seconds * 9);
     if (this.mode === "ball" && leader) {
@@ -176,7 +179,7 @@ class Camera {
       target: [robot.x + Math.cos(robot.yaw) * ahead, robot.y + Math.sin(robot.yaw) * ahead, 0.03],
     };
     const turn = Maths.wrap(next.azimuth - this.pose.azimuth);
-    const change = Math.abs(turn) + Math.abs(next.distance - this.pose.distance);
+    const change = Math.abs(turn) + Math.abs(next.distance - this.pose.distance) + Math.abs(next.elevation - this.pose.elevation);
     this.pose.azimuth += turn * share;
     this.pose.elevation = Maths.mix(this.pose.elevation, next.elevation, share);
     this.pose.distance = Maths.mix(this.pose.distance, next.distance, share);

@@ -5,6 +5,7 @@ class Flat {
     this.canvas = canvas;
     this.facts = facts;
     this.name = "2-D";
+    this.finest = 2;
     this.pen = canvas.getContext("2d");
     this.ground = Ground.field(facts);
     this.matrix = [1, 0, 0, 1, 0, 0];

@@ -11,6 +11,7 @@ class Scene {
     this.facts = facts;
     this.painter = new Painter(canvas);
     this.name = "3-D";
+    this.finest = this.painter.software ? 1 : 2;
     this.painter.useLetters(Bodies.atlas(facts.entities));
     this.bodies = facts.entities.map((entity) => this.painter.upload(Bodies.of(entity)));
     this.numbers = facts.entities.map((entity, cell) =>
