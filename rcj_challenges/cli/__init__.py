@@ -27,7 +27,7 @@ def main() -> None:
         code = app(standalone_mode=False)
     except RcjError as error:
         _complain(str(error))
-        sys.exit(WRONG_INPUT)
+        sys.exit(error.exit_code)
     except KeyboardInterrupt:
         _complain("interrupted")
         sys.exit(INTERRUPTED)

@@ -113,24 +113,52 @@ def run(
 def validate(
     files: Annotated[list[str], typer.Argument(metavar="FILE...", help="Scenario files, or names of shipped ones.")],
     set_: _Set = None,
+    strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 if there is a warning; for CI.")] = False,
+    json_: Annotated[bool, typer.Option("--json", help="Print the verdicts as JSON and nothing else.")] = False,
 ) -> None:
-    """Check scenario files; every mistake is named with file, line and column."""
+    """Check scenario files; every mistake is named with file, line and column, and what is suspicious as a warning."""
     from rcj_challenges.cli.validate import validate_files
 
-    raise typer.Exit(validate_files(files, set_ or []))
+    raise typer.Exit(validate_files(files, set_ or [], strict=strict, as_json=json_))
+
+
+@app.command()
+def test(
+    files: Annotated[list[str], typer.Argument(metavar="FILE...", help="Scenario files, or names of shipped ones.")],
+    set_: _Set = None,
+    json_: Annotated[bool, typer.Option("--json", help="Print the outcome as JSON and nothing else.")] = False,
+) -> None:
+    """Play the tests written in scenario files (expect:), without physics and without programs."""
+    from rcj_challenges.cli.expect import run_tests
+
+    raise typer.Exit(run_tests(files, set_ or [], as_json=json_))
+
+
+@app.command()
+def new(
+    name: Annotated[str, typer.Argument(help="Name or path of the new scenario; .yaml may be left out.")],
+    preset: Annotated[
+        str, typer.Option("--from", metavar="PRESET", help="Field and robots: soccersim_v2 or soccersim_2021.")
+    ] = "soccersim_v2",
+) -> None:
+    """Write a commented starter and a first program for it; nothing is overwritten."""
+    from rcj_challenges.cli.starter import new_scenario
+
+    raise typer.Exit(new_scenario(name, preset))
 
 
 @app.command()
 def schema(
     out: Annotated[
         Path | None,
-        typer.Option("--out", metavar="FILE", help="Where to write it; left out: standard output."),
+        typer.Option("--out", metavar="FILE", help="Where to write it; left out: schemas/scenario.schema.json."),
     ] = None,
+    check: Annotated[bool, typer.Option("--check", help="Write nothing; exit 1 if the shipped one is stale.")] = False,
 ) -> None:
     """Write the JSON schema of scenario files, for completion in editors."""
-    from rcj_challenges.cli.schema import write_schema
+    from rcj_challenges.cli.schema import check_schema, write_schema
 
-    raise typer.Exit(write_schema(out))
+    raise typer.Exit(check_schema() if check else write_schema(out))
 
 
 _Scenario = Annotated[str, typer.Argument(help="A scenario file, or the name of a shipped one.")]
@@ -185,3 +213,31 @@ def simulate(
     raise typer.Exit(
         command.simulate(command.SimulateOptions(scenario, seeds, team or [], set_ or [], out, at_once, json_, quiet))
     )
+
+
+_Out = Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the records are.")]
+
+
+@app.command()
+def view(
+    run: Annotated[
+        Path | None, typer.Argument(help="A record's folder or the beginning of its name; left out: the newest.")
+    ] = None,
+    list_: Annotated[bool, typer.Option("--list", "-l", help="List the records instead.")] = False,
+    out: _Out = Path("runs"),
+) -> None:
+    """Open the replay page of a record in the browser."""
+    from rcj_challenges.cli.view import list_records, view_record
+
+    raise typer.Exit(list_records(out) if list_ else view_record(run, out))
+
+
+@app.command()
+def replay(
+    run: Annotated[Path | None, typer.Argument(help="A record's folder; left out: the newest.")] = None,
+    out: _Out = Path("runs"),
+) -> None:
+    """Write the replay page of a record anew."""
+    from rcj_challenges.cli.view import rebuild_replay
+
+    raise typer.Exit(rebuild_replay(run, out))

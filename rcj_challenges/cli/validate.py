@@ -2,32 +2,53 @@
 
 from __future__ import annotations
 
+import json
 import sys
 from collections.abc import Sequence
+from dataclasses import asdict
+from typing import Any
 
 from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.lint import lint
 from rcj_challenges.scenario.load import Loaded, load
 
 
-def validate_files(paths: Sequence[str], overrides: Sequence[str]) -> int:
-    """Check scenario files and print a line for each that is in order, and each problem of the others.
+def validate_files(
+    paths: Sequence[str], overrides: Sequence[str], *, strict: bool = False, as_json: bool = False
+) -> int:
+    """Check scenario files; print a line for each that is in order, its lint, and each problem of the others.
 
     Args:
         paths: files, or names of shipped scenarios.
         overrides: ``PATH=VALUE`` each, applied to every file.
+        strict: whether findings of lint are a negative verdict.
+        as_json: print one JSON object instead, with a list of files.
 
     Returns:
-        0 if all are in order, else 2.
+        2 if one cannot be used; else 1 if ``strict`` and lint found something; else 0.
     """
     code = 0
+    reports: list[dict[str, Any]] = []
     for path in paths:
+        report: dict[str, Any] = {"file": path, "ok": True, "problems": [], "findings": []}
         try:
             loaded = load(path, overrides)
         except ScenarioError as error:
-            _print(str(error), sys.stderr)
+            report |= {"ok": False, "problems": [asdict(problem) for problem in error.problems]}
             code = ScenarioError.exit_code
+            _print("" if as_json else str(error), sys.stderr)
         else:
-            _print(f"ok  {path}: {_summary(loaded)}", sys.stdout)
+            findings = lint(loaded)
+            report |= {"summary": _summary(loaded), "findings": [finding.as_json() for finding in findings]}
+            code = max(code, 1 if strict and findings else 0)
+            if not as_json:
+                warned = f"; {_count(len(findings), 'warning')}" if findings else ""
+                _print(f"ok  {path}: {_summary(loaded)}{warned}", sys.stdout)
+                for finding in findings:
+                    _print(str(finding), sys.stderr)
+        reports.append(report)
+    if as_json:
+        _print(json.dumps({"files": reports}, ensure_ascii=False, indent=2), sys.stdout)
     return code
 
 
@@ -51,6 +72,8 @@ def _count(number: int, noun: str) -> str:
 
 
 def _print(text: str, stream: object) -> None:
+    if not text:
+        return
     # A terminal that cannot show a character must not hide the whole message.
     write = getattr(stream, "write")  # noqa: B009 - sys.stdout may be replaced by anything that writes
     encoding = getattr(stream, "encoding", None) or "utf-8"

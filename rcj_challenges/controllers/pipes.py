@@ -109,7 +109,7 @@ class PolledPipes:
         if self._buffer.held and (held := self._buffer.next()) is not None:
             return held
         deadline = time.perf_counter() + timeout_s
-        wait_s = timeout_s
+        wait_s = max(0.0, timeout_s)  # poll takes a negative one for eternity
         while True:
             # A side that does not listen any more may still have said why: that is here already, or never comes.
             ready = self._poll.poll(0 if self._broken else wait_s * 1000)

@@ -24,7 +24,7 @@ if sys.platform == "win32":
 
 PUPIL_FOLDER = Path(__file__).parent / "pupil"
 _START = "import sys; sys.path.insert(0, sys.argv[4]); from controller._boot import main; main()"
-_DUMP_S = 0.2
+_DUMP_S = 1.0
 
 NEEDS_LIFELINE = sys.platform != "linux"
 """True where the kernel does not end children with their parent."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import codecs
 import contextlib
 import math
 import os
@@ -14,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from rcj_challenges.controllers import isolation, processes
+from rcj_challenges.controllers.log import ProgramLog
 from rcj_challenges.controllers.pipes import Channel, ChannelClosedError, FrameTooLongError, open_channel
 from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hello_frame, most_frame_bytes, one_line
 from rcj_challenges.controllers.team import Team
@@ -79,10 +79,8 @@ class Program:
         self._scratch_limit = isolation.megabytes(self._limits.scratch_mb) + assignment.team.size_bytes()
         self._portable = processes.NEEDS_LIFELINE if assignment.portable is None else assignment.portable
         self._folder: Path | None = None
-        self._log_fd = -1
+        self._log: ProgramLog | None = None
         self._log_start = 0
-        self._shown = 0
-        self._decoder = codecs.getincrementaldecoder("utf-8")("replace")
         self._process: processes.Process | None = None
         self._channel: Channel | None = None
         self._lifeline_fd: int | None = None
@@ -108,10 +106,12 @@ class Program:
         layers = isolation.active_layers(self._assignment.sandbox)
         if self._assignment.debug:
             layers = tuple(layer for layer in layers if layer != "resource_limits")
-        self._open_log()
+        self._log = ProgramLog(self._assignment.log_path)
+        self._say(f"--- half {self._assignment.half}: {self._assignment.entry} ---\n")
+        self._log_start = self._log.size_bytes()
         self._launched_at = time.perf_counter()
         try:
-            self._start(layers)
+            self._start(layers, self._log.fd)
         except (OSError, ValueError, RcjError) as error:
             self._fail("start", f"the program could not be started: {one_line(str(error))}")
 
@@ -194,30 +194,14 @@ class Program:
         if self._folder is not None:
             _remove(self._folder)
             self._folder = None
-        if self._log_fd >= 0:
-            os.close(self._log_fd)
-            self._log_fd = -1
+        if self._log is not None:
+            self._log.close()
 
     def new_output(self) -> str:
         """Return what it printed since the last call."""
-        try:
-            with self._assignment.log_path.open("rb") as log:
-                log.seek(self._shown)
-                chunk = log.read()
-        except OSError:
-            return ""
-        self._shown += len(chunk)
-        return self._decoder.decode(chunk)
+        return self._log.new_text() if self._log is not None else ""
 
-    def _open_log(self) -> None:
-        path = self._assignment.log_path
-        path.parent.mkdir(parents=True, exist_ok=True)
-        self._log_fd = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND | getattr(os, "O_BINARY", 0), 0o644)
-        self._shown = self._log_size()
-        self._log(f"--- half {self._assignment.half}: {self._assignment.entry} ---\n")
-        self._log_start = self._log_size()
-
-    def _start(self, layers: tuple[str, ...]) -> None:
+    def _start(self, layers: tuple[str, ...], log_fd: int) -> None:
         assignment = self._assignment
         folder = self._folder = Path(tempfile.mkdtemp(prefix=f"rcj-{self.name}-")).resolve()
         root = folder / "team"
@@ -227,7 +211,7 @@ class Program:
         self._process, ends = processes.start(
             root,
             isolation.environment(folder),
-            None if assignment.debug else self._log_fd,
+            None if assignment.debug else log_fd,
             isolation.memory_bytes(self._limits) if limited else None,
             lifeline=self._portable,
         )
@@ -282,7 +266,6 @@ class Program:
             kind, detail = "half_timeout", f"the program let the match wait for {limits.half_s:g} s in all"
         else:
             kind, detail = "step_timeout", f"the program did not call step for {limits.step_s:g} s"
-        self._log(f"[{kind}] {detail}; it was here:\n")
         if self._process is not None:
             self._process.say_where_it_is()
         return self._fail(kind, detail)
@@ -305,7 +288,7 @@ class Program:
         """Return what it wrote too much of, if anything."""
         if self._assignment.debug:
             return None
-        if self._log_size() - self._log_start > self._output_limit:
+        if self._log is not None and self._log.size_bytes() - self._log_start > self._output_limit:
             return f"the program printed more than {self._limits.output_mb:g} MB"
         if look_at_folder and self._folder is not None and _size_bytes(self._folder) > self._scratch_limit:
             return f"the program wrote more than {self._limits.scratch_mb:g} MB into its folder"
@@ -315,15 +298,14 @@ class Program:
         self.kill()
         self.fault = Fault(self.name, kind, self._tick, self._assignment.half, detail, traceback)
         at = f"tick {self._tick} ({s_from_ticks(self._tick):.3f} s)"
-        self._log(f"{traceback}[{kind}] {self.name} at {at}: {detail}\n")
+        where = self._log.take_dump(self._folder / "team") if self._log is not None and self._folder is not None else ""
+        told = f"It was here, the innermost call first:\n{where}" if where else traceback
+        self._say(f"{told}[{kind}] {self.name} at {at}: {detail}\n")
         return self.fault
 
-    def _log(self, text: str) -> None:
-        with contextlib.suppress(OSError):
-            os.write(self._log_fd, text.encode("utf-8", "replace"))
-
-    def _log_size(self) -> int:
-        return os.fstat(self._log_fd).st_size
+    def _say(self, text: str) -> None:
+        if self._log is not None:
+            self._log.append(text)
 
 
 def _size_bytes(folder: Path) -> int:

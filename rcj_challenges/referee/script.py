@@ -231,7 +231,27 @@ def _start(scenario: Scenario, name: str) -> Pose2:
 # --- the tests written in a scenario ----------------------------------------------------------------------------------
 
 
+@dataclass(frozen=True)
+class Trial:
+    """What came of one ``expect`` block.
+
+    Attributes:
+        differences: what came out differently, one line each; empty if all is as expected.
+        ticks: how many ticks were judged.
+        fired: the rules that fired, in the order of their first time.
+    """
+
+    differences: tuple[str, ...]
+    ticks: int
+    fired: tuple[str, ...]
+
+
 def run_expectation(loaded: HasScenario, name: str) -> list[str]:
+    """Play one ``expect`` block of a scenario and return what came out differently; see `try_expectation`."""
+    return list(try_expectation(loaded, name).differences)
+
+
+def try_expectation(loaded: HasScenario, name: str) -> Trial:
     """Play one ``expect`` block of a scenario.
 
     A keyframe takes effect in the snapshot of its tick (one at 0 in that of tick 1). If the script outlasts the half,
@@ -242,7 +262,7 @@ def run_expectation(loaded: HasScenario, name: str) -> list[str]:
         name: name of the block.
 
     Returns:
-        What came out differently, one line each; empty if all is as expected.
+        What came of it.
 
     Raises:
         KeyError: there is no block of this name.
@@ -266,7 +286,8 @@ def run_expectation(loaded: HasScenario, name: str) -> list[str]:
     _play_until(play, last)
     if play.verdict.ended is not None or play.referee.time_is_up:
         play.finish()
-    return list(_differences(play, expected))
+    fired = dict.fromkeys(firing.rule for firing in play.firings if firing.suppressed is None)
+    return Trial(tuple(_differences(play, expected)), play.tick, tuple(fired))
 
 
 def _play_until(play: ScriptedPlay, tick: int) -> None:

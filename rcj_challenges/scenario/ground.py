@@ -94,7 +94,7 @@ def _goals(field: FieldModel) -> Iterator[Found]:
         taken.setdefault(goal.end, name)
 
 
-class _Floor:
+class Floor:
     """Where a body may stand: the field between its walls, and the goals."""
 
     def __init__(self, field: FieldModel) -> None:
@@ -156,7 +156,16 @@ class _Floor:
 
 
 @dataclass(frozen=True)
-class _Body:
+class Body:
+    """A thing on the floor.
+
+    Attributes:
+        name: its name.
+        path: where the file says where it stands.
+        outline: what it covers.
+        fixed: whether nothing can push it.
+    """
+
     name: str
     path: Path
     outline: Outline
@@ -164,8 +173,8 @@ class _Body:
 
 
 def _bodies(scenario: Scenario) -> Iterator[Found]:
-    bodies = [*_robots(scenario), *_balls(scenario), *_obstacles(scenario)]
-    floor = _Floor(scenario.field)
+    bodies = [*_robots(scenario), *_balls(scenario), *obstacle_bodies(scenario)]
+    floor = Floor(scenario.field)
     for body in bodies:
         if not body.fixed and not floor.holds(body.outline):
             x_0, x_1, y_0, y_1 = body.outline.box()
@@ -177,10 +186,10 @@ def _bodies(scenario: Scenario) -> Iterator[Found]:
     yield from _overlaps(bodies)
 
 
-def _overlaps(bodies: list[_Body]) -> Iterator[Found]:
+def _overlaps(bodies: list[Body]) -> Iterator[Found]:
     """Sweep along x, so that a file with thousands of bodies does not cost millions of comparisons."""
     order = {body.name: rank for rank, body in enumerate(bodies)}
-    open_: list[tuple[float, _Body]] = []
+    open_: list[tuple[float, Body]] = []
     for body in sorted(bodies, key=lambda body: body.outline.box()[0]):
         x_0, x_1, _, _ = body.outline.box()
         open_ = [(end, other) for end, other in open_ if end > x_0]
@@ -192,21 +201,22 @@ def _overlaps(bodies: list[_Body]) -> Iterator[Found]:
         open_.append((x_1, body))
 
 
-def _robots(scenario: Scenario) -> Iterator[_Body]:
+def _robots(scenario: Scenario) -> Iterator[Body]:
     for name, robot in scenario.robots.items():
         kit = scenario.kits.get(robot.kit)
         if kit is not None:
             start = robot.start
             outline = robot_outline(kit.chassis, start.x_m, start.y_m, start.yaw_rad)
-            yield _Body(name, ("robots", name, "start"), outline)
+            yield Body(name, ("robots", name, "start"), outline)
 
 
-def _balls(scenario: Scenario) -> Iterator[_Body]:
+def _balls(scenario: Scenario) -> Iterator[Body]:
     for name, ball in scenario.balls.items():
-        yield _Body(name, ("balls", name, "start_m"), Outline((Disc(ball.start_m, ball.radius_m),)))
+        yield Body(name, ("balls", name, "start_m"), Outline((Disc(ball.start_m, ball.radius_m),)))
 
 
-def _obstacles(scenario: Scenario) -> Iterator[_Body]:
+def obstacle_bodies(scenario: Scenario) -> Iterator[Body]:
+    """Yield the obstacles where they stand at the start."""
     for name, obstacle in scenario.obstacles.items():
         match obstacle:
             case Box():
@@ -218,7 +228,7 @@ def _obstacles(scenario: Scenario) -> Iterator[_Body]:
                 part, fixed = Disc(obstacle.centre_m, obstacle.radius_m), not obstacle.movable
             case Wall():
                 part, fixed = _wall_corners(obstacle), True
-        yield _Body(name, ("obstacles", name), Outline((part,)), fixed)
+        yield Body(name, ("obstacles", name), Outline((part,)), fixed)
 
 
 def _wall_corners(wall: Wall) -> tuple[Point, ...]:

@@ -53,7 +53,8 @@ def scenario_schema() -> _Json:
     writer = _Writer()
     properties = writer.properties(Scenario, partial=True)
     for section in _WITHOUT_PARAM:
-        properties[section] = _without_param(properties[section])
+        described = {"description": properties[section]["description"]}
+        properties[section] = _without_param(writer.bare_schema(fields(Scenario)[section])) | described
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "RCJ Challenges scenario",
@@ -119,6 +120,10 @@ class _Writer:
         if shared not in self.definitions:
             self.definitions[shared] = self._with_param(shape, partial=False)
         return {"$ref": f"#/$defs/{shared}"}
+
+    def bare_schema(self, shape: Shape) -> _Json:
+        """Return the schema of a shape at the top of a file, for values that are no param's use."""
+        return self._plain(without_none(shape), partial=True)
 
     def _with_param(self, shape: Shape, *, partial: bool) -> _Json:
         plain = self._plain(shape, partial=partial)

@@ -7,7 +7,7 @@ a section that is malformed hides the references into it.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -36,6 +36,7 @@ class Loaded:
         path: the file it came from; None if it came from a record or a text.
         resolved: the whole scenario as JSON-able data with all defaults filled in, base files merged, params and
             overrides applied; `load_resolved` reads it again. The digest is taken over it.
+        written: the merged tree with the place of each value in its file, for lint; None if there is no such place.
     """
 
     scenario: Scenario
@@ -43,6 +44,7 @@ class Loaded:
     name: str
     path: Path | None
     resolved: dict[str, Any]
+    written: Entries | None = field(default=None, repr=False, compare=False)
 
 
 def load(source: str | Path, overrides: Sequence[str] = ()) -> Loaded:
@@ -97,7 +99,7 @@ def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None
     apply_overrides(tree, overrides, merger)
     resolve_params(tree, merger)
     scenario = _checked(tree, merger)
-    return Loaded(scenario, Roster.of(scenario), name, path, _dumped(scenario))
+    return Loaded(scenario, Roster.of(scenario), name, path, _dumped(scenario), tree)
 
 
 def _checked(tree: Entries, merger: Merger) -> Scenario:

@@ -16,6 +16,11 @@ def presets_folder() -> Path:
     return _PACKAGE / "scenario" / "presets"
 
 
+def starters_folder() -> Path:
+    """Return the folder of what ``new`` writes: a scenario and a program for each preset."""
+    return _PACKAGE / "scenario" / "starters"
+
+
 def scenarios_folder() -> Path:
     """Return the folder of the shipped scenarios."""
     return _data("scenarios", "scenarios")

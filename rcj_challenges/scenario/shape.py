@@ -14,6 +14,7 @@ from typing import Any, Literal, NamedTuple, TypeVar, Union, get_args, get_origi
 from pydantic import BaseModel, Discriminator, Tag
 from pydantic.fields import FieldInfo
 
+from rcj_challenges.scenario.errors import nearest
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, Step, child, plain
 
 Shape = Any
@@ -139,11 +140,17 @@ def chosen(shape: Shape, node: Node) -> Shape:
         return tags(shape).get(tag_of(shape, node) or "")
     fitting = [member for member in members(kind) if _fits(bare(member).kind, node)]
     if isinstance(node, Entries) and len(fitting) > 1:
-        return max(fitting, key=lambda member: sum(key in fields(bare(member).kind) for key in node.entries))
+        return max(fitting, key=lambda member: _likeness(bare(member).kind, node))
     if isinstance(node, Leaf) and len(fitting) > 1:
         # One of the listed words is that; any other text belongs to the member that takes any.
         fitting.sort(key=lambda member: _reluctance(bare(member).kind, node))
     return fitting[0] if fitting else None
+
+
+def _likeness(model: type[BaseModel], node: Entries) -> float:
+    """Return how many of a mapping's keys a model knows; a misspelt one counts for half."""
+    known = fields(model)
+    return sum(1.0 if key in known else 0.5 * bool(nearest(key, known)) for key in node.entries)
 
 
 def _reluctance(kind: Any, leaf: Leaf) -> int:

@@ -39,7 +39,7 @@ class Wheel:
 
     Attributes:
         arm_m: how far left of the cube's centre it is; negative on the right.
-        grip: of its robot.
+        drive_n, brake_n: its grip, see `contact.Grip`.
         commanded_radps: as set.
         target_rad: ``inf``: by velocity; else the angle to go to and hold.
         stopped: whether its robot has been taken off the field.
@@ -47,11 +47,13 @@ class Wheel:
         just_reversed: whether it has begun to turn this way in this tick.
     """
 
-    __slots__ = ("arm_m", "commanded_radps", "grip", "just_reversed", "stopped", "target_rad", "turns_radps")
+    __slots__ = (
+        "arm_m", "brake_n", "commanded_radps", "drive_n", "just_reversed", "stopped", "target_rad", "turns_radps",
+    )  # fmt: skip
 
     def __init__(self, arm_m: float, grip: contact.Grip) -> None:
         self.arm_m = arm_m
-        self.grip = grip
+        self.drive_n, self.brake_n = grip.drive_n, grip.brake_n
         self.commanded_radps = 0.0
         self.target_rad = 0.0
         self.turns_radps = 0.0
@@ -72,12 +74,16 @@ class Traction:
         self._turns = np.zeros((robots, 2))
         coefficients = model.wrap_prm[: _COEFFICIENTS_PER_ROBOT * robots].reshape(robots, _COEFFICIENTS_PER_ROBOT)
         self._turning = coefficients[:, _TURNING]
+        self._headings = self._turning[:, :2]
         self._phased = np.zeros((robots, len(_PHASES_RAD)))
         limits_n = model.tendon_frictionloss[: _TENDONS_PER_ROBOT * robots]
         self._limits_n = limits_n.reshape(robots, _TENDONS_PER_ROBOT)[:, ::2]
         self._wheels = [
             Wheel(way * one.wheel_track_m / 2, contact.grip_of(one, friction)) for one in chassis for way in (1, -1)
         ]
+        self._pairs = list(zip(self._wheels[0::2], self._wheels[1::2], strict=True))
+        self._reversed: list[Wheel] = []
+        self._chosen_n: list[float] = []
         # What all its grip stops in this time; on ice it stops nothing.
         self._stops_in_tick_mps = max(friction * contact.GRAVITY_MPS2 * TICK_S, 1e-9)
         self._stops_in_substep_mps = self._stops_in_tick_mps / SUBSTEPS_PER_TICK
@@ -129,25 +135,27 @@ class Traction:
         pushed against its wheels, and resists with all its grip but for the slowest speeds, so that it comes to rest.
         """
         limits_n = []
-        wheels = iter(self._wheels)
-        for velocity, turning in zip(self._velocities.tolist(), self._turning.tolist(), strict=True):
-            forward_mps = turning[0] * velocity[0] + turning[1] * velocity[1]
-            for wheel in (next(wheels), next(wheels)):
+        states = zip(self._velocities.tolist(), self._headings.tolist(), self._pairs, strict=True)
+        for (vx, vy, spin, _, _), (cos, sin), pair in states:
+            forward_mps = cos * vx + sin * vy
+            for wheel in pair:
                 turns = wheel.turns_radps
-                if turns == 0:
-                    limits_n.append(wheel.grip.brake_n)
+                if turns == 0.0:
+                    limits_n.append(wheel.brake_n)
                     continue
-                along_mps = forward_mps - wheel.arm_m * velocity[2]
-                against_mps = -along_mps if turns > 0 else along_mps
-                if against_mps <= 0:
-                    limits_n.append(wheel.grip.drive_n)
+                along_mps = forward_mps - wheel.arm_m * spin
+                if (along_mps >= 0.0) is (turns > 0.0):
+                    limits_n.append(wheel.drive_n)
                     continue
                 stops_mps = self._stops_in_tick_mps if wheel.just_reversed else self._stops_in_substep_mps
-                share = min(1.0, against_mps / stops_mps)
-                limits_n.append(wheel.grip.drive_n + share * (wheel.grip.brake_n - wheel.grip.drive_n))
-        self._limits_n[:] = np.reshape(limits_n, (-1, 2))
-        for wheel in self._wheels:
+                share = min(1.0, abs(along_mps) / stops_mps)
+                limits_n.append(wheel.drive_n + share * (wheel.brake_n - wheel.drive_n))
+        if limits_n != self._chosen_n:
+            self._chosen_n = limits_n
+            self._limits_n[:] = np.reshape(limits_n, (-1, 2))
+        for wheel in self._reversed:
             wheel.just_reversed = False
+        self._reversed.clear()
 
     def _angle(self, index: int) -> float:
         return float(self._angles[index // 2, index % 2])
@@ -165,7 +173,9 @@ class Traction:
     def _turn(self, index: int, radps: float) -> None:
         wheel = self._wheels[index]
         if wheel.turns_radps != radps:
-            wheel.just_reversed = wheel.turns_radps * radps <= 0
+            if wheel.turns_radps * radps <= 0:
+                wheel.just_reversed = True
+                self._reversed.append(wheel)
             wheel.turns_radps = radps
             self._turns[index // 2, index % 2] = radps
 

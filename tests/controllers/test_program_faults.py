@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from fake_match import FakeMatch
 
+from rcj_challenges.controllers import processes
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.facts.play import Fault
 
@@ -74,6 +75,37 @@ except RuntimeError as error:
     assert str(match.folder) not in fault.traceback
 
 
+def test_no_path_of_this_computer_is_told(match: FakeMatch) -> None:
+    program = """
+import os
+from controller import Robot
+try:
+    from numpy import no_such_thing
+except ImportError as error:
+    raise RuntimeError(f"{os.getcwd()} {os.environ['HOME']} {error}")
+"""
+    fault = fault_of(match, program)
+    assert fault.detail.startswith(
+        "RuntimeError: . ~ cannot import name 'no_such_thing' from 'numpy' (site-packages/numpy/__init__.py)"
+    )
+
+
+@posix
+def test_where_a_program_broke_the_interpreter_stands_in_its_log(match: FakeMatch) -> None:
+    program = """
+import ctypes
+from controller import Robot
+robot = Robot()
+robot.step(32)
+ctypes.string_at(0)
+"""
+    played = match.play(program, 5)
+    assert played.fault is not None
+    assert (played.fault.kind, played.fault.detail) == ("crash", "the program was ended by the signal SIGSEGV")
+    assert '  File "robot.py", line 6 in <module>' in played.said
+    assert str(match.folder) not in played.log
+
+
 def test_a_fault_is_the_same_in_every_run(match: FakeMatch) -> None:
     assert fault_of(match, "faults/crashes_in_play") == fault_of(match, "faults/crashes_in_play")
 
@@ -95,7 +127,9 @@ def test_a_program_that_hangs_is_stopped_at_the_limit_and_its_log_shows_where(tm
     assert time.perf_counter() - began < 10
     assert "now it hangs" in played.log
     if sys.platform != "win32":
-        assert "hangs_in_play.py" in played.log.split("it was here")[1]
+        where = played.log.split("It was here, the innermost call first:\n")[1].splitlines()
+        assert where[0].startswith('  File "hangs_in_play.py", line ')
+        assert where[1].startswith("[step_timeout] Y1 at tick 2 (0.064 s): ")
 
 
 def test_a_program_that_is_slow_on_every_step_is_stopped_by_the_sum(tmp_path: Path) -> None:
@@ -244,3 +278,15 @@ def test_a_dead_program_does_not_end_the_others(match: FakeMatch) -> None:
     assert one.fault is not None
     assert two.fault is None
     assert len(two.requests) == 20
+
+
+def test_a_process_that_cannot_be_started_is_a_fault_of_that_program_only(
+    match: FakeMatch, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: object, **__: object) -> None:
+        raise OSError(12, "Cannot allocate memory")
+
+    monkeypatch.setattr(processes, "start", refuse)
+    fault = fault_of(match, "faults/never_steps")
+    assert (fault.kind, fault.tick) == ("start", 0)
+    assert fault.detail == "the program could not be started: [Errno 12] Cannot allocate memory"

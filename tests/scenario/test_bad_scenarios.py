@@ -61,7 +61,10 @@ def test_every_line_names_the_file_and_says_something(name):
 def test_a_file_over_the_size_limit_is_refused_without_reading_it_all(tmp_path):
     huge = tmp_path / "huge.yaml"
     huge.write_bytes(b"# " + b"x" * (3 * MAX_BYTES))
-    assert complaint(huge) == f"{huge}: {3 * MAX_BYTES + 2} bytes are too much for a scenario; at most {MAX_BYTES} are read"
+    assert (
+        complaint(huge)
+        == f"{huge}: {3 * MAX_BYTES + 2} bytes are too much for a scenario; at most {MAX_BYTES} are read"
+    )
 
 
 def test_a_folder_is_no_scenario(tmp_path):

@@ -8,7 +8,7 @@ from rcj_challenges.scenario.models import actions, conditions, field, places, r
 from rcj_challenges.scenario.models.base import Name, Names, Strict
 from rcj_challenges.scenario.references import DEFINITIONS, REFERENCES
 from rcj_challenges.scenario.shape import bare, fields, is_model, members, without_none
-from tests.scenario.writing import complaints, loaded, rule
+from tests.scenario.writing import complaints, loaded, problems_of, rule
 
 WORLD = """\
 balls: {second: {start_m: [0, -0.1]}}
@@ -38,11 +38,7 @@ phases: {pause: {lasts_s: 3, next: play}}
 
 def refers(body):
     """Whether a scenario over the world above is in order; else what is said."""
-    try:
-        loaded(WORLD + body)
-    except Exception as error:
-        return [f"{p.path}: {p.message}" for p in error.problems]
-    return []
+    return [f"{p.path}: {p.message}" for p in problems_of(loaded, WORLD + body)]
 
 
 def trigger(text, for_each=""):
@@ -109,8 +105,8 @@ GOOD = [
     (action, "place, entity: ball, at: {uniform_in: pitch}", ""),
     (action, "remove, entity: [each, crate], back_at: {spot: centre}", "robots"),
     (action, "set_phase, phase: play", ""),
-    (action, "emit, event: E, payload: {a: {counter: pushes, entity: B1}, b: {word: score, of: blue}, "
-             "c: {position_of: crate}, d: {draw: corner}, e: {flag: armed}}", ""),
+    (action, ("emit, event: E, payload: {a: {counter: pushes, entity: B1}, b: {word: score, of: blue}, "
+             "c: {position_of: crate}, d: {draw: corner}, e: {flag: armed}}"), ""),
 ]  # fmt: skip
 
 
@@ -139,14 +135,14 @@ BAD = [
     (condition, "in_zone, entity: ball, zone: pitsch", "", "unknown zone 'pitsch'; did you mean 'pitch'?"),
     (condition, "distance, entity: ball, to: pitch, at_most: 1", "", "'pitch' is a zone; expected an entity or spot"),
     (condition, "counter, counter: goal, at_least: 1", "", "unknown counter or entrant 'goal'; did you mean 'goals'?"),
-    (condition, "counter, counter: goals, at_least: {counter: x_}", "", "unknown counter or entrant 'x_'; there are goals, pushes, "
-     "blue_pushes, blue, yellow"),
-    (condition, "counter, counter: pushes, at_least: 1", "robots", "counter 'pushes' is kept per robots: say whose with 'entity', "
-     "such as entity: each"),
+    (condition, "counter, counter: goals, at_least: {counter: x_}", "", ("unknown counter or entrant 'x_'; there are goals, pushes, "
+     "blue_pushes, blue, yellow")),
+    (condition, "counter, counter: pushes, at_least: 1", "robots", ("counter 'pushes' is kept per robots: say whose with 'entity', "
+     "such as entity: each")),
     (condition, "counter, counter: goals, entity: B1, at_least: 1", "", "counter 'goals' is not kept per entity; leave 'entity' out"),
     (condition, "counter, counter: yellow, entity: B1, at_least: 1", "", "counter 'yellow' is not kept per entity; leave 'entity' out"),
-    (condition, "counter, counter: blue_pushes, entity: each, at_least: 1", "robots", "counter 'blue_pushes' is kept per blue, and "
-     "'Y1' is not among them"),
+    (condition, "counter, counter: blue_pushes, entity: each, at_least: 1", "robots", ("counter 'blue_pushes' is kept per blue, and "
+     "'Y1' is not among them")),
     (condition, "counter, counter: pushes, entity: blue, at_least: 1", "", "'blue' is a group; name one entity"),
     (condition, "flag, flag: clock", "", "unknown flag 'clock'; there are armed, seen"),
     (condition, "drawn, draw: cornr, equals: centre", "", "unknown draw 'cornr'; did you mean 'corner'?"),
@@ -155,11 +151,11 @@ BAD = [
     (condition, "last_touch, by: ball", "", "'ball' is a ball; expected a robot"),
     (condition, "spot_free, spot: pitch", "", "'pitch' is a zone; expected a spot"),
     (condition, "sequence_at, sequence: round, step: hatch", "", "'hatch' is no step of it; its steps are pitch, door, blue_goal"),
-    (condition, "sequence_at, sequence: round, step: x_", "", "unknown zone or gate 'x_'; there are pitch, blue_goal, yellow_goal, "
-     "blue_penalty_area, yellow_penalty_area, door, hatch"),
+    (condition, "sequence_at, sequence: round, step: x_", "", ("unknown zone or gate 'x_'; there are pitch, blue_goal, yellow_goal, "
+     "blue_penalty_area, yellow_penalty_area, door, hatch")),
     (action, "score, entrant: yelow", "", "unknown entrant 'yelow'; did you mean 'yellow'?"),
-    (action, "score, entrant: yellow, points: {counter: x_}", "", "unknown counter or entrant 'x_'; there are goals, pushes, "
-     "blue_pushes, blue, yellow"),
+    (action, "score, entrant: yellow, points: {counter: x_}", "", ("unknown counter or entrant 'x_'; there are goals, pushes, "
+     "blue_pushes, blue, yellow")),
     (action, "score, entrant: yellow, points: [{flag: arm}]", "", "unknown flag 'arm'; did you mean 'armed'?"),
     (action, "count, counter: yellow", "", "unknown counter 'yellow'; there are goals, pushes, blue_pushes"),
     (action, "timer, timer: clock, entity: B1", "", "timer 'clock' is not kept per entity; leave 'entity' out"),
@@ -194,13 +190,13 @@ def test_names_that_do_not_fit_are_refused_where_they_stand(write, text, for_eac
 
 SECTIONS = [
     ("gates: {door: {anchor: pitch}}\n", "gates.door.anchor: 'pitch' is a zone; expected an entity"),
-    ("counters: {goals: {per: penalty_areas}}\n", "counters.goals.per: group 'penalty_areas' contains 'blue_penalty_area', a zone; "
-     "expected an entity"),
+    ("counters: {goals: {per: penalty_areas}}\n", ("counters.goals.per: group 'penalty_areas' contains 'blue_penalty_area', a zone; "
+     "expected an entity")),
     ("timers: {clock: {per: bleu}}\n", "timers.clock.per: unknown entity 'bleu'; did you mean 'blue'?"),
     ("sequences: {round: {entity: balls}}\n", "sequences.round.entity: 'balls' is a group; name one entity"),
     ("sequences: {round: {steps: [pitch, centre]}}\n", "sequences.round.steps[1]: 'centre' is a spot; expected a zone or gate"),
-    ("sequences: {round: {steps: [pitch, {any_of: [dor]}]}}\n", "sequences.round.steps[1].any_of[0]: unknown zone or gate 'dor'; "
-     "did you mean 'door'?"),
+    ("sequences: {round: {steps: [pitch, {any_of: [dor]}]}}\n", ("sequences.round.steps[1].any_of[0]: unknown zone or gate 'dor'; "
+     "did you mean 'door'?")),
     ("phases: {pause: {next: paus}}\n", "phases.pause.next: unknown phase 'paus'; did you mean 'pause'?"),
     ("first_phase: paus\n", "first_phase: unknown phase 'paus'; did you mean 'pause'?"),
     ("placements: {wide: [{entity: each, at: start}]}\n", "placements.wide[0].entity: 'each' cannot stand here; name an entity"),
@@ -208,8 +204,8 @@ SECTIONS = [
     ("kits: {v2: {packet_lists: [B1, X9]}}\n", "kits.v2.packet_lists[1]: unknown robot 'X9'; there are B1, B2, B3, Y1, Y2, Y3"),
     ("entrants: {blue: {robots: {ball: robot.py}}}\n", "entrants.blue.robots.ball: 'ball' is a ball; expected a robot"),
     ("result: {rank: [{counter: goal}]}\n", "result.rank[0].counter: unknown counter 'goal'; did you mean 'goals'?"),
-    ("result: {rank: [{time: ascending, plus: [{counter: goal, weight: 1}]}]}\n", "result.rank[0].plus[0].counter: unknown "
-     "counter 'goal'; did you mean 'goals'?"),
+    ("result: {rank: [{time: ascending, plus: [{counter: goal, weight: 1}]}]}\n", ("result.rank[0].plus[0].counter: unknown "
+     "counter 'goal'; did you mean 'goals'?")),
     ("broadcast: {fields: {a: {flag: armd}}}\n", "broadcast.fields.a.flag: unknown flag 'armd'; did you mean 'armed'?"),
     ("broadcast: {fields: {a: {position_of: each}}}\n", "broadcast.fields.a.position_of: 'each' is known only in a rule with for_each"),
     ("rules: {r: {for_each: robts, triggers: [{trigger: half_started}], actions: [{action: end}]}}\n",
@@ -219,7 +215,9 @@ SECTIONS = [
 
 @pytest.mark.parametrize(("body", "message"), SECTIONS, ids=[case[0][:40] for case in SECTIONS])
 def test_sections_that_name_something_unknown(body, message, tmp_path):
-    (tmp_path / "base.yaml").write_text("extends: soccersim_v2\nschema_version: 1\nid: b\ntitle: B\n" + WORLD, encoding="utf-8")
+    (tmp_path / "base.yaml").write_text(
+        "extends: soccersim_v2\nschema_version: 1\nid: b\ntitle: B\n" + WORLD, encoding="utf-8"
+    )
     (tmp_path / "mine.yaml").write_text("extends: base.yaml\n" + body, encoding="utf-8")
     from rcj_challenges.scenario.errors import ScenarioError
     from rcj_challenges.scenario.load import load
@@ -246,7 +244,9 @@ def test_a_test_in_the_file_names_what_exists():
 
 
 def test_a_default_that_names_something_is_checked_too():
-    body = "balls: {ball: null, puck: {start_m: [0, 0]}}\n" + rule(rest="    conditions: [{condition: last_touch, by: B1}]\n")
+    body = "balls: {ball: null, puck: {start_m: [0, 0]}}\n" + rule(
+        rest="    conditions: [{condition: last_touch, by: B1}]\n"
+    )
     assert complaints(body) == ["rules.r.conditions[0] (last_touch): unknown entity 'ball': it was removed in a.yaml:5"]
 
 
@@ -304,9 +304,9 @@ def test_what_lies_on_the_field_shares_one_namespace_and_groups_hold_one_kind(bo
 def all_models():
     for module in (actions, conditions, field, places, robots, scenario, state, triggers):
         for value in vars(module).values():
-            if isinstance(value, type) and issubclass(value, Strict) and value.__module__ == module.__name__:
-                if not value.__name__.startswith("_"):
-                    yield value
+            own = isinstance(value, type) and issubclass(value, Strict) and value.__module__ == module.__name__
+            if own and not value.__name__.startswith("_"):
+                yield value
 
 
 def names_something(shape):

@@ -40,7 +40,9 @@ def test_every_shipped_scenario_is_in_order(path):
 
 def test_a_relative_path_is_read_beside_the_file_that_names_it(tmp_path):
     write(tmp_path / "deep" / "er", "base.yaml", "extends: ../../root.yaml\nmatch: {half_s: 5}\n")
-    write(tmp_path, "root.yaml", "schema_version: 1\nid: root\ntitle: Root\nextends: soccersim_v2\nmatch: {halves: 3}\n")
+    write(
+        tmp_path, "root.yaml", "schema_version: 1\nid: root\ntitle: Root\nextends: soccersim_v2\nmatch: {halves: 3}\n"
+    )
     found = load(write(tmp_path, "mine.yaml", "extends: deep/er/base.yaml\nid: mine\n")).scenario
     assert (found.id, found.title, found.match.halves, found.match.half_s) == ("mine", "Root", 3, 5)
 
@@ -51,7 +53,9 @@ def test_five_bases_behind_each_other_are_allowed_and_six_are_not(tmp_path):
         write(tmp_path, f"b{number}.yaml", f"extends: b{number + 1}.yaml\n")
     five = write(tmp_path, "five.yaml", "extends: b1.yaml\n")
     assert load(five).scenario.title == "B"
-    assert "too many bases behind each other, at most 5" in complaint(write(tmp_path, "six.yaml", "extends: five.yaml\n"))
+    assert "too many bases behind each other, at most 5" in complaint(
+        write(tmp_path, "six.yaml", "extends: five.yaml\n")
+    )
 
 
 def test_a_circle_is_reported_with_its_way(tmp_path):

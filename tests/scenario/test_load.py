@@ -14,7 +14,7 @@ from rcj_challenges.scenario.models.scenario import Scenario, blank_fields
 from rcj_challenges.scenario.resources import names_in, scenarios_folder
 from rcj_challenges.scenario.tree import plain
 from rcj_challenges.scenario.yaml_strict import parse_bytes
-from tests.scenario.writing import HEAD, loaded
+from tests.scenario.writing import HEAD, loaded, problems_of
 
 SHIPPED = names_in(scenarios_folder())
 
@@ -48,7 +48,9 @@ def test_the_same_file_gives_the_same_bytes():
 def test_what_a_record_holds_is_checked_too():
     resolved = load("match").resolved
     resolved["rules"]["goal_in_blue"]["triggers"][0]["zone"] = "gaol"
-    with pytest.raises(ScenarioError, match=r"resolved scenario: rules\.goal_in_blue\.triggers\[0\] \(enters\): unknown zone"):
+    with pytest.raises(
+        ScenarioError, match=r"resolved scenario: rules\.goal_in_blue\.triggers\[0\] \(enters\): unknown zone"
+    ):
         load_resolved(resolved)
 
 
@@ -117,7 +119,7 @@ def places(data):
 @settings(max_examples=80, deadline=None)
 @given(st.integers(0, 2**32))
 def test_a_spoilt_scenario_is_read_or_refused_in_words(seed):
-    choose = random.Random(seed)
+    choose = random.Random(seed)  # noqa: S311 - picks what to spoil
     data = copy.deepcopy(choose.choice(SOURCES))
     for _ in range(choose.choice([1, 1, 2, 8])):
         holder, key = choose.choice(list(places(data)))
@@ -125,13 +127,12 @@ def test_a_spoilt_scenario_is_read_or_refused_in_words(seed):
             del holder[key]
         else:
             holder[key] = copy.deepcopy(choose.choice(ODD))
-    try:
-        found = load_text(json.dumps(data))
-    except ScenarioError as error:
-        assert error.problems
-        for problem in error.problems:
-            assert problem.line == 1 or problem.file == "soccersim_2021.yaml" or problem.file == "soccersim_v2.yaml"
-            assert "nput should" not in problem.message  # pydantic's wording
-            assert "Error" not in problem.message
-    else:
-        assert load_resolved(found.resolved).resolved == found.resolved
+    text = json.dumps(data)
+    found = problems_of(load_text, text)
+    for problem in found:
+        assert problem.line == 1 or problem.file in {"soccersim_2021.yaml", "soccersim_v2.yaml"}
+        assert "nput should" not in problem.message  # pydantic's wording
+        assert "Error" not in problem.message
+    if not found:
+        resolved = load_text(text).resolved
+        assert load_resolved(resolved).resolved == resolved

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import load, load_text
-from tests.scenario.writing import HEAD, complaints, rule, scenario
+from tests.scenario.writing import HEAD, complaints, problems_of, rule, scenario
 
 PAUSE = "params: {pause_s: 3, side: left}\nphases: {pause: {lasts_s: {param: pause_s}}}\n"
 
@@ -128,8 +128,10 @@ def test_a_problem_of_an_override_points_to_the_option():
         load("match", ["match.half_s=abc", "rules.goal_in_blue.triggers[0].zone=gaol"])
     assert str(caught.value).splitlines() == [
         "--set match.half_s=abc: match.half_s: expected a number, found 'abc'",
-        "--set rules.goal_in_blue.triggers[0].zone=gaol: rules.goal_in_blue.triggers[0] (enters): unknown zone 'gaol'; "
-        "there are pitch, blue_goal, yellow_goal, blue_penalty_area, yellow_penalty_area, in_play, penalty_areas",
+        (
+            "--set rules.goal_in_blue.triggers[0].zone=gaol: rules.goal_in_blue.triggers[0] (enters): unknown zone 'gaol'; "
+            "there are pitch, blue_goal, yellow_goal, blue_penalty_area, yellow_penalty_area, in_play, penalty_areas"
+        ),
     ]
 
 
@@ -139,7 +141,15 @@ def test_a_shortened_half_is_no_contradiction():
 
 
 PATHS = st.text(alphabet="abrules.mtch[]01=_ -", max_size=20) | st.sampled_from(
-    ["rules.r", "match", "params.pause_s", "kits.v2.devices.gps", "rules.r.actions[0]", "robots", "phases.pause.lasts_s"]
+    [
+        "rules.r",
+        "match",
+        "params.pause_s",
+        "kits.v2.devices.gps",
+        "rules.r.actions[0]",
+        "robots",
+        "phases.pause.lasts_s",
+    ]
 )
 VALUES = st.text(max_size=15) | st.sampled_from(["null", "[]", "{}", "1", "{param: pause_s}", "[[1], {a: b}]", "*a"])
 
@@ -149,7 +159,4 @@ VALUES = st.text(max_size=15) | st.sampled_from(["null", "[]", "{}", "1", "{para
 @example("match", "{param: pause_s}")
 @example("rules.r.actions[0]", "null")
 def test_any_override_is_either_taken_or_refused_in_words(path, value):
-    try:
-        scenario(PAUSE + rule(), [f"{path}={value}"])
-    except ScenarioError as error:
-        assert str(error)
+    assert all(str(problem) for problem in problems_of(scenario, PAUSE + rule(), [f"{path}={value}"]))

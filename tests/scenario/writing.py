@@ -25,6 +25,15 @@ def complaints(body, overrides=(), head=HEAD):
     return [": ".join(part for part in (p.path, p.message) if part) for p in caught.value.problems]
 
 
+def problems_of(call, *arguments):
+    """Return what a call refuses, or an empty list if it refuses nothing; anything but a `ScenarioError` is a defect."""
+    try:
+        call(*arguments)
+    except ScenarioError as error:
+        return error.problems
+    return []
+
+
 def rule(trigger="{trigger: half_started}", action="{action: end}", rest=""):
     """Return a section with one rule."""
     return f"rules:\n  r:\n    triggers: [{trigger}]\n    actions: [{action}]\n{rest}"

@@ -54,7 +54,7 @@ class Distance(_Compared):
 
     condition: Literal["distance"]
     entity: Names = described(..., "an entity, each, or a group with `of`")
-    to: Name | Point = described(..., "an entity, each, a spot, or [x, y] in m")
+    to: Name | Point = described(..., "an entity, each, a spot, a group (the nearest of it), or [x, y] in m")
     of: Quantifier = described("any", "how many of a group must satisfy it")
 
 
@@ -63,7 +63,9 @@ class CounterIs(_Compared):
 
     condition: Literal["counter"]
     counter: Name = described(..., "a counter, or an entrant: its score")
-    entity: Name | None = described(None, "for a counter kept per entity: whose; each: the current one")
+    entity: Name | None = described(
+        None, "for a counter kept per entity: whose; each: the current one; left out, without for_each: the sum"
+    )
 
 
 class FlagIs(_Condition):
@@ -71,7 +73,9 @@ class FlagIs(_Condition):
 
     condition: Literal["flag"]
     flag: Name = described(..., "a flag")
-    entity: Name | None = described(None, "for a flag kept per entity: whose; each: the current one")
+    entity: Name | None = described(
+        None, "for a flag kept per entity: whose; each: the current one; left out, without for_each: any of them"
+    )
 
 
 class Drawn(_Condition):
@@ -87,7 +91,9 @@ class TimerIs(_Compared):
 
     condition: Literal["timer"]
     timer: Name = described(..., "a timer")
-    entity: Name | None = described(None, "for a timer kept per entity: whose; each: the current one")
+    entity: Name | None = described(
+        None, "for a timer kept per entity: whose; each: the current one; left out, without for_each: the longest"
+    )
 
 
 class LastTouch(_Condition):

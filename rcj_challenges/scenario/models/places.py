@@ -85,7 +85,7 @@ class AtPoint(Strict):
 class AtSpot(Strict):
     """A spot."""
 
-    spot: Name = described(..., "name of the spot")
+    spot: Name = described(..., "name of the spot, or of a draw that decides among spots")
 
 
 class UniformIn(Strict):
@@ -103,7 +103,9 @@ class OnLine(Strict):
 class Choice(Strict):
     """One of several spots or points, equally likely, or as a draw decided."""
 
-    choice: tuple[Name | Point, ...] = Field(..., strict=False, min_length=1, description="spots or points")
+    choice: tuple[Name | Point, ...] = Field(
+        ..., strict=False, min_length=1, description="spots, groups of spots, draws that decide among spots, or points"
+    )
 
 
 class NearestFree(Strict):

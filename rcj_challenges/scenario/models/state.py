@@ -58,7 +58,9 @@ class Sequence(Strict):
 class Phase(Strict):
     """A time in which only the rules that live in it run. ``play`` always exists."""
 
-    lasts_s: DurationS | None = described(None, "after this time the next phase is entered; left out: until a rule")
+    lasts_s: DurationS | None = described(
+        None, "after this time in s the next phase is entered; left out: until a rule"
+    )
     next: Name = described("play", "the phase that follows")
     waiting_for_kickoff: bool = described(False, "what programs are told meanwhile")
     clock: Literal["runs", "stops"] = described("runs", "whether the time of the half goes on")
@@ -68,14 +70,18 @@ class CounterValue(Strict):
     """The value of a counter, or an entrant's score."""
 
     counter: Name = described(..., "a counter, or an entrant: its score")
-    entity: Name | None = described(None, "for a counter that is kept per entity: whose; each: the current one")
+    entity: Name | None = described(
+        None, "for a counter kept per entity: whose; each: the current one; left out, without for_each: the sum"
+    )
 
 
 class FlagValue(Strict):
     """The value of a flag, true or false."""
 
     flag: Name = described(..., "a flag")
-    entity: Name | None = described(None, "for a flag that is kept per entity: whose; each: the current one")
+    entity: Name | None = described(
+        None, "for a flag kept per entity: whose; each: the current one; left out, without for_each: any of them"
+    )
 
 
 class DrawValue(Strict):

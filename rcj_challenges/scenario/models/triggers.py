@@ -165,7 +165,9 @@ class Holds(Strict):
     condition: Condition = described(..., "the condition")
     for_s: NotNegative = described(0.0, "how long it must hold, in s")
     grace_s: NotNegative = described(0.0, "an interruption of up to this time counts as holding, in s")
-    every_s: DurationS | None = described(None, "fires again after each of these while it goes on; left out: once")
+    every_s: DurationS | None = described(
+        None, "fires again after each of these times in s while it goes on; left out: once"
+    )
 
 
 Trigger = Annotated[

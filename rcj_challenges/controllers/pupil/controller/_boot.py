@@ -102,7 +102,7 @@ class Boot:
             self._end(kind, detail)
 
     def _crashed(self, kind: str, error: BaseException) -> None:
-        detail, trace = _report.describe(error, self._root)
+        detail, trace = _report.describe(error, self._root, self._hello["program"]["site"])
         if self._hub.over:
             _print_quietly(trace or detail)
         else:

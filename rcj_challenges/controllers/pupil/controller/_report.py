@@ -9,17 +9,23 @@ import sys
 from typing import Any
 
 
-def describe(error: BaseException, team_root: str) -> tuple[str, str]:
+def describe(error: BaseException, team_root: str, site_folders: list[str]) -> tuple[str, str]:
     """Return what went wrong in one line, and the traceback of the program's own lines.
 
     Args:
         error: what the program did not catch.
         team_root: the folder of its files; paths are told relative to it.
+        site_folders: where numpy and scipy are; no path of this computer is told.
     """
+    shown = [(team_root + os.sep, ""), (team_root, "."), (os.path.dirname(team_root), "~")]
+    shown += [(folder, "site-packages") for folder in site_folders] + [(os.path.dirname(os.__file__), "python")]
     try:
-        return _describe(error, team_root + os.sep)
+        told = _describe(error, team_root + os.sep)
+        for path, short in shown:
+            told = told[0].replace(path, short), told[1].replace(path, short)
     except Exception:  # noqa: BLE001 - a program may break everything that is used here; the fault must be told
         return type(error).__name__, ""
+    return told
 
 
 def _describe(error: BaseException, inside: str) -> tuple[str, str]:
@@ -33,7 +39,7 @@ def _describe(error: BaseException, inside: str) -> tuple[str, str]:
         where = f" ({told.stack[-1].filename}, line {told.stack[-1].lineno})"
     last = list(told.format_exception_only())[-1].strip()
     summary = f"{type(error).__name__}: {error.msg}" if isinstance(error, SyntaxError) else " ".join(last.split())
-    return (summary[:1_000] + where).replace(inside, ""), "".join(told.format()).replace(inside, "")
+    return summary[:1_000] + where, "".join(told.format())
 
 
 def _keep_own_frames(told: Any, inside: str) -> None:

@@ -1,6 +1,8 @@
 // What lies flat on the floor, as polygons and lines: the same list is drawn in 3-D and on a plain canvas.
 // Each shape is {points, fill, alpha} or {points, line, width, closed, alpha}; colours [red, green, blue].
 
+const STRIPES = 8;
+
 const Ground = {
   WHITE: [0.96, 0.98, 0.97],
   LINE_M: 0.008,
@@ -9,12 +11,11 @@ const Ground = {
   field(facts) {
     const { width_m: width, length_m: length, corner_cut_m: cut } = facts.field;
     const x = width / 2, y = length / 2;
-    const shapes = [{ points: Ground.outline(x, y, cut), fill: [0.16, 0.46, 0.3], alpha: 1 }];
-    const stripes = 8, deep = length / stripes;
-    for (let stripe = 1; stripe < stripes; stripe += 2) {
-      const from = -y + stripe * deep;
-      const band = Ground.rectangle(-x, from, x, from + deep);
-      shapes.push({ points: Ground.within(band, x, y, cut), fill: [0.18, 0.5, 0.33], alpha: 1 });
+    const shapes = [];
+    const deep = length / STRIPES;
+    for (let stripe = 0; stripe < STRIPES; stripe++) {
+      const band = Ground.rectangle(-x, -y + stripe * deep, x, -y + (stripe + 1) * deep);
+      shapes.push({ points: Ground.within(band, x, y, cut), fill: stripe % 2 ? [0.18, 0.5, 0.33] : [0.16, 0.46, 0.3], alpha: 1 });
     }
     for (const goal of facts.field.goals) {
       const colour = Colours.mix(Colours.rgb(goal.colour), [0.1, 0.2, 0.15], 0.35);

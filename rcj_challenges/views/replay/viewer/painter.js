@@ -20,7 +20,8 @@ void main() {
   gl_Position = view * world;
 }`;
 
-const FRAGMENT_SHADER = `#version 300 es
+// Three ways of painting, a program for each: on a software GPU every instruction of a pixel counts.
+const PIXEL_HEAD = `#version 300 es
 precision mediump float;
 in vec3 worldNormal;
 in vec3 worldPosition;
@@ -28,31 +29,31 @@ in vec3 paint;
 in vec2 atlas;
 uniform vec4 tint;       // rgb: mixed in by its share; a: opacity
 uniform float tintShare;
-uniform float lit;       // 0: flat colour, 1: lit
-uniform float lettered;  // 1: colour comes from the atlas
 uniform vec3 light;
 uniform vec3 eye;
 uniform sampler2D letters;
 out vec4 pixel;
+`;
+
+const PIXEL_SHADERS = {
+  plain: `${PIXEL_HEAD}
 void main() {
-  vec3 base = paint;
-  float opacity = tint.a;
-  if (lettered > 0.5) {
-    vec4 ink = texture(letters, atlas);
-    base = ink.rgb;
-    opacity *= ink.a;
-  }
-  base = mix(base, tint.rgb, tintShare);
-  if (lit > 0.5) {
-    vec3 n = normalize(worldNormal);
-    float sun = max(dot(n, light), 0.0);
-    float sky = 0.5 + 0.5 * n.z;
-    vec3 halfway = normalize(light + normalize(eye - worldPosition));
-    float shine = pow(max(dot(n, halfway), 0.0), 40.0) * 0.18;
-    base = base * (0.42 + 0.2 * sky + 0.5 * sun) + shine;
-  }
-  pixel = vec4(base * opacity, opacity);
-}`;
+  pixel = vec4(mix(paint, tint.rgb, tintShare) * tint.a, tint.a);
+}`,
+  lit: `${PIXEL_HEAD}
+void main() {
+  vec3 n = normalize(worldNormal);
+  vec3 halfway = normalize(light + normalize(eye - worldPosition));
+  float shine = pow(max(dot(n, halfway), 0.0), 40.0) * 0.18;
+  vec3 colour = mix(paint, tint.rgb, tintShare) * (0.52 + 0.1 * n.z + 0.5 * max(dot(n, light), 0.0)) + shine;
+  pixel = vec4(colour * tint.a, tint.a);
+}`,
+  lettered: `${PIXEL_HEAD}
+void main() {
+  vec4 ink = texture(letters, atlas);
+  pixel = vec4(ink.rgb * ink.a, ink.a);
+}`,
+};
 
 class Painter {
   /** Throws if there is no WebGL 2. */
@@ -62,11 +63,7 @@ class Painter {
     const gl = canvas.getContext("webgl2", { antialias: !this.software, stencil: true, alpha: false, powerPreference: "low-power" });
     if (!gl) throw new Error("no WebGL 2");
     this.gl = gl;
-    this.program = this.build();
-    const names = ["view", "model", "tint", "tintShare", "lit", "lettered", "light", "eye", "letters"];
-    this.places = Object.fromEntries(names.map((name) => [name, gl.getUniformLocation(this.program, name)]));
-    gl.useProgram(this.program);
-    gl.enable(gl.BLEND);
+    this.programs = Object.fromEntries(Object.entries(PIXEL_SHADERS).map(([way, source]) => [way, this.build(source)]));
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.enable(gl.CULL_FACE);
     this.changing = this.upload(new Mesh(), gl.DYNAMIC_DRAW);
@@ -81,10 +78,11 @@ class Painter {
     return /swiftshader|llvmpipe|software|basic render/i.test(name);
   }
 
-  build() {
+  /** A program, and the places of what it is told. */
+  build(pixels) {
     const gl = this.gl;
     const program = gl.createProgram();
-    for (const [kind, source] of [[gl.VERTEX_SHADER, VERTEX_SHADER], [gl.FRAGMENT_SHADER, FRAGMENT_SHADER]]) {
+    for (const [kind, source] of [[gl.VERTEX_SHADER, VERTEX_SHADER], [gl.FRAGMENT_SHADER, pixels]]) {
       const shader = gl.createShader(kind);
       gl.shaderSource(shader, source);
       gl.compileShader(shader);
@@ -92,7 +90,8 @@ class Painter {
     }
     gl.linkProgram(program);
     if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program) || "no shader");
-    return program;
+    const names = ["view", "model", "tint", "tintShare", "light", "eye", "letters"];
+    return { program, places: Object.fromEntries(names.map((name) => [name, gl.getUniformLocation(program, name)])) };
   }
 
   upload(mesh, usage = this.gl.STATIC_DRAW) {
@@ -136,9 +135,12 @@ class Painter {
     gl.depthMask(true);
     gl.stencilMask(0xff);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
-    gl.uniformMatrix4fv(this.places.view, false, view);
-    gl.uniform3fv(this.places.eye, eye);
-    gl.uniform3fv(this.places.light, light);
+    for (const { program, places } of Object.values(this.programs)) {
+      gl.useProgram(program);
+      gl.uniformMatrix4fv(places.view, false, view);
+      gl.uniform3fv(places.eye, eye);
+      gl.uniform3fv(places.light, light);
+    }
   }
 
   /** What lies on the floor: painted in order, nothing can hide it but what stands. */
@@ -170,13 +172,16 @@ class Painter {
     this.gl.depthMask(false);
   }
 
-  draw(mesh, model, { tint = [0, 0, 0], share = 0, opacity = 1, lit = 1, lettered = 0 } = {}) {
+  /** way: plain (its colours as they are), lit, or lettered (from the atlas of numbers). */
+  draw(mesh, model, { way = "lit", tint = [0, 0, 0], share = 0, opacity = 1 } = {}) {
     const gl = this.gl;
-    gl.uniformMatrix4fv(this.places.model, false, model);
-    gl.uniform4f(this.places.tint, tint[0], tint[1], tint[2], opacity);
-    gl.uniform1f(this.places.tintShare, share);
-    gl.uniform1f(this.places.lit, lit);
-    gl.uniform1f(this.places.lettered, lettered);
+    const { program, places } = this.programs[way];
+    gl.useProgram(program);
+    gl.uniformMatrix4fv(places.model, false, model);
+    gl.uniform4f(places.tint, tint[0], tint[1], tint[2], opacity);
+    gl.uniform1f(places.tintShare, share);
+    if (opacity < 1 || way === "lettered") gl.enable(gl.BLEND);
+    else gl.disable(gl.BLEND);
     gl.bindVertexArray(mesh.array);
     gl.drawArrays(gl.TRIANGLES, 0, mesh.vertices);
   }

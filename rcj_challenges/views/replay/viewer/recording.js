@@ -169,7 +169,7 @@ class Recording {
   }
 
   static clockText(seconds) {
-    const tenths = Math.floor(seconds * 10 + 1e-6);
+    const tenths = Math.round(seconds * 10);
     return `${Math.floor(tenths / 600)}:${String(Math.floor(tenths / 10) % 60).padStart(2, "0")}.${tenths % 10}`;
   }
 

@@ -56,7 +56,7 @@ class Scene {
     painter.draw(this.rims, IDENTITY);
     painter.glass();
     models.forEach((model, index) => {
-      if (this.numbers[index]) painter.draw(this.numbers[index], model, { lettered: 1, lit: 0 });
+      if (this.numbers[index]) painter.draw(this.numbers[index], model, { way: "lettered" });
     });
     painter.draw(this.panes, IDENTITY, { opacity: 0.34 });
   }
@@ -64,21 +64,21 @@ class Scene {
   drawFloor(frame, models) {
     const painter = this.painter;
     painter.onFloor();
-    for (const { alpha, mesh } of this.ground) painter.draw(mesh, IDENTITY, { lit: 0, opacity: alpha });
+    for (const { alpha, mesh } of this.ground) painter.draw(mesh, IDENTITY, { way: "plain", opacity: alpha });
     const key = JSON.stringify([frame.show.zones, frame.show.gates, frame.show.spots]);
     if (key !== this.markKey) {
       this.markKey = key;
       this.marks = this.layers(Ground.marks(this.facts, frame.show));
     }
-    for (const { alpha, mesh } of this.marks) painter.draw(mesh, IDENTITY, { lit: 0, opacity: alpha });
+    for (const { alpha, mesh } of this.marks) painter.draw(mesh, IDENTITY, { way: "plain", opacity: alpha });
     for (const trail of frame.trails) {
       const mesh = new Mesh();
       for (const piece of trail.pieces) mesh.line(piece, trail.width, trail.colour);
-      painter.drawOnce(mesh, IDENTITY, { lit: 0, opacity: 0.75 });
+      painter.drawOnce(mesh, IDENTITY, { way: "plain", opacity: 0.75 });
     }
     if (!frame.show.shadows) return;
     painter.shadows();
-    const dark = { tint: [0, 0.02, 0.05], share: 1, lit: 0, opacity: 0.34 };
+    const dark = { tint: [0, 0.02, 0.05], share: 1, way: "plain", opacity: 0.34 };
     models.forEach((model, index) => painter.draw(this.bodies[index], Maths.multiply(SHADOW, model), dark));
     painter.draw(this.fixed, SHADOW, dark);
   }

@@ -1,0 +1,112 @@
+"""``rcj-challenge test``: plays the ``expect`` blocks of scenarios, without physics and without programs."""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from rcj_challenges.cli.validate import _print
+from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.referee.script import Trial, try_expectation
+from rcj_challenges.scenario.load import Loaded, load
+from rcj_challenges.scenario.models.actions import Emit, Score
+
+_WALL_DIGITS = 4
+
+
+@dataclass(frozen=True)
+class _Played:
+    name: str
+    trial: Trial
+    wall_s: float
+
+
+def run_tests(paths: Sequence[str], overrides: Sequence[str], *, as_json: bool = False) -> int:
+    """Play all ``expect`` blocks of scenario files and say what came out differently.
+
+    Args:
+        paths: files, or names of shipped scenarios.
+        overrides: ``PATH=VALUE`` each, applied to every file.
+        as_json: print one JSON object and nothing else.
+
+    Returns:
+        0 if all is as expected, 1 if something is not.
+
+    Raises:
+        ScenarioError: a file cannot be used.
+    """
+    loaded = [(path, load(path, overrides)) for path in paths]
+    reports = []
+    for path, one in loaded:
+        played = [_play(one, name) for name in one.scenario.expect]
+        reports.append(_report(path, one, played))
+        if not as_json:
+            _show(reports[-1])
+    passed = all(report["passed"] for report in reports)
+    if as_json:
+        _print(json.dumps({"passed": passed, "files": reports}, ensure_ascii=False, indent=2), sys.stdout)
+    else:
+        _show_sum(reports)
+    return 0 if passed else 1
+
+
+def _play(loaded: Loaded, name: str) -> _Played:
+    began = time.perf_counter()
+    trial = try_expectation(loaded, name)
+    return _Played(name, trial, time.perf_counter() - began)
+
+
+def _report(path: str, loaded: Loaded, played: list[_Played]) -> dict[str, Any]:
+    fired = {rule for one in played for rule in one.trial.fired}
+    return {
+        "file": path,
+        "title": loaded.scenario.title,
+        "passed": not any(one.trial.differences for one in played),
+        "tests": [
+            {
+                "name": one.name,
+                "passed": not one.trial.differences,
+                "differences": list(one.trial.differences),
+                "simulated_s": s_from_ticks(one.trial.ticks),
+                "wall_s": round(one.wall_s, _WALL_DIGITS),
+                "rules": list(one.trial.fired),
+            }
+            for one in played
+        ],
+        "untested_rules": [name for name in told_rules(loaded) if name not in fired],
+    }
+
+
+def told_rules(loaded: Loaded) -> list[str]:
+    """Return the rules that give points or announce something: those that a test should set off."""
+    return [
+        name
+        for name, rule in loaded.scenario.rules.items()
+        if any(isinstance(action, Emit | Score) for action in rule.actions)
+    ]
+
+
+def _show(report: dict[str, Any]) -> None:
+    _print(f"{report['file']}: {report['title']}", sys.stdout)
+    if not report["tests"]:
+        _print("  no tests: add expect: (docs/authoring.md says how)", sys.stdout)
+    for test in report["tests"]:
+        _print(f"  {'ok  ' if test['passed'] else 'FAIL'}  {test['name']} ({test['simulated_s']:g} s)", sys.stdout)
+        for difference in test["differences"]:
+            _print(f"          {difference}", sys.stdout)
+    if report["tests"] and report["untested_rules"]:
+        _print(f"  no test sets off: {', '.join(report['untested_rules'])}", sys.stdout)
+
+
+def _show_sum(reports: list[dict[str, Any]]) -> None:
+    tests = [test for report in reports for test in report["tests"]]
+    failed = sum(not test["passed"] for test in tests)
+    simulated = sum(test["simulated_s"] for test in tests)
+    wall = sum(test["wall_s"] for test in tests)
+    speed = f" in {wall:.2f} s ({simulated / wall:.0f} x real time)" if wall else ""
+    verdict = f"{failed} of {len(tests)} failed" if failed else f"all {len(tests)} passed"
+    _print(f"{verdict}; {simulated:.0f} s played{speed}", sys.stdout)

@@ -1,0 +1,75 @@
+"""``rcj-challenge new``: a commented starter, and a program that plays it. Nothing is ever overwritten."""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+
+from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.scenario.errors import listing, nearest
+from rcj_challenges.scenario.resources import names_in, starters_folder
+
+_LONGEST_ID = 64
+_LONGEST_TITLE = 120
+
+
+class StarterError(RcjError):
+    """A starter that cannot be written."""
+
+
+def new_scenario(name: str, preset: str) -> int:
+    """Write a starter scenario and a folder with its first program; print what to do with them.
+
+    Args:
+        name: its name or path, with or without ``.yaml``.
+        preset: on which preset it stands.
+
+    Returns:
+        0.
+
+    Raises:
+        StarterError: there is no such preset, the name is none, or a file of that name exists.
+    """
+    known = names_in(starters_folder())
+    if preset not in known:
+        raise StarterError(f"no preset '{preset}'; there are {listing(known)}{nearest(preset, known)}")
+    file = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
+    short = _identifier(file.stem)
+    program = file.with_name(f"{file.stem}_team") / "robot.py"
+    for path in (file, program):
+        if path.exists():
+            raise StarterError(f"{path} exists already; nothing was written. Choose another name, or move it away")
+    text = (starters_folder() / f"{preset}.yaml").read_text(encoding="utf-8")
+    title = " ".join(part for part in re.split(r"[-_\s]+", file.stem) if part).capitalize()[:_LONGEST_TITLE]
+    text = text.replace("id: starter", f"id: {short}", 1).replace("title: Starter", f'title: "{title}"', 1)
+    text = text.replace("FILE_NAME", file.name).replace("TEAM_FOLDER", program.parent.name)
+    _write(file, text)
+    _write(program, (starters_folder() / f"{preset}.robot.txt").read_text(encoding="utf-8"))
+    sys.stdout.write(f"""{file}
+{program}
+Now:
+  rcj-challenge validate {file}
+  rcj-challenge test {file}
+  rcj-challenge draw {file} --out {file.with_suffix(".svg")}
+  rcj-challenge run {file} --yellow {program.parent}
+""")
+    return 0
+
+
+def _identifier(stem: str) -> str:
+    """Return a file's stem as a name: letters, digits and _, not beginning with a digit."""
+    found = re.sub(r"[^A-Za-z0-9_]+", "_", stem).strip("_")[:_LONGEST_ID]
+    if not found:
+        raise StarterError(f"'{stem}' has no letter a to z and no digit in it; choose a name such as slalom")
+    return f"_{found}"[:_LONGEST_ID] if found[0].isdigit() else found
+
+
+def _write(path: Path, text: str) -> None:
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        # Exclusive: a file that appeared meanwhile is not overwritten either.
+        with path.open("x", encoding="utf-8", newline="\n") as stream:
+            stream.write(text)
+    except OSError as error:
+        raise StarterError(f"{path}: cannot be written: {error.strerror or error}") from error

@@ -1,0 +1,58 @@
+"""``rcj-challenge view`` and ``replay``: the pages of records."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+
+def view_record(run: Path | None, out: Path) -> int:
+    """Open a record's page, and print where it is; returns the exit code.
+
+    Raises:
+        RecordError: there is no such record, or nothing in it can be shown.
+    """
+    from rcj_challenges.views.replay.browse import find_run, open_replay
+
+    page, opened = open_replay(find_run(run, out))
+    sys.stdout.write(f"{page}\n")
+    if not opened:
+        sys.stdout.write("no browser could be started here: open this file in one\n")
+    return 0
+
+
+def rebuild_replay(run: Path | None, out: Path) -> int:
+    """Write a record's page anew and print where it is; returns the exit code.
+
+    Raises:
+        RecordError: there is no such record, or nothing in it can be shown.
+    """
+    from rcj_challenges.views.replay import write_replay
+    from rcj_challenges.views.replay.browse import find_run
+
+    sys.stdout.write(f"{write_replay(find_run(run, out))}\n")
+    return 0
+
+
+def list_records(out: Path) -> int:
+    """Print the records with date, score and teams, the newest first; returns the exit code.
+
+    Raises:
+        RecordError: there is no such folder.
+    """
+    from rich.table import Column, Table
+
+    from rcj_challenges.views.replay.browse import list_runs
+    from rcj_challenges.views.scoreboard import console_for, score_line
+    from rcj_challenges.views.sentences import plain
+
+    table = Table(Column("record", no_wrap=True), "started", "scenario", "score")
+    for row in list_runs(out):
+        if row.result is None:
+            table.add_row(plain(row.folder.name), "", "", plain(row.problem))
+            continue
+        names = {team: entrant.name for team, entrant in row.result.entrants.items()}
+        score = score_line(names, row.result.score) + ("" if row.result.complete else "  (not complete)")
+        table.add_row(plain(row.folder.name), row.result.started[:19].replace("T", " "), row.result.scenario, score)
+    console_for().print(table)
+    return 0

@@ -1,0 +1,100 @@
+"""Lint: what is legal in a scenario and hardly meant. One visible table of checks.
+
+An error says that a scenario cannot be used; a finding says that it can, and that its author should look again. Only
+what can be decided from the file is reported: no finding rests on how a match might go.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from rcj_challenges.scenario.crossrefs import shown_path
+from rcj_challenges.scenario.errors import Problem
+from rcj_challenges.scenario.lint_edges import check_edges
+from rcj_challenges.scenario.lint_flow import check_events, check_phases, check_rules, check_scoring
+from rcj_challenges.scenario.lint_ground import check_entities, check_layouts, check_places
+from rcj_challenges.scenario.lint_state import check_params, check_state, check_unused
+from rcj_challenges.scenario.lint_suspect import Subject, Suspect
+from rcj_challenges.scenario.lint_times import check_times
+from rcj_challenges.scenario.load import Loaded
+from rcj_challenges.scenario.tree import Leaf, mark_of, node_at
+
+CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
+    check_phases,
+    check_events,
+    check_rules,
+    check_scoring,
+    check_edges,
+    check_state,
+    check_params,
+    check_unused,
+    check_times,
+    check_places,
+    check_entities,
+    check_layouts,
+)
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Something to look at again.
+
+    Attributes:
+        kind: which check found it: ``event_never_emitted``.
+        problem: where it is, and the reason.
+        remedy: what to do about it.
+    """
+
+    kind: str
+    problem: Problem
+    remedy: str
+
+    def __str__(self) -> str:
+        problem = self.problem
+        where = f"{problem.file}:{problem.line}:{problem.column}" if problem.line else problem.file
+        reason = ": ".join(part for part in (problem.path, problem.message) if part)
+        return f"{where}: warning: {reason}; {self.remedy} [{self.kind}]"
+
+    def as_json(self) -> dict[str, Any]:
+        """Return it as JSON-able data."""
+        problem = self.problem
+        return {
+            "kind": self.kind,
+            "file": problem.file,
+            "line": problem.line,
+            "column": problem.column,
+            "path": problem.path,
+            "reason": problem.message,
+            "remedy": self.remedy,
+        }
+
+
+def lint(loaded: Loaded) -> list[Finding]:
+    """Return what the author of a checked scenario should look at again, in the order of the file.
+
+    Args:
+        loaded: a scenario that came from a file or a text.
+
+    Raises:
+        ValueError: the scenario was not loaded from a file or a text, so that nothing has a place.
+    """
+    tree = loaded.written
+    if tree is None:
+        message = "lint needs a scenario that was loaded from a file or a text"
+        raise ValueError(message)
+    subject = Subject(loaded.scenario, loaded.roster, tree)
+    findings = []
+    for check in CHECKS:
+        for suspect in check(subject):
+            mark = mark_of(tree, suspect.path, at_key=suspect.at_key)
+            leaf = node_at(tree, suspect.path)
+            note = f" ({leaf.note})" if isinstance(leaf, Leaf) and leaf.note else ""
+            problem = mark.problem(shown_path(tree, suspect.path), suspect.reason + note)
+            findings.append(Finding(suspect.kind, problem, suspect.remedy))
+    own = tree.mark.file
+    return sorted(
+        dict.fromkeys(findings),
+        key=lambda f: (f.problem.file != own, f.problem.file, f.problem.line, f.problem.column, f.kind),
+    )

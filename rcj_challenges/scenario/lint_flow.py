@@ -1,0 +1,161 @@
+"""Lint of how a match can go: phases, events, rules that never fire, points that nobody can get."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rcj_challenges.scenario.errors import listing, nearest
+from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lives_in
+from rcj_challenges.scenario.models.actions import Emit, Score
+from rcj_challenges.scenario.models.scenario import RankByScore, Rule
+from rcj_challenges.scenario.models.state import WordValue
+from rcj_challenges.scenario.models.triggers import (
+    HalfStarted,
+    OnEvent,
+    PhaseEntered,
+    SequenceBroken,
+)
+from rcj_challenges.scenario.tree import Path
+from rcj_challenges.scenario.visiting import visit
+
+_OF_EACH = frozenset({"robot_name", "entity_name", "team_name", "entrant", "score"})
+"""Context words that speak of the entity for which a rule fires."""
+
+
+def check_phases(subject: Subject) -> Iterator[Suspect]:
+    """A phase that is never entered; a rule or a trigger that waits for one."""
+    for name in subject.scenario.phases:
+        if name not in subject.reached:
+            yield Suspect(
+                "phase_never_entered",
+                ("phases", name),
+                f"phase '{name}' is never entered",
+                f"enter it by {{action: set_phase, phase: {name}}} in a rule that can fire, or by 'next' of a phase "
+                "that ends, or remove it",
+                at_key=True,
+            )
+    for name, rule in subject.scenario.rules.items():
+        if not subject.can_live(rule):
+            phases = listing(rule.phases)
+            yield Suspect(
+                "rule_never_fires",
+                ("rules", name),
+                f"it lives only in a phase that is never entered: {phases}",
+                "give it a phase that is entered, or phases: any",
+                at_key=True,
+            )
+        else:
+            yield from _waiting_for_phases(name, rule, subject)
+
+
+def _waiting_for_phases(name: str, rule: Rule, subject: Subject) -> Iterator[Suspect]:
+    for index, trigger in enumerate(rule.triggers):
+        path: Path = ("rules", name, "triggers", index)
+        if isinstance(trigger, HalfStarted) and not lives_in(rule, subject.scenario.first_phase):
+            yield Suspect(
+                "rule_never_fires",
+                path,
+                f"a half starts in phase '{subject.scenario.first_phase}', in which this rule does not live",
+                f"add '{subject.scenario.first_phase}' to its phases",
+            )
+        if not isinstance(trigger, PhaseEntered):
+            continue
+        if not lives_in(rule, trigger.phase):
+            yield Suspect(
+                "rule_never_fires",
+                (*path, "phase"),
+                f"when '{trigger.phase}' is entered this rule does not live: it lives in {listing(rule.phases)}",
+                f"write phases: [{trigger.phase}], or phases: any",
+            )
+        elif trigger.from_ is not None and (trigger.from_, trigger.phase) not in subject.transitions:
+            yield Suspect(
+                "phase_never_entered",
+                (*path, "from"),
+                f"'{trigger.phase}' is never entered from '{trigger.from_}'",
+                "correct 'from', or leave it out",
+            )
+        elif trigger.from_ is None and trigger.phase not in {to for _, to in subject.transitions}:
+            yield Suspect(
+                "phase_never_entered",
+                (*path, "phase"),
+                f"'{trigger.phase}' is never entered after the start of a half",
+                "wait for half_started instead, or enter the phase by set_phase",
+            )
+
+
+def check_events(subject: Subject) -> Iterator[Suspect]:
+    """An event that is waited for and never emitted; one that is emitted without a sentence."""
+    emitted = {
+        action.event: None for _, rule in subject.standing() for action in rule.actions if isinstance(action, Emit)
+    }
+    for model, path in subject.models:
+        if isinstance(model, OnEvent) and model.event not in emitted:
+            hint = nearest(model.event, emitted)
+            yield Suspect(
+                "event_never_emitted",
+                (*path, "event"),
+                f"event '{model.event}' is waited for and never emitted{hint}",
+                "emit it in a rule that can fire, or correct its name",
+            )
+    for name, rule in subject.scenario.rules.items():
+        if rule.says:
+            continue
+        for index, action in enumerate(rule.actions):
+            if isinstance(action, Emit | Score):
+                what = f"event '{action.event}'" if isinstance(action, Emit) else "a change of the score"
+                yield Suspect(
+                    "event_without_a_sentence",
+                    ("rules", name, "actions", index),
+                    f"{what} comes without a sentence: sheet, log and screen cannot say why",
+                    "add says: to the rule",
+                )
+                break
+
+
+def check_rules(subject: Subject) -> Iterator[Suspect]:
+    """Rules that exist for each member of a group and do not look at it; sequences that cannot break."""
+    for name, rule in subject.scenario.rules.items():
+        if rule.for_each is not None and len(subject.roster.expand(rule.for_each)) > 1 and not _names_each(rule):
+            count = len(subject.roster.expand(rule.for_each))
+            yield Suspect(
+                "each_never_named",
+                ("rules", name, "for_each"),
+                f"the rule fires {count} times at once, once for each of '{rule.for_each}', and never names 'each'",
+                "write entity: each where it looks or acts, or leave for_each out",
+            )
+        for index, trigger in enumerate(rule.triggers):
+            sequence = subject.scenario.sequences[trigger.sequence] if isinstance(trigger, SequenceBroken) else None
+            if sequence is not None and sequence.wrong_step == "ignore":
+                yield Suspect(
+                    "sequence_never_breaks",
+                    ("rules", name, "triggers", index, "sequence"),
+                    "wrong steps are ignored by this sequence; it never breaks",
+                    "give it wrong_step: break",
+                )
+
+
+def _names_each(rule: Rule) -> bool:
+    for model, _ in visit(rule):
+        if isinstance(model, WordValue) and model.word in _OF_EACH and model.of is None:
+            return True
+        for field in type(model).model_fields:
+            value = getattr(model, field)
+            if value == "each" or (isinstance(value, tuple) and "each" in value):
+                return True
+    return False
+
+
+def check_scoring(subject: Subject) -> Iterator[Suspect]:
+    """No way to score, although scores decide."""
+    rank = subject.scenario.result.rank
+    if not isinstance(rank[0], RankByScore):
+        return
+    if any(isinstance(action, Score) for _, rule in subject.standing() for action in rule.actions):
+        return
+    yield Suspect(
+        "no_way_to_score",
+        ("rules",),
+        "no rule that can fire gives points, and the score decides",
+        "add {action: score, …} to a rule, or rank by a time or a counter in result:",
+        at_key=True,
+    )

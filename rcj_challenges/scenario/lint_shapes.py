@@ -1,0 +1,146 @@
+"""Zones, gates and points against the floor, for lint: exact for straight edges."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from math import cos, hypot, pi, sin
+
+from rcj_challenges.scenario.models.field import FieldModel
+from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
+from rcj_challenges.scenario.outlines import Point
+
+_FAR_M = 100.0
+"""Stands for an open side; ten times the largest field."""
+_NOTHING_M2 = 1e-12
+_ARC_CORNERS = 180
+
+Corners = tuple[Point, ...]
+
+
+def floor_parts(field: FieldModel) -> list[Corners]:
+    """Return the convex parts of the floor inside the walls: the field, then its goals, counter-clockwise."""
+    x, y, cut = field.width_m / 2, field.length_m / 2, field.corner_cut_m
+    octagon = ((x, cut - y), (x, y - cut), (x - cut, y), (cut - x, y), (-x, y - cut), (-x, cut - y), (cut - x, -y))
+    parts: list[Corners] = [(*octagon, (x - cut, -y))]
+    for goal in field.goals.values():
+        half, far = goal.width_m / 2, y + goal.depth_m
+        low, high = (y, far) if goal.end == "positive_y" else (-far, -y)
+        parts.append(((-half, low), (half, low), (half, high), (-half, high)))
+    return parts
+
+
+def zone_has_floor(zone: Zone, parts: Sequence[Corners]) -> bool:
+    """Return whether a zone has a part of the floor in it, more than an edge."""
+    return any(_covered(zone, part) for part in parts)
+
+
+def _covered(zone: Zone, part: Corners) -> bool:
+    if isinstance(zone, CircleZone):
+        distances = [hypot(px - zone.centre_m[0], py - zone.centre_m[1]) for px, py in part]
+        if zone.inverted:
+            return max(distances) > zone.radius_m
+        return _distance(zone.centre_m, part) < zone.radius_m
+    inside = abs(_area(_clipped(_corners(zone), part)))
+    return abs(_area(part)) - inside > _NOTHING_M2 if zone.inverted else inside > _NOTHING_M2
+
+
+def _corners(zone: Zone) -> Corners:
+    match zone:
+        case RectZone():
+            west = -_FAR_M if zone.x_min_m is None else zone.x_min_m
+            east = _FAR_M if zone.x_max_m is None else zone.x_max_m
+            south = -_FAR_M if zone.y_min_m is None else zone.y_min_m
+            north = _FAR_M if zone.y_max_m is None else zone.y_max_m
+            return ((west, south), (east, south), (east, north), (west, north))
+        case HalfPlaneZone():
+            (px, py), (nx, ny) = zone.through_m, zone.normal
+            length = hypot(nx, ny)
+            nx, ny = nx * _FAR_M / length, ny * _FAR_M / length
+            return ((px + ny, py - nx), (px + ny + nx, py - nx + ny), (px - ny + nx, py + nx + ny), (px - ny, py + nx))
+        case PolygonZone():
+            return zone.points_m
+        case CircleZone():
+            (cx, cy), r = zone.centre_m, zone.radius_m
+            turns = (2 * pi * i / _ARC_CORNERS for i in range(_ARC_CORNERS))
+            return tuple((cx + r * cos(turn), cy + r * sin(turn)) for turn in turns)
+
+
+def _clipped(subject: Corners, window: Corners) -> Corners:
+    """Return a polygon cut to a convex window that goes counter-clockwise (Sutherland and Hodgman)."""
+    cut: list[Point] = list(subject)
+    for a, b in zip(window, (*window[1:], window[0]), strict=True):
+        kept: list[Point] = []
+        for p, q in zip(cut, (*cut[1:], *cut[:1]), strict=True):
+            side_p, side_q = _side(a, b, p), _side(a, b, q)
+            if side_p >= 0:
+                kept.append(p)
+            if side_p * side_q < 0:
+                share = side_p / (side_p - side_q)
+                kept.append((p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])))
+        cut = kept
+    return tuple(cut)
+
+
+def _side(a: Point, b: Point, p: Point) -> float:
+    return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+
+
+def _area(corners: Corners) -> float:
+    edges = zip(corners, (*corners[1:], *corners[:1]), strict=True)
+    return sum(ax * by - bx * ay for (ax, ay), (bx, by) in edges) / 2
+
+
+def _distance(point: Point, part: Corners) -> float:
+    """Return how far a point is from a convex part; 0 inside."""
+    edges = [*pairwise(part), (part[-1], part[0])]
+    if all(_side(a, b, point) >= 0 for a, b in edges):
+        return 0.0
+    return min(_to_segment(point, a, b) for a, b in edges)
+
+
+def _to_segment(point: Point, a: Point, b: Point) -> float:
+    dx, dy = b[0] - a[0], b[1] - a[1]
+    along = ((point[0] - a[0]) * dx + (point[1] - a[1]) * dy) / (dx * dx + dy * dy)
+    share = min(1.0, max(0.0, along))
+    return hypot(a[0] + share * dx - point[0], a[1] + share * dy - point[1])
+
+
+def segment_has_floor(a: Point, b: Point, parts: Sequence[Corners]) -> bool:
+    """Return whether a segment has a point on the floor."""
+    return any(_segment_in(a, b, part) for part in parts)
+
+
+def _segment_in(a: Point, b: Point, part: Corners) -> bool:
+    low, high = 0.0, 1.0
+    for p, q in zip(part, (*part[1:], part[0]), strict=True):
+        side_a, side_b = _side(p, q, a), _side(p, q, b)
+        if side_a < 0 and side_b < 0:
+            return False
+        if side_a * side_b < 0:
+            share = side_a / (side_a - side_b)
+            low, high = (max(low, share), high) if side_a < 0 else (low, min(high, share))
+    return low <= high
+
+
+def on_floor(point: Point, parts: Sequence[Corners]) -> bool:
+    """Return whether a point is on the floor."""
+    return any(all(_side(a, b, point) >= 0 for a, b in zip(p, (*p[1:], p[0]), strict=True)) for p in parts)
+
+
+def points_in(zone: Zone, along: int = 25) -> list[Point]:
+    """Return points of a bounded zone on a grid of at most ``along`` times ``along``, fewer where it is no rect."""
+    corners = _corners(zone)
+    (x_0, x_1), (y_0, y_1) = ((min(axis), max(axis)) for axis in zip(*corners, strict=True))
+    grid = [(i + 0.5) / along for i in range(along)]
+    points = [(x_0 + i * (x_1 - x_0), y_0 + j * (y_1 - y_0)) for i in grid for j in grid]
+    return [point for point in points if _holds(corners, point)]
+
+
+def _holds(corners: Corners, point: Point) -> bool:
+    x, y = point
+    inside = False
+    for (ax, ay), (bx, by) in zip(corners, (*corners[1:], corners[0]), strict=True):
+        if (ay > y) != (by > y) and x < ax + (bx - ax) * (y - ay) / (by - ay):
+            inside = not inside
+    return inside

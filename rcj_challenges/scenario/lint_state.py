@@ -1,0 +1,131 @@
+"""Lint of what rules remember: counters never read, timers never started, things that nobody names."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from rcj_challenges.scenario.lint_suspect import Subject, Suspect, Use, on_field
+from rcj_challenges.scenario.models.actions import Count, DrawAction, SetFlag, TimerAction, ToggleFlag
+from rcj_challenges.scenario.models.scenario import Expectation, Keyframe
+from rcj_challenges.scenario.references import Named
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node
+
+_TESTS = (Expectation, Keyframe)
+_WRITERS: dict[str, tuple[type[Any], ...]] = {
+    "counters": (Count,),
+    "flags": (SetFlag, ToggleFlag),
+    "timers": (TimerAction,),
+    "draws": (DrawAction,),
+}
+
+
+def check_state(subject: Subject) -> Iterator[Suspect]:
+    """Counters, flags, timers and draws that are only written, only read, or neither."""
+    scenario = subject.scenario
+    for section, writers in _WRITERS.items():
+        noun = section[:-1]
+        for name in getattr(scenario, section):
+            uses = [use for use in subject.uses if use.name == name and _may_name(use, section)]
+            written = any(use.model in writers for use in uses)
+            read = any(use.model not in (*writers, *_TESTS) for use in uses)
+            if not read:
+                changed = " changes and" if written else ""
+                yield Suspect(
+                    f"{noun}_never_read",
+                    (section, name),
+                    f"{noun} '{name}'{changed} is never read",
+                    _how_to_read(noun, name),
+                    at_key=True,
+                )
+            elif not written and _needs_writing(section, getattr(scenario, section)[name]):
+                verb, how = _WRITING[section]
+                yield Suspect(
+                    f"{noun}_never_{verb}",
+                    (section, name),
+                    f"{noun} '{name}' is read and never {verb}",
+                    f"add {{action: {how.format(name=name)}}} to a rule, or remove it",
+                    at_key=True,
+                )
+
+
+_WRITING = {
+    "counters": ("counted", "count, counter: {name}"),
+    "flags": ("set", "set_flag, flag: {name}"),
+    "timers": ("started", "timer, timer: {name}"),
+}
+
+
+def _may_name(use: Use, section: str) -> bool:
+    if isinstance(use.reference, Named):
+        return section in use.reference.sections
+    return section == "draws" and use.reference.drawn
+
+
+def _needs_writing(section: str, entry: Any) -> bool:
+    """Draws are drawn at the start, and a timer may start by itself; a counter or flag that stays is a constant."""
+    return section in _WRITING and not (section == "timers" and entry.starts)
+
+
+def _how_to_read(noun: str, name: str) -> str:
+    read = {
+        "counter": f"read it in a condition, in points:, in broadcast: or in result:, or remove '{name}'",
+        "flag": f"read it in {{condition: flag, flag: {name}}}, in points: or in mirror:, or remove it",
+        "timer": f"wait for {{trigger: timer_expired, timer: {name}}}, or remove it",
+        "draw": f"read it as {{draw: {name}}} or in {{condition: drawn}}, or remove it",
+    }
+    return read[noun]
+
+
+def check_params(subject: Subject) -> Iterator[Suspect]:
+    """Params for which nothing stands."""
+    used = set(_notes(subject.tree))
+    for name in subject.scenario.params:
+        if f"param '{name}'" not in used:
+            yield Suspect(
+                "param_never_used",
+                ("params", name),
+                f"param '{name}' is never used: to change it changes nothing",
+                f"write {{param: {name}}} where the value belongs, or remove it",
+                at_key=True,
+            )
+
+
+def _notes(node: Node) -> Iterator[str]:
+    if isinstance(node, Leaf):
+        yield node.note
+    for inner in node.entries.values() if isinstance(node, Entries) else node.items if isinstance(node, Items) else ():
+        yield from _notes(inner)
+
+
+def check_unused(subject: Subject) -> Iterator[Suspect]:
+    """Gates, sequences and layouts of the author's own file that nothing names."""
+    scenario = subject.scenario
+    named = {use.name for use in subject.uses if on_field(use)}
+    named |= {member for name in named for member in subject.roster.expand(name)}
+    for section, noun in (("gates", "gate"), ("zones", "zone"), ("sequences", "sequence"), ("placements", "layout")):
+        for name, entry in getattr(scenario, section).items():
+            if section in ("gates", "zones"):
+                used = name in named or bool(getattr(entry, "drawn", False))
+            else:
+                used = _is_named(name, section, subject)
+            if not used and subject.tree.mark.file == _file_of(subject, section, name):
+                yield Suspect(
+                    f"{noun}_never_used",
+                    (section, name),
+                    f"{noun} '{name}' is never used",
+                    "name it in a rule, or remove it",
+                    at_key=True,
+                )
+
+
+def _is_named(name: str, section: str, subject: Subject) -> bool:
+    if any(use.name == name and _may_name(use, section) for use in subject.uses):
+        return True
+    # A layout may be one of the values of a draw.
+    return section == "placements" and any(name in draw.values for draw in subject.scenario.draws.values())
+
+
+def _file_of(subject: Subject, section: str, name: str) -> str:
+    node = subject.tree.entries.get(section)
+    return node.key_marks[name].file if isinstance(node, Entries) and name in node.key_marks else ""

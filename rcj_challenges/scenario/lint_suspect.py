@@ -1,0 +1,139 @@
+"""What lint looks at, and what it finds: shared by its checks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from rcj_challenges.scenario.models.actions import SetPhase
+from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.references import REFERENCES, Field, Reference
+from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.tree import Entries, Path
+from rcj_challenges.scenario.visiting import visit
+
+
+class Suspect(NamedTuple):
+    """Something that is legal and hardly meant.
+
+    Attributes:
+        kind: the check's word for it.
+        path: where it is.
+        reason: why it is suspicious.
+        remedy: what to do.
+        at_key: whether the key is meant, not its value.
+    """
+
+    kind: str
+    path: Path
+    reason: str
+    remedy: str
+    at_key: bool = False
+
+
+class Use(NamedTuple):
+    """A place where something is named."""
+
+    model: type[Strict]
+    path: Path
+    name: str
+    reference: Reference
+
+
+@dataclass
+class Subject:
+    """A scenario under the lens.
+
+    Attributes:
+        scenario: the models, all references checked.
+        roster: names to indices.
+        tree: the scenario as it was written.
+    """
+
+    scenario: Scenario
+    roster: Roster
+    tree: Entries
+    _uses: list[Use] = field(default_factory=list)
+
+    @cached_property
+    def models(self) -> list[tuple[Strict, Path]]:
+        """All models of the scenario with their paths."""
+        return list(visit(self.scenario))
+
+    @cached_property
+    def uses(self) -> list[Use]:
+        """All places where something that is defined elsewhere is named."""
+        found = []
+        for model, path in self.models:
+            for name, info in type(model).model_fields.items():
+                key = info.alias or name
+                reference = REFERENCES.get((type(model), key))
+                if reference is not None:
+                    at = (*path, key)
+                    found += [Use(type(model), at, text, reference) for text in _names(getattr(model, name), reference)]
+        return found
+
+    @cached_property
+    def transitions(self) -> frozenset[tuple[str, str]]:
+        """From which phase which other may be entered, as far as phases can be reached at all."""
+        scenario = self.scenario
+        edges: set[tuple[str, str]] = set()
+        reached = {scenario.first_phase}
+        todo = [scenario.first_phase]
+        while todo:
+            here = todo.pop()
+            model = scenario.phases.get(here)
+            onward = [model.next] if model is not None and model.lasts_s is not None else []
+            for rule in scenario.rules.values():
+                if lives_in(rule, here):
+                    onward += [action.phase for action in rule.actions if isinstance(action, SetPhase)]
+            for phase in onward:
+                edges.add((here, phase))
+                if phase not in reached:
+                    reached.add(phase)
+                    todo.append(phase)
+        return frozenset(edges)
+
+    @cached_property
+    def reached(self) -> frozenset[str]:
+        """The phases that can ever be entered."""
+        return frozenset({self.scenario.first_phase, *(to for _, to in self.transitions)})
+
+    def can_live(self, rule: Rule) -> bool:
+        """Return whether a rule lives in a phase that can be entered."""
+        return any(lives_in(rule, phase) for phase in self.reached)
+
+    def standing(self) -> Iterator[tuple[str, Rule]]:
+        """Yield the rules that can fire as far as phases go."""
+        return ((name, rule) for name, rule in self.scenario.rules.items() if self.can_live(rule))
+
+    def members(self, names: str | tuple[str, ...], rule: Rule) -> frozenset[str]:
+        """Return the entities that names in a rule may stand for; ``each`` is any member of ``for_each``."""
+        listed = (names,) if isinstance(names, str) else names
+        found: set[str] = set()
+        for name in listed:
+            found.update(self.roster.expand(rule.for_each if name == "each" and rule.for_each else name))
+        return frozenset(found)
+
+
+def lives_in(rule: Rule, phase: str) -> bool:
+    """Return whether a rule lives in a phase."""
+    return rule.phases == "any" or phase in rule.phases
+
+
+def _names(value: Any, reference: Reference) -> Iterator[str]:
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, dict) and reference.keys:
+        yield from value
+    elif isinstance(value, tuple):
+        for part in value:
+            yield from _names(part, reference)
+
+
+def on_field(use: Use) -> bool:
+    """Return whether a use names something on the field: an entity, a zone, a gate, a spot, or a group."""
+    return isinstance(use.reference, Field)

@@ -1,0 +1,50 @@
+"""Lint of times: limits that a half is too short for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.scenario.lint_suspect import Subject, Suspect
+from rcj_challenges.scenario.models.actions import Remove
+from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.scenario.models.scenario import Rule
+from rcj_challenges.scenario.models.state import Phase, Timer
+from rcj_challenges.scenario.models.triggers import Holds, NoProgress, StaysIn
+
+_NEVER = "it never fires"
+
+
+def check_times(subject: Subject) -> Iterator[Suspect]:
+    """Limits that are not over before the half is."""
+    half_s = subject.scenario.match.half_s
+    half = ticks_from_s(half_s)
+    for model, path in subject.models:
+        for key, seconds, strict, consequence in _limits(model):
+            ticks = ticks_from_s(seconds) if seconds else 0
+            if ticks > half or (strict and ticks == half):
+                yield Suspect(
+                    "limit_longer_than_the_half",
+                    (*path, key),
+                    f"{seconds:g} s is not over before the half is, after {half_s:g} s: {consequence}",
+                    "shorten it, or lengthen match.half_s",
+                )
+
+
+def _limits(model: Strict) -> Iterator[tuple[str, float, bool, str]]:
+    """Yield key, seconds, whether it must be strictly shorter than the half, and what follows if it is not."""
+    match model:
+        case StaysIn():
+            yield "limit_s", model.limit_s, True, _NEVER
+        case NoProgress():
+            yield "within_s", model.within_s, True, _NEVER
+        case Holds():
+            yield "for_s", model.for_s, True, _NEVER
+        case Timer():
+            yield "lasts_s", model.lasts_s, False, "it never expires"
+        case Phase() if model.lasts_s is not None:
+            yield "lasts_s", model.lasts_s, False, "the phase never ends by itself"
+        case Remove() if model.for_s is not None:
+            yield "for_s", model.for_s, False, "what is taken off does not come back"
+        case Rule() if model.cooldown_s is not None:
+            yield "cooldown_s", model.cooldown_s, False, "the rule fires once (max_executions: 1 says so)"

@@ -1,0 +1,133 @@
+"""Exchanging frames without ever waiting longer than asked: both ways alike."""
+
+from __future__ import annotations
+
+import os
+import struct
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import pytest
+
+from rcj_challenges.controllers.pipes import Channel, ChannelClosedError, FrameTooLongError, open_channel
+
+LIMIT = 3_000_000
+
+
+def framed(body: bytes) -> bytes:
+    return struct.pack("<I", len(body)) + body
+
+
+@dataclass
+class Line:
+    """A channel and the other side's ends of its pipes."""
+
+    channel: Channel
+    their_read: int
+    their_write: int
+
+    def says(self, data: bytes) -> None:
+        while data:
+            data = data[os.write(self.their_write, data) :]
+
+    def hears(self, size: int) -> bytes:
+        heard = b""
+        while len(heard) < size:
+            heard += os.read(self.their_read, size - len(heard))
+        return heard
+
+    def hangs_up(self) -> None:
+        os.close(self.their_write)
+        self.their_write = -1
+
+    def goes_deaf(self) -> None:
+        os.close(self.their_read)
+        self.their_read = -1
+
+
+@pytest.fixture(params=[False, True], ids=["polled", "threaded"])
+def line(request: pytest.FixtureRequest) -> Iterator[Line]:
+    if sys.platform == "win32" and not request.param:
+        pytest.skip("pipes cannot be polled on Windows")
+    read_fd, their_write = os.pipe()
+    their_read, write_fd = os.pipe()
+    line = Line(open_channel(read_fd, write_fd, LIMIT, portable=request.param), their_read, their_write)
+    yield line
+    for fd in (line.their_read, line.their_write):
+        if fd >= 0:
+            os.close(fd)
+    line.channel.close()
+
+
+def test_frames_come_one_by_one_in_order(line: Line) -> None:
+    line.says(framed(b"one") + framed(b"") + framed(b"three"))
+    assert [line.channel.receive(5) for _ in range(3)] == [b"one", b"", b"three"]
+    assert line.channel.receive(0) is None
+
+
+@pytest.mark.parametrize("timeout_s", [0.0, -1.0, 0.05])
+def test_nothing_is_told_when_the_time_is_over(line: Line, timeout_s: float) -> None:
+    began = time.perf_counter()
+    assert line.channel.receive(timeout_s) is None
+    assert time.perf_counter() - began >= timeout_s - 0.005
+
+
+def test_half_a_frame_is_kept_until_the_rest_comes(line: Line) -> None:
+    line.says(framed(b"whole")[:6])
+    assert line.channel.receive(0.02) is None
+    line.says(framed(b"whole")[6:] + framed(b"next")[:2])
+    assert line.channel.receive(5) == b"whole"
+    assert line.channel.receive(0.02) is None
+    line.says(framed(b"next")[2:])
+    assert line.channel.receive(5) == b"next"
+
+
+def test_sending_more_than_a_pipe_holds_does_not_wait(line: Line) -> None:
+    large = framed(bytes(2_000_000))
+    line.channel.send(large)
+    line.channel.send(framed(b"after"))
+    heard: list[bytes] = []
+
+    def other_side() -> None:
+        heard.append(line.hears(len(large) + 9))
+        line.says(framed(b"answer"))
+
+    listener = threading.Thread(target=other_side)
+    listener.start()
+    assert line.channel.receive(30) == b"answer"
+    listener.join()
+    assert heard == [large + framed(b"after")]
+
+
+def test_a_large_frame_is_received_whole(line: Line) -> None:
+    body = bytes(range(256)) * 8_000
+    talker = threading.Thread(target=line.says, args=(framed(body),))
+    talker.start()
+    assert line.channel.receive(30) == body
+    talker.join()
+
+
+def test_what_was_said_before_hanging_up_is_still_heard(line: Line) -> None:
+    line.says(framed(b"last words"))
+    line.hangs_up()
+    assert line.channel.receive(5) == b"last words"
+    for _ in range(2):
+        with pytest.raises(ChannelClosedError):
+            line.channel.receive(5)
+
+
+def test_a_side_that_went_deaf_is_still_heard(line: Line) -> None:
+    line.goes_deaf()
+    line.says(framed(b"why"))
+    line.channel.send(framed(b"unheard"))
+    assert line.channel.receive(5) == b"why"
+
+
+def test_a_frame_beyond_the_limit_is_refused_by_its_length(line: Line) -> None:
+    line.says(struct.pack("<I", LIMIT + 1))
+    with pytest.raises(FrameTooLongError) as caught:
+        line.channel.receive(5)
+    assert caught.value.args == (LIMIT + 1,)

@@ -1,0 +1,158 @@
+"""One mistake, one sentence, in the words of authors."""
+
+import json
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rcj_challenges.scenario.load import load_text
+from rcj_challenges.scenario.models.base import Name, Names, Point
+from rcj_challenges.scenario.models.places import At, Facing
+from rcj_challenges.scenario.models.state import Points
+from rcj_challenges.scenario.wording import expectation
+from tests.scenario.writing import HEAD, complaints, problems_of, rule
+
+TRIGGERS = (
+    "half_started, half_ended, phase_entered, time_reached, timer_expired, enters, leaves, crosses, touches, displaced, "
+    "no_progress, stays_in, tips_over, sequence_completed, sequence_broken, event, program_fault, holds"
+)
+
+
+def place(text):
+    return rule(action=f"{{action: place, entity: ball, {text}}}")
+
+
+CASES = [
+    (rule("{trigger: enterz}"), f"rules.r.triggers[0] (enterz): unknown trigger 'enterz'; there are {TRIGGERS}; did you mean 'enters'?"),
+    (rule("{entity: ball}"), f"rules.r.triggers[0]: 'trigger' is missing; it is one of {TRIGGERS}"),
+    (rule("{trigger: [enters]}"), f"rules.r.triggers[0]: unknown trigger 'a list of 1'; there are {TRIGGERS}"),
+    (rule("half_started"), "rules.r.triggers[0]: expected a mapping with 'trigger', found 'half_started'"),
+    (rule("{trigger: half_started, at: 3}"), "rules.r.triggers[0] (half_started): unknown key 'at'; allowed are trigger"),
+    (rule("{trigger: enters, entity: ball}"),
+     "rules.r.triggers[0] (enters): 'zone' is missing: a zone; with a list or group: into any of them from none of them"),
+    (rule("{trigger: enters, entity: ball, zoen: pitch}"),
+     "rules.r.triggers[0] (enters): unknown key 'zoen'; allowed are trigger, entity, zone; did you mean 'zone'?"),
+    (rule("{trigger: enters, entity: [1, ball], zone: pitch}"), "rules.r.triggers[0] (enters).entity[0]: expected a name, found 1"),
+    (rule("{trigger: enters, entity: [], zone: pitch}"),
+     "rules.r.triggers[0] (enters).entity: must have at least 1 entry, found an empty list"),
+    (rule("{trigger: enters, entity: {name: ball}, zone: pitch}"),
+     "rules.r.triggers[0] (enters).entity: expected a name or a list of names, found a mapping with name"),
+    (rule("{trigger: displaced, entity: ball, distance_m: 1, from: last}"),
+     "rules.r.triggers[0] (displaced).from: expected last_placement or two numbers [x, y], found 'last'; did you mean 'last_placement'?"),
+    (rule("{trigger: displaced, entity: ball, distance_m: 1, from: [1]}"),
+     "rules.r.triggers[0] (displaced).from: expected last_placement or two numbers [x, y], found a list of 1"),
+    (rule("{trigger: displaced, entity: ball, distance_m: 1, from: [1, x]}"),
+     "rules.r.triggers[0] (displaced).from[1]: expected a number, found 'x'"),
+    (rule("{trigger: tips_over, entity: B1, angle_rad: 4}"), "rules.r.triggers[0] (tips_over).angle_rad: must be less than 3.1416, found 4"),
+    (rule("{trigger: holds, condition: {condition: speed, entity: ball, at_least: fast}}"),
+     "rules.r.triggers[0] (holds).condition.at_least: expected a number or {counter: …}, found 'fast'"),
+    (rule("{trigger: event, event: Goal}"), "rules.r.triggers[0] (event).event: 'Goal' is no event's name: capitals, digits and _, such as GOAL"),
+    (rule(rest="    phases: all\n"), "rules.r.phases: expected any or a list of names, found 'all'"),
+    (rule(rest="    phases: [play, 3]\n"), "rules.r.phases[1]: expected a name, found 3"),
+    (rule(rest="    for_each: [B1]\n"), "rules.r.for_each: expected a name, found a list of 1"),
+    (rule(rest=f"    says: {'x' * 501}\n"), f"rules.r.says: must have at most 500 characters, found '{'x' * 60}…'"),
+    (place("at: centre"), ("rules.r.actions[0] (place).at: expected start, {start: …}, {point: …}, {spot: …}, {uniform_in: …}, {on_line: …}, "
+     "{choice: …}, {nearest_free: …}, {furthest_free: …} or {relative_to: …}, found 'centre'; a spot is written {spot: centre}")),
+    (place("at: {spot: [centre]}"), "rules.r.actions[0] (place).at.spot: expected a name, found a list of 1"),
+    (place("at: {point: [0, 0], spot: centre}"), "rules.r.actions[0] (place).at: unknown key 'spot'; allowed are point; did you mean 'point'?"),
+    (place("at: {on_line: [[0, 0], [1]]}"), "rules.r.actions[0] (place).at.on_line[1]: expected two numbers [x, y], found a list of 1"),
+    (place("at: {on_line: [[0, 0]]}"), "rules.r.actions[0] (place).at.on_line: expected 2 points, each [x, y], found a list of 1"),
+    (place("at: start, facing: north"),
+     "rules.r.actions[0] (place).facing: expected start or keep, a number, {towards: …} or {random: …}, found 'north'"),
+    (place("at: start, facing: {random: false}"), "rules.r.actions[0] (place).facing.random: expected true, found false"),
+    (place("at: start, facing: {towards: [0]}"),
+     "rules.r.actions[0] (place).facing.towards: expected a name or two numbers [x, y], found a list of 1"),
+    (place("at: start, mirror: x"), "rules.r.actions[0] (place).mirror: expected {axis: …}, found 'x'"),
+    (rule(action="{action: score, entrant: blue, points: [{weight: 2}]}"),
+     "rules.r.actions[0] (score).points[0]: expected {counter: …} or {flag: …}, found a mapping with weight"),
+    (rule(action="{action: emit, event: E, payload: {a: {}}}"), ("rules.r.actions[0] (emit).payload.a: expected a text, a number or "
+     "true/false, {counter: …}, {flag: …}, {draw: …}, {word: …} or {position_of: …}, found an empty mapping")),
+    (rule(action="{action: emit, event: E, payload: {a: {word: scor}}}"),
+     ("rules.r.actions[0] (emit).payload.a.word: expected robot_name, entity_name, team_name, entrant, score, halftime, match_id, "
+     "total_match_time_s, time_s, time_left_s, measured, limit, phase or seed_id, found 'scor'; did you mean 'score'?")),
+    (rule(rest="    conditions: [{condition: in_zone, entity: robots, zone: pitch, of: {at_least: 0}}]\n"),
+     "rules.r.conditions[0] (in_zone).of.at_least: must be at least 1, found 0"),
+    ("result: {rank: [{tim: ascending}]}\n", "result.rank[0]: unknown key 'tim'; allowed are time, plus; did you mean 'time'?"),
+    ("result: {rank: [{order: ascending}]}\n", "result.rank[0]: 'counter' is missing: a counter"),
+    ("result: {rank: score}\n", "result.rank: expected a list, found 'score'"),
+    ("rules: [1]\n", "rules: expected a mapping by name, found a list of 1"),
+    ("zones: {1st: {shape: rect, x_min_m: 0}}\n", "zones.1st: '1st' is no name: letters, digits and _, not beginning with a digit, at most 64"),
+    ("match: {halves: 11}\n", "match.halves: must be at most 10, found 11"),
+    ("match: {halves: true}\n", "match.halves: expected a whole number, found true"),
+    ("match: {swap_sides: on}\n", "match.swap_sides: expected true/false, found 'on'; did you mean true?"),
+    ("match: {half_s: '60'}\n", "match.half_s: expected a number, found '60'; leave the quotes out"),
+    ("match: {half_s: 1e9}\n", "match.half_s: must be at most 86400, found 1000000000.0"),
+    ("title: ''\n", "title: must have at least 1 character, found ''"),
+    ("title: 2021\n", "title: expected a text, found 2021"),
+    ("id: fast-shooter\n", "id: 'fast-shooter' is no name: letters, digits and _, not beginning with a digit, at most 64"),
+    ("schema_version: 0\n", "schema_version: expected 1, found 0"),
+    ("robots: {B1: {colour: 3}}\n", "robots.B1.colour: expected a name, found 3"),
+    ("robots: {B1: {start: {x_m: a}}}\n", "robots.B1.start.x_m: expected a number, found 'a'"),
+    ("robots: {N1: {colour: blue, number: 7, kit: v2}}\n", "robots.N1: 'start' is missing: where it starts"),
+    ("entrants: {blue: {robots: {B1: 7}}}\n", "entrants.blue.robots.B1: expected a path to a .py file or a list, found 7"),
+    ("entrants: {blue: {robots: {B1: [x.txt]}}}\n",
+     "entrants.blue.robots.B1[0]: 'x.txt' is no entry point: a relative path with / to a .py file"),
+    ("expect: {t: {lasts_s: 1, keyframes: [{at_s: 0, place: {ball: [1]}}]}}\n",
+     "expect.t.keyframes[0].place.ball: must have at least 2 entries, found a list of 1"),
+    ("expect: {t: {lasts_s: 1, keyframes: [{at_s: 0, touch: [[ball]]}]}}\n", "expect.t.keyframes[0].touch[0]: expected a list of 2, found a list of 1"),
+    ("balls: {ball: {colour: 'red;'}}\n", "balls.ball.colour: 'red;' is no colour: a CSS colour name or #rrggbb"),
+    ("draws: {d: {values: [[1]]}}\n", "draws.d.values[0]: expected a text, a number or true/false, found a list of 1"),
+    ("groups: {g: B1}\n", "groups.g: expected a list of names, found 'B1'"),
+    ("zones: {z: {shape: 3}}\n", "zones.z: unknown shape '3'; there are rect, circle, polygon, half_plane"),
+    ("zones: {z: {inverted: true}}\n", "zones.z: 'shape' is missing; it is one of rect, circle, polygon, half_plane"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("body", "message"), CASES, ids=[case[1][:60] for case in CASES])
+def test_one_mistake_gives_one_sentence(body, message):
+    key = body.partition(":")[0]
+    head = "".join(line + "\n" for line in HEAD.splitlines() if not line.startswith(f"{key}:"))
+    assert complaints(body, head=head) == [message]
+
+
+def test_two_mistakes_in_one_mapping_give_two_sentences():
+    assert len(complaints(rule("{trigger: enters, entity: 3, zoen: pitch, distance: 4}"))) == 3
+
+
+@pytest.mark.parametrize(
+    ("shape", "words"),
+    [
+        (Name, "a name"),
+        (Names, "a name or a list of names"),
+        (Point, "two numbers [x, y]"),
+        (Name | None, "a name"),
+        (Points, "a number, {counter: …} or a list"),
+        (Facing, "start or keep, a number, {towards: …} or {random: …}"),
+        (float, "a number"),
+        (int | float, "a number"),
+        (tuple[float, ...], "a list"),
+        (dict[str, int], "a mapping by name"),
+    ],
+)
+def test_what_is_expected_in_words(shape, words):
+    assert expectation(shape) == words
+    assert expectation(At).startswith("start, {start: …}, {point: …}")
+
+
+VALUES = st.recursive(
+    st.none() | st.booleans() | st.integers(-5, 5) | st.floats(allow_nan=False, allow_infinity=False) | st.text("ab1_", max_size=3),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.sampled_from(["spot", "a", "shape", "word", "param"]), inner, max_size=3),
+    max_leaves=6,
+)  # fmt: skip
+PLACES = ["match", "match.half_s", "zones.z", "groups.g", "rules.r.phases", "rules.r.triggers", "broadcast.fields.f",
+          "result.rank", "robots.B1.start", "draws.d", "sequences.s", "placements.p", "expect.t", "entrants.blue.robots.B1",
+          "title", "extends", "params.p", "field.goals"]  # fmt: skip
+
+
+@settings(max_examples=120, deadline=None)
+@given(st.sampled_from(PLACES), VALUES)
+def test_whatever_stands_anywhere_is_explained_without_a_traceback(where, value):
+    data = {"schema_version": 1, "id": "a", "title": "A", "extends": "soccersim_v2"}
+    holder = data
+    *above, last = where.split(".")
+    for key in above:
+        holder = holder.setdefault(key, {})
+    holder[last] = value
+    found = problems_of(load_text, json.dumps(data))
+    assert all(problem.message and "nput should" not in problem.message for problem in found)

@@ -1,0 +1,222 @@
+"""The JSON schema: complete, fresh, and of one mind with the loader."""
+
+import copy
+import json
+
+import jsonschema
+import pytest
+
+from rcj_challenges.cli.schema import check_schema, write_schema
+from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.scenario.json_schema import FILE, scenario_schema, schema_is_fresh, schema_text
+from rcj_challenges.scenario.resources import presets_folder, scenarios_folder, schemas_folder
+from rcj_challenges.scenario.tree import plain
+from rcj_challenges.scenario.yaml_strict import parse_bytes, parse_text
+from tests.scenario.writing import HEAD, rule
+
+SCHEMA = scenario_schema()
+VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
+FILES = sorted([*scenarios_folder().rglob("*.yaml"), *presets_folder().glob("*.yaml")])
+WHOLE = {"schema_version": 1, "id": "a", "title": "A", "robots": {}, "entrants": {}}
+
+
+def accepts(data):
+    return VALIDATOR.is_valid(data)
+
+
+def test_the_committed_schema_is_fresh():
+    assert schema_is_fresh(), "run `rcj-challenge schema`"
+    assert check_schema() == 0
+
+
+def test_it_is_a_valid_schema_and_the_same_every_time():
+    jsonschema.Draft202012Validator.check_schema(SCHEMA)
+    assert schema_text() == schema_text()
+    assert json.loads(schema_text()) == SCHEMA
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_shipped_files_are_valid_as_they_are_written(path):
+    data = plain(parse_bytes(path.read_bytes(), path.name))
+    assert [f"{'/'.join(map(str, e.absolute_path))}: {e.message[:200]}" for e in VALIDATOR.iter_errors(data)] == []
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_every_shipped_file_names_the_schema_for_editors(path):
+    first = path.read_text(encoding="utf-8").splitlines()[0]
+    assert first.startswith("# yaml-language-server: $schema=")
+    named = (path.parent / first.partition("=")[2]).resolve()
+    assert named == (schemas_folder() / FILE).resolve()
+
+
+def properties(schema, where=""):
+    if isinstance(schema, dict):
+        for name, inner in schema.get("properties", {}).items():
+            yield f"{where}.{name}", inner
+        for key, inner in schema.items():
+            if key not in ("if", "then", "else"):
+                yield from properties(inner, f"{where}.{key}" if key != "properties" else where)
+    elif isinstance(schema, list):
+        for inner in schema:
+            yield from properties(inner, where)
+
+
+def test_every_field_is_described():
+    found = list(properties(SCHEMA))
+    assert len(found) > 300
+    assert [where for where, schema in found if not schema.get("description")] == []
+
+
+def test_every_number_with_a_unit_in_its_name_says_the_unit():
+    units = {
+        "_s": (" s", "seconds", "duration"),
+        "_m": (" m", "[x, y]"),
+        "_rad": ("rad",),
+        "_kg": ("kg",),
+        "_hz": ("second",),
+        "_mb": ("MB",),
+    }
+    missing = [
+        where
+        for where, schema in properties(SCHEMA)
+        for unit, words in units.items()
+        if where.rpartition(".")[2].endswith(unit) and not any(word in schema["description"] for word in words)
+    ]
+    assert missing == []
+
+
+def test_every_default_is_told():
+    definitions = SCHEMA["$defs"]
+    assert SCHEMA["properties"]["first_phase"]["default"] == "play"
+    assert definitions["MatchPart"]["properties"]["half_s"]["default"] == 600
+    assert definitions["NearestFree"]["properties"]["clearance_m"]["default"] == 0.08
+    assert definitions["RulePart"]["properties"]["phases"]["default"] == ["play"]
+    assert definitions["Place"]["properties"]["facing"]["default"] == "start"
+
+
+def test_every_word_has_its_sentence_where_it_is_chosen():
+    for word in ("Enters", "InZone", "Score", "Holds"):
+        definition = SCHEMA["$defs"][word]
+        discriminator = next(p for p in definition["properties"].values() if "const" in p)
+        assert discriminator["description"] == definition["description"]
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "match: {half_s: {param: x}, halves: {param: x}, swap_sides: {param: x}}\n",
+        "title: {param: x}\n",
+        rule("{trigger: enters, entity: {param: x}, zone: [{param: x}, pitch]}"),
+        rule("{trigger: displaced, entity: ball, distance_m: {param: x}, axis: {param: x}, from: [{param: x}, 0]}"),
+        rule(action="{action: score, entrant: {param: x}, points: {param: x}}"),
+        rule(action="{action: emit, event: {param: x}, payload: {a: {param: x}}}"),
+        "zones: {pitch: {x_min_m: {param: x}, inverted: {param: x}}}\n",
+    ],
+)
+def test_a_param_may_stand_for_any_single_value(body):
+    assert accepts({**plain(parse_text(HEAD, "f")), **plain(parse_text(body, "f"))})
+
+
+@pytest.mark.parametrize(
+    "body", ["match: {param: x}\n", "params: {a: {param: b}}\n", "id: {param: x}\n", "extends: {param: x}\n"]
+)
+def test_a_param_may_not_stand_for_more(body):
+    assert not accepts({**plain(parse_text(HEAD, "f")), **plain(parse_text(body, "f"))})
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "robots: {B1: null}\n",
+        "robots: {B1: {number: 7}}\n",
+        "rules: {r: {priority: 3}}\n",
+        "zones: {pitch: {x_min_m: 0}}\n",
+        "kits: {v2: {devices: {gps: null, ball receiver: {range_m: 1}}}}\n",
+        "field: {goals: {blue_goal: {width_m: 0.3}}}\n",
+    ],
+)
+def test_what_extends_may_leave_out_what_its_base_brings_and_what_does_not_may_not(body):
+    data = plain(parse_text(body, "f"))
+    assert accepts({"extends": "soccersim_v2", **data})
+    if "null" not in body.partition(",")[0]:
+        assert not accepts({**WHOLE, **data})
+
+
+@pytest.mark.parametrize("missing", WHOLE)
+def test_without_extends_the_whole_is_needed(missing):
+    assert accepts(WHOLE)
+    assert not accepts({key: value for key, value in WHOLE.items() if key != missing})
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        rule("{trigger: enters, entity: ball}"),
+        rule("{trigger: enterz}"),
+        rule("{trigger: half_started, x: 1}"),
+        rule(action="{action: place, entity: ball, at: nowhere}"),
+        "match: {half_s: -1}\n",
+        "match: {half_s: 0.03}\n",
+        "match: {halvs: 1}\n",
+        "rules: {a-b: {}}\n",
+        "rules: {r: {triggers: []}}\n",
+        "groups: {g: []}\n",
+        "zones: {z: {shape: oval}}\n",
+        "draws: {d: {values: [[1]]}}\n",
+        "robots: {B1: {start: {x_m: a}}}\n",
+        "balls: {ball: {start_m: [0, 0, 0]}}\n",
+        "match: null\n",
+    ],
+)
+def test_what_the_loader_refuses_in_form_the_schema_refuses_too(body):
+    assert not accepts(plain(parse_text(HEAD + body, "f")))
+
+
+def test_every_value_of_the_match_that_is_spoilt_is_noticed():
+    """Replacing any mapping by a number, and any number by a mapping, must not pass."""
+    data = plain(parse_bytes((scenarios_folder() / "match.yaml").read_bytes(), "match.yaml"))
+    count = 0
+
+    def spoil(node, path):
+        nonlocal count
+        items = node.items() if isinstance(node, dict) else enumerate(node) if isinstance(node, list) else ()
+        for key, value in list(items):
+            if (
+                path[:1] != ("params",)
+                and "payload" not in path
+                and count < 60
+                and isinstance(value, (dict, int, float))
+            ):
+                spoilt = copy.deepcopy(data)
+                holder = spoilt
+                for step in path:
+                    holder = holder[step]
+                holder[key] = {"x": 1} if not isinstance(value, dict) else [[]]
+                assert not accepts(spoilt), (path, key)
+                count += 1
+            spoil(value, (*path, key))
+
+    spoil({key: data[key] for key in ("match", "flags", "counters", "phases", "placements", "rules")}, ())
+    assert count == 60
+
+
+def test_the_schema_is_written_where_asked(tmp_path, monkeypatch, capsys):
+    assert write_schema(tmp_path / "deep" / "x.json") == 0
+    assert (tmp_path / "deep" / "x.json").read_bytes() == schema_text().encode()
+    monkeypatch.chdir(tmp_path)
+    assert write_schema(None) == 0
+    assert (tmp_path / "schemas" / FILE).is_file()
+    assert capsys.readouterr().out.splitlines()[1].replace("\\", "/") == f"schemas/{FILE}"
+    with pytest.raises(RcjError, match="cannot be written"):
+        write_schema(tmp_path / "deep")
+
+
+def test_a_stale_schema_is_noticed(tmp_path, monkeypatch, capsys):
+    from rcj_challenges.scenario import json_schema
+
+    assert not schema_is_fresh(tmp_path)
+    (tmp_path / FILE).write_text(schema_text() + " ", encoding="utf-8")
+    assert not schema_is_fresh(tmp_path)
+    monkeypatch.setattr(json_schema, "schemas_folder", lambda: tmp_path)
+    assert check_schema() == 1
+    assert "stale" in capsys.readouterr().err
