@@ -168,7 +168,7 @@ _Scenario = Annotated[str, typer.Argument(help="A scenario file, or the name of 
 def draw(
     scenario: _Scenario,
     out: Annotated[
-        Path | None, typer.Option("--out", "-o", metavar="FILE", help="SVG file; left out: standard output.")
+        Path | None, typer.Option("--out", "-o", metavar="FILE", help=".svg or .png; left out: SVG to standard output.")
     ] = None,
     set_: _Set = None,
 ) -> None:

@@ -13,12 +13,17 @@ class OutputError(RcjError):
 
 
 def draw(scenario: str, out: Path | None, overrides: list[str]) -> int:
-    """Write the drawing of a scenario as SVG; returns the exit code."""
+    """Write the drawing of a scenario: PNG if the file is called ``.png``, else SVG; returns the exit code."""
     from rcj_challenges.scenario.load import load
     from rcj_challenges.views.drawing import draw_scenario
 
     loaded = load(scenario, overrides)
-    return _deliver(draw_scenario(loaded.scenario, loaded.roster), out)
+    picture = draw_scenario(loaded.scenario, loaded.roster)
+    if out is not None and out.suffix.lower() == ".png":
+        from rcj_challenges.views.drawing.png import png_from_svg
+
+        return _deliver(png_from_svg(picture), out)
+    return _deliver(picture, out)
 
 
 def sheet(scenario: str, out: Path | None, overrides: list[str]) -> int:
@@ -31,12 +36,13 @@ def sheet(scenario: str, out: Path | None, overrides: list[str]) -> int:
     return _deliver(make(loaded.scenario, loaded.roster), out)
 
 
-def _deliver(text: str, out: Path | None) -> int:
+def _deliver(content: str | bytes, out: Path | None) -> int:
     if out is None:
-        sys.stdout.write(text)
+        sys.stdout.write(str(content))  # pictures of bytes always have a file
         return 0
     try:
-        out.write_text(text, encoding="utf-8", newline="\n")
+        # Bytes, so that no system changes the ends of lines.
+        out.write_bytes(content.encode("utf-8") if isinstance(content, str) else content)
     except OSError as error:
         raise OutputError(f"{out}: cannot be written: {error.strerror}") from error
     sys.stdout.write(f"{out}\n")

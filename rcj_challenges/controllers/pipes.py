@@ -5,7 +5,6 @@ Two ways that behave alike: `PolledPipes` is fast and needs ``poll`` (POSIX); `T
 
 from __future__ import annotations
 
-import contextlib
 import os
 import queue
 import select
@@ -164,6 +163,7 @@ _QUEUED_FRAMES = 8
 """A program has one frame under way, and a farewell; one that sends more waits."""
 
 
+_FLOOD_PAUSE_S = 0.005
 _CLOSING_S = 1.0
 
 
@@ -174,7 +174,7 @@ class ThreadedPipes:
         self._read_fd = read_fd
         self._write_fd = write_fd
         self._buffer = FrameBuffer(limit_bytes)
-        self._arrived: queue.Queue[bytes | Exception] = queue.Queue(_QUEUED_FRAMES)
+        self._arrived: queue.SimpleQueue[bytes | Exception] = queue.SimpleQueue()
         self._to_send: queue.SimpleQueue[bytes | None] = queue.SimpleQueue()
         self._end: Exception | None = None
         self._closing = False
@@ -210,8 +210,6 @@ class ThreadedPipes:
         while any(thread.is_alive() for thread in self._threads):
             if time.perf_counter() > give_up:
                 return  # something that the program started escaped and holds the pipes: leave them to it
-            with contextlib.suppress(queue.Empty):
-                self._arrived.get_nowait()
             for thread in self._threads:
                 thread.join(0.001)
         os.close(self._read_fd)
@@ -230,6 +228,8 @@ class ThreadedPipes:
             try:
                 while (body := self._buffer.next()) is not None:
                     self._arrived.put(body)
+                    while self._arrived.qsize() > _QUEUED_FRAMES and not self._closing:
+                        time.sleep(_FLOOD_PAUSE_S)
             except FrameTooLongError as error:
                 self._arrived.put(error)
                 return

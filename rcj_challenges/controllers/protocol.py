@@ -79,6 +79,7 @@ class Codec:
         self._values = spec.values
         self._form = Struct(f"{_OBSERVATION}{spec.values}d")
         self._kinds = {device.index: device.kind for device in spec.devices}
+        self._motors = frozenset(device.index for device in spec.devices if device.kind == "motor")
         self._max_velocity = spec.max_velocity_radps * (1 + _SPEED_TOLERANCE)
         self._message_bytes = message_bytes
         self._asked_last = b""
@@ -126,16 +127,25 @@ class Codec:
             raise ProtocolError(f"a request of {len(body)} bytes") from None
         if advance < 1:
             raise ProtocolError("a request to advance by no tick")
-        tail = _Tail(body, _REQUEST.size)
-        commands = tuple([self._motor(*tail.take(_MOTOR)) for _ in range(motors)])
+        settings = body[_REQUEST.size :]
+        size = motors * _MOTOR.size
+        if len(settings) < size:
+            raise ProtocolError("a request that ends too early")
+        commands = []
+        for device, velocity, position in _MOTOR.iter_unpack(settings[:size]):
+            # The bounds are written so that NaN is within none.
+            if device not in self._motors or not (abs(velocity) <= self._max_velocity and position > -math.inf):
+                raise ProtocolError(self._what_is_wrong(device, velocity, position))
+            commands.append(MotorCommand(device, velocity, position))
+        tail = _Tail(settings, size)
         if others == _NO_OTHERS:
             tail.must_be_empty()
-            return Request(advance, missed, commands, printed_bytes=printed)
+            return Request(advance, missed, tuple(commands), printed_bytes=printed)
         sampling, channels, frequencies, emissions = others
         request = Request(
             advance,
             missed,
-            commands,
+            motors=tuple(commands),
             sampling=tuple([self._sampling(*tail.take(_SAMPLING)) for _ in range(sampling)]),
             channels=tuple([self._tuning(*tail.take(_CHANNEL)) for _ in range(channels)]),
             frequencies=tuple([self._frequency(*tail.take(_FREQUENCY)) for _ in range(frequencies)]),
@@ -145,14 +155,12 @@ class Codec:
         tail.must_be_empty()
         return request
 
-    def _motor(self, device: int, velocity: float, position: float) -> MotorCommand:
-        if self._kinds.get(device) != "motor":
-            raise ProtocolError(f"device {device} is not a motor")
+    def _what_is_wrong(self, device: int, velocity: float, position: float) -> str:
+        if device not in self._motors:
+            return f"device {device} is not a motor"
         if not abs(velocity) <= self._max_velocity:
-            raise ProtocolError(f"device {device}: a velocity of {velocity:g} rad/s")
-        if not position > -math.inf:
-            raise ProtocolError(f"device {device}: a position of {position:g} rad")
-        return MotorCommand(device, velocity, position)
+            return f"device {device}: a velocity of {velocity:g} rad/s"
+        return f"device {device}: a position of {position:g} rad"
 
     def _sampling(self, device: int, period_ticks: int) -> tuple[int, int]:
         self._must_be(device, _SAMPLED_KINDS, "a sensor")

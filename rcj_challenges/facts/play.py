@@ -11,7 +11,7 @@ things. Both orders are fixed once by `rcj_challenges.scenario.roster.Roster`.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 Pose2 = tuple[float, float, float]
 """x in m, y in m, yaw in rad."""
@@ -41,8 +41,7 @@ class Fault:
     traceback: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Snapshot:
+class Snapshot(NamedTuple):
     """All that the referee may see of one tick. The trajectory holds exactly this, so old matches can be judged again.
 
     Attributes:

@@ -86,8 +86,7 @@ class Observation(NamedTuple):
     over: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class MotorCommand:
+class MotorCommand(NamedTuple):
     """One motor's setting: velocity in rad/s, and the position target in rad (``inf``: velocity control)."""
 
     device: int
@@ -95,8 +94,7 @@ class MotorCommand:
     position_rad: float
 
 
-@dataclass(frozen=True, slots=True)
-class Request:
+class Request(NamedTuple):
     """What a program asked for when it called ``step``. Trusted in form (decoded and range-checked), not in content.
 
     Attributes:

@@ -72,7 +72,7 @@ class TrackWriter:
         """
         tick = snapshot.tick
         if tick == 0:
-            self._notes += json_line({"tick": 0, "start": asdict(snapshot)})
+            self._notes += json_line({"tick": 0, "start": snapshot._asdict()})
         elif tick != self.ticks + 1:
             raise ValueError(f"tick {tick} after tick {self.ticks}: a record takes every tick once, in order")
         else:

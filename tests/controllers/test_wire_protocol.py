@@ -6,7 +6,7 @@ import json
 import math
 import struct
 import sys
-from dataclasses import replace
+
 from pathlib import Path
 
 import pytest
@@ -180,19 +180,19 @@ def test_a_request_that_is_cut_or_followed_by_more_is_refused(request: Request, 
 @pytest.mark.parametrize(
     ("request_", "says"),
     [
-        (replace(GOOD, advance_ticks=0), "a request to advance by no tick"),
-        (replace(GOOD, motors=(MotorCommand(0, math.nan, 0.0),)), "device 0: a velocity of nan rad/s"),
-        (replace(GOOD, motors=(MotorCommand(0, math.inf, 0.0),)), "device 0: a velocity of inf rad/s"),
-        (replace(GOOD, motors=(MotorCommand(1, -10.1, 0.0),)), "device 1: a velocity of -10.1 rad/s"),
-        (replace(GOOD, motors=(MotorCommand(0, 1.0, math.nan),)), "device 0: a position of nan rad"),
-        (replace(GOOD, motors=(MotorCommand(4, 1.0, 0.0),)), "device 4 is not a motor"),
-        (replace(GOOD, motors=(MotorCommand(99, 1.0, 0.0),)), "device 99 is not a motor"),
-        (replace(GOOD, sampling=((0, 1),)), "device 0 is not a sensor"),
-        (replace(GOOD, channels=((4, 1),)), "device 4 is not a radio"),
-        (replace(GOOD, frequencies=((4, 10.0),)), "device 4 is not a lidar"),
-        (replace(GOOD, frequencies=((12, math.nan),)), "device 12: a frequency of nan Hz"),
-        (replace(GOOD, emissions=((10, b"x"),)), "device 10 is not an emitter"),
-        (replace(GOOD, emissions=((11, bytes(MESSAGE_BYTES + 1)),)), "a radio packet of 4001 bytes"),
+        (GOOD._replace(advance_ticks=0), "a request to advance by no tick"),
+        (GOOD._replace(motors=(MotorCommand(0, math.nan, 0.0),)), "device 0: a velocity of nan rad/s"),
+        (GOOD._replace(motors=(MotorCommand(0, math.inf, 0.0),)), "device 0: a velocity of inf rad/s"),
+        (GOOD._replace(motors=(MotorCommand(1, -10.1, 0.0),)), "device 1: a velocity of -10.1 rad/s"),
+        (GOOD._replace(motors=(MotorCommand(0, 1.0, math.nan),)), "device 0: a position of nan rad"),
+        (GOOD._replace(motors=(MotorCommand(4, 1.0, 0.0),)), "device 4 is not a motor"),
+        (GOOD._replace(motors=(MotorCommand(99, 1.0, 0.0),)), "device 99 is not a motor"),
+        (GOOD._replace(sampling=((0, 1),)), "device 0 is not a sensor"),
+        (GOOD._replace(channels=((4, 1),)), "device 4 is not a radio"),
+        (GOOD._replace(frequencies=((4, 10.0),)), "device 4 is not a lidar"),
+        (GOOD._replace(frequencies=((12, math.nan),)), "device 12: a frequency of nan Hz"),
+        (GOOD._replace(emissions=((10, b"x"),)), "device 10 is not an emitter"),
+        (GOOD._replace(emissions=((11, bytes(MESSAGE_BYTES + 1)),)), "a radio packet of 4001 bytes"),
     ],
 )
 def test_what_cannot_be_asked_for_is_refused_with_a_reason(request_: Request, says: str) -> None:

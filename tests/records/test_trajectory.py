@@ -25,7 +25,7 @@ from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.records.writer import RecordWriter
 
 _ENTITIES = 3  # two robots and the ball
-_float32 = st.floats(width=32, allow_nan=False)
+_float32 = st.floats(width=32, allow_nan=False, allow_infinity=False)  # physics that is not finite ends the match
 _pose = st.tuples(_float32, _float32, _float32)
 _pair = st.tuples(st.integers(0, 4), st.integers(5, 300))
 _fault = st.builds(

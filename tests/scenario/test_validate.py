@@ -2,7 +2,6 @@
 
 import subprocess
 import sys
-import time
 
 from rcj_challenges.cli.validate import validate_files
 from rcj_challenges.scenario.resources import names_in, scenarios_folder
@@ -31,7 +30,7 @@ def test_problems_of_all_files_are_printed_and_exit_is_2(tmp_path, capsys):
     assert validate_files([bad, good, "nowhere.yaml"], []) == 2
     out, err = capsys.readouterr()
     assert out.startswith(f"ok  {good}: Ätsch (6 robots, 2 entrants, 0 rules, 0 tests; 600 s)")
-    lines = err.splitlines()
+    lines = [line for line in err.splitlines() if ": warning: " not in line]
     assert lines[0].startswith(f"{bad}:5:17: match.half_s: ")
     assert lines[1].startswith(f"{bad}:6:1: unknown key 'zone'")
     assert lines[2].startswith("nowhere.yaml: no such file")
@@ -48,18 +47,17 @@ def test_overrides_apply_to_every_file(tmp_path, capsys):
 
 
 def test_nothing_heavy_is_imported_and_it_is_quick():
-    """0.5 s on an idle machine; the bound here leaves room for a busy one."""
+    """0.5 s on an idle machine. Measured as the processor's time, since this one may be busy with other tests."""
     code = (
         "import sys\nfrom rcj_challenges.cli.validate import validate_files\nassert validate_files(['match'], []) == 0\n"
-        "heavy = {'mujoco', 'numpy', 'scipy', 'jsonschema', 'rich', 'asyncio'} & set(sys.modules)\nassert not heavy, heavy\n"
+        "import time\nprint(time.process_time())\nheavy = {'mujoco', 'numpy', 'scipy', 'jsonschema', 'rich', 'asyncio'} & set(sys.modules)\nassert not heavy, heavy\n"
     )
     times = []
     for _ in range(3):
-        start = time.perf_counter()
         done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
-        times.append(time.perf_counter() - start)
         assert done.returncode == 0, done.stderr
-    assert min(times) < 3
+        times.append(float(done.stdout.splitlines()[-1]))
+    assert min(times) < 1.5
 
 
 def test_a_terminal_without_unicode_still_gets_the_message(tmp_path):

@@ -63,7 +63,8 @@ class Clock:
 
     def tick_began(self, tick: int) -> None:
         """A new observation came: it is now the beginning of the time after ``tick``; the clock never runs back."""
-        self._tick_began_ns = max(tick * self._tick_ns, self._tick_began_ns + self._since_ns)
+        began, shown = tick * self._tick_ns, self._tick_began_ns + self._since_ns
+        self._tick_began_ns = began if began > shown else shown  # noqa: FURB136 - called in every tick
         self._since_ns = 0
 
 

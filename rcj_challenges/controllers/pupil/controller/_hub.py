@@ -136,13 +136,15 @@ class Hub:
         self._motors.clear()
         self.previous, self.previous_tick = self.numbers, self.tick
         self.numbers = numbers = self._form.unpack_from(frame)
-        _, kind, self.tick, flags, _, packets = numbers[:HEAD_FIELDS]
+        _, kind, tick, flags, _, packets = numbers[:HEAD_FIELDS]
         if kind != OBSERVATION:
             leave(1)
         if packets:
             self._queue(frame, packets)
-        clock.tick_began(self.tick)
-        self.over = flags == OVER
+        self.tick = tick
+        clock.tick_began(tick)
+        if flags == OVER:
+            self.over = True
         return not self.over
 
     def _with_others(self, tick: int, advance_ticks: int, missed_ticks: int, printed: int, motors: Motors) -> bytes:

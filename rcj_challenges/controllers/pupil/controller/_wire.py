@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from _thread import allocate_lock
 from collections.abc import Iterable
-from struct import Struct
+from struct import Struct, error
 from typing import NoReturn
 
 HELLO, OBSERVATION, REQUEST, FAULT = 0x48, 0x4F, 0x52, 0x46
@@ -27,7 +27,8 @@ _FAULT = Struct("<IBBI")
 EMISSION_OVERHEAD = _EMISSION.size
 
 # Common requests as a whole: no motor set, one, two … and nothing else.
-_WITH_MOTORS = [Struct(_REQUEST_HEAD + count * _MOTOR) for count in range(5)]
+_FORMS = [Struct(_REQUEST_HEAD + count * _MOTOR) for count in range(5)]
+_WITH_MOTORS = [(form, form.size - 4) for form in _FORMS]
 
 _USUAL_READ = 4096
 _LARGE_READ = 1 << 16
@@ -69,14 +70,18 @@ class Wire:
 
     def exchange(self, frame: bytes) -> bytes:
         """Send a frame, then wait for one and return it."""
-        if len(frame) > _WHOLE_WRITE:
+        if len(frame) > _WHOLE_WRITE or self._rest:
             self.send(frame)
-        else:
-            try:
-                os.write(self._write_fd, frame)
-            except OSError:
-                leave(1)
-        return self.receive()
+            return self.receive()
+        try:
+            os.write(self._write_fd, frame)
+            answer = os.read(self._read_fd, _USUAL_READ)
+            whole = _LENGTH.unpack_from(answer)[0] == len(answer) - 4
+        except OSError:
+            leave(1)
+        except error:  # not even a length
+            whole = False
+        return answer if whole else self._receive_in_pieces(answer)
 
     def _receive_in_pieces(self, held: bytes) -> bytes:
         parts, have, end = [held], len(held), 4
@@ -106,12 +111,14 @@ Motors = Iterable[tuple[int, float, float]]
 
 def motors_frame(tick: int, advance_ticks: int, missed_ticks: int, printed: int, motors: Motors) -> bytes:
     """Return a request that sets motors and nothing else. ``tick`` is that of the observation it answers."""
-    numbers = [number for setting in motors for number in setting]
+    numbers: list[float] = []
+    for setting in motors:
+        numbers += setting
     count = len(numbers) // 3
     if count >= len(_WITH_MOTORS):
         return request_frame(tick, advance_ticks, missed_ticks, printed, motors, (), (), (), ())
-    form = _WITH_MOTORS[count]
-    return form.pack(form.size - 4, REQUEST, tick, advance_ticks, missed_ticks, printed, count, 0, 0, 0, 0, *numbers)
+    form, length = _WITH_MOTORS[count]
+    return form.pack(length, REQUEST, tick, advance_ticks, missed_ticks, printed, count, 0, 0, 0, 0, *numbers)
 
 
 def request_frame(
@@ -134,9 +141,9 @@ def request_frame(
         [_EMISSION.pack(device, len(data)) + data for device, data in emissions],
     )
     tail = b"".join([entry for kind in settings for entry in kind])
-    head = _WITH_MOTORS[0]
-    length = head.size - 4 + len(tail)
-    return head.pack(length, REQUEST, tick, advance_ticks, missed_ticks, printed, *map(len, settings)) + tail
+    head, length = _WITH_MOTORS[0]
+    counts = map(len, settings)
+    return head.pack(length + len(tail), REQUEST, tick, advance_ticks, missed_ticks, printed, *counts) + tail
 
 
 def fault_frame(kind: str, detail: str, traceback: str = "") -> bytes:
