@@ -72,7 +72,8 @@ class TrackWriter:
         """
         tick = snapshot.tick
         if tick == 0:
-            self._notes += json_line({"tick": 0, "start": snapshot._asdict()})
+            faults = [asdict(fault) for fault in snapshot.faults]
+            self._notes += json_line({"tick": 0, "start": {**snapshot._asdict(), "faults": faults}})
         elif tick != self.ticks + 1:
             raise ValueError(f"tick {tick} after tick {self.ticks}: a record takes every tick once, in order")
         else:

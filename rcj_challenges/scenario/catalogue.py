@@ -6,6 +6,7 @@ wrong. Malformed parts count as absent here; what is wrong with them is reported
 
 from __future__ import annotations
 
+from rcj_challenges.scenario.models.scenario import MAX_GROUPS, MAX_MEMBERS
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, child, node_at
 
 ALWAYS = ("robots", "balls", "obstacles", "walls")
@@ -51,8 +52,12 @@ class Catalogue:
             if isinstance(colour, str):
                 self.groups[colour] = (*self.groups.get(colour, ()), robot)
         self.colours = tuple(name for name in self.groups if name not in ALWAYS)
-        for group in self.names("groups"):
-            self.groups[group] = tuple(dict.fromkeys(self._members(group, (), {})))
+        if len(self.names("groups")) > MAX_GROUPS:
+            self.broken.add("groups")  # refused as too many; nothing more is said about them
+        else:
+            known: dict[str, tuple[str, ...]] = {}
+            for group in self.names("groups"):
+                self.groups[group] = self._members(group, (), known)
 
     def section(self, name: str) -> Entries | None:
         """Return a section that is a mapping."""
@@ -72,7 +77,7 @@ class Catalogue:
     def parts(self, group: str) -> tuple[str, ...]:
         """Return what is written in a group."""
         section = self.section("groups")
-        return texts(child(section, group)) if section is not None else ()
+        return texts(child(section, group))[:MAX_MEMBERS] if section is not None else ()
 
     def _members(self, group: str, above: tuple[str, ...], known: dict[str, tuple[str, ...]]) -> tuple[str, ...]:
         if group in above:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from rcj_challenges.scenario.catalogue import Catalogue
 from rcj_challenges.scenario.crossrefs import check_references, shown_path
-from rcj_challenges.scenario.errors import Problem
+from rcj_challenges.scenario.errors import MAX_FOUND, Problem
 from rcj_challenges.scenario.ground import check_ground
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.naming import check_names
@@ -25,7 +25,7 @@ def check(scenario: Scenario | None, tree: Entries, removed: Mapping[Path, Mark]
     catalogue = Catalogue(tree)
     problems = [*check_names(catalogue), *check_references(catalogue, removed)]
     if scenario is None:
-        return problems
+        return problems[: 2 * MAX_FOUND]
     half_is_set = any(
         mark_of(tree, ("match", key), at_key=True).file.startswith("--set") for key in ("half_s", "halves")
     )

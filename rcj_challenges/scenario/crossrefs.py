@@ -10,7 +10,7 @@ from dataclasses import replace
 from typing import Any
 
 from rcj_challenges.scenario.catalogue import EACH, Catalogue, texts
-from rcj_challenges.scenario.errors import Problem, known_text, listing, nearest
+from rcj_challenges.scenario.errors import MAX_FOUND, Problem, known_text, listing, nearest
 from rcj_challenges.scenario.models import actions, conditions, state
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
@@ -57,8 +57,8 @@ class _Walker:
     def walk(self, node: Node, shape: Shape, path: Path, each: Each) -> None:
         """Check a value and all that is in it."""
         shape = chosen(shape, node) if shape is not None else None
-        if shape is None:
-            return  # not of any known form; that is reported as such
+        if shape is None or len(self.problems) >= MAX_FOUND:
+            return  # not of any known form, which is reported as such; or enough is wrong already
         if isinstance(node, Items):
             for index, item in enumerate(node.items):
                 self.walk(item, step_into(shape, node, index), (*path, index), each)

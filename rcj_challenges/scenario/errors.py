@@ -5,11 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from difflib import get_close_matches
+from itertools import islice
 
 from rcj_challenges.facts.errors import RcjError
 
 _SHOWN = 100
 """More problems than a reader works through; a broken file of 1 MB could bring tens of thousands."""
+
+
+MAX_FOUND = 300
+"""How many problems a search for them collects before it stops: more help nobody, and cost time."""
+
+_COMPARED = 300
+"""How many known names are compared with a misspelt one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +65,7 @@ class ScenarioError(RcjError):
 def nearest(word: str, known: Iterable[str]) -> str:
     """Return ``; did you mean 'x'?`` for the known word that is most like ``word``, or an empty text."""
     by_folded: dict[str, str] = {}
-    for name in known:
+    for name in islice(known, _COMPARED):
         by_folded.setdefault(name.casefold(), name)
     for folded, name in by_folded.items():
         if folded.startswith(f"{word.casefold()}_"):  # the unit was forgotten

@@ -12,7 +12,7 @@ from typing import Any
 
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
-from rcj_challenges.scenario.errors import Problem, listing, nearest
+from rcj_challenges.scenario.errors import MAX_FOUND, Problem, listing, nearest
 from rcj_challenges.scenario.shape import Shape, bare, chosen, fields, is_model, is_union, shape_at, step_into, tags
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, child, in_names, mark_of, node_at, plain
 from rcj_challenges.scenario.wording import NAME_RULE, expected, found_text, is_fixed, refusal
@@ -77,7 +77,7 @@ class _Explainer:
     def mistakes(self, error: ValidationError, shape: Shape, base: Path, union: Shape = None) -> Iterator[_Mistake]:
         """Yield the mistakes of a value at ``base``, of which ``shape`` is expected, a member of ``union`` if given."""
         unions: set[Path] = set()
-        for details in error.errors(include_url=False):
+        for details in error.errors(include_url=False, include_input=False)[:MAX_FOUND]:
             mistake, in_union = self._located(details, shape, base, union)
             node = node_at(self.root, mistake.path)
             if _is_null(node) or _is_null(_tag(mistake.shape, node)):

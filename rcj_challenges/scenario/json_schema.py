@@ -105,7 +105,7 @@ class _Writer:
     def _property(self, model: type[BaseModel], info: FieldInfo, shape: Shape, *, partial: bool) -> _Json:
         schema = self.schema(shape, partial=partial)
         if "$ref" not in schema:
-            schema = _bounded(schema, _keywords([info], shape))
+            schema = _bounded(schema, keywords([info], shape))
         description = info.description or (_sentence(model) if "const" in schema else "")
         described = {"description": description} if description else {}
         default = {} if info.default in (PydanticUndefined, None) else {"default": _jsonable(info.default)}
@@ -152,11 +152,11 @@ class _Writer:
             names = {k: v for k, v in self._plain(key, partial=False).items() if k != "type"}
             return {**described, "type": "object", "propertyNames": names, "additionalProperties": inner}
         if get_origin(kind) is tuple:
-            return _bounded({**described, **self._array(get_args(kind))}, _keywords(extras, shape))
+            return _bounded({**described, **self._array(get_args(kind))}, keywords(extras, shape))
         if get_origin(kind) is Literal:
             words = list(get_args(kind))
             return {**described, **({"const": words[0]} if len(words) == 1 else {"enum": words})}
-        return {**described, "type": _TYPES[kind], **_keywords(extras, shape)}
+        return {**described, "type": _TYPES[kind], **keywords(extras, shape)}
 
     def _array(self, arguments: tuple[Any, ...]) -> _Json:
         if len(arguments) == 2 and arguments[1] is Ellipsis:
@@ -198,10 +198,10 @@ def _description(extras: Iterable[Any]) -> str:
     return found[-1] if found else ""
 
 
-def _keywords(extras: Iterable[Any], shape: Shape) -> _Json:
+def keywords(extras: Iterable[Any], shape: Shape) -> _Json:
     """Return the bounds that pydantic's metadata puts on a shape, as JSON-schema keywords."""
     kind = bare(shape).kind
-    is_list = get_origin(kind) is tuple
+    unit = {tuple: "Items", dict: "Properties"}.get(get_origin(kind), "Length")
     found: _Json = {}
     for extra in extras:
         parts = extra.metadata if isinstance(extra, FieldInfo) else [extra]
@@ -211,12 +211,9 @@ def _keywords(extras: Iterable[Any], shape: Shape) -> _Json:
             for name, keyword in _BOUNDS.items():
                 if getattr(part, name, None) is not None:
                     found[keyword] = getattr(part, name)
-            for name, of_list, of_text in (
-                ("min_length", "minItems", "minLength"),
-                ("max_length", "maxItems", "maxLength"),
-            ):
+            for name in ("min_length", "max_length"):
                 if getattr(part, name, None) is not None:
-                    found[of_list if is_list else of_text] = getattr(part, name)
+                    found[f"{name[:3]}{unit}"] = getattr(part, name)
     return found
 
 

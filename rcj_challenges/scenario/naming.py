@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from rcj_challenges.scenario.catalogue import ALWAYS, EACH, FAMILIES, Catalogue, texts
 from rcj_challenges.scenario.errors import Problem, listing, nearest
+from rcj_challenges.scenario.models.scenario import MAX_MEMBERS
 from rcj_challenges.scenario.tree import Items, Mark, Path, child, in_names, mark_of, node_at
 
 _SECTIONS = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups")
@@ -57,14 +58,14 @@ def _other_sections(catalogue: Catalogue) -> Iterator[Problem]:
 
 
 def _groups(catalogue: Catalogue) -> Iterator[Problem]:
-    own = catalogue.names("groups")
-    known = [*catalogue.kinds, *catalogue.groups]
+    own = () if "groups" in catalogue.broken else catalogue.names("groups")
+    known = {**catalogue.kinds, **catalogue.groups}
     for group in own:
         members = node_at(catalogue.root, ("groups", group))
         if not isinstance(members, Items):
             continue
         families: dict[str, str] = {}
-        for index, item in enumerate(members.items):
+        for index, item in enumerate(members.items[:MAX_MEMBERS]):
             for name in texts(item):
                 path: Path = ("groups", group, index)
                 if name not in known:

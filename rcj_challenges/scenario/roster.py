@@ -70,11 +70,12 @@ def _movable(obstacle: Strict) -> bool:
 def _members(
     scenario: Scenario, known: dict[str, tuple[str, ...]], name: str, above: tuple[str, ...]
 ) -> tuple[str, ...]:
+    if name in known:
+        return known[name]
     if name in above:  # a cycle; the checks report it, here it must only end
         return ()
-    if name in known and name not in scenario.groups:
-        return known[name]
     if name not in scenario.groups:
         return (name,)
     members = (m for part in scenario.groups[name] for m in _members(scenario, known, part, (*above, name)))
-    return tuple(dict.fromkeys(members))
+    known[name] = tuple(dict.fromkeys(members))
+    return known[name]

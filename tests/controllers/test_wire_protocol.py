@@ -6,7 +6,6 @@ import json
 import math
 import struct
 import sys
-
 from pathlib import Path
 
 import pytest

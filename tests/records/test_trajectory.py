@@ -50,7 +50,7 @@ def _played(draw: st.DrawFn) -> list[tuple[Snapshot, tuple[Placement, ...]]]:
             heights=draw(st.lists(_float32, min_size=3, max_size=3)) if odd else [0.0] * 3,
             uprights=[1.0] * _ENTITIES,
             touches=draw(st.tuples(*[st.lists(_pair, max_size=3).map(tuple)] * 4)) if odd else ((),) * 4,
-            faults=tuple(draw(st.lists(_fault, max_size=2))) if odd and tick else (),
+            faults=tuple(draw(st.lists(_fault, max_size=2))) if odd else (),
         )
         played.append((snapshot, tuple(draw(st.lists(_placement, max_size=2))) if odd else ()))
     return played

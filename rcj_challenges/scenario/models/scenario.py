@@ -16,6 +16,9 @@ from rcj_challenges.scenario.models.state import Counter, Draw, Flag, Phase, Seq
 from rcj_challenges.scenario.models.triggers import Trigger
 
 SCHEMA_VERSION = 1
+MAX_GROUPS = 256
+MAX_MEMBERS = 512
+"""Bounds far above any challenge, so that resolving groups of groups takes no time worth mentioning."""
 
 
 class Rule(Strict):
@@ -156,16 +159,17 @@ class Scenario(Strict):
     params: dict[Name, Scalar] = described({}, "named values; {param: NAME} stands for them anywhere")
     match: Match = described(Match(), "halves and their length")
     field: FieldModel = described(FieldModel(), "the field, its walls and goals")
-    balls: dict[Name, Ball] = described({}, "balls by name")
-    obstacles: dict[Name, Obstacle] = described({}, "obstacles by name")
+    # Bounds far above any challenge: every pair of bodies is looked at, here and in the physics.
+    balls: dict[Name, Ball] = described({}, "balls by name", max_length=64)
+    obstacles: dict[Name, Obstacle] = described({}, "obstacles by name", max_length=256)
     kits: dict[Name, Kit] = described({}, "robot kits by name")
-    robots: dict[Name, Robot] = described(..., "robots by name")
+    robots: dict[Name, Robot] = described(..., "robots by name", max_length=64)
     entrants: dict[Name, Entrant] = described(..., "who competes, by the name of the seat")
     zones: dict[Name, Zone] = described({}, "zones by name")
     gates: dict[Name, Gate] = described({}, "gates by name")
     spots: dict[Name, Spot] = described({}, "spots by name")
-    groups: dict[Name, Annotated[tuple[Name, ...], Field(strict=False, min_length=1)]] = described(
-        {}, "several robots, balls, obstacles, zones, gates or spots under one name"
+    groups: dict[Name, Annotated[tuple[Name, ...], Field(strict=False, min_length=1, max_length=MAX_MEMBERS)]] = (
+        described({}, "several robots, balls, obstacles, zones, gates or spots under one name", max_length=MAX_GROUPS)
     )
     draws: dict[Name, Draw] = described({}, "what chance decides")
     counters: dict[Name, Counter] = described({}, "numbers that rules count")

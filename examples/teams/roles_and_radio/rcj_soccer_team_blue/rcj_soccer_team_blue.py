@@ -2,7 +2,7 @@
 
 * The goalie (robot 1) stays before the own goal, between goal and ball.
 * The striker is the one of the two others that gets to the ball sooner. It goes behind the ball and shoots.
-* The support waits a little behind, ready for a ball that comes back.
+* The support stays close behind, ready for a ball that gets loose.
 
 Each robot sees the ball only when it is nearer than 0.6 m. By team radio every robot tells the others where it is
 and where it sees the ball, so all three know what one knows.

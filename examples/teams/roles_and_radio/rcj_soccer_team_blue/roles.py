@@ -80,6 +80,6 @@ def striker_place(place, ball):
 
 
 def support_place(ball):
-    """Behind the ball and a little to the middle, out of the striker's way."""
+    """Close behind the ball, on the side of the middle: when the ball gets loose there, the support has it."""
     side = -1 if ball[0] > 0 else 1
-    return clamp(ball[0] + side * 0.2, -0.5, 0.5), clamp(ball[1] - 0.3, -0.45, 0.4)
+    return clamp(ball[0] + side * 0.15, -0.5, 0.5), clamp(ball[1] - 0.17, -0.45, 0.5)

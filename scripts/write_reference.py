@@ -1,0 +1,380 @@
+"""Write docs/reference-scenario.md: every word of the scenario language, from the models and the examples.
+
+Sentences, types, units and defaults come from the models; the examples from ``docs/words/*.yaml``, which tests run.
+
+Usage: ``python scripts/write_reference.py [--check]``; with ``--check`` nothing is written, exit status 1 if stale.
+"""
+
+from __future__ import annotations
+
+import inspect
+import re
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal, get_args, get_origin
+
+from pydantic import BaseModel
+from pydantic.fields import FieldInfo
+from pydantic_core import PydanticUndefined
+
+from rcj_challenges.scenario.json_schema import keywords
+from rcj_challenges.scenario.models import actions, conditions, field, places, robots, scenario, state, triggers
+from rcj_challenges.scenario.models.base import Colour, DurationS, EventName, Name, Names, Point
+from rcj_challenges.scenario.shape import bare, fields, is_model, is_union, members, tags, without_none
+
+ROOT = Path(__file__).resolve().parents[1]
+PAGE = ROOT / "docs" / "reference-scenario.md"
+WORDS = ROOT / "docs" / "words"
+STAGE = """schema_version: 1
+id: example
+title: An example
+extends: soccersim_v2
+match: {half_s: 60}
+"""
+"""What stands above every example."""
+
+_INTRO = f"""# Reference: the words of a scenario
+
+Generated from the models by `python scripts/write_reference.py`; do not edit. [authoring.md](authoring.md) leads from
+an idea to a published challenge, [recipes.md](recipes.md) shows what belongs together.
+
+Lengths are in metres, times in seconds, angles in radians; x runs along the short side of the field, y along the long
+side, the origin is the centre, and blue defends the goal at +y. Names carry their unit: `_m`, `_s`, `_rad`, `_mps`.
+Durations are rounded up to ticks of 0.032 s. A field without a default must be given. For any single value
+`{{param: NAME}}` may stand. Everything that has a name is a mapping keyed by that name.
+
+Every example is a whole scenario if these lines stand above it, and every one is run as a test:
+
+```yaml
+{STAGE}```
+"""
+
+
+@dataclass(frozen=True)
+class Example:
+    """A piece of a scenario that shows some words.
+
+    Attributes:
+        file: the stem of its file.
+        words: what it shows.
+        text: the sections, without the lines of `STAGE`.
+    """
+
+    file: str
+    words: tuple[str, ...]
+    text: str
+
+    @property
+    def whole(self) -> str:
+        """The scenario as a whole."""
+        own = set(re.findall(r"^(\w+):", self.text, re.MULTILINE))
+        kept = [line for line in STAGE.splitlines() if line.partition(":")[0] not in own]
+        return "\n".join([*kept, self.text])
+
+
+@dataclass(frozen=True)
+class Word:
+    """A word of the language.
+
+    Attributes:
+        name: how the file writes it; of an entry without a word of its own: its section.
+        model: what describes it.
+        own_example: whether it needs an example of its own; parts are shown by that of the whole.
+        example: the word under which its example stands, if not its name.
+    """
+
+    name: str
+    model: type[BaseModel]
+    own_example: bool = True
+    example: str = ""
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """Words of one kind.
+
+    Attributes:
+        title: its heading.
+        about: what they are for.
+        words: in the order of the models.
+        file: where their examples are looked for first.
+        tag: the key that says the word, such as ``trigger``.
+    """
+
+    title: str
+    about: str
+    words: tuple[Word, ...]
+    file: str
+    tag: str = ""
+
+
+def _tagged(union: Any) -> tuple[Word, ...]:
+    return tuple(Word(name, bare(shape).kind) for name, shape in tags(union).items() if is_model(bare(shape).kind))
+
+
+CHAPTERS = (
+    Chapter(
+        "Match, field, balls",
+        "What is there before anybody plays.",
+        (
+            Word("match", field.Match),
+            Word("field", field.FieldModel),
+            Word("goals", field.Goal, own_example=False),
+            Word("balls", field.Ball),
+        ),
+        "ground",
+    ),
+    Chapter(
+        "Obstacles", "Section `obstacles`: things on the floor, by name.", _tagged(field.Obstacle), "ground", "shape"
+    ),
+    Chapter(
+        "Robots and entrants",
+        "Sections `kits`, `robots` and `entrants`: the machines, what they sense, and who drives them.",
+        (
+            Word("kits", robots.Kit),
+            Word("chassis", robots.Chassis),
+            Word("robots", robots.Robot),
+            Word("start_pose", robots.StartPose, own_example=False),
+            Word("entrants", robots.Entrant),
+        ),
+        "devices",
+    ),
+    Chapter(
+        "Devices",
+        "What a kit or a robot has under `devices`, by the name that programs ask for.",
+        _tagged(robots.Device),
+        "devices",
+        "device",
+    ),
+    Chapter(
+        "Zones",
+        "Section `zones`: regions of the floor; an entity is in one if its centre is.",
+        _tagged(places.Zone),
+        "ground",
+        "shape",
+    ),
+    Chapter(
+        "Gates, spots, groups",
+        "Section `gates`: lines to be crossed. Section `spots`: points with a name. Section `groups`: several robots, "
+        "balls, obstacles, zones, gates or spots under one name; `robots`, `balls`, `obstacles`, `walls` and each "
+        "colour of a robot always exist.",
+        (Word("gates", places.Gate), Word("spots", places.Spot)),
+        "ground",
+    ),
+    Chapter(
+        "Placements",
+        "Section `placements`: layouts by name, each a list of these, carried out in order.",
+        (Word("placements", places.Placing), Word("mirror", places.Mirror), Word("facing", places.Towards)),
+        "places",
+    ),
+    Chapter("Where things go", "What `at:` may be, besides the word `start`.", _tagged(places.At), "places"),
+    Chapter(
+        "What rules remember",
+        "Sections `draws`, `counters`, `flags`, `timers`, `sequences`.",
+        (
+            Word("draws", state.Draw),
+            Word("counters", state.Counter),
+            Word("flags", state.Flag),
+            Word("timers", state.Timer),
+            Word("sequences", state.Sequence),
+            Word("any_of", state.AnyStep, own_example=False),
+        ),
+        "conditions",
+    ),
+    Chapter("Phases", "Section `phases`: what there is beside `play`.", (Word("phases", state.Phase),), "rules"),
+    Chapter(
+        "Rules", "Section `rules`, in the order in which they are judged.", (Word("rules", scenario.Rule),), "rules"
+    ),
+    Chapter("Triggers", "Moments at which a rule may fire.", _tagged(triggers.Trigger), "triggers", "trigger"),
+    Chapter(
+        "Conditions",
+        "What must hold when a trigger fires; every condition also has `negate`.",
+        _tagged(conditions.Condition),
+        "conditions",
+        "condition",
+    ),
+    Chapter("Actions", "What a rule does when it fires, in order.", _tagged(actions.Action), "actions", "action"),
+    Chapter(
+        "Values",
+        "What may stand in a payload or a broadcast, besides a literal; `counter` and weighted parts in `points:` too.",
+        (
+            Word("counter", state.CounterValue, example="counter_value"),
+            Word("flag", state.FlagValue, example="flag_value"),
+            Word("draw", state.DrawValue, example="draw_value"),
+            Word("word", state.WordValue),
+            Word("position_of", state.PositionValue),
+            Word("weighted_counter", state.WeightedCounter, own_example=False),
+            Word("weighted_flag", state.WeightedFlag, own_example=False),
+        ),
+        "rules",
+    ),
+    Chapter(
+        "Broadcast, result, limits",
+        "What programs are told, how entrants are ranked, what programs may use.",
+        (
+            Word("broadcast", scenario.Broadcast),
+            Word("result", scenario.Result),
+            Word("rank_by_score", scenario.RankByScore, own_example=False),
+            Word("rank_by_time", scenario.RankByTime, own_example=False),
+            Word("rank_by_counter", scenario.RankByCounter, own_example=False),
+            Word("limits", scenario.Limits),
+        ),
+        "rules",
+    ),
+    Chapter(
+        "Tests",
+        "Section `expect`: what somebody's hand does to the things on the field, and what the referee must say to it.",
+        (
+            Word("expect", scenario.Expectation),
+            Word("keyframes", scenario.Keyframe, own_example=False),
+            Word("events", scenario.ExpectedEvent, own_example=False),
+        ),
+        "rules",
+    ),
+)
+
+
+def read_examples(folder: Path = WORDS) -> list[Example]:
+    """Return all examples, in the order of files and lines."""
+    found = []
+    for path in sorted(folder.glob("*.yaml")):
+        text = path.read_text(encoding="utf-8")
+        parts = re.split(r"^--- # (.+)\n", text, flags=re.MULTILINE)[1:]
+        found += [
+            Example(path.stem, tuple(words.split()), body) for words, body in zip(parts[::2], parts[1::2], strict=True)
+        ]
+    return found
+
+
+def example_of(word: Word, chapter: Chapter, examples: list[Example]) -> Example | None:
+    """Return the example of a word: from the chapter's own file if it is there, of few words rather than many."""
+    name = word.example or word.name
+    fitting = [example for example in examples if name in example.words]
+    return min(fitting, key=lambda example: (example.file != chapter.file, len(example.words)), default=None)
+
+
+def sentence(model: type[BaseModel]) -> str:
+    """Return the first paragraph of a model's docstring."""
+    return " ".join((inspect.getdoc(model) or "").partition("\n\n")[0].split()).replace("``", "`")
+
+
+# --- the page ---------------------------------------------------------------------------------------------------------
+
+
+def page() -> str:
+    """Return the whole page."""
+    examples = read_examples()
+    lines = [_INTRO, "## The file\n", sentence(scenario.Scenario) + "\n", *_table(scenario.Scenario, "")]
+    for name in ("params", "groups"):
+        example = next(one for one in examples if name in one.words)
+        lines += [f"\nAn example of `{name}`:\n", "```yaml", example.text.rstrip(), "```"]
+    for chapter in CHAPTERS:
+        lines += [f"\n## {chapter.title}\n", chapter.about]
+        shown: dict[Example, str] = {}
+        for word in chapter.words:
+            heading = f"{word.name} (value)" if chapter.title == "Values" else word.name
+            lines += [f"\n### {heading}\n", sentence(word.model) + "\n", *_table(word.model, chapter.tag)]
+            example = example_of(word, chapter, examples)
+            if example is None:
+                continue
+            if example in shown:
+                lines.append(f"\nThe example of `{shown[example]}` shows it.")
+            else:
+                shown[example] = word.name
+                lines += ["\n```yaml", example.text.rstrip(), "```"]
+    return "\n".join(lines) + "\n"
+
+
+def _table(model: type[BaseModel], tag: str) -> Iterator[str]:
+    rows = []
+    shapes = fields(model)
+    for name, info in model.model_fields.items():
+        key = info.alias or name
+        if key == tag:
+            continue
+        kind = _type_text(shapes[key]) + _bounds(info, shapes[key])
+        rows.append(f"| `{key}` | {kind} | {_default(info)} | {info.description or ''} |")
+    if rows:
+        yield from ("| field | value | default | meaning |", "|---|---|---|---|", *rows)
+    elif tag:
+        yield f"It has no fields: `{{{tag}: …}}` is all."
+
+
+_NAMED: tuple[tuple[Any, str], ...] = (
+    (Names, "name, or list of names"), (Name, "name"), (EventName, "event"), (DurationS, "duration in s"),
+    (Point, "[x, y] in m"), (Colour, "colour"), (state.Value, "value"), (state.Amount, "number, or {counter: NAME}"),
+    (state.Points, "number, {counter: NAME}, or list of weighted parts"), (places.At, "[where](#where-things-go)"),
+    (places.Facing, "`start`, `keep`, yaw in rad, {towards: …}, or {random: true}"),
+    (triggers.Trigger, "[trigger](#triggers)"), (conditions.Condition, "[condition](#conditions)"),
+    (actions.Action, "[action](#actions)"), (robots.Device, "[device](#devices)"), (places.Zone, "[zone](#zones)"),
+    (field.Obstacle, "[obstacle](#obstacles)"), (places.Layout, "list of [placements](#placements)"),
+    (robots.EntryPoints, "path, or list of paths"),
+)  # fmt: skip
+_SCALARS = {str: "text", int: "whole number", float: "number", bool: "true or false"}
+
+
+def _type_text(shape: Any) -> str:
+    shape = without_none(shape)
+    known = next((text for one, text in _NAMED if shape == one), None)
+    kind = bare(shape).kind
+    known = known or next((text for one, text in _NAMED if kind == bare(one).kind and get_origin(kind)), None)
+    if known is not None:
+        return known
+    arguments = get_args(kind)
+    if is_union(kind):
+        text = " or ".join(dict.fromkeys(_type_text(member) for member in members(shape)))
+    elif is_model(kind):
+        word = next((word.name for chapter in CHAPTERS for word in chapter.words if word.model is kind), None)
+        is_value = kind in (state.CounterValue, state.FlagValue, state.DrawValue)
+        text = f"[{word}](#{word}{'-value' * is_value})" if word else f"{{{', '.join(fields(kind))}}}"
+    elif get_origin(kind) is dict:
+        text = f"mapping: name to {_type_text(arguments[1])}"
+    elif get_origin(kind) is tuple:
+        repeated = len(arguments) == 2 and arguments[1] is Ellipsis
+        text = f"list of {'' if repeated else f'{len(arguments)}: '}{_type_text(arguments[0])}"
+    elif get_origin(kind) is Literal:
+        text = " or ".join(f"`{str(word).lower() if isinstance(word, bool) else word}`" for word in arguments)
+    else:
+        text = _SCALARS[kind]
+    return text
+
+
+def _bounds(info: FieldInfo, shape: Any) -> str:
+    bounds = keywords([info, *(get_args(shape)[1:] if hasattr(shape, "__metadata__") else ())], shape)
+    signs = {"exclusiveMinimum": "over", "minimum": "at least", "exclusiveMaximum": "under", "maximum": "at most"}
+    if any(without_none(shape) == one for one, _ in _NAMED):
+        return ""
+    told = [f"{word} {bounds[key]:g}" for key, word in signs.items() if key in bounds]
+    return f", {', '.join(told)}" if told else ""
+
+
+def _default(info: FieldInfo) -> str:
+    default = info.default
+    if default is PydanticUndefined:
+        return "must be given"
+    if default is None or default in ({}, (), ""):
+        return ""
+    if isinstance(default, BaseModel):
+        return "its defaults"
+    if isinstance(default, tuple) and default and isinstance(default[0], BaseModel):
+        return "by score, descending"
+    text = str(default).lower() if isinstance(default, bool) else str(default).replace("'", "")
+    return f"`{text.replace('(', '[').replace(')', ']').replace(',]', ']')}`"
+
+
+def main(arguments: list[str]) -> int:
+    """Write or check the page; return the exit status."""
+    text = page()
+    if "--check" in arguments:
+        fresh = PAGE.is_file() and PAGE.read_text(encoding="utf-8") == text
+        print(f"{PAGE.name} is fresh" if fresh else f"{PAGE.name} is stale: python scripts/write_reference.py")
+        return 0 if fresh else 1
+    PAGE.write_text(text, encoding="utf-8", newline="\n")
+    print(PAGE.relative_to(ROOT).as_posix())
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main(sys.argv[1:]))
