@@ -20,7 +20,7 @@ app = typer.Typer(
 
 _Set = Annotated[
     list[str] | None,
-    typer.Option("--set", metavar="PATH=VALUE", help="Change a param or any value: --set half_s=60. Repeatable."),
+    typer.Option("--set", metavar="PATH=VALUE", help="Change a param or any value: --set match.half_s=60. Repeatable."),
 ]
 _Sandbox = Annotated[
     str,

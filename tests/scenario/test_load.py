@@ -136,3 +136,27 @@ def test_a_spoilt_scenario_is_read_or_refused_in_words(seed):
     if not found:
         resolved = load_text(text).resolved
         assert load_resolved(resolved).resolved == resolved
+
+
+@pytest.mark.parametrize(
+    ("head", "line", "says"),
+    [
+        ("", "key_{0}: 1\n", "unknown key 'key_0'"),
+        ("rules:\n", "  r{0}: {{triggers: [{{trigger: enters, entity: bal{0}, zone: x}}], actions: []}}\n", "unknown entity 'bal0'"),
+        ("groups:\n", "  g{0}: [g{1}]\n", "groups: must have at most 256 entries"),
+        ("robots:\n", "  R{0}: {{colour: c{0}, number: 1, kit: v2, start: {{x_m: 0, y_m: 0, yaw_rad: 0}}}}\n", "at most 64 entries"),
+        ("spots:\n", "  s{0}:\n", "an empty value"),
+    ],
+)  # fmt: skip
+def test_thousands_of_mistakes_are_answered_with_the_first_ones(head, line, says):
+    body = head + "".join(line.format(number, number + 1) for number in range(3000))
+    found = problems_of(load_text, HEAD + body)
+    assert says in str(found[0])
+    assert len(str(ScenarioError(found)).splitlines()) <= 101
+
+
+def test_groups_of_groups_of_groups_are_resolved_once_each():
+    """Sixty layers in which every group names the one below twice: 2^60 ways down."""
+    layers = "".join(f"  g{n}: [h{n}, g{n + 1}]\n  h{n}: [g{n + 1}]\n" for n in range(60))
+    found = load_text(HEAD + "groups:\n" + layers + "  g60: [B1, ball]\n")
+    assert found.roster.groups["g0"] == ("B1", "ball")

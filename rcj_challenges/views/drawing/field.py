@@ -90,8 +90,8 @@ def _zones(paper: Paper, scenario: Scenario) -> None:
 
 
 def _placement_areas(paper: Paper, scenario: Scenario) -> None:
-    """Hatch where chance may put something."""
-    for at, noise in _places(scenario):
+    """Hatch where chance may put something; each area once, however many rules put something there."""
+    for at, noise in dict.fromkeys(_places(scenario)):
         style = 'fill="#f08c00" fill-opacity="0.18" stroke="#f08c00" stroke-width="1"'
         if isinstance(at, UniformIn) and at.uniform_in in scenario.zones:
             paper.polygon(zone_outline(scenario.zones[at.uniform_in], paper.bounds), style, "put anywhere in here")

@@ -9,6 +9,7 @@ OWN_GOAL = (0.0, -0.75)
 GOALIE_LINE = -0.56  # the penalty area begins at -0.59; who stays in it too long is moved away
 
 BESIDE = 0.11  # m: how far from the ball's middle we pass it
+ON_LINE = 0.035  # m: so far beside the line "ball - goal" our front still hits the ball
 
 # Where striker and support look for the ball when nobody sees it.
 WAITING_PLACES = {1: (0.0, GOALIE_LINE), 2: (0.3, 0.0), 3: (-0.3, 0.0)}
@@ -67,15 +68,20 @@ def goalie_place(place, ball, time):
 def striker_place(place, ball):
     """A point to drive to, so that we hit the ball towards the other goal.
 
-    Compare two directions: from us to the ball, and from the ball to the goal. If they are alike, we are behind the
-    ball: drive straight at it. The more they differ, the more we steer past the ball, to come round behind it; but
-    never wider than needed to miss it by 0.11 m. This gives a smooth curve around the ball.
+    Think of the line through the ball to the goal. Behind the ball and near that line, we drive along it: the ball flies
+    where our front looks. Else we steer past the ball, to come round behind it: the farther we are from the line, the
+    wider, but never wider than needed to miss the ball by BESIDE. This gives a smooth curve around the ball.
     """
     to_ball = math.atan2(ball[1] - place[1], ball[0] - place[0])
     to_goal = math.atan2(OTHER_GOAL[1] - ball[1], OTHER_GOAL[0] - ball[0])
     wrong_by = wrap(to_ball - to_goal)
-    room = math.asin(min(1.0, BESIDE / math.dist(place, ball)))
-    direction = to_ball + clamp(1.5 * wrong_by, -room, room)
+    distance = math.dist(place, ball)
+    beside = distance * math.sin(wrong_by)  # m from the line; positive: the line is on our left
+    if abs(wrong_by) < math.radians(70) and abs(beside) < ON_LINE:
+        direction = to_goal + 8 * beside
+    else:
+        room = math.asin(min(1.0, BESIDE / max(distance, 0.01)))
+        direction = to_ball + clamp(1.5 * wrong_by, -room, room)
     return place[0] + 0.2 * math.cos(direction), place[1] + 0.2 * math.sin(direction)
 
 
