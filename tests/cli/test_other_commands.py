@@ -1,0 +1,96 @@
+"""The smaller commands: view, replay, schema, draw, sheet, simulate."""
+
+import json
+
+import pytest
+
+from rcj_challenges.cli.app import app
+from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.records.testing import write_made_up_run
+
+
+def run(*arguments):
+    return app(list(map(str, arguments)), standalone_mode=False)
+
+
+@pytest.fixture
+def runs(tmp_path):
+    write_made_up_run(tmp_path / "runs")
+    return tmp_path / "runs"
+
+
+def test_the_list_names_each_record_with_its_score(runs, capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "120")
+    (folder,) = runs.iterdir()
+    assert run("view", "--list", "--out", runs) == 0
+    assert folder.name in capsys.readouterr().out
+
+
+def test_a_damaged_record_is_listed_with_what_is_wrong(runs, capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "160")
+    (folder,) = runs.iterdir()
+    (folder / "result.json").write_text("{", encoding="utf-8")
+    assert run("view", "--list", "--out", runs) == 0
+    assert "cannot be read" in capsys.readouterr().out
+
+
+def test_replay_writes_the_page_of_the_newest_record_anew(runs, capsys):
+    (folder,) = runs.iterdir()
+    (folder / "replay.html").unlink(missing_ok=True)
+    assert run("replay", "--out", runs) == 0
+    assert (folder / "replay.html").is_file()
+    assert "replay.html" in capsys.readouterr().out
+
+
+def test_a_record_that_is_not_there_is_told(runs):
+    with pytest.raises(RcjError, match="nowhere"):
+        run("replay", "nowhere", "--out", runs)
+
+
+def test_view_opens_the_page_and_says_where_it_is(runs, capsys, monkeypatch):
+    opened = []
+    monkeypatch.setattr("webbrowser.open", lambda address, *_, **__: bool(opened.append(address)) or True)
+    assert run("view", "--out", runs) == 0
+    assert opened
+    assert opened[0].startswith("file://")
+    assert opened[0].endswith("replay.html")
+
+
+def test_the_shipped_schema_is_fresh(capsys):
+    assert run("schema", "--check") == 0
+
+
+def test_the_schema_can_be_written_elsewhere(tmp_path):
+    assert run("schema", "--out", tmp_path / "s.json") == 0
+    assert "rules" in json.loads((tmp_path / "s.json").read_text("utf-8"))["properties"]
+
+
+@pytest.mark.parametrize(("command", "name"), [("draw", "field.svg"), ("sheet", "rules.html"), ("sheet", "rules.md")])
+def test_pictures_and_sheets_are_written_where_asked(tmp_path, command, name):
+    assert run(command, "match", "--out", tmp_path / name) == 0
+    assert "blue_goal" in (tmp_path / name).read_text("utf-8").replace(" ", "_")
+
+
+def test_a_place_that_cannot_be_written_is_told(tmp_path):
+    with pytest.raises(RcjError, match="cannot be written"):
+        run("draw", "match", "--out", tmp_path / "no" / "such" / "folder.svg")
+
+
+def test_simulate_plays_every_seed_and_tells_the_spread(tmp_path, capsys):
+    team = tmp_path / "team.py"
+    team.write_text("from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n", "utf-8")
+    code = run(
+        "simulate", "match", "--seeds", "1,2", "--team", f"blue={team}", "--team", f"yellow={team}",
+        "--set", "match.half_s=0.5", "--set", "match.halves=1", "--out", tmp_path / "runs", "--json",
+    )  # fmt: skip
+    told = json.loads(capsys.readouterr().out)
+    assert code == 0
+    assert told["played"] == 2
+    assert [entry["seed"] for entry in told["scores"]] == [1, 2]
+    assert told["spread"]["blue"]["most"] == 0
+    assert told["events"]["KICKOFF"] == 2
+
+
+def test_simulate_tells_wrong_input_once(tmp_path):
+    with pytest.raises(RcjError, match="nowhere"):
+        run("simulate", "match", "--seeds", "1", "--team", "blue=nowhere", "--out", tmp_path / "runs", "--quiet")
