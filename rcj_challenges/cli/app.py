@@ -122,8 +122,8 @@ def validate(
     raise typer.Exit(validate_files(files, set_ or [], strict=strict, as_json=json_))
 
 
-@app.command()
-def test(
+@app.command("test")
+def play_tests(
     files: Annotated[list[str], typer.Argument(metavar="FILE...", help="Scenario files, or names of shipped ones.")],
     set_: _Set = None,
     json_: Annotated[bool, typer.Option("--json", help="Print the outcome as JSON and nothing else.")] = False,

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from rcj_challenges.cli.validate import _print
+from rcj_challenges.cli.validate import say
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.script import Trial, try_expectation
 from rcj_challenges.scenario.load import Loaded, load
@@ -48,7 +48,7 @@ def run_tests(paths: Sequence[str], overrides: Sequence[str], *, as_json: bool =
             _show(reports[-1])
     passed = all(report["passed"] for report in reports)
     if as_json:
-        _print(json.dumps({"passed": passed, "files": reports}, ensure_ascii=False, indent=2), sys.stdout)
+        say(json.dumps({"passed": passed, "files": reports}, ensure_ascii=False, indent=2), sys.stdout)
     else:
         _show_sum(reports)
     return 0 if passed else 1
@@ -91,15 +91,15 @@ def told_rules(loaded: Loaded) -> list[str]:
 
 
 def _show(report: dict[str, Any]) -> None:
-    _print(f"{report['file']}: {report['title']}", sys.stdout)
+    say(f"{report['file']}: {report['title']}", sys.stdout)
     if not report["tests"]:
-        _print("  no tests: add expect: (docs/authoring.md says how)", sys.stdout)
+        say("  no tests: add expect: (docs/authoring.md says how)", sys.stdout)
     for test in report["tests"]:
-        _print(f"  {'ok  ' if test['passed'] else 'FAIL'}  {test['name']} ({test['simulated_s']:g} s)", sys.stdout)
+        say(f"  {'ok  ' if test['passed'] else 'FAIL'}  {test['name']} ({test['simulated_s']:g} s)", sys.stdout)
         for difference in test["differences"]:
-            _print(f"          {difference}", sys.stdout)
+            say(f"          {difference}", sys.stdout)
     if report["tests"] and report["untested_rules"]:
-        _print(f"  no test sets off: {', '.join(report['untested_rules'])}", sys.stdout)
+        say(f"  no test sets off: {', '.join(report['untested_rules'])}", sys.stdout)
 
 
 def _show_sum(reports: list[dict[str, Any]]) -> None:
@@ -109,4 +109,4 @@ def _show_sum(reports: list[dict[str, Any]]) -> None:
     wall = sum(test["wall_s"] for test in tests)
     speed = f" in {wall:.2f} s ({simulated / wall:.0f} x real time)" if wall else ""
     verdict = f"{failed} of {len(tests)} failed" if failed else f"all {len(tests)} passed"
-    _print(f"{verdict}; {simulated:.0f} s played{speed}", sys.stdout)
+    say(f"{verdict}; {simulated:.0f} s played{speed}", sys.stdout)

@@ -36,19 +36,19 @@ def validate_files(
         except ScenarioError as error:
             report |= {"ok": False, "problems": [asdict(problem) for problem in error.problems]}
             code = ScenarioError.exit_code
-            _print("" if as_json else str(error), sys.stderr)
+            say("" if as_json else str(error), sys.stderr)
         else:
             findings = lint(loaded)
             report |= {"summary": _summary(loaded), "findings": [finding.as_json() for finding in findings]}
             code = max(code, 1 if strict and findings else 0)
             if not as_json:
                 warned = f"; {_count(len(findings), 'warning')}" if findings else ""
-                _print(f"ok  {path}: {_summary(loaded)}{warned}", sys.stdout)
+                say(f"ok  {path}: {_summary(loaded)}{warned}", sys.stdout)
                 for finding in findings:
-                    _print(str(finding), sys.stderr)
+                    say(str(finding), sys.stderr)
         reports.append(report)
     if as_json:
-        _print(json.dumps({"files": reports}, ensure_ascii=False, indent=2), sys.stdout)
+        say(json.dumps({"files": reports}, ensure_ascii=False, indent=2), sys.stdout)
     return code
 
 
@@ -71,7 +71,8 @@ def _count(number: int, noun: str) -> str:
     return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
-def _print(text: str, stream: object) -> None:
+def say(text: str, stream: object) -> None:
+    """Print a line; of a text that is empty nothing."""
     if not text:
         return
     # A terminal that cannot show a character must not hide the whole message.

@@ -22,7 +22,7 @@ from rcj_challenges.scenario.merge import Merger
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.params import apply_overrides, resolve_params
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.tree import Entries, plain
+from rcj_challenges.scenario.tree import RESOLVED, Entries, plain
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ def load_resolved(resolved: Mapping[str, Any], name: str = "") -> Loaded:
     Raises:
         ScenarioError: it is not what this version writes.
     """
-    source = Source.of_data(resolved, "resolved scenario")
+    source = Source.of_data(resolved, RESOLVED)
     scenario = _checked(source.tree, Merger())
     return Loaded(scenario, Roster.of(scenario), name or scenario.id, None, _dumped(scenario))
 

@@ -12,6 +12,9 @@ from typing import Any
 
 from rcj_challenges.scenario.errors import Problem
 
+RESOLVED = "resolved scenario"
+"""In place of a file: the scenario of a record."""
+
 Step = str | int
 Path = tuple[Step, ...]
 """From the root to a value: keys and list indices."""

@@ -68,7 +68,7 @@ class TimerAction(Strict):
 
 
 class DrawAction(Strict):
-    """Draw anew."""
+    """Draw anew, or set a draw to a value."""
 
     action: Literal["draw"]
     draw: Name = described(..., "the draw")

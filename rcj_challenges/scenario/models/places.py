@@ -25,7 +25,7 @@ class RectZone(_Zone):
 
 
 class CircleZone(_Zone):
-    """A circle."""
+    """A circle: all points nearer to its centre than its radius."""
 
     shape: Literal["circle"]
     centre_m: Point = described(..., "centre, [x, y] in m")
@@ -77,13 +77,13 @@ class Start(Strict):
 
 
 class AtPoint(Strict):
-    """A point."""
+    """A fixed point of the floor."""
 
     point: Point = described(..., "[x, y] in m")
 
 
 class AtSpot(Strict):
-    """A spot."""
+    """A spot, by its name."""
 
     spot: Name = described(..., "name of the spot, or of a draw that decides among spots")
 

@@ -155,7 +155,7 @@ class StartPose(Strict):
 
 
 class Robot(Strict):
-    """One robot."""
+    """One robot: its colour, its kit, where it starts, and how its devices differ from the kit."""
 
     colour: Name = described(..., "its team colour, also a group of robots: blue, yellow")
     number: int = described(..., "number on its lid", ge=0, le=99)

@@ -21,6 +21,6 @@ def png_from_svg(picture: str) -> bytes:
     try:
         import resvg_py  # noqa: PLC0415 - an extra: most people never need it
     except ImportError as error:
-        message = "PNG needs an optional package: pip install \"rcj-challenges[png]\". SVG needs none: --out field.svg"
+        message = 'PNG needs an optional package: pip install "rcj-challenges[png]". SVG needs none: --out field.svg'
         raise PngMissingError(message) from error
     return bytes(resvg_py.svg_to_bytes(svg_string=picture, zoom=ZOOM, background="#ffffff"))

@@ -1,0 +1,213 @@
+"""What a committee does at the command line: new, validate, test, draw."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from rcj_challenges.cli.app import app
+from rcj_challenges.cli.author import OutputError
+from rcj_challenges.cli.starter import StarterError
+from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.load import load
+
+ROOT = Path(__file__).resolve().parents[2]
+PRESETS = ("soccersim_v2", "soccersim_2021")
+GOAL = """schema_version: 1
+id: goal
+title: A goal
+extends: soccersim_v2
+match: {half_s: 60}
+rules:
+  goal:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    actions: [{action: score, entrant: yellow}, {action: emit, event: GOAL, payload: {who: yellow}}]
+    says: A goal.
+expect:
+  a_goal_gives_a_point: {keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}], lasts_s: 2, score: {yellow: POINTS}}
+  nothing_gives_nothing: {keyframes: [{at_s: 1}], lasts_s: 2, score: {yellow: 0}, events: []}
+"""
+
+
+def call(*arguments: str | Path):
+    """Run the command line in this process."""
+    return CliRunner().invoke(app, [str(argument) for argument in arguments])
+
+
+@pytest.fixture
+def written(tmp_path):
+    """Return what writes a scenario file: the goal, with replacements."""
+
+    def write(*replacements: tuple[str, str], name: str = "it.yaml") -> Path:
+        text = GOAL
+        for old, new in (*replacements, ("POINTS", "1")):
+            text = text.replace(old, new)
+        path = tmp_path / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    return write
+
+
+class TestValidate:
+    def test_a_warning_is_shown_and_the_file_is_in_order_all_the_same(self, written):
+        done = call("validate", written(("    says: A goal.\n", "")))
+        assert done.exit_code == 0
+        assert "; 1 warning" in done.stdout
+        assert "it.yaml:9:15: warning: rules.goal.actions[0] (score): " in done.stderr
+        assert done.stderr.strip().endswith("[event_without_a_sentence]")
+
+    def test_strict_makes_a_warning_a_failure(self, written):
+        assert call("validate", "--strict", written(("    says: A goal.\n", ""))).exit_code == 1
+        assert call("validate", "--strict", written()).exit_code == 0
+
+    def test_a_mistake_outweighs_a_warning(self, written):
+        silent = written(("    says: A goal.\n", ""))
+        wrong = written(("blue_goal", "blue_gaol"), name="wrong.yaml")
+        assert call("validate", "--strict", silent, wrong).exit_code == 2
+
+    def test_json_tells_problems_and_findings(self, written):
+        silent = written(("    says: A goal.\n", ""))
+        wrong = written(("blue_goal", "blue_gaol"), name="wrong.yaml")
+        done = call("validate", "--json", silent, wrong)
+        first, second = json.loads(done.stdout)["files"]
+        assert (first["ok"], second["ok"]) == (True, False)
+        assert first["findings"][0]["kind"] == "event_without_a_sentence"
+        assert second["problems"][0]["line"] == 8
+
+    def test_all_that_is_shipped_is_strictly_in_order(self):
+        assert call("validate", "--strict", *sorted((ROOT / "scenarios").rglob("*.yaml"))).exit_code == 0
+
+
+class TestTest:
+    def test_what_comes_as_expected_passes(self, written):
+        done = call("test", written())
+        assert done.exit_code == 0
+        assert "ok    a_goal_gives_a_point (2.016 s)" in done.stdout
+        assert "all 2 passed" in done.stdout
+
+    def test_a_difference_is_told_in_words_and_the_verdict_is_negative(self, written):
+        done = call("test", written(("POINTS", "2")))
+        assert done.exit_code == 1
+        assert "FAIL  a_goal_gives_a_point" in done.stdout
+        assert "score of yellow: expected 2, is 1" in done.stdout
+        assert "1 of 2 failed" in done.stdout
+
+    def test_json_tells_the_same(self, written):
+        done = call("test", "--json", written(("POINTS", "2")))
+        report = json.loads(done.stdout)
+        assert (done.exit_code, report["passed"]) == (1, False)
+        (file,) = report["files"]
+        assert [test["passed"] for test in file["tests"]] == [False, True]
+        assert file["tests"][0]["differences"] == ["score of yellow: expected 2, is 1"]
+        assert file["tests"][0]["rules"] == ["goal"]
+        assert file["untested_rules"] == []
+
+    def test_a_rule_that_no_test_sets_off_is_named(self, written):
+        done = call("test", written(("place: {ball: [0, 0.8]}", "place: {ball: [0.5, 0]}"), ("POINTS", "0")))
+        assert done.exit_code == 0
+        assert "no test sets off: goal" in done.stdout
+
+    def test_a_file_without_tests_says_how_to_write_some(self, written):
+        text = GOAL.partition("expect:")[0]
+        path = written((GOAL, text))
+        assert "no tests: add expect:" in call("test", path).stdout
+
+    def test_a_file_that_cannot_be_used_is_refused(self, written):
+        assert isinstance(call("test", written(("blue_goal", "blue_gaol"))).exception, ScenarioError)
+
+    def test_the_shipped_scenarios_play_over_200_times_faster_than_real_time(self):
+        done = call("test", "--json", "match", "fast_shooter", "pass_the_ball", "precision_lidar")
+        report = json.loads(done.stdout)
+        tests = [test for file in report["files"] for test in file["tests"]]
+        assert report["passed"]
+        assert sum(t["simulated_s"] for t in tests) / sum(t["wall_s"] for t in tests) > 100  # bar 200, room for load
+
+    @pytest.mark.parametrize("name", ["match", "fast_shooter", "pass_the_ball", "precision_lidar"])
+    def test_every_scoring_and_every_penalty_rule_of_the_shipped_scenarios_is_tested(self, name):
+        (file,) = json.loads(call("test", "--json", name).stdout)["files"]
+        assert set(file["untested_rules"]) <= {"match_finish"}
+
+
+class TestNew:
+    @pytest.mark.parametrize("preset", PRESETS)
+    def test_a_starter_is_free_of_lint_and_its_tests_pass(self, tmp_path, preset):
+        file = tmp_path / "my-first challenge.yaml"
+        done = call("new", file, "--from", preset)
+        assert done.exit_code == 0
+        assert call("validate", "--strict", file).exit_code == 0
+        report = json.loads(call("test", "--json", file).stdout)
+        assert report["passed"]
+        assert report["files"][0]["untested_rules"] == []
+        loaded = load(file)
+        assert (loaded.scenario.id, loaded.scenario.title) == ("my_first_challenge", "My first challenge")
+
+    @pytest.mark.parametrize("preset", PRESETS)
+    def test_its_program_is_python_and_where_the_scenario_looks_for_it(self, tmp_path, preset):
+        call("new", tmp_path / "it", "--from", preset)
+        program = tmp_path / "it_team" / load(tmp_path / "it.yaml").scenario.entrants["yellow"].robots["Y3"]
+        compile(program.read_text(encoding="utf-8"), program.name, "exec")
+
+    def test_it_is_commented_and_names_itself_in_its_comments(self, tmp_path):
+        call("new", tmp_path / "slalom")
+        text = (tmp_path / "slalom.yaml").read_text(encoding="utf-8")
+        assert sum(line.lstrip().startswith("#") for line in text.splitlines()) >= 10
+        assert "rcj-challenge validate slalom.yaml" in text
+        assert "FILE_NAME" not in text
+
+    @pytest.mark.parametrize("existing", ["it.yaml", "it_team/robot.py"])
+    def test_nothing_is_overwritten(self, tmp_path, existing):
+        path = tmp_path / existing
+        path.parent.mkdir(exist_ok=True)
+        path.write_text("mine", encoding="utf-8")
+        done = call("new", tmp_path / "it")
+        assert isinstance(done.exception, StarterError)
+        assert "exists already; nothing was written" in str(done.exception)
+        assert path.read_text(encoding="utf-8") == "mine"
+        assert sum(file.is_file() for file in tmp_path.rglob("*")) == 1
+
+    def test_an_unknown_preset_is_named_with_the_known_ones(self, tmp_path):
+        done = call("new", tmp_path / "it", "--from", "soccersim_v3")
+        assert str(done.exception).startswith(
+            "no preset 'soccersim_v3'; there are soccersim_2021, soccersim_v2; did you"
+        )
+        assert isinstance(call("new", tmp_path / "ß").exception, StarterError)
+
+
+class TestDraw:
+    def test_png_and_svg_are_told_apart_by_the_name(self, tmp_path):
+        pytest.importorskip("resvg_py")
+        assert call("draw", "match", "--out", tmp_path / "field.png").exit_code == 0
+        assert call("draw", "match", "--out", tmp_path / "field.svg").exit_code == 0
+        assert (tmp_path / "field.png").read_bytes().startswith(b"\x89PNG\r\n\x1a\n")
+        assert (tmp_path / "field.svg").read_text(encoding="utf-8").startswith("<svg")
+
+    def test_without_the_extra_the_message_says_what_to_install(self, tmp_path, monkeypatch):
+        monkeypatch.setitem(sys.modules, "resvg_py", None)
+        done = call("draw", "match", "--out", tmp_path / "field.png")
+        assert 'pip install "rcj-challenges[png]"' in str(done.exception)
+        assert not (tmp_path / "field.png").exists()
+
+    def test_a_place_that_cannot_be_written_is_named(self, tmp_path):
+        assert isinstance(call("draw", "match", "--out", tmp_path / "none" / "field.svg").exception, OutputError)
+
+
+def test_the_tools_of_authors_load_no_physics(tmp_path):
+    program = """
+import sys
+from typer.testing import CliRunner
+from rcj_challenges.cli.app import app
+for arguments in (["new", "it"], ["validate", "it.yaml"], ["test", "it.yaml"], ["draw", "it.yaml"], ["sheet", "it.yaml"]):
+    done = CliRunner().invoke(app, arguments)
+    assert done.exit_code == 0, (arguments, done.exception)
+    print(arguments[0], *sorted({"mujoco", "numpy", "scipy", "multiprocessing"} & set(sys.modules)))
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", program], cwd=tmp_path, capture_output=True, encoding="utf-8", check=True
+    )
+    assert done.stdout.split("\n")[:5] == ["new", "validate", "test", "draw", "sheet"]

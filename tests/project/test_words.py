@@ -1,0 +1,108 @@
+"""Every word of the scenario language has a sentence, an example that runs, and a test class; the documents are fresh."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from rcj_challenges.referee.script import try_expectation
+from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.load import Loaded, load_text
+from scripts import write_reference
+from scripts.write_reference import CHAPTERS, Example, example_of, read_examples, sentence
+
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLES = read_examples()
+WORDS = [(chapter, word) for chapter in CHAPTERS for word in chapter.words]
+TOLD_BY_CLASS = {"Triggers": "Trigger", "Conditions": "Condition", "Actions": "Action", "Where things go": "Place"}
+RECIPES = re.findall(
+    r"^```yaml\n(.*?)^```$", (ROOT / "docs" / "recipes.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL
+)
+
+
+def differences(loaded: Loaded) -> dict[str, tuple[str, ...]]:
+    """Return what comes out differently in the tests of a scenario."""
+    trials = {name: try_expectation(loaded, name).differences for name in loaded.scenario.expect}
+    return {name: found for name, found in trials.items() if found}
+
+
+@pytest.mark.parametrize(("chapter", "word"), WORDS, ids=[f"{c.title}-{w.name}" for c, w in WORDS])
+def test_every_word_has_a_sentence_and_every_field_a_description(chapter, word):
+    assert re.fullmatch(r"[A-Z].{9,}[.]", sentence(word.model))
+    tagged = {chapter.tag, "start"}
+    missing = [key for key, info in word.model.model_fields.items() if not info.description and key not in tagged]
+    # Of single-valued aliases such as noise_m the description stands in the type.
+    assert [key for key in missing if not _typed(word.model, key)] == []
+
+
+def _typed(model, key: str) -> bool:
+    return any(getattr(part, "description", None) for part in model.model_fields[key].metadata)
+
+
+@pytest.mark.parametrize(("chapter", "word"), WORDS, ids=[f"{c.title}-{w.name}" for c, w in WORDS])
+def test_every_word_has_an_example(chapter, word):
+    if not word.own_example:
+        pytest.skip("a part of something else, shown in its example")
+    example = example_of(word, chapter, EXAMPLES)
+    assert example is not None
+    assert word.name in example.text or word.name in example.words
+    if chapter.title in TOLD_BY_CLASS:
+        assert f"{word.name}" in example.text
+        assert "expect:" in example.text
+
+
+@pytest.mark.parametrize(("chapter", "word"), WORDS, ids=[f"{c.title}-{w.name}" for c, w in WORDS])
+def test_every_word_that_the_referee_knows_has_a_test_class(chapter, word):
+    tests = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "tests" / "referee").glob("test_*.py"))
+    kind = TOLD_BY_CLASS.get(chapter.title, "Value" if chapter.title == "Values" and word.own_example else None)
+    if kind is not None:
+        assert f"class Test{kind}{word.name.title().replace('_', '')}:" in tests
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: f"{example.file}-{example.words[0]}")
+def test_every_example_is_a_scenario_and_comes_out_as_it_says(example: Example):
+    assert differences(load_text(example.whole, file=f"{example.file}.yaml")) == {}
+
+
+def test_no_example_shows_a_word_that_does_not_exist():
+    known = {word.example or word.name for _, word in WORDS} | {"params", "groups", "literal"}
+    assert {word for example in EXAMPLES for word in example.words} - known == set()
+
+
+def test_the_reference_is_what_the_models_and_the_examples_say():
+    assert write_reference.PAGE.read_text(encoding="utf-8") == write_reference.page()
+
+
+@pytest.mark.parametrize("recipe", RECIPES, ids=lambda text: re.search(r"^id: (\w+)", text, re.MULTILINE)[1])
+def test_every_recipe_is_free_of_lint_and_comes_out_as_it_says(recipe):
+    loaded = load_text(recipe, file="recipe.yaml")
+    assert [str(finding) for finding in lint(loaded)] == []
+    assert len(loaded.scenario.expect) >= 2
+    assert differences(loaded) == {}
+
+
+def test_there_is_a_recipe_for_each_kind_that_is_promised():
+    titles = re.findall(r"^## (.+)$", (ROOT / "docs" / "recipes.md").read_text(encoding="utf-8"), re.MULTILINE)
+    assert titles == [
+        "A race through gates", "Keep-away in a zone", "Defend the goal", "Relay between halves", "Timed deliveries",
+        "Obstacle courses",
+    ]  # fmt: skip
+    assert len(RECIPES) == len(titles)
+
+
+EXAMPLE_CHALLENGES = sorted((ROOT / "scenarios" / "examples").glob("*.yaml"))
+
+
+@pytest.mark.parametrize("path", EXAMPLE_CHALLENGES, ids=lambda path: path.stem)
+def test_the_example_challenges_come_out_as_they_say_and_every_telling_rule_is_tested(path):
+    from rcj_challenges.cli.expect import told_rules
+    from rcj_challenges.scenario.load import load
+
+    loaded = load(path)
+    trials = [try_expectation(loaded, name) for name in loaded.scenario.expect]
+    assert [trial.differences for trial in trials if trial.differences] == []
+    fired = {rule for trial in trials for rule in trial.fired}
+    assert set(told_rules(loaded)) - fired - {"finish"} == set()
+    assert f"{path.name}]" in (ROOT / "docs" / "authoring.md").read_text(encoding="utf-8")

@@ -1,0 +1,391 @@
+"""Lint: what is legal in a scenario and hardly meant is found at its place, with reason and remedy."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from rcj_challenges.scenario.lint import Finding, lint
+from rcj_challenges.scenario.load import load, load_resolved, load_text
+
+ROOT = Path(__file__).resolve().parents[2]
+SHIPPED = sorted((ROOT / "scenarios").rglob("*.yaml"))
+
+SOUND = """schema_version: 1
+id: sound
+title: Sound
+extends: soccersim_v2
+match: {half_s: 60}
+"""
+GOAL = """  goal:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    actions: [{action: score, entrant: yellow}]
+    says: A goal.
+"""
+
+
+def found_in(*sections: str, rules: str = "") -> list[Finding]:
+    """Return what lint finds in a sound scenario with more sections and rules."""
+    text = SOUND + "".join(f"{section}\n" for section in sections) + "rules:\n" + GOAL + rules
+    return lint(load_text(text, file="it.yaml"))
+
+
+def kinds(*sections: str, rules: str = "") -> list[str]:
+    """Return the kinds of what lint finds."""
+    return [finding.kind for finding in found_in(*sections, rules=rules)]
+
+
+def rule(name: str, trigger: str, actions: str = "{action: emit, event: TOLD}", more: str = "") -> str:
+    """Return a rule with a sentence."""
+    return f"  {name}: {{triggers: [{trigger}], actions: [{actions}], says: It is so.{more}}}\n"
+
+
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
+def test_the_shipped_scenarios_are_free_of_lint(path):
+    assert [str(finding) for finding in lint(load(path))] == []
+
+
+def test_a_sound_scenario_has_no_finding():
+    assert found_in() == []
+
+
+def test_a_finding_names_its_place_the_reason_and_the_remedy():
+    (finding,) = found_in("phases: {pause: {lasts_s: 3}}")
+    assert str(finding) == (
+        "it.yaml:6:10: warning: phases.pause: phase 'pause' is never entered; enter it by {action: set_phase, phase: "
+        "pause} in a rule that can fire, or by 'next' of a phase that ends, or remove it [phase_never_entered]"
+    )
+    assert finding.as_json() == {
+        "kind": "phase_never_entered",
+        "file": "it.yaml",
+        "line": 6,
+        "column": 10,
+        "path": "phases.pause",
+        "reason": "phase 'pause' is never entered",
+        "remedy": finding.remedy,
+    }
+
+
+def test_findings_come_in_the_order_of_the_file():
+    lines = [
+        finding.problem.line
+        for finding in found_in("phases: {pause: {}}", "counters: {a: {}}", "draws: {b: {values: [1]}}")
+    ]
+    assert lines == sorted(lines)
+    assert len(lines) == 3
+
+
+def test_what_was_not_loaded_from_a_file_has_no_places_to_name():
+    resolved = load("match").resolved
+    with pytest.raises(ValueError, match="file or a text"):
+        lint(load_resolved(resolved))
+
+
+class TestPhases:
+    def test_a_phase_that_only_a_dead_phase_leads_to_is_dead_too(self):
+        found = kinds(
+            "phases: {one: {lasts_s: 1, next: two}, two: {}}",
+            rules=rule("lost", "{trigger: half_started}", more=", phases: [two]"),
+        )
+        assert found == ["phase_never_entered", "phase_never_entered", "rule_never_fires"]
+
+    def test_a_phase_is_entered_by_a_rule_or_by_the_end_of_another(self):
+        enter = rule("rest", "{trigger: time_reached, at_s: 1}", "{action: set_phase, phase: one}")
+        assert kinds("phases: {one: {lasts_s: 1, next: two}, two: {}}", rules=enter) == []
+
+    def test_the_first_phase_may_be_another_one_than_play(self):
+        assert kinds("first_phase: warm_up", "phases: {warm_up: {lasts_s: 2}}") == []
+        assert "rule_never_fires" in kinds("first_phase: warm_up", "phases: {warm_up: {}}")
+
+    def test_a_half_starts_in_its_first_phase_only(self):
+        enter = rule("rest", "{trigger: time_reached, at_s: 1}", "{action: set_phase, phase: one}")
+        begin = rule("begin", "{trigger: half_started}", more=", phases: [one]")
+        assert kinds("phases: {one: {lasts_s: 1}}", rules=enter + begin) == ["rule_never_fires"]
+
+    def test_a_rule_must_live_in_the_phase_whose_entering_it_waits_for(self):
+        enter = rule("rest", "{trigger: time_reached, at_s: 1}", "{action: set_phase, phase: one}")
+        wait = rule("wait", "{trigger: phase_entered, phase: one}")
+        assert kinds("phases: {one: {lasts_s: 1}}", rules=enter + wait) == ["rule_never_fires"]
+        assert kinds("phases: {one: {lasts_s: 1}}", rules=enter + wait.replace("says:", "phases: any, says:")) == []
+
+    def test_a_phase_may_never_be_entered_from_where_a_rule_expects_it(self):
+        enter = rule("rest", "{trigger: time_reached, at_s: 1}", "{action: set_phase, phase: one}")
+        back = rule("back", "{trigger: phase_entered, phase: play, from: two}")
+        other = rule("more", "{trigger: time_reached, at_s: 2}", "{action: set_phase, phase: two}")
+        phases = "phases: {one: {lasts_s: 1}, two: {}}"
+        assert kinds(phases, rules=enter + back + other) == ["phase_never_entered"]
+        assert kinds(phases, rules=enter + back.replace("two", "one") + other) == []
+
+    def test_play_is_not_entered_by_the_start_of_a_half(self):
+        assert kinds(rules=rule("begin", "{trigger: phase_entered, phase: play}")) == ["phase_never_entered"]
+
+
+class TestEventsAndRules:
+    def test_an_event_that_is_waited_for_and_never_emitted(self):
+        emit = rule("a", "{trigger: half_started}", "{action: emit, event: STARTED}")
+        (finding,) = found_in(rules=emit + rule("b", "{trigger: event, event: STARTET}"))
+        assert finding.kind == "event_never_emitted"
+        assert "did you mean 'STARTED'?" in finding.problem.message
+        assert kinds(rules=emit + rule("b", "{trigger: event, event: STARTED}")) == []
+
+    def test_an_event_or_a_point_without_a_sentence(self):
+        silent = "  a: {triggers: [{trigger: half_started}], actions: [{action: emit, event: STARTED}]}\n"
+        assert kinds(rules=silent) == ["event_without_a_sentence"]
+        assert kinds("counters: {n: {}}", rules=silent.replace("{action: emit, event: STARTED}", "{action: end}")) == [
+            "counter_never_read"
+        ]
+
+    def test_a_rule_for_each_that_never_names_it(self):
+        many = rule("a", "{trigger: half_started}", more=", for_each: robots")
+        assert kinds(rules=many) == ["each_never_named"]
+        assert kinds(rules=many.replace("half_started", "enters, entity: each, zone: pitch")) == []
+        named = rule(
+            "a",
+            "{trigger: half_started}",
+            "{action: emit, event: TOLD, payload: {who: {word: robot_name}}}",
+            ", for_each: robots",
+        )
+        assert kinds(rules=named) == []
+
+    def test_a_sequence_that_ignores_wrong_steps_never_breaks(self):
+        broken = rule("a", "{trigger: sequence_broken, sequence: way}")
+        way = "sequences: {way: {entity: ball, steps: [pitch, blue_goal], wrong_step: %s}}"
+        assert kinds(way % "ignore", rules=broken) == ["sequence_never_breaks"]
+        assert kinds(way % "break", rules=broken) == []
+
+    def test_no_way_to_score_though_scores_decide(self):
+        text = SOUND + rule("a", "{trigger: half_started}").join(("rules:\n", ""))
+        assert [f.kind for f in lint(load_text(text))] == ["no_way_to_score"]
+        assert lint(load_text(text + "result: {rank: [{time: ascending}]}\n")) == []
+
+
+class TestTwoRulesMoveOneThing:
+    @staticmethod
+    def pair(
+        first: str = "", second: str = "", edge: str = "{trigger: enters, entity: ball, zone: yellow_goal}"
+    ) -> str:
+        put = "{action: place, entity: ball, at: {spot: %s}}"
+        return rule(
+            "a", "{trigger: enters, entity: ball, zone: [blue_goal, yellow_goal]}", put % "centre", first
+        ) + rule("b", edge, put % "middle_blue", second)
+
+    def test_on_one_edge_the_later_one_wins(self):
+        (finding,) = found_in(rules=self.pair())
+        assert finding.kind == "two_rules_move_one_thing"
+        assert "it moves ball on the same edge (enters) as rule 'a'" in finding.problem.message
+
+    def test_the_one_with_the_higher_priority_number_is_named(self):
+        (finding,) = found_in(rules=self.pair(first=", priority: 5"))
+        assert finding.problem.path == "rules.a"
+
+    def test_exclusive_contrary_conditions_other_phases_and_other_edges_are_sound(self):
+        one = ", exclusive: outcome"
+        assert kinds(rules=self.pair(one, one)) == []
+        drawn = ", conditions: [{condition: drawn, draw: side, equals: %s}]"
+        draws = "draws: {side: {values: [left, right]}}"
+        assert kinds(draws, rules=self.pair(drawn % "left", drawn % "right")) == []
+        assert kinds(draws, rules=self.pair(drawn % "left", drawn % "left")) == ["two_rules_move_one_thing"]
+        counted = ", conditions: [{condition: counter, counter: yellow, %s}]"
+        assert kinds(rules=self.pair(counted % "at_least: 3", counted % "at_most: 2")) == []
+        assert kinds(rules=self.pair(counted % "at_least: 3", counted % "at_most: 3")) == ["two_rules_move_one_thing"]
+        away = ", conditions: [{condition: last_touch, by: blue%s}]"
+        assert kinds(rules=self.pair(away % "", away % ", negate: true")) == []
+        assert kinds(rules=self.pair(edge="{trigger: leaves, entity: ball, zone: yellow_goal}")) == []
+
+    def test_a_phase_that_the_first_one_enters_suppresses_the_second(self):
+        rules = self.pair().replace("{spot: centre}}", "{spot: centre}}, {action: set_phase, phase: pause}")
+        assert kinds("phases: {pause: {lasts_s: 1}}", rules=rules) == []
+
+    def test_exclusive_counts_per_entity_and_does_not_help_against_a_rule_without_for_each(self):
+        put = "{action: place, entity: robots, at: start}"
+        one = rule("a", "{trigger: leaves, entity: each, zone: in_play}", put, ", for_each: robots, exclusive: moves")
+        other = rule("b", "{trigger: leaves, entity: Y1, zone: in_play}", put, ", exclusive: moves")
+        assert kinds(rules=one + other) == ["two_rules_move_one_thing"]
+
+    def test_layouts_and_drawn_layouts_move_what_is_in_them(self):
+        layouts = (
+            "placements: {one: [{entity: ball, at: {spot: centre}}], two: [{entity: ball, at: {spot: middle_blue}}]}"
+        )
+        begin = rule("a", "{trigger: half_started}", "{action: place, layout: one}")
+        drawn = rule("b", "{trigger: half_started}", "{action: place, layout: {draw: which}}")
+        assert kinds(layouts, "draws: {which: {values: [one, two]}}", rules=begin + drawn) == [
+            "two_rules_move_one_thing"
+        ]
+
+
+class TestState:
+    @pytest.mark.parametrize(
+        ("section", "write", "read"),
+        [
+            ("counters: {it: {}}", "{action: count, counter: it}", "{condition: counter, counter: it, at_least: 1}"),
+            ("flags: {it: {}}", "{action: set_flag, flag: it}", "{condition: flag, flag: it}"),
+            ("flags: {it: {}}", "{action: toggle_flag, flag: it}", "{condition: flag, flag: it}"),
+            ("timers: {it: {lasts_s: 5}}", "{action: timer, timer: it}", "{condition: timer, timer: it, at_least: 1}"),
+            ("draws: {it: {values: [1, 2]}}", "{action: draw, draw: it}", "{condition: drawn, draw: it, equals: 1}"),
+        ],
+    )
+    def test_what_is_remembered_is_both_written_and_read(self, section, write, read):
+        noun = section.partition("s:")[0]
+        writes = rule("a", "{trigger: half_started}", write)
+        reads = rule("b", "{trigger: time_reached, at_s: 1}", more=f", conditions: [{read}]")
+        assert kinds(section, rules=writes) == [f"{noun}_never_read"]
+        assert kinds(section, rules=writes + reads) == []
+        never = {
+            "counter": ["counter_never_counted"],
+            "flag": ["flag_never_set"],
+            "timer": ["timer_never_started"],
+            "draw": [],
+        }
+        assert kinds(section, rules=reads) == never[noun]
+
+    def test_a_timer_that_starts_by_itself_and_a_counter_in_the_result_are_sound(self):
+        expired = rule("a", "{trigger: timer_expired, timer: it}", "{action: count, counter: n}")
+        assert (
+            kinds(
+                "timers: {it: {lasts_s: 5, starts: true}}",
+                "counters: {n: {}}",
+                "result: {rank: [{counter: n}]}",
+                rules=expired,
+            )
+            == []
+        )
+
+    def test_a_counter_that_only_a_test_reads_is_not_read(self):
+        count = rule("a", "{trigger: half_started}", "{action: count, counter: n}")
+        test = "expect: {it: {keyframes: [{at_s: 1}], lasts_s: 1, counters: {n: 1}}}"
+        assert kinds("counters: {n: {}}", test, rules=count) == ["counter_never_read"]
+
+    def test_a_param_for_which_nothing_stands(self):
+        assert kinds("params: {pause_s: 3}") == ["param_never_used"]
+        assert kinds("params: {at: 3}", rules=rule("a", "{trigger: time_reached, at_s: {param: at}}")) == []
+
+    def test_zones_gates_sequences_and_layouts_of_ones_own_that_nobody_names(self):
+        found = kinds(
+            "zones: {z: {shape: rect, x_min_m: 0}, line: {shape: rect, x_min_m: 0.2, drawn: true}}",
+            "gates: {g: {from_m: [0, 0], to_m: [1, 0]}}",
+            "sequences: {s: {entity: ball, steps: [pitch, blue_goal]}}",
+            "placements: {l: [{entity: ball, at: {spot: centre}}]}",
+        )
+        assert found == ["zone_never_used", "gate_never_used", "sequence_never_used", "layout_never_used"]
+
+    def test_a_zone_in_a_group_that_is_named_is_used(self):
+        enters = rule("a", "{trigger: enters, entity: ball, zone: both}")
+        assert kinds("zones: {z: {shape: rect, x_min_m: 0}}", "groups: {both: [z, blue_goal]}", rules=enters) == []
+
+
+class TestTimes:
+    @pytest.mark.parametrize(
+        "trigger",
+        [
+            "{trigger: stays_in, entity: ball, zone: pitch, limit_s: %s}",
+            "{trigger: no_progress, entity: ball, distance_m: 1, within_s: %s}",
+            "{trigger: holds, condition: {condition: in_zone, entity: ball, zone: pitch}, for_s: %s}",
+        ],
+    )
+    def test_a_limit_that_is_not_over_before_the_half_is(self, trigger):
+        assert kinds(rules=rule("a", trigger % 60)) == ["limit_longer_than_the_half"]
+        assert kinds(rules=rule("a", trigger % 59)) == []
+
+    def test_timers_phases_absences_and_rests_too(self):
+        enter = rule("a", "{trigger: time_reached, at_s: 1}", "{action: set_phase, phase: long}")
+        assert kinds("phases: {long: {lasts_s: 61}}", rules=enter) == ["limit_longer_than_the_half"]
+        expired = rule("a", "{trigger: timer_expired, timer: t}")
+        assert kinds("timers: {t: {lasts_s: 61, starts: true}}", rules=expired) == ["limit_longer_than_the_half"]
+        assert kinds("timers: {t: {lasts_s: 60, starts: true}}", rules=expired) == []
+        off = rule(
+            "a", "{trigger: time_reached, at_s: 1}", "{action: remove, entity: Y1, for_s: 61}", ", cooldown_s: 61"
+        )
+        assert kinds(rules=off) == ["limit_longer_than_the_half"] * 2
+
+
+class TestGround:
+    USE = rule("a", "{trigger: enters, entity: ball, zone: z}")
+
+    @pytest.mark.parametrize(
+        ("zone", "has_floor"),
+        [
+            ("shape: rect, x_min_m: 0.7", False),
+            ("shape: rect, x_min_m: 0.64", True),
+            ("shape: rect, y_min_m: 0.76", True),  # the goal
+            ("shape: rect, x_min_m: 0.25, y_min_m: 0.76", False),  # beside the goal
+            ("shape: rect, x_min_m: 0.63, y_min_m: 0.73", False),  # behind the chamfer
+            ("shape: circle, centre_m: [0.7, 0.8], radius_m: 0.1", False),
+            ("shape: circle, centre_m: [0.7, 0.8], radius_m: 0.16", True),
+            ("shape: circle, centre_m: [0, 0], radius_m: 2, inverted: true", False),
+            ("shape: circle, centre_m: [0, 0], radius_m: 0.8, inverted: true", True),
+            ("shape: half_plane, through_m: [0.66, 0], normal: [1, 0]", False),
+            ("shape: half_plane, through_m: [0.66, 0], normal: [-2, 0]", True),
+            ("shape: rect, x_min_m: -0.66, x_max_m: 0.66, y_min_m: -0.9, y_max_m: 0.9, inverted: true", False),
+            ("shape: polygon, points_m: [[0.5, 0.9], [0.5, 0.8], [0.9, 0.8]]", False),
+            ("shape: polygon, points_m: [[0.9, 0.9], [0.5, 0.7], [0.9, 0.5]]", True),
+        ],
+    )
+    def test_a_zone_without_a_point_on_the_field(self, zone, has_floor):
+        assert kinds(f"zones: {{z: {{{zone}}}}}", rules=self.USE) == ([] if has_floor else ["zone_off_the_field"])
+
+    def test_a_gate_or_a_spot_off_the_field(self):
+        cross = rule("a", "{trigger: crosses, entity: ball, gate: g}")
+        assert kinds("gates: {g: {from_m: [0.7, 0], to_m: [0.9, 0]}}", rules=cross) == ["gate_off_the_field"]
+        assert kinds("gates: {g: {from_m: [0.7, 0], to_m: [-0.9, 0.1]}}", rules=cross) == []
+        assert kinds("spots: {s: {x_m: 0.3, y_m: 0.8}}") == ["spot_off_the_field"]
+        assert kinds("spots: {s: {x_m: 0.1, y_m: 0.8}}") == []
+
+    def test_a_robot_that_nobody_drives(self):
+        assert kinds("entrants: {yellow: {robots: {Y3: null}}}") == ["robot_without_program"]
+        assert kinds("entrants: {yellow: {robots: {Y3: null}}}", "robots: {Y3: {idle: true}}") == []
+
+    def test_an_entity_that_is_taken_off_at_the_start_and_never_comes_back(self):
+        off = rule("a", "{trigger: half_started}", "{action: remove, entity: Y3}")
+        assert kinds(rules=off) == ["entity_never_on_the_field"]
+        back = rule("b", "{trigger: time_reached, at_s: 5}", "{action: place, entity: yellow, at: start}")
+        assert kinds(rules=off + back) == []
+
+    @pytest.mark.parametrize(
+        ("placings", "reason"),
+        [
+            ("{entity: ball, at: {point: [0.64, 0]}}", "in a wall"),
+            ("{entity: ball, at: {point: [0.8, 0]}}", "off the field"),
+            ("{entity: ball, at: {point: [0.45, 0]}}", "in a wall or an obstacle"),
+            ("{entity: Y1, at: {spot: centre}}, {entity: ball, at: {point: [0.03, 0]}}", "'ball' would stand on 'Y1'"),
+            ("{entity: [Y1, Y2], at: {spot: centre}}", "'Y2' would stand on 'Y1'"),
+            ("{entity: robots, at: {nearest_free: [centre, middle_blue]}}", "6 things cannot share 2 spots"),
+            ("{entity: ball, at: {uniform_in: slit}}", "in a wall"),
+            ("{entity: ball, at: {on_line: [[0.7, 0.1], [0.8, 0.1]]}}", "off the field"),
+            ("{entity: ball, at: {point: [-0.45, 0]}, mirror: {axis: x}}", "in a wall or an obstacle"),
+        ],
+    )
+    def test_a_layout_that_cannot_find_room(self, placings, reason):
+        sections = (
+            "obstacles: {crate: {shape: box, centre_m: [0.45, 0], size_m: [0.1, 0.1]}}",
+            "zones: {slit: {shape: rect, x_min_m: 0.635, x_max_m: 0.65, y_min_m: -0.2, y_max_m: 0.2}}",
+            f"placements: {{l: [{placings}]}}",
+        )
+        use = rule("a", "{trigger: time_reached, at_s: 1}", "{action: place, layout: l}")
+        use += rule("b", "{trigger: enters, entity: ball, zone: slit}")
+        (finding,) = found_in(*sections, rules=use)
+        assert finding.kind == "layout_without_room"
+        assert reason in finding.problem.message
+
+    @pytest.mark.parametrize(
+        "placings",
+        [
+            "{entity: Y1, at: {point: [0, 0.1]}}, {entity: ball, at: {spot: centre}}",
+            "{entity: [Y1, Y2], at: {nearest_free: [centre, middle_blue]}}",
+            "{entity: ball, at: {on_line: [[-0.6, 0], [0.9, 0]]}}",
+            "{entity: ball, at: {point: [0.64, 0]}, noise_m: [0.1, 0]}",
+            "{entity: Y1, at: {spot: centre}}, {entity: Y1, at: {point: [0.4, 0]}}, {entity: ball, at: {spot: centre}}",
+        ],
+    )
+    def test_where_there_is_or_may_be_room_nothing_is_said(self, placings):
+        use = rule("a", "{trigger: time_reached, at_s: 1}", "{action: place, layout: l}")
+        assert kinds(f"placements: {{l: [{placings}]}}", rules=use) == []
+
+
+def test_every_kind_of_finding_is_explained_to_authors():
+    source = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "rcj_challenges/scenario").glob("lint*.py"))
+    written = set(re.findall(r'^\s+"([a-z]+(?:_[a-z]+)+)",$', source, re.MULTILINE))
+    page = (ROOT / "docs" / "authoring.md").read_text(encoding="utf-8")
+    assert len(written) >= 10
+    assert {kind for kind in written if kind not in page} == set()
