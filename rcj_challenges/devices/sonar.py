@@ -118,12 +118,7 @@ class Sonars:
         self._data: mujoco.MjData = ground.data
         first = int(self._model.sensor(_site_name(fitted[0])).adr[0])
         self._rays: NDArray[np.float64] = self._data.sensordata[first : first + _WIDTH * count].reshape(count, _WIDTH)
-        self._distance = self._rays[:, 0]
-        self._direction = self._rays[:, 1:4]
-        self._normal = self._rays[:, 4:7]
-        self._range_m = np.array([device.range_m for device in devices])
-        self._short = all(device.range_m <= _NOISE_FULL_FROM_M for device in devices)
-        self._heard_below = np.array([-max(_GRAZING, math.cos(device.lost_from_rad)) for device in devices])
+        self._limits = [(device.range_m, -max(_GRAZING, math.cos(device.lost_from_rad))) for device in devices]
         shares = np.array([device.noise for device in devices])
         self._noise = Noise(half, [(one.robot_name, one.spec.name) for one in fitted], scale=_MM_PER_M * shares)
         self._places = _Places(fitted)
@@ -149,11 +144,16 @@ class Sonars:
         option.disableflags = self._sensors_off
 
     def _readings(self, tick: int) -> list[float]:
-        # Cosine of the angle between ray and normal, -1 head on. Where nothing is hit the normal is zero: not heard.
-        # Positive only for a ray that begins inside a body pressed against the robot: an echo from no distance at all.
-        facing = np.vecdot(self._direction, self._normal)
-        distance = np.where(facing < self._heard_below, np.minimum(self._distance, self._range_m), self._range_m)
-        np.copyto(distance, 0.0, where=facing > 0)
-        noisy_up_to = distance if self._short else np.minimum(distance, _NOISE_FULL_FROM_M)
-        readings: list[float] = (distance * (_MM_PER_M + noisy_up_to * self._noise.row(tick))).tolist()
+        readings: list[float] = []
+        # Number by number: for two dozen of them numpy's calls cost more than they save.
+        rays, noise = self._rays.tolist(), self._noise.row(tick).tolist()
+        for (distance, dx, dy, dz, nx, ny, nz), (range_m, heard_below), error in zip(
+            rays, self._limits, noise, strict=True
+        ):
+            # Cosine of the angle between ray and normal, -1 head on. Nothing hit: the normal is zero, not heard.
+            facing = dx * nx + dy * ny + dz * nz
+            echo_m = min(distance, range_m) if facing < heard_below else range_m
+            if facing > 0:  # only a ray that begins inside a body pressed against the robot: an echo from no distance
+                echo_m = 0.0
+            readings.append(echo_m * (_MM_PER_M + min(echo_m, _NOISE_FULL_FROM_M) * error))
         return readings

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import pi
 
 from rcj_challenges.scenario.ground import Floor, obstacle_bodies
 from rcj_challenges.scenario.lint_shapes import floor_parts, on_floor, points_in, segment_has_floor, zone_has_floor
@@ -196,10 +195,7 @@ class _Room:
         yaw = robot.start.yaw_rad if placing.facing == "start" else placing.facing
         if not isinstance(yaw, int | float):
             return Outline((Disc(point, chassis.size_m / 2),))
-        mirror = placing.mirror
-        if mirror is not None and mirror.axis in ("x", "both"):
-            yaw = pi - yaw
-        return robot_outline(chassis, *point, yaw)
+        return robot_outline(chassis, *point, yaw)  # mirroring moves a robot and does not turn it
 
 
 def _is_spots(placing: places.Placing | Place) -> bool:

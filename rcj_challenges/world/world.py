@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -64,6 +65,7 @@ class World:
         heights = tuple(float(self.model.body_pos[body, 2]) for body in self.tables.bodies)
         self._recorder = Recorder(self.data, self.tables, heights)
         self._warnings = self.data.warning.number
+        self._qpos, self._qvel = self.data.qpos, self.data.qvel
         self.reset()
 
     def reset(self) -> None:
@@ -128,7 +130,9 @@ class World:
 
     def state_bytes(self) -> bytes:
         """Return `qpos` and `qvel` as little-endian float64: the physics' part of the digest."""
-        return b"".join(np.asarray(part, dtype="<f8").tobytes() for part in (self.data.qpos, self.data.qvel))
+        if sys.byteorder == "little":
+            return bytes(self._qpos.tobytes() + self._qvel.tobytes())
+        return bytes(self._qpos.astype("<f8").tobytes() + self._qvel.astype("<f8").tobytes())
 
     def _set_down(self, placement: Placement) -> None:
         entity = placement.entity

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -122,11 +123,13 @@ class TestTest:
         assert isinstance(call("test", written(("blue_goal", "blue_gaol"))).exception, ScenarioError)
 
     def test_the_shipped_scenarios_play_over_200_times_faster_than_real_time(self):
+        began = time.process_time()
         done = call("test", "--json", "match", "fast_shooter", "pass_the_ball", "precision_lidar")
+        took_s = time.process_time() - began  # of this process: what else the machine does is not counted
         report = json.loads(done.stdout)
-        tests = [test for file in report["files"] for test in file["tests"]]
         assert report["passed"]
-        assert sum(t["simulated_s"] for t in tests) / sum(t["wall_s"] for t in tests) > 100  # bar 200, room for load
+        assert sum(test["simulated_s"] for file in report["files"] for test in file["tests"]) / took_s > 200
+        assert took_s < 5
 
     @pytest.mark.parametrize("name", ["match", "fast_shooter", "pass_the_ball", "precision_lidar"])
     def test_every_scoring_and_every_penalty_rule_of_the_shipped_scenarios_is_tested(self, name):

@@ -7,9 +7,12 @@ from pathlib import Path
 
 import pytest
 
+from rcj_challenges.cli.expect import told_rules
 from rcj_challenges.referee.script import try_expectation
 from rcj_challenges.scenario.lint import lint
-from rcj_challenges.scenario.load import Loaded, load_text
+from rcj_challenges.scenario.load import Loaded, load, load_text
+from rcj_challenges.views.drawing import draw_scenario
+from rcj_challenges.views.sheet import sheet_html, sheet_markdown
 from scripts import write_reference
 from scripts.write_reference import CHAPTERS, Example, example_of, read_examples, sentence
 
@@ -41,10 +44,12 @@ def _typed(model, key: str) -> bool:
     return any(getattr(part, "description", None) for part in model.model_fields[key].metadata)
 
 
-@pytest.mark.parametrize(("chapter", "word"), WORDS, ids=[f"{c.title}-{w.name}" for c, w in WORDS])
+# The others are parts of something else, and its example shows them.
+WHOLE = [(chapter, word) for chapter, word in WORDS if word.own_example]
+
+
+@pytest.mark.parametrize(("chapter", "word"), WHOLE, ids=[f"{c.title}-{w.name}" for c, w in WHOLE])
 def test_every_word_has_an_example(chapter, word):
-    if not word.own_example:
-        pytest.skip("a part of something else, shown in its example")
     example = example_of(word, chapter, EXAMPLES)
     assert example is not None
     assert word.name in example.text or word.name in example.words
@@ -92,17 +97,35 @@ def test_there_is_a_recipe_for_each_kind_that_is_promised():
     assert len(RECIPES) == len(titles)
 
 
+def test_lint_can_look_at_every_example():
+    kinds = {finding.kind for example in EXAMPLES for finding in lint(load_text(example.whole))}
+    # What an example of one word leaves out on purpose, and nothing that would be a mistake in it.
+    assert kinds <= {
+        "event_without_a_sentence", "no_way_to_score", "zone_never_used", "draw_never_read", "counter_never_read",
+        "flag_never_read", "gate_never_used", "timer_never_read", "robot_without_program", "flag_never_set",
+        "counter_never_counted",
+    }  # fmt: skip
+
+
 EXAMPLE_CHALLENGES = sorted((ROOT / "scenarios" / "examples").glob("*.yaml"))
 
 
 @pytest.mark.parametrize("path", EXAMPLE_CHALLENGES, ids=lambda path: path.stem)
 def test_the_example_challenges_come_out_as_they_say_and_every_telling_rule_is_tested(path):
-    from rcj_challenges.cli.expect import told_rules
-    from rcj_challenges.scenario.load import load
-
     loaded = load(path)
     trials = [try_expectation(loaded, name) for name in loaded.scenario.expect]
     assert [trial.differences for trial in trials if trial.differences] == []
     fired = {rule for trial in trials for rule in trial.fired}
     assert set(told_rules(loaded)) - fired - {"finish"} == set()
     assert f"{path.name}]" in (ROOT / "docs" / "authoring.md").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("path", EXAMPLE_CHALLENGES, ids=lambda path: path.stem)
+def test_the_example_challenges_are_drawn_and_every_sentence_stands_in_their_sheets(path):
+    loaded = load(path)
+    scenario, roster = loaded.scenario, loaded.roster
+    assert all(f">{name}<" in draw_scenario(scenario, roster) for name in (*scenario.robots, *scenario.balls))
+    assert sheet_html(scenario, roster).startswith("<!")
+    sheet = sheet_markdown(scenario, roster)
+    missing = [rule.says for rule in scenario.rules.values() if rule.says.partition("}")[2].strip() not in sheet]
+    assert missing == []
