@@ -64,3 +64,10 @@ def test_the_suite_runs_on_the_three_systems_with_the_oldest_and_the_newest_pyth
     assert {system.split("-")[0] for system in matrix["os"]} == {"ubuntu", "macos", "windows"}
     assert "3.11" in matrix["python"]
     assert len(matrix["python"]) == 2
+
+
+def test_every_decision_is_in_the_index():
+    index = (ROOT / "docs" / "adr" / "README.md").read_text(encoding="utf-8")
+    for record in sorted((ROOT / "docs" / "adr").glob("0*.md")):
+        number, title = re.match(r"# (\d+)\. (.+)", record.read_text(encoding="utf-8")).groups()
+        assert f"| {number} | [{title}]({record.name}) |" in index

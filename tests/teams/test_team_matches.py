@@ -75,6 +75,9 @@ def test_programs_of_2022_and_2023_play_together(play_teams):
     assert "Größenwahn" in played.result["entrants"]["blue"]["name"]
     assert "Ende für B2" in log
     assert "Höhe" in log or "kein Ball…" in log
+    # It prints time, heading, free room and the wheel's angle: the wheel turned, so its properties reach the motor.
+    wheel_angles = {line.split()[3] for line in played.log("Y1").splitlines()}
+    assert len(wheel_angles) > 10
 
 
 def test_a_program_of_2023_plays_with_text_messages_too(play_teams):

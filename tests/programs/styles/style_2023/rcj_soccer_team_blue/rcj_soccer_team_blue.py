@@ -35,8 +35,8 @@ class Player:
 
         self.left = self.robot.getDevice("left wheel motor")
         self.right = self.robot.getDevice("right wheel motor")
-        self.left.position = float("inf")
-        self.right.position = float("inf")
+        self.left.target_position = float("inf")
+        self.right.target_position = float("inf")
         self.left.velocity = 0.0
         self.right.velocity = 0.0
         self.waiting = False
