@@ -15,10 +15,11 @@ from rcj_challenges.controllers.team import Team
 from rcj_challenges.devices import DeviceRack, device_sites
 from rcj_challenges.devices.fitting import fit, robot_specs
 from rcj_challenges.facts.play import HalfInfo
-from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.facts.traffic import RobotSpec
 from rcj_challenges.match.clerk import HalfClerk
 from rcj_challenges.match.half import HalfOutcome, HalfPlay, HalfStage
+from rcj_challenges.match.ranking import ranking
 from rcj_challenges.match.seats import by_seat, by_team, teams_by_seat
 from rcj_challenges.match.watching import Silent, Watcher
 from rcj_challenges.records.writer import RecordWriter, RunHeader
@@ -93,6 +94,7 @@ class _MatchPlay:
         self._roster = plan.loaded.roster
         self._scores: dict[str, Score] = dict.fromkeys(self._scenario.entrants, 0)
         self._kept: dict[str, Any] = {}
+        self._ranking: list[dict[str, Any]] = []
         self._half_ticks = ticks_from_s(self._scenario.match.half_s)
 
     def play(self) -> PlayedMatch:
@@ -111,7 +113,7 @@ class _MatchPlay:
             for number in range(1, self._scenario.match.halves + 1):
                 if self._play_half(number, record).ends_match:
                     break
-            record.finish({"wall_s": round(time.perf_counter() - began, 3)})
+            record.finish({"wall_s": round(time.perf_counter() - began, 3), "ranking": self._ranking})
         self._watcher.finished(record.result)
         return PlayedMatch(record.folder, record.result)
 
@@ -142,6 +144,8 @@ class _MatchPlay:
             clerk.closed(outcome.closing)
         self._scores = by_team(referee.scores, half.teams)
         self._kept = dict(referee.kept)
+        time_s = s_from_ticks(outcome.ticks)
+        self._ranking = ranking(scenario, self._scores, referee.counters, half.teams, time_s)
         return outcome
 
     def _launch(self, crew: Crew, specs: Mapping[int, RobotSpec], half: HalfInfo) -> dict[int, Program]:

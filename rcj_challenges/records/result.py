@@ -46,6 +46,14 @@ class HalfResult(_Part):
     ended: str | None = _described("the reason of the rule that ended it; null: its time was up")
 
 
+class RankResult(_Part):
+    """A team's place by the criteria of the scenario."""
+
+    place: int = _described("1 for the best; teams that nothing tells apart share a place", ge=1)
+    team: str = _described("the team")
+    values: list[Score] = _described("what was compared, in the order of the scenario's result.rank")
+
+
 class EventResult(_Part):
     """One event, as in the reflog, with its half and tick."""
 
@@ -94,6 +102,7 @@ class RunResult(_Part):
     match_id: int = _described("number of the match, as in MATCH_START")
     entrants: dict[str, EntrantResult] = _described("the teams, by their seat of the first half")
     score: dict[str, Score] = _described("points by team")
+    ranking: list[RankResult] = Field(default=[], description="the teams, best first; empty while it is not complete")
     halves: list[HalfResult] = _described("the halves that are over")
     events: list[EventResult] = _described("all events, in order")
     faults: list[FaultResult] = _described("programs that failed, in order")

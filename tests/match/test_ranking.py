@@ -1,0 +1,48 @@
+"""Who wins: by the criteria of the scenario, a later one breaks ties."""
+
+from rcj_challenges.match.ranking import ranking
+from rcj_challenges.scenario.load import load
+
+SIDES = {"blue": "blue", "yellow": "yellow"}
+
+
+def places(told):
+    return [(entry["place"], entry["team"]) for entry in told]
+
+
+def test_more_goals_win():
+    assert places(ranking(load("match").scenario, {"blue": 1, "yellow": 3}, {}, SIDES, 600)) == [
+        (1, "yellow"),
+        (2, "blue"),
+    ]
+
+
+def test_equal_scores_share_the_first_place():
+    assert places(ranking(load("match").scenario, {"blue": 2, "yellow": 2}, {}, SIDES, 600)) == [
+        (1, "blue"),
+        (1, "yellow"),
+    ]
+
+
+def test_a_counter_kept_per_robot_breaks_the_tie_for_the_team_whose_robots_they_are():
+    scenario = load("match", ["result.rank=[{score: descending}, {counter: put_backs, order: ascending}]"]).scenario
+    put_backs = {"B1": 0, "B2": 1, "B3": 0, "Y1": 3, "Y2": 0, "Y3": 0}
+    swapped = {"blue": "yellow", "yellow": "blue"}  # in the second half the blue seat holds the yellow team
+    told = ranking(scenario, {"blue": 1, "yellow": 1}, {"put_backs": put_backs}, swapped, 600)
+    assert [(entry["place"], entry["team"], entry["values"]) for entry in told] == [
+        (1, "yellow", [1, 1]),
+        (2, "blue", [1, 3]),
+    ]
+
+
+def test_a_shorter_time_wins_and_penalties_are_seconds():
+    scenario = load("match", ["result.rank=[{time: ascending, plus: [{counter: put_backs, weight: 5}]}]"]).scenario
+    told = ranking(scenario, {"blue": 0, "yellow": 9}, {"put_backs": {"B1": 2}}, SIDES, 40.0)
+    assert [(entry["team"], entry["values"]) for entry in told] == [("yellow", [40.0]), ("blue", [50.0])]
+
+
+def test_the_result_of_a_match_holds_the_ranking(play):
+    assert play("match.half_s=0.5").result["ranking"] == [
+        {"place": 1, "team": "blue", "values": [0]},
+        {"place": 1, "team": "yellow", "values": [0]},
+    ]
