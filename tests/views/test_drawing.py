@@ -41,7 +41,9 @@ def test_the_drawing_moves_when_a_number_changes():
 
 
 def test_the_legend_tells_the_number_that_the_referee_tests():
-    assert any("-0.2 < x < 0.1, 0.745 < y < 0.849" in text for text in texts(drawn("match", "zones.blue_goal.x_max_m=0.1")))
+    assert any(
+        "-0.2 < x < 0.1, 0.745 < y < 0.849" in text for text in texts(drawn("match", "zones.blue_goal.x_max_m=0.1"))
+    )
 
 
 def test_labels_do_not_cover_each_other():
