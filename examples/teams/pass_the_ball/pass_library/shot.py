@@ -1,0 +1,93 @@
+"""How to shoot a ball that lies still.
+
+A robot with two wheels is quickest when it only drives straight and turns on the spot. So every shot has four parts:
+
+    turn to the run-up point - drive there - turn to the aim - drive through the ball
+
+and we can say how long each of them takes. There are many ways to do it: the run-up point near the ball or further
+away, the ball before the middle of our face or before one of its ends, our front or our rear as the face that hits.
+We try them all and take the quickest.
+"""
+
+import math
+
+from pass_library.field import (
+    BALL_RADIUS,
+    CORNER,
+    TOP_SPEED,
+    TOUCHING,
+    WHEEL_ARM,
+    direction_of,
+    distance_to_segment,
+    point_at,
+    wrap,
+)
+
+# How much room there is between our face and the ball after the last turn.
+RUN_UPS = [0.003 + 0.0015 * i for i in range(16)]
+
+# How far we stay off the ball until we hit it.
+ROOM = 0.0003
+
+# Where the ball is before our face, in metres to the left of its middle, and how fast it then leaves (measured). With
+# 0.02 it would be slow: the robot is turned away by the blow. Near the ends of the face it hits twice.
+OFFSETS = {0.0: 0.238, 0.0335: 0.2325, -0.0335: 0.2325}
+
+
+class Shot:
+    """One way of shooting.
+
+    direction: in which it will roll
+    run_up: the point from which we drive through it
+    heading: where our front looks then
+    gear: 1 if our front hits, -1 if our rear does
+    seconds: from now until the ball is at the target
+    seconds_to_hit: from now until we hit the ball
+    """
+
+    def __init__(self, direction, run_up, gear, seconds_to_hit, seconds):
+        self.direction = direction
+        self.run_up = run_up
+        self.gear = gear
+        self.heading = direction if gear > 0 else wrap(direction + math.pi)
+        self.seconds_to_hit = seconds_to_hit
+        self.seconds = seconds
+
+
+def turning_time(angle):
+    """How long it takes to turn on the spot."""
+    return abs(wrap(angle)) * WHEEL_ARM / TOP_SPEED
+
+
+def time_to(position, heading, point, end_heading):
+    """How long it takes to drive to a point, forwards or backwards, and to look into a direction there."""
+    distance = math.dist(position, point)
+    if distance < 0.002:
+        return turning_time(end_heading - heading)
+    course = direction_of(position, point)
+    turning = min(turning_time(c - heading) + turning_time(end_heading - c) for c in (course, course + math.pi))
+    return distance / TOP_SPEED + turning
+
+
+def best_shot(position, heading, ball, target, can_stand):
+    """The quickest shot at a target, or None if there is none (we cannot stand behind the ball)."""
+    best = None
+    direction = direction_of(ball, target)
+    for offset, ball_speed in OFFSETS.items():
+        beside = point_at(ball, direction - math.pi / 2, offset)
+        for run_up in RUN_UPS:
+            point = point_at(beside, direction + math.pi, TOUCHING + run_up)
+            if math.dist(point, ball) < CORNER + BALL_RADIUS + ROOM or not can_stand(point):
+                continue  # no room to turn there
+            if (
+                distance_to_segment(ball, position, point)
+                < min(CORNER + BALL_RADIUS, math.dist(position, ball)) - 0.001
+            ):
+                continue  # the ball is in our way
+            for gear in (1, -1):
+                end_heading = direction if gear > 0 else direction + math.pi
+                to_hit = time_to(position, heading, point, end_heading) + run_up / TOP_SPEED
+                seconds = to_hit + math.dist(ball, target) / ball_speed
+                if best is None or seconds < best.seconds:
+                    best = Shot(direction, point, gear, to_hit, seconds)
+    return best
