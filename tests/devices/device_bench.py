@@ -32,9 +32,15 @@ def merged(base: Any, change: Any) -> Any:
     return out
 
 
-def scenario_of(preset: str = "soccersim_v2", change: dict[str, Any] | None = None) -> Scenario:
+def preset_data(preset: str) -> dict[str, Any]:
+    """A preset with those that it extends."""
     data = yaml.safe_load((PRESETS / f"{preset}.yaml").read_text(encoding="utf-8"))
-    return Scenario.model_validate(merged(data, change or {}))
+    base = data.pop("extends", None)
+    return merged(preset_data(base), data) if base else data
+
+
+def scenario_of(preset: str = "soccersim_v2", change: dict[str, Any] | None = None) -> Scenario:
+    return Scenario.model_validate(merged(preset_data(preset), change or {}))
 
 
 def half(number: int = 1, seed: int = 7) -> HalfInfo:
