@@ -105,8 +105,11 @@ class PolledPipes:
 
     def receive(self, timeout_s: float) -> bytes | None:
         """See `Channel`."""
-        if self._buffer.held and (held := self._buffer.next()) is not None:
-            return held
+        # Most have answered before they are waited for.
+        body = self._buffer.next() if self._buffer.held else self._read()
+        return self._wait(timeout_s) if body is None else body
+
+    def _wait(self, timeout_s: float) -> bytes | None:
         deadline = time.perf_counter() + timeout_s
         wait_s = max(0.0, timeout_s)  # poll takes a negative one for eternity
         while True:

@@ -22,22 +22,27 @@ class Drive:
         """Find the robot's motors among its devices."""
         self._robot = robot
         self._ground = ground
-        self._motors: dict[int, MotorDevice] = {
-            one.spec.index: one.device for one in fitted if one.robot == robot and isinstance(one.device, MotorDevice)
+        self._motors = {
+            one.spec.index: (one.device.wheel, one.device.direction)
+            for one in fitted
+            if one.robot == robot and isinstance(one.device, MotorDevice)
         }
         name = list(scenario.robots)[robot]
         self._max_radps = scenario.kits[scenario.robots[name].kit].chassis.max_wheel_radps
 
     def command(self, command: MotorCommand) -> None:
         """Set a motor: clamped to its top speed; a command that is no number is ignored."""
-        motor = self._motors.get(command.device)
-        if motor is None or math.isnan(command.velocity_radps) or math.isnan(command.position_rad):
+        device, velocity, position = command
+        motor = self._motors.get(device)
+        if motor is None or velocity != velocity or position != position:  # noqa: PLR0124 - NaN, at every command
             return
-        velocity = max(-self._max_radps, min(self._max_radps, command.velocity_radps))
-        target = _BY_VELOCITY if math.isinf(command.position_rad) else motor.direction * command.position_rad
-        self._ground.set_wheel(self._robot, motor.wheel, motor.direction * velocity, target)
+        wheel, direction = motor
+        limit = self._max_radps
+        velocity = direction * (velocity if -limit <= velocity <= limit else math.copysign(limit, velocity))
+        target = _BY_VELOCITY if math.isinf(position) else direction * position
+        self._ground.set_wheel(self._robot, wheel, velocity, target)
 
     def stop(self) -> None:
         """Command all wheels velocity 0."""
-        for motor in self._motors.values():
-            self._ground.set_wheel(self._robot, motor.wheel, 0.0, _BY_VELOCITY)
+        for wheel, _ in self._motors.values():
+            self._ground.set_wheel(self._robot, wheel, 0.0, _BY_VELOCITY)

@@ -11,7 +11,7 @@ import numpy as np
 from rcj_challenges.devices.fitting import Fitted
 from rcj_challenges.devices.ground import Ground
 from rcj_challenges.devices.noise import Noise
-from rcj_challenges.devices.poses import Poses, Vector
+from rcj_challenges.devices.poses import Poses, RobotPose, Vector
 from rcj_challenges.devices.receivers import Receiver
 from rcj_challenges.devices.sight import as_geomgroup
 from rcj_challenges.facts.play import HalfInfo
@@ -75,7 +75,7 @@ class Infrared:
     def __init__(self, scenario: Scenario, roster: Roster, ground: Ground, ears: list[InfraredEar]) -> None:
         """Look up which geom belongs to which robot, once."""
         self._all_ears = ears
-        self._ears: list[InfraredEar] = []
+        self._ears: dict[int, list[InfraredEar]] = {}
         self._model = ground.model
         self._data = ground.data
         names = roster.entities[roster.robots : roster.robots + roster.balls]
@@ -91,33 +91,42 @@ class Infrared:
 
     def retune(self) -> None:
         """Find out anew who listens. To be called when a ball receiver was enabled, disabled or tuned."""
-        self._ears = [ear for ear in self._all_ears if ear.listens]
+        self._ears = {}
+        for ear in self._all_ears:
+            if ear.listens:
+                self._ears.setdefault(ear.robot, []).append(ear)
 
-    def send(self, tick: int, poses: Poses) -> None:
-        """Send each ball's packet of this tick, in the order of balls."""
+    def send(self, robot: int, tick: int, poses: Poses) -> None:
+        """Send each ball's packet of this tick to one robot, in the order of balls."""
+        ears = self._ears.get(robot)
+        if ears is None or poses.parked[robot]:
+            return
+        pose = poses.robots[robot]
         for ball in self._emitting:
-            if not poses.ball_is_parked(ball):
-                self._send_one(tick, ball, poses)
+            if poses.ball_is_parked(ball):
+                continue
+            centre = poses.balls[ball]
+            toward = centre[0] - pose.x, centre[1] - pose.y, centre[2] - pose.z
+            for ear in ears:
+                self._send_one(ear, tick, ball, centre, toward, pose)
 
-    def _send_one(self, tick: int, ball: int, poses: Poses) -> None:
-        x, y, z = poses.balls[ball]
-        model, data, groups, robot_of_geom = self._model, self._data, self._groups, self._robot_of_geom
-        source, along, geom = self._from, self._along, self._geom
-        source[0], source[1], source[2] = x, y, z  # item by item: numpy takes longer to unpack a tuple
-        for ear in self._ears:
-            pose = poses.robots[ear.robot]
-            dx, dy, dz = x - pose.x, y - pose.y, z - pose.z
-            square = dx * dx + dy * dy + dz * dz
-            if square > ear.range_square_m2 or pose.parked:
-                continue
-            along[0], along[1], along[2] = -dx, -dy, -dz
-            mujoco.mj_ray(model, data, source, along, groups, 1, -1, geom)
-            met = geom.item()
-            if met >= 0 and robot_of_geom[met] != ear.robot:
-                continue
-            distance = math.sqrt(square)
-            direction = pose.to_frame(dx / distance, dy / distance, dz / distance)
-            strength = 1 / square
-            if ear.noise is not None:
-                strength, direction = ear.disturb(tick, ball, strength, direction)
-            ear.receiver.hear(Packet(ear.receiver.device, ear.payload, strength, direction))
+    def _send_one(
+        self, ear: InfraredEar, tick: int, ball: int, centre: Vector, toward: Vector, pose: RobotPose
+    ) -> None:
+        dx, dy, dz = toward
+        square = dx * dx + dy * dy + dz * dz
+        if square > ear.range_square_m2:
+            return
+        source, along = self._from, self._along
+        source[0], source[1], source[2] = centre  # item by item: numpy takes longer to unpack a tuple
+        along[0], along[1], along[2] = -dx, -dy, -dz
+        mujoco.mj_ray(self._model, self._data, source, along, self._groups, 1, -1, self._geom)
+        met = self._geom.item()
+        if met >= 0 and self._robot_of_geom[met] != ear.robot:
+            return
+        distance = math.sqrt(square)
+        direction = pose.to_frame(dx / distance, dy / distance, dz / distance)
+        strength = 1 / square
+        if ear.noise is not None:
+            strength, direction = ear.disturb(tick, ball, strength, direction)
+        ear.receiver.hear(Packet(ear.receiver.device, ear.payload, strength, direction))

@@ -1,7 +1,8 @@
 """The rack: all devices of all robots in one half, as the match loop uses them.
 
 A tick of the match: `DeviceRack.apply` what the programs that were due have asked for; physics, verdict and
-placements; `DeviceRack.sense`; `DeviceRack.observe` for the programs that are due now.
+placements; `DeviceRack.begin_sensing`; then robot by robot `DeviceRack.finish_sensing`, and `DeviceRack.observe` if
+its program is due: the first programs think while the later robots still look around.
 """
 
 from __future__ import annotations
@@ -61,6 +62,7 @@ class DeviceRack:
         self._drives = {robot: Drive(scenario, robot, fitted, world) for robot in robots}
         self._members: dict[tuple[int, int], tuple[_Family, int, Fitted]] = {}
         self._lidars: Lidars | None = None
+        self._sonars: Sonars | None = None
         self._families = self._build_families(scenario, roster, half, fitted)
         self._silent: set[int] = set()
         self._tick = 0
@@ -82,7 +84,7 @@ class DeviceRack:
             elif kind == "compass":
                 family = Compasses(members, half)
             elif kind == "distance_sensor":
-                family = Sonars(members, scenario, self._ground, half)
+                family = self._sonars = Sonars(members, scenario, self._ground, half)
             elif kind == "lidar":
                 family = self._lidars = Lidars(members, scenario, self._ground, half)
             else:  # motors and radio are no sensors
@@ -126,6 +128,12 @@ class DeviceRack:
                 family.schedule.set(number, 0, self._tick)
 
     def sense(self, tick: int, verdict_now: Verdict) -> None:
+        """Sense for all robots: `begin_sensing`, then `finish_sensing` for each."""
+        self.begin_sensing(tick, verdict_now)
+        for robot in self._queues:
+            self.finish_sensing(robot)
+
+    def begin_sensing(self, tick: int, verdict_now: Verdict) -> None:
         """Measure the world as it stands after the placements of ``tick``, and bring the packets that arrive at it.
 
         Args:
@@ -135,13 +143,22 @@ class DeviceRack:
         self._tick = tick
         poses = self._poses
         poses.refresh()
+        if tick % TRIM_EVERY_TICKS == 0:
+            for queue in self._queues.values():
+                queue.trim()
         for family in self._families:
             family.sample(tick, poses, self._values)
         self._radio.carry(tick, poses)
         self._radio.speak(tick, verdict_now, poses)
-        if tick % TRIM_EVERY_TICKS == 0:
-            for queue in self._queues.values():
-                queue.trim()
+
+    def finish_sensing(self, robot: int) -> None:
+        """Do the part of ``begin_sensing`` that is one robot's alone: its sonars' echoes, and the ball's infra-red.
+
+        To be called once for each robot after each `begin_sensing`, while the world has not moved.
+        """
+        if self._sonars is not None:
+            self._sonars.read(robot, self._values)
+        self._radio.carry_infrared(robot, self._tick, self._poses)
 
     def observe(self, robot: int, tick: int, over: bool = False) -> Observation:
         """Return what a program is told when its step ends at ``tick``; its queue is empty afterwards."""

@@ -118,15 +118,20 @@ class RadioRoom:
             referee.speak(tick, verdict, poses)
 
     def carry(self, tick: int, poses: Poses) -> None:
-        """Bring all packets that arrive at ``tick`` to those who hear them."""
+        """Bring the referee's and the teams' packets that arrive at ``tick`` to those who hear them."""
         for referee in self._referee:
             referee.carry()
-        self._infrared.send(tick, poses)
         self._team.carry(tick, poses)
-        for receiver in self._slow:
-            receiver.deliver(tick)
-            if tick % TRIM_EVERY_TICKS == 0:
-                receiver.trim()
+
+    def carry_infrared(self, robot: int, tick: int, poses: Poses) -> None:
+        """Bring the balls' packets of ``tick`` to a robot; then its slow receivers deliver what they have heard."""
+        self._infrared.send(robot, tick, poses)
+        if self._slow:
+            for receiver in self._slow:
+                if receiver.robot == robot:
+                    receiver.deliver(tick)
+                    if tick % TRIM_EVERY_TICKS == 0:
+                        receiver.trim()
 
 
 def _referee_radios(

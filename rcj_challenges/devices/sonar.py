@@ -79,31 +79,6 @@ def device_sites(scenario: Scenario, roster: Roster) -> Callable[[mujoco.MjSpec]
     return extend
 
 
-class _Places:
-    """Where the readings are written."""
-
-    def __init__(self, fitted: Sequence[Fitted]) -> None:
-        """Find runs of sensors of one robot whose slots follow each other: those are written at once."""
-        self._slots = [(one.robot, one.spec.slot) for one in fitted]
-        self._runs: list[tuple[int, int, int, int, int]] = []
-        for member, (robot, slot) in enumerate(self._slots):
-            if self._runs and self._runs[-1][0] == robot and self._runs[-1][2] == slot:
-                _, first_slot, _, first, _ = self._runs[-1]
-                self._runs[-1] = (robot, first_slot, slot + 1, first, member + 1)
-            else:
-                self._runs.append((robot, slot, slot + 1, member, member + 1))
-
-    def write(self, values: Values, readings: list[float], due: Sequence[int]) -> None:
-        """Write the readings (of all members) of those that are due."""
-        if len(due) == len(self._slots):
-            for robot, first_slot, end_slot, first, end in self._runs:
-                values[robot][first_slot:end_slot] = readings[first:end]
-        else:
-            for member in due:
-                robot, slot = self._slots[member]
-                values[robot][slot] = readings[member]
-
-
 class Sonars:
     """All sonars of all robots: v = 1000·d below the range, else the out-of-range value, times the noise."""
 
@@ -118,22 +93,46 @@ class Sonars:
         self._data: mujoco.MjData = ground.data
         first = int(self._model.sensor(_site_name(fitted[0])).adr[0])
         self._rays: NDArray[np.float64] = self._data.sensordata[first : first + _WIDTH * count].reshape(count, _WIDTH)
-        self._limits = [(device.range_m, -max(_GRAZING, math.cos(device.lost_from_rad))) for device in devices]
         shares = np.array([device.noise for device in devices])
         self._noise = Noise(half, [(one.robot_name, one.spec.name) for one in fitted], scale=_MM_PER_M * shares)
-        self._places = _Places(fitted)
+        # By robot: the members that are its own, and the slots of its numbers.
+        self._of_robot: dict[int, list[tuple[int, int, float, float]]] = {}
+        for member, (one, device) in enumerate(zip(fitted, devices, strict=True)):
+            heard_below = -max(_GRAZING, math.cos(device.lost_from_rad))
+            self._of_robot.setdefault(one.robot, []).append((member, one.spec.slot, device.range_m, heard_below))
+        self._due: Sequence[int] = ()
+        self._all = count
+        self._echoes: list[list[float]] = []
+        self._errors: list[float] = []
         self._mask = RayMask(ground, groups_at(scenario, min(device.height_m for device in devices)))
         self._option = self._model.opt
         self._sensors_on = int(self._model.opt.disableflags) & ~int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
         self._sensors_off = int(self._model.opt.disableflags)
 
-    def sample(self, tick: int, _poses: Poses, values: Values) -> None:
-        """Read the sonars that are due at ``tick``."""
-        due = self.schedule.due(tick)
+    def sample(self, tick: int, _poses: Poses, _values: Values) -> None:
+        """Measure all rays, if a sonar is due at ``tick``; `read` makes readings of them."""
+        self._due = due = self.schedule.due(tick)
+        if due:
+            self._measure()
+            self._echoes, self._errors = self._rays.tolist(), self._noise.row(tick).tolist()
+
+    def read(self, robot: int, values: Values) -> None:
+        """Write the readings of a robot's sonars that were due at this tick."""
+        due = self._due
         if not due:
             return
-        self._measure()
-        self._places.write(values, self._readings(tick), due)
+        all_due, echoes, errors, own = len(due) == self._all, self._echoes, self._errors, values[robot]
+        # Number by number: for a handful of them numpy's calls cost more than they save.
+        for member, slot, range_m, heard_below in self._of_robot.get(robot, ()):
+            if not all_due and member not in due:
+                continue
+            distance, dx, dy, dz, nx, ny, nz = echoes[member]
+            # Cosine of the angle between ray and normal, -1 head on. Nothing hit: the normal is zero, not heard.
+            facing = dx * nx + dy * ny + dz * nz
+            echo_m = distance if facing < heard_below and distance < range_m else range_m
+            if facing > 0:  # only a ray that begins inside a body pressed against the robot: an echo from no distance
+                echo_m = 0.0
+            own[slot] = echo_m * (_MM_PER_M + min(echo_m, _NOISE_FULL_FROM_M) * errors[member])
 
     def _measure(self) -> None:
         option = self._option
@@ -142,18 +141,3 @@ class Sonars:
         mujoco.mj_sensorPos(self._model, self._data)
         self._mask.show()
         option.disableflags = self._sensors_off
-
-    def _readings(self, tick: int) -> list[float]:
-        readings: list[float] = []
-        # Number by number: for two dozen of them numpy's calls cost more than they save.
-        rays, noise = self._rays.tolist(), self._noise.row(tick).tolist()
-        for (distance, dx, dy, dz, nx, ny, nz), (range_m, heard_below), error in zip(
-            rays, self._limits, noise, strict=True
-        ):
-            # Cosine of the angle between ray and normal, -1 head on. Nothing hit: the normal is zero, not heard.
-            facing = dx * nx + dy * ny + dz * nz
-            echo_m = min(distance, range_m) if facing < heard_below else range_m
-            if facing > 0:  # only a ray that begins inside a body pressed against the robot: an echo from no distance
-                echo_m = 0.0
-            readings.append(echo_m * (_MM_PER_M + min(echo_m, _NOISE_FULL_FROM_M) * error))
-        return readings

@@ -97,7 +97,13 @@ class Traction:
 
     def set_wheel(self, robot: int, side: Side, velocity_radps: float, position_rad: float) -> None:
         """Command a wheel: by velocity (position ``inf``), or to an angle at this velocity at most."""
-        self._command(2 * robot + SIDES[side], velocity_radps, position_rad)
+        index = 2 * robot + SIDES[side]
+        wheel = self._wheels[index]
+        if position_rad == wheel.target_rad == math.inf and not wheel.stopped:  # as nearly always: just another speed
+            wheel.commanded_radps = velocity_radps
+            self._turn(index, velocity_radps)
+        else:
+            self._command(index, velocity_radps, position_rad)
 
     def set_stopped(self, robot: int, *, stopped: bool) -> None:
         """Stop the wheels of a robot that is taken off the field; let them go on as commanded when it is back."""
@@ -121,41 +127,45 @@ class Traction:
         self._choose_grip()
 
     def before_substep(self) -> None:
-        """Let the grip follow the robots' yaw."""
+        """Let the grip follow the robots' yaw: a collision changes it by up to 0.3 rad within a tick."""
         if self._on_the_way:
             self._steer_to_targets()
         np.add(self._yaws, _PHASES_RAD, out=self._phased)
         np.cos(self._phased, out=self._turning)
 
     def _choose_grip(self) -> None:
-        """A wheel that pushes its robot on has less grip than one that slows or holds it, see `contact.grip_of`.
-
-        One against which its robot moves slows it. If it has just been reversed, it has as much of its grip as gives
-        the same speed at the end of the tick as changing over at the moment of standstill. Otherwise the robot is
-        pushed against its wheels, and resists with all its grip but for the slowest speeds, so that it comes to rest.
-        """
-        limits_n = []
+        """A wheel that pushes its robot on has less grip than one that slows or holds it, see `contact.grip_of`."""
+        limits_n: list[float] = []
+        choose = limits_n.append
         states = zip(self._velocities.tolist(), self._headings.tolist(), self._pairs, strict=True)
-        for (vx, vy, spin, _, _), (cos, sin), pair in states:
+        for (vx, vy, spin, _, _), (cos, sin), (left, right) in states:
             forward_mps = cos * vx + sin * vy
-            for wheel in pair:
+            for wheel in (left, right):
                 turns = wheel.turns_radps
                 if turns == 0.0:
-                    limits_n.append(wheel.brake_n)
-                    continue
-                along_mps = forward_mps - wheel.arm_m * spin
-                if (along_mps >= 0.0) is (turns > 0.0):
-                    limits_n.append(wheel.drive_n)
-                    continue
-                stops_mps = self._stops_in_tick_mps if wheel.just_reversed else self._stops_in_substep_mps
-                share = min(1.0, abs(along_mps) / stops_mps)
-                limits_n.append(wheel.drive_n + share * (wheel.brake_n - wheel.drive_n))
+                    choose(wheel.brake_n)
+                elif (forward_mps - wheel.arm_m * spin >= 0.0) is (turns > 0.0):
+                    choose(wheel.drive_n)
+                else:
+                    choose(self._slowing_n(wheel, abs(forward_mps - wheel.arm_m * spin)))
         if limits_n != self._chosen_n:
             self._chosen_n = limits_n
             self._limits_n[:] = np.reshape(limits_n, (-1, 2))
-        for wheel in self._reversed:
-            wheel.just_reversed = False
-        self._reversed.clear()
+        if self._reversed:
+            for wheel in self._reversed:
+                wheel.just_reversed = False
+            self._reversed.clear()
+
+    def _slowing_n(self, wheel: Wheel, along_mps: float) -> float:
+        """Return the grip of a wheel against which its robot moves, at this speed.
+
+        If it has just been reversed, it has as much of its grip as gives the same speed at the end of the tick as
+        changing over at the moment of standstill. Otherwise the robot is pushed against its wheels, and resists with
+        all its grip but for the slowest speeds, so that it comes to rest.
+        """
+        stops_mps = self._stops_in_tick_mps if wheel.just_reversed else self._stops_in_substep_mps
+        share = min(1.0, along_mps / stops_mps)
+        return wheel.drive_n + share * (wheel.brake_n - wheel.drive_n)
 
     def _angle(self, index: int) -> float:
         return float(self._angles[index // 2, index % 2])

@@ -65,6 +65,7 @@ class World:
         heights = tuple(float(self.model.body_pos[body, 2]) for body in self.tables.bodies)
         self._recorder = Recorder(self.data, self.tables, heights)
         self._warnings = self.data.warning.number
+        self._no_warnings = bytes(self._warnings.nbytes)
         self._qpos, self._qvel = self.data.qpos, self.data.qvel
         self.reset()
 
@@ -113,13 +114,13 @@ class World:
         Raises:
             PhysicsFault: MuJoCo warned of an unstable or overfull simulation.
         """
-        model, data, traction, recorder = self.model, self.data, self._traction, self._recorder
+        model, data, traction, recorder, mj_step = self.model, self.data, self._traction, self._recorder, mujoco.mj_step
         traction.before_tick()
         for substep in range(SUBSTEPS_PER_TICK):
             traction.before_substep()
-            mujoco.mj_step(model, data)
+            mj_step(model, data)
             recorder.note(substep)
-        if self._warnings.any():
+        if self._warnings.tobytes() != self._no_warnings:
             raise PhysicsFault(self._what_is_wrong(tick))
         mujoco.mj_kinematics(model, data)
         return recorder.snapshot(tick, faults)
