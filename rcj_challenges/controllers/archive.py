@@ -1,35 +1,55 @@
-"""Reading a team's files, from a folder or a ZIP, without trusting either."""
+"""Reading a team's files, from a folder, a ZIP or a single program, without trusting any of them."""
 
 from __future__ import annotations
 
-import lzma
+import itertools
 import os
-import stat
-import struct
-import zipfile
-import zlib
+import re
 from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
+from typing import Literal
 
+from rcj_challenges.controllers import zipped
+from rcj_challenges.controllers.paths import folded, ignored, ignored_folder, name_troubles, path_of
+from rcj_challenges.controllers.troubles import MOST_PATH_SHOWN, Trouble, Troubles, told
 from rcj_challenges.facts.errors import RcjError
 
 MOST_PACKED_BYTES = 10_000_000
 """A submission is at most 10 MB (reference, section 7)."""
-MOST_UNPACKED_BYTES = 100_000_000
+MOST_UNPACKED_BYTES = 50_000_000
+"""Text is packed to a fifth; three programs of each team need a copy in their private folders."""
+MOST_RATIO = 100
+"""Times its own size that an archive may grow; programs grow to 3 to 10 times, long logs to 50 times."""
+FREE_UNPACKED_BYTES = 10_000_000
+"""Up to this size the ratio does not matter: a small picture of one colour is no bomb."""
 MOST_FILES = 5_000
 
-_IGNORED_FOLDERS = frozenset(
-    {"__MACOSX", "__pycache__", ".git", ".hg", ".svn", ".idea", ".vscode", ".venv", "venv", ".mypy_cache"}
+_KINDS = (
+    (0, b"Rar!\x1a\x07", "a RAR archive"),
+    (0, b"7z\xbc\xaf\x27\x1c", "a 7-Zip archive"),
+    (0, b"\x1f\x8b", "a gzip archive"),
+    (0, b"BZh", "a bzip2 archive"),
+    (0, b"\xfd7zXZ", "an xz archive"),
+    (0, b"\x28\xb5\x2f\xfd", "a Zstandard archive"),
+    (257, b"ustar", "a tar archive"),
+    (0, b"MSCF", "a Windows cabinet"),
+    (0, b"%PDF", "a PDF document"),
+    (0, b"<!DOCTYPE", "a web page"),
+    (0, b"<!doctype", "a web page"),
+    (0, b"<html", "a web page"),
 )
-_IGNORED_FILES = frozenset({".DS_Store", "Thumbs.db", "desktop.ini", "Icon\r"})
-_CHUNK = 1 << 16
-_OTHER_KINDS = (
-    (b"Rar!", "a RAR archive"),
-    (b"7z\xbc\xaf\x27\x1c", "a 7-Zip archive"),
-    (b"\x1f\x8b", "a gzip archive"),
-    (b"BZh", "a bzip2 archive"),
-    (b"\xfd7zXZ", "an xz archive"),
+_HEAD_BYTES = 264
+_CONTAINERS = (
+    (0, b"PK\x03\x04", "a ZIP archive"),
+    *(kind for kind in _KINDS if kind[2] in ("a RAR archive", "a 7-Zip archive", "a tar archive")),
 )
+_TARRED = re.compile(r"\.(tar\.\w+|tgz|tbz2?|txz)$", re.IGNORECASE)
+# Files that happen to be ZIPs: weights, tables, documents.
+_DATA_ENDINGS = frozenset({".npz", ".pt", ".pth", ".keras", ".docx", ".xlsx", ".pptx", ".odt", ".ods", ".whl", ".jar"})
+_SHOWN_LEFTOVERS = 4
+_DEFLATE_RATIO = 1032
+_MOST_WASTED_BYTES = 300_000_000  # unpacked in vain from damaged entries: a second's work
 
 
 class TeamError(RcjError):
@@ -40,133 +60,292 @@ Files = dict[PurePosixPath, bytes]
 """A team's files: contents by path, ``/`` between the parts, in order of path."""
 
 
-def read_files(path: Path) -> Files:
-    """Return the files of a folder, of a ZIP or, for a single ``.py``, that one file.
+@dataclass(frozen=True)
+class Contents:
+    """What a team handed in, as far as it can be read.
 
-    What tools leave behind (``__pycache__``, ``.DS_Store`` …) is left out.
+    Attributes:
+        kind: what it was read from.
+        files: what can be used, without what tools leave behind.
+        troubles: everything odd about it.
+        complete: whether nothing is missing because it could not be read.
+        unsafe: files whose names must not be used, by the name they came with.
+        packed_bytes: size of the archive; 0 for a folder.
+    """
+
+    kind: Literal["folder", "zip", "program"]
+    files: Files
+    troubles: tuple[Trouble, ...] = ()
+    complete: bool = True
+    unsafe: dict[str, bytes] = field(default_factory=dict)
+    packed_bytes: int = 0
+
+    @property
+    def refused(self) -> list[Trouble]:
+        """The troubles for which it is not used."""
+        return [trouble for trouble in self.troubles if trouble.level == "failure"]
+
+
+def read_contents(path: Path) -> Contents:
+    """Read the files of a folder, of a ZIP or, for a single ``.py``, that one file; tell all that is odd about them.
 
     Raises:
-        TeamError: it cannot be read, is too large, is no ZIP, or holds what a submission must not.
+        TeamError: there is nothing at this path that can be opened.
     """
     try:
         if path.is_dir():
-            files = _from_folder(path)
-        elif path.suffix == ".py" and path.is_file():
-            files = {PurePosixPath(path.name): path.read_bytes()}
-        elif path.exists():
-            files = _from_zip(path)
-        else:
-            raise TeamError(f"{path}: there is no such file or folder")
-    except OSError as error:
-        raise TeamError(f"{path}: cannot be read: {error.strerror or error}") from error
-    return dict(sorted(files.items()))
+            return _from_folder(path)
+        if not path.exists():
+            raise TeamError(f"{told(path, MOST_PATH_SHOWN)}: there is no such file or folder")
+        if not path.is_file():
+            raise TeamError(f"{told(path, MOST_PATH_SHOWN)}: this is neither a file nor a folder")
+        if path.suffix == ".py":
+            return _from_program(path)
+        return _from_zip(path)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise TeamError(f"{told(path, MOST_PATH_SHOWN)}: cannot be read: {reason}") from error
 
 
-def _ignored(parts: tuple[str, ...]) -> bool:
-    return not _IGNORED_FOLDERS.isdisjoint(parts[:-1]) or parts[-1] in _IGNORED_FILES or parts[-1].endswith(".pyc")
+def read_files(path: Path) -> Files:
+    """Return the files of `read_contents`.
+
+    Raises:
+        TeamError: it cannot be opened, or holds what a submission must not.
+    """
+    contents = read_contents(path)
+    if contents.refused:
+        raise refusal(path, contents.refused)
+    return contents.files
 
 
-def _from_folder(folder: Path) -> Files:
+def refusal(path: Path, reasons: list[Trouble]) -> TeamError:
+    """Return the error that says why something is not used: the first reason, and how many more there are."""
+    more = f" (and {len(reasons) - 1} more)" if len(reasons) > 1 else ""
+    return TeamError(f"{told(path, MOST_PATH_SHOWN)}: {reasons[0]}{more}")
+
+
+def _from_program(path: Path) -> Contents:
+    if path.stat().st_size > MOST_PACKED_BYTES:
+        return _unreadable("program", _too_large(path.stat().st_size))
+    return Contents("program", {PurePosixPath(path.name): path.read_bytes()})
+
+
+def _too_large(size: int) -> Trouble:
+    message = f"{size / 1e6:.1f} MB is more than the {MOST_PACKED_BYTES // 1_000_000} MB allowed"
+    return Trouble("archive.too_large", "failure", message, "leave out what the programs do not need")
+
+
+def _no_files() -> Trouble:
+    return Trouble("archive.empty", "failure", "there are no files in it", "is this the folder of the robot programs?")
+
+
+def _unreadable(kind: Literal["folder", "zip", "program"], *troubles: Trouble, packed_bytes: int = 0) -> Contents:
+    return Contents(kind, {}, troubles, complete=False, packed_bytes=packed_bytes)
+
+
+def _from_folder(folder: Path) -> Contents:
     files: Files = {}
+    troubles = Troubles()
     total = 0
     inside = folder.resolve()
     for path in _walk(folder):
         relative = PurePosixPath(path.relative_to(folder).as_posix())
-        if _ignored(relative.parts):
+        if ignored(relative.parts):
             continue
         if not path.resolve().is_relative_to(inside):
-            raise TeamError(f"{folder}: {relative} is a link that leads out of the folder: copy the file instead")
+            shown = told(relative)
+            message = f"{shown} is a link that leads out of the folder"
+            troubles.add(Trouble("archive.link", "failure", message, "copy the file instead", shown))
+            continue
         if not path.is_file():
             continue
         total += path.stat().st_size
         if total > MOST_UNPACKED_BYTES or len(files) >= MOST_FILES:
-            raise TeamError(
-                f"{folder}: more than {MOST_FILES} files or {MOST_UNPACKED_BYTES // 1_000_000} MB: "
-                "is this the folder of the robot programs?"
-            )
+            message = f"more than {MOST_FILES} files or {MOST_UNPACKED_BYTES // 1_000_000} MB"
+            remedy = "is this the folder of the robot programs?"
+            return _unreadable("folder", *troubles, Trouble("archive.too_many", "failure", message, remedy))
         files[relative] = path.read_bytes()
-    return files
+    # What only another computer would object to does not hinder anybody who works in this folder.
+    for trouble in itertools.chain.from_iterable(name_troubles(str(path)) for path in files):
+        troubles.add(Trouble(trouble.code, "warning", trouble.message, trouble.remedy, trouble.where, trouble.repair))
+    _tell_nested(files, troubles)
+    if not files:
+        troubles.add(_no_files())
+    return Contents("folder", dict(sorted(files.items())), tuple(troubles))
 
 
 def _walk(folder: Path) -> Iterator[Path]:
     for root, folders, names in os.walk(folder):
-        folders[:] = sorted(name for name in folders if name not in _IGNORED_FOLDERS)
+        folders[:] = sorted(name for name in folders if not ignored_folder(name))
         yield from (Path(root, name) for name in sorted(names))
 
 
-def _from_zip(path: Path) -> Files:
+def _from_zip(path: Path) -> Contents:
     size = path.stat().st_size
     with path.open("rb") as file:
-        start = file.read(8)
-    for magic, kind in _OTHER_KINDS:
-        if start.startswith(magic):
-            raise TeamError(f"{path}: this is {kind}, not a ZIP: pack the folder as a ZIP archive")
-    if size > MOST_PACKED_BYTES:
-        raise TeamError(f"{path}: {size / 1e6:.1f} MB is more than the {MOST_PACKED_BYTES // 1_000_000} MB allowed")
-    try:
-        with zipfile.ZipFile(path) as archive:
-            return _members(path, archive)
-    except TeamError:
-        raise
-    except zipfile.BadZipFile as error:
-        raise TeamError(f"{path}: not a ZIP archive, or a damaged one ({error})") from error
-    except (
-        zlib.error,
-        lzma.LZMAError,
-        EOFError,
-        NotImplementedError,
-        RuntimeError,
-        ValueError,
-        OverflowError,
-        LookupError,
-        MemoryError,
-        struct.error,
-    ) as error:
-        raise TeamError(f"{path}: this ZIP archive cannot be unpacked ({error})") from error
+        head = file.read(_HEAD_BYTES)
+        data = head + file.read(max(0, MOST_PACKED_BYTES + 1 - len(head)))
+    if not data:
+        message, remedy = "the file is empty: this is not a ZIP archive", "pack the folder as a ZIP archive"
+        return _unreadable("zip", Trouble("archive.empty", "failure", message, remedy))
+    for at, magic, kind in _KINDS:
+        if head[at:].startswith(magic):
+            message, remedy = f"this is {kind}, not a ZIP", "pack the folder as a ZIP archive"
+            return _unreadable("zip", Trouble("archive.other_kind", "failure", message, remedy), packed_bytes=size)
+    if max(size, len(data)) > MOST_PACKED_BYTES:
+        return _unreadable("zip", _too_large(max(size, len(data))), packed_bytes=size)
+    return _ZipReading(data).contents()
 
 
-def _members(path: Path, archive: zipfile.ZipFile) -> Files:
-    files: Files = {}
-    seen: dict[str, str] = {}
-    left = MOST_UNPACKED_BYTES
-    for member in archive.infolist():
-        name = _safe_name(path, member)
-        if member.is_dir() or member.filename.endswith("\\") or _ignored(name.parts):
-            continue
-        folded = str(name).casefold()
-        if folded in seen:
-            raise TeamError(f"{path}: {name} and {seen[folded]} are one file on some computers: rename one")
-        seen[folded] = str(name)
-        if len(files) >= MOST_FILES:
-            raise TeamError(f"{path}: more than {MOST_FILES} files")
-        files[name] = _content(path, archive, member, left)
-        left -= len(files[name])
-    return files
+class _ZipReading:
+    """Going through an archive's entries once, noting everything odd."""
+
+    def __init__(self, data: bytes) -> None:
+        self._data = data
+        self._troubles = Troubles()
+        self._files: Files = {}
+        self._unsafe: dict[str, bytes] = {}
+        self._complete = True
+        self._spelled: dict[str, PurePosixPath] = {}
+        self._told_spellings: set[str] = set()
+        self._most = min(MOST_UNPACKED_BYTES, max(FREE_UNPACKED_BYTES, MOST_RATIO * len(data)))
+        self._left = self._most
+        self._wasted = 0
+
+    def contents(self) -> Contents:
+        """Return what is in the archive."""
+        try:
+            entries = zipped.read_entries(self._data, self._troubles)
+        except zipped.UnreadableError as error:
+            self._troubles.add(error.trouble)
+            return _unreadable("zip", *self._troubles, packed_bytes=len(self._data))
+        used = [entry for entry in entries if not ignored(path_of(entry.name).parts)]
+        self._tell_leftovers([entry for entry in entries if ignored(path_of(entry.name).parts)])
+        self._read_all([entry for entry in used if not entry.is_folder])
+        self._tell_folders([entry for entry in used if entry.is_folder])
+        self._refuse_files_in_files()
+        _tell_nested(self._files, self._troubles)
+        if not self._files and not self._unsafe and self._complete:
+            self._troubles.add(_no_files())
+        files = dict(sorted(self._files.items()))
+        return Contents("zip", files, tuple(self._troubles), self._complete, self._unsafe, len(self._data))
+
+    def _refuse(self, code: str, message: str, remedy: str, where: str = "", *, repair: bool = False) -> None:
+        self._troubles.add(Trouble(code, "failure", message, remedy, where, repair))
+
+    def _read_all(self, entries: list[zipped.Entry]) -> None:
+        if len(entries) > MOST_FILES:
+            self._complete = False
+            remedy = "pack the folder of the robot programs only"
+            self._refuse("archive.too_many", f"the archive has more than {MOST_FILES} files", remedy)
+            return
+        if any("\\" in entry.name for entry in entries):
+            message = "folders and files are separated by backslashes, which few programs understand"
+            remedy = "pack the folder again with another program"
+            self._troubles.add(Trouble("archive.backslashes", "warning", message, remedy, repair=True))
+        for entry in entries:
+            try:
+                self._read(entry)
+            except zipped.UnreadableError as error:
+                self._complete = False
+                self._troubles.add(error.trouble)
+                self._wasted += min(self._left, _DEFLATE_RATIO * entry.packed)
+                if self._wasted > _MOST_WASTED_BYTES:
+                    return
+            except zipped.TooMuchError:
+                self._complete = False
+                self._tell_bomb(told(entry.name))
+                return
+
+    def _tell_bomb(self, where: str) -> None:
+        message = f"unpacked, it is more than {self._most // 1_000_000} MB"
+        if self._most < MOST_UNPACKED_BYTES:
+            message += f" and more than {MOST_RATIO} times its size"
+        self._refuse("archive.bomb", message, "leave out what the programs do not need", where)
+
+    def _read(self, entry: zipped.Entry) -> None:
+        shown = told(entry.name)
+        if entry.encrypted:
+            self._complete = False
+            self._refuse("archive.encrypted", f"'{shown}' is encrypted", "pack the ZIP without a password", shown)
+            return
+        if entry.special:
+            self._refuse("archive.link", f"'{shown}' is a link or a device", "pack the file itself", shown)
+            return
+        if entry.unknown_method:
+            self._complete = False
+            message = f"'{shown}' is packed in a way that not every program can unpack ({entry.unknown_method})"
+            self._refuse("archive.method", message, "pack the folder again, as an ordinary ZIP archive", shown)
+            return
+        content, lie = zipped.unpack(self._data, entry, self._left)
+        self._left -= len(content)
+        if lie:
+            remedy = "pack the folder again"
+            self._troubles.add(Trouble("archive.headers", "warning", lie, remedy, shown, repair=True))
+        self._take(entry.name, content)
+
+    def _take(self, name: str, content: bytes) -> None:
+        """Keep a file where its name says, unless that is no place for it."""
+        bad = list(name_troubles(name))
+        for trouble in bad:
+            self._troubles.add(trouble)
+        path = path_of(name)
+        if bad:
+            self._unsafe[name] = content
+        elif path in self._files:
+            same = self._files[path] == content
+            message = f"'{told(path)}' is in the archive twice" + ("" if same else ", with different contents")
+            self._refuse("archive.duplicate", message, "keep one of them", told(path), repair=same)
+        elif self._fits(path):
+            self._files[path] = content
+
+    def _fits(self, path: PurePosixPath) -> bool:
+        """Whether no other file or folder so far is the same place on some computer."""
+        for place in (path, *list(path.parents)[:-1]):
+            other = self._spelled.setdefault(folded(place), place)
+            if other != place:
+                message = f"{told(place)} and {told(other)} are one file on some computers"
+                self._refuse("archive.collision", message, "rename one", told(place))
+                return False
+        return True
+
+    def _refuse_files_in_files(self) -> None:
+        for path in [path for path in self._files if not self._files.keys().isdisjoint(path.parents)]:
+            del self._files[path]
+            message = f"{told(path)} lies in a folder that is a file as well"
+            self._refuse("archive.collision", message, "rename one", told(path))
+
+    def _tell_leftovers(self, entries: list[zipped.Entry]) -> None:
+        if not entries:
+            return
+        names = list(dict.fromkeys(told(entry.name) for entry in entries))
+        shown = ", ".join(names[:_SHOWN_LEFTOVERS]) + (", …" if len(names) > _SHOWN_LEFTOVERS else "")
+        message = f"other programs left behind what is not used: {shown}"
+        remedy = "delete them before packing"
+        self._troubles.add(Trouble("archive.leftovers", "warning", message, remedy, repair=True))
+
+    def _tell_folders(self, entries: list[zipped.Entry]) -> None:
+        for entry in entries:
+            for trouble in name_troubles(entry.name) if path_of(entry.name).parts else ():  # "./" is harmless
+                if trouble.code == "archive.outside":
+                    # A folder without its files is not missed.
+                    self._troubles.add(replace(trouble, code="archive.outside_folder", repair=True))
+            if entry.special:
+                self._refuse("archive.link", f"'{told(entry.name)}' is a link or a device", "pack the folder itself")
+        have = {path_of(entry.name) for entry in entries}
+        needed = {parent for path in self._files for parent in list(path.parents)[:-1]}
+        if needed - have:
+            message = "the archive has no entries of their own for its folders, which does no harm"
+            self._troubles.add(Trouble("archive.no_folders", "passed", message, repair=True))
 
 
-def _safe_name(path: Path, member: zipfile.ZipInfo) -> PurePosixPath:
-    shown = repr(member.filename)
-    if member.flag_bits & 0x1:
-        raise TeamError(f"{path}: {shown} is encrypted: pack the ZIP without a password")
-    kind = stat.S_IFMT(member.external_attr >> 16)
-    if kind not in (0, stat.S_IFREG, stat.S_IFDIR):
-        raise TeamError(f"{path}: {shown} is a link or a device: pack the file itself")
-    # Some Windows tools write backslashes.
-    name = PurePosixPath(member.filename.replace("\\", "/"))
-    if name.is_absolute() or ".." in name.parts or not name.parts or ":" in member.filename:
-        raise TeamError(f"{path}: {shown} leads out of the archive")
-    if any(ord(letter) < 32 and letter != "\r" for letter in member.filename):
-        raise TeamError(f"{path}: {shown} has control characters in its name")
-    return name
-
-
-def _content(path: Path, archive: zipfile.ZipFile, member: zipfile.ZipInfo, left: int) -> bytes:
-    """Return a member's bytes; what its header says about its size is not believed."""
-    parts = []
-    with archive.open(member) as file:
-        while chunk := file.read(_CHUNK):
-            left -= len(chunk)
-            if left < 0:
-                raise TeamError(f"{path}: unpacked, it is more than {MOST_UNPACKED_BYTES // 1_000_000} MB")
-            parts.append(chunk)
-    return b"".join(parts)
+def _tell_nested(files: Files, troubles: Troubles) -> None:
+    for path, content in files.items():
+        kinds = (kind for at, magic, kind in _CONTAINERS if content[at : at + len(magic)] == magic)
+        kind = next(kinds, "a tar archive" if _TARRED.search(path.name) else "")
+        if kind and path.suffix.casefold() not in _DATA_ENDINGS:
+            shown = told(path)
+            message = f"{shown} is {kind} inside the submission, which nobody unpacks"
+            remedy = "pack what is in it instead, if the programs need it"
+            troubles.add(Trouble("archive.nested", "warning", message, remedy, shown))

@@ -7,11 +7,15 @@ platform cannot do is missing from `active_layers`, and records say so.
 
 from __future__ import annotations
 
+import functools
+import math
 import os
 import sys
 from pathlib import Path
 from typing import Any
 
+from rcj_challenges.controllers import bubblewrap, processes, sight, tasks
+from rcj_challenges.controllers.pupil.controller import _landlock, _seccomp
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.scenario.models.scenario import Limits
 
@@ -21,15 +25,27 @@ LAYERS: dict[str, str] = {
     "clean_environment": "none of the parent's environment variables",
     "private_folder": "a copy of the team's files as current directory, discarded afterwards",
     "ends_with_parent": "no process outlives the match, however the match ends",
-    "resource_limits": "limited memory, file size and open files",
-    "no_new_privileges": "no privileges by setuid programs",
+    "resource_limits": "limited memory, processor time, file size, open files and threads",
+    "no_new_privileges": "none of root's privileges, none by setuid programs",
     "filesystem": "no sight of files that are not the program's",
-    "system_calls": "no network, no new processes, no tracing",
+    "system_calls": "no network, no new processes, no tracing, no signals to others",
 }
 """All layers of a strict run, and what each is for."""
 
+EXTRA_LAYERS: dict[str, str] = {
+    "bubblewrap": "no sight of names, processes and network outside either; where it is installed",
+}
+"""What comes on top where it is there; no run demands it."""
+
 _ALWAYS = ("clean_environment", "private_folder", "ends_with_parent")
 _OPEN_FILES = 256
+_CROWD = 16  # programs beside this one whose threads the limit for the whole user has to leave room for
+_PROGRAMS_WAITED_FOR = 8  # a program may compute while the match waits for others: at most so many
+
+_NOT_HERE = {
+    "win32": "Windows has nothing that a program without installation could use",
+    "darwin": "macOS has nothing that is documented and kept up",
+}
 
 
 class IsolationError(RcjError):
@@ -51,13 +67,47 @@ def active_layers(sandbox: str, platform: str = sys.platform) -> tuple[str, ...]
         raise IsolationError(f"unknown sandbox {sandbox!r}: expected {', '.join(SANDBOXES)}")
     if sandbox == "off":
         return _ALWAYS
-    layers: tuple[str, ...] = (*_ALWAYS, "resource_limits")
-    if platform == "linux":
-        layers = (*layers, "no_new_privileges")
-    if sandbox == "strict" and (missing := [layer for layer in LAYERS if layer not in layers]):
-        told = "; ".join(f"{layer} ({LAYERS[layer]})" for layer in missing)
+    missing = missing_layers(platform)
+    if sandbox == "strict" and missing:
+        told = "; ".join(f"{layer} ({LAYERS[layer]}): {why}" for layer, why in missing.items())
         raise IsolationError(f"--sandbox strict: these layers cannot be had here: {told}")
-    return layers
+    layers = tuple(layer for layer in LAYERS if layer not in missing)
+    return (*layers, *EXTRA_LAYERS) if platform == "linux" and _has_bubblewrap() else layers
+
+
+def missing_layers(platform: str = sys.platform) -> dict[str, str]:
+    """Return the layers that cannot be had on a platform, each with the reason, in the order of `LAYERS`."""
+    if platform == "linux":
+        return dict(_missing_on_linux())
+    why = _NOT_HERE.get(platform, f"nothing is known of {platform}")
+    return dict.fromkeys(("no_new_privileges", "filesystem", "system_calls"), why)
+
+
+@functools.cache
+def _missing_on_linux() -> dict[str, str]:
+    missing = {}
+    if not sight.can_be_narrow():
+        missing["filesystem"] = "Python's own folder holds a home folder, the temporary folder or the current one"
+    elif not _landlock.is_available():
+        missing["filesystem"] = "this kernel has no Landlock (Linux 5.13 and newer, if it is switched on)"
+    if not _seccomp.is_available():
+        machines = " and ".join(_seccomp.MACHINES)
+        missing["system_calls"] = f"this kernel takes no filters (seccomp), or this is not {machines}"
+    return missing
+
+
+def _has_bubblewrap() -> bool:
+    return sight.can_be_narrow() and bubblewrap.works(processes.python(), sight.readable())
+
+
+def prefix(layers: tuple[str, ...], private: Path) -> list[str]:
+    """Return what comes before the command that starts a program.
+
+    Args:
+        layers: the active ones.
+        private: the program's own folder.
+    """
+    return bubblewrap.prefix(processes.python(), sight.readable(), private) if "bubblewrap" in layers else []
 
 
 def set_by_process(layers: tuple[str, ...], *, portable: bool) -> list[str]:
@@ -68,26 +118,58 @@ def set_by_process(layers: tuple[str, ...], *, portable: bool) -> list[str]:
         portable: True where the kernel does not end children with their parent: a thread of theirs watches instead.
     """
     ours = {"clean_environment", "private_folder"}
-    if portable or sys.platform != "linux":
+    if portable or sys.platform != "linux" or "bubblewrap" in layers:
         ours.add("ends_with_parent")
     if sys.platform == "win32":
         ours.add("resource_limits")  # the job object's
     return [layer for layer in layers if layer not in ours]
 
 
-def limits_told(limits: Limits, layers: tuple[str, ...], *, portable: bool) -> dict[str, Any]:
-    """Return the limits as the program's process is told them, sizes in bytes."""
+def limits_told(limits: Limits, layers: tuple[str, ...], private: Path, *, portable: bool) -> dict[str, Any]:
+    """Return the limits as the program's process is told them, sizes in bytes.
+
+    Args:
+        limits: those of the scenario.
+        layers: the active ones.
+        private: the program's own folder.
+        portable: see `set_by_process`.
+    """
     limited = "resource_limits" in layers
     return {
+        **_files_told(layers, private),
         "message_bytes": message_bytes(limits),
         "output_bytes": output_bytes(limits),
         "memory_bytes": memory_bytes(limits),
         "file_bytes": megabytes(limits.scratch_mb) + output_bytes(limits),
         "open_files": _OPEN_FILES,
+        "processor_s": processor_s(limits),
+        "user_tasks": _user_tasks(limits) if limited else 0,
         "parent": os.getpid(),
         # macOS takes no limit on memory; Windows has its job object.
         "watch_memory": limited and sys.platform != "win32" and (portable or sys.platform == "darwin"),
     }
+
+
+def _files_told(layers: tuple[str, ...], private: Path) -> dict[str, Any]:
+    if "filesystem" not in layers:
+        return {}
+    return {"readable": list(sight.readable()), "writable": list(sight.DEVICES), "private": str(private)}
+
+
+def _user_tasks(limits: Limits) -> int:
+    """Return how many threads the user may have with this program's; 0: no limit. Root has none."""
+    if sys.platform != "linux" or os.geteuid() == 0 or not tasks.tasks_of_user():
+        return 0
+    return tasks.tasks_of_user() + _CROWD * limits.processes
+
+
+def processor_s(limits: Limits) -> int:
+    """Return the processor time that a program may use in a half, in s.
+
+    The last resort against threads that compute for ever: a program with one thread cannot come near, for the match
+    would have waited too long for it or for others before.
+    """
+    return math.ceil(limits.start_s + _PROGRAMS_WAITED_FOR * limits.half_s)
 
 
 def megabytes(amount: float) -> int:

@@ -5,44 +5,85 @@ from __future__ import annotations
 import codecs
 import contextlib
 import os
+import sys
+import tempfile
 from pathlib import Path
 
 _DUMP_BEGINS = b"Fatal Python error:"
 _MOST_DUMP_BYTES = 32_768
+_CHUNK = 1 << 16
 _BINARY = getattr(os, "O_BINARY", 0)
 
 
 class ProgramLog:
-    """A file that the program and the match append to.
+    """A file to which the match appends its own lines and what the program printed.
+
+    The program itself never has this file: it writes into one without a name, from which everything is taken over.
+    So it can neither find the record by its output nor cut, overwrite or lock what stands in it, and what it does to
+    its file (moves the place, makes a hole of a terabyte) harms nobody.
 
     Attributes:
         fd: for the program's output; -1 when closed.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, most_bytes: int) -> None:
         """Open it, at its end.
+
+        Args:
+            path: of the file; its folder is made if it is not there.
+            most_bytes: of the program's output that are taken over.
 
         Raises:
             OSError: it cannot be written.
         """
         path.parent.mkdir(parents=True, exist_ok=True)
-        self.fd = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND | _BINARY, 0o644)
+        self._log_fd = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND | _BINARY, 0o644)
+        try:
+            self.fd, name = tempfile.mkstemp(prefix="rcj-output-")
+        except OSError:
+            os.close(self._log_fd)
+            raise
+        self._output_path = Path(name)
+        self._output_fd = os.open(name, os.O_RDONLY | _BINARY)  # reads at a place of its own
+        if sys.platform != "win32":
+            self._output_path.unlink()
         self._path = path
-        self._shown = self.size_bytes()
+        self._most_bytes = most_bytes
+        self._taken_bytes = 0
+        self._at = 0
+        self._shown = self._size_bytes()
         self._decoder = codecs.getincrementaldecoder("utf-8")("replace")
 
-    def size_bytes(self) -> int:
-        """Return its size; 0 when closed."""
-        return os.fstat(self.fd).st_size if self.fd >= 0 else 0
+    def output_bytes(self) -> int:
+        """Return how much the program has printed, as far as it can be seen; 0 when closed."""
+        if self.fd < 0:
+            return 0
+        return self._taken_bytes + max(0, os.fstat(self._output_fd).st_size - self._at)
+
+    def take_over(self) -> None:
+        """Take over what the program has printed since. A full disk is no reason to stop a match."""
+        if self.fd < 0:
+            return
+        if os.fstat(self._output_fd).st_size < self._at:
+            self._at = 0  # it has cut its file
+        os.lseek(self._output_fd, self._at, os.SEEK_SET)
+        while (room := self._most_bytes - self._taken_bytes) > 0:
+            chunk = os.read(self._output_fd, min(room, _CHUNK))
+            if not chunk:
+                return
+            self._at += len(chunk)
+            self._taken_bytes += len(chunk)
+            self._write(chunk)
 
     def append(self, text: str) -> None:
-        """Append text of the match's own. A full disk is no reason to stop a match."""
-        with contextlib.suppress(OSError):
-            os.write(self.fd, text.encode("utf-8", "replace"))
+        """Append text of the match's own, after what the program printed until now."""
+        self.take_over()
+        self._write(text.encode("utf-8", "replace"))
 
     def new_text(self) -> str:
         """Return what was appended since the last call; also after it is closed."""
-        if self.fd >= 0 and self.size_bytes() == self._shown:
+        self.take_over()
+        if self.fd >= 0 and self._size_bytes() == self._shown:
             return ""
         try:
             with self._path.open("rb") as file:
@@ -59,7 +100,8 @@ class ProgramLog:
         Args:
             folder: of the program's files; paths are told relative to it.
         """
-        size = self.size_bytes()
+        self.take_over()
+        size = self._size_bytes()
         try:
             with self._path.open("rb") as file:
                 file.seek(max(0, size - _MOST_DUMP_BYTES))
@@ -69,13 +111,26 @@ class ProgramLog:
         at = tail.rfind(_DUMP_BEGINS)
         if at < 0:
             return ""
-        os.ftruncate(self.fd, size - len(tail) + at)
+        os.ftruncate(self._log_fd, size - len(tail) + at)
         inside = str(folder) + os.sep
         lines = tail[at:].decode("utf-8", "replace").splitlines()
         return "".join(line.replace(inside, "") + "\n" for line in lines if line.startswith(f'  File "{inside}'))
 
     def close(self) -> None:
-        """Close it."""
-        if self.fd >= 0:
-            os.close(self.fd)
-            self.fd = -1
+        """Take over what is left, and close it."""
+        if self.fd < 0:
+            return
+        self.take_over()
+        for fd in (self.fd, self._output_fd, self._log_fd):
+            os.close(fd)
+        self.fd = -1
+        if sys.platform == "win32":
+            with contextlib.suppress(OSError):
+                self._output_path.unlink()
+
+    def _size_bytes(self) -> int:
+        return os.fstat(self._log_fd).st_size
+
+    def _write(self, data: bytes) -> None:
+        with contextlib.suppress(OSError):
+            os.write(self._log_fd, data)

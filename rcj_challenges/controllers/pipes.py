@@ -96,7 +96,8 @@ class PolledPipes:
     def send(self, frame: bytes) -> None:
         """See `Channel`. What the pipe does not take at once is sent while receiving."""
         if self._unsent:
-            self._unsent += frame
+            # One that answers before it has read what it was told does not listen: nothing is kept for it.
+            self._broken = True
             return
         self._unsent = frame
         self._push()

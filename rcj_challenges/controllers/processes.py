@@ -12,10 +12,13 @@ import py_compile
 import signal
 import subprocess
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib.util import cache_from_source
 from pathlib import Path
 from typing import Any
+
+from rcj_challenges.controllers import bubblewrap, scratch, tasks
 
 if sys.platform == "win32":
     import msvcrt
@@ -25,6 +28,7 @@ if sys.platform == "win32":
 PUPIL_FOLDER = Path(__file__).parent / "pupil"
 _START = "import sys; sys.path.insert(0, sys.argv[4]); from controller._boot import main; main()"
 _DUMP_S = 1.0
+_STATUS_OF_SIGNALS, _MOST_SIGNALS = 128, 64  # one that starts others tells an end by signal n as 128 + n
 
 NEEDS_LIFELINE = sys.platform != "linux"
 """True where the kernel does not end children with their parent."""
@@ -48,10 +52,11 @@ class Ends:
 class Process:
     """A running program, and everything that it starts."""
 
-    def __init__(self, popen: subprocess.Popen[bytes], job: Any, *, own_session: bool) -> None:
+    def __init__(self, popen: subprocess.Popen[bytes], job: Any, *, own_session: bool, wrapped: bool = False) -> None:
         self._popen = popen
         self._job = job
         self._own_session = own_session
+        self._wrapped = wrapped
 
     @property
     def pid(self) -> int:
@@ -59,24 +64,41 @@ class Process:
         return self._popen.pid
 
     def exit_status(self, timeout_s: float) -> int | None:
-        """Wait for its end up to ``timeout_s``; return its exit status (negative: minus a signal), None if it runs."""
+        """Wait for its end up to ``timeout_s``; return its exit status (negative: minus a signal), None if it runs.
+
+        On POSIX 128 + n means signal n as well, as in shells, so that it means the same with bubblewrap and without.
+        """
         try:
-            return self._popen.wait(timeout_s)
+            status = self._popen.wait(timeout_s)
         except subprocess.TimeoutExpired:
             return None
+        by_signal = status - _STATUS_OF_SIGNALS
+        return -by_signal if sys.platform != "win32" and 0 < by_signal <= _MOST_SIGNALS else status
 
     def has_ended(self) -> bool:
         """Return whether it is over."""
         return self._popen.poll() is not None
 
+    def threads(self) -> int:
+        """Return how many threads it has; 0 where that cannot be told."""
+        return tasks.threads_of(self._innermost_pid()) if sys.platform == "linux" else 0
+
+    def nameless_bytes(self, output_fd: int) -> int:
+        """Return what it holds in files that it has deleted but not closed; 0 where that cannot be told."""
+        return scratch.nameless_bytes(self._innermost_pid(), output_fd)
+
     def say_where_it_is(self) -> None:
         """Let it write its present traceback to its log and end (POSIX; it may refuse, so `kill` afterwards)."""
         if sys.platform != "win32" and not self.has_ended():
-            self._popen.send_signal(signal.SIGABRT)
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(self._innermost_pid(), signal.SIGABRT)
+                os.kill(self._innermost_pid(), signal.SIGCONT)  # it may have stopped itself
             self.exit_status(_DUMP_S)
 
     def kill(self) -> None:
         """End it and all its descendants at once, and wait until it is gone."""
+        if self._wrapped:
+            bubblewrap.kill_innermost(self._popen.pid)
         if sys.platform == "win32":
             self._job.terminate()
         elif self._own_session:
@@ -86,9 +108,18 @@ class Process:
             self._popen.kill()
         self._popen.wait()
 
+    def _innermost_pid(self) -> int:
+        return bubblewrap.innermost(self._popen.pid) if self._wrapped else self._popen.pid
+
 
 def start(
-    cwd: Path, environment: dict[str, str], log_fd: int | None, memory_bytes: int | None, *, lifeline: bool
+    cwd: Path,
+    environment: dict[str, str],
+    log_fd: int | None,
+    memory_bytes: int | None,
+    *,
+    lifeline: bool,
+    prefix: Sequence[str] = (),
 ) -> tuple[Process, Ends]:
     """Start the program that the first message will describe.
 
@@ -98,6 +129,7 @@ def start(
         log_fd: where its output goes; None: it has this process's terminal, for debugging.
         memory_bytes: limit that the platform sets from outside (Windows); None: no limit.
         lifeline: whether it gets a pipe by which it notices the end of this process.
+        prefix: a command that starts it, with its arguments; empty: it is started directly.
 
     Raises:
         OSError: it cannot be started.
@@ -110,11 +142,12 @@ def start(
         inherited = [fd for fd in (theirs_read, theirs_write, theirs_life) if fd is not None]
         arguments = [*_handles(theirs_read, theirs_write, theirs_life), str(PUPIL_FOLDER)]
         process = _popen(
-            [_python(), "-s", "-S", "-P", "-B", "-X", "utf8", "-X", "faulthandler", "-c", _START, *arguments],
+            [*prefix, python(), "-s", "-S", "-P", "-B", "-X", "utf8", "-X", "faulthandler", "-c", _START, *arguments],
             inherited,
             {"cwd": cwd, "env": environment},
             log_fd,
             memory_bytes,
+            wrapped=bool(prefix),
         )
         undo.pop_all()
     for fd in inherited:
@@ -130,7 +163,13 @@ def _pipe(undo: contextlib.ExitStack) -> tuple[int, int]:
 
 
 def _popen(
-    command: list[str], inherited: list[int], place: dict[str, Any], log_fd: int | None, memory_bytes: int | None
+    command: list[str],
+    inherited: list[int],
+    place: dict[str, Any],
+    log_fd: int | None,
+    memory_bytes: int | None,
+    *,
+    wrapped: bool,
 ) -> Process:
     streams: dict[str, Any] = {}
     if log_fd is not None:
@@ -152,7 +191,7 @@ def _popen(
     popen = subprocess.Popen(
         command, pass_fds=inherited, start_new_session=own_session, restore_signals=True, **place, **streams
     )
-    return Process(popen, None, own_session=own_session)
+    return Process(popen, None, own_session=own_session, wrapped=wrapped)
 
 
 def _handles(*fds: int | None) -> list[str]:
@@ -162,7 +201,7 @@ def _handles(*fds: int | None) -> list[str]:
     return [str(-1 if fd is None else fd) for fd in fds]
 
 
-def _python() -> str:
+def python() -> str:
     """Return the interpreter. On Windows that of a virtual environment only starts another one: take that."""
     if sys.platform == "win32":
         return str(getattr(sys, "_base_executable", sys.executable))
@@ -198,6 +237,8 @@ def told(status: int) -> str:
     """Return in words what the exit status of a crash means."""
     if status < 0:
         with contextlib.suppress(ValueError):
-            return f"the signal {signal.Signals(-status).name}"
+            name = signal.Signals(-status).name
+            why = ": it used more processor time than it may" if name == "SIGXCPU" else ""
+            return f"the signal {name}{why}"
         return f"signal {-status}"
     return f"the exception {status:#010x}"

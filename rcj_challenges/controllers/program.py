@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import contextlib
 import math
 import os
-import shutil
 import tempfile
 import time
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.controllers import isolation, processes
+from rcj_challenges.controllers import isolation, processes, scratch
 from rcj_challenges.controllers.log import ProgramLog
 from rcj_challenges.controllers.pipes import Channel, ChannelClosedError, FrameTooLongError, open_channel
 from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hello_frame, most_frame_bytes, one_line
@@ -29,7 +27,7 @@ CLEAN_UP_S = 1.0
 
 _SLICE_S = 0.25  # how often a program that lets us wait is looked at
 _LOG_LOOKED_AT_EVERY = 16  # requests
-_FOLDER_LOOKED_AT_EVERY = 256  # requests; walking through a folder is slow
+_FOLDER_LOOKED_AT_EVERY = 256  # ticks; walking through a folder is slow
 _OUTPUT_SLACK_BYTES = 65_536  # what the interpreter and the match itself add to a log
 _FAREWELL_S = 1.0
 
@@ -64,7 +62,14 @@ class Assignment:
 
 
 class Program:
-    """A team's program in a process of its own. After its first `Fault` it is gone until the next half."""
+    """A team's program in a process of its own. After its first `Fault` it is gone until the next half.
+
+    Attributes:
+        fault: how it failed; None while it has not.
+        waited_s: wall time that the match waited for it since its first ``step``, in s.
+        slowest_s: the longest of these waits in s.
+        started_s: wall time from its launch until its first ``step`` was taken note of, in s; 0: it never was.
+    """
 
     def __init__(self, assignment: Assignment) -> None:
         self._assignment = assignment
@@ -80,7 +85,7 @@ class Program:
         self._portable = processes.NEEDS_LIFELINE if assignment.portable is None else assignment.portable
         self._folder: Path | None = None
         self._log: ProgramLog | None = None
-        self._log_start = 0
+        self._look_at_s, self._look_at_tick = _SLICE_S, _FOLDER_LOOKED_AT_EVERY
         self._process: processes.Process | None = None
         self._channel: Channel | None = None
         self._lifeline_fd: int | None = None
@@ -90,11 +95,18 @@ class Program:
         self._is_over = False
         self.fault: Fault | None = None
         self.waited_s = 0.0
+        self.slowest_s = 0.0
+        self.started_s = 0.0
 
     @property
     def name(self) -> str:
         """The robot's name."""
         return self._assignment.spec.name
+
+    @property
+    def requests(self) -> int:
+        """How many times it has called ``step``."""
+        return self._requests
 
     def launch(self) -> None:
         """Start the process; it runs to its first ``step``, which `collect` waits for.
@@ -105,10 +117,9 @@ class Program:
         """
         layers = isolation.active_layers(self._assignment.sandbox)
         if self._assignment.debug:
-            layers = tuple(layer for layer in layers if layer != "resource_limits")
-        self._log = ProgramLog(self._assignment.log_path)
+            layers = tuple(layer for layer in layers if layer not in ("resource_limits", "bubblewrap"))
+        self._log = ProgramLog(self._assignment.log_path, self._output_limit)
         self._say(f"--- half {self._assignment.half}: {self._assignment.entry} ---\n")
-        self._log_start = self._log.size_bytes()
         self._launched_at = time.perf_counter()
         try:
             self._start(layers, self._log.fd)
@@ -140,11 +151,31 @@ class Program:
         if answer is None:
             return self._too_slow()
         if self._requests:
-            self.waited_s += time.perf_counter() - began
+            spent_s = time.perf_counter() - began
+            self.waited_s += spent_s
+            self.slowest_s = max(self.slowest_s, spent_s)
+        else:
+            self.started_s = time.perf_counter() - self._launched_at
         self._requests += 1
-        if self._requests % _LOG_LOOKED_AT_EVERY and isinstance(answer, Request):
+        # Since its folder was looked through it may have had time to write much.
+        had_time = self._tick >= self._look_at_tick or self.waited_s >= self._look_at_s
+        if self._requests % _LOG_LOOKED_AT_EVERY and not had_time and isinstance(answer, Request):
             return answer
-        return self._judged(answer)
+        return self._judged(answer, look_at_folder=had_time)
+
+    def overstepped(self, tick: int) -> Fault | None:
+        """Look whether it takes more than it may while nobody waits for it; end it then.
+
+        Args:
+            tick: of the match, now.
+        """
+        if self._log is not None:
+            self._log.take_over()
+        trespass = self._trespass(look_at_folder=True)
+        if trespass is None:
+            return None
+        self._tick = tick
+        return self._fail(*trespass)
 
     def _broken(self, error: Exception) -> Fault:
         """Tell why the conversation cannot go on."""
@@ -154,12 +185,14 @@ class Program:
             return self._fail("protocol", f"the program sent a message of {error.args[0]} bytes")
         return self._fail("protocol", f"the program sent what is no message: {error}")
 
-    def _judged(self, answer: Request | Ended) -> Request | Fault:
+    def _judged(self, answer: Request | Ended, *, look_at_folder: bool) -> Request | Fault:
         """Return what the program asks for, unless it ended or wrote too much."""
         if isinstance(answer, Ended):
             return self._ended(answer.kind, answer.detail, answer.traceback)
-        trespass = self._trespass(look_at_folder=self._requests % _FOLDER_LOOKED_AT_EVERY == 0)
-        return answer if trespass is None else self._fail("output_flood", trespass)
+        if self._log is not None:
+            self._log.take_over()
+        trespass = self._trespass(look_at_folder=look_at_folder)
+        return answer if trespass is None else self._fail(*trespass)
 
     def finish(self, observation: Observation) -> None:
         """Tell the program that the match is over: its ``step`` returns -1, then it may clean up until `close`."""
@@ -192,10 +225,15 @@ class Program:
         """End it and remove its private folder. `new_output` still tells what it said last."""
         self.kill()
         if self._folder is not None:
-            _remove(self._folder)
+            scratch.remove(self._folder)
             self._folder = None
         if self._log is not None:
             self._log.close()
+
+    def keep_output(self) -> None:
+        """Put into its log what it has printed until now; otherwise that is done now and then."""
+        if self._log is not None:
+            self._log.take_over()
 
     def new_output(self) -> str:
         """Return what it printed since the last call."""
@@ -214,6 +252,7 @@ class Program:
             None if assignment.debug else log_fd,
             isolation.memory_bytes(self._limits) if limited else None,
             lifeline=self._portable,
+            prefix=isolation.prefix(layers, folder),
         )
         self._lifeline_fd = ends.lifeline_fd
         self._channel = open_channel(ends.read_fd, ends.write_fd, self._frame_limit, portable=assignment.portable)
@@ -230,7 +269,7 @@ class Program:
                 "entry": str(root.joinpath(*assignment.entry.split("/"))),
                 "site": processes.site_folders(),
             },
-            "limits": isolation.limits_told(self._limits, layers, portable=self._portable),
+            "limits": isolation.limits_told(self._limits, layers, root.parent, portable=self._portable),
             "layers": isolation.set_by_process(layers, portable=self._portable),
             "debug": assignment.debug,
         }
@@ -259,7 +298,7 @@ class Program:
         limits = self._limits
         trespass = self._trespass(look_at_folder=True)
         if trespass is not None:
-            return self._fail("output_flood", trespass)
+            return self._fail(*trespass)
         if not self._requests:
             kind, detail = "start_timeout", f"the program did not call step within {limits.start_s:g} s of its start"
         elif limits.half_s - self.waited_s < limits.step_s:
@@ -282,17 +321,28 @@ class Program:
     def _ended(self, kind: str, detail: str, traceback: str = "") -> Fault:
         """Tell how a program ended, or what made it end: at the system's limit for files a flood ends in a crash."""
         trespass = self._trespass(look_at_folder=True)
-        return self._fail(kind, detail, traceback) if trespass is None else self._fail("output_flood", trespass)
+        return self._fail(kind, detail, traceback) if trespass is None else self._fail(*trespass)
 
-    def _trespass(self, *, look_at_folder: bool) -> str | None:
-        """Return what it wrote too much of, if anything."""
+    def _trespass(self, *, look_at_folder: bool) -> tuple[str, str] | None:
+        """Return what it took too much of, if anything: kind and detail of the fault."""
         if self._assignment.debug:
             return None
-        if self._log is not None and self._log.size_bytes() - self._log_start > self._output_limit:
-            return f"the program printed more than {self._limits.output_mb:g} MB"
-        if look_at_folder and self._folder is not None and _size_bytes(self._folder) > self._scratch_limit:
-            return f"the program wrote more than {self._limits.scratch_mb:g} MB into its folder"
+        limits = self._limits
+        if self._log is not None and self._log.output_bytes() > self._output_limit:
+            return "output_flood", f"the program printed more than {limits.output_mb:g} MB"
+        if not look_at_folder:
+            return None
+        self._look_at_s, self._look_at_tick = self.waited_s + _SLICE_S, self._tick + _FOLDER_LOOKED_AT_EVERY
+        nameless = 0 if self._process is None else self._process.nameless_bytes(self._output_fd())
+        if self._folder is not None and scratch.has_more_than(self._folder, self._scratch_limit - nameless):
+            return "output_flood", f"the program wrote more than {limits.scratch_mb:g} MB into its folder"
+        # Beside those that it may start it has its first one, and the one that watches over it.
+        if self._process is not None and self._process.threads() > limits.processes + 2:
+            return "memory", f"the program runs more than {limits.processes} threads"
         return None
+
+    def _output_fd(self) -> int:
+        return -1 if self._log is None else self._log.fd
 
     def _fail(self, kind: str, detail: str, traceback: str = "") -> Fault:
         self.kill()
@@ -306,23 +356,3 @@ class Program:
     def _say(self, text: str) -> None:
         if self._log is not None:
             self._log.append(text)
-
-
-def _size_bytes(folder: Path) -> int:
-    """Return the size of all files below a folder; what disappears meanwhile counts as nothing."""
-    total = 0
-    for root, _, names in os.walk(folder):
-        for name in names:
-            with contextlib.suppress(OSError):
-                total += os.lstat(os.path.join(root, name)).st_size  # noqa: PTH118 - called for each file of a flood
-    return total
-
-
-def _remove(folder: Path) -> None:
-    """Remove a folder whatever a program did to its permissions."""
-    shutil.rmtree(folder, ignore_errors=True)
-    if folder.exists():
-        for root, _, _ in os.walk(folder):
-            with contextlib.suppress(OSError):
-                os.chmod(root, 0o700)  # noqa: PTH101 - ours alone, and about to go
-        shutil.rmtree(folder, ignore_errors=True)

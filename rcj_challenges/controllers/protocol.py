@@ -23,6 +23,9 @@ HELLO, OBSERVATION, REQUEST, FAULT = 0x48, 0x4F, 0x52, 0x46
 OVER = 1
 FAULT_KINDS = ("crash", "exit", "memory", "output_flood", "start")
 
+MOST_EMISSIONS = 1_000
+"""Packets that one step may send. At 115200 baud 460 of one byte are on the air in a tick."""
+
 LENGTH = Struct("<I")
 _OBSERVATION = "<IBIBII"  # with its length; then the values
 _PACKET = Struct("<HI4d")
@@ -42,6 +45,7 @@ _TURNING_KINDS = frozenset({"lidar"})
 _EMITTING_KINDS = frozenset({"emitter"})
 _ADDRESS = re.compile(r"\b0x[0-9a-fA-F]{6,}")
 _SPEED_TOLERANCE = 1e-9
+_MOST_TRACEBACK = 20_000  # letters
 
 
 class ProtocolError(ValueError):
@@ -127,6 +131,9 @@ class Codec:
             raise ProtocolError(f"a request of {len(body)} bytes") from None
         if advance < 1:
             raise ProtocolError("a request to advance by no tick")
+        if max(motors, *others[:3]) > len(self._kinds) or others[3] > MOST_EMISSIONS:
+            told = f"{max(motors, *others[:3])} settings and {others[3]} packets"
+            raise ProtocolError(f"a request with too many settings or packets in one step: {told}")
         settings = body[_REQUEST.size :]
         size = motors * _MOTOR.size
         if len(settings) < size:
@@ -233,8 +240,8 @@ def _other_than_request(body: bytes, tick: int) -> Ended:
         raise ProtocolError(f"a farewell of {len(body)} bytes") from None
     if kind >= len(FAULT_KINDS) or _FAULT.size + size > len(body):
         raise ProtocolError("a farewell that is none")
-    detail = body[_FAULT.size : _FAULT.size + size].decode("utf-8", "replace")
-    trace = body[_FAULT.size + size :].decode("utf-8", "replace")
+    detail = body[_FAULT.size : _FAULT.size + size][:_MOST_TRACEBACK].decode("utf-8", "replace")
+    trace = body[_FAULT.size + size :][-_MOST_TRACEBACK:].decode("utf-8", "replace")
     return Ended(FAULT_KINDS[kind], one_line(detail), _without_addresses(_printable(trace, keep="\n\t")))
 
 

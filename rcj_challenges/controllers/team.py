@@ -3,24 +3,35 @@
 from __future__ import annotations
 
 import hashlib
-import unicodedata
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from pathlib import Path, PurePosixPath
+from types import MappingProxyType
 from typing import Self
 
-from rcj_challenges.controllers.archive import Files, TeamError, read_files
+from rcj_challenges.controllers.archive import Contents, Files, TeamError, read_contents, refusal
+from rcj_challenges.controllers.team_name import (
+    MOST_NAME_LETTERS,
+    NAME_FILE,
+    TeamName,
+    find_team_name,
+    may_be_name_file,
+    safe_name,
+)
+from rcj_challenges.controllers.troubles import MOST_PATH_SHOWN, told
 from rcj_challenges.scenario.models.robots import Entrant, EntryPoints
 
-__all__ = ["Team", "TeamError", "open_team"]
+__all__ = ["MOST_NAME_LETTERS", "Opening", "Team", "TeamError", "alternatives", "look_into", "open_team", "safe_name"]
 
-MOST_NAME_LETTERS = 32
-"""A team's name has at most 32 characters (reference, section 7)."""
+LOGO_FILE = "logo.png"
 
-_NAME_FILE = "team_name.txt"
+_LOGO_STEMS = frozenset({"logo", "teamlogo", "logoteam"})
+_PICTURE_ENDINGS = frozenset({".png", ".jpg", ".jpeg", ".gif", ".bmp", ".webp", ""})
 _MOST_TOP_FOLDERS = 3
 _SHOWN_FILES = 12
-_JOINER = "\u200d"  # holds some emoji together
+_MOST_COMPARED = 200  # among more files nobody can say which was meant
+_LEAST_LIKENESS = 0.75
 
 
 class Team:
@@ -33,13 +44,24 @@ class Team:
         notes: what is not as a submission should be, but does not hinder play.
     """
 
-    def __init__(self, source: Path, files: Files, name: str, notes: tuple[str, ...]) -> None:
+    def __init__(self, source: Path, files: Files, name: str, notes: tuple[str, ...], single: str = "") -> None:
         self.source = source
         self.name = name
         self.notes = notes
         self.digest = _digest(files)
         self._files = files
+        self._single = single
         self._entries: dict[str, str] = {}
+
+    @property
+    def files(self) -> Mapping[PurePosixPath, bytes]:
+        """Contents by path, below the folder in which its programs are looked for; empty after `close`."""
+        return MappingProxyType(self._files)
+
+    @property
+    def entries(self) -> Mapping[str, str]:
+        """The path of the program by robot, for the seats that it was opened for."""
+        return MappingProxyType(self._entries)
 
     def entry_for(self, robot: str, entry_points: EntryPoints | None = None) -> str:
         """Return the path of the program that drives a robot, inside the team's folder.
@@ -54,7 +76,8 @@ class Team:
         if entry_points is not None:
             found = self._first_of(entry_points)
             if found is None:
-                raise TeamError(_missing(self.source, self._files, {robot: _alternatives(entry_points)}))
+                looked_for = missing_programs(self._files, {robot: alternatives(entry_points)})
+                raise TeamError(f"{told(self.source, MOST_PATH_SHOWN)}: {looked_for}")
             return found
         if robot not in self._entries:
             raise TeamError(f"{self.source}: opened for {', '.join(self._entries)}, not for {robot}")
@@ -89,22 +112,41 @@ class Team:
         self.close()
 
     def _first_of(self, entry_points: EntryPoints) -> str | None:
-        alternatives = _alternatives(entry_points)
-        if self.source.suffix == ".py" and len(self._files) == 1:
-            return str(next(iter(self._files)))  # a single file drives all robots
-        return next((entry for entry in alternatives if PurePosixPath(entry) in self._files), None)
+        wanted = alternatives(entry_points)
+        if self._single:
+            return self._single  # a single file drives all robots
+        return next((entry for entry in wanted if PurePosixPath(entry) in self._files), None)
 
-    def _find_entries(self, seats: Iterable[Entrant]) -> dict[str, tuple[str, ...]]:
-        """Find the entry points of all robots; return what was looked for in vain."""
-        missing = {}
+    def _find_entries(self, seats: Iterable[Entrant]) -> None:
+        """Note the program of each robot that has one."""
         for seat in seats:
             for robot, entry_points in seat.robots.items():
                 found = self._first_of(entry_points)
-                if found is None:
-                    missing[robot] = _alternatives(entry_points)
-                else:
+                if found is not None:
                     self._entries[robot] = found
-        return missing
+
+
+@dataclass(frozen=True)
+class Opening:
+    """What came of opening a submission: a team, or why there is none.
+
+    Attributes:
+        contents: what was read.
+        files: the files as the programs will see them, extra top folders removed.
+        team: the team; None if it cannot play.
+        name: its name.
+        top: the extra folders around everything that were looked through; ``.`` for none.
+        within: the folder that the files were taken to be the content of; None if they have their own folders.
+        missing: by robot the programs that were looked for in vain.
+    """
+
+    contents: Contents
+    files: Files
+    team: Team | None
+    name: TeamName
+    top: PurePosixPath
+    within: PurePosixPath | None
+    missing: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 def open_team(path: str | Path, *seats: Entrant) -> Team:
@@ -120,98 +162,168 @@ def open_team(path: str | Path, *seats: Entrant) -> Team:
         TeamError: it cannot be read, or lacks a program.
     """
     source = Path(path)
-    files = read_files(source)
-    if not files:
-        raise TeamError(f"{source}: there are no files in it")
-    name, notes = _team_name(source, files)
-    candidates = [*_without_top_folders(files), *_inside_entry_folder(files, seats)]
-    for candidate in candidates:
-        team = Team(source, candidate, name, notes)
-        if not team._find_entries(seats):  # noqa: SLF001 - the module's own class
-            return team
-    raise TeamError(_missing(source, files, Team(source, files, name, notes)._find_entries(seats)))  # noqa: SLF001
+    opening = look_into(source, *seats)
+    if opening.team is not None:
+        return opening.team
+    if opening.contents.refused:
+        raise refusal(source, opening.contents.refused)
+    raise TeamError(f"{told(source, MOST_PATH_SHOWN)}: {missing_programs(opening.contents.files, opening.missing)}")
 
 
-def _alternatives(entry_points: EntryPoints) -> tuple[str, ...]:
+def look_into(path: Path, *seats: Entrant) -> Opening:
+    """Open a submission as `open_team` does, and tell everything about it instead of stopping at the first trouble.
+
+    Args:
+        path: where it is.
+        seats: as for `open_team`.
+
+    Raises:
+        TeamError: there is nothing at this path that can be opened.
+    """
+    return opening_of(path, read_contents(path), *seats)
+
+
+def opening_of(path: Path, contents: Contents, *seats: Entrant) -> Opening:
+    """Return what comes of opening contents that have been read already.
+
+    Args:
+        path: where they came from: a team that gives itself no name is called after it.
+        contents: what was read.
+        seats: as for `open_team`.
+    """
+    fallback = path.resolve().name.removesuffix(".zip").removesuffix(".py")
+    layouts = [*without_top_folders(contents.files), *_inside_entry_folder(contents.files, seats)]
+    single = path.name if contents.kind == "program" else ""
+    for layout in layouts:
+        files = layout.files
+        if not files or _lacking(files, seats, single):
+            continue
+        name = find_team_name(files, fallback)
+        team = None
+        if not contents.refused:
+            team = Team(path, files, name.text, tuple(map(str, name.warnings)), single)
+            team._find_entries(seats)  # noqa: SLF001 - the module's own class
+        return Opening(contents, files, team, name, layout.top, layout.within)
+    whole = without_top_folders(contents.files)
+    best = next((layout for layout in whole if PurePosixPath(NAME_FILE) in layout.files), whole[0])
+    missing = _lacking(contents.files, seats, single)
+    return Opening(contents, best.files, None, find_team_name(best.files, fallback), best.top, None, missing)
+
+
+def _lacking(files: Files, seats: Iterable[Entrant], single: str) -> dict[str, tuple[str, ...]]:
+    """Return, by robot, what was looked for in vain."""
+    return {
+        robot: alternatives(wanted)
+        for seat in seats
+        for robot, wanted in seat.robots.items()
+        if not single and all(PurePosixPath(entry) not in files for entry in alternatives(wanted))
+    }
+
+
+def alternatives(entry_points: EntryPoints) -> tuple[str, ...]:
+    """Return the paths of which the first that exists is the program."""
     return (entry_points,) if isinstance(entry_points, str) else tuple(entry_points)
 
 
-def _without_top_folders(files: Files) -> list[Files]:
-    """Return the files as they are, then without the folder that holds all of them, if one does, and so on."""
-    found = [files]
+@dataclass(frozen=True)
+class Layout:
+    """One way to see a submission's files.
+
+    Attributes:
+        top: the folders around them that are looked through; ``.`` for none.
+        within: the folder that the programs are taken to be the content of; None if they have their own folders.
+        below: what is in ``top``.
+        beside: what lies beside one of its folders and is kept.
+    """
+
+    top: PurePosixPath
+    within: PurePosixPath | None
+    below: Files
+    beside: Files
+
+    @property
+    def files(self) -> Files:
+        """The files as the programs will see them."""
+        below = self.below
+        if self.within is not None:
+            below = {path if _beside_programs(path) else self.within / path: data for path, data in below.items()}
+        return dict(sorted((below | self.beside).items()))
+
+
+def without_top_folders(files: Files) -> list[Layout]:
+    """Return the files as they are, then without the folder that holds all programs, if one does, and so on."""
+    found = [Layout(PurePosixPath(), None, files, {})]
     for _ in range(_MOST_TOP_FOLDERS):
-        folders = {path.parts[0] for path in found[-1] if len(path.parts) > 1}
-        programs_beside = any(len(path.parts) == 1 and path.suffix == ".py" for path in found[-1])
+        last = found[-1]
+        folders = {path.parts[0] for path in last.below if len(path.parts) > 1}
+        programs_beside = any(len(path.parts) == 1 and path.suffix == ".py" for path in last.below)
         if len(folders) != 1 or programs_beside:
             break
-        found.append({path.relative_to(path.parts[0]): data for path, data in found[-1].items() if len(path.parts) > 1})
+        folder = folders.pop()
+        below = {path.relative_to(folder): data for path, data in last.below.items() if len(path.parts) > 1}
+        beside = {path: data for path, data in last.below.items() if len(path.parts) == 1} | last.beside
+        if not below.keys().isdisjoint(beside):
+            beside = {path: data for path, data in beside.items() if path not in below}
+        if any(path.parts[0] in {str(other) for other in beside} for path in below):
+            break  # a file and a folder of one name
+        found.append(Layout(last.top / folder, None, below, beside))
     return found
 
 
-def _inside_entry_folder(files: Files, seats: Sequence[Entrant]) -> list[Files]:
+def _inside_entry_folder(files: Files, seats: Sequence[Entrant]) -> list[Layout]:
     """Return the files under the name of each folder that could be asked for: they may be what belongs in it."""
     asked = dict.fromkeys(
         PurePosixPath(entry)
         for seat in seats
         for entry_points in seat.robots.values()
-        for entry in _alternatives(entry_points)
+        for entry in alternatives(entry_points)
     )
-    wrapped = []
-    for content in _without_top_folders(files):
-        for entry in asked:
-            if len(entry.parts) > 1 and PurePosixPath(entry.name) in content:
-                wrapped.append({entry.parent / path: data for path, data in content.items()})  # noqa: PERF401
-    return wrapped
+    return [
+        Layout(layout.top, entry.parent, layout.below, layout.beside)
+        for layout in without_top_folders(files)
+        for entry in asked
+        if len(entry.parts) > 1
+        and PurePosixPath(entry.name) in layout.below
+        and PurePosixPath(entry.parts[0]) not in layout.beside
+    ]
 
 
-def _missing(source: Path, files: Files, missing: dict[str, tuple[str, ...]]) -> str:
-    """Say which programs are missing, what was looked for, what is there and what comes nearest."""
+def _beside_programs(path: PurePosixPath) -> bool:
+    """Whether a file belongs beside the folder of the programs: the team's name and logo."""
+    return len(path.parts) == 1 and (may_be_name_file(path) or may_be_logo(path))
+
+
+def may_be_logo(path: PurePosixPath) -> bool:
+    """Whether a file is the logo, or meant to be."""
+    stem = "".join(letter for letter in path.stem.casefold() if letter.isalnum())
+    return stem in _LOGO_STEMS and path.suffix.casefold() in _PICTURE_ENDINGS
+
+
+def missing_programs(files: Files, missing: Mapping[str, tuple[str, ...]], *, hint: bool = True) -> str:
+    """Say which programs are missing, what was looked for, what is there and, as a hint, what comes nearest."""
     wanted = list(dict.fromkeys(missing.values()))
-    told = "; ".join(
-        f"{', '.join(robot for robot, entries in missing.items() if entries == alternatives)}: "
-        f"looked for {' or '.join(alternatives)}"
-        for alternatives in wanted
+    looked_for = "; ".join(
+        f"{', '.join(robot for robot, paths in missing.items() if paths == entries)}: looked for {' or '.join(entries)}"
+        for entries in wanted
     )
     present = [str(path) for path in files]
-    python = [name for name in present if name.endswith(".py")] or present
-    shown = ", ".join(python[:_SHOWN_FILES]) + (", …" if len(python) > _SHOWN_FILES else "")
-    nearest = next((near for entries in wanted for entry in entries if (near := _nearest(entry, python))), None)
-    hint = f"; did you mean {nearest} to be {wanted[0][0]}?" if nearest else ""
-    return f"{source}: no program for {told}; found: {shown or 'nothing'}{hint}"
+    python = ([name for name in present if name.endswith(".py")] or present)[:_MOST_COMPARED]
+    found = ", ".join(map(told, python[:_SHOWN_FILES])) + (", …" if len(python) > _SHOWN_FILES else "")
+    message = f"no program for {looked_for}; found: {found or 'nothing'}"
+    nearest = ((near, entry) for entries in wanted for entry in entries if (near := _nearest(entry, python)))
+    for near, entry in nearest if hint else ():
+        return f"{message}; did you mean {told(near)} to be {entry}?"
+    return message
 
 
 def _nearest(entry: str, names: list[str]) -> str | None:
     wanted = PurePosixPath(entry).name
     by_file_name = {PurePosixPath(name).name: name for name in reversed(names)}
-    found = get_close_matches(entry, names, 1, 0.75)
+    found = get_close_matches(entry, names, 1, _LEAST_LIKENESS)
     if found:
         return found[0]
-    close = get_close_matches(wanted, by_file_name, 1, 0.75)
+    close = get_close_matches(wanted, by_file_name, 1, _LEAST_LIKENESS)
     return by_file_name[close[0]] if close else None
-
-
-def _team_name(source: Path, files: Files) -> tuple[str, tuple[str, ...]]:
-    """Return the team's name and what is wrong with it."""
-    fallback = safe_name(source.resolve().name.removesuffix(".zip").removesuffix(".py")) or "team"
-    places = sorted((path for path in files if path.name.casefold() == _NAME_FILE), key=lambda path: len(path.parts))
-    if not places:
-        return fallback, (f"there is no {_NAME_FILE}: the name is taken from the file's",)
-    lines = files[places[0]].decode("utf-8-sig", "replace").splitlines()
-    line = next((line for line in lines if line.strip()), "")
-    name = safe_name(line)
-    if not name:
-        return fallback, (f"{_NAME_FILE} is empty: the name is taken from the file's",)
-    if name != line.strip():
-        return name, (f"the name in {_NAME_FILE} is shown as {name!r}: at most {MOST_NAME_LETTERS} printable letters",)
-    return name, ()
-
-
-def safe_name(text: str) -> str:
-    """Return text as a name: printable characters of one line, no direction marks, at most 32 of them."""
-    printable = "".join(
-        letter if letter == _JOINER or unicodedata.category(letter)[0] != "C" else " " for letter in text
-    )
-    return " ".join(printable.split())[:MOST_NAME_LETTERS].rstrip()
 
 
 def _digest(files: Files) -> str:

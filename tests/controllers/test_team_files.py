@@ -146,7 +146,7 @@ def test_one_of_three_programs_missing_is_told_for_that_robot_only(tmp_path: Pat
         (b"  \n\n", "team", 1),
         (b"a\x1b[31m\x07b", "a [31m b", 1),
         ("left\u202eright".encode(), "left right", 1),
-        (b"\xff\xfe", "��", 0),
+        (b"\xff\xfe", "��", 1),
     ],
 )
 def test_a_team_has_a_name_that_can_be_shown(tmp_path: Path, content: bytes, name: str, notes: int) -> None:

@@ -52,9 +52,11 @@ requests = st.builds(
     motors=st.lists(
         st.builds(MotorCommand, wheels, st.floats(-10, 10), positions), max_size=2, unique_by=lambda m: m.device
     ).map(tuple),
-    sampling=st.lists(st.tuples(sensors, some_ticks), max_size=3).map(tuple),
-    channels=st.lists(st.tuples(radios, st.integers(-(2**31), 2**31 - 1)), max_size=3).map(tuple),
-    frequencies=st.lists(st.tuples(st.just(INDEX["lidar"]), st.floats(1, 25)), max_size=2).map(tuple),
+    sampling=st.lists(st.tuples(sensors, some_ticks), max_size=3, unique_by=lambda s: s[0]).map(tuple),
+    channels=st.lists(st.tuples(radios, st.integers(-(2**31), 2**31 - 1)), max_size=2, unique_by=lambda c: c[0]).map(
+        tuple
+    ),
+    frequencies=st.lists(st.tuples(st.just(INDEX["lidar"]), st.floats(1, 25)), max_size=1).map(tuple),
     emissions=st.lists(st.tuples(st.just(INDEX["team emitter"]), payloads), max_size=4).map(tuple),
     printed_bytes=st.integers(0, 2**63),
 )
@@ -126,6 +128,36 @@ def test_a_program_is_told_exactly_what_was_observed(observation: Observation) -
         assert list(queue.packets) == [
             (p.data, p.strength, *p.direction) for p in observation.packets if p.device == device
         ]
+
+
+def test_of_all_settings_of_a_device_in_a_step_the_last_is_sent() -> None:
+    sensor, radio, lidar = INDEX["gps"], INDEX["team receiver"], INDEX["lidar"]
+    asked = Request(
+        1,
+        sampling=((sensor, 1), (sensor, 2)),
+        channels=((radio, 5), (radio, 3)),
+        frequencies=((lidar, 10.0), (lidar, 20.0)),
+    )
+    sent = CODEC.decode(body_of(sent_by_pupil(7, asked)), 7)
+    assert sent == Request(1, sampling=((sensor, 2),), channels=((radio, 3),), frequencies=((lidar, 20.0),))
+
+
+@pytest.mark.parametrize("kind", ["motors", "sampling", "channels", "frequencies", "emissions"])
+def test_a_request_with_more_than_a_robot_can_want_is_refused_before_it_is_read(kind: str) -> None:
+    counts = {"motors": 0, "sampling": 0, "channels": 0, "frequencies": 0, "emissions": 0}
+    counts[kind] = 60_000
+    body = struct.pack("<BIIIQHHHHI", 0x52, 3, 1, 0, 0, *counts.values()) + bytes(60_000 * 18)
+    with pytest.raises(
+        ProtocolError,
+        match=f"too many settings or packets in one step: .*60000 {'packets' if kind == 'emissions' else 'settings'}",
+    ):
+        CODEC.decode(body, 3)
+
+
+def test_packets_beyond_what_a_step_may_send_are_dropped() -> None:
+    hub, _ = pupil(b"")
+    sent = [hub.emit(INDEX["team emitter"], b"x") for _ in range(1_010)]
+    assert sent == [True] * 1_000 + [False] * 10
 
 
 @given(ticks, requests)

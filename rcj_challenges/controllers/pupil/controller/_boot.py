@@ -15,6 +15,7 @@ from ._output import Output
 from ._wire import HELLO, Wire, fault_frame, leave
 
 _RESERVE_BYTES = 1 << 20
+_MOST_TOLD = 2_000  # letters
 
 
 class Boot:
@@ -30,12 +31,15 @@ class Boot:
         self._output: Any = _Uncounted() if hello["debug"] else Output(self._limits["output_bytes"], self._flooded)
         self._hub = _hub.Hub(wire, hello, self._clock, self._output)
 
-    def run(self) -> None:
-        """Run the program and tell the match how it ended, unless the match ended it."""
+    def confine(self) -> None:
+        """Isolate this process, as long as it has but one thread: all that it starts inherits the layers."""
         try:
             _confine.confine(self._hello["layers"], self._limits)
         except OSError as error:
             self._end("start", f"the program could not be isolated: {error}")
+
+    def run(self) -> None:
+        """Run the program and tell the match how it ended, unless the match ended it."""
         _hub.connect(self._hub)
         self._prepare_modules()
         reserve = bytearray(_RESERVE_BYTES)  # given back before a lack of memory is told
@@ -91,11 +95,11 @@ class Boot:
 
     def _left(self, left: SystemExit) -> None:
         code = left.code
-        if isinstance(code, str):
+        if type(code) is str:
             _print_quietly(code)
-            self._ended("exit", f"the program called sys.exit: {code}")
+            self._ended("exit", f"the program called sys.exit: {code[:_MOST_TOLD]}")
         else:
-            self._ended("exit", f"the program called sys.exit({'' if code is None else code})")
+            self._ended("exit", f"the program called sys.exit({'' if code is None else _told(code)})")
 
     def _ended(self, kind: str, detail: str) -> None:
         if not self._hub.over:
@@ -118,7 +122,7 @@ class Boot:
         for stream in (sys.stdout, sys.stderr):
             try:
                 stream.flush()
-            except Exception:  # noqa: BLE001, S110 - a program may have put anything there
+            except BaseException:  # noqa: BLE001, S110 - a program may have put anything there
                 pass
         self._wire.send(fault_frame(kind, detail, trace))
         leave(1)
@@ -140,8 +144,16 @@ def _give_real_clock(name: str) -> Patch:
 def _print_quietly(text: str) -> None:
     try:
         print(text, file=sys.stderr)
-    except Exception:  # noqa: BLE001, S110 - a program may have closed it
+    except BaseException:  # noqa: BLE001, S110 - a program may have closed it, or put anything in its place
         pass
+
+
+def _told(code: object) -> str:
+    """Return what a program left with as text, whatever it is."""
+    try:
+        return str(code)[:_MOST_TOLD]
+    except BaseException:  # noqa: BLE001 - it may raise anything
+        return "…"
 
 
 def _parsed(text: str) -> dict[str, Any]:
@@ -178,6 +190,7 @@ def main() -> None:
         leave(1)
     hello = _parsed(frame[5:].decode())
     boot = Boot(wire, hello)
+    boot.confine()
     if lifeline >= 0:
         watched = hello["limits"]["memory_bytes"] if hello["limits"]["watch_memory"] else 0
         _confine.watch(_fd(lifeline, os.O_RDONLY | binary), watched, boot.out_of_memory)

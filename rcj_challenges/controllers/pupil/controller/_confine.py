@@ -1,7 +1,6 @@
 """Limits that a program's process sets itself before any of the program's code runs.
 
-Which of them apply is the parent's decision (``rcj_challenges/controllers/isolation.py``); here is only how. Further
-layers (Landlock, seccomp) belong here as further entries of ``LAYERS``.
+Which of them apply is the parent's decision (``rcj_challenges/controllers/isolation.py``); here is only how.
 """
 
 # ruff: noqa: PLC0415 - each import costs every program, so there are few, and only where they are needed
@@ -16,8 +15,6 @@ from typing import Any
 
 from ._wire import leave
 
-_PR_SET_PDEATHSIG = 1  # linux/prctl.h
-_PR_SET_NO_NEW_PRIVS = 38
 _SIGKILL = 9
 
 
@@ -26,40 +23,73 @@ class ConfinementError(OSError):
 
 
 def limit_resources(settings: dict[str, Any]) -> None:
-    """Limit memory, file sizes and open files; no core dumps. POSIX only."""
+    """Limit memory, processor time, file sizes, open files and threads; no core dumps. POSIX only."""
     import resource
 
     wanted = {
         "RLIMIT_AS": settings["memory_bytes"],
+        "RLIMIT_CPU": settings["processor_s"],
         "RLIMIT_FSIZE": settings["file_bytes"],
         "RLIMIT_NOFILE": settings["open_files"],
         "RLIMIT_CORE": 0,
     }
+    if settings["user_tasks"]:
+        wanted["RLIMIT_NPROC"] = settings["user_tasks"]
     if settings["watch_memory"]:
         del wanted["RLIMIT_AS"]  # macOS takes no limit on the address space
     for name, value in wanted.items():
         kind = getattr(resource, name)
         _, hard = resource.getrlimit(kind)
         capped = value if hard == resource.RLIM_INFINITY else min(value, hard)
-        resource.setrlimit(kind, (capped, capped))
+        # At the first of two seconds of processor time comes a signal that says so, at the second the one that kills.
+        after = 1 if name == "RLIMIT_CPU" and capped != hard else 0
+        resource.setrlimit(kind, (capped, capped + after))
 
 
-def refuse_new_privileges(settings: dict[str, Any]) -> None:  # noqa: ARG001 - all layers are called alike
-    """Make setuid programs start without their privileges. Linux only."""
-    _prctl(_PR_SET_NO_NEW_PRIVS, 1)
+def give_up_privileges(settings: dict[str, Any]) -> None:  # noqa: ARG001 - all layers are called alike
+    """Give up what root may do, and make setuid programs start without their privileges. Linux only."""
+    from . import _native
+
+    _native.drop_capabilities()
+    _native.refuse_new_privileges()
 
 
 def end_with_parent(settings: dict[str, Any]) -> None:
     """Let the kernel end this process when the match's process ends, however that ends. Linux only."""
-    _prctl(_PR_SET_PDEATHSIG, _SIGKILL)
+    from . import _native
+
+    _native.process_control(_native.PR_SET_PDEATHSIG, _SIGKILL)
     if os.getppid() != settings["parent"]:
         leave(1)
 
 
+def restrict_files(settings: dict[str, Any]) -> None:
+    """Hide all files but those that the parent names. Linux only."""
+    from . import _landlock
+
+    _landlock.restrict_files(settings)
+
+
+def restrict_calls(settings: dict[str, Any]) -> None:
+    """Refuse the system calls that no program needs. Linux only."""
+    from . import _seccomp
+
+    _seccomp.restrict_calls(settings)
+
+
+def forget_bubblewrap(settings: dict[str, Any]) -> None:  # noqa: ARG001 - all layers are called alike
+    """Remove what bubblewrap put into the environment: a program is to see the same with it and without. Linux only."""
+    os.environ.pop("PWD", None)
+
+
 LAYERS: dict[str, Callable[[dict[str, Any]], None]] = {
     "ends_with_parent": end_with_parent,
+    "bubblewrap": forget_bubblewrap,
     "resource_limits": limit_resources,
-    "no_new_privileges": refuse_new_privileges,
+    "no_new_privileges": give_up_privileges,
+    "filesystem": restrict_files,
+    # Last: it refuses what the others are made with.
+    "system_calls": restrict_calls,
 }
 
 
@@ -109,12 +139,3 @@ def _resident_bytes() -> int:
 
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     return peak if sys.platform == "darwin" else peak * 1024
-
-
-def _prctl(option: int, value: int) -> None:
-    import ctypes
-
-    libc = ctypes.CDLL(None, use_errno=True)
-    if libc.prctl(option, value, 0, 0, 0) != 0:
-        errno = ctypes.get_errno()
-        raise OSError(errno, os.strerror(errno))

@@ -27,6 +27,9 @@ Packet = tuple[bytes, float, float, float, float]
 QUEUE_BYTES = 16 << 20
 """What the unread packets of one receiver may take, about 80 000 small ones; honest programs leave up to 20 000."""
 
+MOST_EMISSIONS = 1_000
+"""Packets that one step may send. At 115200 baud 460 of one byte are on the air in a tick."""
+
 _PACKET_OVERHEAD = 200
 _MOST_TICKS = 2**31 - 1
 
@@ -77,9 +80,9 @@ class Hub:
         self._message_bytes: int = hello["limits"]["message_bytes"]
         self._motors: dict[int, tuple[int, float, float]] = {}
         self._has_others = False
-        self._sampling: list[tuple[int, int]] = []
-        self._channels: list[tuple[int, int]] = []
-        self._frequencies: list[tuple[int, float]] = []
+        self._sampling: dict[int, int] = {}
+        self._channels: dict[int, int] = {}
+        self._frequencies: dict[int, float] = {}
         self._emissions: list[tuple[int, bytes]] = []
         self._emitted_bytes = 0
         self._step_ms: float = -1.0
@@ -101,22 +104,24 @@ class Hub:
     def sample(self, device: int, period_ticks: int) -> None:
         """Let a sensor or receiver sample every so many ticks; 0 stops it."""
         self._has_others = True
-        self._sampling.append((device, period_ticks))
+        self._sampling[device] = period_ticks
 
     def tune(self, device: int, channel: int) -> None:
         """Set the channel of a receiver or emitter."""
         self._has_others = True
-        self._channels.append((device, channel))
+        self._channels[device] = channel
 
     def spin(self, device: int, frequency_hz: float) -> None:
         """Set how fast the head of a lidar turns."""
         self._has_others = True
-        self._frequencies.append((device, frequency_hz))
+        self._frequencies[device] = frequency_hz
 
     def emit(self, device: int, data: bytes) -> bool:
         """Hand a packet to an emitter. Returns False if it, or all of this step together, is too large."""
         size = len(data) + EMISSION_OVERHEAD
         if len(data) > self._message_bytes or self._emitted_bytes + size > 2 * self._message_bytes:
+            return False
+        if len(self._emissions) >= MOST_EMISSIONS:
             return False
         self._has_others = True
         self._emitted_bytes += size
@@ -149,10 +154,11 @@ class Hub:
 
     def _with_others(self, tick: int, advance_ticks: int, missed_ticks: int, printed: int, motors: Motors) -> bytes:
         """Return a request with all that is asked for, and forget it."""
-        others = self._sampling, self._channels, self._frequencies, self._emissions
+        settings = self._sampling.items(), self._channels.items(), self._frequencies.items()
+        others = *settings, self._emissions
         frame = request_frame(tick, advance_ticks, missed_ticks, printed, motors, *others)
         self._has_others = False
-        self._sampling, self._channels, self._frequencies, self._emissions = [], [], [], []
+        self._sampling, self._channels, self._frequencies, self._emissions = {}, {}, {}, []
         self._emitted_bytes = 0
         return frame
 

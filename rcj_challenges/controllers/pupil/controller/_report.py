@@ -8,6 +8,8 @@ import os
 import sys
 from typing import Any
 
+_real_name = type.__dict__["__name__"].__get__  # whatever the class's own class says
+
 
 def describe(error: BaseException, team_root: str, site_folders: list[str]) -> tuple[str, str]:
     """Return what went wrong in one line, and the traceback of the program's own lines.
@@ -23,8 +25,8 @@ def describe(error: BaseException, team_root: str, site_folders: list[str]) -> t
         told = _describe(error, team_root + os.sep)
         for path, short in shown:
             told = told[0].replace(path, short), told[1].replace(path, short)
-    except Exception:  # noqa: BLE001 - a program may break everything that is used here; the fault must be told
-        return type(error).__name__, ""
+    except BaseException:  # noqa: BLE001 - a program may break everything that is used here; the fault must be told
+        return _real_name(type(error)), ""
     return told
 
 

@@ -1,0 +1,89 @@
+"""Bubblewrap, where it is installed (Linux): a program sees a file system, processes and network of its own.
+
+It comes on top of what a process sets itself (``pupil/controller/_confine.py``): where that refuses to open a file,
+here the file has no name; folders that are not the program's are read-only for everything; there are no other processes
+to be seen. https://github.com/containers/bubblewrap
+"""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import os
+import select
+import shutil
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+_PROBE_S = 10.0
+_GONE_S = 1.0
+_DEEPEST = 4  # bubblewrap, its first process inside, the program
+
+
+@functools.cache
+def works(python: str, readable: tuple[str, ...]) -> bool:
+    """Return whether bubblewrap is installed and can start Python here: it needs user name spaces, or root.
+
+    Args:
+        python: the interpreter.
+        readable: what programs may read.
+    """
+    if sys.platform != "linux" or shutil.which("bwrap") is None:
+        return False
+    command = [*prefix(python, readable, None), python, "-s", "-S", "-c", "pass"]
+    try:
+        probe = subprocess.run(command, capture_output=True, timeout=_PROBE_S, check=False)
+    except (OSError, subprocess.SubprocessError):
+        return False
+    return probe.returncode == 0
+
+
+def prefix(python: str, readable: tuple[str, ...], private: Path | None) -> list[str]:
+    """Return what comes before the command of a program.
+
+    Args:
+        python: the interpreter, as the command names it.
+        readable: files and folders that are shown, read-only.
+        private: the folder that it may write to; None: none.
+    """
+    # Of a virtual environment, Python looks for this file next to the folder that it is in.
+    shown = [*readable, python, str(Path(python).parent.parent / "pyvenv.cfg")]
+    command = [shutil.which("bwrap") or "bwrap", "--unshare-pid", "--unshare-ipc", "--unshare-net", "--new-session"]
+    command += ["--die-with-parent", "--proc", "/proc", "--dev", "/dev"]
+    # Outer folders first: what is mounted later lies on top.
+    for path in sorted(path for path in shown if not path.startswith("/proc/")):
+        command += ["--ro-bind-try", path, path]
+    if private is not None:
+        command += ["--bind", str(private), str(private)]
+    # What holds the mounts is in memory, without a limit: nothing may be written there.
+    return [*command, "--remount-ro", "/dev", "--remount-ro", "/", "--"]
+
+
+def innermost(pid: int) -> int:
+    """Return the process that bubblewrap started, as this process sees it; that of bubblewrap itself if it is gone."""
+    for _ in range(_DEEPEST):
+        try:
+            children = Path(f"/proc/{pid}/task/{pid}/children").read_text(encoding="ascii").split()
+        except OSError:
+            break
+        if not children:
+            break
+        pid = int(children[0])
+    return pid
+
+
+def kill_innermost(pid: int) -> None:
+    """End the process that bubblewrap started, and wait until it is gone: bubblewrap does not."""
+    if sys.platform != "linux" or (inner := innermost(pid)) == pid:
+        return
+    with contextlib.suppress(OSError):
+        fd = os.pidfd_open(inner)
+        try:
+            signal.pidfd_send_signal(fd, signal.SIGKILL)
+            poll = select.poll()
+            poll.register(fd, select.POLLIN)
+            poll.poll(_GONE_S * 1000)
+        finally:
+            os.close(fd)

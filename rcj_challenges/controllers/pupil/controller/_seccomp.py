@@ -1,0 +1,181 @@
+"""System calls: what a program's process may ask of the kernel (seccomp, Linux).
+
+A filter in the kernel's own small language (classic BPF) judges every system call by its number and arguments. What is
+refused fails with EPERM, in Python a ``PermissionError`` or another ``OSError``: a program is told, not killed.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from struct import Struct
+from typing import Any
+
+from ._native import refuse_new_privileges, system_call
+from ._syscalls import CALLS, IN_PART, UNKNOWN
+
+MACHINES = {"x86_64": (0, 0xC000003E), "aarch64": (1, 0xC00000B7)}
+"""Column of the tables, and the architecture as filters see it (linux/audit.h); both little-endian, 64 bit."""
+
+_SECCOMP = {"x86_64": 317, "aarch64": 277}
+_SET_MODE_FILTER, _GET_ACTION_AVAIL = 1, 2  # linux/seccomp.h
+_ALL_THREADS = 1  # SECCOMP_FILTER_FLAG_TSYNC
+_KEEP_SPEED = 4  # SECCOMP_FILTER_FLAG_SPEC_ALLOW: kernels before 5.16 slow filtered processes down otherwise
+
+ALLOW = 0x7FFF0000  # SECCOMP_RET_ALLOW
+REFUSE = 0x00050001  # SECCOMP_RET_ERRNO, EPERM
+NOT_THERE = 0x00050026  # SECCOMP_RET_ERRNO, ENOSYS
+
+# linux/bpf_common.h: load a word of the call's description; compare; mask; return.
+_LOAD, _EQUAL, _GREATER, _AT_LEAST, _MASK, _RETURN = 0x20, 0x15, 0x25, 0x35, 0x54, 0x06
+_NUMBER_AT, _MACHINE_AT, _ARGUMENTS_AT = 0, 4, 16  # struct seccomp_data
+_INSTRUCTION = Struct("<HBBI")
+_WORD = Struct("=I")
+_FILTER_POINTER = Struct("@HP")  # struct sock_fprog
+
+Instruction = tuple[int, int, int, int]
+"""Code, how many to skip if true, how many if false, operand."""
+
+_CLONE_THREAD = 0x00010000  # linux/sched.h
+_CLONE_NEW = 0x7E020080  # CLONE_NEW… of cgroup, uts, ipc, user, pid, net, mount, time
+_O_TRUNC, _O_ACCMODE = 0o1000, 0o3  # asm-generic/fcntl.h
+_TERMINAL_CONTROLS = (0x5401, 0x5402, 0x5403, 0x5404, 0x5413)  # TCGETS, TCSETS, TCSETSW, TCSETSF, TIOCGWINSZ
+_FILE_IOCTLS = (0x541B, 0x5421, 0x5450, 0x5451)  # FIONREAD, FIONBIO, FIONCLEX, FIOCLEX
+# F_DUPFD, F_GETFD, F_SETFD, F_GETFL, F_SETFL, three kinds of locks, three of open files, F_DUPFD_CLOEXEC, sizes of
+# pipes. Not F_SETOWN and F_SETSIG: they let the kernel send any signal to any process of the same user.
+_FILE_CONTROLS = (0, 1, 2, 3, 4, 5, 6, 7, 36, 37, 38, 1030, 1031, 1032)
+# PR_GET_DUMPABLE, PR_SET_NAME, PR_GET_NAME, PR_CAPBSET_READ, PR_GET_NO_NEW_PRIVS, PR_SET_VMA (names of memory).
+_PROCESS_CONTROLS = (3, 15, 16, 23, 39, 0x53564D41)
+_AF_UNIX, _SOCK_STREAM, _SOCK_TYPES = 1, 1, 0xF
+
+
+def is_available() -> bool:
+    """Return whether this kernel takes filters that refuse, and there is a table for this machine."""
+    if sys.platform != "linux" or os.uname().machine not in MACHINES or sys.maxsize < 2**32:
+        return False
+    try:
+        system_call(_SECCOMP[os.uname().machine], _GET_ACTION_AVAIL, 0, _WORD.pack(REFUSE & 0xFFFF0000))
+    except OSError:
+        return False
+    return True
+
+
+def restrict_calls(settings: dict[str, Any]) -> None:  # noqa: ARG001 - all layers are called alike
+    """Refuse the system calls that no program needs, from here on and for ever, in all threads.
+
+    Raises:
+        OSError: this kernel or machine cannot.
+    """
+    import ctypes  # noqa: PLC0415 - on Linux only
+
+    machine = os.uname().machine
+    if machine not in MACHINES:
+        raise OSError(f"no table of system calls for {machine}")
+    instructions = filter_for(machine, os.getpid())
+    code = b"".join([_INSTRUCTION.pack(*instruction) for instruction in instructions])
+    held = ctypes.create_string_buffer(code, len(code))
+    program = _FILTER_POINTER.pack(len(instructions), ctypes.addressof(held))
+    refuse_new_privileges()
+    try:
+        system_call(_SECCOMP[machine], _SET_MODE_FILTER, _ALL_THREADS | _KEEP_SPEED, program)
+    except OSError:
+        system_call(_SECCOMP[machine], _SET_MODE_FILTER, _ALL_THREADS, program)
+
+
+def filter_for(machine: str, pid: int) -> list[Instruction]:
+    """Return the filter for a machine.
+
+    Args:
+        machine: as ``uname`` names it, one of `MACHINES`.
+        pid: of the process that will have it: signals to it stay possible (``abort`` needs one).
+    """
+    column, architecture = MACHINES[machine]
+    filter_ = [(_LOAD, 0, 0, _MACHINE_AT), (_EQUAL, 1, 0, architecture), _answer(REFUSE), (_LOAD, 0, 0, _NUMBER_AT)]
+    for numbers in UNKNOWN.values():
+        filter_ += _for_call(numbers[column], [_answer(NOT_THERE)])
+    for name, judged in _conditions(pid).items():
+        filter_ += _for_call(IN_PART[name][column], judged)
+    plain = [number for numbers in CALLS.values() if (number := numbers[column]) is not None]
+    for first, last in _ranges(sorted(plain)):
+        # In ascending order: what is beyond this range goes on to the next one, what is before it lies in a gap.
+        filter_ += [(_GREATER, 3, 0, last), (_AT_LEAST, 0, 1, first), _answer(ALLOW), _answer(REFUSE)]
+    # Beyond the last of the table are calls of newer kernels, and on x86_64 those of the x32 interface.
+    filter_.append(_answer(NOT_THERE))
+    return filter_
+
+
+def _conditions(pid: int) -> dict[str, list[Instruction]]:
+    """Return how calls are judged that are allowed in part: instructions that end in an answer."""
+    return {
+        "open": _truncating(1),
+        "openat": _truncating(2),
+        # New threads, but neither processes nor name spaces.
+        "clone": _masked(0, _CLONE_THREAD | _CLONE_NEW, (_CLONE_THREAD,)),
+        "kill": _one_of(0, (pid,)),
+        "tgkill": _one_of(0, (pid,)),
+        "tkill": _one_of(0, (pid,)),  # its first thread has its number; musl aborts this way
+        "fcntl": _one_of(1, _FILE_CONTROLS),
+        # Not TIOCSTI, which types into a terminal, nor what changes attributes of files that can only be read.
+        "ioctl": _one_of(1, _TERMINAL_CONTROLS + _FILE_IOCTLS),
+        # Not PR_SET_PDEATHSIG, by which a program could outlive the match.
+        "prctl": _one_of(0, _PROCESS_CONTROLS),
+        "prlimit64": _one_of(0, (0, pid)),
+        # Not SOCK_DGRAM, which sends to any address.
+        "socketpair": [
+            *_argument(0),
+            (_EQUAL, 1, 0, _AF_UNIX),
+            _answer(REFUSE),
+            *_masked(1, _SOCK_TYPES, (_SOCK_STREAM,)),
+        ],
+    }
+
+
+def _truncating(flags: int) -> list[Instruction]:
+    """Refuse to empty a file that is opened for reading: Landlock before Linux 6.2 takes that for reading."""
+    unwritable = (_O_TRUNC, _O_TRUNC | _O_ACCMODE)  # with O_RDONLY; with 3, which is for neither
+    return [
+        *_argument(flags),
+        (_MASK, 0, 0, _O_TRUNC | _O_ACCMODE),
+        *_compared(unwritable, REFUSE),
+        _answer(ALLOW),
+    ]
+
+
+def _one_of(argument: int, allowed: tuple[int, ...]) -> list[Instruction]:
+    return [*_argument(argument), *_compared(allowed, ALLOW), _answer(REFUSE)]
+
+
+def _masked(argument: int, mask: int, allowed: tuple[int, ...]) -> list[Instruction]:
+    return [*_argument(argument), (_MASK, 0, 0, mask), *_compared(allowed, ALLOW), _answer(REFUSE)]
+
+
+def _argument(index: int) -> list[Instruction]:
+    """Load the lower half of an argument: of all arguments that are judged the kernel takes only that, too."""
+    return [(_LOAD, 0, 0, _ARGUMENTS_AT + 8 * index)]
+
+
+def _compared(values: tuple[int, ...], answer: int) -> list[Instruction]:
+    instructions: list[Instruction] = []
+    for value in values:
+        instructions += [(_EQUAL, 0, 1, value), _answer(answer)]
+    return instructions
+
+
+def _answer(answer: int) -> Instruction:
+    return _RETURN, 0, 0, answer
+
+
+def _for_call(number: int | None, judged: list[Instruction]) -> list[Instruction]:
+    """Judge the call of this number; others, whose number stays loaded, go on behind."""
+    return [] if number is None else [(_EQUAL, 0, len(judged), number), *judged]
+
+
+def _ranges(numbers: list[int]) -> list[tuple[int, int]]:
+    """Return ascending numbers as first and last of rows without gap."""
+    ranges: list[tuple[int, int]] = []
+    for number in numbers:
+        if ranges and ranges[-1][1] == number - 1:
+            ranges[-1] = (ranges[-1][0], number)
+        else:
+            ranges.append((number, number))
+    return ranges

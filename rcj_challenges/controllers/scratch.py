@@ -1,0 +1,134 @@
+"""A program's private folder: how much is in it, and how it goes.
+
+The program does there what it likes, while it is looked at. So nothing here follows a link, recurses into folders as
+deep as somebody else made them, or trusts that a file which was listed is still there.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import stat
+import sys
+from pathlib import Path
+
+_ENTRY_BYTES = 4096
+"""What an entry counts at least: files cost a block and an inode even when they are empty."""
+
+_LONGEST_PATH = 512
+"""Letters of a path below the private folder. Longer ones are nobody's honest work, and soon no call takes them."""
+
+
+def has_more_than(folder: Path, limit_bytes: float) -> bool:
+    """Return whether all files below a folder take more than a limit, or something in it cannot be looked at.
+
+    Args:
+        folder: it may change meanwhile.
+        limit_bytes: counting ends where it is exceeded.
+    """
+    total = 0
+    longest = len(str(folder)) + _LONGEST_PATH
+    todo = [str(folder)]
+    if folder.is_symlink():
+        return True
+    while todo:
+        here = todo.pop()
+        if len(here) > longest:
+            return True
+        try:
+            with os.scandir(here) as entries:
+                for entry in entries:
+                    if _is_folder(entry):
+                        todo.append(entry.path)
+                    total += _entry_bytes(entry)
+                    if total > limit_bytes:
+                        return True
+        except PermissionError:
+            return True  # a folder that its owner may not read hides something
+        except OSError:
+            continue
+    return total > limit_bytes
+
+
+def _entry_bytes(entry: os.DirEntry[str]) -> int:
+    # What is gone by now counts too: a folder whose files come and go all the time could be listed without end.
+    with contextlib.suppress(OSError):
+        return max(entry.stat(follow_symlinks=False).st_size, _ENTRY_BYTES)
+    return _ENTRY_BYTES
+
+
+def nameless_bytes(pid: int, output_fd: int) -> int:
+    """Return what a process holds in files that have no name any more (Linux; elsewhere 0).
+
+    Args:
+        pid: of the process.
+        output_fd: open here: the file of its output, which is counted elsewhere.
+    """
+    total = 0
+    if sys.platform == "linux":
+        known = {_identity(os.fstat(output_fd))} if output_fd >= 0 else set()
+        with contextlib.suppress(OSError), os.scandir(f"/proc/{pid}/fd") as descriptors:
+            for descriptor in descriptors:
+                with contextlib.suppress(OSError):
+                    status = os.stat(descriptor.path)  # noqa: PTH116 - a number, not a path of ours
+                    if stat.S_ISREG(status.st_mode) and not status.st_nlink and _identity(status) not in known:
+                        known.add(_identity(status))
+                        total += status.st_size
+    return total
+
+
+def _identity(status: os.stat_result) -> tuple[int, int]:
+    return status.st_dev, status.st_ino
+
+
+def remove(folder: Path) -> None:
+    """Remove a folder with all that is in it, whatever a program did to it. Its processes must have ended."""
+    if folder.is_symlink():
+        with contextlib.suppress(OSError):
+            folder.unlink()
+        return
+    emptied: list[str] = []
+    todo = [str(folder)]
+    longest = len(str(folder)) + _LONGEST_PATH
+    while todo:
+        here = todo.pop()
+        if len(here) > longest:
+            here = _brought_up(here, f"{folder}{os.sep}{os.urandom(8).hex()}")
+        emptied.append(here)
+        with contextlib.suppress(OSError):
+            os.chmod(here, 0o700)  # noqa: PTH101 - paths are text here: there may be very many
+            with os.scandir(here) as entries:
+                listed = list(entries)
+            for entry in listed:
+                if _is_folder(entry):
+                    todo.append(entry.path)
+                else:
+                    _unlink(entry.path)
+    # A folder comes after the one that it is in, and one that was brought up after the topmost.
+    for path in reversed(emptied):
+        with contextlib.suppress(OSError):
+            os.rmdir(path)  # noqa: PTH106
+
+
+def _brought_up(path: str, place: str) -> str:
+    """Move a folder that is too deep to the top; return where it is."""
+    try:
+        os.chmod(path, 0o700)  # noqa: PTH101
+        os.rename(path, place)  # noqa: PTH104
+    except OSError:
+        return path
+    return place
+
+
+def _is_folder(entry: os.DirEntry[str]) -> bool:
+    """Return whether it is a folder itself, and neither a link to one nor a junction (Windows)."""
+    if not entry.is_dir(follow_symlinks=False):
+        return False
+    return sys.platform != "win32" or entry.stat().st_reparse_tag != stat.IO_REPARSE_TAG_MOUNT_POINT
+
+
+def _unlink(path: str) -> None:
+    with contextlib.suppress(OSError):
+        if sys.platform == "win32" and not os.path.islink(path):  # noqa: PTH114
+            os.chmod(path, 0o600)  # noqa: PTH101 - Windows deletes no read-only file
+        os.unlink(path)  # noqa: PTH108

@@ -1,0 +1,163 @@
+"""The team's name: where it is looked for, and how it becomes one line that can be shown anywhere."""
+
+from __future__ import annotations
+
+import codecs
+import unicodedata
+from dataclasses import dataclass, replace
+from difflib import SequenceMatcher
+from pathlib import PurePosixPath
+
+from rcj_challenges.controllers.archive import Files
+from rcj_challenges.controllers.troubles import Trouble, told
+
+MOST_NAME_LETTERS = 32
+"""A team's name has at most 32 characters (reference, section 7)."""
+NAME_FILE = "team_name.txt"
+
+_MOST_NAME_FILE_BYTES = 65_536
+_NEAR_STEMS = frozenset({"teamname", "teamsname", "teamnames", "teamnametxt", "team", "name"})
+_NEAR_ENDINGS = frozenset({"", ".txt", ".text", ".md"})
+_DOCUMENT_ENDINGS = frozenset({".rtf", ".doc", ".docx", ".odt", ".pdf", ".pages"})
+_LEAST_LIKENESS = 0.85
+_JOINER = "\u200d"  # holds some emoji together
+# Letters that show nothing: fillers of Hangul and the empty Braille pattern.
+_BLANKS = dict.fromkeys((0x115F, 0x1160, 0x2800, 0x3164, 0xFFA0), " ")
+_QUOTES = "\"'`\u201c\u201d\u2018\u2019\u00ab\u00bb\u201e"
+
+
+@dataclass(frozen=True)
+class TeamName:
+    """A team's name.
+
+    Attributes:
+        text: safe to show: one line of at most 32 printable characters.
+        path: the file it was read from; None if there is none.
+        given: whether it comes from that file, not from the archive's own name.
+        troubles: what is odd about it.
+    """
+
+    text: str
+    path: PurePosixPath | None
+    given: bool
+    troubles: tuple[Trouble, ...]
+
+    @property
+    def warnings(self) -> list[Trouble]:
+        """The troubles that change what is shown, or that should be put right."""
+        return [trouble for trouble in self.troubles if trouble.level != "passed"]
+
+
+def find_team_name(files: Files, fallback: str) -> TeamName:
+    """Return the name that a team gave itself.
+
+    Args:
+        files: its files.
+        fallback: the name of its folder or archive, for a team that gave none.
+    """
+    instead = safe_name(fallback) or "team"
+    path, troubles = _name_file(files)
+    if path is None:
+        return TeamName(instead, None, given=False, troubles=troubles)
+    text, more = _decoded(files[path])
+    lines = [line.strip() for line in text.splitlines() if line.strip()]
+    name = safe_name(lines[0]) if lines else ""
+    if not name:
+        message = f"{NAME_FILE} is empty: the name is taken from the file's ({instead})"
+        more = (*more, _warning("name_empty", message, "write the team's name into it", repair=False))
+        return TeamName(instead, path, given=False, troubles=(*troubles, *more))
+    about = _line_troubles(lines, name)
+    if any(trouble.code == "identity.name_encoding" for trouble in more):
+        about = [replace(trouble, repair=False) for trouble in about]  # nobody but the team knows what it says
+    return TeamName(name, path, given=True, troubles=(*troubles, *more, *about))
+
+
+def safe_name(text: str) -> str:
+    """Return text as a name: printable characters of one line, no direction marks, at most 32 of them."""
+    printable = "".join(
+        letter if letter == _JOINER or unicodedata.category(letter)[0] != "C" else " "
+        for letter in text.translate(_BLANKS)
+    )
+    name = " ".join(printable.split())[:MOST_NAME_LETTERS].rstrip()
+    return name if any(letter != _JOINER and unicodedata.category(letter)[0] != "M" for letter in name) else ""
+
+
+def _warning(code: str, message: str, remedy: str, *, repair: bool = True) -> Trouble:
+    return Trouble(f"identity.{code}", "warning", message, remedy, NAME_FILE, repair)
+
+
+def _note(code: str, message: str, *, repair: bool = False) -> Trouble:
+    return Trouble(f"identity.{code}", "passed", message, "", NAME_FILE, repair)
+
+
+def _name_file(files: Files) -> tuple[PurePosixPath | None, tuple[Trouble, ...]]:
+    """Find the file with the name, or what was meant to be it."""
+    exact = [path for path in files if path.name.casefold() == NAME_FILE]
+    near = [path for path in files if len(path.parts) == 1 and may_be_name_file(path)]
+    for path in sorted(exact, key=lambda path: (len(path.parts), path.name != NAME_FILE)) + sorted(near):
+        if path == PurePosixPath(NAME_FILE):
+            return path, ()
+        shown = told(path)
+        if path.name == NAME_FILE:
+            message, remedy = f"{NAME_FILE} is in a folder: {shown}", "put it beside the folders of the programs"
+        else:
+            message, remedy = f"the file with the team's name is called {shown}", f"call it {NAME_FILE}"
+        return path, (Trouble("identity.name_file", "warning", message, remedy, shown, repair=True),)
+    document = next((path for path in files if path.suffix.casefold() in _DOCUMENT_ENDINGS and _near_stem(path)), None)
+    if document is not None:
+        message = f"{told(document)} is no plain text: the name is taken from the file's"
+        return None, (_warning("name_document", message, f"save the name as plain text in {NAME_FILE}", repair=False),)
+    message = f"there is no {NAME_FILE}: the name is taken from the file's"
+    return None, (_warning("name_missing", message, "add it, with the team's name in one line", repair=False),)
+
+
+def may_be_name_file(path: PurePosixPath) -> bool:
+    """Whether a file holds the team's name, or was meant to."""
+    return path.suffix.casefold() in _NEAR_ENDINGS and _near_stem(path)
+
+
+def _near_stem(path: PurePosixPath) -> bool:
+    stem = "".join(letter for letter in path.stem.casefold() if letter.isalnum())
+    return stem in _NEAR_STEMS or SequenceMatcher(None, stem, "teamname").ratio() >= _LEAST_LIKENESS
+
+
+def _decoded(content: bytes) -> tuple[str, tuple[Trouble, ...]]:
+    """Return the text of a file in UTF-8, with or without a mark, or in UTF-16 with one."""
+    content = content[:_MOST_NAME_FILE_BYTES]
+    wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) and len(content) > len(codecs.BOM_UTF16_LE)
+    encoding = "utf-16" if wide else "utf-8-sig"
+    text = content.decode(encoding, "replace")
+    troubles = []
+    if wide:
+        message = f"{NAME_FILE} is in UTF-16; the name was read all the same"
+        troubles.append(_note("name_utf16", message, repair=True))
+    elif text.encode() != content.removeprefix(codecs.BOM_UTF8):
+        message = f"{NAME_FILE} is not in UTF-8: letters that cannot be read are shown as \ufffd"
+        troubles.append(_warning("name_encoding", message, "save it in UTF-8", repair=False))
+    elif content.startswith(codecs.BOM_UTF8):
+        message = f"{NAME_FILE} begins with a byte order mark, which is no part of the name"
+        troubles.append(_note("name_bom", message, repair=True))
+    if "\r" in text:
+        message = f"{NAME_FILE} has the line ends of Windows, which are no part of the name"
+        troubles.append(_note("name_line_ends", message, repair=True))
+    return text, tuple(troubles)
+
+
+def _line_troubles(lines: list[str], name: str) -> list[Trouble]:
+    """Tell what is odd about the name itself; its first line is not empty."""
+    line = " ".join(lines[0].split())
+    found = []
+    if len(lines) > 1:
+        message = f"{NAME_FILE} has several lines: the first is the name ({name})"
+        found.append(_warning("name_lines", message, "leave one line"))
+    if len(line) > MOST_NAME_LETTERS:
+        message = f"the name is longer than {MOST_NAME_LETTERS} letters and is shown as '{name}'"
+        found.append(_warning("name_long", message, "choose a shorter one"))
+    if safe_name(line[:MOST_NAME_LETTERS]) != line[:MOST_NAME_LETTERS].rstrip():
+        message = f"the name in {NAME_FILE} has letters that cannot be seen; it is shown as '{name}'"
+        found.append(_warning("name_unsafe", message, f"write it with at most {MOST_NAME_LETTERS} printable letters"))
+    if name[0] in _QUOTES or name[-1] in _QUOTES:
+        found.append(_note("name_quotes", f"the quotation marks are part of the name: {name}"))
+    elif any(letter in "./\\<>&!;:|" for letter in name):
+        found.append(_note("name_signs", f"the name is shown as it is, and no file is named after it: {name}"))
+    return found

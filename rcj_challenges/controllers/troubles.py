@@ -1,0 +1,78 @@
+"""What is odd about a submission, as plain data: whoever opens it decides what to do about it."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Literal
+
+from rcj_challenges.facts.shown import shown
+
+Level = Literal["passed", "warning", "failure"]
+
+MOST_OF_A_KIND = 10
+"""Of one kind of trouble so many are told one by one; the rest is counted."""
+
+MOST_PATH_SHOWN = 1000
+"""The path that was given on the command line is shown as it was given, unless it is absurd."""
+
+_MOST_LETTERS = 120
+
+
+@dataclass(frozen=True)
+class Trouble:
+    """One odd thing.
+
+    Attributes:
+        code: what it is, the same in every language and version: ``archive.encrypted``.
+        level: ``failure``: the submission is not used; ``warning``: it is, but something was guessed or left out;
+            ``passed``: worth a word, without any harm.
+        message: what was found, one line, safe to show.
+        remedy: what to do; empty if there is nothing to do.
+        where: the file inside the submission; safe to show.
+        repair: whether a repair puts it right.
+    """
+
+    code: str
+    level: Level
+    message: str
+    remedy: str = ""
+    where: str = ""
+    repair: bool = False
+
+    def __str__(self) -> str:
+        """Return message and remedy as one sentence."""
+        return with_remedy(self.message, self.remedy)
+
+
+@dataclass
+class Troubles:
+    """A list of troubles that stays short, however many there are."""
+
+    _found: list[Trouble] = field(default_factory=list)
+    _count: Counter[str] = field(default_factory=Counter)
+
+    def add(self, trouble: Trouble) -> None:
+        """Note one."""
+        self._count[trouble.code] += 1
+        if self._count[trouble.code] <= MOST_OF_A_KIND:
+            self._found.append(trouble)
+
+    def __iter__(self) -> Iterator[Trouble]:
+        yield from self._found
+        for code, count in self._count.items():
+            if count > MOST_OF_A_KIND:
+                first = next(trouble for trouble in self._found if trouble.code == code)
+                more = f"and {count - MOST_OF_A_KIND} more of this kind ({code})"
+                yield Trouble(code, first.level, more, first.remedy, repair=first.repair)
+
+
+def with_remedy(message: str, remedy: str) -> str:
+    """Return what was found and what to do as one sentence."""
+    return f"{message}{'' if message.endswith('?') else ':'} {remedy}" if remedy else message
+
+
+def told(name: object, longest: int = _MOST_LETTERS) -> str:
+    """Return a strange name as one harmless line, shorter than `shown` makes it: several stand in one message."""
+    return shown(name, longest)

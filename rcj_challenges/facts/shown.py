@@ -1,0 +1,77 @@
+r"""Text of strangers, made safe to show: what cannot be seen, or would move what stands beside it, is spelled out.
+
+A name such as ``"\x1b[2J"`` or one with a right-to-left mark is data. On a terminal, in JSON and in HTML it appears as
+the same visible letters; HTML adds its own escaping where a page is written.
+"""
+
+from __future__ import annotations
+
+import unicodedata
+
+MOST_LETTERS = 200
+"""A file's name or a message longer than this is cut: nobody reads more of it in a list."""
+
+MOST_BLOCK_LINES = 60
+MOST_BLOCK_LETTERS = 400
+
+_JOINER = "\u200d"  # holds some emoji together, and moves nothing
+_BREAKS = frozenset({"\u2028", "\u2029", "\x85"})
+_MOST_MARKS = 4  # combining marks on one letter; more of them cover the lines above
+_MARKS = frozenset({"Mn", "Me"})
+
+
+def shown(text: object, longest: int = MOST_LETTERS) -> str:
+    r"""Return text as one harmless line of at most ``longest`` letters.
+
+    Control characters, direction marks, line breaks, lone surrogates, private and unassigned characters become
+    escapes that can be read (``\x1b``, ``\u202e``); a tower of accents ends after four.
+
+    Args:
+        text: anything; bytes are read as UTF-8.
+        longest: what is longer is cut in the middle, where a path says least, and marked with ``…``.
+    """
+    said = text.decode("utf-8", "backslashreplace") if isinstance(text, bytes) else str(text)
+    return _cut(_spelled(_cut(said, 2 * longest + 2)), longest)
+
+
+def shown_block(text: str, most_lines: int = MOST_BLOCK_LINES) -> str:
+    """Return text of several lines, each of them harmless: a traceback, or what a program printed.
+
+    Args:
+        text: what was said.
+        most_lines: of more, the first few and the last ones are kept: that is where a traceback says what went wrong.
+    """
+    lines = text.expandtabs(4).replace("\r\n", "\n").strip("\n").split("\n")
+    if len(lines) > most_lines:
+        head = most_lines // 4
+        left_out = len(lines) - most_lines
+        lines = [*lines[:head], f"… {left_out} lines left out …", *lines[len(lines) - (most_lines - head) :]]
+    return "\n".join(shown(line, MOST_BLOCK_LETTERS) for line in lines)
+
+
+def _spelled(text: str) -> str:
+    letters: list[str] = []
+    marks = 0
+    for letter in text:
+        category = unicodedata.category(letter)
+        marks = marks + 1 if category in _MARKS else 0
+        if marks > _MOST_MARKS:
+            continue
+        hidden = (category[0] == "C" and letter != _JOINER) or letter in _BREAKS
+        letters.append(_escape(letter) if hidden else letter)
+    return "".join(letters)
+
+
+def _escape(letter: str) -> str:
+    """Return how Python would write a letter that cannot be seen."""
+    code = ord(letter)
+    if letter in "\n\r\t":
+        return {"\n": "\\n", "\r": "\\r", "\t": "\\t"}[letter]
+    return f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
+
+
+def _cut(text: str, longest: int) -> str:
+    if len(text) <= longest:
+        return text
+    head = (longest - 1) // 2
+    return text[:head] + "…" + text[len(text) - (longest - 1 - head) :]

@@ -1,0 +1,145 @@
+"""Bubblewrap, where it is installed: what it adds, and that nothing else changes."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from attempts import BASE, only, outcomes
+from fake_match import SPEC, FakeMatch, Played, play_on
+from test_program_endings import exists, gone_within
+
+from rcj_challenges.controllers import bubblewrap, isolation, processes, sight
+
+installed = sys.platform == "linux" and bubblewrap.works(processes.python(), sight.readable())
+needs_bubblewrap = pytest.mark.skipif(not installed, reason="bubblewrap is not installed, or may not make name spaces")
+needs_linux = pytest.mark.skipif(sys.platform != "linux", reason="a program of Linux")
+
+IN_PLAY = "from controller import Robot\nrobot = Robot()\nrobot.step(32)\n"
+
+
+@pytest.fixture
+def probed_anew() -> Iterator[None]:
+    bubblewrap.works.cache_clear()
+    yield
+    bubblewrap.works.cache_clear()
+
+
+@needs_bubblewrap
+def test_what_is_outside_has_no_name(tmp_path: Path) -> None:
+    secret = tmp_path / "reflog.jsonl"
+    secret.touch()
+    seen = {
+        "the record": f"os.path.exists({str(secret)!r})",
+        "who has an account": "os.path.exists('/etc/passwd')",
+        "homes": "os.path.exists('/home')",
+        "other private folders": f"len(os.listdir({str(Path(os.path.realpath(os.environ.get('TMPDIR', '/tmp'))))!r}))",
+        "its parent": "os.getppid()",
+        "processes": "len([name for name in os.listdir('/proc') if name.isdigit()])",
+        "networks": "[name for _, name in socket.if_nameindex()]",
+        "the environment": "sorted(set(os.environ) - {'LC_CTYPE'})",
+        "its folder": "os.path.basename(os.getcwd())",
+        "permissions of Python": "os.chmod(os.__file__, 0o644)",
+        "the folder of all folders": "open('/memory', 'w')",
+        "shared memory": "open('/dev/shm/memory', 'w')",
+    }
+    with only("no_new_privileges", "bubblewrap"):
+        told = outcomes(tmp_path, seen)
+    assert told == {
+        "the record": "False",
+        "who has an account": "False",
+        "homes": told["homes"] if sys.prefix.startswith("/home") else "False",
+        "other private folders": "1",
+        "its parent": "1",
+        "processes": "2",
+        "networks": "['lo']",
+        "the environment": str(sorted(isolation.environment(tmp_path))),
+        "its folder": "team",
+        "permissions of Python": "EROFS",
+        "the folder of all folders": "EROFS",
+        "shared memory": "EROFS",
+    }
+
+
+@needs_bubblewrap
+@pytest.mark.parametrize(
+    "ending",
+    [
+        "os._exit(3)",
+        "os.abort()",
+        "os.kill(os.getpid(), 9)",
+        "os._exit(139)",
+        "import ctypes; ctypes.string_at(0)",
+        "raise ValueError('x')",
+        "print(*sorted(os.environ))",
+        "print(os.getcwd().split('/')[-1], __file__.split('/')[-1], sys.argv[0].split('/')[-1], sys.executable)",
+    ],
+)
+def test_a_program_plays_and_ends_the_same_with_bubblewrap_and_without(tmp_path: Path, ending: str) -> None:
+    layers = tuple(layer for layer in isolation.active_layers("auto") if layer not in (*BASE, "bubblewrap"))
+    played = []
+    for extra in ((), ("bubblewrap",)):
+        with only(*layers, *extra):
+            played.append(FakeMatch(tmp_path).play(f"import os, sys\n{IN_PLAY}{ending}\n", 3))
+    assert played[0].requests == played[1].requests
+    assert played[0].said == played[1].said
+    assert played[0].fault == played[1].fault
+
+
+@needs_bubblewrap
+def test_a_hang_is_told_with_its_place(tmp_path: Path) -> None:
+    with only("resource_limits", "no_new_privileges", "filesystem", "system_calls", "bubblewrap"):
+        played = FakeMatch(tmp_path, step_s=0.5).play(f"{IN_PLAY}while True:\n    pass\n", 3)
+    assert played.fault is not None
+    assert played.fault.kind == "step_timeout"
+    assert any(line.startswith('  File "robot.py", line ') for line in played.said)
+
+
+@needs_bubblewrap
+def test_nothing_of_it_is_left_when_the_match_has_ended_the_program(tmp_path: Path) -> None:
+    match = FakeMatch(tmp_path)
+    with only("bubblewrap"), match.crew() as crew:
+        program = crew.add(SPEC, match.team(f"{IN_PLAY}while True:\n    pass\n"), "robot.py")
+        crew.launch()
+        play_on(program, Played(), 1)
+        assert program._process is not None
+        outer = program._process.pid
+        inner = bubblewrap.innermost(outer)
+        assert inner != outer
+        assert exists(inner)
+        program.kill()
+        assert not exists(inner)
+        assert gone_within([outer], 5)
+
+
+@needs_bubblewrap
+def test_auto_and_strict_take_it(tmp_path: Path) -> None:
+    assert "bubblewrap" in isolation.active_layers("auto")
+    assert "bubblewrap" not in isolation.active_layers("off")
+
+
+@needs_linux
+@pytest.mark.usefixtures("probed_anew")
+@pytest.mark.parametrize("refusal", ["exit 1", "sleep 60"])
+def test_auto_goes_without_a_bubblewrap_that_does_not_work(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, refusal: str
+) -> None:
+    broken = tmp_path / "bwrap"
+    broken.write_text(f"#!/bin/sh\n{refusal}\n", encoding="utf-8")
+    broken.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
+    monkeypatch.setattr(bubblewrap, "_PROBE_S", 0.5)
+    assert shutil.which("bwrap") == str(broken)
+    began = time.perf_counter()
+    assert "bubblewrap" not in isolation.active_layers("auto")
+    assert time.perf_counter() - began < 10
+
+
+@needs_linux
+def test_processes_without_children_are_their_own_innermost() -> None:
+    assert bubblewrap.innermost(2**22 + 1) == 2**22 + 1

@@ -1,0 +1,226 @@
+"""The filter of system calls, judged by an interpreter of its language, for every machine that there is a table for."""
+
+from __future__ import annotations
+
+import errno
+import re
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rcj_challenges.controllers.pupil.controller import _seccomp
+from rcj_challenges.controllers.pupil.controller._syscalls import CALLS, IN_PART, UNKNOWN
+
+PID = 4321
+EPERM = 0x00050000 | errno.EPERM
+NO_SUCH_CALL = 0x00050000 | 38  # ENOSYS of Linux
+ALLOW = 0x7FFF0000
+MACHINES = sorted(_seccomp.MACHINES)
+FILTERS = {machine: _seccomp.filter_for(machine, PID) for machine in MACHINES}
+
+AF_INET, AF_UNIX, SOCK_STREAM, SOCK_DGRAM, SOCK_CLOEXEC = 2, 1, 1, 2, 0o2000000
+O_RDONLY, O_WRONLY, O_RDWR, O_TRUNC, O_CREAT, O_CLOEXEC = 0, 1, 2, 0o1000, 0o100, 0o2000000
+THREAD = 0x3D0F00  # the flags with which the C library starts a thread
+CLONE_NEWUSER, CLONE_NEWNET, SIGCHLD = 0x10000000, 0x40000000, 17
+REFUSED = {  # x86_64, aarch64
+    "socket": (41, 198),
+    "connect": (42, 203),
+    "bind": (49, 200),
+    "sendmsg": (46, 211),
+    "fork": (57, None),
+    "vfork": (58, None),
+    "execve": (59, 221),
+    "execveat": (322, 281),
+    "setsid": (112, 157),
+    "setpgid": (109, 154),
+    "ptrace": (101, 117),
+    "process_vm_readv": (310, 270),
+    "process_madvise": (440, 440),
+    "rt_sigqueueinfo": (129, 138),
+    "rt_tgsigqueueinfo": (297, 240),
+    "pidfd_open": (434, 434),
+    "pidfd_getfd": (438, 438),
+    "pidfd_send_signal": (424, 424),
+    "unshare": (272, 97),
+    "setns": (308, 268),
+    "mount": (165, 40),
+    "umount2": (166, 39),
+    "open_tree": (428, 428),
+    "fsopen": (430, 430),
+    "pivot_root": (155, 41),
+    "chroot": (161, 51),
+    "keyctl": (250, 219),
+    "bpf": (321, 280),
+    "seccomp": (317, 277),
+    "perf_event_open": (298, 241),
+    "io_uring_setup": (425, 425),
+    "userfaultfd": (323, 282),
+    "memfd_create": (319, 279),
+    "memfd_secret": (447, 447),
+    "chmod": (90, None),
+    "fchmod": (91, 52),
+    "fchmodat": (268, 53),
+    "fchmodat2": (452, 452),
+    "fchownat": (260, 54),
+    "utimensat": (280, 88),
+    "truncate": (76, 45),
+    "setxattr": (188, 5),
+    "setuid": (105, 146),
+    "capset": (126, 91),
+    "sched_setaffinity": (203, 122),
+    "sched_setscheduler": (144, 119),
+    "setpriority": (141, 140),
+    "init_module": (175, 105),
+    "reboot": (169, 142),
+    "mq_open": (240, 180),
+    "shmat": (30, 196),
+}
+
+
+def judge(machine: str, number: int, *arguments: int, architecture: int | None = None) -> int:
+    """Run the filter as the kernel does."""
+    arch = _seccomp.MACHINES[machine][1] if architecture is None else architecture
+    words = {0: number & 0xFFFFFFFF, 4: arch}
+    for index in range(6):
+        value = arguments[index] if index < len(arguments) else 0
+        words[16 + 8 * index] = value & 0xFFFFFFFF
+        words[20 + 8 * index] = value >> 32 & 0xFFFFFFFF
+    held, at = 0, 0
+    while True:
+        code, if_true, if_false, operand = FILTERS[machine][at]
+        at += 1
+        if code == 0x06:
+            return operand
+        if code == 0x20:
+            held = words[operand]
+        elif code == 0x54:
+            held &= operand
+        else:
+            holds = {0x15: held == operand, 0x25: held > operand, 0x35: held >= operand}[code]
+            at += if_true if holds else if_false
+
+
+def in_part(machine: str, name: str, *arguments: int) -> int:
+    number = IN_PART[name][_seccomp.MACHINES[machine][0]]
+    assert number is not None
+    return judge(machine, number, *arguments)
+
+
+on_each_machine = pytest.mark.parametrize("machine", MACHINES)
+
+
+@on_each_machine
+def test_exactly_the_calls_of_the_table_are_allowed(machine: str) -> None:
+    column = _seccomp.MACHINES[machine][0]
+    allowed = {entry[column] for entry in CALLS.values()}
+    other = {entry[column] for entry in (*IN_PART.values(), *UNKNOWN.values())}
+    last = max(number for number in allowed if number is not None)
+    for number in range(last + 1):
+        if number not in other:
+            assert judge(machine, number) == (ALLOW if number in allowed else EPERM), number
+
+
+@on_each_machine
+@pytest.mark.parametrize("name", REFUSED)
+def test_is_refused(machine: str, name: str) -> None:
+    number = REFUSED[name][_seccomp.MACHINES[machine][0]]
+    if number is None:
+        pytest.skip(f"{machine} has no {name}")
+    assert judge(machine, number) == EPERM
+
+
+@on_each_machine
+@given(number=st.integers(463, 2**32 - 1))
+def test_calls_of_newer_kernels_and_of_the_x32_interface_do_not_exist(machine: str, number: int) -> None:
+    assert judge(machine, number) == NO_SUCH_CALL
+
+
+@on_each_machine
+@given(number=st.integers(0, 500), architecture=st.integers(0, 2**32 - 1))
+def test_no_call_passes_by_another_architecture(machine: str, number: int, architecture: int) -> None:
+    if architecture != _seccomp.MACHINES[machine][1]:
+        assert judge(machine, number, architecture=architecture) == EPERM
+
+
+@on_each_machine
+def test_threads_are_allowed_and_processes_and_name_spaces_are_not(machine: str) -> None:
+    assert in_part(machine, "clone", THREAD) == ALLOW
+    for flags in (SIGCHLD, 0, 0x4100 | SIGCHLD, THREAD | CLONE_NEWUSER, THREAD | CLONE_NEWNET, CLONE_NEWUSER):
+        assert in_part(machine, "clone", flags) == EPERM
+    assert judge(machine, 435) == NO_SUCH_CALL  # clone3: its flags are in memory
+
+
+@on_each_machine
+@given(pid=st.integers(-(2**31), 2**31 - 1))
+def test_signals_reach_only_the_process_itself(machine: str, pid: int) -> None:
+    answer = ALLOW if pid == PID else EPERM
+    assert in_part(machine, "kill", pid, 9) == answer
+    assert in_part(machine, "tgkill", pid, pid, 9) == answer
+    assert in_part(machine, "tkill", pid, 9) == answer
+    assert in_part(machine, "kill", PID, 9) == ALLOW
+
+
+@on_each_machine
+def test_limits_are_its_own(machine: str) -> None:
+    assert [in_part(machine, "prlimit64", pid) for pid in (0, PID, 1, PID + 1)] == [ALLOW, ALLOW, EPERM, EPERM]
+
+
+@on_each_machine
+def test_what_is_opened_for_reading_is_not_emptied(machine: str) -> None:
+    for name, place in (("open", 1), ("openat", 2)):
+        if IN_PART[name][_seccomp.MACHINES[machine][0]] is None:
+            continue
+        for flags in (O_RDONLY, O_RDONLY | O_CLOEXEC, O_WRONLY | O_CREAT | O_TRUNC, O_RDWR | O_TRUNC, O_RDWR):
+            assert in_part(machine, name, *[0] * place, flags) == ALLOW
+        for flags in (O_RDONLY | O_TRUNC, O_RDONLY | O_TRUNC | O_CLOEXEC, 3 | O_TRUNC):
+            assert in_part(machine, name, *[0] * place, flags) == EPERM
+
+
+@on_each_machine
+def test_socket_pairs_are_connected_to_each_other_alone(machine: str) -> None:
+    assert in_part(machine, "socketpair", AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC) == ALLOW
+    assert in_part(machine, "socketpair", AF_UNIX, SOCK_DGRAM) == EPERM
+    assert in_part(machine, "socketpair", AF_INET, SOCK_STREAM) == EPERM
+
+
+@on_each_machine
+@pytest.mark.parametrize(
+    ("name", "place", "allowed", "refused"),
+    [
+        ("fcntl", 1, (0, 1, 2, 3, 4, 1030), (8, 10, 15, 1024, 1026)),
+        ("ioctl", 1, (0x5401, 0x541B, 0x5421), (0x5412, 0x541C, 0x40086602, 0x40049409)),
+        ("prctl", 0, (15, 16), (1, 4, 8, 22, 36, 55)),
+    ],
+)
+def test_calls_with_many_meanings_are_judged_by_meaning(
+    machine: str, name: str, place: int, allowed: tuple[int, ...], refused: tuple[int, ...]
+) -> None:
+    assert {in_part(machine, name, *[0] * place, value) for value in allowed} == {ALLOW}
+    assert {in_part(machine, name, *[0] * place, value) for value in refused} == {EPERM}
+
+
+@on_each_machine
+def test_the_kernel_takes_the_filter(machine: str) -> None:
+    """At most 4096 instructions; every jump ends inside; the last one returns."""
+    instructions = FILTERS[machine]
+    assert len(instructions) <= 4096
+    for at, (code, if_true, if_false, operand) in enumerate(instructions):
+        assert 0 <= operand < 2**32
+        assert at + 1 + max(if_true, if_false) < len(instructions) or code == 0x06
+        assert 0 <= if_true < 256 > if_false >= 0
+    assert instructions[-1][0] == 0x06
+
+
+HEADER = Path("/usr/include/x86_64-linux-gnu/asm/unistd_64.h")
+
+
+@pytest.mark.skipif(not HEADER.exists(), reason="the headers of Linux are not installed")
+def test_numbers_are_those_of_the_kernels_headers() -> None:
+    known = {name: int(number) for name, number in re.findall(r"__NR_(\w+) (\d+)", HEADER.read_text(encoding="utf-8"))}
+    ours = {name: number for name, (number, _) in {**CALLS, **IN_PART, **UNKNOWN}.items() if name in known}
+    assert len(ours) > 150
+    assert ours == {name: known[name] for name in ours}
+    refused = {name: number for name, (number, _) in REFUSED.items() if name in known}
+    assert refused == {name: known[name] for name in refused}

@@ -1,0 +1,176 @@
+"""What a program may use, what it may not be, and which layers a run has."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from attempts import only, outcomes
+from fake_match import FakeMatch
+
+from rcj_challenges.controllers import isolation, sight, tasks
+from rcj_challenges.controllers.pupil.controller import _landlock, _seccomp
+from rcj_challenges.scenario.models.scenario import Limits
+
+needs_linux = pytest.mark.skipif(sys.platform != "linux", reason="layers of Linux")
+is_root = sys.platform == "linux" and os.geteuid() == 0
+
+IN_A_LOOP = "\nwhile True:\n    pass\n"
+
+
+@pytest.fixture
+def probed_anew() -> Iterator[None]:
+    """What this machine can do is found out once; here it is found out again, and again afterwards."""
+    isolation._missing_on_linux.cache_clear()
+    yield
+    isolation._missing_on_linux.cache_clear()
+
+
+@needs_linux
+def test_memory_descriptors_and_privileges_are_limited(tmp_path: Path) -> None:
+    with only("resource_limits", "no_new_privileges"):
+        told = outcomes(
+            tmp_path,
+            {
+                "take memory": "bytearray(300 << 20)",
+                "write a large file": "[file.write(bytes(1 << 20)) for _ in range(20)]",
+                "raise a limit": "resource.setrlimit(resource.RLIMIT_AS, (1 << 40, 1 << 40))",
+                "privileges": "int([line for line in open('/proc/self/status') if 'CapEff' in line][0].split()[1], 16)",
+                "new ones": "[line.split()[1] for line in open('/proc/self/status') if 'NoNewPrivs' in line]",
+                "processor time": "resource.getrlimit(resource.RLIMIT_CPU)[0]",
+                "open files": "[os.open('/dev/null', os.O_RDONLY) for _ in range(300)]",
+            },
+            before="signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\nfile = open('large', 'wb', buffering=0)\n",
+            memory_mb=256,
+            scratch_mb=9,
+            output_mb=1,
+            start_s=20,
+            half_s=10,
+        )
+    assert told == {
+        "take memory": "MemoryError",
+        "open files": "EMFILE",
+        "write a large file": "EFBIG",
+        "raise a limit": "ValueError",  # how the module tells a refusal
+        # Root may still read what root may read (Python may be in a folder of root's), and nothing more.
+        "privileges": str(1 << 2) if is_root else "0",
+        "new ones": "['1']",
+        "processor time": "100",
+    }
+
+
+@needs_linux
+def test_a_program_that_uses_up_its_processor_time_is_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(isolation, "processor_s", lambda _: 1)
+    fault = FakeMatch(tmp_path).play("from controller import Robot\nRobot().step(32)" + IN_A_LOOP, 2).fault
+    assert fault is not None
+    assert (fault.kind, fault.tick) == ("crash", 1)
+    assert fault.detail == "the program was ended by the signal SIGXCPU: it used more processor time than it may"
+
+
+def test_no_program_with_one_thread_comes_near_the_limit_of_processor_time() -> None:
+    limits = Limits()
+    assert isolation.processor_s(limits) > limits.start_s + 6 * limits.half_s
+
+
+@needs_linux
+def test_a_program_with_too_many_threads_is_ended(tmp_path: Path) -> None:
+    program = """
+import threading
+from controller import Robot
+robot = Robot()
+threading.stack_size(1 << 16)
+for _ in range(200):
+    threading.Thread(target=threading.Event().wait, daemon=True).start()
+"""
+    fault = FakeMatch(tmp_path, processes=8).play(program + IN_A_LOOP, 2).fault
+    assert fault is not None
+    assert (fault.kind, fault.detail) == ("memory", "the program runs more than 8 threads")
+
+
+@needs_linux
+def test_a_program_may_have_as_many_threads_as_the_scenario_allows(tmp_path: Path) -> None:
+    program = """
+import threading
+from controller import Robot
+robot = Robot()
+[threading.Thread(target=threading.Event().wait, daemon=True).start() for _ in range(8)]
+while robot.step(32) != -1:
+    pass
+"""
+    match = FakeMatch(tmp_path, processes=8)
+    assert match.play(program, 300).fault is None  # its folder is looked at every 256 steps, and its threads
+
+
+@pytest.mark.skipif(sys.platform != "linux" or is_root, reason="root has no limit on threads")
+def test_the_user_keeps_room_for_threads_outside() -> None:
+    told = isolation._user_tasks(Limits(processes=10))
+    assert told == tasks.tasks_of_user() + 160
+    assert tasks.tasks_of_user() >= tasks.threads_of(os.getpid()) >= 1
+
+
+@needs_linux
+def test_threads_are_counted() -> None:
+    assert tasks.tasks_of_user() >= tasks.threads_of(os.getpid()) >= 1
+    assert tasks.threads_of(2**22 + 1) == 0
+
+
+@needs_linux
+@pytest.mark.usefixtures("probed_anew")
+def test_what_cannot_be_had_is_named_and_auto_goes_without(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(_landlock, "is_available", lambda: False)
+    monkeypatch.setattr(_seccomp, "is_available", lambda: False)
+    assert not {"filesystem", "system_calls"} & set(isolation.active_layers("auto"))
+    with pytest.raises(isolation.IsolationError) as told:
+        isolation.active_layers("strict")
+    assert "filesystem (no sight of files" in str(told.value)
+    assert "no Landlock (Linux 5.13" in str(told.value)
+    assert "system_calls (no network" in str(told.value)
+    assert "x86_64 and aarch64" in str(told.value)
+
+
+@needs_linux
+@pytest.mark.usefixtures("probed_anew")
+def test_files_are_not_hidden_where_python_itself_lives_among_them(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    (tmp_path / "home" / "me").mkdir(parents=True)
+    monkeypatch.setattr(sight, "standard_library", lambda: [str(tmp_path / "home")])
+    monkeypatch.setenv("HOME", str(tmp_path / "home" / "me"))
+    assert "filesystem" not in isolation.active_layers("auto")
+    with pytest.raises(isolation.IsolationError, match="Python's own folder holds a home folder"):
+        isolation.active_layers("strict")
+
+
+@pytest.mark.skipif(
+    not (_landlock.is_available() and _seccomp.is_available()), reason="this kernel lacks Landlock or seccomp"
+)
+def test_a_strict_run_has_every_layer(tmp_path: Path) -> None:
+    assert set(isolation.active_layers("strict")) >= set(isolation.LAYERS)
+    assert FakeMatch(tmp_path).play("patterns/keeps_state_at_module_level", 3, sandbox="strict").fault is None
+
+
+@pytest.mark.parametrize("platform", ["darwin", "win32", "freebsd14"])
+def test_other_platforms_say_what_they_lack(platform: str) -> None:
+    assert set(isolation.missing_layers(platform)) == {"no_new_privileges", "filesystem", "system_calls"}
+    with pytest.raises(isolation.IsolationError, match="cannot be had here"):
+        isolation.active_layers("strict", platform)
+
+
+@needs_linux
+@pytest.mark.parametrize(
+    ("folder", "wide"),
+    [("/", True), ("/home", True), ("/home/me", True), ("/home/me/.venv/lib", False), ("/usr/lib", False)],
+)
+def test_a_folder_that_holds_a_hidden_one_is_too_wide(folder: str, wide: bool) -> None:
+    assert sight.is_too_wide(folder, ("/", "/home/me/project", "/tmp")) is wide
+
+
+@needs_linux
+def test_programs_see_neither_home_nor_the_temporary_folder_nor_the_current_one() -> None:
+    hidden = sight._protected()
+    assert str(Path.cwd()) in hidden
+    assert not [path for path in sight.readable() if sight.is_too_wide(path, hidden)]

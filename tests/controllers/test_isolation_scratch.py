@@ -1,0 +1,109 @@
+"""The private folder of a program is measured and removed, whatever the program made of it."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+import pytest
+from fake_match import FakeMatch
+
+from rcj_challenges.controllers import scratch
+
+posix = pytest.mark.skipif(sys.platform == "win32", reason="paths of Windows end before this depth")
+
+
+def nest(folder: Path, depth: int) -> None:
+    """Make folders inside each other, deeper than a path can be long, with a file in the innermost."""
+    descriptor = os.open(folder, os.O_RDONLY)
+    for _ in range(depth):
+        os.mkdir("d" * 20, dir_fd=descriptor)
+        inner = os.open("d" * 20, os.O_RDONLY, dir_fd=descriptor)
+        os.close(descriptor)
+        descriptor = inner
+    os.close(os.open("file", os.O_WRONLY | os.O_CREAT, dir_fd=descriptor))
+    os.close(descriptor)
+
+
+def test_files_count_by_their_size_and_for_at_least_a_block(tmp_path: Path) -> None:
+    (tmp_path / "large").write_bytes(bytes(100_000))
+    assert scratch.has_more_than(tmp_path, 99_999)
+    assert not scratch.has_more_than(tmp_path, 100_000)
+    (tmp_path / "empty").touch()
+    (tmp_path / "folder").mkdir()
+    assert scratch.has_more_than(tmp_path, 100_000 + 2 * scratch._ENTRY_BYTES - 1)
+    assert not scratch.has_more_than(tmp_path, 100_000 + 2 * scratch._ENTRY_BYTES)
+
+
+@posix
+def test_what_a_link_points_to_does_not_count(tmp_path: Path) -> None:
+    outside = tmp_path / "outside"
+    outside.mkdir()
+    (outside / "large").write_bytes(bytes(100_000))
+    inside = tmp_path / "inside"
+    inside.mkdir()
+    (inside / "link").symlink_to(outside)
+    assert not scratch.has_more_than(inside, 2 * scratch._ENTRY_BYTES)
+
+
+@posix
+def test_folders_nested_too_deep_to_be_measured_are_more_than_any_limit_allows(tmp_path: Path) -> None:
+    inner = tmp_path / "inner"
+    inner.mkdir()
+    nest(inner, 400)
+    assert scratch.has_more_than(tmp_path, 10**12)
+    scratch.remove(tmp_path)
+    assert not tmp_path.exists()
+
+
+@posix
+def test_links_are_removed_and_not_followed(tmp_path: Path) -> None:
+    outside = tmp_path / "outside"
+    outside.mkdir()
+    (outside / "kept").touch()
+    private = tmp_path / "private"
+    private.mkdir()
+    (private / "link").symlink_to(outside)
+    nest(private, 300)
+    scratch.remove(private)
+    assert not private.exists()
+    assert (outside / "kept").exists()
+
+
+@posix
+def test_folders_without_permissions_are_removed(tmp_path: Path) -> None:
+    private = tmp_path / "private"
+    (private / "a" / "b" / "c").mkdir(parents=True)
+    (private / "a" / "b" / "file").touch()
+    for folder in (private / "a" / "b", private / "a", private):
+        folder.chmod(0)
+    scratch.remove(private)
+    assert not private.exists()
+
+
+def test_a_folder_that_is_not_there_is_no_error(tmp_path: Path) -> None:
+    scratch.remove(tmp_path / "none")
+    assert not scratch.has_more_than(tmp_path / "none", 0)
+
+
+@posix
+def test_a_program_that_nests_folders_without_end_is_ended_and_leaves_nothing(tmp_path: Path) -> None:
+    program = """
+import os
+from controller import Robot
+robot = Robot()
+for _ in range(1500):
+    os.mkdir("deeper")
+    os.chdir("deeper")
+print(os.environ["HOME"], flush=True)
+while True:
+    pass
+"""
+    played = FakeMatch(tmp_path, scratch_mb=20).play(program, 2)
+    assert played.fault is not None
+    assert (played.fault.kind, played.fault.detail) == (
+        "output_flood",
+        "the program wrote more than 20 MB into its folder",
+    )
+    assert not Path(played.said[0]).exists()

@@ -1,0 +1,92 @@
+"""Writes ``docs/hostile-programs.md`` from the headers of the programs: ``python -m tests.hostile.page``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from tests.hostile.harness import GROUPS, PLATFORMS, Entry, entries
+
+PAGE = Path(__file__).parent.parent.parent / "docs" / "hostile-programs.md"
+
+_TITLES = {
+    "time": "Time: programs that let others wait",
+    "endings": "Endings: programs that break, or break off",
+    "output": "Output",
+    "memory and files": "Memory, disk, and what belongs to others",
+    "processes and system": "Processes, network and the system",
+    "protocol": "The protocol between a program and the match",
+    "module": "The controller module and Python itself",
+}
+_PLATFORM_NAMES = {"linux": "Linux", "darwin": "macOS", "win32": "Windows"}
+_ENDS = {
+    "start_timeout": "stopped at the wall limit of the start",
+    "step_timeout": "stopped at the wall limit of a step",
+    "half_timeout": "stopped at the sum of all waits",
+    "output_flood": "stopped for what it wrote",
+    "memory": "ended for lack of memory",
+    "crash": "crash",
+    "exit": "exit",
+    "protocol": "ended for what it said",
+}
+
+_HEAD = """\
+# Hostile and broken programs, and what holds them
+
+A program of a team may do anything. These {count} programs do; each is a small file in `tests/hostile/programs/`, and each is
+played in a real match: in three robots of one team, against a sane team that uses all its sensors. Asserted every time:
+
+- the match ends in time, complete, and no other robot has a fault;
+- all poses of all robots and of the ball are, bit for bit, those of the match in which that program sets speed 0 from the same
+  tick on; so are all events but that of its own fault;
+- the programs of the sane team have seen and printed exactly the same;
+- no file, process, thread or open file is left, nothing outside the private folders has changed, and the match's own process has
+  the same limits, priority, session and environment as before;
+- the fault, with its tick and its cause, stands in the reflog, in `result.json` and in that robot's log.
+
+`python -m pytest tests/hostile/test_programs.py` plays them all, as root or as any other user. What needs a layer of isolation that
+this computer does not have is skipped with that reason. Programs marked ⚑ are played once more with `--sandbox off`, to show
+that what they try does succeed there: it is the layers named that hold them.
+
+**Layers**: — means that no layer of isolation is needed: each program is a process of its own, the match judges every message, waits
+for nobody longer than the limits say, and takes over only what it has looked at. The other names are those in `result.json`.
+"""
+
+_TAIL = """\
+
+## What is not held
+
+- **Time of the processor.** Threads of a program compute while others think: on a computer with few cores a match gets slower by
+  it, never different. Limits of wall time are for hangs; give them room.
+- **The real clock** can be read past the simulated one, by ctypes. Nothing in a match depends on it.
+- **The own team**: what a robot says on its team's radio is heard by its team mates, and what they do with it is their affair.
+- Without the layers `filesystem` and `system_calls` (macOS, Windows, old kernels) a program can read and write what the user who
+  runs the match can, start processes and use the network. Run strangers' programs there only as a user who owns nothing.
+"""
+
+
+def text() -> str:
+    """Return the page."""
+    parts = [_HEAD.format(count=len(entries()))]
+    for group in GROUPS:
+        parts += [
+            f"\n## {_TITLES[group]}\n\n",
+            "| program | tries | held by | then | layers | platforms |\n|---|---|---|---|---|---|\n",
+        ]
+        parts += [_row(entry) for entry in entries() if entry.about == group]
+    return "".join(parts) + _TAIL
+
+
+def _row(entry: Entry) -> str:
+    platforms = (
+        "all" if set(entry.platforms) == set(PLATFORMS) else ", ".join(map(_PLATFORM_NAMES.get, entry.platforms))
+    )
+    kinds = "" if entry.plays_on else entry.ends.split(" at ")[0].split("|")
+    then = "plays on" if entry.plays_on else " or ".join(_ENDS[kind] for kind in kinds)
+    layers = ", ".join(f"`{layer}`" for layer in entry.layers) or "—"
+    mark = " ⚑" if entry.succeeds_without else ""
+    cells = (f"`{entry.name}`{mark}", entry.tries, entry.holds, then, layers, platforms)
+    return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |\n"
+
+
+if __name__ == "__main__":
+    PAGE.write_text(text(), encoding="utf-8", newline="\n")

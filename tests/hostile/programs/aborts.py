@@ -1,0 +1,14 @@
+#: about = "endings"
+#: tries = "to end itself by the signal that the match uses to ask where it hangs"
+#: holds = "a process ended by a signal has crashed"
+#: platforms = ["linux", "darwin"]
+#: tick = 10
+#: ends = "crash at 10"
+#: cause = "SIGABRT"
+
+import os
+
+import arena
+
+arena.drive(10)
+os.abort()

@@ -1,0 +1,15 @@
+#: about = "protocol"
+#: tries = "to answer a tick that has not come"
+#: holds = "an answer names its tick"
+#: tick = 10
+#: ends = "protocol at 10"
+#: cause = "answers tick 40 at tick 10"
+
+
+import arena
+from controller import _hub, _wire
+
+arena.drive(10)
+wire = _hub.connected()._wire
+wire.send(_wire.motors_frame(40, 1, 0, 0, []))
+arena.play_on()

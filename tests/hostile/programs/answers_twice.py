@@ -1,0 +1,17 @@
+#: about = "protocol"
+#: tries = "to answer one tick twice, with other speeds the second time"
+#: holds = "an answer names its tick"
+#: tick = 10
+#: ends = "protocol at 11"
+#: cause = "answers tick 10 at tick 11"
+
+
+import arena
+from controller import _hub, _wire
+
+arena.drive(10)
+wire = _hub.connected()._wire
+stop = [(0, 0.0, float("inf")), (1, 0.0, float("inf"))]
+wire.send(_wire.motors_frame(10, 1, 0, 0, stop) + _wire.motors_frame(10, 1, 0, 0, [(0, 10.0, float("inf"))]))
+arena.robot.step(32)
+arena.play_on()

@@ -1,0 +1,20 @@
+#: about = "protocol"
+#: tries = "to answer all ticks in advance and never read what it is told"
+#: holds = "it gains nothing: what it does is decided before it knows; unread observations are bounded by the half"
+#: tick = 10
+#: ends = "exit at 50"
+#: cause = "came to its end"
+
+import struct
+
+import arena
+from controller import _hub, _wire
+
+arena.drive(10)
+wire = _hub.connected()._wire
+stop = [(0, 0.0, float("inf")), (1, 0.0, float("inf"))]
+for tick in range(10, 50):
+    wire.send(_wire.motors_frame(tick, 1, 0, 0, stop))
+while _hub.connected().tick < 50:
+    frame = wire.receive()
+    _hub.connected().tick = struct.unpack_from("<IBI", frame)[2]

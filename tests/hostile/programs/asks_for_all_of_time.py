@@ -1,0 +1,17 @@
+#: about = "protocol"
+#: tries = "a step of four billion ticks, after missing as many"
+#: holds = "the match goes on without it"
+#: tick = 10
+#: ends = "plays on"
+#: said = ["asked"]
+
+
+import arena
+from controller import _hub, _wire
+
+arena.drive(10)
+wire = _hub.connected()._wire
+stop = [(0, 0.0, float("inf")), (1, 0.0, float("inf"))]
+print("asked", flush=True)
+wire.exchange(_wire.motors_frame(10, 1, 0, 0, stop))
+wire.exchange(_wire.motors_frame(11, 2**32 - 1, 2**32 - 1, 2**64 - 1, stop))

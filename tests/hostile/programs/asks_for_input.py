@@ -1,0 +1,14 @@
+#: about = "endings"
+#: tries = "to wait for somebody who types"
+#: holds = "its input is empty"
+#: tick = 10
+#: ends = "crash at 10"
+#: cause = "EOFError"
+
+import sys
+
+import arena
+
+arena.drive(10)
+print(sys.stdin.read())
+input("your turn: ")

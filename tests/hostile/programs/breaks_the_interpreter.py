@@ -1,0 +1,20 @@
+#: about = "endings"
+#: tries = "to break its interpreter: a write to address 1, by ctypes"
+#: holds = "each program is a process of its own; its log shows the line"
+#: platforms = ["linux", "darwin"]
+#: tick = 10
+#: ends = "crash at 10"
+#: cause = "SIGSEGV"
+#: said = ["innermost call first", "in wreck"]
+
+import ctypes
+
+import arena
+
+
+def wreck():
+    ctypes.memset(1, 0, 100)
+
+
+arena.drive(10)
+wreck()

@@ -1,0 +1,18 @@
+#: about = "protocol"
+#: tries = "to close all its descriptors and to live on"
+#: holds = "without its connection it is ended"
+#: tick = 10
+#: ends = "protocol|exit at 10"
+#: cause = "closed its connection|exit status 1"
+
+import os
+
+import arena
+from controller import _hub
+
+arena.drive(10)
+wire = _hub.connected()._wire
+import threading
+
+os.closerange(0, 300)
+threading.Event().wait()

@@ -1,0 +1,17 @@
+#: about = "protocol"
+#: tries = "a message that announces more than it holds"
+#: holds = "what is not exactly as the protocol demands ends it"
+#: tick = 10
+#: ends = "protocol at 10"
+#: cause = "too many settings"
+
+import struct
+
+import arena
+from controller import _hub
+
+arena.drive(10)
+wire = _hub.connected()._wire
+body = struct.pack("<BIIIQHHHHI", 0x52, 10, 1, 0, 0, 60000, 60000, 60000, 60000, 2**32 - 1) + bytes(100)
+wire.send(struct.pack("<I", len(body)) + body)
+arena.play_on()

@@ -1,0 +1,16 @@
+#: about = "time"
+#: tries = "to ignore every signal and never start"
+#: holds = "the wall limit of the start, then SIGKILL, which cannot be ignored"
+#: tick = 0
+#: ends = "start_timeout at 0"
+#: limits = {start_s = 3}
+
+import signal
+
+for number in signal.valid_signals():
+    try:
+        signal.signal(number, signal.SIG_IGN)
+    except (OSError, ValueError):
+        pass
+while True:
+    pass

@@ -1,0 +1,17 @@
+#: about = "memory and files"
+#: tries = "to delete its own files, folder and home, and to leave the current folder in nothing"
+#: holds = "the copy is its own; nothing of the match needs it"
+#: platforms = ["linux", "darwin"]
+#: tick = 10
+#: ends = "plays on"
+#: said = ["gone: "]
+
+import os
+import shutil
+
+import arena
+
+arena.drive(10)
+shutil.rmtree(os.environ["HOME"], ignore_errors=True)
+print("gone:", os.listdir(os.environ["HOME"]) if os.path.isdir(os.environ["HOME"]) else "wholly")
+arena.play_on()

@@ -1,0 +1,21 @@
+#: about = "protocol"
+#: tries = "to keep the match busy with a message that comes byte by byte"
+#: holds = "the wall limit of a step counts for the whole message"
+#: tick = 10
+#: ends = "step_timeout at 10"
+#: cause = "did not call step"
+
+import os
+import struct
+
+import arena
+from controller import _hub
+
+arena.drive(10)
+wire = _hub.connected()._wire
+import threading
+
+frame = struct.pack("<I", 1000) + bytes(1000)
+for byte in frame:
+    os.write(wire._write_fd, bytes([byte]))
+    threading.Event().wait(0.01)

@@ -1,0 +1,15 @@
+#: about = "protocol"
+#: tries = "to command motors that are not its own, by guessing numbers"
+#: holds = "a pipe belongs to one robot, and numbers are those of its devices"
+#: tick = 10
+#: ends = "protocol at 10"
+#: cause = "device 65535 is not a motor"
+
+
+import arena
+from controller import _hub, _wire
+
+arena.drive(10)
+wire = _hub.connected()._wire
+wire.send(_wire.motors_frame(10, 1, 0, 0, [(65535, 10.0, float("inf"))]))
+arena.play_on()

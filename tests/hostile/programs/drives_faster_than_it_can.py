@@ -1,0 +1,15 @@
+#: about = "protocol"
+#: tries = "ten times the highest speed, past its own module"
+#: holds = "numbers are judged by the match"
+#: tick = 10
+#: ends = "protocol at 10"
+#: cause = "a velocity of 100 rad/s"
+
+
+import arena
+from controller import _hub, _wire
+
+arena.drive(10)
+wire = _hub.connected()._wire
+wire.send(_wire.motors_frame(10, 1, 0, 0, [(0, 100.0, float("inf"))]))
+arena.play_on()

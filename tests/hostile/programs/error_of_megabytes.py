@@ -1,0 +1,11 @@
+#: about = "endings"
+#: tries = "to flood log and result with the text of its error"
+#: holds = "a fault is told in at most 1000 letters, its traceback in 20 kB"
+#: tick = 10
+#: ends = "crash at 10"
+#: cause = "^ValueError: xxx.{0,1000}$"
+
+import arena
+
+arena.drive(10)
+raise ValueError("x" * 3_000_000)

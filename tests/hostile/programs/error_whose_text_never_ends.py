@@ -1,0 +1,17 @@
+#: about = "time"
+#: tries = "to hang the report of its own error: its __str__ loops"
+#: holds = "the wall limit of a step"
+#: tick = 10
+#: ends = "step_timeout at 10"
+
+import arena
+
+
+class Endless(Exception):
+    def __str__(self):
+        while True:
+            pass
+
+
+arena.drive(10)
+raise Endless

@@ -1,0 +1,19 @@
+#: about = "endings"
+#: tries = "to keep the report busy: a thousand errors, each the cause of the next, in a circle, with groups in groups"
+#: holds = "the report is bounded, and where it is not the wall limit is"
+#: tick = 10
+#: ends = "crash at 10"
+
+import arena
+
+arena.drive(10)
+first = error = ValueError("first")
+for number in range(1_000):
+    error.__context__ = ValueError(number)
+    error = error.__context__
+error.__cause__ = first
+group = ValueError("inner")
+for _ in range(500):
+    group = ExceptionGroup("group", [group])
+first.__cause__ = group
+raise first

@@ -1,0 +1,21 @@
+#: about = "endings"
+#: tries = "to break the report of its end: the code of its SystemExit raises whatever is done with it"
+#: holds = "what a program leaves behind is looked at with care: it is an exit all the same"
+#: tick = 10
+#: ends = "exit at 10"
+#: cause = "the program called sys.exit"
+
+import sys
+
+import arena
+
+
+class Trap:
+    def __getattribute__(self, name):
+        raise KeyboardInterrupt
+
+    __str__ = __repr__ = __format__ = __getattribute__
+
+
+arena.drive(10)
+sys.exit(Trap())

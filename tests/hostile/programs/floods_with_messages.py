@@ -1,0 +1,16 @@
+#: about = "protocol"
+#: tries = "to send messages without end"
+#: holds = "the match takes one message a tick; the next is out of order"
+#: tick = 10
+#: ends = "protocol at 11"
+#: cause = "answers tick 10 at tick 11"
+
+
+import arena
+from controller import _hub, _wire
+
+arena.drive(10)
+wire = _hub.connected()._wire
+frame = _wire.motors_frame(10, 1, 0, 0, [(0, 0.0, float("inf")), (1, 0.0, float("inf"))]) * 1000
+while True:
+    wire.send(frame)

@@ -1,0 +1,15 @@
+#: about = "protocol"
+#: tries = "a speed of NaN, past its own module"
+#: holds = "numbers are judged by the match"
+#: tick = 10
+#: ends = "protocol at 10"
+#: cause = "a velocity of nan rad/s"
+
+
+import arena
+from controller import _hub, _wire
+
+arena.drive(10)
+wire = _hub.connected()._wire
+wire.send(_wire.motors_frame(10, 1, 0, 0, [(0, float("nan"), float("inf"))]))
+arena.play_on()

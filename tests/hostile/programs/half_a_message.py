@@ -1,0 +1,17 @@
+#: about = "protocol"
+#: tries = "to keep the match waiting for the second half of a message"
+#: holds = "the wall limit of a step"
+#: tick = 10
+#: ends = "step_timeout at 10"
+#: cause = "did not call step"
+
+import os
+
+import arena
+from controller import _hub, _wire
+
+arena.drive(10)
+wire = _hub.connected()._wire
+os.write(wire._write_fd, _wire.motors_frame(10, 1, 0, 0, [])[:11])
+while True:
+    pass

@@ -1,0 +1,20 @@
+#: about = "module"
+#: tries = "to hide where it hangs: the fault handler is switched off and writes elsewhere"
+#: holds = "the fault and its tick are told in any case"
+#: platforms = ["linux", "darwin"]
+#: tick = 10
+#: ends = "step_timeout at 10"
+
+import faulthandler
+import signal
+
+import arena
+
+arena.drive(10)
+elsewhere = open("rcj-hostile-dump", "w")
+faulthandler.disable()
+faulthandler.enable(elsewhere)
+faulthandler.register(signal.SIGTERM, elsewhere, chain=False)
+signal.signal(signal.SIGABRT, signal.SIG_DFL)
+while True:
+    pass

@@ -1,0 +1,15 @@
+#: about = "endings"
+#: tries = "to kill itself"
+#: holds = "a process ended by a signal has crashed"
+#: platforms = ["linux", "darwin"]
+#: tick = 10
+#: ends = "crash at 10"
+#: cause = "SIGKILL"
+
+import os
+import signal
+
+import arena
+
+arena.drive(10)
+os.kill(os.getpid(), signal.SIGKILL)

@@ -1,0 +1,10 @@
+#: about = "endings"
+#: tries = "to leave with os._exit(0) while it is imported"
+#: holds = "its end is an exit at tick 0"
+#: tick = 0
+#: ends = "exit at 0"
+#: cause = "exit status 0"
+
+import os
+
+os._exit(0)

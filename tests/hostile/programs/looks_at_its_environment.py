@@ -1,0 +1,18 @@
+#: about = "memory and files"
+#: tries = "to find passwords and paths in the environment that it inherits"
+#: holds = "its environment is made for it"
+#: tick = 10
+#: ends = "plays on"
+#: said = ["nothing of interest"]
+
+import os
+
+import arena
+
+arena.drive(10)
+for name, value in os.environ.items():
+    told = name if name in ("HOME", "TMPDIR", "TEMP", "TMP", "USERPROFILE", "APPDATA") else name + value
+    if any(word in told.lower() for word in ("secret", "token", "pytest", "xdist", "virtual_env")):
+        print("BROKEN:", name)
+print("nothing of interest")
+arena.play_on()

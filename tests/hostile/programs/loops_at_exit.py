@@ -1,0 +1,29 @@
+#: about = "time"
+#: tries = "to hang at its end: exit handlers, threads and __del__ that never return"
+#: holds = "nothing of a program runs after its end is told"
+#: tick = 10
+#: ends = "exit at 10"
+#: cause = "sys.exit.0."
+
+import atexit
+import sys
+import threading
+
+import arena
+
+
+def forever(*_):
+    while True:
+        pass
+
+
+class Immortal:
+    __del__ = forever
+
+
+arena.drive(10)
+sys.immortal = Immortal()
+atexit.register(forever)
+threading._register_atexit(forever)
+threading.Thread(target=threading.Event().wait).start()
+sys.exit(0)

@@ -1,0 +1,19 @@
+#: about = "time"
+#: tries = "to loop for ever in __del__"
+#: holds = "the wall limit of a step"
+#: tick = 10
+#: ends = "step_timeout at 10"
+#: said = ["in __del__"]
+
+import arena
+
+
+class Immortal:
+    def __del__(self):
+        while True:
+            pass
+
+
+arena.drive(10)
+Immortal()
+arena.play_on()

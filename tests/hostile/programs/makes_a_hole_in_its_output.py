@@ -1,0 +1,16 @@
+#: about = "output"
+#: tries = "to have the match read gigabytes of nothing: its output ends far behind its beginning"
+#: holds = "of its output no more is read than it may print"
+#: platforms = ["linux", "darwin"]
+#: tick = 10
+#: ends = "output_flood at 10"
+#: limits = {output_mb = 0.2, scratch_mb = 2.0}
+
+import os
+
+import arena
+
+arena.drive(10)
+os.ftruncate(1, 2_000_000)
+while True:
+    pass

@@ -1,0 +1,18 @@
+#: about = "memory and files"
+#: tries = "to use up the disk's list of files: hundreds of empty files and folders"
+#: holds = "every file and folder counts for a block"
+#: tick = 10
+#: ends = "output_flood at 10"
+#: limits = {output_mb = 0.2, scratch_mb = 2.0}
+#: cause = "wrote more than 2 MB"
+
+import os
+
+import arena
+
+arena.drive(10)
+for number in range(300):
+    open(f"rcj-hostile-{number}", "wb").close()
+    os.mkdir(f"rcj-hostile-folder-{number}")
+while True:
+    pass

@@ -1,0 +1,16 @@
+#: about = "protocol"
+#: tries = "to announce a message of 4 GB"
+#: holds = "a message longer than any honest one ends it before it is read"
+#: tick = 10
+#: ends = "protocol at 10"
+#: cause = "a message of 4294967295 bytes"
+
+import os
+
+import arena
+from controller import _hub
+
+arena.drive(10)
+wire = _hub.connected()._wire
+os.write(wire._write_fd, b"\xff\xff\xff\xff" + bytes(60_000))
+arena.play_on()

@@ -1,0 +1,18 @@
+#: about = "memory and files"
+#: tries = "to break the clean-up: folders in folders, 1200 deep, with a path longer than any call takes"
+#: holds = "counting and cleaning up go without recursion and without long paths"
+#: platforms = ["linux", "darwin"]
+#: tick = 10
+#: ends = "output_flood at 10"
+#: limits = {output_mb = 0.2, scratch_mb = 2.0}
+
+import os
+
+import arena
+
+arena.drive(10)
+for number in range(1200):
+    os.mkdir("rcj-hostile" if number % 2 else "d")
+    os.chdir("rcj-hostile" if number % 2 else "d")
+while True:
+    pass

@@ -1,0 +1,25 @@
+#: about = "memory and files"
+#: tries = "to break the clean-up at the end of the match: folders in folders, 150 deep, that may not be changed"
+#: holds = "the clean-up gives itself the rights, and goes without recursion"
+#: platforms = ["linux", "darwin"]
+#: tick = 10
+#: ends = "plays on"
+#: said = ["plays on"]
+
+import contextlib
+import os
+
+import arena
+
+arena.drive(10)
+top = os.getcwd()
+for _ in range(150):
+    os.mkdir("d")
+    os.chdir("d")
+open("rcj-hostile", "w").close()
+for _ in range(150):
+    os.chdir("..")
+with contextlib.suppress(OSError):
+    os.chmod("d", 0o500)
+os.chdir(top)
+arena.play_on()

@@ -1,0 +1,17 @@
+#: about = "endings"
+#: tries = "to overflow the stack of its process, with the interpreter's limit out of the way"
+#: holds = "each program is a process of its own"
+#: platforms = ["linux", "darwin"]
+#: tick = 10
+#: ends = "crash at 10"
+
+import sys
+
+import arena
+
+arena.drive(10)
+sys.setrecursionlimit(10**9)
+first, second = [], []
+for _ in range(100_000):
+    first, second = [first], [second]
+print(first == second)

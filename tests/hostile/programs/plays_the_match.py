@@ -1,0 +1,17 @@
+#: about = "protocol"
+#: tries = "to send what only the match sends: hello and observations"
+#: holds = "what is not exactly as the protocol demands ends it"
+#: tick = 10
+#: ends = "protocol at 10"
+#: cause = "a message of unknown type 79"
+
+import os
+import struct
+
+import arena
+from controller import _hub
+
+arena.drive(10)
+wire = _hub.connected()._wire
+os.write(wire._write_fd, struct.pack("<IBIBII", 14, 0x4F, 11, 1, 0, 0))
+arena.play_on()

@@ -1,0 +1,21 @@
+#: about = "module"
+#: tries = "to be another robot: it changes its name, its number and its tick in the module"
+#: holds = "who it is depends on its pipe, and an answer names its tick"
+#: tick = 10
+#: ends = "protocol at 12"
+#: cause = "answers tick 9999 at tick 12"
+
+import arena
+from controller import _hub
+
+arena.drive(10)
+hub = _hub.connected()
+hub.spec["name"] = "B1"
+assert arena.robot.getName() == "B1"
+for motor in arena.motors:
+    motor.setVelocity(0)
+arena.robot.step(32)
+arena.robot.step(32)
+hub.tick = 9999
+arena.robot.step(32)
+arena.play_on()

@@ -1,0 +1,12 @@
+#: about = "endings"
+#: tries = "to leave with statuses that mean something else"
+#: holds = "whatever its status is, it has ended"
+#: tick = 10
+#: ends = "crash|exit at 10"
+
+import os
+
+import arena
+
+arena.drive(10)
+os._exit(128 + 9)

@@ -1,0 +1,17 @@
+#: about = "protocol"
+#: tries = "to connect its output with its connection"
+#: holds = "what is not exactly as the protocol demands ends it"
+#: tick = 10
+#: ends = "protocol at 10"
+#: cause = "a message"
+
+import os
+
+import arena
+from controller import _hub
+
+arena.drive(10)
+wire = _hub.connected()._wire
+os.dup2(wire._write_fd, 1)
+print("forward, all of you!" * 10, flush=True)
+arena.play_on()

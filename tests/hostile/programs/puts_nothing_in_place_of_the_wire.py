@@ -1,0 +1,17 @@
+#: about = "protocol"
+#: tries = "to put /dev/null in the place of its connection"
+#: holds = "without its connection it is ended"
+#: tick = 10
+#: ends = "protocol at 10"
+#: cause = "closed its connection"
+
+import os
+
+import arena
+from controller import _hub
+
+arena.drive(10)
+wire = _hub.connected()._wire
+nothing = os.open(os.devnull, os.O_RDWR)
+os.dup2(nothing, wire._write_fd)
+arena.play_on()

@@ -1,0 +1,16 @@
+#: about = "endings"
+#: tries = "to get past every except: an exception straight from BaseException"
+#: holds = "whatever a program raises is a crash, told with its line"
+#: tick = 10
+#: ends = "crash at 10"
+#: cause = "Unheard: of .robot./robot.\\.py, line "
+
+import arena
+
+
+class Unheard(BaseException):
+    pass
+
+
+arena.drive(10)
+raise Unheard("of")

@@ -1,0 +1,17 @@
+#: about = "endings"
+#: tries = "to recurse without end"
+#: holds = "the interpreter's limit: a crash, told in short"
+#: tick = 10
+#: ends = "crash at 10"
+#: cause = "RecursionError"
+#: said = ["repeated \\d+ more times"]
+
+import arena
+
+
+def deeper():
+    deeper()
+
+
+arena.drive(10)
+deeper()

@@ -1,0 +1,26 @@
+#: about = "module"
+#: tries = "to replace functions and classes of the controller module by its own"
+#: holds = "the module is on its side of the pipe: nothing that counts is decided there"
+#: tick = 10
+#: ends = "plays on"
+#: said = ["over at last"]
+
+import sys
+
+import arena
+import controller
+from controller import _clock, _hub, _wire
+
+arena.drive(10)
+hub = _hub.connected()
+real = hub.exchange
+hub.time_s = lambda: 1e9
+hub.exchange = lambda duration_ms: real(32)
+_wire.leave = lambda status: None
+_clock.Clock.missed_ticks = lambda self: 0
+controller.Robot.getTime = lambda self: -1
+controller.Motor = controller.Receiver = None
+for name in [name for name in sys.modules if name.startswith("controller")]:
+    del sys.modules[name]
+arena.play_on()
+print("over at last")

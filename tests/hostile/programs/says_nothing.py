@@ -1,0 +1,16 @@
+#: about = "protocol"
+#: tries = "an empty message"
+#: holds = "what is not exactly as the protocol demands ends it"
+#: tick = 10
+#: ends = "protocol at 10"
+#: cause = "an empty message"
+
+import os
+
+import arena
+from controller import _hub
+
+arena.drive(10)
+wire = _hub.connected()._wire
+os.write(wire._write_fd, bytes(4))
+arena.play_on()

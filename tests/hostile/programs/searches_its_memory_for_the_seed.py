@@ -1,0 +1,20 @@
+#: about = "memory and files"
+#: tries = "to find the seed of the match, or other robots' names, in the objects of its own process"
+#: holds = "a process is told only its own seed, which derives from that of the match one way"
+#: tick = 10
+#: ends = "plays on"
+#: said = ["looked at \\d+ dicts"]
+
+import gc
+
+import arena
+
+arena.drive(10)
+looked = 0
+for thing in gc.get_objects():
+    if type(thing) is dict:
+        looked += 1
+        if "match_seed" in thing or (thing.get("name") in ("B1", "B2", "B3") and "devices" in thing):
+            print("BROKEN: found", sorted(map(str, thing))[:10])
+print("looked at", looked, "dicts")
+arena.play_on()

@@ -1,0 +1,13 @@
+#: about = "time"
+#: tries = "a regular expression that takes longer than the world exists"
+#: holds = "the wall limit of a step"
+#: tick = 10
+#: ends = "step_timeout at 10"
+
+import re
+
+import arena
+
+arena.drive(10)
+re.match("(a|a)*$", "a" * 60 + "b")
+arena.play_on()

@@ -1,0 +1,23 @@
+#: about = "module"
+#: tries = "to run code in its team mates' processes by a pickle on the radio"
+#: holds = "only its own team hears it; what a program does with what it hears is its own affair, in its own process"
+#: tick = 10
+#: ends = "plays on"
+#: said = ["plays on"]
+
+import os
+import pickle
+
+import arena
+
+
+class Poison:
+    def __reduce__(self):
+        return os.system, ("touch /tmp/rcj-hostile-poison",)
+
+
+arena.drive(10)
+for _ in range(10):
+    arena.robot.getDevice("team emitter").send(pickle.dumps(Poison()))
+    arena.robot.step(32)
+arena.play_on()

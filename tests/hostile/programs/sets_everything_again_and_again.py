@@ -1,0 +1,18 @@
+#: about = "module"
+#: tries = "to slow down the match with tens of thousands of settings of its devices in every step"
+#: holds = "of all settings of a device in a step only the last is sent"
+#: tick = 10
+#: ends = "plays on"
+#: said = ["plays on"]
+
+import arena
+
+arena.drive(10)
+robot = arena.robot
+receiver, emitter = robot.getDevice("team receiver"), robot.getDevice("team emitter")
+for _ in range(3):
+    for number in range(20_000):
+        receiver.enable(32)
+        receiver.setChannel(number)
+    robot.step(32)
+arena.play_on()

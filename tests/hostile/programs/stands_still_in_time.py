@@ -1,0 +1,15 @@
+#: about = "protocol"
+#: tries = "a step of no length"
+#: holds = "a step lasts at least a tick"
+#: tick = 10
+#: ends = "protocol at 10"
+#: cause = "advance by no tick"
+
+
+import arena
+from controller import _hub, _wire
+
+arena.drive(10)
+wire = _hub.connected()._wire
+wire.send(_wire.motors_frame(10, 0, 0, 0, []))
+arena.play_on()

@@ -1,0 +1,15 @@
+#: about = "time"
+#: tries = "to stop itself with SIGSTOP, so that no handler of it can run"
+#: holds = "the wall limit of a step, then SIGKILL"
+#: platforms = ["linux", "darwin"]
+#: tick = 10
+#: ends = "step_timeout at 10"
+
+import os
+import signal
+
+import arena
+
+arena.drive(10)
+os.kill(os.getpid(), signal.SIGSTOP)
+arena.play_on()

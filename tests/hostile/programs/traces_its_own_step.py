@@ -1,0 +1,21 @@
+#: about = "module"
+#: tries = "to stop inside of step, with a trace function that never returns"
+#: holds = "the wall limit of a step"
+#: tick = 10
+#: ends = "step_timeout at 10"
+
+import sys
+
+import arena
+
+
+def trace(frame, event, argument):
+    if frame.f_code.co_name == "exchange":
+        while True:
+            pass
+    return trace
+
+
+arena.drive(10)
+sys.settrace(trace)
+arena.play_on()

@@ -1,0 +1,18 @@
+#: about = "processes and system"
+#: tries = "the calls of an administrator, with arguments that do no harm: mount, chroot, name spaces, host name, modules, log"
+#: holds = "they are refused, also where the match runs as root"
+#: layers = ["system_calls"]
+#: platforms = ["linux"]
+#: tick = 10
+#: ends = "plays on"
+#: said = ["refused: mount", "refused: unshare", "refused: bpf", "refused: io_uring_setup", "refused: userfaultfd"]
+
+import arena
+
+arena.drive(10)
+for name in (
+    "mount umount2 chroot pivot_root unshare setns sethostname swapoff init_module kexec_load acct bpf "
+    "perf_event_open userfaultfd keyctl add_key io_uring_setup open_by_handle_at"
+).split():
+    arena.syscall(name, arena.number_of(name), None, None, 0, 0, 0)
+arena.play_on()

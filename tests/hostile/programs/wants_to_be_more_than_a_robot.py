@@ -1,0 +1,23 @@
+#: about = "module"
+#: tries = "to be the referee, a second robot, or to hear and speak on the channels of others"
+#: holds = "a program has one robot, and its radio has its team's channels"
+#: tick = 10
+#: ends = "plays on"
+#: said = ["refused: Supervisor PermissionError", "refused: second RuntimeError", "is not for this team"]
+
+import arena
+import controller
+
+arena.drive(10)
+robot = arena.robot
+arena.refused("Supervisor", controller.Supervisor)
+arena.refused("second", controller.Robot)
+arena.refused("supervisor", lambda: robot.getFromDef("BALL"))
+for name in ("team receiver", "team emitter", "supervisor receiver"):
+    device = robot.getDevice(name)
+    if device is not None:
+        for channel in (*range(8), -1, 2**40, -(2**40)):
+            device.setChannel(channel)
+            robot.getDevice("team emitter").send(b"go home")
+arena.robot.step(32)
+arena.play_on()
