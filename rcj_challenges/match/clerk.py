@@ -68,6 +68,7 @@ class HalfClerk:
 
     def closed(self, closing: Verdict) -> None:
         """Tell of what the rules said after the last tick, and show the last output."""
+        self._watcher.closing(closing, self._half)
         for event in closing.events:
             self._watcher.event(event, self._half)
         self._show_output()

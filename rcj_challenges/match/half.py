@@ -22,6 +22,9 @@ class Driver(Protocol):
     def release(self, observation: Observation) -> None:
         """Let its ``step`` return."""
 
+    def overstepped(self, tick: int) -> Fault | None:
+        """Look whether it takes more than it may while nobody waits for it: its threads run on in a long ``step``."""
+
 
 @dataclass
 class HalfStage:
@@ -59,6 +62,9 @@ class HalfOutcome:
 
 _MOST_LENGTHS = 10
 """A half whose clock a phase has stopped for good ends after this many times its length."""
+
+_LOOKED_AFTER_EVERY = 64
+"""Ticks between looks at programs that stay away for longer than that."""
 
 OnTick = Callable[[Snapshot, Verdict, bytes], None]
 
@@ -157,7 +163,15 @@ class HalfPlay:
         answers = [alive[robot].collect() for robot in reversed(due)]
         for robot in due:
             self._take(robot, answers.pop())
+        if tick % _LOOKED_AFTER_EVERY == 0:
+            self._look_after_those_away(tick)
         return verdict
+
+    def _look_after_those_away(self, tick: int) -> None:
+        for robot, due in list(self._due.items()):
+            fault = self._alive[robot].overstepped(tick) if due > tick + _LOOKED_AFTER_EVERY else None
+            if fault is not None:
+                self._take(robot, fault)
 
     def _sense_and_release(self, tick: int, *, plays_on: bool) -> list[int]:
         """Let each robot look around, and release its program if it is due; returns those released."""

@@ -19,9 +19,11 @@ from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.facts.traffic import RobotSpec
 from rcj_challenges.match.clerk import HalfClerk
 from rcj_challenges.match.half import HalfOutcome, HalfPlay, HalfStage
+from rcj_challenges.match.overhearing import Overhearing
 from rcj_challenges.match.ranking import ranking
 from rcj_challenges.match.seats import by_seat, by_team, teams_by_seat
-from rcj_challenges.match.watching import Silent, Watcher
+from rcj_challenges.match.watching import Silent, Waits, Watcher
+from rcj_challenges.records.logos import logo_of
 from rcj_challenges.records.writer import RecordWriter, RunHeader
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.scenario.load import Loaded
@@ -45,6 +47,7 @@ class MatchPlan:
         real_time: True delays the loop to the pace of the clock; it changes nothing else.
         show_output: robots whose output is shown while they play.
         debug: robots whose program has the terminal, without limits.
+        record_sensors: True records what programs saw, set and printed.
     """
 
     loaded: Loaded
@@ -57,6 +60,7 @@ class MatchPlan:
     real_time: bool = False
     show_output: frozenset[str] = frozenset()
     debug: frozenset[str] = frozenset()
+    record_sensors: bool = False
 
     def name_of(self, team: str) -> str:
         """Return what a team is called."""
@@ -108,6 +112,7 @@ class _MatchPlay:
             match_id=plan.match_id,
             sandbox={"mode": plan.sandbox, "layers": list(active_layers(plan.sandbox))},
             marks=("debug",) if plan.debug else (),
+            logos={team: logo for team, opened in plan.teams.items() if (logo := logo_of(opened.files))},
         )
         with RecordWriter(plan.out, header) as record:
             for number in range(1, self._scenario.match.halves + 1):
@@ -123,7 +128,8 @@ class _MatchPlay:
         half = self._half_info(number)
         specs = robot_specs(scenario, roster, fit(scenario, roster))
         crew_plan = CrewPlan(scenario.limits, half.half, plan.seed, record.logs, sandbox=plan.sandbox, debug=plan.debug)
-        with Crew(crew_plan) as crew:
+        overhearing = Overhearing(scenario, record, number, specs, on=plan.record_sensors)
+        with overhearing, Crew(crew_plan) as crew:
             drivers = self._launch(crew, specs, half)
             world = World(scenario, roster, device_sites(scenario, roster))
             referee = Referee(scenario, roster, half)
@@ -131,8 +137,8 @@ class _MatchPlay:
             clerk = HalfClerk(half, referee, record, self._watcher, crew, plan.show_output, real_time=plan.real_time)
             record.begin_half(half)
             self._watcher.half_started(half)
-            stage = HalfStage(world, referee, rack, drivers)
-            outcome = HalfPlay(stage, half, clerk.ticked, self._watcher.fault).play()
+            stage = HalfStage(world, referee, rack, overhearing.on(drivers))
+            outcome = HalfPlay(stage, half, clerk.ticked, self._watcher.fault, self._watcher.before_tick).play()
             record.end_half(outcome.closing, referee.scores, outcome.ended)
             crew.finish(
                 {
@@ -142,6 +148,7 @@ class _MatchPlay:
                 }
             )
             clerk.closed(outcome.closing)
+        self._watcher.half_ended(half, tuple(_waits(driver) for driver in drivers.values()))
         self._scores = by_team(referee.scores, half.teams)
         self._kept = dict(referee.kept)
         time_s = s_from_ticks(outcome.ticks)
@@ -173,3 +180,7 @@ class _MatchPlay:
             scores=by_seat(self._scores, teams),
             kept=dict(self._kept),
         )
+
+
+def _waits(program: Program) -> Waits:
+    return Waits(program.name, program.requests, program.started_s, program.waited_s, program.slowest_s)

@@ -29,6 +29,25 @@ class Progress:
     remaining_s: float
 
 
+@dataclass(frozen=True, slots=True)
+class Waits:
+    """How long a half waited for one program: wall time, so it differs from run to run.
+
+    Attributes:
+        robot: whose program.
+        steps: how many times it called ``step``.
+        started_s: from its launch to its first ``step`` in s; 0: it never came to that.
+        waited_s: for all its later steps together in s.
+        slowest_s: for the slowest of them in s.
+    """
+
+    robot: str
+    steps: int
+    started_s: float
+    waited_s: float
+    slowest_s: float
+
+
 class Watcher(Protocol):
     """Someone who watches a match. Calls must return fast: the match waits for them."""
 
@@ -51,6 +70,15 @@ class Watcher(Protocol):
 
     def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
         """A tick was judged."""
+
+    def before_tick(self, tick: int) -> None:
+        """A tick is about to be simulated. The one call that may wait: programs that are due have all answered."""
+
+    def closing(self, verdict: Verdict, half: HalfInfo) -> None:
+        """What the rules said after the last tick of a half; its events come by themselves too."""
+
+    def half_ended(self, half: HalfInfo, waits: tuple[Waits, ...]) -> None:
+        """A half is over, and its programs are gone."""
 
     def finished(self, result: dict[str, Any]) -> None:
         """The match is over and its record is closed."""
@@ -79,5 +107,72 @@ class Silent:
     def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
         """Do nothing."""
 
+    def before_tick(self, tick: int) -> None:
+        """Do nothing."""
+
+    def closing(self, verdict: Verdict, half: HalfInfo) -> None:
+        """Do nothing."""
+
+    def half_ended(self, half: HalfInfo, waits: tuple[Waits, ...]) -> None:
+        """Do nothing."""
+
     def finished(self, result: dict[str, Any]) -> None:
         """Do nothing."""
+
+
+class Together:
+    """Several watchers as one; how often they hear of the progress is for the first to say."""
+
+    def __init__(self, *watchers: Watcher) -> None:
+        self._watchers = watchers
+        self.progress_every_ticks = watchers[0].progress_every_ticks
+
+    def half_started(self, half: HalfInfo) -> None:
+        """Tell all."""
+        for watcher in self._watchers:
+            watcher.half_started(half)
+
+    def progressed(self, progress: Progress) -> None:
+        """Tell all."""
+        for watcher in self._watchers:
+            watcher.progressed(progress)
+
+    def event(self, event: Event, half: HalfInfo) -> None:
+        """Tell all."""
+        for watcher in self._watchers:
+            watcher.event(event, half)
+
+    def fault(self, fault: Fault) -> None:
+        """Tell all."""
+        for watcher in self._watchers:
+            watcher.fault(fault)
+
+    def printed(self, robot: str, text: str) -> None:
+        """Tell all."""
+        for watcher in self._watchers:
+            watcher.printed(robot, text)
+
+    def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
+        """Tell all."""
+        for watcher in self._watchers:
+            watcher.ticked(snapshot, verdict)
+
+    def before_tick(self, tick: int) -> None:
+        """Ask all."""
+        for watcher in self._watchers:
+            watcher.before_tick(tick)
+
+    def closing(self, verdict: Verdict, half: HalfInfo) -> None:
+        """Tell all."""
+        for watcher in self._watchers:
+            watcher.closing(verdict, half)
+
+    def half_ended(self, half: HalfInfo, waits: tuple[Waits, ...]) -> None:
+        """Tell all."""
+        for watcher in self._watchers:
+            watcher.half_ended(half, waits)
+
+    def finished(self, result: dict[str, Any]) -> None:
+        """Tell all."""
+        for watcher in self._watchers:
+            watcher.finished(result)

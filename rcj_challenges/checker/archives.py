@@ -1,0 +1,91 @@
+"""The first three stages of a check: the archive, the layout, the team's name and logo."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from rcj_challenges.checker.findings import Finding, Stage
+from rcj_challenges.checker.identity import find_logo, finding_of, name_findings
+from rcj_challenges.checker.layout import layout_findings
+from rcj_challenges.controllers.archive import Contents
+from rcj_challenges.controllers.team import Opening, Team, TeamError, look_into
+from rcj_challenges.scenario.models.robots import Entrant
+from rcj_challenges.scenario.models.scenario import Scenario
+
+__all__ = ["Inspection", "TeamError", "inspect", "seats_of"]
+
+
+@dataclass(frozen=True)
+class Inspection:
+    """What a submission is, before any of its programs is looked at.
+
+    Attributes:
+        stages: archive, layout, identity.
+        team: the team, opened as a match opens it; None if it cannot play. It need not be closed, only may be.
+        display_name: the team's name, or that of the file; safe to show in a terminal; HTML adds its own escapes.
+        logo: the logo as a PNG without anything that a picture does not need; None without one that may be shown.
+        digest: SHA-256 over the team's files as records name it; empty if it cannot play.
+        seats: the entrants whose robots it was checked for.
+        opening: what came of opening it.
+    """
+
+    stages: list[Stage]
+    team: Team | None
+    display_name: str
+    logo: bytes | None
+    digest: str
+    seats: tuple[Entrant, ...]
+    opening: Opening
+
+
+def inspect(path: Path, scenario: Scenario) -> Inspection:
+    """Look at a submission: any bytes, or a folder.
+
+    Args:
+        path: a ZIP, a folder or a single program.
+        scenario: says which programs are asked for.
+
+    Raises:
+        TeamError: there is nothing at this path that can be opened.
+    """
+    seats, opening = _opened(path, scenario)
+    stages = [_archive(opening.contents), Stage("layout"), Stage("identity")]
+    logo = None
+    if opening.contents.complete:
+        stages[1].findings += layout_findings(opening, seats)
+        found = find_logo(opening.files)
+        stages[2].findings += [*name_findings(opening), *found.findings]
+        logo = found.shown
+    else:
+        for stage in stages[1:]:
+            stage.skipped = "the archive could not be read"
+    team = opening.team
+    return Inspection(stages, team, opening.name.text, logo, team.digest if team else "", seats, opening)
+
+
+def seats_of(scenario: Scenario) -> list[tuple[Entrant, ...]]:
+    """Return what a submission may be asked for: all seats, or, where teams keep their sides, any one of them."""
+    entrants = tuple(scenario.entrants.values())
+    if scenario.match.swap_sides or len(entrants) == 1:
+        return [entrants]
+    return [entrants, *((entrant,) for entrant in entrants)]
+
+
+def _opened(path: Path, scenario: Scenario) -> tuple[tuple[Entrant, ...], Opening]:
+    wanted = seats_of(scenario)
+    first = look_into(path, *wanted[0])
+    for seats in wanted[1:] if first.missing else ():
+        opening = look_into(path, *seats)
+        if not opening.missing:
+            return seats, opening
+    return wanted[0], first
+
+
+def _archive(contents: Contents) -> Stage:
+    stage = Stage("archive", [finding_of(trouble) for trouble in contents.troubles])
+    if not contents.refused:
+        count, size = len(contents.files), sum(map(len, contents.files.values()))
+        message = f"{count} file{'s' if count > 1 else ''}, {size / 1000:.1f} kB unpacked"
+        stage.findings.append(Finding("archive.sound", "passed", message))
+    return stage

@@ -1,0 +1,66 @@
+"""Faults of programs as findings: what happened, to which robots, and what a pupil can do about it."""
+
+from __future__ import annotations
+
+from rcj_challenges.checker.findings import Finding, StageName
+from rcj_challenges.checker.rehearsal import Rehearsed
+from rcj_challenges.facts.shown import shown, shown_block
+from rcj_challenges.facts.timing import s_from_ticks
+
+_REMEDIES = {
+    "crash": "the last line of the report below says what is wrong, the lines above it where",
+    "exit": "call robot.step(32) in a loop until it returns -1; a program that ends leaves its robot standing",
+    "start_timeout": "call robot.step(32) sooner: is there a loop before it, or something that takes long to load?",
+    "step_timeout": "look for a loop that never calls robot.step(32), at the place below if one is named",
+    "half_timeout": "do less in each step: over a half the program may only let the match wait that long in all",
+    "memory": "keep less, start fewer threads: is there a list that grows in every step?",
+    "output_flood": "print less, and write fewer files",
+    "protocol": "leave the channel to the match alone: let the controller module do the talking",
+    "start": "if the files are in order, this computer may be the reason: ask the organizers",
+}
+_OTHER_REMEDY = "see the report below, if there is one, and the program's output (--show-output)"
+
+
+# What the match writes into a program's log when it had to end it.
+_WHEREABOUTS = "It was here, the innermost call first:\n"
+
+
+def fault_findings(stage: StageName, match: Rehearsed, side: str = "") -> list[Finding]:
+    """Return one finding for each kind of failure; robots that failed alike share one.
+
+    Args:
+        stage: in which it was found.
+        match: what was played.
+        side: where the team played, as the message begins.
+    """
+    alike: dict[tuple[str, str, str], list[str]] = {}
+    first_tick: dict[tuple[str, str, str], int] = {}
+    for fault in match.faults:
+        key = fault["kind"], fault["detail"], fault["traceback"]
+        alike.setdefault(key, []).append(fault["robot"])
+        first_tick.setdefault(key, fault["tick"])
+    findings = []
+    for (kind, detail, traceback), robots in alike.items():
+        # Of robots that hang, each was somewhere else when its patience ended: one place is enough.
+        report = traceback or next(filter(None, (_whereabouts(match.log(robot)) for robot in robots)), "")
+        at_s = s_from_ticks(first_tick[kind, detail, traceback])
+        when = f"{side}after {at_s:.1f} s: " if stage == "play" else ""
+        findings.append(
+            Finding(
+                code=f"{stage}.{kind}",
+                level="failure",
+                message=f"{when}{shown(detail, 300) or kind}",
+                remedy=_REMEDIES.get(kind, _OTHER_REMEDY),
+                where=", ".join(robots),
+                details=shown_block(report) if report else "",
+            )
+        )
+    return findings
+
+
+def _whereabouts(log: str) -> str:
+    """Return what stands in a log about where a program was when it was ended."""
+    _, found, rest = log.rpartition(_WHEREABOUTS)
+    lines = rest.splitlines() if found else []
+    inside = [line for line in lines if line.startswith("  File ")]
+    return "\n".join([_WHEREABOUTS.strip(), *inside]) if inside else ""

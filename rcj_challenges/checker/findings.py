@@ -1,0 +1,68 @@
+"""What a check found: findings in stages, and the verdict that follows from them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+Level = Literal["passed", "warning", "failure"]
+StageName = Literal["archive", "layout", "identity", "sources", "start", "play"]
+
+STAGES: dict[StageName, str] = {
+    "archive": "the file is a sound ZIP archive",
+    "layout": "folders and programs are where the scenario asks for them",
+    "identity": "the team's name and logo",
+    "sources": "the programs are Python that can run here",
+    "start": "every robot starts and answers its first step, on every side",
+    "play": "a short match, on every side that the team can take",
+}
+"""All stages in their order, and what each is about."""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One thing that was found.
+
+    Attributes:
+        code: what it is, the same in every language and version: ``archive.encrypted``.
+        level: how grave it is.
+        message: what was found, one line, safe to show: control and direction marks made visible.
+        remedy: what to do; empty if there is nothing to do.
+        where: the file inside the submission, with ``:line`` where there is one, or the robot; safe to show.
+        repair: whether ``--fix`` puts it right.
+        details: more lines, for those who want them, such as a traceback; safe to show.
+    """
+
+    code: str
+    level: Level
+    message: str
+    remedy: str = ""
+    where: str = ""
+    repair: bool = False
+    details: str = ""
+
+
+@dataclass
+class Stage:
+    """One stage of a check.
+
+    Attributes:
+        name: which.
+        findings: in the order in which they were found.
+        skipped: why it was not carried out; empty if it was.
+    """
+
+    name: StageName
+    findings: list[Finding] = field(default_factory=list)
+    skipped: str = ""
+
+    @property
+    def level(self) -> Level:
+        """The gravest of its findings."""
+        levels = {finding.level for finding in self.findings}
+        return "failure" if "failure" in levels else "warning" if "warning" in levels else "passed"
+
+    @property
+    def failed(self) -> bool:
+        """Whether later stages that need this one make no sense."""
+        return self.level == "failure"

@@ -1,0 +1,104 @@
+"""Who the team is: its name and its logo."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import PurePosixPath
+
+from rcj_challenges.checker.findings import Finding
+from rcj_challenges.checker.images import Picture, look_at
+from rcj_challenges.controllers.team import LOGO_FILE, Opening, may_be_logo
+from rcj_challenges.controllers.troubles import Trouble, told
+from rcj_challenges.records.logos import MOST_LOGO_BYTES, MOST_LOGO_SIDE, LogoError, checked_png
+
+_AS_PNG = "save it as a PNG"
+
+
+@dataclass(frozen=True)
+class Logo:
+    """A team's logo.
+
+    Attributes:
+        path: the file that is, or was meant to be, the logo; None without one.
+        shown: the picture as it may be shown; None if there is none that may be.
+        findings: what is odd about it.
+    """
+
+    path: PurePosixPath | None
+    shown: bytes | None
+    findings: tuple[Finding, ...]
+
+
+def finding_of(trouble: Trouble) -> Finding:
+    """Return a trouble as a finding."""
+    return Finding(
+        trouble.code, trouble.level, trouble.message, trouble.remedy, where=trouble.where, repair=trouble.repair
+    )
+
+
+def name_findings(opening: Opening) -> list[Finding]:
+    """Tell what is odd about the team's name, and what it is."""
+    found = [finding_of(trouble) for trouble in opening.name.troubles]
+    if opening.name.given:
+        found.append(Finding("identity.name", "passed", f"the team is called {opening.name.text}"))
+    return found
+
+
+def find_logo(files: Mapping[PurePosixPath, bytes]) -> Logo:
+    """Find the logo among a team's files and look at it."""
+    path = _logo_file(files)
+    if path is None:
+        return Logo(
+            None, None, (Finding("identity.logo_missing", "passed", f"there is no {LOGO_FILE}: none is needed"),)
+        )
+    findings = []
+    if path != PurePosixPath(LOGO_FILE):
+        message, remedy = f"the logo is {told(path)}", f"call it {LOGO_FILE} and put it beside the programs' folders"
+        findings.append(_warning("logo_file", message, remedy, path))
+    data = files[path]
+    shown = None
+    try:
+        if path.name.casefold() == LOGO_FILE:
+            shown = checked_png(data)
+    except LogoError as error:
+        findings.append(_refused(path, look_at(data), data, str(error)))
+    else:
+        findings += _accepted(path, look_at(data))
+    return Logo(path, shown, tuple(findings))
+
+
+def _warning(code: str, message: str, remedy: str, path: PurePosixPath) -> Finding:
+    return Finding(f"identity.{code}", "warning", message, remedy, told(path), repair=True)
+
+
+def _logo_file(files: Mapping[PurePosixPath, bytes]) -> PurePosixPath | None:
+    exact = [path for path in files if path.name.casefold() == LOGO_FILE]
+    near = [path for path in files if len(path.parts) == 1 and may_be_logo(path)]
+    ranked = sorted(exact, key=lambda path: (len(path.parts), path.name != LOGO_FILE)) + sorted(near)
+    return next(iter(ranked), None)
+
+
+def _refused(path: PurePosixPath, picture: Picture | None, data: bytes, reason: str) -> Finding:
+    """Say why a logo is not shown."""
+    name = told(path)
+    if picture is None:
+        return _warning("logo_no_picture", f"{name} is no picture: {reason}", _AS_PNG, path)
+    if picture.kind != "PNG":
+        return _warning("logo_type", f"{name} is a {picture.kind}, not a PNG, and is not shown", _AS_PNG, path)
+    if max(picture.width, picture.height) > MOST_LOGO_SIDE:
+        message = f"{name} has {picture.width} x {picture.height} pixels and is not shown"
+        return _warning("logo_size", message, f"make it at most {MOST_LOGO_SIDE} pixels wide and high", path)
+    if len(data) > MOST_LOGO_BYTES:
+        message = f"{name} has {len(data) / 1e6:.1f} MB and is not shown"
+        return _warning("logo_bytes", message, f"make it at most {MOST_LOGO_BYTES / 1e6:.0f} MB", path)
+    return _warning("logo_damaged", f"{name} is not shown: {reason}", _AS_PNG, path)
+
+
+def _accepted(path: PurePosixPath, picture: Picture | None) -> list[Finding]:
+    if picture is None or path.name.casefold() != LOGO_FILE:
+        return []
+    if picture.animated:
+        return [_warning("logo_animated", f"{told(path)} moves: only its first picture is shown", _AS_PNG, path)]
+    message = f"the logo has {picture.width} x {picture.height} pixels"
+    return [Finding("identity.logo", "passed", message, where=told(path))]

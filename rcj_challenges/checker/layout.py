@@ -1,0 +1,314 @@
+"""Whether folders and programs are where the scenario asks for them, and which renaming would put them there."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from difflib import SequenceMatcher
+from pathlib import PurePosixPath
+
+from rcj_challenges.checker.findings import Finding
+from rcj_challenges.controllers.archive import Files
+from rcj_challenges.controllers.team import Opening, alternatives, missing_programs
+from rcj_challenges.controllers.troubles import told
+from rcj_challenges.scenario.models.robots import Entrant
+
+_LEAST_LIKENESS = 0.75
+_LEAST_LETTERS = 5
+_MOST_DEPTH = 3
+_MOST_FOLDERS = 20
+_MOST_PROGRAMS = 200  # among more files nobody can say which was meant
+_MOST_EMPTY = 10
+_BLANK = b" \t\r\n\f\v\xef\xbb\xbf"
+
+
+@dataclass(frozen=True)
+class Move:
+    """A folder or file that should be elsewhere.
+
+    Attributes:
+        old: where it is.
+        new: where it belongs; ``.`` for the content of a folder that belongs at the top.
+    """
+
+    old: PurePosixPath
+    new: PurePosixPath
+
+    def __str__(self) -> str:
+        """Return what to do, as a sentence."""
+        if self.new == PurePosixPath():
+            return f"move what is in {told(self.old)} to the top"
+        kind = "file" if self.old.suffix == ".py" else "folder"
+        return f"rename the {kind} {told(self.old)} to {told(self.new)}"
+
+
+@dataclass(frozen=True)
+class Plan:
+    """How files that are called otherwise than asked for would serve.
+
+    Attributes:
+        moves: in this order.
+        files: what comes of it.
+        mentioned: an old name that a program mentions: renaming might break it.
+    """
+
+    moves: tuple[Move, ...]
+    files: Files
+    mentioned: str
+
+
+@dataclass(frozen=True)
+class Empty:
+    """A program's file without a program in it.
+
+    Attributes:
+        path: which.
+        started: the robots for which it would be started.
+        spare: whether leaving it out does no harm.
+    """
+
+    path: PurePosixPath
+    started: tuple[str, ...]
+    spare: bool
+
+
+def layout_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
+    """Tell what is odd about the places of a submission's files.
+
+    Args:
+        opening: what came of opening it.
+        seats: the entrants for which it was opened.
+    """
+    if opening.missing:
+        return [*_surroundings(opening), *_missing(opening, seats)]
+    return [*_surroundings(opening), *_empties(opening, seats), *_served(opening, seats)]
+
+
+def entries_of(files: Mapping[PurePosixPath, bytes], seats: Iterable[Entrant]) -> dict[str, PurePosixPath | None]:
+    """Return the program of each robot: the first entry point that exists."""
+    return {
+        robot: next((PurePosixPath(entry) for entry in alternatives(wanted) if PurePosixPath(entry) in files), None)
+        for seat in seats
+        for robot, wanted in seat.robots.items()
+    }
+
+
+def empty_programs(files: Mapping[PurePosixPath, bytes], seats: Sequence[Entrant]) -> list[Empty]:
+    """Find files that look like entry points and hold nothing."""
+    chosen = entries_of(files, seats)
+    asked = _asked(seats)
+    found: list[Empty] = []
+    for path, content in files.items():
+        if path.suffix != ".py" or content.strip(_BLANK) or not (path in asked or _like_an_entry(path)):
+            continue
+        if len(found) == _MOST_EMPTY:
+            break
+        started = tuple(robot for robot, entry in chosen.items() if entry == path)
+        without = {other: data for other, data in files.items() if other != path}
+        instead = entries_of(without, seats)
+        served = all((entry := instead[robot]) is not None and without[entry].strip(_BLANK) for robot in started)
+        found.append(Empty(path, started, spare=served and not _mentioned(files, [path.stem])))
+    return found
+
+
+def plan_moves(opening: Opening, seats: Sequence[Entrant]) -> Plan | None:
+    """Return the moves after which every robot has its program, if exactly one way suggests itself."""
+    files = opening.contents.files
+    if sum(path.suffix == ".py" for path in files) > _MOST_PROGRAMS:
+        return None
+    for folders in _roots(files):
+        plans = [plan for folder in folders if (plan := _out_of(folder, files, seats)) is not None]
+        if plans:
+            return plans[0] if len(plans) == 1 else None
+    return None
+
+
+def _surroundings(opening: Opening) -> list[Finding]:
+    found = []
+    if opening.contents.kind == "program":
+        message = f"a single program drives all robots: {told(next(iter(opening.files), ''))}"
+        found.append(Finding("layout.single_program", "warning", message, "a submission is a ZIP", repair=True))
+    if opening.contents.kind != "zip":
+        return found
+    top = opening.top
+    if opening.within is not None and not top.parts:
+        message = f"the programs are not in a folder {told(opening.within)}"
+        remedy = "pack that folder, not only what is in it"
+        found.append(Finding("layout.no_folder", "warning", message, remedy, repair=True))
+    elif opening.within is not None:
+        message = f"the folder of the programs is called {told(top.name)}"
+        found.append(
+            Finding("layout.folder_name", "warning", message, f"call it {told(opening.within)}", told(top), repair=True)
+        )
+        top = top.parent
+    if top.parts:
+        message = f"everything lies in an extra folder: {told(top)}"
+        remedy = "pack what is in it, not the folder itself"
+        found.append(Finding("layout.top_folder", "warning", message, remedy, told(top), repair=True))
+    return found
+
+
+def _missing(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
+    plan = plan_moves(opening, seats)
+    message = missing_programs(opening.contents.files, opening.missing, hint=plan is None)
+    nested = [trouble for trouble in opening.contents.troubles if trouble.code == "archive.nested"]
+    if plan is None and nested:
+        remedy = f"pack what is in {nested[0].where}, not the archive itself"
+        return [Finding("layout.missing", "failure", message, remedy)]
+    if plan is None:
+        wanted = next(iter(opening.missing.values()))
+        return [Finding("layout.missing", "failure", message, f"call the program {' or '.join(wanted)}")]
+    remedy = ", ".join(map(str, plan.moves))
+    if plan.mentioned:
+        remedy += f"; the programs mention {told(plan.mentioned)}: change that as well"
+    return [Finding("layout.misnamed", "failure", message, remedy, told(plan.moves[0].old), not plan.mentioned)]
+
+
+def _empties(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
+    found = []
+    for empty in empty_programs(opening.files, seats):
+        name = told(empty.path)
+        if empty.started:
+            message = f"{name} is empty, and it is what {', '.join(empty.started)} would be started with"
+            remedy = "delete it" if empty.spare else "put the program into it"
+            found.append(Finding("layout.empty_entry", "failure", message, remedy, name, repair=empty.spare))
+        else:
+            message = f"{name} is empty, and this scenario does not ask for it"
+            found.append(Finding("layout.empty_program", "warning", message, "delete it", name, repair=empty.spare))
+    return found
+
+
+def _served(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
+    if opening.contents.kind == "program":
+        return []
+    robots: dict[PurePosixPath, list[str]] = {}
+    for robot, entry in entries_of(opening.files, seats).items():
+        if entry is not None:
+            robots.setdefault(entry, []).append(robot)
+    return [
+        Finding("layout.program", "passed", f"{', '.join(names)}: {told(entry)}", where=told(entry))
+        for entry, names in robots.items()
+    ]
+
+
+def _asked(seats: Iterable[Entrant]) -> set[PurePosixPath]:
+    return {PurePosixPath(entry) for seat in seats for wanted in seat.robots.values() for entry in alternatives(wanted)}
+
+
+def _like_an_entry(path: PurePosixPath) -> bool:
+    return len(path.parts) == 2 and path.parts[0] == path.stem
+
+
+def _complete(files: Files, seats: Sequence[Entrant]) -> bool:
+    return all(entry is not None for entry in entries_of(files, seats).values())
+
+
+def _roots(files: Files) -> Iterator[list[PurePosixPath]]:
+    """Return the folders in which the folders of programs may lie, by depth, as long as there are few."""
+    programs = [path for path in files if path.suffix == ".py"]
+    above = {PurePosixPath(), *(path.parent for path in programs), *(path.parent.parent for path in programs)}
+    for depth in range(_MOST_DEPTH + 1):
+        yield sorted(folder for folder in above if len(folder.parts) == depth)[:_MOST_FOLDERS]
+
+
+def _out_of(folder: PurePosixPath, files: Files, seats: Sequence[Entrant]) -> Plan | None:
+    """Return how what is in a folder would serve at the top."""
+    up = (Move(folder, PurePosixPath()),) if folder.parts else ()
+    raised = moved(files, up)
+    if raised is None:
+        return None
+    if _complete(raised, seats):
+        return Plan(up, raised, "")
+    plan = _by_renaming(raised, seats)
+    return None if plan is None else Plan((*up, *plan.moves), plan.files, plan.mentioned)
+
+
+def _by_renaming(files: Files, seats: Sequence[Entrant]) -> Plan | None:
+    """Match each missing program with the file that was meant to be it."""
+    missing = [
+        alternatives(wanted)
+        for seat in seats
+        for robot, wanted in seat.robots.items()
+        if entries_of(files, [seat])[robot] is None
+    ]
+    for choice in range(max(map(len, missing), default=0)):
+        wanted = list(dict.fromkeys(PurePosixPath(entries[choice]) for entries in missing if choice < len(entries)))
+        pairs = [(found, entry) for entry in wanted if (found := _meant_to_be(entry, files, seats)) is not None]
+        moves = _moves(pairs)
+        result = None if moves is None or len(pairs) < len(wanted) else moved(files, moves)
+        if moves and result is not None and _complete(result, seats):
+            old_names = [move.old.stem if move.old.suffix == ".py" else move.old.name for move in moves]
+            return Plan(tuple(moves), result, _mentioned(files, old_names))
+    return None
+
+
+def _meant_to_be(entry: PurePosixPath, files: Files, seats: Sequence[Entrant]) -> PurePosixPath | None:
+    asked = _asked(seats)
+    programs = [path for path in files if path.suffix.casefold() == ".py" and len(path.parts) == len(entry.parts)]
+    ranks: dict[int, list[PurePosixPath]] = {}
+    for path in programs:
+        if path not in asked and files[path].strip(_BLANK):
+            alone = sum(other.parent == path.parent for other in programs) == 1
+            ranks.setdefault(_likeness(path, entry, alone=alone), []).append(path)
+    best = ranks[max(ranks)] if ranks else []
+    return best[0] if len(best) == 1 and max(ranks) > 0 else None
+
+
+def _likeness(path: PurePosixPath, entry: PurePosixPath, *, alone: bool) -> int:
+    """Return how much speaks for a file being meant as an entry point; 0 if too little does."""
+    same, likely = path.name == entry.name, _alike(path.stem, entry.stem)
+    if len(entry.parts) == 1:
+        return int(likely)
+    in_its_folder = _alike(str(path.parent), str(entry.parent))
+    if in_its_folder and (same or likely):
+        return 3
+    return 2 if same else int(in_its_folder and alone)
+
+
+def _alike(name: str, wanted: str) -> bool:
+    """Whether a name was meant to be another one: spelled otherwise, or with something added; never another number."""
+    one, other = (re.sub(r"[\W_]", "", text.casefold()) for text in (name, wanted))
+    if one == other:
+        return True
+    if re.findall(r"\d+", one) != re.findall(r"\d+", other):
+        return False
+    if min(len(one), len(other)) >= _LEAST_LETTERS and (one in other or other in one):
+        return True
+    return SequenceMatcher(None, one, other).ratio() >= _LEAST_LIKENESS
+
+
+def _moves(pairs: Iterable[tuple[PurePosixPath, PurePosixPath]]) -> list[Move] | None:
+    """Return the renaming of folders, then of files; None if one folder would need two names."""
+    folders: dict[PurePosixPath, PurePosixPath] = {}
+    files = []
+    for old, new in pairs:
+        if folders.setdefault(old.parent, new.parent) != new.parent:
+            return None
+        if old.name != new.name:
+            files.append(Move(new.parent / old.name, new))
+    return [Move(old, new) for old, new in folders.items() if old != new] + files
+
+
+def moved(files: Files, moves: Iterable[Move]) -> Files | None:
+    """Return the files after moving some; None if two of them would be in one place."""
+    current = dict(files)
+    for move in moves:
+        result: Files = {}
+        for path, content in current.items():
+            new = move.new / path.relative_to(move.old) if path.is_relative_to(move.old) else path
+            if new in result:
+                return None
+            result[new] = content
+        current = result
+    return dict(sorted(current.items()))
+
+
+def _mentioned(files: Mapping[PurePosixPath, bytes], names: Iterable[str]) -> str:
+    """Return the first of some names that a program mentions."""
+    for name in names:
+        raw = name.encode("utf-8", "surrogateescape")
+        word = re.compile(rb"(?<!\w)" + re.escape(raw) + rb"(?!\w)")
+        if any(path.suffix == ".py" and raw in content and word.search(content) for path, content in files.items()):
+            return name
+    return ""

@@ -1,0 +1,189 @@
+"""Many submissions at once: a process for each, so that one that comes to a bad end takes no other with it."""
+
+from __future__ import annotations
+
+import base64
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from rcj_challenges.checker.check import CheckOptions, check_file, crashed_report, unreadable_report
+from rcj_challenges.checker.report import FileReport
+from rcj_challenges.controllers.team import TeamError
+from rcj_challenges.scenario.load import Loaded, load_resolved
+from rcj_challenges.scenario.models.scenario import Limits
+
+_POLL_S = 0.2
+_LEAVE_S = 5.0
+_SLACK_S = 120.0
+_MOST_SHORT_MATCHES = 12
+_ATTEMPTS = 2
+_START = "import sys; sys.path.append(sys.argv[1]); from rcj_challenges.checker.many import work; work()"
+
+
+@dataclass(frozen=True)
+class _Worker:
+    """What a process of its own is told.
+
+    Attributes:
+        told: all but the path, as JSON.
+        patience_s: how long it may take; only a fault of ours takes longer.
+    """
+
+    told: dict[str, Any]
+    patience_s: float
+
+
+def check_many(
+    paths: Sequence[Path], loaded: Loaded, options: CheckOptions, jobs: int, on_done: Callable[[FileReport], None]
+) -> list[FileReport]:
+    """Check all submissions, a few at a time; return the reports in the order of the paths.
+
+    Args:
+        paths: that exist.
+        loaded: the scenario that they are for.
+        options: what to do.
+        jobs: how many at a time.
+        on_done: called in this thread for each report as it comes.
+
+    Raises:
+        KeyboardInterrupt: after the running checks have been ended.
+    """
+    worker = _Worker(_told(loaded, options), _patience_s(loaded.scenario.limits, len(loaded.scenario.robots)))
+    running = _Running()
+    with ThreadPoolExecutor(max_workers=max(1, jobs)) as pool:
+        futures: list[Future[FileReport]] = [pool.submit(_check_apart, path, worker, running) for path in paths]
+        try:
+            pending = set(futures)
+            while pending:
+                done, pending = wait(pending, timeout=_POLL_S, return_when=FIRST_COMPLETED)
+                for future in sorted(done, key=futures.index):
+                    on_done(future.result())
+        except BaseException:
+            for future in futures:
+                future.cancel()
+            running.end_all()
+            raise
+    return [future.result() for future in futures]
+
+
+def work() -> None:
+    """Check one submission in this process: what it is told comes on standard input, the report goes out as JSON."""
+    told = json.loads(sys.stdin.buffer.read())
+    options = told["options"]
+    replays = options.pop("replays")
+    path = Path(told["path"])
+    try:
+        report = check_file(
+            path,
+            load_resolved(told["scenario"]),
+            CheckOptions(**options, replays=None if replays is None else Path(replays)),
+        )
+    except TeamError as error:
+        report = unreadable_report(path, str(error))
+    logo = None if report.logo is None else base64.b64encode(report.logo).decode("ascii")
+    said = json.dumps({"report": report.model_dump(mode="json"), "logo": logo})
+    sys.stdout.write(said + "\n")
+
+
+class _Running:
+    """The processes that run at present."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._processes: set[subprocess.Popen[bytes]] = set()
+        self._stopped = False
+
+    @property
+    def stopped(self) -> bool:
+        """Whether no process shall be started any more."""
+        return self._stopped
+
+    def start(self) -> subprocess.Popen[bytes] | None:
+        """Start a process; None if all shall end."""
+        # -P: what lies in the current folder, perhaps the submissions, is not to be imported.
+        command = [sys.executable, "-P", "-c", _START, str(Path(__file__).resolve().parents[2])]
+        with self._lock:
+            if self._stopped:
+                return None
+            process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            self._processes.add(process)
+            return process
+
+    def forget(self, process: subprocess.Popen[bytes]) -> None:
+        """Take note that a process is over."""
+        with self._lock:
+            self._processes.discard(process)
+
+    def end_all(self) -> None:
+        """End all processes, so that they can remove what they have on the disk."""
+        with self._lock:
+            self._stopped = True
+            left = list(self._processes)
+        for process in left:
+            if os.name == "posix":
+                process.send_signal(signal.SIGINT)
+            else:
+                process.terminate()
+        for process in left:
+            try:
+                process.wait(_LEAVE_S)
+            except subprocess.TimeoutExpired:
+                process.kill()
+
+
+def _check_apart(path: Path, worker: _Worker, running: _Running) -> FileReport:
+    """Check a submission in a process of its own; one that dies for a reason of its own is tried once more."""
+    complaint = "the check was interrupted", ""
+    for _ in range(_ATTEMPTS):
+        process = running.start()
+        if process is None:
+            break
+        try:
+            told = json.dumps({**worker.told, "path": str(path)}).encode()
+            out, err = process.communicate(told, worker.patience_s)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.communicate()
+            return crashed_report(path, f"the check did not end within {worker.patience_s:.0f} s")
+        finally:
+            running.forget(process)
+        report = _report(out)
+        if report is not None:
+            return report
+        complaint = (
+            f"the check came to a bad end (exit status {process.returncode})",
+            err.decode("utf-8", "replace"),
+        )
+    return crashed_report(path, *complaint)
+
+
+def _report(out: bytes) -> FileReport | None:
+    """Return the report that a process wrote, if it came that far."""
+    try:
+        said = json.loads(out)
+        logo = None if said["logo"] is None else base64.b64decode(said["logo"])
+        return FileReport.model_validate({**said["report"], "logo": logo})
+    except (ValueError, ValidationError, KeyError, TypeError):
+        return None
+
+
+def _told(loaded: Loaded, options: CheckOptions) -> dict[str, Any]:
+    told = asdict(options)
+    told["replays"] = None if options.replays is None else str(options.replays.resolve())
+    return {"scenario": loaded.resolved, "options": told}
+
+
+def _patience_s(limits: Limits, robots: int) -> float:
+    """Return far more than the limits of all programs of all short matches together let a check last."""
+    return _SLACK_S + _MOST_SHORT_MATCHES * (limits.start_s + robots * limits.half_s)

@@ -1,0 +1,141 @@
+"""Where an import leads: which file of the submission, Python itself, what is installed for programs, or nowhere.
+
+The same places in the same order as `controllers` gives a program: its own folder, the folder above (which holds all
+of a team's programs), Python's library, then numpy and scipy. A program that changes ``sys.path`` may find modules in
+any of its folders; there only running it can tell.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import PurePosixPath
+
+INSTALLED = ("numpy", "scipy", "controller")
+"""What a program can import beside Python's own library (reference, sections 4.3 and 7)."""
+
+_TOP = PurePosixPath()
+_COMPILED = frozenset({".so", ".pyd"})
+
+
+@dataclass(frozen=True)
+class Module:
+    """A module of the submission.
+
+    Attributes:
+        folder: of a package, where its parts are; None for a single file.
+        file: that is run when it is imported; None for a folder without ``__init__.py``, or for compiled code.
+    """
+
+    folder: PurePosixPath | None
+    file: PurePosixPath | None
+
+
+class Library:
+    """The modules of a submission, for a program whose imports are looked for in certain folders.
+
+    Args:
+        files: paths of all files.
+        places: folders in which imports are looked for, in order.
+    """
+
+    def __init__(self, files: Iterable[PurePosixPath], places: Sequence[PurePosixPath]) -> None:
+        self._files = frozenset(files)
+        self._folders = frozenset(parent for path in self._files for parent in path.parents)
+        self._compiled = frozenset(
+            path.parent / path.name.partition(".")[0] for path in self._files if path.suffix in _COMPILED
+        )
+        self.places = tuple(dict.fromkeys(places))
+
+    def everywhere(self) -> Library:
+        """Return the library of a program that changes ``sys.path``: all folders, the usual ones first."""
+        return Library(self._files, (*self.places, *sorted(self._folders)))
+
+    def top(self, name: str) -> Module | None:
+        """Return the module that ``import name`` finds in the submission, before Python's own are asked."""
+        return next((module for place in self.places if (module := self.inside(place, name, namespace=False))), None)
+
+    def top_namespace(self, name: str) -> Module | None:
+        """Return the folder without ``__init__.py`` that ``import name`` finds when nothing else is of that name."""
+        return next((Module(place / name, None) for place in self.places if place / name in self._folders), None)
+
+    def inside(self, folder: PurePosixPath, name: str, *, namespace: bool = True) -> Module | None:
+        """Return a module of a folder."""
+        inner = folder / name
+        if inner / "__init__.py" in self._files:
+            return Module(inner, inner / "__init__.py")
+        single = folder / f"{name}.py"
+        if single in self._files:
+            return Module(None, single)
+        if inner in self._compiled:
+            return Module(None, None)
+        return Module(inner, None) if namespace and inner in self._folders else None
+
+    def names(self) -> list[str]:
+        """Return the names that could be imported from the usual places."""
+        found = [path.stem for path in self._files if path.suffix == ".py" and path.parent in self.places]
+        found += [folder.name for folder in self._folders if folder.parent in self.places and folder != _TOP]
+        return sorted({name for name in found if name.isidentifier()})
+
+    def lies_at(self, name: str) -> PurePosixPath | None:
+        """Return where a module of this name lies, if anywhere in the submission."""
+        wanted = (f"{name}.py", f"{name}/__init__.py")
+        places = (folder / file for folder in sorted(self._folders, key=str) for file in wanted)
+        return next((place for place in places if place in self._files), None)
+
+    def shadows(self) -> list[PurePosixPath]:
+        """Return the files that hide a module of Python's library, numpy or scipy from the program."""
+        hidden = (sys.stdlib_module_names | {"numpy", "scipy"}) - set(sys.builtin_module_names)
+        inside = (path for path in self._files if path.suffix == ".py" and path.parent in self.places)
+        return sorted(path for path in inside if path.stem in hidden)
+
+
+def places_of(entry: PurePosixPath) -> tuple[PurePosixPath, ...]:
+    """Return the folders from which a program can import without further ado: its own, and the one above."""
+    own = entry.parent
+    return (own,) if own == _TOP else (own, own.parent)
+
+
+def is_pythons(name: str) -> bool:
+    """Return whether a top-level module is part of Python."""
+    return name in sys.stdlib_module_names
+
+
+def is_here(name: str) -> bool:
+    """Return whether this computer has a module of Python's library (``msvcrt`` is on Windows only)."""
+    if name in sys.builtin_module_names or name in sys.modules:
+        return True
+    try:
+        return importlib.util.find_spec(name) is not None
+    except (ImportError, ValueError):
+        return False
+
+
+REFUSED: Mapping[str, str] = {
+    **dict.fromkeys(
+        (
+            "socket", "ssl", "socketserver", "http.client", "http.server", "urllib.request", "ftplib", "imaplib",
+            "poplib", "smtplib", "telnetlib", "nntplib", "xmlrpc", "wsgiref",
+        ),
+        "the network",
+    ),
+    **dict.fromkeys(
+        ("subprocess", "multiprocessing", "concurrent.futures.process", "pty", "webbrowser", "antigravity"),
+        "other programs",
+    ),
+    **dict.fromkeys(("tkinter", "turtle", "curses"), "windows on the screen"),
+}  # fmt: skip
+"""Modules that can be imported, but whose use a match refuses, and what they are for."""
+
+
+def refused_use(module: str, names: Sequence[str]) -> str:
+    """Return what a module is for, if its use is refused in a match; else nothing."""
+    for dotted in (module, *(f"{module}.{name}" for name in names)):
+        parts = dotted.split(".")
+        for length in range(1, len(parts) + 1):
+            use = REFUSED.get(".".join(parts[:length]))
+            if use:
+                return use
+    return ""

@@ -1,0 +1,156 @@
+"""Stage *play*: a short match on each side against a sample team, and whether the robots take part in it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from rcj_challenges.checker.failing import fault_findings
+from rcj_challenges.checker.findings import Finding, Level, Stage
+from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, rehearse
+from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.match.watching import Waits
+from rcj_challenges.scenario.load import Loaded
+
+_STANDS_M = 0.02  # the suspension of a braked robot settles by less
+_STANDS_RAD = 0.2
+_SLOW_SHARE = 0.5
+_TOO_SLOW_SHARE = 2.0  # this computer may be slower than the tournament's, and is busy with other things
+_MOST_COMPLAINTS = 5
+
+
+@dataclass
+class Played:
+    """The stage and the matches on which it rests.
+
+    Attributes:
+        stage: findings.
+        matches: one for each side.
+    """
+
+    stage: Stage
+    matches: list[Rehearsed] = field(default_factory=list)
+
+
+def check_play(rehearsal: Rehearsal, seconds: float) -> Played:
+    """Play on each side that the team can take, and say how its robots did.
+
+    Raises:
+        RcjError: it cannot be played for a reason that is not the team's.
+    """
+    played = Played(Stage("play"))
+    seats = rehearsal.seats()
+    for seat in seats:
+        side = f"as {seat}, " if len(seats) > 1 else ""
+        match = rehearse(rehearsal, (seat,), seconds)
+        if _slow(rehearsal, match, side) and not match.faults:
+            # The same match once more: what was slow because this computer was busy will hardly be so twice.
+            match.waits.update(_shorter(match.waits, rehearse(rehearsal, (seat,), seconds).waits))
+        played.matches.append(match)
+        played.stage.findings += _findings(rehearsal, match, side)
+    return played
+
+
+def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
+    failed = fault_findings("play", match, side)
+    rest = [*_standing(match, side), *_away_from_ball(rehearsal, match, side), *_slow(rehearsal, match, side)]
+    return [*failed, *rest, *_complaints(match, side), _summary(match, side)]
+
+
+def _standing(match: Rehearsed, side: str) -> list[Finding]:
+    """Return a warning if robots did not move: those that failed have been told of already."""
+    failed = {fault["robot"] for fault in match.faults}
+    standing = [
+        robot
+        for robot, motion in match.motions.items()
+        if motion.path_m < _STANDS_M and motion.turned_rad < _STANDS_RAD and robot not in failed
+    ]
+    if not standing:
+        return []
+    message = f"{side}did not move in {match.simulated_s:.0f} s"
+    remedy = "if it waits on purpose, all is well; else look for setPosition(inf) and setVelocity on both motors"
+    return [Finding("play.stands", "warning", message, remedy, ", ".join(standing))]
+
+
+def _away_from_ball(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
+    if not _is_about_a_ball(rehearsal.loaded) or any(motion.ball_touches for motion in match.motions.values()):
+        return []
+    message = f"{side}no robot touched the ball in {match.simulated_s:.0f} s"
+    remedy = "do they find it? Watch the replay (--replay DIR)"
+    return [Finding("play.no_touch", "warning", message, remedy, ", ".join(match.motions))]
+
+
+def _is_about_a_ball(loaded: Loaded) -> bool:
+    """Return whether any rule speaks of a ball: in a race through gates it may lie where it lies."""
+    balls = {*loaded.scenario.balls, "balls"}
+    balls |= {group for group, members in loaded.roster.groups.items() if balls.intersection(members)}
+    return any(word in balls for part in ("rules", "sequences") for word in _words(loaded.resolved.get(part)))
+
+
+def _words(data: Any) -> Iterator[str]:
+    if isinstance(data, dict | list):
+        for value in data.values() if isinstance(data, dict) else data:
+            yield from _words(value)
+    elif isinstance(data, str):
+        yield data
+
+
+def _slow(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
+    """Compare the time that programs took with what a half and a step allow."""
+    scenario = rehearsal.loaded.scenario
+    limits, half_ticks = scenario.limits, ticks_from_s(scenario.match.half_s)
+    findings = []
+    for robot, wait in match.waits.items():
+        share = match.simulated_s / scenario.match.half_s
+        whole_s = wait.waited_s / share if share else 0.0
+        mean_ms = 1000 * limits.half_s / half_ticks
+        if whole_s > _SLOW_SHARE * limits.half_s and half_ticks:
+            message = (
+                f"{side}lets the match wait {wait.waited_s:.1f} s in {match.simulated_s:.0f} s of play, "
+                f"that is {whole_s:.0f} s in a half; {limits.half_s:g} s are allowed"
+            )
+            level: Level = "failure" if whole_s > _TOO_SLOW_SHARE * limits.half_s else "warning"
+            remedy = f"do less in each step: {mean_ms:.1f} ms for each tick of 32 ms is the limit in the long run"
+            findings.append(Finding("play.slow", level, message, remedy, robot))
+        elif wait.slowest_s > _SLOW_SHARE * limits.step_s:
+            message = f"{side}the slowest step takes {wait.slowest_s:.1f} s; {limits.step_s:g} s are allowed"
+            findings.append(Finding("play.slow_step", "warning", message, "spread long work over many steps", robot))
+    return findings
+
+
+def _shorter(first: Mapping[str, Waits], second: Mapping[str, Waits]) -> dict[str, Waits]:
+    """Return the shorter waits of two rehearsals of one match, by robot."""
+    return {
+        robot: replace(
+            wait,
+            waited_s=min(wait.waited_s, second[robot].waited_s),
+            slowest_s=min(wait.slowest_s, second[robot].slowest_s),
+        )
+        for robot, wait in first.items()
+        if robot in second
+    }
+
+
+def _complaints(match: Rehearsed, side: str) -> list[Finding]:
+    """Return what the controller module found wrong with calls of the program."""
+    said: dict[str, list[str]] = {}
+    for robot in match.motions:
+        for line in dict.fromkeys(match.log(robot).splitlines()):
+            if line.startswith("Error: "):
+                said.setdefault(line.removeprefix("Error: "), []).append(robot)
+    return [
+        Finding("play.complaint", "warning", f"{side}{shown(line)}", "correct this call", ", ".join(robots))
+        for line, robots in list(said.items())[:_MOST_COMPLAINTS]
+    ]
+
+
+def _summary(match: Rehearsed, side: str) -> Finding:
+    against = "".join(f" against {shown(name)}" for name in match.opponents.values())
+    score = " : ".join(f"{points:g}" for points in match.result["score"].values())
+    touches = sum(1 for motion in match.motions.values() if motion.ball_touches)
+    told = f"{side}{match.simulated_s:.0f} s played{against}, score {score}"
+    if touches:
+        told += f", {touches} of {len(match.motions)} robots touched the ball"
+    return Finding("play.played", "passed", told)

@@ -1,0 +1,113 @@
+"""Asking a process of its own what stands in a team's Python files (see ``reader.py``)."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+MOST_BYTES = 2_000_000
+"""A longer Python file is not looked into: to read 2 MB of source takes Python seconds."""
+
+_READER = Path(__file__).with_name("reader.py")
+_PATIENCE_S = 20.0
+_MOST_CRASHES = 5
+
+
+@dataclass(frozen=True)
+class Import:
+    """One import in a file.
+
+    Attributes:
+        module: what is imported, with dots; without the leading ones.
+        names: what is taken from it (``from module import names``).
+        level: how many leading dots.
+        line, column: where, from 1.
+        guarded: the program goes on if it fails (``try … except ImportError``).
+    """
+
+    module: str
+    names: tuple[str, ...]
+    level: int
+    line: int
+    column: int
+    guarded: bool
+
+
+@dataclass(frozen=True)
+class Source:
+    """What is in one Python file.
+
+    Attributes:
+        imports: in order.
+        moves_path: it uses ``sys.path``, so modules may be found in places that only the program knows.
+        empty: there is nothing in it but comments.
+        wrong: why it is no Python: the kind of error, ``depth``, ``crash``, ``slow`` or ``large``; empty if it is.
+        said: Python's own words about that.
+        line, column: where; 0 if that is not known.
+    """
+
+    imports: tuple[Import, ...] = ()
+    moves_path: bool = False
+    empty: bool = False
+    wrong: str = ""
+    said: str = ""
+    line: int = 0
+    column: int = 0
+
+
+def read_sources(files: Mapping[PurePosixPath, bytes]) -> dict[PurePosixPath, Source]:
+    """Return what is in each of the Python files, whatever they are.
+
+    Args:
+        files: contents by path; only the ``.py`` files are looked at.
+    """
+    found: dict[PurePosixPath, Source] = {}
+    left = []
+    for path, content in files.items():
+        if path.suffix == ".py":
+            if len(content) > MOST_BYTES:
+                found[path] = Source(wrong="large", moves_path=True)
+            else:
+                left.append(path)
+    for _ in range(_MOST_CRASHES):
+        answers, ended = _ask(left, files)
+        found |= dict(zip(left, answers, strict=False))
+        left = left[len(answers) :]
+        if left:  # the next one was too much for Python
+            found[left.pop(0)] = Source(wrong=ended)
+        if not left:
+            break
+    found |= dict.fromkeys(left, Source(wrong="crash"))
+    return {path: found[path] for path in files if path in found}
+
+
+def _ask(paths: Sequence[PurePosixPath], files: Mapping[PurePosixPath, bytes]) -> tuple[list[Source], str]:
+    """Return what the reader says of the files until it ends, and why it did if it was too early."""
+    if not paths:
+        return [], ""
+    index = [(path.name.encode("utf-8", "replace").decode(), len(files[path])) for path in paths]
+    told = json.dumps(index).encode() + b"\n" + b"".join(files[path] for path in paths)
+    command = [sys.executable, "-I", "-S", "-B", "-X", "utf8", str(_READER)]
+    ended = "crash"
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
+        try:
+            said, _ = process.communicate(told, _PATIENCE_S)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            said, _ = process.communicate()
+            ended = "slow"
+    lines = said.split(b"\n")[:-1]  # what follows the last line break was never finished
+    return [_source(json.loads(line)) for line in lines[: len(paths)]], ended
+
+
+def _source(said: dict[str, Any]) -> Source:
+    error = said.get("error")
+    if error is not None:
+        return Source(wrong=error["kind"], said=error["said"], line=error["line"], column=error["column"])
+    imports = tuple(Import(**{**one, "names": tuple(one["names"])}) for one in said["imports"])
+    return Source(imports, said["moves_path"], said["empty"])

@@ -1,0 +1,301 @@
+"""Writing a submission anew with everything put right that needs no thought. Programs are moved, never changed."""
+
+from __future__ import annotations
+
+import io
+import os
+import tempfile
+import zipfile
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path, PurePosixPath
+
+from rcj_challenges.checker.archives import Inspection, inspect
+from rcj_challenges.checker.identity import find_logo
+from rcj_challenges.checker.images import PictureError, as_png
+from rcj_challenges.checker.layout import empty_programs, plan_moves
+from rcj_challenges.controllers.archive import Files
+from rcj_challenges.controllers.paths import clean, folded
+from rcj_challenges.controllers.team import LOGO_FILE, Opening, alternatives, opening_of
+from rcj_challenges.controllers.team_name import NAME_FILE, find_team_name
+from rcj_challenges.controllers.troubles import MOST_OF_A_KIND, MOST_PATH_SHOWN, told, with_remedy
+from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.records.logos import LogoError, checked_png
+from rcj_challenges.scenario.models.robots import Entrant
+from rcj_challenges.scenario.models.scenario import Scenario
+
+_NAME_PATH, _LOGO_PATH = PurePosixPath(NAME_FILE), PurePosixPath(LOGO_FILE)
+_FIRST_DAY = (1980, 1, 1, 0, 0, 0)  # the earliest that a ZIP can say
+_FILE_MODE, _FOLDER_MODE = 0o100644 << 16, 0o040755 << 16
+_FOLDER_MARK = 0x10
+_UNIX = 3
+# What writing the archive anew puts right by itself, and how to say so.
+_BY_WRITING = {
+    "archive.leftovers": "left out what other programs had left behind",
+    "archive.backslashes": "separated folders and files by /",
+    "archive.no_folders": "added entries for the folders",
+    "archive.prepended": "left out what stood before the archive",
+    "archive.trailing": "left out what followed the archive",
+    "archive.headers": "wrote sizes and checksums anew",
+    "archive.outside_folder": "left out folders that led out of the archive",
+    "archive.duplicate": "kept one of two equal files",
+}
+
+
+class RepairError(RcjError):
+    """A repaired archive cannot be written to the place that was given."""
+
+
+@dataclass
+class Repaired:
+    """What a repair came to.
+
+    Attributes:
+        out: the archive that was written; None if the submission cannot be read well enough to write any.
+        done: what was put right, one line each; empty if nothing had to be.
+        left: what has to be put right by hand, one line each.
+    """
+
+    out: Path | None = None
+    done: list[str] = field(default_factory=list)
+    left: list[str] = field(default_factory=list)
+
+
+def repair(path: Path, out: Path, scenario: Scenario) -> Repaired:
+    """Write a corrected archive of a submission.
+
+    The same submission always gives the same bytes. What a program consists of is not changed.
+
+    Args:
+        path: a ZIP, a folder or a single program; it is only read.
+        out: where to write; nothing may be there.
+        scenario: says which programs are asked for.
+
+    Raises:
+        RepairError: something is at ``out`` already, or it cannot be written.
+        TeamError: there is nothing at ``path`` that can be opened.
+    """
+    if os.path.lexists(out):
+        raise RepairError(f"{told(out, MOST_PATH_SHOWN)}: there is something already; nothing was written")
+    found = inspect(path, scenario)
+    hopeless = _hopeless(found)
+    if hopeless:
+        return Repaired(left=hopeless)
+    result = Repaired(out)
+    data = _zipped(_corrected(found, result.done))
+    with tempfile.TemporaryDirectory(prefix="rcj-repair-") as folder:
+        # Under the name it will have: a team without a name is called after its archive.
+        trial = Path(folder) / out.name
+        trial.write_bytes(data)
+        result.left = _left(inspect(trial, scenario))
+    _write(out, data)
+    return result
+
+
+def _hopeless(found: Inspection) -> list[str]:
+    """Return why nothing can be written: parts cannot be read, or it is unclear which file is meant."""
+    contents = found.opening.contents
+    if not contents.complete or any(not trouble.repair for trouble in contents.refused):
+        return [str(trouble) for trouble in contents.refused]
+    places = _Places(contents.files)
+    return [
+        f"'{told(name)}' would lie where another file is: rename one"
+        for name in contents.unsafe
+        if not places.take(clean(name))
+    ]
+
+
+class _Places:
+    """The places in an archive that are taken, as a computer without cases sees them."""
+
+    def __init__(self, files: Iterable[PurePosixPath]) -> None:
+        self._files: set[str] = set()
+        self._folders: set[str] = set()
+        for path in files:
+            self._note(path)
+
+    def take(self, path: PurePosixPath | None) -> bool:
+        """Take a place for a file, unless another is, or would be, in it."""
+        if path is None:
+            return False
+        here = folded(path)
+        if here in self._files or here in self._folders or not self._files.isdisjoint(map(folded, path.parents)):
+            return False
+        self._note(path)
+        return True
+
+    def _note(self, path: PurePosixPath) -> None:
+        self._files.add(folded(path))
+        self._folders.update(map(folded, path.parents))
+
+
+def _left(found: Inspection) -> list[str]:
+    return [
+        with_remedy(finding.message, finding.remedy)
+        for stage in found.stages
+        for finding in stage.findings
+        if finding.level != "passed"
+    ]
+
+
+def _corrected(found: Inspection, done: list[str]) -> Files:
+    """Return the files as they should be, and note what was done."""
+    contents = found.opening.contents
+    codes = dict.fromkeys(trouble.code for trouble in contents.troubles if trouble.repair)
+    done += [told_as for code, told_as in _BY_WRITING.items() if code in codes]
+    if contents.kind == "program":
+        return _as_folder(found.opening, found.seats, done)
+    if contents.kind == "folder":
+        done.append("packed the folder as a ZIP archive")
+    opening = _with_safe_names(found.opening, found.seats, done)
+    files = _laid_out(opening, found.seats, done)
+    files = _named(files, opening.name.text, done)
+    return _with_a_logo(files, done)
+
+
+def _as_folder(opening: Opening, seats: Sequence[Entrant], done: list[str]) -> Files:
+    """Return a single program as the program of each robot."""
+    content = next(iter(opening.files.values()))
+    wanted = dict.fromkeys(alternatives(entry)[0] for seat in seats for entry in seat.robots.values())
+    done.append(f"packed the program as {', '.join(wanted)}")
+    return {PurePosixPath(entry): content for entry in sorted(wanted)}
+
+
+def _with_safe_names(opening: Opening, seats: Sequence[Entrant], done: list[str]) -> Opening:
+    """Return the submission with every file in a place that every computer has."""
+    contents = opening.contents
+    files, renamed_files = dict(contents.files), []
+    for name, content in contents.unsafe.items():
+        path = clean(name)
+        if path is not None:  # see _hopeless
+            files[path] = content
+            renamed_files.append(f"renamed '{told(name)}' to {told(path)}")
+    done += renamed_files[:MOST_OF_A_KIND]
+    if len(renamed_files) > MOST_OF_A_KIND:
+        done.append(f"and {len(renamed_files) - MOST_OF_A_KIND} more files")
+    renamed = replace(contents, files=dict(sorted(files.items())), troubles=(), unsafe={})
+    source = opening.team.source if opening.team else Path(opening.name.text)
+    return opening_of(source, renamed, *seats)
+
+
+def _laid_out(opening: Opening, seats: Sequence[Entrant], done: list[str]) -> Files:
+    """Return the files with programs and folders where they are asked for."""
+    files = opening.files
+    if opening.missing:
+        plan = plan_moves(opening, seats)
+        if plan is None or plan.mentioned:
+            return opening.contents.files
+        files = plan.files
+        done += [f"as asked: {move}" for move in plan.moves]
+    else:
+        done += _seen_through(opening)
+    for empty in empty_programs(files, seats):
+        if empty.spare:
+            done.append(f"left out the empty {told(empty.path)}")
+            files = {path: content for path, content in files.items() if path != empty.path}
+    return files
+
+
+def _seen_through(opening: Opening) -> list[str]:
+    """Tell which folders are not as they were."""
+    top, done = opening.top, []
+    if opening.within is not None and top.parts:
+        done.append(f"renamed the folder {told(top)} to {told(opening.within)}")
+        top = top.parent
+    elif opening.within is not None:
+        done.append(f"put the programs into the folder {told(opening.within)}")
+    if top.parts:
+        done.append(f"took everything out of the extra folder {told(top)}")
+    return done
+
+
+def _named(files: Files, fallback: str, done: list[str]) -> Files:
+    """Return the files with the team's name where it belongs, as it is shown."""
+    name = find_team_name(files, fallback)
+    codes = {trouble.code for trouble in name.troubles if trouble.repair}
+    if name.path is None or not codes:
+        return files
+    readable = name.given and all(trouble.code != "identity.name_encoding" for trouble in name.troubles)
+    content = f"{name.text}\n".encode() if readable else files[name.path]
+    if name.path != _NAME_PATH:
+        done.append(f"took the team's name from {told(name.path)} to {NAME_FILE}")
+    if codes - {"identity.name_file"}:
+        done.append(f"wrote {NAME_FILE} anew: {name.text}")
+    return _placed(files, name.path, _NAME_PATH, content)
+
+
+def _with_a_logo(files: Files, done: list[str]) -> Files:
+    """Return the files with a logo that can be shown, or without one."""
+    logo = find_logo(files)
+    path = logo.path
+    if path is None or not any(finding.repair for finding in logo.findings):
+        return files
+    picture = files[path]
+    try:
+        sound = checked_png(picture) and not any(finding.code == "identity.logo_animated" for finding in logo.findings)
+    except LogoError:
+        sound = False
+    try:
+        content = picture if sound else as_png(picture)
+    except PictureError as error:
+        if len(path.parts) > 1:
+            return files
+        done.append(f"left out {told(path)}: {error}")
+        return {other: data for other, data in files.items() if other != path}
+    if not sound:
+        done.append(f"made a PNG of {told(path)} that can be shown")
+    if path != _LOGO_PATH:
+        done.append(f"took the logo from {told(path)} to {LOGO_FILE}")
+    return _placed(files, path, _LOGO_PATH, content)
+
+
+def _placed(files: Files, old: PurePosixPath, new: PurePosixPath, content: bytes) -> Files:
+    """Return the files with one put at the top; in a folder, where a program may want it, it stays as well."""
+    kept = {path: data for path, data in files.items() if path != old or len(old.parts) > 1}
+    return dict(sorted((kept | {new: content}).items()))
+
+
+def _zipped(files: Files) -> bytes:
+    """Return an archive with folders before what is in them, and nothing of this computer or this moment."""
+    folders = {parent for path in files for parent in path.parents if parent.parts}
+    members = {f"{folder}/": b"" for folder in folders} | {str(path): content for path, content in files.items()}
+    out = io.BytesIO()
+    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in sorted(members.items()):
+            entry = zipfile.ZipInfo(name, _FIRST_DAY)
+            entry.create_system = _UNIX
+            entry.compress_type = zipfile.ZIP_STORED if name.endswith("/") else zipfile.ZIP_DEFLATED
+            entry.external_attr = _FOLDER_MODE | _FOLDER_MARK if name.endswith("/") else _FILE_MODE
+            archive.writestr(entry, content)
+    return out.getvalue()
+
+
+def _write(out: Path, data: bytes) -> None:
+    """Write a file that appears whole or not at all, and never in place of another."""
+    temporary = None
+    try:
+        with tempfile.NamedTemporaryFile(dir=out.parent, prefix=".rcj-repair-", delete=False) as file:
+            temporary = Path(file.name)
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        _give_name(temporary, out)
+    except FileExistsError:
+        raise RepairError(f"{told(out, MOST_PATH_SHOWN)}: there is something already; nothing was written") from None
+    except OSError as error:
+        raise RepairError(f"{told(out, MOST_PATH_SHOWN)}: cannot be written: {error.strerror or error}") from error
+    finally:
+        if temporary is not None:
+            temporary.unlink(missing_ok=True)
+
+
+def _give_name(temporary: Path, out: Path) -> None:
+    temporary.chmod(0o644)
+    try:
+        out.hardlink_to(temporary)  # fails if something is there, unlike renaming
+    except FileExistsError:
+        raise
+    except OSError:  # a file system without links
+        if os.path.lexists(out):
+            raise FileExistsError from None
+        temporary.rename(out)

@@ -1,0 +1,216 @@
+"""What a check says, as data: the one shape behind terminal, JSON and HTML (``schemas/check.schema.json``)."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from rcj_challenges.checker.findings import STAGES, Level, Stage, StageName
+from rcj_challenges.facts.shown import shown
+
+if TYPE_CHECKING:
+    from rcj_challenges.checker.rehearsal import Rehearsed
+
+REPORT_VERSION = 1
+SCHEMA_FILE = "check.schema.json"
+RANKS: tuple[Level, ...] = ("passed", "warning", "failure")
+"""All levels, the gravest last."""
+
+
+class _Part(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+def _described(text: str, **bounds: Any) -> Any:
+    return Field(description=text, **bounds)
+
+
+class FindingReport(_Part):
+    """One thing that was found. All texts are safe to show on a terminal."""
+
+    code: str = _described("what it is, the same in every language and version: archive.encrypted")
+    level: Level = _described("how grave it is")
+    message: str = _described("what was found, one line")
+    remedy: str = _described("what to do; empty if there is nothing to do")
+    where: str = _described("the file in the submission, with line and column where known, or the robots; may be empty")
+    repair: bool = _described("whether --fix puts it right")
+    details: str = _described("more lines, such as a traceback; mostly empty")
+
+
+class StageReport(_Part):
+    """One stage."""
+
+    name: StageName = _described("which")
+    about: str = _described("what it is about")
+    level: Level = _described("the gravest of its findings")
+    skipped: str = _described("why it was not carried out; empty if it was")
+    findings: list[FindingReport] = _described("what was found")
+
+
+class RobotReport(_Part):
+    """How one robot of the team did in a short match. Times are wall time and differ from run to run."""
+
+    robot: str = _described("its name")
+    path_m: float = _described("length of its way in m", ge=0)
+    turned_rad: float = _described("how far it turned, both directions added up, in rad", ge=0)
+    ball_touches: int = _described("sub-steps of 8 ms in which it touched a ball", ge=0)
+    steps: int = _described("how many times its program called step", ge=0)
+    start_s: float = _described(
+        "from the launch of its program to its first step, in s; 0: it never came to that", ge=0
+    )
+    step_mean_ms: float = _described("how long the match waited for a step, on average, in ms", ge=0)
+    step_slowest_ms: float = _described("the longest of these waits in ms", ge=0)
+    fault: str = _described("how it failed: crash, exit, step_timeout …; empty if it did not")
+    output: str = _described("what its program printed, if that was asked for")
+
+
+class MatchReport(_Part):
+    """One short match."""
+
+    seats: list[str] = _described("where the team played")
+    opponents: dict[str, str] = _described("who played in the other seats")
+    score: dict[str, int | float] = _described("points by seat")
+    simulated_s: float = _described("how long was played in s", ge=0)
+    wall_s: float = _described("how long that took in s", ge=0)
+    layers: list[str] = _described("layers of isolation that held the programs")
+    replay: str = _described("file of the replay page, if one was asked for")
+    robots: list[RobotReport] = _described("the robots of the team")
+
+
+class FileReport(_Part):
+    """The check of one submission."""
+
+    file: str = _described("name of the file or folder")
+    level: Level = _described("the verdict: passed, warning (it plays, but look at what is told) or failure")
+    team: str = _described("name of the team, safe to show; empty if it is not known")
+    digest: str = _described("SHA-256 over names and contents of its files; empty if they cannot be read")
+    repaired: list[str] = _described("what --fix put right before this check")
+    stages: list[StageReport] = _described("the stages, in order")
+    matches: list[MatchReport] = _described("the short matches of the stage play")
+    wall_s: float = _described("how long the check took in s", ge=0)
+    logo: bytes | None = Field(default=None, exclude=True, repr=False, description="its logo, a PNG; not in the JSON")
+
+    def count(self, level: Level) -> int:
+        """Return how many findings of a level there are."""
+        return sum(finding.level == level for stage in self.stages for finding in stage.findings)
+
+
+class Summary(_Part):
+    """How many of the submissions passed."""
+
+    files: int = _described("how many were checked", ge=0)
+    passed: int = _described("how many are in order", ge=0)
+    warning: int = _described("how many play, but with warnings", ge=0)
+    failure: int = _described("how many cannot be used as they are", ge=0)
+
+
+class CheckReport(_Part):
+    """The whole output of ``rcj-challenge check --json``."""
+
+    check: Literal[1] = _described("version of this format")
+    scenario: str = _described("id of the scenario")
+    title: str = _described("title of the scenario")
+    sandbox: str = _described("how programs were isolated: auto, strict or off")
+    level: Level = _described("the gravest verdict of all")
+    summary: Summary
+    files: list[FileReport] = _described("the submissions, in the order in which they were given")
+
+    @property
+    def exit_code(self) -> int:
+        """0: all pass, with warnings perhaps; 1: at least one does not."""
+        return int(self.level == "failure")
+
+
+def gravest(levels: Iterable[Level]) -> Level:
+    """Return the gravest of levels; passed, if there are none."""
+    return max(levels, key=RANKS.index, default="passed")
+
+
+def check_report(scenario: str, title: str, sandbox: str, files: list[FileReport]) -> CheckReport:
+    """Put the reports of all submissions together."""
+    counts = {level: sum(file.level == level for file in files) for level in RANKS}
+    return CheckReport(
+        check=REPORT_VERSION,
+        scenario=scenario,
+        title=title,
+        sandbox=sandbox,
+        level=gravest(file.level for file in files),
+        summary=Summary(files=len(files), **counts),
+        files=files,
+    )
+
+
+def stage_report(stage: Stage) -> StageReport:
+    """Return a stage as data."""
+    return StageReport(
+        name=stage.name,
+        about=STAGES[stage.name],
+        level=stage.level,
+        skipped=stage.skipped,
+        findings=[
+            FindingReport(
+                code=finding.code,
+                level=finding.level,
+                message=finding.message,
+                remedy=finding.remedy,
+                where=finding.where,
+                repair=finding.repair,
+                details=finding.details,
+            )
+            for finding in stage.findings
+        ],
+    )
+
+
+def match_report(match: Rehearsed, replay: str, outputs: dict[str, str]) -> MatchReport:
+    """Return a short match as data.
+
+    Args:
+        match: what was played.
+        replay: file of its replay page; empty if there is none.
+        outputs: what programs printed, by robot, safe to show.
+    """
+    faults = {fault["robot"]: fault["kind"] for fault in reversed(match.faults)}
+    robots = []
+    for robot, motion in match.motions.items():
+        wait = match.waits.get(robot)
+        steps = wait.steps if wait else 0
+        robots.append(
+            RobotReport(
+                robot=robot,
+                path_m=round(motion.path_m, 3),
+                turned_rad=round(motion.turned_rad, 2),
+                ball_touches=motion.ball_touches,
+                steps=steps,
+                start_s=round(wait.started_s, 3) if wait else 0.0,
+                step_mean_ms=round(1000 * wait.waited_s / max(1, steps - 1), 3) if wait else 0.0,
+                step_slowest_ms=round(1000 * wait.slowest_s, 3) if wait else 0.0,
+                fault=faults.get(robot, ""),
+                output=outputs.get(robot, ""),
+            )
+        )
+    return MatchReport(
+        seats=list(match.seats),
+        opponents={seat: shown(name) for seat, name in match.opponents.items()},
+        score=match.result["score"],
+        simulated_s=match.simulated_s,
+        wall_s=round(match.wall_s, 3),
+        layers=list(match.result["sandbox"].get("layers", ())),
+        replay=replay,
+        robots=robots,
+    )
+
+
+def schema_text() -> str:
+    """Return the text of ``schemas/check.schema.json``; CI fails when the committed file differs from it."""
+    schema = CheckReport.model_json_schema(mode="serialization")
+    schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
+    return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
+
+
+def json_text(report: CheckReport) -> str:
+    """Return the report as the command prints it."""
+    return json.dumps(report.model_dump(mode="json"), indent=2, ensure_ascii=False) + "\n"

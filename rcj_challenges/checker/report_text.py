@@ -1,0 +1,182 @@
+"""The report on a terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rich.console import Console, RenderableType
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+from rcj_challenges.checker.findings import Level
+from rcj_challenges.checker.report import CheckReport, FileReport, FindingReport, MatchReport, StageReport
+from rcj_challenges.facts.shown import shown
+
+WORDS: dict[Level, str] = {"passed": "ok", "warning": "warning", "failure": "failure"}
+_STYLES: dict[Level, str] = {"passed": "green", "warning": "yellow", "failure": "bold red"}
+_SKIPPED = "skipped"
+_WIDTH = max(map(len, (*WORDS.values(), _SKIPPED)))
+_INDENT = _WIDTH + 2
+_LEAST_WIDTH = 30
+_WIDE = 160
+
+
+def print_report(console: Console, report: CheckReport) -> None:
+    """Print one submission in full; of several a table, and in full only those with something to tell."""
+    if not console.is_terminal:
+        console.width = max(console.width, _WIDE)  # a file or a pipe has no width
+    single = len(report.files) == 1
+    for file in report.files:
+        if single or file.level != "passed":
+            print_file(console, file)
+    if not single:
+        print_table(console, report)
+
+
+def print_file(console: Console, file: FileReport) -> None:
+    """Print the stages of one submission, what was found in each, how its robots did, and the verdict."""
+    head = Text(file.file, style="bold")
+    if file.team:
+        head.append(f"  {file.team}", style="not bold")
+    _say(console, head)
+    for line in file.repaired:
+        _indented(console, Text(f"repaired: {line}"))
+    for stage in file.stages:
+        _print_stage(console, stage)
+    for match in file.matches:
+        against = "".join(f" against {name}" for name in match.opponents.values())
+        _indented(console, Text(f"as {', '.join(match.seats)}{against}:", style="dim"))
+        _say(console, Padding(_robots(match), (0, 0, 0, _INDENT), expand=False))
+        if match.replay:
+            _indented(console, Text(f"watch: {shown(match.replay, 400)}"))
+    for match in file.matches:
+        _print_outputs(console, match)
+    _say(console, Text(verdict(file), style=_STYLES[file.level]))
+    _say(console, Text(""))
+
+
+def verdict(file: FileReport) -> str:
+    """Return the verdict as a sentence."""
+    failures, warnings = file.count("failure"), file.count("warning")
+    noticed = f", {_count(warnings, 'warning')}" if warnings else ""
+    if failures:
+        found = [finding for stage in file.stages for finding in stage.findings if finding.level == "failure"]
+        mendable = sum(finding.repair for finding in found)
+        amount = "this" if mendable == len(found) else "part of this"
+        hint = f"; --fix OUT.zip puts {amount} right" if mendable else ""
+        return f"It cannot play like this: {_count(failures, 'failure')}{noticed}{hint}."
+    if any(stage.skipped for stage in file.stages):
+        return f"In order as far as it was looked at{noticed}."
+    return f"It will play{noticed}."
+
+
+def print_table(console: Console, report: CheckReport) -> None:
+    """Print one line for each submission, and how many passed."""
+    table = Table("file", "team", "verdict", "first thing to do", title=Text(shown(report.title)), title_justify="left")
+    for column in table.columns:
+        column.overflow = "fold"
+    for file in report.files:
+        first = first_finding(file)
+        table.add_row(
+            Text(file.file),
+            Text(file.team),
+            Text(WORDS[file.level], style=_STYLES[file.level]),
+            Text("" if first is None else told(first)),
+        )
+    _say(console, table)
+    _say(console, Text(summary(report), style="bold"))
+
+
+def summary(report: CheckReport) -> str:
+    """Return how many submissions passed, as a sentence."""
+    counts = report.summary
+    return (
+        f"{_count(counts.files, 'submission')}: {counts.passed} ok, {_count(counts.warning, 'warning')}, "
+        f"{_count(counts.failure, 'failure')}"
+    )
+
+
+def first_finding(file: FileReport) -> FindingReport | None:
+    """Return the first of a submission's gravest findings; None if there is nothing to do."""
+    found = [finding for stage in file.stages for finding in stage.findings if finding.level == file.level]
+    return found[0] if found and file.level != "passed" else None
+
+
+def _print_stage(console: Console, stage: StageReport) -> None:
+    if stage.skipped:
+        _indented(console, Text(f"{stage.name}: {stage.skipped}", style="dim"), Text(_SKIPPED, style="dim"))
+        return
+    word = Text(WORDS[stage.level], style=_STYLES[stage.level])
+    _indented(console, Text(f"{stage.name}: {stage.about}"), word)
+    for finding in stage.findings:
+        _indented(console, Text(told(finding), style="dim" if finding.level == "passed" else _STYLES[finding.level]))
+        if finding.remedy:
+            _indented(console, Text(f"→ {finding.remedy}"))
+        for line in finding.details.splitlines():
+            _indented(console, Text(f"  {line}", style="dim"))
+
+
+def told(finding: FindingReport) -> str:
+    """Return a finding in one line: where, unless the message says so itself, and what."""
+    needless = not finding.where or finding.where in finding.message
+    return finding.message if needless else f"{finding.where}: {finding.message}"
+
+
+def _indented(console: Console, text: Text, word: Text | None = None) -> None:
+    """Print text beside a word, or below the text beside the last one; on a terminal it keeps to its column."""
+    head = word or Text()
+    width = max(_LEAST_WIDTH, console.width - _INDENT)
+    lines = text.wrap(console, width) if console.is_terminal else [text]
+    for number, line in enumerate(lines):
+        line.rstrip()
+        lead = head.copy() if number == 0 else Text()
+        lead.pad_right(_INDENT - lead.cell_len)
+        console.print(lead + line, markup=False, highlight=False, soft_wrap=True)
+
+
+def _robots(match: MatchReport) -> Table:
+    table = Table("robot", box=None, padding=(0, 1, 0, 0), pad_edge=False, header_style="dim")
+    table.columns[0].min_width = len("robot")
+    for column in ("way", "turned", "touches", "steps", "start", "a step", "slowest"):
+        table.add_column(column, justify="right", no_wrap=True)
+    table.add_column("", no_wrap=True)
+    for robot in match.robots:
+        table.add_row(
+            robot.robot,
+            f"{robot.path_m:.2f} m",
+            f"{robot.turned_rad:.1f} rad",
+            str(robot.ball_touches),
+            str(robot.steps),
+            f"{robot.start_s:.2f} s",
+            f"{robot.step_mean_ms:.1f} ms",
+            f"{robot.step_slowest_ms:.0f} ms",
+            Text(robot.fault, style=_STYLES["failure"]),
+        )
+    return table
+
+
+def _print_outputs(console: Console, match: MatchReport) -> None:
+    for robot in match.robots:
+        if robot.output:
+            _say(console, Text(f"{robot.robot} as {', '.join(match.seats)} printed:", style="dim"))
+            for line in robot.output.split("\n"):
+                console.print(Text(f"{robot.robot} | {line}"), soft_wrap=True)
+
+
+def _say(console: Console, content: RenderableType) -> None:
+    console.print(content, markup=False, highlight=False)
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
+def progress_line(done: int, total: int, file: FileReport) -> str:
+    """Return a line for a submission that is done, while others are not."""
+    return f"{done}/{total}  {WORDS[file.level]:<{_WIDTH}}  {file.file}"
+
+
+def repaired_lines(done: Sequence[str]) -> list[str]:
+    """Return what was repaired, safe to show."""
+    return [shown(line) for line in done]

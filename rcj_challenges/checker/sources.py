@@ -1,0 +1,291 @@
+"""Stage *sources*: the programs are Python that can run here, and everything that they import is there."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Iterable, Mapping
+from difflib import get_close_matches
+from pathlib import PurePosixPath
+
+from rcj_challenges.checker.findings import Finding, Level, Stage
+from rcj_challenges.checker.modules import (
+    INSTALLED,
+    Library,
+    Module,
+    is_here,
+    is_pythons,
+    places_of,
+    refused_use,
+)
+from rcj_challenges.checker.reading import MOST_BYTES, Import, Source, read_sources
+from rcj_challenges.controllers.team import Team
+from rcj_challenges.facts.shown import shown
+
+_MOST_FINDINGS = 40
+_PYTHON = f"Python {platform.python_version()}"
+
+Unit = tuple[PurePosixPath, int]
+"""A file that a program runs, and in how many packages it lies then: relative imports lead as far up, no further."""
+
+
+def check_sources(team: Team) -> Stage:
+    """Look at the Python files of a team without running them.
+
+    Failures are told of files that a program runs, by itself or by importing; of the others only warnings.
+    """
+    stage = Stage("sources")
+    files = dict(team.files)
+    sources = read_sources(files)
+    entries = {PurePosixPath(entry) for entry in team.entries.values()}
+    used: set[PurePosixPath] = set()
+    found: dict[Finding, None] = {}
+    for entry in sorted(entries):
+        walk = _Walk(files, sources, entry)
+        used |= walk.used
+        found |= dict.fromkeys(walk.findings)
+    found |= dict.fromkeys(_unreadable(sources, used))
+    found |= dict.fromkeys(_empty(sources, entries))
+    found |= dict.fromkeys(_shadowing(files, entries))
+    stage.findings = _in_order(found)
+    if not stage.findings:
+        count = len(sources)
+        told = "1 Python file is" if count == 1 else f"{count} Python files are"
+        stage.findings.append(Finding("sources.ok", "passed", f"{told} in order for {_PYTHON}"))
+    return stage
+
+
+class _Walk:
+    """Follows the imports of one program through the submission."""
+
+    def __init__(
+        self, files: Mapping[PurePosixPath, bytes], sources: Mapping[PurePosixPath, Source], entry: PurePosixPath
+    ) -> None:
+        self._sources = sources
+        self._usual = Library(files, places_of(entry))
+        self._library = self._usual
+        self._follow(entry)
+        if any(sources[path].moves_path for path in self.used):
+            self._library = self._usual.everywhere()
+            self._follow(entry)
+
+    def _follow(self, entry: PurePosixPath) -> None:
+        self.used: set[PurePosixPath] = set()
+        self.findings: list[Finding] = []
+        todo: list[Unit] = [(entry, 0)]
+        seen: set[Unit] = set()
+        while todo:
+            unit = todo.pop()
+            file, _ = unit
+            if unit in seen or file not in self._sources:
+                continue
+            seen.add(unit)
+            self.used.add(file)
+            for wanted in self._sources[file].imports:
+                todo += self._lead(unit, wanted)
+
+    def _lead(self, unit: Unit, wanted: Import) -> list[Unit]:
+        """Return what an import runs; what is wrong with it becomes a finding."""
+        if wanted.level:
+            return self._relative(unit, wanted)
+        first, *rest = wanted.module.split(".")
+        if first in INSTALLED[2:]:
+            return []
+        module = self._library.top(first)
+        if module is None and (is_pythons(first) or first in INSTALLED):
+            self._library_module(unit, wanted, first)
+            return []
+        module = module or self._library.top_namespace(first)
+        if module is None:
+            self._say(unit, wanted, *self._missing(first))
+            return []
+        return self._through(unit, wanted, module, rest, first, 0)
+
+    def _relative(self, unit: Unit, wanted: Import) -> list[Unit]:
+        file, depth = unit
+        if wanted.level > depth:
+            written = "." * wanted.level + shown(wanted.module)
+            message = f'"from {written} import …" does not work here: this file is not inside a package'
+            self._say(unit, wanted, "relative_import", message, "write it without the dots")
+            return []
+        folder = file.parent
+        for _ in range(wanted.level - 1):
+            folder = folder.parent
+        parts = wanted.module.split(".") if wanted.module else []
+        package = Module(folder, None)
+        return self._through(unit, wanted, package, parts, folder.name, depth - wanted.level)
+
+    def _through(
+        self, unit: Unit, wanted: Import, module: Module, parts: list[str], name: str, outside: int
+    ) -> list[Unit]:
+        """Walk down ``module.parts``, then to the names that are modules themselves; return all files that are run.
+
+        Args:
+            unit: the file that imports.
+            wanted: what.
+            module: the module already found.
+            parts: names still to find, one in the other.
+            name: what ``module`` is called, for messages.
+            outside: in how many packages ``module`` lies.
+        """
+        run: list[Unit] = []
+        depth = outside
+        for part in ["", *parts]:
+            if part:
+                inner = self._library.inside(module.folder, part) if module.folder is not None else None
+                if inner is None:
+                    self._say(unit, wanted, *self._no_such_part(module, name, part))
+                    return run
+                module, name = inner, f"{name}.{part}"
+            depth += module.folder is not None
+            if module.file is not None:
+                run.append((module.file, depth))
+        if module.folder is None:
+            return run
+        for part in wanted.names:
+            inner = self._library.inside(module.folder, part)
+            if inner is not None and inner.file is not None:
+                run.append((inner.file, depth + (inner.folder is not None)))
+            elif inner is None and module.file is None and wanted.level == 0 and part != "*":
+                self._say(unit, wanted, *self._no_such_part(module, name, part))
+        return run
+
+    def _library_module(self, unit: Unit, wanted: Import, first: str) -> None:
+        use = refused_use(wanted.module, wanted.names)
+        if use:
+            message = (
+                f'imports "{shown(wanted.module)}", which is for {use}: a match refuses that as soon as it is used'
+            )
+            self._add(unit, wanted, "warning", "refused_module", message, "play without it; unused, it does no harm")
+        if is_pythons(first) and not is_here(first):
+            system = platform.system()
+            message = (
+                f'imports "{shown(first)}", which is part of Python on some computers, but not on this one ({system})'
+            )
+            self._say(unit, wanted, "not_on_this_computer", message, "do without it: matches are played on any system")
+
+    def _missing(self, name: str) -> tuple[str, str, str]:
+        """Return code, message and remedy for a module that is nowhere."""
+        quoted = shown(name)
+        names = self._usual.names()
+        other_case = next((near for near in names if near.casefold() == name.casefold()), None)
+        if other_case is not None:
+            message = (
+                f'imports "{quoted}", but the module is called "{shown(other_case)}": capital and small letters count'
+            )
+            return "wrong_case", message, f'write "{shown(other_case)}"; on Windows and macOS the mistake does not show'
+        place = self._usual.lies_at(name)
+        if place is not None:
+            message = f'imports "{quoted}", but {shown(place)} is not where Python looks for it'
+            return "elsewhere", message, "move the file beside the program, or import it by the name of its folder"
+        message = f'imports "{quoted}", which is neither part of Python, nor numpy or scipy, nor in the submission'
+        near = get_close_matches(name, [*names, *INSTALLED], 1, 0.75)
+        if near:
+            return "missing_module", message, f'did you mean "{shown(near[0])}"?'
+        return "missing_module", message, f"put {quoted}.py beside the program, or do without it"
+
+    def _no_such_part(self, module: Module, name: str, part: str) -> tuple[str, str, str]:
+        whole = shown(f"{name}.{part}")
+        if module.folder is None:
+            return (
+                "missing_part",
+                f'imports "{whole}", but "{shown(name)}" is a file, not a folder',
+                "correct the import",
+            )
+        message = f'imports "{whole}", but there is no {shown(part)}.py in the folder {shown(module.folder)}'
+        return "missing_part", message, "add the file to the submission, or correct the import"
+
+    def _say(self, unit: Unit, wanted: Import, code: str, message: str, remedy: str) -> None:
+        """Tell of an import that fails: the end of the program, unless it is ready for that."""
+        if wanted.guarded:
+            message += "; the program has a way out (try … except)"
+            self._add(unit, wanted, "warning", f"optional_{code}", message, "make sure that it plays well without")
+        else:
+            self._add(unit, wanted, "failure", code, message, remedy)
+
+    def _add(self, unit: Unit, wanted: Import, level: Level, code: str, message: str, remedy: str) -> None:
+        where = f"{shown(unit[0])}:{wanted.line}:{wanted.column}"
+        self.findings.append(Finding(f"sources.{code}", level, message, remedy, where))
+
+
+def _unreadable(sources: Mapping[PurePosixPath, Source], used: set[PurePosixPath]) -> Iterable[Finding]:
+    for path, source in sources.items():
+        if not source.wrong:
+            continue
+        code, message, remedy = _wrong(source)
+        where = ":".join([shown(path), *(str(number) for number in (source.line, source.column) if number)])
+        level: Level = "failure" if path in used and code != "large" else "warning"
+        if path not in used:
+            message += "; no program seems to use this file"
+        yield Finding(f"sources.{code}", level, message, remedy, where)
+
+
+def _wrong(source: Source) -> tuple[str, str, str]:
+    """Return code, message and remedy of a file that is no Python."""
+    if source.wrong in _WITHOUT_WORDS:
+        return _WITHOUT_WORDS[source.wrong]
+    said = shown(source.said)
+    if "null bytes" in said:
+        return "null_bytes", "there are zero bytes in the file: it is no text", _SAVE_AS_UTF8
+    if any(words in said for words in ("codec can't decode", "encoding", "Non-UTF-8")):
+        return "encoding", f"the letters of the file cannot be read ({said})", _SAVE_AS_UTF8
+    deep = any(words in said for words in ("too many nested", "too many statically nested"))
+    remedy = _SMALLER_STEPS if deep else _syntax_remedy(source)
+    return "too_deep" if deep else "syntax", f"{_PYTHON} cannot read this: {said}", remedy
+
+
+_SAVE_AS_UTF8 = "save the file as UTF-8 text in your editor"
+_SMALLER_STEPS = "write it in several smaller steps"
+_TOO_DEEP = (
+    "too_deep",
+    "brackets or expressions lie so deep in one another that Python cannot read the file",
+    _SMALLER_STEPS,
+)
+# What ended the reading without a word of Python's own.
+_WITHOUT_WORDS = {
+    "depth": _TOO_DEEP,
+    "crash": _TOO_DEEP,
+    "slow": ("too_slow", "Python takes far too long to read the file", "split it, or put data into a file of its own"),
+    "large": (
+        "large",
+        f"more than {MOST_BYTES / 1e6:g} MB of Python: not looked into",
+        "put large data into a file that is no program",
+    ),
+}
+
+
+def _syntax_remedy(source: Source) -> str:
+    said = source.said
+    if "Missing parentheses in call to 'print'" in said:
+        return "this was written for Python 2: write print(…)"
+    if "tabs and spaces" in said or source.wrong == "TabError":
+        return "indent with spaces only"
+    if source.wrong == "IndentationError":
+        return "correct how far this line is indented"
+    return f"correct this line or the one before it; {_PYTHON} is used here, so newer words of Python do not exist yet"
+
+
+def _empty(sources: Mapping[PurePosixPath, Source], entries: set[PurePosixPath]) -> Iterable[Finding]:
+    for entry in sorted(entries):
+        if entry in sources and sources[entry].empty:
+            message = "the program is empty"
+            yield Finding("sources.empty", "failure", message, "put your program into this file", shown(entry))
+
+
+def _shadowing(files: Iterable[PurePosixPath], entries: set[PurePosixPath]) -> Iterable[Finding]:
+    listed = tuple(files)
+    hiding = {path for entry in entries for path in Library(listed, places_of(entry)).shadows()} - entries
+    for path in sorted(hiding):
+        message = f'this file hides "{shown(path.stem)}", a module of Python or of numpy and scipy, from your programs'
+        yield Finding("sources.shadows", "warning", message, "give it another name, unless you mean that", shown(path))
+
+
+def _in_order(found: Iterable[Finding]) -> list[Finding]:
+    """Return the gravest first, and not more than anybody reads."""
+    ordered = sorted(found, key=lambda finding: finding.level != "failure")
+    if len(ordered) > _MOST_FINDINGS:
+        left_out = len(ordered) - _MOST_FINDINGS
+        ordered = [
+            *ordered[:_MOST_FINDINGS],
+            Finding("sources.more", "warning", f"{left_out} more of the kind", "start with those above"),
+        ]
+    return ordered

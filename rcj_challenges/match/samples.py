@@ -1,0 +1,57 @@
+"""Sample teams: who plays where nobody was named."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from rcj_challenges.controllers.team import TeamError, open_team
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.resources import teams_folder
+
+_OF_THE_MATCH = {"blue": "roles_and_radio", "yellow": "all_sensors"}
+
+
+def sample_team(scenario: Scenario, seat: str, bases: Sequence[Scenario] = ()) -> Path | None:
+    """Return the folder of the sample team for a seat, None if none has programs for its robots.
+
+    That is the team made for this scenario; else one made for a scenario that it extends, if the seat's robots have
+    the same kits there, since a program of one kit cannot drive another; else one of the match's.
+
+    Args:
+        scenario: what is played.
+        seat: one of its entrants.
+        bases: the scenarios that it extends, the nearest first.
+    """
+    alike = (base.id for base in bases if not other_kits(scenario, base, seat))
+    for name in (scenario.id, *alike, _OF_THE_MATCH.get(seat)):
+        if name is not None and _has_programs(teams_folder() / name, scenario, seat):
+            return teams_folder() / name
+    return None
+
+
+def has_sample_team(scenario: Scenario) -> bool:
+    """Return whether a sample team was made for this very scenario."""
+    return (teams_folder() / scenario.id).is_dir()
+
+
+def other_kits(scenario: Scenario, base: Scenario, seat: str) -> dict[str, str]:
+    """Return the robots of a seat that have another kit in the scenario that is extended: that kit by robot.
+
+    A robot that the base does not know has the kit "none" there.
+    """
+    return {
+        name: base.robots[name].kit if name in base.robots else "none"
+        for name in scenario.entrants[seat].robots
+        if name not in base.robots or base.robots[name].kit != scenario.robots[name].kit
+    }
+
+
+def _has_programs(folder: Path, scenario: Scenario, seat: str) -> bool:
+    if not folder.is_dir():
+        return False
+    try:
+        open_team(folder, scenario.entrants[seat]).close()
+    except TeamError:
+        return False
+    return True

@@ -1,0 +1,297 @@
+"""What a check says of an archive, of its layout, and of the team's name and logo."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+import time
+import tracemalloc
+import unicodedata
+import zlib
+from functools import cache
+from pathlib import Path, PurePosixPath
+
+import pytest
+
+from rcj_challenges.checker.archives import Inspection, inspect
+from rcj_challenges.checker.findings import Finding
+from rcj_challenges.checker.images import Picture, look_at
+from rcj_challenges.controllers.team import TeamError, open_team
+from rcj_challenges.scenario.load import load, load_text
+from rcj_challenges.scenario.models.scenario import Scenario
+from tests.hostile.archives import pictures
+from tests.hostile.archives.building import Member, pack, with_folders
+from tests.hostile.archives.cases import ALL, ENTRY, FINE, NAME, OF_2021, PROGRAM, SOUND, named, plain
+
+
+@cache
+def scenario(name: str = "match") -> Scenario:
+    return load(name).scenario
+
+
+def inspected(folder: Path, data: bytes, name: str = "match") -> Inspection:
+    path = folder / "team.zip"
+    path.write_bytes(data)
+    return inspect(path, scenario(name))
+
+
+@cache
+def built(name: str) -> bytes:
+    return ALL[name].build()
+
+
+def findings(inspection: Inspection) -> list[Finding]:
+    return [finding for stage in inspection.stages for finding in stage.findings]
+
+
+def harmless(text: str) -> bool:
+    return all(unicodedata.category(letter)[0] != "C" or letter == "\u200d" for letter in text)
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_each_defect_is_named_with_its_level_and_a_remedy(tmp_path: Path, name: str) -> None:
+    case = ALL[name]
+    inspection = inspected(tmp_path, built(name), case.scenario)
+    found = [finding for finding in findings(inspection) if finding.code == case.code]
+    assert found, [finding.code for finding in findings(inspection)]
+    assert found[0].level == case.level
+    assert any(case.says in finding.message for finding in found), [finding.message for finding in found]
+    assert all(finding.repair for finding in found) == case.repair
+    assert found[0].remedy or case.level == "passed"
+    assert all(harmless(finding.message + finding.where + finding.remedy) for finding in findings(inspection))
+    assert all(len(finding.message) < 1000 for finding in findings(inspection))
+    assert harmless(inspection.display_name)
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_the_check_and_a_match_agree_whether_an_archive_can_be_used(tmp_path: Path, name: str) -> None:
+    case = ALL[name]
+    inspection = inspected(tmp_path, built(name), case.scenario)
+    try:
+        team = open_team(tmp_path / "team.zip", *scenario(case.scenario).entrants.values())
+    except TeamError as error:
+        assert inspection.team is None
+        assert "failure" in {finding.level for finding in findings(inspection)}
+        assert harmless(str(error))  # noqa: PT017 - what is refused is refused in words
+    else:
+        assert inspection.team is not None
+        assert (inspection.digest, inspection.display_name) == (team.digest, team.name)
+
+
+@pytest.mark.parametrize("build", FINE.values(), ids=FINE)
+def test_an_archive_without_a_flaw_passes_without_a_word_to_do(tmp_path: Path, build) -> None:
+    inspection = inspected(tmp_path, build())
+    assert [stage.name for stage in inspection.stages] == ["archive", "layout", "identity"]
+    assert {finding.code for finding in findings(inspection) if finding.level != "passed"} == set()
+    assert not any(finding.remedy for finding in findings(inspection))
+    assert inspection.team is not None
+
+
+def test_everything_is_told_at_once(tmp_path: Path) -> None:
+    files = {"My Team/robot1/robot1.py": b"1", "My Team/logo.png": pictures.gif(), "My Team/team_name.txt": b"x" * 40}
+    data = pack([*with_folders(files), Member("../up.txt", b"1"), Member("aux", b"2"), Member(".DS_Store", b"3")])
+    codes = {finding.code for finding in findings(inspected(tmp_path, data))}
+    assert codes >= {
+        "archive.outside",
+        "archive.name_reserved",
+        "archive.leftovers",
+        "layout.missing",
+        "identity.logo_type",
+        "identity.name_long",
+    }
+
+
+def test_many_of_one_kind_are_counted(tmp_path: Path) -> None:
+    data = pack([*with_folders(SOUND), *(Member(f"{n}?.txt", b"1") for n in range(500))])
+    found = [finding for finding in findings(inspected(tmp_path, data)) if finding.code == "archive.name_forbidden"]
+    assert len(found) == 11
+    assert found[-1].message == "and 490 more of this kind (archive.name_forbidden)"
+
+
+def test_what_cannot_be_read_leaves_later_stages_out_and_says_so(tmp_path: Path) -> None:
+    stages = inspected(tmp_path, plain(SOUND)[:-40]).stages
+    assert [stage.skipped for stage in stages] == ["", *["the archive could not be read"] * 2]
+    assert [stage.failed for stage in stages] == [True, False, False]
+
+
+def test_each_robot_is_named_with_its_program(tmp_path: Path) -> None:
+    inspection = inspected(tmp_path, plain(OF_2021))
+    told = {finding.message for finding in findings(inspection) if finding.code == "layout.program"}
+    assert told == {f"B{n}, Y{n}: robot{n}/robot{n}.py" for n in (1, 2, 3)}
+    assert inspection.team is not None
+    assert inspection.team.entries["Y2"] == "robot2/robot2.py"
+
+
+@pytest.mark.parametrize(
+    ("name", "files"),
+    [
+        ("fast_shooter", {"score_goal/score_goal.py": PROGRAM} | NAME),
+        ("precision_lidar", {"score_goal/score_goal.py": PROGRAM} | NAME),
+        ("pass_the_ball", {f"pass_ball_{side}/pass_ball_{side}.py": PROGRAM for side in ("blue", "yellow")} | NAME),
+    ],
+)
+def test_a_challenge_asks_for_its_own_programs(tmp_path: Path, name: str, files: dict[str, bytes]) -> None:
+    inspection = inspected(tmp_path, plain(files), name)
+    assert inspection.team is not None
+    assert all(stage.level == "passed" for stage in inspection.stages)
+
+
+def test_where_teams_keep_their_sides_one_of_them_is_enough(tmp_path: Path) -> None:
+    text = """
+schema_version: 1
+id: sides
+title: Sides
+extends: soccersim_v2
+match: {halves: 1, half_s: 10, swap_sides: false}
+entrants:
+  blue: {robots: {B1: keeper/keeper.py, B2: null, B3: null}}
+  yellow: {robots: {Y1: shooter/shooter.py, Y2: null, Y3: null}}
+robots: {B2: null, B3: null, Y2: null, Y3: null}
+"""
+    path = tmp_path / "team.zip"
+    path.write_bytes(plain({"shooter/shooter.py": PROGRAM} | NAME))
+    inspection = inspect(path, load_text(text).scenario)
+    assert inspection.team is not None
+    assert [list(seat.robots) for seat in inspection.seats] == [["Y1"]]
+
+
+@pytest.mark.parametrize(
+    ("content", "name"),
+    [
+        (b"Phase Moon", "Phase Moon"),
+        (b"\xef\xbb\xbfPhase Moon\r\n", "Phase Moon"),
+        ("Phase Moon".encode("utf-16"), "Phase Moon"),
+        ("Phase Moon".encode("utf-16-be").join([b"\xfe\xff", b""]), "Phase Moon"),
+        (b"\n\n  Phase   Moon  \n", "Phase Moon"),
+        ('«Фаза» "Луна"'.encode(), '«Фаза» "Луна"'),
+        ("👩‍🚀 ⚽ 🇨🇿".encode(), "👩‍🚀 ⚽ 🇨🇿"),
+        (b"../..\\C:\\con.txt", "../..\\C:\\con.txt"),
+        (b"a\x00b\x1b]0;owned\x07c", "a b ]0;owned c"),
+        ("\u202emooN esahP".encode(), "mooN esahP"),
+        (b"<b>&amp;</b>", "<b>&amp;</b>"),
+        ("\u2028one\u2029two".encode(), "one"),
+        (b"", "team"),
+    ],
+)
+def test_a_name_is_one_line_and_changes_no_files_place(tmp_path: Path, content: bytes, name: str) -> None:
+    inspection = inspected(tmp_path, named(content))
+    assert inspection.display_name == name
+    assert inspection.team is not None
+    copy = tmp_path / "copy"
+    copy.mkdir()
+    inspection.team.unpack(copy)
+    written = {PurePosixPath(path.relative_to(copy).as_posix()) for path in copy.rglob("*") if path.is_file()}
+    assert written == {PurePosixPath(ENTRY), PurePosixPath(ENTRY).with_name("utils.py"), PurePosixPath("team_name.txt")}
+
+
+def test_a_logo_is_shown_without_what_no_picture_needs(tmp_path: Path) -> None:
+    told = pictures.chunk(b"tEXt", b"Comment\0<script>")
+    assert inspected(tmp_path, plain(SOUND | {"logo.png": pictures.png(extra=told)})).logo == pictures.png()
+    assert inspected(tmp_path, plain(SOUND | {"logo.png": pictures.gif()})).logo is None
+    assert inspected(tmp_path, plain(SOUND)).logo is None
+
+
+def test_a_folder_is_checked_as_its_archive(tmp_path: Path) -> None:
+    for name, content in (SOUND | {"rcj_soccer_team_blue/__pycache__/x.pyc": b"1"}).items():
+        path = tmp_path / "team" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+    from_folder = inspect(tmp_path / "team", scenario())
+    assert all(stage.level == "passed" for stage in from_folder.stages)
+    assert from_folder.digest == inspected(tmp_path, plain(SOUND)).digest
+
+
+def test_a_single_program_can_be_checked(tmp_path: Path) -> None:
+    (tmp_path / "my_bot.py").write_bytes(PROGRAM)
+    inspection = inspect(tmp_path / "my_bot.py", scenario())
+    assert inspection.team is not None
+    assert "layout.single_program" in {finding.code for finding in findings(inspection)}
+
+
+def test_a_path_that_cannot_be_opened_is_the_only_error(tmp_path: Path) -> None:
+    with pytest.raises(TeamError, match="there is no such file or folder"):
+        inspect(tmp_path / "nothing.zip", scenario())
+    with pytest.raises(TeamError, match=r"a\\nb\\x1b: there is no such"):
+        inspect(tmp_path / "a\nb\x1b", scenario())
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such files in folders")
+def test_what_is_neither_file_nor_folder_is_not_waited_for(tmp_path: Path) -> None:
+    import os
+
+    os.mkfifo(tmp_path / "pipe.zip")
+    with pytest.raises(TeamError, match="neither a file nor a folder"):
+        inspect(tmp_path / "pipe.zip", scenario())
+
+
+@pytest.mark.parametrize(
+    "name", ["bomb_of_zeros", "bomb_in_many_files", "bomb_that_claims_to_be_small", "hundred_thousand_entries_denied"]
+)
+def test_the_worst_archives_cost_little_memory_and_time(tmp_path: Path, name: str) -> None:
+    data = built(name)
+    tracemalloc.start()
+    began = time.process_time()
+    inspected(tmp_path, data)
+    spent_s, peak = time.process_time() - began, tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 200_000_000
+    assert spent_s < 5
+
+
+def test_the_largest_honest_archive_costs_little_memory(tmp_path: Path) -> None:
+    text = b"".join(b"%06d a line of a robot's log\n" % n for n in range(100_000)) * 14
+    packer = zlib.compressobj(1, zlib.DEFLATED, -zlib.MAX_WBITS)
+    log = Member("log.txt", text, packed=packer.compress(text) + packer.flush())
+    data = pack([*with_folders(SOUND), log])
+    assert len(data) < 10_000_000
+    del text, log
+    tracemalloc.start()
+    inspection = inspected(tmp_path, data)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert inspection.team is not None
+    assert peak < 200_000_000
+
+
+def test_looking_at_an_archive_needs_no_physics() -> None:
+    program = (
+        "import sys, rcj_challenges.checker.archives, rcj_challenges.checker.repair; print('mujoco' in sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, encoding="utf-8", check=True)
+    assert done.stdout.strip() == "False"
+
+
+def test_the_page_for_teams_lists_every_message_with_its_level_and_whether_it_is_repaired() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "submission.md").read_text(encoding="utf-8")
+    rows = re.findall(
+        r"^\| `((?:archive|layout|identity)\.\w+)` \| (\w+) \|.*\| (yes|no)[ ¹²³⁴⁵]*\|$", page, re.MULTILINE
+    )
+    listed = {code: (level, fix == "yes") for code, level, fix in rows}
+    cases: dict[str, tuple[str, bool]] = {}
+    for case in ALL.values():
+        cases[case.code] = (case.level, case.repair or cases.get(case.code, ("", False))[1])
+    assert len(rows) == len(listed)
+    assert {code: listed.get(code) for code in cases} == cases
+    assert listed.keys() - cases.keys() == {"layout.single_program"}
+
+
+@pytest.mark.parametrize(
+    ("data", "picture"),
+    [
+        (pictures.png(30, 20), Picture("PNG", 30, 20)),
+        (pictures.animated_png(), Picture("PNG", 8, 8, animated=True)),
+        (pictures.jpeg_head(30, 20), Picture("JPEG", 30, 20)),
+        (pictures.gif(), Picture("GIF", 1, 1)),
+        (pictures.bmp(30, 20), Picture("BMP", 30, 20)),
+        (b"BM" + bytes(12) + b"\x0c\0\0\0\x1e\0\x14\0" + bytes(8), Picture("BMP", 30, 20)),
+        (b"RIFF\0\0\0\0WEBPVP8X" + bytes(8) + b"\x1d\0\0\x13\0\0", Picture("WebP", 30, 20)),
+        (b"RIFF\0\0\0\0WEBPVP8L" + bytes(5) + (29 | 19 << 14).to_bytes(4, "little"), Picture("WebP", 30, 20)),
+        (b"RIFF\0\0\0\0WEBPVP8 " + bytes(10) + b"\x1e\0\x14\0", Picture("WebP", 30, 20)),
+        (b"RIFF\0\0\0\0WAVEfmt ", None),
+        (b"\x89PNG\r\n\x1a\n", None),
+        (b"", None),
+    ],
+)
+def test_a_picture_is_told_from_its_first_bytes(data: bytes, picture: Picture | None) -> None:
+    assert look_at(data) == picture

@@ -1,0 +1,265 @@
+"""Stages *start* and *play*: real programs in real short matches, told so that a pupil can act on it."""
+
+from __future__ import annotations
+
+import json
+import re
+import zipfile
+from dataclasses import replace
+
+import pytest
+
+from rcj_challenges.checker import check as check_module
+from rcj_challenges.checker import starting
+from rcj_challenges.checker.check import CheckOptions, check_file, file_slug
+from rcj_challenges.checker.rehearsal import shortened
+from rcj_challenges.controllers.team import TeamError
+from rcj_challenges.scenario.load import load, load_text
+from rcj_challenges.scenario.resources import teams_folder
+
+ENTRY = "rcj_soccer_team_blue/rcj_soccer_team_blue.py"
+MATCH = load("match", ["limits.start_s=10", "limits.step_s=1"])
+SHORT = CheckOptions(play_s=1.0)
+BEGIN = """\
+from controller import Robot
+robot = Robot()
+name = robot.getName()
+left = robot.getDevice("left wheel motor")
+right = robot.getDevice("right wheel motor")
+for motor in (left, right):
+    motor.setPosition(float("inf"))
+    motor.setVelocity(8)
+"""
+LOOP = "while robot.step(32) != -1:\n    pass\n"
+
+
+@pytest.fixture
+def pack(tmp_path):
+    def packed(program, name="team.zip", entry=ENTRY):
+        path = tmp_path / name
+        with zipfile.ZipFile(path, "w") as archive:
+            archive.writestr(entry, program)
+            archive.writestr("team_name.txt", "Hanse")
+        return path
+
+    return packed
+
+
+def stage(report, name):
+    return next(stage for stage in report.stages if stage.name == name)
+
+
+def findings(report, name, level=None):
+    return [finding for finding in stage(report, name).findings if level in (None, finding.level)]
+
+
+def test_a_sane_team_passes_and_every_robot_of_both_sides_is_told_of():
+    report = check_file(teams_folder() / "ball_chaser", MATCH, replace(SHORT, play_s=6.0))
+    assert (report.level, report.team, report.file) == ("passed", "Ball Chaser", "ball_chaser")
+    assert [stage.level for stage in report.stages] == ["passed"] * 6
+    assert findings(report, "start")[0].where == "B1, B2, B3, Y1, Y2, Y3"
+    assert [match.seats for match in report.matches] == [["blue"], ["yellow"]]
+    assert [match.opponents for match in report.matches] == [{"yellow": "All Sensors"}, {"blue": "Roles and Radio"}]
+    robots = [robot for match in report.matches for robot in match.robots]
+    assert [robot.robot for robot in robots] == ["B1", "B2", "B3", "Y1", "Y2", "Y3"]
+    assert all(robot.path_m > 0.1 and robot.steps == 188 and robot.start_s > 0 for robot in robots)
+    assert all(sum(robot.ball_touches for robot in match.robots) > 0 for match in report.matches)
+
+
+def test_two_checks_of_one_file_see_the_same_match(pack):
+    path = pack(BEGIN + LOOP)
+    first, second = (check_file(path, MATCH, SHORT) for _ in range(2))
+    wall = {"wall_s", "start_s", "step_mean_ms", "step_slowest_ms"}
+    assert without(wall, first) == without(wall, second)
+
+
+def without(keys, report):
+    def cleaned(value):
+        if isinstance(value, dict):
+            return {key: cleaned(inner) for key, inner in value.items() if key not in keys}
+        return [cleaned(inner) for inner in value] if isinstance(value, list) else value
+
+    data = cleaned(report.model_dump(mode="json"))
+    for finding in data["stages"][4]["findings"]:
+        finding["message"] = finding["message"].partition(", the slowest after")[0]
+    return data
+
+
+def test_a_program_that_fails_at_its_start_is_told_with_its_traceback_and_is_not_played(pack):
+    report = check_file(pack(BEGIN + "if name[0] == 'Y':\n    [][0]\n" + LOOP), MATCH, SHORT)
+    (found,) = findings(report, "start", "failure")
+    assert (found.code, found.where) == ("start.crash", "Y1, Y2, Y3")
+    assert "IndexError" in found.message
+    assert f'File "{ENTRY}", line 10' in found.details
+    assert found.remedy
+    assert "put right first" in stage(report, "play").skipped
+    assert report.matches == []
+
+
+def test_a_program_that_never_steps_is_told_so(pack):
+    slow = load("match", ["limits.start_s=1"])
+    (found,) = findings(check_file(pack("while True:\n    pass\n"), slow, SHORT), "start", "failure")
+    assert (found.code, found.where) == ("start.start_timeout", "B1, B2, B3, Y1, Y2, Y3")
+    assert "robot.step" in found.remedy
+
+
+def test_a_program_that_ends_is_told_to_call_step_in_a_loop(pack):
+    (found,) = findings(check_file(pack(BEGIN + "robot.step(32)\n"), MATCH, SHORT), "start", "failure")
+    assert found.code == "start.exit"
+    assert "loop" in found.remedy
+
+
+def test_a_device_that_no_robot_has_is_told_with_the_nearest_name(pack):
+    report = check_file(pack(BEGIN + "robot.getDevice('ball \\x1b[31mreciever')\n" + LOOP), MATCH, SHORT)
+    (found,) = findings(report, "start", "warning")
+    assert found.code == "start.no_device"
+    assert "\\x1b[31mreciever" in found.message
+    assert "ball receiver" in found.remedy
+    assert report.level == "warning"
+
+
+def test_a_robot_that_fails_in_play_is_told_with_side_time_and_traceback(pack):
+    program = BEGIN + "while robot.step(32) != -1:\n    if robot.getTime() > 0.5 and name == 'B2':\n        1 / 0\n"
+    report = check_file(pack(program), MATCH, SHORT)
+    (found,) = findings(report, "play", "failure")
+    assert (found.code, found.where) == ("play.crash", "B2")
+    assert found.message.startswith("as blue, after 0.5 s: ZeroDivisionError")
+    assert "line 11" in found.details
+    assert [robot.fault for match in report.matches for robot in match.robots] == ["", "crash", "", "", "", ""]
+    assert len(report.matches) == 2
+
+
+def test_a_hang_costs_its_limit_once(pack):
+    program = BEGIN + "while robot.step(32) != -1:\n    while name[1] == '2' and robot.getTime() > 0.4:\n        pass\n"
+    report = check_file(pack(program), load("match", ["limits.step_s=0.3"]), SHORT)
+    told = findings(report, "play", "failure")
+    assert [(found.code, found.where) for found in told] == [("play.step_timeout", "B2"), ("play.step_timeout", "Y2")]
+    assert all("0.3 s" in found.message for found in told)
+    assert all(f'File "{ENTRY}", line 10' in found.details for found in told)
+
+
+def test_a_program_that_is_slow_on_every_step_fails_and_is_told_what_a_half_allows(pack):
+    slow = load("match", ["limits.step_s=0.4", "limits.half_s=30"])
+    work = "    x = 0\n    while name[1] == '2' and x < 200_000:\n        x += 1\n"
+    report = check_file(pack(BEGIN + "while robot.step(32) != -1:\n" + work), slow, SHORT)
+    found = findings(report, "play", "failure")
+    assert {finding.code for finding in found} <= {"play.slow", "play.half_timeout"}
+    assert {finding.where for finding in found} == {"B2", "Y2"}
+
+
+def test_robots_that_stand_still_and_touch_no_ball_are_a_warning(pack):
+    report = check_file(pack(BEGIN.replace("setVelocity(8)", "setVelocity(0)") + LOOP), MATCH, SHORT)
+    told = findings(report, "play", "warning")
+    assert [finding.code for finding in told] == ["play.stands", "play.no_touch"] * 2
+    assert told[0].where == "B1, B2, B3"
+    assert report.level == "warning"
+
+
+def test_a_call_that_the_robot_refuses_is_a_warning(pack):
+    report = check_file(pack(BEGIN + "left.setVelocity(float('nan'))\n" + LOOP), MATCH, SHORT)
+    assert "play.complaint" in {finding.code for finding in findings(report, "play", "warning")}
+
+
+def test_output_and_replay_are_there_on_request_and_safe(pack, tmp_path):
+    program = BEGIN + "print('\\x1b[2J schön', name)\n" + LOOP
+    name = "a b.zip"
+    options = replace(SHORT, replays=tmp_path / "replays", show_output=True)
+    report = check_file(pack(program, name), MATCH, options)
+    assert "\\x1b[2J schön Y1" in report.matches[1].robots[0].output
+    pages = sorted(path.name for path in (tmp_path / "replays").iterdir())
+    slug = file_slug(tmp_path / name)
+    assert pages == [f"{slug}-blue.html", f"{slug}-yellow.html"]
+    assert (tmp_path / "replays" / pages[0]).read_text("utf-8").startswith("<!")
+
+
+def test_without_being_asked_for_no_output_is_quoted_and_nothing_is_left(pack, tmp_path):
+    path = pack(BEGIN + "print('secret')\n" + LOOP)
+    report = check_file(path, MATCH, SHORT)
+    assert "secret" not in json.dumps(report.model_dump(mode="json"))
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_without_play_no_program_is_run(pack):
+    report = check_file(pack("1 / 0\n"), MATCH, CheckOptions(play=False))
+    assert report.level == "passed"
+    assert [bool(stage.skipped) for stage in report.stages] == [False] * 4 + [True] * 2
+
+
+@pytest.mark.parametrize(
+    ("scenario", "team", "robots"),
+    [
+        ("fast_shooter", "fast_shooter", ["Y3"]),
+        ("pass_the_ball", "pass_the_ball", ["Y1", "Y2", "B1", "B2"]),
+        ("scenarios/examples/slalom.yaml", "slalom", ["Y3"]),
+    ],
+)
+def test_challenges_of_one_entrant_are_played_once_with_all_their_robots(scenario, team, robots):
+    report = check_file(teams_folder() / team, load(scenario), SHORT)
+    assert report.level != "failure"
+    assert [finding.code for finding in findings(report, "play", "warning")].count("play.no_touch") <= (
+        team != "slalom"
+    )
+    (match,) = report.matches
+    assert match.opponents == {}
+    assert [robot.robot for robot in match.robots] == robots
+    assert stage(report, "start").findings[-1].where == ", ".join(robots)
+
+
+TWO_SEATS = """\
+schema_version: 1
+id: keep_away
+title: Keep away
+extends: soccersim_v2
+match: {half_s: 30}
+robots: {B3: null, Y3: null, B2: null, Y2: null}
+entrants:
+  blue: {robots: {B1: keeper.py, B2: null, B3: null}}
+  yellow: {robots: {Y1: chaser.py, Y2: null, Y3: null}}
+"""
+
+
+def test_where_teams_keep_their_sides_a_program_for_one_of_them_is_enough(pack):
+    report = check_file(pack(BEGIN + LOOP, entry="chaser.py"), load_text(TWO_SEATS), SHORT)
+    (match,) = report.matches
+    assert (match.seats, [robot.robot for robot in match.robots]) == (["yellow"], ["Y1"])
+    assert match.opponents == {"blue": "robots that stand still"}
+    assert report.level != "failure"
+
+
+def test_where_no_sample_team_fits_the_team_plays_against_itself(pack):
+    both = TWO_SEATS.replace("keeper.py", "chaser.py")
+    report = check_file(pack(BEGIN + LOOP, entry="chaser.py"), load_text(both), SHORT)
+    assert [match.opponents for match in report.matches] == [{"yellow": "your own team"}, {"blue": "your own team"}]
+
+
+def test_a_short_match_has_one_half_and_less_patience():
+    short = shortened(MATCH, 10.0).scenario
+    assert (short.match.halves, short.match.half_s) == (1, 10.0)
+    assert short.limits.half_s == 4 * MATCH.scenario.limits.half_s / 60
+    assert shortened(load("fast_shooter"), 500.0).scenario.match.half_s == 120
+
+
+def test_what_cannot_be_opened_is_no_verdict(tmp_path):
+    with pytest.raises(TeamError):
+        check_file(tmp_path / "nowhere.zip", MATCH, SHORT)
+
+
+def test_a_fault_of_ours_becomes_a_verdict_too(pack, monkeypatch):
+    def stumble(*_):
+        raise KeyError("\x1b[2J")
+
+    monkeypatch.setattr(starting, "check_start", stumble)
+    report = check_file(pack(BEGIN + LOOP), MATCH, SHORT)
+    (found,) = findings(report, "start")
+    assert (found.code, report.level) == ("start.stumbled", "failure")
+    assert "\x1b" not in found.message
+    monkeypatch.setattr(check_module, "inspect", stumble)
+    assert check_file(pack(BEGIN + LOOP), MATCH, SHORT).stages[0].findings[0].code == "archive.stumbled"
+
+
+def test_names_of_replays_are_legal_everywhere_and_never_the_same(tmp_path):
+    names = ["team.zip", "a/../b", "ü.zip", "ö.zip", "con trol", "x" * 200 + ".zip", "x" * 199 + "y.zip", ".zip"]
+    slugs = [file_slug(tmp_path / name.replace("/", "\\")) for name in names]
+    assert len(set(slugs)) == len(names)
+    assert slugs[0] == "team"
+    assert all(re.fullmatch(r"[A-Za-z0-9_-]{1,80}", slug) for slug in slugs)

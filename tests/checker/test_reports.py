@@ -1,0 +1,268 @@
+"""The report as JSON, as HTML and on a terminal: the same findings, and nothing of a stranger's that does harm."""
+
+from __future__ import annotations
+
+import base64
+import io
+import json
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+
+import jsonschema
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from rich.console import Console
+
+from rcj_challenges.checker.findings import STAGES
+from rcj_challenges.checker.report import (
+    SCHEMA_FILE,
+    CheckReport,
+    FileReport,
+    FindingReport,
+    MatchReport,
+    RobotReport,
+    StageReport,
+    check_report,
+    gravest,
+    json_text,
+    schema_text,
+)
+from rcj_challenges.checker.report_html import html_page
+from rcj_challenges.checker.report_text import print_report, summary, verdict
+from rcj_challenges.facts.shown import shown
+
+PNG = base64.b64decode(
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="
+)
+EVIL = shown("<script>alert(1)</script>\x1b[2J\u202e\"'&</style>--><img src=x onerror=y>[/bold][red]:smile:")
+
+
+def finding(level="failure", message="it broke", remedy="mend it", where="robot.py:3:1", *, repair=False, details=""):
+    return FindingReport(
+        code="sources.syntax", level=level, message=message, remedy=remedy, where=where, repair=repair, details=details
+    )
+
+
+def file_report(name="team.zip", findings=(), *, team="Hanse", skipped="", logo=None, matches=(), repaired=()):
+    levels = [found.level for found in findings]
+    stages = [
+        StageReport(
+            name=stage,
+            about=about,
+            level=gravest(levels) if stage == "sources" else "passed",
+            skipped=skipped if stage == "play" else "",
+            findings=list(findings) if stage == "sources" else [],
+        )
+        for stage, about in STAGES.items()
+    ]
+    return FileReport(
+        file=name,
+        level=gravest(levels),
+        team=team,
+        digest="0" * 64,
+        repaired=list(repaired),
+        stages=stages,
+        matches=list(matches),
+        wall_s=1.0,
+        logo=logo,
+    )
+
+
+def match_report(replay="", output="", opponent="All Sensors"):
+    robot = RobotReport(
+        robot="B1", path_m=1.0, turned_rad=2.0, ball_touches=3, steps=313, start_s=0.2, step_mean_ms=0.1,
+        step_slowest_ms=4.0, fault="crash", output=output,
+    )  # fmt: skip
+    return MatchReport(
+        seats=["blue"], opponents={"yellow": opponent}, score={"blue": 1, "yellow": 0}, simulated_s=10.016,
+        wall_s=0.7, layers=["clean_environment"], replay=replay, robots=[robot],
+    )  # fmt: skip
+
+
+def report(*files):
+    return check_report("match", "SoccerSim match", "auto", list(files))
+
+
+def printed(told, width=80, *, terminal=False):
+    stream = io.StringIO()
+    print_report(Console(file=stream, width=width, force_terminal=terminal, color_system=None), told)
+    return stream.getvalue()
+
+
+def test_the_committed_schema_is_fresh():
+    committed = Path(__file__).parents[2] / "schemas" / SCHEMA_FILE
+    assert committed.read_text("utf-8") == schema_text()
+
+
+def test_every_report_is_what_the_schema_says_and_can_be_read_back():
+    told = report(file_report(findings=[finding()], logo=PNG, matches=[match_report()]), file_report("other.zip"))
+    data = json.loads(json_text(told))
+    jsonschema.validate(data, json.loads(schema_text()))
+    assert CheckReport.model_validate(data).summary == told.summary
+    assert "logo" not in data["files"][0]
+
+
+def test_the_schema_describes_every_field():
+    schema = json.loads(schema_text())
+    described = [
+        (name, key)
+        for name, part in [("report", schema), *schema["$defs"].items()]
+        for key, value in part["properties"].items()
+        if "description" not in value and "$ref" not in value
+    ]
+    assert described == []
+
+
+def test_the_exit_code_is_that_of_the_gravest_verdict():
+    good, warned, bad = (file_report(findings=[finding(level)]) for level in ("passed", "warning", "failure"))
+    assert [report(good).exit_code, report(good, warned).exit_code, report(bad, good).exit_code] == [0, 0, 1]
+    assert report(good, warned, bad, bad).summary.model_dump() == {"files": 4, "passed": 1, "warning": 1, "failure": 2}
+    assert summary(report(good, bad)) == "2 submissions: 1 ok, 0 warnings, 1 failure"
+
+
+def test_the_verdict_says_whether_it_plays_and_what_a_repair_would_mend():
+    assert verdict(file_report()) == "It will play."
+    assert verdict(file_report(findings=[finding("warning")])) == "It will play, 1 warning."
+    assert verdict(file_report(skipped="not asked for")) == "In order as far as it was looked at."
+    assert verdict(file_report(findings=[finding()])) == "It cannot play like this: 1 failure."
+    both = file_report(findings=[finding(repair=True), finding()])
+    assert verdict(both) == "It cannot play like this: 2 failures; --fix OUT.zip puts part of this right."
+    assert "puts this right" in verdict(file_report(findings=[finding(repair=True)]))
+
+
+def test_a_terminal_shows_stages_findings_remedies_and_details():
+    told = report(
+        file_report(
+            findings=[finding(details="Traceback\n  line 3")],
+            matches=[match_report(output="hello\nworld", replay="r/a.html")],
+            repaired=["took out the extra top folder"],
+        )
+    )
+    lines = printed(told).splitlines()
+    assert lines[0] == "team.zip  Hanse"
+    assert "         repaired: took out the extra top folder" in lines
+    assert "failure  sources: the programs are Python that can run here" in lines
+    assert "         robot.py:3:1: it broke" in lines
+    assert "         → mend it" in lines
+    assert "             line 3" in lines
+    assert "         watch: r/a.html" in lines
+    assert "B1 | world" in lines
+    assert (
+        next(line for line in lines if line.startswith("          B1") or line.lstrip().startswith("B1 ")).split()[-1]
+        == "crash"
+    )
+
+
+def test_many_submissions_end_with_a_table_and_a_summary():
+    told = printed(report(file_report("good.zip"), file_report("bad.zip", [finding()])))
+    table = told[told.index("SoccerSim match") :]
+    assert "It will play" not in told  # what is in order is only in the table
+    assert re.search(r"good\.zip .* Hanse .* ok", table)
+    assert re.search(r"bad\.zip .* failure .* robot\.py:3:1: it broke", table)
+    assert table.rstrip().endswith("2 submissions: 1 ok, 0 warnings, 1 failure")
+
+
+def test_on_a_narrow_terminal_no_line_is_too_long():
+    told = report(
+        file_report(findings=[finding(message="word " * 60, remedy="do " * 60)]), file_report("x" * 90 + ".zip")
+    )
+    assert max(map(len, printed(told, 60, terminal=True).splitlines())) <= 60
+
+
+def test_names_of_strangers_do_no_harm_on_a_terminal():
+    told = report(
+        file_report(
+            EVIL,
+            [finding(message=EVIL, remedy=EVIL, where=EVIL)],
+            team=EVIL,
+            matches=[match_report(output=EVIL, opponent=EVIL)],
+        )
+    )
+    text = printed(told, 400)
+    assert "\x1b" not in text
+    assert "\u202e" not in text
+    assert text.count("[/bold][red]:smile:") > 5  # rich takes no word in brackets for its markup
+
+
+class _Tags(HTMLParser):
+    def __init__(self):
+        super().__init__(convert_charrefs=True)
+        self.tags, self.open, self.text, self.attributes = [], [], [], []
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.append(tag)
+        self.attributes += [(tag, *pair) for pair in attrs]
+        if tag not in ("meta", "img", "br"):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        self.text.append(data)
+
+
+def parsed(page):
+    tags = _Tags()
+    tags.feed(page)
+    assert tags.open == []
+    return tags
+
+
+TAGS = {
+    "html", "head", "meta", "title", "style", "body", "h1", "h2", "p", "div", "table", "thead", "tbody", "tr", "th", "td",
+    "a", "span", "bdi", "code", "article", "header", "ul", "ol", "li", "strong", "br", "pre", "caption", "details",
+    "summary", "img",
+}  # fmt: skip
+
+
+def test_the_page_is_whole_and_loads_nothing(tmp_path):
+    told = report(file_report(findings=[finding(details="x\ny")], logo=PNG, matches=[match_report(output="hi")]))
+    page = html_page(told, tmp_path)
+    tags = parsed(page)
+    assert set(tags.tags) <= TAGS
+    links = [value for _, key, value in tags.attributes if key in ("src", "href")]
+    assert all(link.startswith(("data:image/png;base64,", "#")) for link in links)
+    policy = next(value for tag, key, value in tags.attributes if tag == "meta" and key == "content")
+    assert policy.startswith("default-src 'none'; style-src 'sha256-")
+    assert "unsafe" not in policy
+    assert all(word in page for word in ("it broke", "mend it", "crash", "prefers-color-scheme: dark"))
+
+
+def test_names_of_strangers_do_no_harm_in_the_page(tmp_path):
+    told = report(
+        file_report(
+            EVIL,
+            [finding(message=EVIL, remedy=EVIL, where=EVIL, details=EVIL)],
+            team=EVIL,
+            matches=[match_report(output=EVIL, opponent=EVIL)],
+            repaired=[EVIL],
+        ),
+        file_report(EVIL, team=EVIL),
+    )
+    tags = parsed(html_page(told, tmp_path))
+    assert set(tags.tags) <= TAGS - {"img"}
+    assert "".join(tags.text).count("<script>alert(1)</script>") > 8
+
+
+@given(st.text(max_size=60))
+def test_whatever_a_team_is_called_the_page_stays_whole(name):
+    safe = shown(name)
+    told = report(file_report(safe, [finding(message=safe, where=safe)], team=safe))
+    tags = parsed(html_page(told, Path()))
+    assert set(tags.tags) <= TAGS - {"img"}
+
+
+@pytest.mark.parametrize("name", ["a b.html", "100%.html", "#1?x=2.html", "ü.html"])
+def test_the_page_links_to_replays_wherever_they_lie(tmp_path, name):
+    replay = tmp_path / "replays" / name
+    told = report(file_report(matches=[match_report(replay=str(replay))]))
+    tags = parsed(html_page(told, tmp_path / "pages"))
+    (link,) = [value for _, key, value in tags.attributes if key == "href"]
+    assert link.startswith("./../replays/")
+    assert not set(link) & set(" #?\"'<>")
+    from urllib.parse import unquote
+
+    assert (tmp_path / "pages" / unquote(link)).resolve() == replay.resolve()

@@ -1,0 +1,264 @@
+"""Stage *sources*: Python that can run here, and everything imported is there; nothing of it is run."""
+
+from __future__ import annotations
+
+import sys
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from rcj_challenges.checker.reader import read_source
+from rcj_challenges.checker.reading import MOST_BYTES
+from rcj_challenges.checker.sources import check_sources
+from rcj_challenges.controllers.team import open_team
+from rcj_challenges.scenario.load import load
+
+FOLDER = "rcj_soccer_team_blue"
+ENTRY = f"{FOLDER}/rcj_soccer_team_blue.py"
+ENTRANTS = tuple(load("match").scenario.entrants.values())
+
+
+@pytest.fixture
+def check(tmp_path):
+    def check_files(program, **others):
+        files = {ENTRY: program} | {name.replace("__", "/") + ".py": text for name, text in others.items()}
+        return check_paths(files)
+
+    def check_paths(files):
+        for name, text in files.items():
+            path = tmp_path / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        with open_team(tmp_path, *ENTRANTS) as team:
+            return check_sources(team)
+
+    check_files.paths = check_paths
+    return check_files
+
+
+def codes(stage, level=None):
+    return [finding.code.removeprefix("sources.") for finding in stage.findings if level in (None, finding.level)]
+
+
+def only(stage):
+    (finding,) = stage.findings
+    return finding
+
+
+def test_a_program_that_imports_what_there_is_passes(check):
+    stage = check(
+        "import math, numpy.linalg, scipy\nfrom controller import Robot\nimport robot1, shared.tools\n",
+        rcj_soccer_team_blue__robot1="from utils import go\n",
+        rcj_soccer_team_blue__utils="go = 1\n",
+        shared__tools="from . import more\n",
+        shared__more="from .tools import x\n",
+    )
+    assert codes(stage) == ["ok"]
+    assert stage.level == "passed"
+
+
+def test_a_syntax_error_is_told_with_file_line_and_column(check):
+    found = only(check("x = 1\nif x == 2\n    pass\n"))
+    assert (found.code, found.level) == ("sources.syntax", "failure")
+    assert found.where == f"{ENTRY}:2:10"
+    assert "expected ':'" in found.message
+    assert found.remedy
+
+
+WRONG = {
+    "python 2": (b"print 'hello'\n", "syntax", "Python 2"),
+    "tabs and spaces": (b"if 1:\n\tx = 1\n        y = 2\n", "syntax", "spaces"),
+    "indentation": (b"def f():\nreturn 1\n", "syntax", "indented"),
+    "zero bytes": (b"x = 1\n\0\n", "null_bytes", "UTF-8"),
+    "utf-16": ("x = 1\n".encode("utf-16"), "null_bytes", "UTF-8"),
+    "latin-1 letters": (b"x = '\xe4'\n", "encoding", "UTF-8"),
+    "an encoding that does not exist": (b"# -*- coding: klingon -*-\n", "encoding", "UTF-8"),
+    "too many brackets": (b"x = " + b"(" * 5000 + b")" * 5000, "too_deep", "smaller"),
+    "a sum without end": (b"x = " + b"+".join([b"1"] * 100_000), "too_deep", "smaller"),
+    "attributes without end": (b"x" + b".a" * 100_000, "too_deep", "smaller"),
+    "minus signs without end": (b"x = " + b"-" * 100_000 + b"1", "too_deep", "smaller"),
+    "lists without end": (b"x = " + b"[" * 150 + b"]" * 150 + b"\n" + b"y=" + b"{" * 50_000, "too_deep", "smaller"),
+    "nothing": (b"# later\n", "empty", "put your program"),
+}
+
+
+@pytest.mark.parametrize(("source", "code", "remedy"), WRONG.values(), ids=WRONG)
+def test_a_program_that_is_no_python_fails_with_a_remedy(check, source, code, remedy):
+    found = only(check(source))
+    assert (found.code, found.level) == (f"sources.{code}", "failure")
+    assert remedy in found.remedy
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        b"\xef\xbb\xbfx = '\xc3\xa4'\r\n",
+        b"# -*- coding: latin-1 -*-\nx = '\xe4'\n",
+        b"x = 1\r\ny = 2\r\n",
+        b"x = '\\d'\n",
+    ],
+    ids=["a byte order mark", "an encoding cookie", "Windows line ends", "a strange escape"],
+)
+def test_what_python_reads_is_in_order(check, source):
+    assert codes(check(source)) == ["ok"]
+
+
+def test_a_broken_file_that_no_program_uses_is_only_a_warning(check):
+    stage = check("import robot1\n", rcj_soccer_team_blue__robot1="", rcj_soccer_team_blue__old="x = (\n")
+    assert codes(stage, "warning") == ["syntax"]
+    assert "no program seems to use" in only(stage).message
+    assert stage.level == "warning"
+
+
+def test_one_more_broken_file_does_not_hide_the_others(check):
+    stage = check("import a, b\n", rcj_soccer_team_blue__a="x = (\n", rcj_soccer_team_blue__b="y = )\n")
+    assert codes(stage, "failure") == ["syntax", "syntax"]
+
+
+def test_a_huge_file_is_not_looked_into(check):
+    stage = check("import data\n", rcj_soccer_team_blue__data="x = 1\n" + "#" * MOST_BYTES)
+    assert codes(stage) == ["large"]
+    assert stage.level == "warning"
+
+
+def test_a_module_that_is_nowhere_fails(check):
+    found = only(check("x = 1\nimport cv2\n"))
+    assert (found.code, found.level, found.where) == ("sources.missing_module", "failure", f"{ENTRY}:2:1")
+    assert '"cv2"' in found.message
+
+
+def test_the_nearest_name_is_suggested(check):
+    assert 'did you mean "utils"?' in only(check("import util\n", rcj_soccer_team_blue__utils="")).remedy
+
+
+def test_capital_and_small_letters_count(check):
+    found = only(check("import Utils\n", rcj_soccer_team_blue__utils=""))
+    assert found.code == "sources.wrong_case"
+    assert '"utils"' in found.remedy
+
+
+def test_a_module_where_python_does_not_look_is_named(check):
+    found = only(check("import helper\n", rcj_soccer_team_blue__lib__helper=""))
+    assert found.code == "sources.elsewhere"
+    assert f"{FOLDER}/lib/helper.py" in found.message
+
+
+def test_a_program_that_changes_sys_path_may_import_from_any_of_its_folders(check):
+    program = "import os, sys\nsys.path.append(os.path.join(os.path.dirname(__file__), 'lib'))\nimport helper\n"
+    assert codes(check(program, rcj_soccer_team_blue__lib__helper="")) == ["ok"]
+
+
+def test_the_layout_of_2021_finds_its_libraries_in_the_folder_above(check):
+    entry = "import sys\nsys.path.append('..')\nfrom team_123_libraries.robot1.player import play\n"
+    stage = check.paths(
+        {
+            **{f"robot{number}/robot{number}.py": entry for number in (1, 2, 3)},
+            "team_123_libraries/robot1/player.py": "from .tools import x\nplay = 1\n",
+            "team_123_libraries/robot1/tools.py": "x = 1\n",
+        }
+    )
+    assert codes(stage) == ["ok"]
+
+
+def test_a_part_that_is_missing_from_a_folder_fails(check):
+    stage = check("import lib.tools\nfrom lib import nothing\nimport robot1.x\n", rcj_soccer_team_blue__lib__other="", rcj_soccer_team_blue__robot1="",
+    )  # fmt: skip
+    assert codes(stage, "failure") == ["missing_part"] * 3
+
+
+def test_names_taken_from_an_init_file_are_not_looked_for_as_files(check):
+    stage = check.paths({ENTRY: "from lib import anything\n", f"{FOLDER}/lib/__init__.py": "anything = 1\n"})
+    assert codes(stage) == ["ok"]
+
+
+def test_dots_in_a_program_outside_of_packages_fail(check):
+    assert codes(check("from . import robot1\n", rcj_soccer_team_blue__robot1=""), "failure") == ["relative_import"]
+
+
+def test_dots_that_lead_out_of_the_package_fail(check):
+    stage = check("import lib.a\n", rcj_soccer_team_blue__lib__a="from ... import b\n")
+    assert codes(stage, "failure") == ["relative_import"]
+
+
+GUARDED = {
+    "ImportError": "try:\n    import torch\nexcept ImportError:\n    torch = None\n",
+    "one of several": "try:\n    import torch\nexcept (OSError, ModuleNotFoundError):\n    torch = None\n",
+    "anything": "try:\n    import torch\nexcept:\n    torch = None\n",
+    "suppress": "from contextlib import suppress\nwith suppress(ImportError):\n    import torch\n",
+}
+
+
+@pytest.mark.parametrize("program", GUARDED.values(), ids=GUARDED)
+def test_a_missing_module_that_the_program_is_ready_for_is_a_warning(check, program):
+    stage = check(program)
+    assert codes(stage) == ["optional_missing_module"]
+    assert stage.level == "warning"
+
+
+def test_a_try_that_catches_something_else_does_not_help(check):
+    assert codes(check("try:\n    import torch\nexcept OSError:\n    pass\n"), "failure") == ["missing_module"]
+    assert codes(check("try:\n    pass\nexcept ImportError:\n    import torch\n"), "failure") == ["missing_module"]
+
+
+def test_what_only_type_checkers_import_does_not_count(check):
+    assert codes(check("from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    import torch\n")) == ["ok"]
+
+
+def test_modules_whose_use_is_refused_are_a_warning(check):
+    stage = check("import socket, subprocess\nimport urllib.request\nfrom http import server\nimport urllib.parse\n")
+    assert codes(stage) == ["refused_module"] * 4
+    assert stage.level == "warning"
+    assert "the network" in stage.findings[0].message
+
+
+def test_an_import_written_as_a_call_counts(check):
+    assert codes(check("import importlib\nimportlib.import_module('torch')\n__import__('cv2')\n"), "failure") == [
+        "missing_module",
+        "missing_module",
+    ]
+
+
+def test_a_part_of_python_that_this_computer_lacks_fails(check):
+    absent = "winreg" if sys.platform != "win32" else "pwd"
+    assert codes(check(f"import {absent}\n"), "failure") == ["not_on_this_computer"]
+
+
+def test_a_file_that_hides_a_module_of_python_is_a_warning(check):
+    found = only(check("import random\n", rcj_soccer_team_blue__random=""))
+    assert (found.code, found.level, found.where) == ("sources.shadows", "warning", f"{FOLDER}/random.py")
+
+
+def test_a_circle_of_imports_ends(check):
+    stage = check("import a\n", rcj_soccer_team_blue__a="import b\n", rcj_soccer_team_blue__b="import a\n")
+    assert codes(stage) == ["ok"]
+
+
+def test_nothing_of_a_program_is_run(check, tmp_path):
+    check(f"open({str(tmp_path / 'trace')!r}, 'w')\nraise SystemExit\n")
+    assert not (tmp_path / "trace").exists()
+
+
+def test_strange_names_are_shown_safely(check):
+    stage = check.paths({ENTRY: "x = 1\n", f"{FOLDER}/\u202e<b>.py": "x = (\n"})
+    assert "\\u202e<b>.py" in only(stage).where
+
+
+@settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(st.binary(max_size=400) | st.text(max_size=200).map(lambda text: text.encode("utf-8", "replace")))
+def test_any_bytes_are_read_to_an_end(source):
+    said = read_source(source, "robot.py")
+    assert ("error" in said) != ("imports" in said)
+
+
+WORDS = st.sampled_from(
+    ["import ", "from ", ".", "a", "b", " as ", ",", "*", "try:", "except ", "ImportError:", "\n", "    ", "(", ")",
+     "if TYPE_CHECKING:", "with suppress(", "sys.path", "__import__('x.y')", "__import__('')", "async ", "def f():"]
+)  # fmt: skip
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.lists(WORDS, max_size=30).map("".join))
+def test_any_words_of_python_are_read_to_an_end(text):
+    said = read_source(text.encode(), "robot.py")
+    assert all(found["line"] >= 1 for found in said.get("imports", ()))

@@ -1,0 +1,212 @@
+"""``rcj-challenge check`` as its users meet it: verdicts, exit codes, and no byte string that makes it stumble."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import jsonschema
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from rcj_challenges.checker.report import schema_text
+from rcj_challenges.cli.check import CheckCommand, CheckUsageError, check_submissions, submissions
+from rcj_challenges.facts.errors import RcjError
+
+COMMAND = [sys.executable, "-m", "rcj_challenges", "check"]
+PLAYER = """\
+from controller import Robot
+robot = Robot()
+for name in ("left wheel motor", "right wheel motor"):
+    robot.getDevice(name).setPosition(float("inf"))
+while robot.step(32) != -1:
+    pass
+"""
+
+
+def archive(program=PLAYER, name="Hanse"):
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w") as file:
+        file.writestr("rcj_soccer_team_blue/rcj_soccer_team_blue.py", program)
+        file.writestr("team_name.txt", name)
+    return data.getvalue()
+
+
+@pytest.fixture
+def good(tmp_path):
+    path = tmp_path / "good.zip"
+    path.write_bytes(archive())
+    return path
+
+
+@pytest.fixture
+def bad(tmp_path):
+    path = tmp_path / "bad.zip"
+    path.write_bytes(archive("x = (\n", "\u202eevil\x1b[2J"))
+    return path
+
+
+def command(*arguments, cwd):
+    return subprocess.run(
+        [*COMMAND, *map(str, arguments)], cwd=cwd, capture_output=True, encoding="utf-8", timeout=120, check=False
+    )
+
+
+def check(*paths, **options):
+    """Check in this process; by default without running programs."""
+    given = {
+        "scenario": "match", "overrides": [], "sandbox": "auto", "jobs": None, "fix": None, "html": None, "json": False,
+        "replays": None, "show_output": False, "play": False,
+    }  # fmt: skip
+    return check_submissions(CheckCommand(paths=list(paths), **{**given, **options}))
+
+
+def test_a_good_submission_is_played_and_ends_with_0(tmp_path, good):
+    done = command(good, "--html", "out/report.html", "--replay", "replays", "--set", "match.half_s=1", cwd=tmp_path)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "It will play" in done.stdout
+    assert (tmp_path / "out" / "report.html").read_text("utf-8").startswith("<!doctype html>")
+    assert sorted(path.name for path in (tmp_path / "replays").iterdir()) == ["good-blue.html", "good-yellow.html"]
+
+
+def test_a_bad_submission_ends_with_1_and_says_what_to_do(tmp_path, bad):
+    done = command(bad, cwd=tmp_path)
+    assert done.returncode == 1, done.stderr
+    assert "rcj_soccer_team_blue/rcj_soccer_team_blue.py:1:5" in done.stdout
+    assert "→" in done.stdout
+    assert not set(done.stdout) & set("\x1b\u202e")
+    assert done.stderr == ""
+
+
+def test_json_prints_the_report_and_nothing_else(tmp_path, good, bad):
+    done = command(good, bad, "--no-play", "--json", cwd=tmp_path)
+    assert done.returncode == 1
+    assert done.stderr == ""
+    report = json.loads(done.stdout)
+    jsonschema.validate(report, json.loads(schema_text()))
+    assert [file["level"] for file in report["files"]] == ["passed", "failure"]
+    assert report["summary"] == {"files": 2, "passed": 1, "warning": 0, "failure": 1}
+
+
+def test_several_submissions_give_a_table_and_a_summary(tmp_path, good, bad, capsys):
+    assert check(good, bad) == 1
+    out, err = capsys.readouterr()
+    assert "2 submissions: 1 ok, 0 warnings, 1 failure" in out
+    assert "2/2" in err
+
+
+def test_a_folder_full_of_archives_means_each_of_them(tmp_path, good, bad):
+    (tmp_path / "notes.txt").write_text("later")
+    (tmp_path / "old").mkdir()
+    assert submissions([tmp_path]) == [bad, good]
+    assert submissions([tmp_path, good]) == [bad, good]
+
+
+def test_a_folder_of_a_team_is_one_submission_even_if_an_old_archive_lies_in_it(tmp_path, good):
+    (tmp_path / "rcj_soccer_team_blue").mkdir()
+    (tmp_path / "rcj_soccer_team_blue" / "rcj_soccer_team_blue.py").write_text(PLAYER)
+    assert submissions([tmp_path]) == [tmp_path]
+
+
+def test_an_empty_folder_gets_a_verdict(tmp_path, capsys):
+    assert check(tmp_path) == 1
+    assert "→" in capsys.readouterr().out
+
+
+def test_a_path_that_cannot_be_opened_ends_with_2(tmp_path, good):
+    done = command(good, "\u202enowhere.zip", cwd=tmp_path)
+    assert done.returncode == 2
+    assert "\\u202enowhere.zip: cannot be opened" in done.stderr
+    assert done.stdout == ""
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="nothing is forbidden to root")
+def test_a_file_that_may_not_be_read_ends_with_2(good):
+    good.chmod(0)
+    with pytest.raises(CheckUsageError, match="cannot be opened"):
+        check(good)
+
+
+@pytest.mark.parametrize("path", ["/dev/zero", "/dev/null"])
+def test_a_device_is_not_read(path):
+    if not Path(path).exists():
+        pytest.skip("there is no such device here")
+    with pytest.raises(CheckUsageError, match="neither a file nor a folder"):
+        check(Path(path))
+
+
+def test_a_name_that_no_file_can_have_ends_with_2():
+    with pytest.raises(CheckUsageError, match="cannot be opened"):
+        check(Path("a\0b"))
+
+
+WRONG = {
+    "no such scenario": {"scenario": "matsch"},
+    "no such value": {"overrides": ["half_z=3"]},
+    "no such sandbox": {"sandbox": "maybe"},
+}
+
+
+@pytest.mark.parametrize("options", WRONG.values(), ids=WRONG)
+def test_wrong_usage_ends_with_2(good, options):
+    with pytest.raises(RcjError) as told:
+        check(good, **options)
+    assert told.value.exit_code == 2
+
+
+def test_without_a_path_the_usage_is_shown(tmp_path):
+    assert command(cwd=tmp_path).returncode == 2
+
+
+def test_a_page_that_cannot_be_written_ends_with_2(tmp_path, good):
+    (tmp_path / "taken").write_text("a file")
+    with pytest.raises(CheckUsageError, match="cannot be written"):
+        check(good, html=tmp_path / "taken" / "report.html")
+
+
+def test_fix_writes_a_repaired_archive_and_checks_that_one(tmp_path, capsys):
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w") as file:
+        file.writestr("our team/rcj_soccer_team_blue/rcj_soccer_team_blue.py", PLAYER)
+        file.writestr("our team/Team Name.txt", "Hanse")
+        file.writestr("__MACOSX/our team/._x", "x")
+    (tmp_path / "team.zip").write_bytes(data.getvalue())
+    assert check(tmp_path / "team.zip", fix=tmp_path / "fixed.zip") == 0
+    out = capsys.readouterr().out
+    assert "repaired: " in out
+    assert out.startswith("fixed.zip  Hanse")
+    with zipfile.ZipFile(tmp_path / "fixed.zip") as fixed:
+        assert "rcj_soccer_team_blue/rcj_soccer_team_blue.py" in fixed.namelist()
+
+
+def test_fix_of_what_cannot_be_read_is_a_verdict(tmp_path, capsys):
+    (tmp_path / "team.zip").write_bytes(b"Rar!\x1a\x07\x00")
+    assert check(tmp_path / "team.zip", fix=tmp_path / "fixed.zip") == 1
+    assert not (tmp_path / "fixed.zip").exists()
+
+
+def test_fix_repairs_one_at_a_time(tmp_path, good, bad):
+    with pytest.raises(CheckUsageError, match="one submission at a time"):
+        check(good, bad, fix=tmp_path / "fixed.zip")
+
+
+GOOD = archive()
+
+
+@settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(
+    st.binary(max_size=300)
+    | st.tuples(st.integers(0, len(GOOD) - 1), st.binary(max_size=8)).map(
+        lambda change: GOOD[: change[0]] + change[1] + GOOD[change[0] + len(change[1]) :]
+    )
+)
+def test_any_bytes_get_a_verdict(tmp_path_factory, data):
+    path: Path = tmp_path_factory.getbasetemp() / "any.zip"
+    path.write_bytes(data)
+    assert check(path) in (0, 1)
