@@ -21,6 +21,7 @@ REFEREE_LOG = "referee.jsonl"
 TRAJECTORY = "trajectory.npz"
 TRAJECTORY_PARTS = "trajectory.part"
 LOGS = "logs"
+SENSORS = "sensors"
 REPLAY = "replay.html"
 
 _MOST_RUNS_A_SECOND = 10_000

@@ -11,7 +11,8 @@ from typing import Annotated, Any
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.folder import RECORD_VERSION, RESULT
+from rcj_challenges.records.folder import RESULT
+from rcj_challenges.records.upgrades import upgraded
 
 Score = int | float
 _PACKAGES = {"rcj_challenges": "rcj-challenges", "mujoco": "mujoco", "numpy": "numpy"}
@@ -146,12 +147,9 @@ def read_result(folder: Path) -> RunResult:
         raise RecordError(f"{folder.name}: no record of a run ({RESULT} is missing)") from None
     except (OSError, ValueError) as error:
         raise RecordError(f"{folder.name}: {RESULT} cannot be read: {error}") from error
-    newer = data.get("record") if isinstance(data, dict) else None
-    if isinstance(newer, int) and newer > RECORD_VERSION:
-        raise RecordError(
-            f"{folder.name}: its record has version {newer}, this package reads up to {RECORD_VERSION}: "
-            "it needs a newer rcj-challenges"
-        )
+    record = data.get("record") if isinstance(data, dict) else None
+    if type(record) is int:
+        data = upgraded("result", data, record, folder)
     try:
         return RunResult.model_validate(data)
     except ValidationError as error:

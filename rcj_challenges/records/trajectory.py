@@ -6,6 +6,8 @@ The referee can be run on what `HalfTrack.snapshots` yields: it gives back the v
 from __future__ import annotations
 
 import json
+import tokenize
+import warnings
 import zipfile
 import zlib
 from collections.abc import Callable, Iterator, Mapping
@@ -18,17 +20,17 @@ import numpy.typing as npt
 
 from rcj_challenges.facts.play import Fault, HalfInfo, Placement, Snapshot
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.folder import RECORD_VERSION, SCENARIO, TRAJECTORY, TRAJECTORY_PARTS
+from rcj_challenges.records.folder import TRAJECTORY, TRAJECTORY_PARTS
 from rcj_challenges.records.result import read_result
 from rcj_challenges.records.track import part_paths, row_dtype
-from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.records.upgrades import read_scenario, upgraded
 from rcj_challenges.scenario.roster import Roster
 
 Array = npt.NDArray[Any]
 _ROWS_AT_ONCE = 512
-_DAMAGE = (
+DAMAGE = (
     OSError, EOFError, ValueError, KeyError, TypeError, IndexError, zipfile.BadZipFile, zlib.error,
-    NotImplementedError, AttributeError, OverflowError, MemoryError,
+    NotImplementedError, AttributeError, OverflowError, MemoryError, SyntaxError, tokenize.TokenError,
 )  # fmt: skip
 """What numpy, zipfile and json raise on bytes that are not what they should be."""
 
@@ -132,17 +134,18 @@ class Trajectory:
         packed = folder / TRAJECTORY
         try:
             return cls._packed(packed) if packed.exists() else cls._parts(folder)
-        except _DAMAGE as error:
+        except DAMAGE as error:
             raise RecordError(f"{folder.name}: the trajectory is damaged or none of ours: {error}") from error
 
     @classmethod
     def _packed(cls, path: Path) -> Self:
-        # Opened here, because numpy leaves a file open that it refuses.
-        with path.open("rb") as file, np.load(file, allow_pickle=False) as arrays:
+        # Opened here, because numpy leaves a file open that it refuses. It takes a damaged header for an old one.
+        with warnings.catch_warnings(), path.open("rb") as file, np.load(file, allow_pickle=False) as arrays:
+            warnings.simplefilter("ignore", UserWarning)
             if "header" not in arrays:
                 raise ValueError(f"{path.name} has no header")
             header = json.loads(arrays["header"].tobytes())
-            _refuse_newer(header["record"], path.parent)
+            header = upgraded("header", header, header["record"], path.parent)
             entities = len(header["entities"])
             halves = tuple(
                 _half(lambda field, half=half: arrays[f"half{half}_{field}"], entities, half)  # type: ignore[misc]
@@ -156,8 +159,7 @@ class Trajectory:
         parts = folder / TRAJECTORY_PARTS
         if not parts.is_dir():
             raise RecordError(f"{folder.name}: the trajectory is missing")
-        roster = Roster.of(Scenario.model_validate_json((folder / SCENARIO).read_bytes()))
-        _refuse_newer(result.record, folder)
+        roster = Roster.of(read_scenario(folder, result.record))
         halves: list[HalfTrack] = []
         for half in sorted(int(path.stem.partition("-")[2]) for path in parts.glob("half-*.poses")):
             fields = _read_parts(parts, half, len(roster.entities))
@@ -183,14 +185,6 @@ class Trajectory:
         )
 
 
-def _refuse_newer(record: int, folder: Path) -> None:
-    if record > RECORD_VERSION:
-        raise RecordError(
-            f"{folder.name}: its record has version {record}, this package reads up to {RECORD_VERSION}: "
-            "it needs a newer rcj-challenges"
-        )
-
-
 def _read_parts(parts: Path, half: int, entities: int) -> dict[str, Array]:
     """Return the arrays of a half that was not packed, up to its last whole tick."""
     poses, touches, notes = part_paths(parts, half)
@@ -211,7 +205,7 @@ def _half(field: Callable[[str], Array], entities: int, half: int) -> HalfTrack:
         ValueError: they do not fit each other.
     """
     substeps = field("substeps")
-    info, start, placements, faults = _read_notes(field("notes").tobytes(), len(substeps))
+    info, start, placements, faults = read_notes(field("notes").tobytes(), len(substeps))
     track = HalfTrack(
         info,
         start,
@@ -233,7 +227,7 @@ def _half(field: Callable[[str], Array], entities: int, half: int) -> HalfTrack:
     return track
 
 
-def _read_notes(
+def read_notes(
     text: bytes, ticks: int
 ) -> tuple[HalfInfo, Snapshot | None, dict[int, tuple[Placement, ...]], dict[int, tuple[Fault, ...]]]:
     """Return what the lines of notes hold: the half's facts, its start, placements and faults by tick.

@@ -27,6 +27,7 @@ from rcj_challenges.records.folder import (
     utc_now,
 )
 from rcj_challenges.records.lines import json_line
+from rcj_challenges.records.logos import logo_path
 from rcj_challenges.records.pack import pack_trajectory
 from rcj_challenges.records.reflog import event_line, events_of, firing_line, reflog_lines
 from rcj_challenges.records.result import RunResult, versions
@@ -49,6 +50,7 @@ class RunHeader:
         match_id: as in MATCH_START.
         sandbox: how programs are isolated, JSON-able.
         marks: what makes this run special, such as ``debug``.
+        logos: the teams' own ``logo.png`` as they gave it, by team; kept beside the record, looked at when shown.
     """
 
     scenario: Scenario
@@ -58,6 +60,7 @@ class RunHeader:
     match_id: int = 0
     sandbox: Mapping[str, Any] = field(default_factory=dict)
     marks: tuple[str, ...] = ()
+    logos: Mapping[str, bytes] = field(default_factory=dict)
 
 
 class RecordWriter:
@@ -102,6 +105,8 @@ class RecordWriter:
         self._parts = self.folder / TRAJECTORY_PARTS
         self._parts.mkdir()
         (self.folder / SCENARIO).write_bytes(json_line(scenario))
+        for team, logo in header.logos.items():
+            logo_path(self.folder, team).write_bytes(logo)
         self._reflog = (self.folder / REFLOG).open("xb", buffering=0)
         self._referee_log = (self.folder / REFEREE_LOG).open("xb", buffering=0)
         self._track: TrackWriter | None = None

@@ -1,0 +1,142 @@
+"""``rcj-challenge stats``: figures of one run or of several together."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from rcj_challenges.views.stats import Stats
+
+_NOTHING = "-"
+_HEADS = {
+    "possession": "posses-\nsion %",
+    "distance_m": "dis-\ntance m",
+    "mean_mps": "mean\nm/s",
+    "max_mps": "max\nm/s",
+    "touches": "touches",
+    "shots": "shots",
+    "on_goal": "on\ngoal",
+    "own_half": "own\nhalf %",
+}
+"""Narrow enough for a terminal of 80 columns."""
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command."""
+    app.command("stats")(_stats)
+
+
+def _stats(
+    runs: Annotated[
+        list[Path] | None,
+        typer.Argument(metavar="RUN...", help="Records' folders, or how their names begin; left out: the newest."),
+    ] = None,
+    out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the records are.")] = Path("runs"),
+    json_: Annotated[bool, typer.Option("--json", help="Print the figures as JSON and nothing else.")] = False,
+    explain: Annotated[bool, typer.Option("--explain", help="Say below the table how each figure is defined.")] = False,
+) -> None:
+    """Possession, distance, speeds, shots, faults and referee calls; several runs are added up by team."""
+    raise typer.Exit(show_stats(runs or [None], out, as_json=json_, explain=explain))
+
+
+def show_stats(runs: Sequence[Path | None], out: Path, *, as_json: bool, explain: bool) -> int:
+    """Print the figures; returns 0, or 1 if some of the runs could not be read.
+
+    Raises:
+        RecordError: none of the runs can be read.
+    """
+    from rcj_challenges.records.errors import RecordError
+    from rcj_challenges.views.replay.browse import find_run
+    from rcj_challenges.views.scoreboard import console_for
+    from rcj_challenges.views.stats import run_stats, stats_as_json, together
+
+    found, complaints = [], []
+    for run in runs:
+        try:
+            found.append(run_stats(find_run(run, out)))
+        except RecordError as error:
+            complaints.append(error)
+    if not found:
+        raise complaints[0]
+    stats = together(found)
+    stats.notes += [str(error) for error in complaints]
+    if as_json:
+        sys.stdout.write(json.dumps(stats_as_json(stats), ensure_ascii=False, indent=2) + "\n")
+    else:
+        _print(console_for(), stats, explain=explain)
+    for complaint in complaints if as_json else ():
+        sys.stderr.write(f"{complaint}\n")
+    return 1 if complaints else 0
+
+
+def _print(console: Console, stats: Stats, *, explain: bool) -> None:
+    from rich.box import SIMPLE_HEAD
+    from rich.table import Table
+
+    from rcj_challenges.facts.timing import TICK_S
+    from rcj_challenges.views.sentences import clock, plain
+    from rcj_challenges.views.stats.figures import DEFINITIONS, figures, shown_keys
+
+    keys = [key for key in shown_keys(stats) if key not in ("faults", "calls")]
+    table = Table(
+        title=f"{_counted(len(stats.runs), 'run')}, {clock(stats.play_ticks * TICK_S)} of play", box=SIMPLE_HEAD,
+        pad_edge=False, padding=(0, 0, 0, 1), collapse_padding=True, title_justify="left",
+    )  # fmt: skip
+    table.add_column("robot")
+    for key in keys:
+        table.add_column(_HEADS[key], justify="right", no_wrap=True)
+    for name, team in stats.teams.items():
+        points = f"{plain(name, 32)}: {team.points:g}"
+        told = figures(team.total, stats)
+        table.add_row(points, *(_cell(key, told[key]) for key in keys), style="bold")
+        for label, robot in sorted(team.robots.items()):
+            told = figures(robot, stats)
+            table.add_row(f"  {plain(label, 40)}", *(_cell(key, told[key]) for key in keys))
+        table.add_section()
+    for name, ball in stats.balls.items():
+        told = {key: figures(ball, stats)[key] for key in ("distance_m", "mean_mps", "max_mps")}
+        table.add_row(plain(name, 32), *(_cell(key, told.get(key)) for key in keys))
+    console.print(table)
+    _print_calls(console, stats)
+    for note in stats.notes:
+        console.print(f"note: {plain(note, 500)}", markup=False, highlight=False, soft_wrap=True)
+    if explain:
+        for key in shown_keys(stats):
+            line = f"{DEFINITIONS[key].title}: {DEFINITIONS[key].text}"
+            console.print(line, markup=False, highlight=False, soft_wrap=True)
+    else:
+        console.print("--explain says how each figure is defined.", markup=False, highlight=False)
+
+
+def _print_calls(console: Console, stats: Stats) -> None:
+    """Print referee calls and faults, a line for each robot that has any."""
+    from rcj_challenges.views.sentences import plain
+
+    for name, team in stats.teams.items():
+        for label, robot in sorted(team.robots.items()):
+            told = [f"{event} {count}" for event, count in sorted(robot.calls.items())]
+            told += [f"program fault: {kind} {count}" for kind, count in sorted(robot.faults.items())]
+            if told:
+                line = f"{plain(name, 32)} {plain(label, 40)}: {', '.join(told)}"
+                console.print(line, markup=False, highlight=False, soft_wrap=True)
+    if stats.calls:
+        told = [f"{event} {count}" for event, count in sorted(stats.calls.items())]
+        console.print(f"about no robot: {', '.join(told)}", markup=False, highlight=False, soft_wrap=True)
+
+
+def _cell(key: str, value: Any) -> str:
+    if value is None:
+        return _NOTHING
+    return f"{value:.2f}" if key.endswith("_mps") else f"{value:.1f}" if isinstance(value, float) else str(value)
+
+
+def _counted(count: int, word: str) -> str:
+    return f"{count} {word}" if count == 1 else f"{count} {word}s"

@@ -1,0 +1,45 @@
+"""Reading ``referee.jsonl``: events, firings and phases, as far as the file can be read."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from rcj_challenges.records.folder import REFEREE_LOG
+
+_PLACE: dict[str, type] = {"half": int, "tick": int}
+_NEEDED: dict[str, dict[str, type]] = {
+    "firing": {"rule": str, "trigger": str, "scored": dict},
+    "event": {"event": str, "payload": dict},
+    "phase": {"phase": str, "waiting_for_kickoff": bool},
+}
+"""What a line of each kind must have, and what that must be."""
+
+
+def read_referee_log(folder: Path) -> tuple[list[dict[str, Any]], int]:
+    """Return the lines that can be read, in order, and how many cannot; a log that is not there has none."""
+    path = folder / REFEREE_LOG
+    lines: list[dict[str, Any]] = []
+    unreadable = 0
+    for text in path.read_bytes().splitlines() if path.exists() else ():
+        line = _line(text)
+        if line is None:
+            unreadable += 1
+        else:
+            lines.append(line)
+    return lines, unreadable
+
+
+def _line(text: bytes) -> dict[str, Any] | None:
+    try:
+        line = json.loads(text)
+    except ValueError:
+        return None
+    if not isinstance(line, dict) or not isinstance(line.get("kind"), str):
+        return None
+    needed = _NEEDED.get(line["kind"])
+    if needed is None or not all(isinstance(line.get(key), kind) for key, kind in (_PLACE | needed).items()):
+        return None
+    scored = line.get("scored", {})
+    return line if all(isinstance(points, int | float) for points in scored.values()) else None

@@ -1,0 +1,267 @@
+"""What can still be shown of a run whose trajectory is cut off or damaged.
+
+`Trajectory.open` refuses such a file: whoever judges a match again must have all of it. Those who only look are served
+with what is there: the ticks up to the damage, and where no pose is left, everything at its start and the events.
+"""
+
+from __future__ import annotations
+
+import ast
+import math
+import struct
+import zipfile
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from rcj_challenges.facts.play import HalfInfo
+from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, ticks_from_s
+from rcj_challenges.records.errors import RecordError
+from rcj_challenges.records.folder import SCENARIO, TRAJECTORY, TRAJECTORY_PARTS
+from rcj_challenges.records.result import RunResult, read_result
+from rcj_challenges.records.track import row_dtype
+from rcj_challenges.records.trajectory import DAMAGE, HalfTrack, Trajectory, read_notes
+from rcj_challenges.records.upgrades import read_scenario
+from rcj_challenges.scenario.models.field import Wall
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+
+_LOCAL = struct.Struct("<4s5H3I2H")
+_LOCAL_MAGIC = b"PK\x03\x04"
+_ZIP64 = 0xFFFFFFFF
+_NPY = struct.Struct("<8sH")
+_NPY_MAGIC = b"\x93NUMPY\x01\x00"
+_MOST_TICKS = 1_000_000
+
+Array = npt.NDArray[Any]
+
+
+@dataclass(frozen=True)
+class RunRecord:
+    """A run, as far as it can be read.
+
+    Attributes:
+        folder: of the run.
+        result: ``result.json``.
+        scenario: as it was played.
+        halves: those with at least one tick.
+        problems: sentences about what is missing or damaged; empty if all is well.
+    """
+
+    folder: Path
+    result: RunResult
+    scenario: Scenario
+    halves: tuple[HalfTrack, ...]
+    problems: tuple[str, ...]
+
+
+def read_run(folder: Path) -> RunRecord:
+    """Read a run that is finished, still going on, was killed, or is damaged.
+
+    Raises:
+        RecordError: there is nothing in the folder that could be shown.
+    """
+    result = read_result(folder)
+    scenario = read_scenario(folder, result.record)
+    problems = []
+    if not result.complete:
+        why = f" ({result.stopped})" if result.stopped else ""
+        problems.append(f"This run was not played to its end{why}: what was recorded is shown.")
+    try:
+        trajectory = Trajectory.open(folder)
+        _must_belong(trajectory, scenario, folder)
+        halves = trajectory.halves
+    except RecordError as error:
+        if not _can_be_salvaged(folder):
+            raise
+        halves, problem = _salvaged(folder, scenario, result)
+        if not halves:
+            raise
+        problems.append(f"{problem} ({error})")
+    halves = tuple(_fitting(half, scenario) for half in halves if half.ticks)
+    if not halves:
+        raise RecordError(f"{folder.name}: the run was stopped before its first tick: there is nothing to show")
+    return RunRecord(folder, result, scenario, halves, tuple(problems))
+
+
+def _must_belong(trajectory: Trajectory, scenario: Scenario, folder: Path) -> None:
+    roster = Roster.of(scenario)
+    if trajectory.entities != roster.entities:
+        raise RecordError(f"{folder.name}: {TRAJECTORY} belongs to another scenario than {SCENARIO}")
+
+
+def _fitting(half: HalfTrack, scenario: Scenario) -> HalfTrack:
+    """Return a half without notes of things or seats that the scenario does not have."""
+    entities, seats = half.substeps.shape[2], set(scenario.entrants)
+    placements = {
+        tick: tuple(placement for placement in placed if 0 <= placement.entity < entities)
+        for tick, placed in half.placements.items()
+        if tick >= 0
+    }
+    info = half.info
+    start = half.start
+    if start is not None and not (
+        start.substeps
+        and len(start.heights) == len(start.uprights) == len(start.substeps[-1]) == entities
+        and all(len(pose) == 3 for pose in start.substeps[-1])
+    ):
+        start = None
+    if not set(info.teams) | set(info.scores) <= seats or not set(info.scores) <= set(info.teams):
+        raise RecordError(f"half {info.half} was played by other seats than the scenario has")
+    return replace(half, placements=placements, start=start)
+
+
+def _can_be_salvaged(folder: Path) -> bool:
+    return (folder / SCENARIO).exists() and ((folder / TRAJECTORY).exists() or (folder / TRAJECTORY_PARTS).exists())
+
+
+def _salvaged(folder: Path, scenario: Scenario, result: RunResult) -> tuple[tuple[HalfTrack, ...], str]:
+    """Return the halves that can be shown, and the sentence that says what is wrong."""
+    roster = Roster.of(scenario)
+    path = folder / TRAJECTORY
+    arrays = _arrays(path.read_bytes()) if path.exists() else {}
+    numbers = range(1, scenario.match.halves + 1)
+    tracks = {half: _track(arrays, half, scenario, result, len(roster.entities)) for half in numbers}
+    whole = {half: track for half, track in tracks.items() if track is not None}
+    if whole:
+        ticks = sum(track.ticks for track in whole.values())
+        return tuple(whole.values()), f"The recorded poses are damaged: {ticks} ticks of them could be read."
+    still = tuple(
+        _standing(_info(scenario, result, half.half), min(half.ticks, _MOST_TICKS), scenario, roster)
+        for half in result.halves
+    )
+    return still, "The recorded poses are damaged: events and scores are shown, everything stands at its start."
+
+
+def _arrays(data: bytes) -> dict[str, Array]:
+    """Return the arrays of an ``.npz`` by its local headers, each as far as it goes: the directory may be cut off."""
+    found = {}
+    at = data.find(_LOCAL_MAGIC)
+    while 0 <= at <= len(data) - _LOCAL.size:
+        _, _, _, method, _, _, _, packed, _, name_size, extra_size = _LOCAL.unpack_from(data, at)
+        begin = at + _LOCAL.size
+        name = data[begin : begin + name_size].decode("ascii", "replace")
+        extra = data[begin + name_size : begin + name_size + extra_size]
+        if packed == _ZIP64 and len(extra) >= 20:
+            packed = struct.unpack_from("<Q", extra, 12)[0]
+        begin += name_size + extra_size
+        if method == zipfile.ZIP_STORED and name.endswith(".npy"):
+            array = _rows(data[begin : begin + packed])
+            if array is not None:
+                found[name.removesuffix(".npy")] = array
+        at = data.find(_LOCAL_MAGIC, begin)
+    return found
+
+
+def _rows(data: bytes) -> Array | None:
+    """Return the whole rows of an array that may be cut off."""
+    if len(data) < _NPY.size:
+        return None
+    magic, size = _NPY.unpack_from(data)
+    begin = _NPY.size + size
+    try:
+        head = ast.literal_eval(data[_NPY.size : begin].decode("latin-1"))
+        dtype, shape = np.dtype(head["descr"]), head["shape"]
+        if magic != _NPY_MAGIC or dtype.hasobject or not shape:
+            return None
+        row = math.prod(shape[1:])
+        rows = min(shape[0], (len(data) - begin) // max(1, row * dtype.itemsize))
+        return np.frombuffer(data, dtype, rows * row, begin).reshape(rows, *shape[1:])
+    except (*DAMAGE, RecursionError):
+        return None
+
+
+def _track(
+    arrays: Mapping[str, Array], half: int, scenario: Scenario, result: RunResult, entities: int
+) -> HalfTrack | None:
+    """Return one half up to the damage: what is not poses may be lost without the poses being so."""
+    dtype = row_dtype(entities)
+    substeps = arrays.get(f"half{half}_substeps")
+    if substeps is None or not len(substeps) or substeps.shape[1:] != dtype["substeps"].shape:
+        return None
+    ticks = len(substeps)
+    resting = _resting_heights(scenario)
+    heights = _filled(arrays.get(f"half{half}_heights"), np.tile(np.array(resting, "<f4"), (ticks, 1)))
+    uprights = _filled(arrays.get(f"half{half}_uprights"), np.ones((ticks, entities), "<f4"))
+    counts = _filled(arrays.get(f"half{half}_touch_counts"), np.zeros((ticks, SUBSTEPS_PER_TICK), "<u2"))
+    pairs = arrays.get(f"half{half}_touch_pairs", np.zeros((0, 2), "<u2"))
+    wanted = int(counts.sum(dtype=np.int64))
+    if pairs.shape[1:] != (2,) or len(pairs) < wanted:
+        counts, pairs, wanted = np.zeros_like(counts), np.zeros((0, 2), "<u2"), 0
+    try:
+        text = arrays[f"half{half}_notes"].tobytes()
+        info, start, placements, faults = read_notes(text.rpartition(b"\n")[0], ticks)
+    except DAMAGE:  # the half's facts are known from the result as well
+        info, start, placements, faults = _info(scenario, result, half), None, {}, {}
+    return HalfTrack(info, start, substeps, heights, uprights, counts, pairs[:wanted], placements, faults)
+
+
+def _filled(found: Array | None, resting: Array) -> Array:
+    """Return an array of the shape of ``resting`` that begins with what was found."""
+    if found is not None and found.shape[1:] == resting.shape[1:] and found.dtype == resting.dtype:
+        rows = min(len(found), len(resting))
+        resting[:rows] = found[:rows]
+    return resting
+
+
+def _info(scenario: Scenario, result: RunResult, half: int) -> HalfInfo:
+    """Return a half's facts from the result, where its own notes are lost."""
+    seats = list(scenario.entrants)
+    played = next((one for one in result.halves if one.half == half), None)
+    swapped = scenario.match.swap_sides and half % 2 == 0
+    teams = dict(played.sides) if played else dict(zip(seats, seats[::-1] if swapped else seats, strict=True))
+    before = next((one.score for one in result.halves if one.half == half - 1), {})
+    return HalfInfo(
+        half=half,
+        halves=scenario.match.halves,
+        ticks=ticks_from_s(scenario.match.half_s),
+        match_seed=result.seed,
+        match_id=result.match_id,
+        team_names={seat: result.entrants[team].name for seat, team in teams.items() if team in result.entrants},
+        teams=teams,
+        scores={seat: before.get(team, 0) for seat, team in teams.items()},
+    )
+
+
+def _standing(info: HalfInfo, ticks: int, scenario: Scenario, roster: Roster) -> HalfTrack:
+    """Return a half in which everything stands where it starts."""
+    poses = np.array([_start(scenario, name) for name in roster.entities], "<f4")
+    entities = len(poses)
+    return HalfTrack(
+        info,
+        None,
+        np.broadcast_to(poses, (ticks, SUBSTEPS_PER_TICK, entities, 3)),
+        np.broadcast_to(np.array(_resting_heights(scenario), "<f4"), (ticks, entities)),
+        np.broadcast_to(np.ones(entities, "<f4"), (ticks, entities)),
+        np.zeros((ticks, SUBSTEPS_PER_TICK), "<u2"),
+        np.zeros((0, 2), "<u2"),
+        {},
+        {},
+    )
+
+
+def _start(scenario: Scenario, name: str) -> tuple[float, float, float]:
+    if name in scenario.robots:
+        start = scenario.robots[name].start
+        return start.x_m, start.y_m, start.yaw_rad
+    if name in scenario.balls:
+        return (*scenario.balls[name].start_m, 0.0)
+    obstacle = scenario.obstacles[name]
+    return (0.0, 0.0, 0.0) if isinstance(obstacle, Wall) else (*obstacle.centre_m, 0.0)
+
+
+def _resting_heights(scenario: Scenario) -> list[float]:
+    """Return the height of each entity's centre when it stands on the floor."""
+    heights = []
+    for name in Roster.of(scenario).entities:
+        if name in scenario.robots:
+            heights.append(scenario.kits[scenario.robots[name].kit].chassis.size_m / 2)
+        elif name in scenario.balls:
+            heights.append(scenario.balls[name].radius_m)
+        else:
+            heights.append(scenario.obstacles[name].height_m / 2)
+    return heights

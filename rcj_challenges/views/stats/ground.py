@@ -1,0 +1,87 @@
+"""Which end of the field a seat attacks, and where the goal lines are."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rcj_challenges.scenario.models.actions import Score
+from rcj_challenges.scenario.models.field import FieldModel
+from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
+from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.models.triggers import Enters
+from rcj_challenges.scenario.roster import Roster
+
+_AT_THE_END = 0.9
+"""A zone is at an end of the field if its middle is beyond this share of the way from the centre to the end line."""
+
+
+def attacked_ends(scenario: Scenario, roster: Roster) -> dict[str, frozenset[int]]:
+    """Return by seat the ends that it attacks: 1 for +y, -1 for -y.
+
+    An end is attacked by those whom a rule gives points for a ball that enters a zone there. Where no rule says so, two
+    seats attack the end at which the other one starts, and a single one attacks every end with a goal.
+    """
+    found: dict[str, set[int]] = {seat: set() for seat in scenario.entrants}
+    for rule in scenario.rules.values():
+        ends = _ends_entered(rule, scenario, roster)
+        for action in rule.actions:
+            if isinstance(action, Score) and not (isinstance(action.points, int | float) and action.points <= 0):
+                found.setdefault(action.entrant, set()).update(ends)
+    if not any(found.values()):
+        found = _by_start(scenario)
+    return {seat: frozenset(ends) for seat, ends in found.items()}
+
+
+def own_end(ends: frozenset[int]) -> int | None:
+    """Return the end that a seat defends; None if it attacks both or none."""
+    return -next(iter(ends)) if len(ends) == 1 else None
+
+
+def goal_widths(field: FieldModel) -> Mapping[int, float]:
+    """Return by end the inner width in m of the goal there."""
+    return {1 if goal.end == "positive_y" else -1: goal.width_m for goal in field.goals.values()}
+
+
+def _ends_entered(rule: Rule, scenario: Scenario, roster: Roster) -> set[int]:
+    balls = set(scenario.balls)
+    ends = set()
+    for trigger in rule.triggers:
+        if isinstance(trigger, Enters) and balls & set(_members(trigger.entity, roster)):
+            for name in _members(trigger.zone, roster):
+                zone = scenario.zones.get(name)
+                y = 0.0 if zone is None else _middle_y(zone, scenario.field)
+                if abs(y) > _AT_THE_END * scenario.field.length_m / 2:
+                    ends.add(1 if y > 0 else -1)
+    return ends
+
+
+def _members(names: str | tuple[str, ...], roster: Roster) -> list[str]:
+    every = (names,) if isinstance(names, str) else names
+    return [member for name in every for member in roster.groups.get(name, (name,))]
+
+
+def _middle_y(zone: Zone, field: FieldModel) -> float:
+    """Return the y of a zone's middle in m; an open side ends at the end line."""
+    end = field.length_m / 2
+    if isinstance(zone, RectZone):
+        low = -end if zone.y_min_m is None else zone.y_min_m
+        high = end if zone.y_max_m is None else zone.y_max_m
+        return (low + high) / 2
+    if isinstance(zone, CircleZone):
+        return zone.centre_m[1]
+    if isinstance(zone, PolygonZone):
+        return sum(y for _, y in zone.points_m) / len(zone.points_m)
+    return zone.through_m[1] if isinstance(zone, HalfPlaneZone) else 0.0
+
+
+def _by_start(scenario: Scenario) -> dict[str, set[int]]:
+    if len(scenario.entrants) != 2:
+        return {seat: set(goal_widths(scenario.field)) for seat in scenario.entrants}
+    starts = {}
+    for seat, entrant in scenario.entrants.items():
+        ys = [scenario.robots[robot].start.y_m for robot in entrant.robots if robot in scenario.robots]
+        starts[seat] = sum(ys) / len(ys) if ys else 0.0
+    (first, first_y), (second, second_y) = starts.items()
+    if first_y * second_y >= 0:
+        return {first: set(), second: set()}
+    return {first: {-1 if first_y > 0 else 1}, second: {-1 if second_y > 0 else 1}}

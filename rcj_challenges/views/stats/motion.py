@@ -1,0 +1,63 @@
+"""Ways and speeds: where things were, without the jumps when they were put elsewhere."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.records.trajectory import HalfTrack
+
+Array = npt.NDArray[Any]
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Positions of a half for counting. ``T`` ticks (row ``i`` is tick ``i + 1``), ``E`` entities, m.
+
+    Attributes:
+        places: ``[T, E, 2]``, judged positions.
+        steps_m: ``[T, E]``, the way of each tick from where the last verdict left the entity.
+        on_field: ``[T, E]``, whether it was on the field.
+    """
+
+    places: Array
+    steps_m: Array
+    on_field: Array
+
+    @property
+    def fastest_mps(self) -> Array:
+        """``[T, E]``, speeds in m/s."""
+        return self.steps_m / TICK_S
+
+
+def motion_of(half: HalfTrack) -> Motion:
+    """Return the motion of a half; numbers of a damaged record that are none count as no way."""
+    places = half.substeps[:, -1, :, :2].astype(np.float64)
+    before = np.empty_like(places)
+    before[1:] = places[:-1]
+    before[:1] = places[:1] if half.start is None else np.array([pose[:2] for pose in half.start.substeps[-1]])
+    on_field = np.ones(places.shape[:2], bool)
+    for tick, placements in sorted(half.placements.items()):
+        for placement in placements:
+            on_field[tick:, placement.entity] = not placement.parked
+            if tick < half.ticks:
+                before[tick, placement.entity] = placement.x_m, placement.y_m
+    steps = np.hypot(*np.moveaxis(places - before, -1, 0))
+    return Motion(places, np.where(np.isfinite(steps) & on_field, steps, 0.0), on_field)
+
+
+def play_mask(ticks: int, phases: list[tuple[int, bool]]) -> Array:
+    """Return ``[T]``: whether a tick was play, which is when nobody waited for a kick-off as it began.
+
+    Args:
+        ticks: of the half.
+        phases: tick and flag of each change, in order; the flag holds for the ticks after it.
+    """
+    play = np.ones(ticks, bool)
+    for tick, waiting in phases:
+        play[max(0, tick) :] = not waiting
+    return play

@@ -1,0 +1,174 @@
+"""From the record of one run to its sums."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rcj_challenges.records.refereelog import read_referee_log
+from rcj_challenges.records.reflog import PROGRAM_FAULT
+from rcj_challenges.records.salvage import RunRecord, read_run
+from rcj_challenges.records.trajectory import HalfTrack
+from rcj_challenges.scenario.models.actions import Emit
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.views.stats.ground import attacked_ends, goal_widths, own_end
+from rcj_challenges.views.stats.motion import Motion, motion_of, play_mask
+from rcj_challenges.views.stats.tally import Stats, Tally, TeamTally
+from rcj_challenges.views.stats.touching import Goals, contacts_of, owners, shots_of, touch_ends
+
+NO_CALLS = frozenset({"MATCH_START", "MATCH_FINISH", "KICKOFF", PROGRAM_FAULT})
+"""Events that are no call of the referee; nor is one with which somebody scored."""
+
+
+def run_stats(folder: Path) -> Stats:
+    """Return the sums of one run: finished, going on, killed or damaged.
+
+    Raises:
+        RecordError: there is nothing in the folder that could be counted.
+    """
+    run = read_run(folder)
+    lines, unreadable = read_referee_log(folder)
+    notes = [*run.problems, *([f"{unreadable} lines of the referee's log are damaged."] if unreadable else [])]
+    stats = Stats(runs=[folder.name], notes=[f"{folder.name}: {note}" for note in notes])
+    counting = _Counting(run, stats)
+    for half in run.halves:
+        counting.half(half, [line for line in lines if line["half"] == half.info.half])
+    for fault in run.result.faults:
+        counting.robot(fault.half, fault.robot).faults[fault.kind] += 1
+    for team, entrant in run.result.entrants.items():
+        tally = stats.teams.setdefault(entrant.name or team, TeamTally())
+        tally.points += run.result.score.get(team, 0)
+        tally.runs += 1
+    return stats
+
+
+class _Counting:
+    """Adds up one run."""
+
+    def __init__(self, run: RunRecord, stats: Stats) -> None:
+        self._run = run
+        self._stats = stats
+        self._scenario = run.scenario
+        self._roster = Roster.of(run.scenario)
+        self._ends = attacked_ends(run.scenario, self._roster)
+        self._sides = {half.info.half: half.info.teams for half in run.halves}
+        self._seat_of = {robot: seat for seat, entrant in run.scenario.entrants.items() for robot in entrant.robots}
+        self._labels = _labels(run)
+        widths = goal_widths(run.scenario.field)
+        field = run.scenario.field
+        self._goals = Goals(field.length_m / 2, field.width_m / 2 - field.corner_cut_m, widths)
+        stats.has_goals = bool(widths) and any(self._ends.values())
+
+    def robot(self, half: int, name: str) -> Tally:
+        """Return the tally of a robot in a half, by its team."""
+        seat = self._seat_of.get(name)
+        team = self._sides.get(half, {}).get(seat or "", seat or "")
+        entrant = self._run.result.entrants.get(team)
+        if seat is None or entrant is None:  # an obstacle that looks like a robot
+            return Tally()
+        robots = self._stats.teams.setdefault(entrant.name or team, TeamTally()).robots
+        return robots.setdefault(self._labels.get((team, name), name), Tally())
+
+    def half(self, half: HalfTrack, lines: list[dict[str, Any]]) -> None:
+        """Add a half."""
+        play = play_mask(
+            half.ticks, [(line["tick"], bool(line["waiting_for_kickoff"])) for line in lines if line["kind"] == "phase"]
+        )
+        self._stats.ticks += half.ticks
+        self._stats.play_ticks += int(play.sum())
+        motion = motion_of(half)
+        number = half.info.half
+        names = self._roster.entities
+        for index in range(self._roster.robots):
+            tally = self.robot(number, names[index])
+            _add_motion(tally, motion, play, index)
+            self._add_sides(tally, motion, play, index)
+        for index in range(self._roster.robots, self._roster.robots + self._roster.balls):
+            _add_motion(self._stats.balls.setdefault(names[index], Tally()), motion, play, index)
+        self._add_balls(half, motion, play)
+        self._add_calls(number, lines)
+
+    def _add_sides(self, tally: Tally, motion: Motion, play: Any, index: int) -> None:
+        own = own_end(self._ends.get(self._seat_of.get(self._roster.entities[index], ""), frozenset()))
+        if own is not None:
+            counted = play & motion.on_field[:, index]
+            tally.sided_ticks += int(counted.sum())
+            tally.own_half_ticks += int((counted & (own * motion.places[:, index, 1] > 0)).sum())
+
+    def _add_balls(self, half: HalfTrack, motion: Motion, play: Any) -> None:
+        roster, number = self._roster, half.info.half
+        seats = [self._seat_of.get(name) for name in roster.entities[: roster.robots]]
+        ends = {robot: self._ends.get(seat, frozenset()) for robot, seat in enumerate(seats) if seat is not None}
+        for ball in range(roster.robots, roster.robots + roster.balls):
+            contacts = contacts_of(half, roster.robots, ball)
+            put_at = [tick for tick, placed in half.placements.items() if any(p.entity == ball for p in placed)]
+            owner = owners(contacts, seats, half.ticks, put_at)
+            shots = shots_of(contacts, motion.places[:, ball], put_at, ends, self._goals)
+            for robot in ends:
+                tally = self.robot(number, roster.entities[robot])
+                tally.owned_ticks += int((play & (owner == robot)).sum())
+                tally.touches += _in_play(touch_ends(contacts, robot), play)
+                tally.shots += _in_play([shot.tick for shot in shots if shot.robot == robot], play)
+                tally.on_goal += _in_play([shot.tick for shot in shots if shot.robot == robot and shot.on_goal], play)
+
+    def _add_calls(self, half: int, lines: list[dict[str, Any]]) -> None:
+        firings = [line for line in lines if line["kind"] == "firing" and line.get("suppressed") is None]
+        emitting = _emitting(self._scenario)
+        for line in lines:
+            if line["kind"] != "event" or line["event"] in NO_CALLS:
+                continue
+            causes = [
+                firing
+                for firing in firings
+                if firing["tick"] == line["tick"] and line["event"] in emitting.get(firing["rule"], ())
+            ]
+            if any(firing["scored"] for firing in causes):
+                continue
+            payload = line["payload"] if isinstance(line["payload"], Mapping) else {}
+            named = payload.get("robot_name") or (causes[0].get("entity") if len(causes) == 1 else None)
+            calls = self.robot(half, named).calls if named in self._seat_of else self._stats.calls
+            calls[line["event"]] += 1
+
+
+def _add_motion(tally: Tally, motion: Motion, play: Any, index: int) -> None:
+    counted = play & motion.on_field[:, index]
+    tally.field_ticks += int(counted.sum())
+    tally.distance_m += float(motion.steps_m[counted, index].sum())
+    if counted.any():
+        tally.fastest_mps = max(tally.fastest_mps, float(np.max(motion.fastest_mps[counted, index])))
+
+
+def _in_play(ticks: list[int], play: Any) -> int:
+    """Return how many of the ticks (from 1) were play."""
+    return sum(bool(play[tick - 1]) for tick in ticks)
+
+
+def _emitting(scenario: Scenario) -> dict[str, set[str]]:
+    return {
+        rule: {action.event for action in definition.actions if isinstance(action, Emit)}
+        for rule, definition in scenario.rules.items()
+    }
+
+
+def _labels(run: RunRecord) -> dict[tuple[str, str], str]:
+    """Return by team and robot what the robot is called: all names that its program had in the run, ``B1/Y1``.
+
+    The n-th robot of a seat and the n-th of the seat that the team changes to are one: the same program drives them.
+    """
+    seats = list(run.scenario.entrants)
+    changes = run.scenario.match.swap_sides and run.scenario.match.halves > 1
+    labels = {}
+    for seat, entrant in run.scenario.entrants.items():
+        names = list(entrant.robots)
+        other = seats[seats.index(seat) - 1]
+        others = list(run.scenario.entrants[other].robots) if changes else []
+        for place, name in enumerate(names):
+            both = f"{name}/{others[place]}" if place < len(others) else name
+            labels[seat, name] = both
+            if place < len(others):
+                labels[seat, others[place]] = both
+    return labels

@@ -1,0 +1,124 @@
+"""Sums from which all figures are made: whatever is added here can be added over robots, halves and runs."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+
+@dataclass
+class Tally:
+    """What is counted of one robot, one ball, or of all robots of a team.
+
+    Attributes:
+        field_ticks: ticks of play in which it was on the field.
+        distance_m: way driven or rolled in them in m; being put elsewhere is no way.
+        fastest_mps: greatest distance of any such tick over the tick's 0.032 s, in m/s.
+        sided_ticks: those of ``field_ticks`` in which its team had an own half.
+        own_half_ticks: those of ``sided_ticks`` in which its centre was in it.
+        owned_ticks: ticks of play in which it was the last to have touched a ball.
+        touches: times it touched a ball.
+        shots: touches that sent a ball over the line behind which the attacked goal stands.
+        on_goal: those of ``shots`` between the posts.
+        calls: referee calls about it, by event.
+        faults: failures of its program, by kind.
+    """
+
+    field_ticks: int = 0
+    distance_m: float = 0.0
+    fastest_mps: float = 0.0
+    sided_ticks: int = 0
+    own_half_ticks: int = 0
+    owned_ticks: int = 0
+    touches: int = 0
+    shots: int = 0
+    on_goal: int = 0
+    calls: Counter[str] = field(default_factory=Counter)
+    faults: Counter[str] = field(default_factory=Counter)
+
+    def add(self, other: Tally) -> None:
+        """Add another's sums."""
+        self.field_ticks += other.field_ticks
+        self.distance_m += other.distance_m
+        self.fastest_mps = max(self.fastest_mps, other.fastest_mps)
+        self.sided_ticks += other.sided_ticks
+        self.own_half_ticks += other.own_half_ticks
+        self.owned_ticks += other.owned_ticks
+        self.touches += other.touches
+        self.shots += other.shots
+        self.on_goal += other.on_goal
+        self.calls.update(other.calls)
+        self.faults.update(other.faults)
+
+
+@dataclass
+class TeamTally:
+    """A team's robots and points.
+
+    Attributes:
+        robots: by label: the names that a robot had (``B1/Y1`` where teams changed sides).
+        points: over all runs.
+        runs: how many it played in.
+    """
+
+    robots: dict[str, Tally] = field(default_factory=dict)
+    points: float = 0
+    runs: int = 0
+
+    @property
+    def total(self) -> Tally:
+        """All robots together."""
+        total = Tally()
+        for robot in self.robots.values():
+            total.add(robot)
+        return total
+
+
+@dataclass
+class Stats:
+    """One run or several.
+
+    Attributes:
+        runs: names of the runs' folders.
+        teams: by the teams' names.
+        balls: by name.
+        play_ticks: ticks of play: not waiting for a kick-off.
+        ticks: all ticks.
+        calls: referee calls that are about no robot, by event.
+        has_goals: whether any scenario had a goal to shoot at.
+        notes: what is missing or damaged, each with the run's name.
+    """
+
+    runs: list[str] = field(default_factory=list)
+    teams: dict[str, TeamTally] = field(default_factory=dict)
+    balls: dict[str, Tally] = field(default_factory=dict)
+    play_ticks: int = 0
+    ticks: int = 0
+    calls: Counter[str] = field(default_factory=Counter)
+    has_goals: bool = False
+    notes: list[str] = field(default_factory=list)
+
+
+def together(several: Iterable[Stats]) -> Stats:
+    """Return the sums over several runs; teams of one name are one team, and their robots go by their labels."""
+    total = Stats()
+    for one in several:
+        total.runs += one.runs
+        total.play_ticks += one.play_ticks
+        total.ticks += one.ticks
+        total.calls.update(one.calls)
+        total.has_goals = total.has_goals or one.has_goals
+        total.notes += one.notes
+        for name, team in one.teams.items():
+            mine = total.teams.setdefault(name, TeamTally())
+            mine.points += team.points
+            mine.runs += team.runs
+            _add_all(mine.robots, team.robots)
+        _add_all(total.balls, one.balls)
+    return total
+
+
+def _add_all(mine: dict[str, Tally], others: dict[str, Tally]) -> None:
+    for label, tally in others.items():
+        mine.setdefault(label, Tally()).add(tally)

@@ -1,0 +1,201 @@
+"""A sensor recording holds what a program saw, bit for bit, survives a kill, and does not grow without bound."""
+
+import math
+import struct
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from rcj_challenges.facts.traffic import DeviceSpec, MotorCommand, Observation, Packet, RobotSpec
+from rcj_challenges.records import sensors
+from rcj_challenges.records.errors import RecordError
+from rcj_challenges.records.sensors import SensedRobot, SensorWriter, read_sensors
+
+DEVICES = (
+    DeviceSpec("left wheel motor", "motor", 0, -1, 0),
+    DeviceSpec("right wheel motor", "motor", 1, -1, 0),
+    DeviceSpec("gps", "gps", 2, 0, 3),
+    DeviceSpec("distancesensor left", "distance_sensor", 3, 3, 1, {"bearing_rad": 1.57, "max_value": 1000.0}),
+    DeviceSpec("ball receiver", "receiver", 4, -1, 0),
+    DeviceSpec("supervisor receiver", "receiver", 5, -1, 0),
+)
+INF = float("inf")
+
+
+def robot(name: str = "B1", balls: int = 1) -> SensedRobot:
+    return SensedRobot.of(RobotSpec(name, DEVICES, 4, "bytes"), ["ball receiver"], balls)
+
+
+def saw(tick: int, values: list[float] | None = None, packets: list[Packet] | None = None) -> Observation:
+    return Observation(tick, values or [float(tick), 0.1 * tick, 0.0, 1000.0 - tick], packets or [])
+
+
+def bits(numbers: np.ndarray) -> list[bytes]:
+    return [struct.pack("<d", number) for number in numbers.ravel().tolist()]
+
+
+def write(folder: Path, ticks: int, half: int = 1) -> SensorWriter:
+    writer = SensorWriter(folder, half, [robot()])
+    writer.did(0, [MotorCommand(0, 3.0, INF)])
+    for tick in range(1, ticks + 1):
+        writer.saw(0, saw(tick))
+        writer.did(0, [], f"line {tick}\n" if tick % 50 == 0 else "")
+    return writer
+
+
+_any_float = st.floats(allow_nan=True, allow_infinity=True)
+
+
+@settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(rows=st.lists(st.lists(_any_float, min_size=4, max_size=4), min_size=1, max_size=20))
+def test_readings_are_read_back_bit_for_bit(rows: list, tmp_path_factory: pytest.TempPathFactory) -> None:
+    folder = tmp_path_factory.mktemp("run")
+    writer = SensorWriter(folder, 1, [robot()])
+    for tick, values in enumerate(rows, 1):
+        writer.saw(0, saw(tick, values))
+        writer.did(0, [])
+    writer.close()
+    track = read_sensors(folder)[1].robots["B1"]
+    assert bits(track.values) == bits(np.array(rows))
+    assert track.ticks.tolist() == list(range(1, len(rows) + 1))
+    assert bits(track.readings("gps")) == bits(np.array(rows)[:, :3])
+
+
+def test_a_motor_keeps_what_it_was_set_to_until_it_is_set_again(tmp_path: Path) -> None:
+    writer = SensorWriter(tmp_path, 1, [robot()])
+    writer.did(0, [MotorCommand(1, 4.5, INF)])
+    writer.saw(0, saw(1))
+    writer.did(0, [])
+    writer.saw(0, saw(2))
+    writer.did(0, [MotorCommand(0, -2.0, INF), MotorCommand(1, 4.5, 1.0)])
+    writer.close()
+    motors = read_sensors(tmp_path)[1].robots["B1"].motors
+    assert motors[:2, 1].tolist() == [4.5, 4.5]
+    assert math.isnan(motors[1, 0])  # never set yet
+    assert motors[2, 0] == -2.0
+    assert math.isnan(motors[2, 1])  # it holds an angle now
+
+
+def test_before_its_first_step_a_program_has_seen_nothing(tmp_path: Path) -> None:
+    write(tmp_path, 1).close()
+    track = read_sensors(tmp_path)[1].robots["B1"]
+    assert track.ticks.tolist() == [0, 1]
+    assert np.isnan(track.values[0]).all()
+    assert track.motors[0, 0] == 3.0
+
+
+def test_only_packets_of_balls_are_kept_the_newest_last(tmp_path: Path) -> None:
+    writer = SensorWriter(tmp_path, 1, [robot(balls=2)])
+    heard = [Packet(4, b"x", strength, (1.0, 0.0, -0.1)) for strength in (1.0, 2.0, 3.0)]
+    writer.saw(0, saw(1, packets=[heard[0], Packet(5, b"\x01", 9.0, (0.0, 1.0, 0.0)), *heard[1:]]))
+    writer.did(0, [])
+    writer.saw(0, saw(2, packets=heard[:1]))
+    writer.did(0, [])
+    writer.saw(0, saw(3))
+    writer.did(0, [])
+    writer.close()
+    packets = read_sensors(tmp_path)[1].robots["B1"].packets
+    assert packets[0].tolist() == [[2.0, 1.0, 0.0, -0.1], [3.0, 1.0, 0.0, -0.1]]
+    assert np.isnan(packets[1, 0]).all()
+    assert packets[1, 1, 0] == 1.0
+    assert np.isnan(packets[2]).all()
+
+
+def test_printed_text_stands_at_the_tick_at_which_it_was_printed(tmp_path: Path) -> None:
+    writer = SensorWriter(tmp_path, 1, [robot("B1"), robot("Y1")])
+    writer.did(0, [], "hello\n")
+    writer.saw(1, saw(7))
+    writer.did(1, [], "<b>\u202e日本\n")
+    writer.printed(1, "goodbye\n")
+    writer.close()
+    half = read_sensors(tmp_path)[1]
+    assert half.robots["B1"].output == ((0, "hello\n"),)
+    assert half.robots["Y1"].output == ((7, "<b>\u202e日本\n"), (7, "goodbye\n"))
+
+
+def test_endless_printing_is_cut_and_the_readings_go_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sensors, "MOST_LETTERS_A_HALF", 1000)
+    writer = SensorWriter(tmp_path, 1, [robot()])
+    for tick in range(1, 21):
+        writer.saw(0, saw(tick))
+        writer.did(0, [], "x" * 99 + "\n")
+    writer.close()
+    track = read_sensors(tmp_path)[1].robots["B1"]
+    text = "".join(text for _, text in track.output)
+    assert len(text) < 1100
+    assert len(track.ticks) == 20
+
+
+def test_a_recording_does_not_grow_beyond_its_size_and_says_where_it_stops(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sensors, "MOST_BYTES_A_HALF", 20_000)
+    noise = np.random.default_rng(1)
+    writer = SensorWriter(tmp_path, 1, [robot()])
+    for tick in range(1, 3001):
+        writer.saw(0, saw(tick, noise.random(4).tolist()))
+        writer.did(0, [])
+    writer.close()
+    half = read_sensors(tmp_path)[1]
+    path = next((tmp_path / "sensors").iterdir())
+    assert path.stat().st_size < 20_200
+    assert half.full_at is not None
+    ticks = half.robots["B1"].ticks
+    assert 0 <= half.full_at - ticks[-1] <= 2 * sensors.TICKS_BETWEEN_WRITES
+    assert not half.damaged
+
+
+@pytest.mark.parametrize("lost", range(0, 1500, 61))
+def test_a_recording_that_was_cut_off_anywhere_gives_its_whole_chunks(lost: int, tmp_path: Path) -> None:
+    write(tmp_path, 400).close()
+    path = next((tmp_path / "sensors").iterdir())
+    data = path.read_bytes()
+    head = data.index(b"\n") + 1
+    path.write_bytes(data[: max(head, len(data) - lost)])
+    half = read_sensors(tmp_path)[1]
+    track = half.robots["B1"]
+    whole = 401 if lost == 0 else len(track.ticks)
+    assert len(track.ticks) == whole
+    assert lost == 0 or whole in (0, 125, 250, 375)
+    assert track.ticks.tolist() == list(range(whole))
+    assert half.damaged or len(path.read_bytes()) == head or lost == 0
+
+
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(place=st.integers(0, 10_000), byte=st.integers(0, 255))
+def test_a_damaged_recording_is_read_as_far_as_it_goes_or_refused(
+    place: int, byte: int, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    folder = tmp_path_factory.mktemp("run")
+    write(folder, 300).close()
+    path = next((folder / "sensors").iterdir())
+    data = bytearray(path.read_bytes())
+    data[place % len(data)] = byte
+    path.write_bytes(bytes(data))
+    try:
+        halves = read_sensors(folder)
+    except RecordError as error:
+        assert "half-1.sensors" in str(error)  # noqa: PT017 - either is right
+    else:
+        assert all(len(track.ticks) <= 301 for half in halves.values() for track in half.robots.values())
+
+
+def test_a_run_without_sensors_has_no_recording(tmp_path: Path) -> None:
+    assert read_sensors(tmp_path) == {}
+
+
+def test_halves_are_files_of_their_own(tmp_path: Path) -> None:
+    write(tmp_path, 10, half=1).close()
+    write(tmp_path, 20, half=2).close()
+    assert {half: len(one.robots["B1"].ticks) for half, one in read_sensors(tmp_path).items()} == {1: 11, 2: 21}
+
+
+def test_a_recording_of_a_newer_version_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with monkeypatch.context() as patch:
+        patch.setattr(sensors, "RECORD_VERSION", 99)
+        write(tmp_path, 1).close()
+    with pytest.raises(RecordError, match="newer"):
+        read_sensors(tmp_path)

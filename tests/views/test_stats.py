@@ -1,0 +1,355 @@
+"""Figures of runs: each is what its definition says."""
+
+import contextlib
+import json
+import math
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Snapshot, Verdict
+from rcj_challenges.records.errors import RecordError
+from rcj_challenges.records.testing import half_info, small_header, small_scenario, write_made_up_run
+from rcj_challenges.records.trajectory import HalfTrack
+from rcj_challenges.records.writer import RecordWriter
+from rcj_challenges.scenario.load import load
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.views.replay import write_replay
+from rcj_challenges.views.stats import DEFINITIONS, Stats, run_stats, stats_as_json, together
+from rcj_challenges.views.stats.ground import attacked_ends, own_end
+from rcj_challenges.views.stats.motion import motion_of, play_mask
+from rcj_challenges.views.stats.touching import Contacts, Goals, Shot, owners, shots_of, touch_ends
+
+UP, DOWN, BOTH = frozenset({1}), frozenset({-1}), frozenset({1, -1})
+GOALS = Goals(0.75, 0.59, {1: 0.4, -1: 0.4})
+TICK_S = 0.032
+
+
+def contacts(*touched: tuple[int, int]) -> Contacts:
+    """Contacts in the last sub-step of ticks: (tick, robot)."""
+    return Contacts(np.array([4 * tick - 1 for tick, _ in touched], int), np.array([r for _, r in touched], int))
+
+
+def rolling(ticks: int, touched_at: int, start: tuple[float, float], velocity: tuple[float, float]) -> np.ndarray:
+    """Places of a ball that lies still until a tick and then rolls straight on."""
+    places = np.tile(np.array(start), (ticks, 1))
+    for tick in range(touched_at + 1, ticks + 1):
+        places[tick - 1] = np.array(start) + (tick - touched_at) * TICK_S * np.array(velocity)
+    return places
+
+
+# --- which end -----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "ends"),
+    [
+        ("match", {"blue": DOWN, "yellow": UP}),
+        ("fast_shooter", {"yellow": UP}),
+        ("precision_lidar", {"yellow": BOTH}),
+    ],
+)
+def test_a_seat_attacks_the_end_where_the_rules_give_it_points(name: str, ends: dict) -> None:
+    loaded = load(name)
+    assert attacked_ends(loaded.scenario, loaded.roster) == ends
+    assert own_end(UP) == -1
+    assert own_end(BOTH) is None
+
+
+# --- touches -------------------------------------------------------------------------------------------------------------
+
+
+def test_contacts_close_to_each_other_are_one_touch() -> None:
+    made = contacts((10, 0), (12, 0), (13, 1), (22, 0), (33, 0))
+    assert touch_ends(made, 0) == [22, 33]
+    assert touch_ends(made, 1) == [13]
+    assert touch_ends(made, 2) == []
+
+
+def test_who_touched_the_ball_last_has_it_until_another_touches_it_or_it_is_put_elsewhere() -> None:
+    found = owners(contacts((3, 0), (5, 1), (6, 1), (9, 2)), ["blue", "yellow", "blue"], 12, [7])
+    assert found.tolist() == [-1, -1, 0, 0, 1, 1, 1, -1, 2, 2, 2, 2]
+
+
+def test_where_two_teams_touch_the_ball_at_once_it_stays_with_who_had_it() -> None:
+    both = Contacts(np.array([3, 19, 19]), np.array([0, 0, 1]))
+    assert owners(both, ["blue", "yellow"], 6, []).tolist() == [0, 0, 0, 0, 0, 0]
+    assert owners(Contacts(np.array([3, 3]), np.array([0, 1])), ["blue", "yellow"], 2, []).tolist() == [-1, -1]
+
+
+@settings(max_examples=80, deadline=None)
+@given(
+    touched=st.lists(st.tuples(st.integers(1, 40), st.integers(0, 2)), max_size=12).map(sorted),
+    put_at=st.lists(st.integers(0, 40), max_size=4),
+)
+def test_an_owner_is_always_the_last_one_who_touched_the_ball(touched: list, put_at: list) -> None:
+    made = contacts(*touched)
+    seats = ["blue", "blue", "yellow"]
+    found = owners(made, seats, 40, put_at)
+    for row in range(40):
+        since = max([tick for tick in put_at if tick <= row], default=0)
+        before = [(tick, robot) for tick, robot in touched if since < tick <= row + 1]
+        if not before:
+            assert found[row] == -1
+        elif found[row] >= 0:
+            assert found[row] in {robot for _, robot in before}
+            last = [seats[robot] for tick, robot in before if tick == before[-1][0]]
+            if len(set(last)) == 1:
+                assert seats[found[row]] == last[0]
+
+
+# --- shots ---------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("start", "velocity", "shot"),
+    [
+        ((0.0, 0.5), (0.0, 0.3), True),  # 0.83 s to the line, between the posts
+        ((0.0, 0.5), (0.3, 0.3), False),  # crosses it beside the goal
+        ((0.0, 0.0), (0.0, 0.3), None),  # 2.5 s: too slow for a shot
+        ((0.0, 0.2), (0.0, 0.3), True),
+        ((0.0, 0.5), (0.9, 0.3), None),  # meets the side wall before
+        ((0.0, 0.5), (0.0, -0.9), None),  # goes to the own end
+        ((0.0, 0.5), (0.3, 0.0), None),
+    ],
+)
+def test_a_shot_would_cross_the_goal_line_within_two_seconds(start: tuple, velocity: tuple, shot: bool | None) -> None:
+    places = rolling(20, 10, start, velocity)
+    assert shots_of(contacts((10, 0)), places, [], {0: UP}, GOALS) == ([] if shot is None else [Shot(10, 0, shot)])
+
+
+def test_a_ball_that_is_touched_or_put_elsewhere_too_soon_was_no_shot() -> None:
+    places = rolling(20, 10, (0, 0.5), (0, 0.3))
+    assert not shots_of(contacts((10, 0), (12, 1)), places, [], {0: UP}, GOALS)
+    assert not shots_of(contacts((10, 0)), places, [11], {0: UP}, GOALS)
+    assert not shots_of(contacts((10, 0)), places[:11], [], {0: UP}, GOALS)
+    assert shots_of(contacts((10, 0), (13, 1)), places, [], {0: UP}, GOALS)
+
+
+def test_of_two_robots_that_let_go_at_once_none_has_shot() -> None:
+    squeezed = Contacts(np.array([39, 39]), np.array([0, 1]))
+    assert not shots_of(squeezed, rolling(20, 10, (0, 0.5), (0, 0.3)), [], {0: UP, 1: DOWN}, GOALS)
+
+
+def test_the_last_touch_before_a_goal_is_a_shot_on_goal_however_long_the_ball_took() -> None:
+    slow = rolling(200, 10, (0, 0.3), (0, 0.1))
+    assert shots_of(contacts((10, 0)), slow, [], {0: UP}, GOALS) == [Shot(10, 0, on_goal=True)]
+    carried = contacts(*((tick, 0) for tick in range(10, 201)))
+    assert [shot.on_goal for shot in shots_of(carried, slow, [], {0: UP}, GOALS)] == [True]
+    assert not shots_of(contacts((10, 0)), slow, [], {0: DOWN}, GOALS)  # an own goal is no shot
+    assert not shots_of(contacts((10, 0)), slow, [50], {0: UP}, GOALS)  # it was put there
+
+
+def test_a_shot_that_went_in_is_counted_once() -> None:
+    # Sent beside the goal, it came in off something.
+    places = rolling(60, 10, (0.0, 0.5), (0.3, 0.3))
+    places[30:] = (0.1, 0.8)
+    assert shots_of(contacts((10, 0)), places, [], {0: UP}, GOALS) == [Shot(10, 0, on_goal=True)]
+
+
+# --- motion --------------------------------------------------------------------------------------------------------------
+
+
+def track(places: np.ndarray, placements: dict[int, tuple[Placement, ...]]) -> HalfTrack:
+    ticks, entities, _ = places.shape
+    poses = np.concatenate([places, np.zeros((ticks, entities, 1))], axis=2).astype(np.float32)
+    start = Snapshot(0, [[tuple(pose) for pose in poses[0].tolist()]], [0.0] * entities, [1.0] * entities, ())
+    counts, pairs = np.zeros((ticks, 4), np.uint16), np.zeros((0, 2), np.uint16)
+    info = HalfInfo(1, 1, ticks, 1, 0, {}, {}, {})
+    return HalfTrack(
+        info, start, np.repeat(poses[:, None], 4, axis=1), np.zeros((ticks, entities)), np.ones((ticks, entities)),
+        counts, pairs, placements, {},
+    )  # fmt: skip
+
+
+def test_being_put_elsewhere_is_no_way_and_beside_the_field_nothing_counts() -> None:
+    places = np.zeros((6, 1, 2))
+    places[:, 0, 0] = [0.0, 0.1, 0.6, 0.7, 5.0, 5.0]
+    placements = {2: (Placement(0, 0.5, 0.0, 0.0),), 4: (Placement(0, 5.0, 5.0, 0.0, parked=True),)}
+    motion = motion_of(track(places, placements))
+    assert motion.steps_m[:, 0].tolist() == pytest.approx([0, 0.1, 0.1, 0.1, 0, 0], abs=1e-6)
+    assert motion.on_field[:, 0].tolist() == [True] * 4 + [False] * 2
+
+
+def test_numbers_that_are_none_are_no_way() -> None:
+    places = np.zeros((3, 1, 2))
+    places[1] = np.nan
+    assert motion_of(track(places, {})).steps_m.sum() == 0
+
+
+def test_play_is_when_nobody_waits_for_a_kick_off() -> None:
+    assert play_mask(6, [(0, False), (2, True), (4, False)]).tolist() == [True, True, False, False, True, True]
+    assert play_mask(2, []).tolist() == [True, True]
+
+
+# --- runs ----------------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def record(tmp_path: Path) -> Callable[..., Path]:
+    """Write a run of one half: robots B1 and Y1 stand; the ball's contacts and verdicts are given by tick."""
+
+    def write(
+        ticks: int,
+        touches: dict[int, int],
+        verdicts: dict[int, Verdict] | None = None,
+        faults: tuple[Fault, ...] = (),
+        scenario: Scenario | None = None,
+        half: int = 1,
+    ) -> Path:
+        made = scenario or small_scenario(1, 1)
+        header = small_header(made)
+        with RecordWriter(tmp_path, header) as writer:
+            writer.begin_half(half_info(made, half, ticks, header))
+            verdict = Verdict()
+            for tick in range(ticks + 1):
+                poses = [(0.3, 0.3, 0.0), (-0.3, -0.3 + 0.004 * tick, 0.0), (0.0, 0.0, 0.0)]
+                touching = ((touches[tick], 2),) if tick in touches else ()
+                snapshot = Snapshot(
+                    tick, [poses] * 4, [0.0375, 0.0375, 0.021], [1.0] * 3, (touching, (), (), touching),
+                    tuple(fault for fault in faults if fault.tick == tick),
+                )  # fmt: skip
+                verdict = (verdicts or {}).get(
+                    tick, Verdict(phase=verdict.phase, waiting_for_kickoff=verdict.waiting_for_kickoff)
+                )
+                writer.tick(snapshot, verdict, b"")
+            writer.end_half(Verdict())
+            return writer.finish()
+
+    return write
+
+
+def test_possession_is_the_share_of_play_since_the_last_touch(record: Callable[..., Path]) -> None:
+    # 100 ticks of which 41..60 are a pause: blue has the ball from 11 to 40, yellow from 61 on.
+    verdicts = {40: Verdict(phase="pause", waiting_for_kickoff=True), 60: Verdict()}
+    stats = run_stats(record(100, {11: 0, 61: 1}, verdicts))
+    assert stats.play_ticks == 80
+    told = stats_as_json(stats)["teams"]
+    assert told["Hanse"]["possession"] == 37.5
+    assert told["Alster"]["possession"] == 50.0
+    assert told["Alster"]["touches"] == 1
+
+
+def test_way_and_speeds_are_those_of_play(record: Callable[..., Path]) -> None:
+    pause = {50: Verdict(phase="pause", waiting_for_kickoff=True)}
+    told = stats_as_json(run_stats(record(100, {}, pause)))["teams"]["Alster"]
+    assert told["distance_m"] == pytest.approx(0.2, abs=1e-3)
+    assert told["mean_mps"] == told["max_mps"] == pytest.approx(0.125, abs=1e-3)
+
+
+def test_the_own_half_is_that_of_the_goal_which_the_team_defends(record: Callable[..., Path]) -> None:
+    # Yellow scores at +y, so its own half is y < 0: it drives from there over the middle at tick 75.
+    told = stats_as_json(run_stats(record(100, {})))["teams"]
+    assert told["Alster"]["own_half"] == 74.0
+    assert told["Hanse"]["own_half"] is None  # nothing gives points to blue here
+
+
+def test_calls_are_counted_for_the_robot_that_the_event_or_the_rule_names(record: Callable[..., Path]) -> None:
+    named = Verdict(events=(Event(10, "LACK_OF_PROGRESS", {"type": "robot", "robot_name": "Y1"}),))
+    ball = Verdict(events=(Event(20, "LACK_OF_PROGRESS", {"type": "ball"}),))
+    goal = Verdict(
+        events=(Event(30, "GOAL", {"team_name": "Alster"}),),
+        firings=(Firing(30, "goal", None, "enters", scored={"yellow": 1}),),
+    )
+    start = Verdict(events=(Event(0, "KICKOFF", {"robot_name": "B1"}), Event(0, "MATCH_START")))
+    fault = Fault("B1", "crash", 40, 1, "boom")
+    stats = run_stats(record(50, {}, {0: start, 10: named, 20: ball, 30: goal}, (fault,)))
+    assert stats.teams["Alster"].robots["Y1"].calls == {"LACK_OF_PROGRESS": 1}
+    assert stats.teams["Hanse"].robots["B1"].calls == {}
+    assert stats.calls == {"LACK_OF_PROGRESS": 1}
+    assert stats.teams["Hanse"].robots["B1"].faults == {"crash": 1}
+    assert stats.teams["Alster"].points == 1
+
+
+def test_a_robot_that_changed_sides_is_one_robot(tmp_path: Path) -> None:
+    stats = run_stats(write_made_up_run(tmp_path, ticks=60, halves=2))
+    assert list(stats.teams["Hanse"].robots) == ["B1/Y1", "B2/Y2", "B3/Y3"]
+    assert stats.teams["Hanse"].robots["B1/Y1"].field_ticks == 120
+    assert stats.teams["Alster"].robots["Y1/B1"].field_ticks == 120
+
+
+def test_several_runs_are_added_up_by_team(tmp_path: Path) -> None:
+    out = [
+        write_made_up_run(tmp_path, ticks=500, halves=1, names=names)
+        for names in (("Hanse", "Alster"), ("Alster", "Elbe"))
+    ]
+    single = [run_stats(folder) for folder in out]
+    both = together(single)
+    assert list(both.teams) == ["Hanse", "Alster", "Elbe"]
+    assert both.teams["Alster"].runs == 2
+    assert both.teams["Alster"].points == sum(one.teams["Alster"].points for one in single)
+    assert both.teams["Alster"].total.distance_m == pytest.approx(
+        sum(one.teams["Alster"].total.distance_m for one in single)
+    )
+    assert both.play_ticks == sum(one.play_ticks for one in single)
+
+
+def test_a_challenge_of_one_team_has_the_figures_that_make_sense() -> None:
+    alone = Stats(has_goals=False)
+    assert set(stats_as_json(alone)["definitions"]) == set(DEFINITIONS) - {"possession", "shots", "on_goal", "own_half"}
+
+
+def test_every_figure_has_its_definition(tmp_path: Path) -> None:
+    told = stats_as_json(run_stats(write_made_up_run(tmp_path, ticks=450, halves=1)))
+    assert json.loads(json.dumps(told, allow_nan=False)) == told
+    for team in told["teams"].values():
+        assert set(team) - {"runs", "points", "robots"} == set(told["definitions"])
+        for robot in team["robots"].values():
+            assert set(robot) == set(told["definitions"])
+    assert all(len(definition["text"]) > 40 for definition in told["definitions"].values())
+
+
+# --- bad input -----------------------------------------------------------------------------------------------------------
+
+
+def test_of_a_damaged_run_what_is_left_is_counted_and_the_damage_is_said(tmp_path: Path) -> None:
+    folder = write_made_up_run(tmp_path, ticks=100, halves=2)
+    data = (folder / "trajectory.npz").read_bytes()
+    (folder / "trajectory.npz").write_bytes(data[: len(data) * 2 // 3])
+    (folder / "referee.jsonl").write_bytes((folder / "referee.jsonl").read_bytes() + b"{nonsense\n")
+    stats = run_stats(folder)
+    assert 100 < stats.ticks < 200
+    assert any("damaged: " in note and folder.name in note for note in stats.notes)
+    assert any("1 lines" in note for note in stats.notes)
+
+
+def test_what_is_no_record_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "result.json").write_text('{"winner": "us"}', "utf-8")
+    with pytest.raises(RecordError, match="damaged"):
+        run_stats(tmp_path)
+    shutil.rmtree(tmp_path)
+    with pytest.raises(RecordError, match="no record"):
+        run_stats(tmp_path)
+
+
+def test_a_run_without_a_log_is_all_play(tmp_path: Path) -> None:
+    folder = write_made_up_run(tmp_path, ticks=100, halves=1)
+    (folder / "referee.jsonl").unlink()
+    assert run_stats(folder).play_ticks == 100
+    assert not math.isnan(run_stats(folder).teams["Hanse"].total.distance_m)
+
+
+@settings(max_examples=50, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(
+    name=st.sampled_from(["result.json", "scenario.json", "referee.jsonl", "trajectory.npz", "half-1.sensors", "logo"]),
+    damage=st.lists(st.tuples(st.integers(0, 120_000), st.integers(0, 255)), min_size=1, max_size=12),
+)
+def test_whatever_is_damaged_figures_and_page_are_made_or_refused_with_a_message(
+    name: str, damage: list, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    folder = tmp_path_factory.mktemp("runs") / "run"
+    shutil.copytree(Path(__file__).parents[1] / "records" / "version-1", folder)
+    path = next(path for path in folder.rglob("*") if path.is_file() and name in path.name)
+    data = bytearray(path.read_bytes())
+    for place, byte in damage:
+        data[place % len(data)] = byte
+    path.write_bytes(bytes(data))
+    for made in (run_stats, write_replay):
+        with contextlib.suppress(RecordError):
+            made(folder)
+    shutil.rmtree(folder)
