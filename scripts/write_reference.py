@@ -228,6 +228,7 @@ CHAPTERS = (
         "Section `expect`: what somebody's hand does to the things on the field, and what the referee must say to it.",
         (
             Word("expect", scenario.Expectation),
+            Word("given", scenario.Given),
             Word("keyframes", scenario.Keyframe, own_example=False),
             Word("events", scenario.ExpectedEvent, own_example=False),
         ),

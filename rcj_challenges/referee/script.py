@@ -7,18 +7,18 @@ and says what came out differently.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import zip_longest
 from math import hypot, isclose
-from typing import Protocol
+from typing import Any, Protocol
 
 from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, Snapshot, Verdict
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, s_from_ticks, ticks_from_s
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.outlines import obstacle_outline
-from rcj_challenges.referee.state import Number, float32
+from rcj_challenges.referee.state import Number, float32, plain
 from rcj_challenges.scenario.models.base import Scalar
-from rcj_challenges.scenario.models.scenario import Expectation, ExpectedEvent, Keyframe, Scenario
+from rcj_challenges.scenario.models.scenario import Expectation, ExpectedEvent, Given, Keyframe, Scenario
 from rcj_challenges.scenario.roster import Roster
 
 # Where the stage shows what is off the field; the referee must not look there.
@@ -269,8 +269,10 @@ def try_expectation(loaded: HasScenario, name: str) -> Trial:
         ValueError: the block decides a draw that does not exist, or a value that it cannot have.
     """
     expected = loaded.scenario.expect[name]
-    half = half_of(loaded.scenario, expected.half, expected.seed)
-    play = ScriptedPlay(loaded.scenario, loaded.roster, half, expected.draws)
+    scenario = _as_given(loaded.scenario, expected.given)
+    half = half_of(scenario, expected.half, expected.seed)
+    half = replace(half, scores=half.scores | {seat: plain(score) for seat, score in expected.given.score.items()})
+    play = ScriptedPlay(scenario, loaded.roster, half, expected.draws)
     last = min(ticks_from_s(expected.lasts_s), half.ticks)
     before = 0
     for keyframe in sorted(expected.keyframes, key=lambda keyframe: keyframe.at_s):
@@ -288,6 +290,20 @@ def try_expectation(loaded: HasScenario, name: str) -> Trial:
         play.finish()
     fired = dict.fromkeys(firing.rule for firing in play.firings if firing.suppressed is None)
     return Trial(tuple(_differences(play, expected)), play.tick, tuple(fired))
+
+
+def _as_given(scenario: Scenario, given: Given) -> Scenario:
+    """Return the scenario with what a test presets as the initial values of its counters and flags."""
+    presets: list[tuple[str, Mapping[str, Any], Mapping[str, Scalar]]] = [
+        ("counters", scenario.counters, given.counters),
+        ("flags", scenario.flags, given.flags),
+    ]
+    changed = {
+        section: {**entries, **{name: entries[name].model_copy(update={"initial": preset[name]}) for name in preset}}
+        for section, entries, preset in presets
+        if preset
+    }
+    return scenario.model_copy(update=changed) if changed else scenario
 
 
 def _play_until(play: ScriptedPlay, tick: int) -> None:

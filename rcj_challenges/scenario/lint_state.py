@@ -7,11 +7,11 @@ from typing import Any
 
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, Use, on_field
 from rcj_challenges.scenario.models.actions import Count, DrawAction, SetFlag, TimerAction, ToggleFlag
-from rcj_challenges.scenario.models.scenario import Expectation, Keyframe
+from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe
 from rcj_challenges.scenario.references import Named
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node
 
-_TESTS = (Expectation, Keyframe)
+_TESTS = (Expectation, Given, Keyframe)
 _WRITERS: dict[str, tuple[type[Any], ...]] = {
     "counters": (Count,),
     "flags": (SetFlag, ToggleFlag),

@@ -21,6 +21,7 @@ from rcj_challenges.scenario.find import find_scenario
 from rcj_challenges.scenario.merge import Merger
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.params import apply_overrides, resolve_params
+from rcj_challenges.scenario.resources import presets_folder
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import RESOLVED, Entries, plain
 
@@ -37,6 +38,7 @@ class Loaded:
         resolved: the whole scenario as JSON-able data with all defaults filled in, base files merged, params and
             overrides applied; `load_resolved` reads it again. The digest is taken over it.
         written: the merged tree with the place of each value in its file, for lint; None if there is no such place.
+        bases: the files that it extends, the nearest first; presets are not among them.
     """
 
     scenario: Scenario
@@ -45,6 +47,7 @@ class Loaded:
     path: Path | None
     resolved: dict[str, Any]
     written: Entries | None = field(default=None, repr=False, compare=False)
+    bases: tuple[Path, ...] = field(default=(), repr=False, compare=False)
 
 
 def load(source: str | Path, overrides: Sequence[str] = ()) -> Loaded:
@@ -93,13 +96,16 @@ def load_resolved(resolved: Mapping[str, Any], name: str = "") -> Loaded:
 def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None) -> Loaded:
     merger = Merger()
     tree = Entries({}, source.tree.mark)
-    for part in read_chain(source):
+    chain = read_chain(source)
+    for part in chain:
         merger.merge(tree, part.tree, Scenario)
+    extended = [part.path for part in reversed(chain[:-1]) if part.path is not None]
+    bases = tuple(base for base in extended if base.parent != presets_folder())
     tree.entries.pop("extends", None)
     apply_overrides(tree, overrides, merger)
     resolve_params(tree, merger)
     scenario = _checked(tree, merger)
-    return Loaded(scenario, Roster.of(scenario), name, path, _dumped(scenario), tree)
+    return Loaded(scenario, Roster.of(scenario), name, path, _dumped(scenario), tree, bases)
 
 
 def _checked(tree: Entries, merger: Merger) -> Scenario:

@@ -111,6 +111,25 @@ class TestExpect:
         )
         assert run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it") == []
 
+    def test_score_and_counters_and_flags_can_be_given(self, differences):
+        assert differences(
+            "given: {score: {yellow: 3}, counters: {goals: 7}, flags: {up: true}}, "
+            + GOAL
+            + ", score: {yellow: 4, blue: 0}, counters: {goals: 7}, flags: {up: true}"
+        ) == []  # fmt: skip
+        assert differences("given: {score: {blue: 2.5}}, " + GOAL + ", score: {yellow: 1, blue: 2.5}") == []
+
+    def test_what_is_given_stands_before_the_first_rule_and_for_each_entity(self, small):
+        scenario = small(
+            "counters: {laps: {per: yellow}}",
+            "flags: {handed_over: {keep: match}, out: {per: yellow}}",
+            "rules: {told: {triggers: [{trigger: half_started}], conditions: [{condition: flag, flag: handed_over}], "
+            "actions: [{action: emit, event: TOLD, payload: {laps: {counter: laps, entity: Y1}, out: {flag: out, entity: Y1}}}]}}",
+            "expect: {it: {half: 2, given: {counters: {laps: 4}, flags: {handed_over: true, out: true}}, lasts_s: 1, "
+            "keyframes: [{at_s: 0}], events: [{event: TOLD, payload: {laps: 4, out: true}}]}}",
+        )
+        assert run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it") == []
+
 
 @pytest.mark.parametrize("path", SCENARIOS, ids=lambda path: path.stem)
 def test_the_tests_written_in_the_shipped_scenarios_pass(path):

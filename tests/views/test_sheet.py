@@ -4,7 +4,7 @@ from html.parser import HTMLParser
 
 import pytest
 
-from rcj_challenges.scenario.load import load
+from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.scenario.models.actions import Action
 from rcj_challenges.scenario.models.conditions import Condition
 from rcj_challenges.scenario.models.places import At
@@ -74,3 +74,37 @@ def test_the_page_is_well_formed_and_needs_nothing_from_elsewhere(name):
     tags.feed(page)
     assert tags.open == []
     assert not tags.seen & {"script", "link", "img", "iframe", "b"}
+
+
+SMALL = """
+schema_version: 1
+id: small
+title: Small
+extends: soccersim_v2
+obstacles: {pin: {shape: cylinder, centre_m: [0.4, 0], radius_m: 0.02, movable: true}}
+groups: {pins: [pin]}
+rules:
+  down:
+    for_each: pins
+    triggers: [{trigger: displaced, entity: each, distance_m: 0.02}]
+    actions: [{action: emit, event: OUT}]
+    says: "{entity} is down."
+  gone:
+    for_each: balls
+    triggers: [{trigger: leaves, entity: each, zone: pitch}]
+    actions: [{action: emit, event: OUT}]
+    says: "{entity} is gone."
+"""
+
+
+def test_a_sentence_names_the_kind_of_thing_that_its_rule_goes_over():
+    loaded = load_text(SMALL)
+    text = sheet_markdown(loaded.scenario, loaded.roster)
+    assert "The obstacle is down." in text
+    assert "The ball is gone." in text
+
+
+def test_an_event_of_several_rules_is_explained_by_all_of_them():
+    loaded = load_text(SMALL)
+    text = sheet_markdown(loaded.scenario, loaded.roster)
+    assert "| OUT | The obstacle is down. Or: The ball is gone. |" in text

@@ -1,7 +1,5 @@
 """Actions: what a rule does when it fires."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 from pydantic import Field

@@ -1,6 +1,8 @@
-"""What all models of the scenario share: strictness, names, points and durations."""
+"""What all models of the scenario share: strictness, names, points and durations.
 
-from __future__ import annotations
+No module of this package says ``from __future__ import annotations``: pydantic would have to compile each of a thousand
+annotations anew at every start, which is a seventh of the time that ``validate`` takes.
+"""
 
 from typing import Annotated, Any
 

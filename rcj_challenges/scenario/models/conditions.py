@@ -1,7 +1,5 @@
 """Conditions: levels, what must hold when a trigger fires."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 from pydantic import Field

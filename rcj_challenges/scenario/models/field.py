@@ -1,7 +1,5 @@
 """Sections ``match``, ``field``, ``balls`` and ``obstacles``: what is there before anybody plays."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 from pydantic import Field

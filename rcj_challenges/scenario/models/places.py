@@ -1,7 +1,5 @@
 """Sections ``zones``, ``gates``, ``spots``, ``groups`` and ``placements``: where things are and where they go."""
 
-from __future__ import annotations
-
 from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag

@@ -1,7 +1,5 @@
 """Sections ``kits``, ``robots`` and ``entrants``: the machines, their devices, and who drives them."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints

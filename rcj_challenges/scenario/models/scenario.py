@@ -1,7 +1,5 @@
 """The whole file: rules, results, limits, tests, and the sections put together."""
 
-from __future__ import annotations
-
 from typing import Annotated, Any, Literal
 
 from pydantic import Field
@@ -122,12 +120,25 @@ class ExpectedEvent(Strict):
     payload: dict[Name, Scalar] = described({}, "the part of its payload that is checked")
 
 
+class Given(Strict):
+    """What a test finds when its half begins, before the first rule: as if a half or a long play went before."""
+
+    score: dict[Name, float] = described({}, "entrant -> points; left out: 0")
+    counters: dict[Name, float] = described(
+        {}, "counter -> value, of one kept per entity for each of them; left out: its initial value"
+    )
+    flags: dict[Name, bool] = described(
+        {}, "flag -> true or false, of one kept per entity for each of them; left out: its initial value"
+    )
+
+
 class Expectation(Strict):
     """A test inside the file: scripted poses and touches fed straight to the referee, and what must follow."""
 
     seed: int = described(1, "seed of the draws", ge=0)
     half: int = described(1, "which half is played", ge=1)
-    draws: dict[Name, Scalar] = described({}, "draws decided beforehand")
+    draws: dict[Name, Scalar] = described({}, "draws decided beforehand; they stand until a rule draws anew")
+    given: Given = described(Given(), "score, counters and flags when the half begins")
     keyframes: tuple[Keyframe, ...] = Field(..., strict=False, min_length=1, description="the script, in order of time")
     lasts_s: DurationS = described(..., "how long it is played, in s")
     events: tuple[ExpectedEvent, ...] | None = Field(

@@ -1,7 +1,5 @@
 """Sections ``draws``, ``counters``, ``flags``, ``timers``, ``sequences``, ``phases``; and the values rules can name."""
 
-from __future__ import annotations
-
 from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag

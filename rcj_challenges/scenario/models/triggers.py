@@ -1,7 +1,5 @@
 """Triggers: edges, moments at which a rule may fire."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 from pydantic import Field

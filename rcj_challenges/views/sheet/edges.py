@@ -67,7 +67,7 @@ TRIGGERS: dict[str, Callable[[Any], str]] = {
 
 CONDITIONS: dict[str, Callable[[Any], str]] = {
     "in_zone": lambda c: f"{quantified(c.of, c.entity)} is in {named(c.zone)}",
-    "speed": lambda c: f"{quantified(c.of, c.entity)} moves at {compared(c, ' m/s')}",
+    "speed": lambda c: f"{quantified(c.of, c.entity)} moves with {compared(c, ' m/s')}",
     "distance": lambda c: f"{quantified(c.of, c.entity)} is {compared(c, ' m')} from {place(c.to)}",
     "counter": lambda c: f"{named(c.counter)}{f' of {named(c.entity)}' if c.entity else ''} is {compared(c)}",
     "flag": lambda c: f"{named(c.flag)}{f' of {named(c.entity)}' if c.entity else ''} is set",

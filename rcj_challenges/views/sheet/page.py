@@ -89,7 +89,7 @@ def _lidar(d: kit_models.LidarDevice) -> str:
     return f"lidar, {d.points} points, {metres(d.min_range_m)} to {metres(d.max_range_m)}{turning}"
 
 
-_BLANKS = {"{entity}": "the robot", "{team}": "its team", "{measured}": "what is measured", "{limit}": "the limit"}
+_BLANKS = {"{team}": "its team", "{measured}": "what is measured", "{limit}": "the limit"}
 _DEVICES: dict[str, Callable[[Any], str]] = {
     "motor": lambda d: f"motor of the {d.wheel} wheel",
     "wheel_sensor": lambda d: f"angle of the {d.wheel} wheel",
@@ -124,9 +124,9 @@ def _course(scenario: Scenario, _roster: Roster) -> Iterator[Block]:
         yield Items((*timers, *draws))
 
 
-def _scoring(scenario: Scenario, _roster: Roster) -> Iterator[Block]:
+def _scoring(scenario: Scenario, roster: Roster) -> Iterator[Block]:
     rows = [
-        (_spoken(rule) or _when(rule), named(action.entrant), amount(action.points))
+        (_spoken(rule, roster) or _when(rule), named(action.entrant), amount(action.points))
         for rule in scenario.rules.values()
         for action in rule.actions
         if isinstance(action, Score)
@@ -138,16 +138,16 @@ def _scoring(scenario: Scenario, _roster: Roster) -> Iterator[Block]:
         yield Paragraph("No rule gives points.")
 
 
-def _rules(scenario: Scenario, _roster: Roster) -> Iterator[Block]:
+def _rules(scenario: Scenario, roster: Roster) -> Iterator[Block]:
     yield Heading(2, "Rules")
     yield Paragraph(
         "On each tick the rules are judged in this order; a name in brackets is the rule's name in the log."
     )
-    yield Items(tuple(f"[{name}] {_sentence(rule)}" for name, rule in scenario.rules.items()), numbered=True)
+    yield Items(tuple(f"[{name}] {_sentence(rule, roster)}" for name, rule in scenario.rules.items()), numbered=True)
 
 
-def _sentence(rule: Rule) -> str:
-    says = f"{_spoken(rule)} " if rule.says else ""
+def _sentence(rule: Rule, roster: Roster) -> str:
+    says = f"{_spoken(rule, roster)} " if rule.says else ""
     extras = []
     if rule.cooldown_s:
         extras.append(f"at most once in {seconds(rule.cooldown_s)}")
@@ -161,12 +161,20 @@ def _sentence(rule: Rule) -> str:
     return f"{says}{_when(rule)}: {', then '.join(action_words(action) for action in rule.actions)}{tail}."
 
 
-def _spoken(rule: Rule) -> str:
+def _spoken(rule: Rule, roster: Roster) -> str:
     """Return what a rule says, with words for what is known only when it fires."""
-    spoken = rule.says
+    spoken = rule.says.replace("{entity}", f"the {_kind_of_each(rule, roster)}")
     for blank, words in _BLANKS.items():
         spoken = spoken.replace(blank, words)
     return spoken[:1].upper() + spoken[1:]
+
+
+def _kind_of_each(rule: Rule, roster: Roster) -> str:
+    """Return of what kind a rule's current entity is; robots, if it is not said with ``for_each``."""
+    of_each = [] if rule.for_each is None else [roster.index[name] for name in roster.expand(rule.for_each)]
+    if not of_each or min(of_each) < roster.robots:
+        return "robot"
+    return "ball" if min(of_each) < roster.robots + roster.balls else "obstacle"
 
 
 def _when(rule: Rule) -> str:
@@ -182,7 +190,7 @@ def _places(scenario: Scenario, _roster: Roster) -> Iterator[Block]:
         yield Paragraph(f"{named(name)}: {'; '.join(placing_words(placing) for placing in layout)}.")
 
 
-def _told(scenario: Scenario, _roster: Roster) -> Iterator[Block]:
+def _told(scenario: Scenario, roster: Roster) -> Iterator[Block]:
     yield Heading(2, "What programs are told")
     yield Paragraph("The referee's packet, as the kit's version has it, tells whether a kick-off is awaited.")
     if scenario.broadcast is not None:
@@ -190,10 +198,14 @@ def _told(scenario: Scenario, _roster: Roster) -> Iterator[Block]:
         every = scenario.broadcast.every_ticks
         yield Paragraph(f"After it, every {every} tick{'s' if every > 1 else ''}, one JSON object on the same channel:")
         yield Table(("key", "value"), fields)
-    events = {a.event: _spoken(rule) for rule in scenario.rules.values() for a in rule.actions if isinstance(a, Emit)}
+    events: dict[str, list[str]] = {}
+    for rule in scenario.rules.values():
+        for event in {action.event: None for action in rule.actions if isinstance(action, Emit)}:
+            events.setdefault(event, []).append(_spoken(rule, roster))
     if events:
         yield Heading(2, "Events in the log")
-        yield Table(("event", "meaning"), tuple(events.items()))
+        meanings = {event: " Or: ".join(filter(None, dict.fromkeys(said))) for event, said in events.items()}
+        yield Table(("event", "meaning"), tuple(meanings.items()))
 
 
 def _submission(scenario: Scenario, _roster: Roster) -> Iterator[Block]:

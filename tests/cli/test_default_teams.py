@@ -1,0 +1,89 @@
+"""Who plays where nobody was named: the team made for the challenge, also in its variants, if it can drive their robots."""
+
+from pathlib import Path
+
+import pytest
+
+from rcj_challenges.cli.run import RunOptions, UsageError, run_scenario
+from rcj_challenges.match.samples import sample_team
+from rcj_challenges.scenario.load import load
+from rcj_challenges.scenario.resources import scenarios_folder
+
+VARIANTS = scenarios_folder() / "variants"
+
+
+@pytest.fixture
+def variant(tmp_path):
+    """Return a function that writes a scenario beside a copy of the fast shooter, and loads it."""
+    shipped = scenarios_folder() / "fast_shooter.yaml"
+    (tmp_path / "fast_shooter.yaml").write_bytes(shipped.read_bytes())
+
+    def write(text: str, base: str = "fast_shooter.yaml", name: str = "mine"):
+        path = tmp_path / f"{name}.yaml"
+        head = f"schema_version: 1\nid: {name}\ntitle: Mine\nextends: ./{base}\n"
+        path.write_text(head + text, encoding="utf-8")
+        return load(path)
+
+    return write
+
+
+def chosen(loaded, seat: str = "yellow") -> str | None:
+    found = sample_team(loaded.scenario, seat, [load(path).scenario for path in loaded.bases])
+    return found.name if found else None
+
+
+def options(path: Path, out: Path) -> RunOptions:
+    return RunOptions(
+        scenario=str(path), teams=[], team_names=[], seed=1, match_id=0, overrides=[], out=out, json=False, quiet=True,
+        real_time=False, show_output=frozenset(), debug=frozenset(), sandbox="auto", replay=False,
+    )  # fmt: skip
+
+
+def test_the_team_made_for_a_challenge_plays_it(variant):
+    assert chosen(load("fast_shooter")) == "fast_shooter"
+    assert chosen(load("match"), "blue") == "roles_and_radio"
+
+
+def test_a_variant_is_played_by_the_team_of_the_challenge_that_it_extends(variant):
+    longer = variant("params: {goal_pause_s: 3}", name="longer")
+    assert [path.name for path in longer.bases] == ["fast_shooter.yaml"]
+    assert chosen(longer) == "fast_shooter"
+    longest = variant("match: {half_s: 300}", base="longer.yaml", name="longest")
+    assert [path.name for path in longest.bases] == ["longer.yaml", "fast_shooter.yaml"]
+    assert chosen(longest) == "fast_shooter"
+
+
+def test_a_team_does_not_play_a_variant_with_robots_of_another_kit(variant):
+    assert chosen(variant("robots: {Y3: {kit: v2}}")) is None
+
+
+def test_a_team_without_the_programs_that_are_asked_for_does_not_play(variant):
+    assert chosen(variant("entrants: {yellow: {robots: {Y3: shoot/shoot.py}}}")) is None
+
+
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [
+        (
+            "fast_shooter_v2",
+            (
+                "who plays for 'yellow'? The sample team of fast_shooter was written for other kits (Y3: legacy_2021): "
+                "give --team yellow=PATH, a team with score_goal/score_goal.py for Y3 (kit v2)"
+            ),
+        ),
+        (
+            "pass_the_ball_v2",
+            (
+                "who plays for 'yellow'? The sample team of pass_the_ball was written for other kits (Y1: legacy_2021, "
+                "Y2: legacy_2021, B1: legacy_2021, B2: legacy_2021): give --team yellow=PATH, a team with "
+                "pass_ball_yellow/pass_ball_yellow.py for Y1 (kit v2), Y2 (kit v2) and "
+                "pass_ball_blue/pass_ball_blue.py for B1 (kit v2), B2 (kit v2)"
+            ),
+        ),
+    ],
+)
+def test_who_must_be_named_is_told_with_the_programs_that_it_needs(name, told, tmp_path):
+    with pytest.raises(UsageError) as refused:
+        run_scenario(options(VARIANTS / f"{name}.yaml", tmp_path))
+    assert str(refused.value) == told
+    assert refused.value.exit_code == 2

@@ -1,0 +1,50 @@
+"""How the command line starts: quickly, and without losing a word about what is wrong."""
+
+import gc
+from pathlib import Path
+
+import pytest
+
+from rcj_challenges import cli
+from rcj_challenges.cli.app import app
+from rcj_challenges.scenario import models
+
+
+@pytest.fixture
+def arguments(monkeypatch):
+    """Return a function that runs the command line with arguments and returns its exit code."""
+    thresholds = gc.get_threshold()
+    monkeypatch.setenv("PYDANTIC_DISABLE_PLUGINS", "__all__")
+
+    def run(*given: str) -> object:
+        monkeypatch.setattr("sys.argv", ["rcj-challenge", *given])
+        with pytest.raises(SystemExit) as left:
+            cli.main()
+        return left.value.code
+
+    yield run
+    gc.set_threshold(*thresholds)
+
+
+def test_a_command_runs_and_leaves_the_others_alone(arguments, capsys):
+    before = list(app.registered_commands)
+    assert arguments("validate", "match") == 0
+    assert capsys.readouterr().out.startswith("ok  match:")
+    assert app.registered_commands == before
+
+
+def test_an_unknown_command_is_met_with_the_nearest_one(arguments, capsys):
+    assert arguments("valdate", "match") == 2
+    assert "No such command 'valdate'. Did you mean 'validate'?" in capsys.readouterr().err
+
+
+def test_the_help_lists_all_commands(arguments, capsys):
+    arguments("--help")
+    told = capsys.readouterr().out
+    assert [name for name in ("run", "validate", "test", "draw", "sheet", "simulate") if name not in told] == []
+
+
+def test_the_models_are_written_so_that_their_annotations_are_compiled_once():
+    files = sorted(Path(models.__file__).parent.glob("*.py"))
+    late = [file.name for file in files if "from __future__ import annotations\n" in file.read_text(encoding="utf-8")]
+    assert late == []
