@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
 from rcj_challenges import __version__
+from rcj_challenges.cli import check, stats, video
+from rcj_challenges.cli.live import LiveOptions, RunCommand
 
 app = typer.Typer(
     name="rcj-challenge",
@@ -43,7 +45,7 @@ def _root(
     """Play robot-soccer matches and challenges that are declared in YAML."""
 
 
-@app.command()
+@app.command(cls=RunCommand)
 def run(
     scenario: Annotated[str, typer.Argument(help="A scenario file, or the name of one that comes with this: match.")],
     team: Annotated[
@@ -79,6 +81,22 @@ def run(
     ] = None,
     sandbox: _Sandbox = "auto",
     replay: Annotated[bool, typer.Option("--replay/--no-replay", help="Write the replay page.")] = True,
+    record: Annotated[
+        Literal["sensors"] | None,
+        typer.Option("--record", help="Also record what programs saw, set and printed: up to 15 MB a half."),
+    ] = None,
+    live: Annotated[
+        int | None,
+        typer.Option("--live", metavar="[PORT]", min=0, max=65535, help="Show it in the browser while it is played."),
+    ] = None,
+    speed: Annotated[
+        str | None, typer.Option("--speed", metavar="X|max", help="With --live: times real time; left out: 1.")
+    ] = None,
+    live_for: Annotated[
+        float | None,
+        typer.Option("--live-for", metavar="S", min=0, help="With --live: serve so long after the match."),
+    ] = None,
+    open_: Annotated[bool, typer.Option("--open", help="With --live: open the page in the browser.")] = False,
 ) -> None:
     """Play a scenario with the teams' programs."""
     from rcj_challenges.cli.run import RunOptions, run_scenario
@@ -104,6 +122,8 @@ def run(
                 debug=frozenset(debug or ()),
                 sandbox=sandbox,
                 replay=replay,
+                record_sensors=record == "sensors",
+                live=LiveOptions.of(live, speed, live_for, open_=open_),
             )
         )
     )
@@ -241,3 +261,8 @@ def replay(
     from rcj_challenges.cli.view import rebuild_replay
 
     raise typer.Exit(rebuild_replay(run, out))
+
+
+check.register(app)
+stats.register(app)
+video.register(app)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
@@ -15,10 +15,11 @@ from rcj_challenges.facts.errors import RcjError
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from rcj_challenges.cli.live import LiveOptions
     from rcj_challenges.controllers.team import Team
+    from rcj_challenges.match.match import PlayedMatch
     from rcj_challenges.scenario.load import Loaded
-
-_DEFAULT_TEAMS = {"blue": "roles_and_radio", "yellow": "all_sensors"}
+    from rcj_challenges.scenario.models.scenario import Scenario
 
 
 class UsageError(RcjError):
@@ -43,6 +44,8 @@ class RunOptions:
     debug: frozenset[str]
     sandbox: str
     replay: bool
+    record_sensors: bool = False
+    live: LiveOptions | None = None
 
 
 def run_scenario(options: RunOptions) -> int:
@@ -59,7 +62,9 @@ def run_scenario(options: RunOptions) -> int:
         _known(robot, robots, "robot")
 
     # The physics is imported while nobody waits for it yet: opening teams is quick, compiling is not.
+    from rcj_challenges.cli.live import on_air, stay_on_air
     from rcj_challenges.match.match import MatchPlan, play_match
+    from rcj_challenges.match.watching import Together
     from rcj_challenges.views.scoreboard import console_for, watcher_for
 
     console = console_for(to_stderr=options.json)
@@ -75,21 +80,33 @@ def run_scenario(options: RunOptions) -> int:
         real_time=options.real_time,
         show_output=options.show_output,
         debug=options.debug,
+        record_sensors=options.record_sensors,
     )
+    titles = {team: plan.name_of(team) for team in plan.teams}
     try:
-        outcome = play_match(plan, watcher)
+        with on_air(options.live, loaded.scenario, titles, plan.seed, console) as show:
+            outcome = play_match(plan, watcher if show is None else Together(watcher, show.watcher))
+            _tell(options, console, outcome)
+            if show is not None and options.live is not None:
+                show.match_over(outcome.folder)
+                stay_on_air(show, options.live, console)
     finally:
         for team in plan.teams.values():
             team.close()
+    return 0
+
+
+def _tell(options: RunOptions, console: Console, outcome: PlayedMatch) -> None:
+    """Write the replay page, and say how it ended."""
     if options.replay:
         from rcj_challenges.views.replay import write_replay
 
         write_replay(outcome.folder)
     if options.json:
         sys.stdout.write(json.dumps(outcome.result, ensure_ascii=False, indent=2) + "\n")
+        sys.stdout.flush()
     else:
         _summary(console, outcome.result, outcome.folder, replay=options.replay)
-    return 0
 
 
 def _open_teams(loaded: Loaded, options: RunOptions) -> dict[str, Team]:
@@ -111,14 +128,44 @@ def _open_teams(loaded: Loaded, options: RunOptions) -> dict[str, Team]:
 
 
 def _sample_team(loaded: Loaded, seat: str) -> Path:
-    """Return the sample team for a seat: one made for this scenario, else one of the match's."""
-    from rcj_challenges.scenario.resources import teams_folder
+    """Return the sample team for a seat; see `rcj_challenges.match.samples.sample_team`.
 
-    samples = teams_folder()
-    for name in (loaded.scenario.id, _DEFAULT_TEAMS.get(seat)):
-        if name is not None and (samples / name).is_dir():
-            return samples / name
-    raise UsageError(f"who plays for {seat!r}? There is no sample team for it: give --team {seat}=PATH")
+    Raises:
+        UsageError: there is none; says what to give.
+    """
+    from rcj_challenges.match.samples import sample_team
+    from rcj_challenges.scenario.load import load
+
+    scenario = loaded.scenario
+    bases = [load(path).scenario for path in loaded.bases]
+    found = sample_team(scenario, seat, bases)
+    if found is not None:
+        return found
+    raise UsageError(
+        f"who plays for {seat!r}? {_why_no_sample_team(scenario, seat, bases)}: "
+        f"give --team {seat}=PATH, a team with {_programs_of(scenario, seat)}"
+    )
+
+
+def _why_no_sample_team(scenario: Scenario, seat: str, bases: Sequence[Scenario]) -> str:
+    from rcj_challenges.match.samples import has_sample_team, other_kits
+
+    for base in bases:
+        if has_sample_team(base) and (kits := other_kits(scenario, base, seat)):
+            told = ", ".join(f"{robot}: {kit}" for robot, kit in kits.items())
+            return f"The sample team of {base.id} was written for other kits ({told})"
+    return "There is no sample team for it"
+
+
+def _programs_of(scenario: Scenario, seat: str) -> str:
+    """Return what a team must bring: each program, whom it drives, and of which kit those are."""
+    driven: dict[str, list[str]] = {}
+    for robot, entry in scenario.entrants[seat].robots.items():
+        driven.setdefault(entry if isinstance(entry, str) else entry[0], []).append(robot)
+    return " and ".join(
+        f"{program} for {', '.join(f'{robot} (kit {scenario.robots[robot].kit})' for robot in robots)}"
+        for program, robots in driven.items()
+    )
 
 
 def _assignments(given: list[str], seats: Mapping[str, Any], option: str) -> dict[str, str]:

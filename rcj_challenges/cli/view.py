@@ -27,10 +27,15 @@ def rebuild_replay(run: Path | None, out: Path) -> int:
     Raises:
         RecordError: there is no such record, or nothing in it can be shown.
     """
+    from rcj_challenges.records.salvage import read_run
     from rcj_challenges.views.replay import write_replay
     from rcj_challenges.views.replay.browse import find_run
+    from rcj_challenges.views.sentences import plain
 
-    sys.stdout.write(f"{write_replay(find_run(run, out))}\n")
+    folder = find_run(run, out)
+    sys.stdout.write(f"{write_replay(folder)}\n")
+    for problem in read_run(folder).problems:
+        sys.stderr.write(f"{plain(problem, 500)}\n")
     return 0
 
 

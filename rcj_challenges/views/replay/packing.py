@@ -55,23 +55,43 @@ def frames_of(half: HalfTrack, unit_m: float) -> Frames:
     """Return the frames of a half; ``unit_m`` is what 1 is worth for x and y."""
     poses = half.substeps[:, -1]
     start, heights, uprights = _start(half)
-    judged = np.concatenate([start[None], poses]).astype(np.float64)
-    z = np.concatenate([heights[None], half.heights]).astype(np.float64)
-    upright = np.concatenate([uprights[None], half.uprights]).astype(np.float64)
-    with np.errstate(invalid="ignore"):  # a damaged file may hold infinities; they are shown at the edge
-        columns = {
-            "x": _rounded(judged[:, :, 0] / unit_m),
-            "y": _rounded(judged[:, :, 1] / unit_m),
-            # The remainder first: a yaw may have any number of turns, int16 has one.
-            "yaw": _rounded(np.remainder(judged[:, :, 2] + math.pi, 2 * math.pi) / TURN_RAD - _LARGEST - 1),
-            "z": _rounded(z / HEIGHT_M),
-            "tilt": _rounded(np.arccos(np.clip(upright, -1.0, 1.0)) / TILT_RAD),
-        }
+    columns = rounded_poses(
+        np.concatenate([start[None], poses]),
+        np.concatenate([heights[None], half.heights]),
+        np.concatenate([uprights[None], half.uprights]),
+        unit_m,
+    )
     jumps: list[list[int]] = [[] for _ in range(poses.shape[1])]
     for tick, placements in sorted(half.placements.items()):
         for entity in {placement.entity for placement in placements} if tick else ():
             jumps[entity].append(tick)
     return Frames(columns, tuple(map(tuple, jumps)))
+
+
+def rounded_poses(judged: Array, heights: Array, uprights: Array, unit_m: float) -> dict[str, Array]:
+    """Return the channels of ticks, int16 ``[T, E]`` each, in the order in which they are sent and stored.
+
+    Args:
+        judged: ``[T, E, 3]``: x and y in m, yaw in rad.
+        heights: ``[T, E]``: z in m.
+        uprights: ``[T, E]``: cosine of the tilt.
+        unit_m: what 1 is worth for x and y.
+    """
+    poses = judged.astype(np.float64)
+    with np.errstate(invalid="ignore"):  # a damaged file may hold infinities; they are shown at the edge
+        return {
+            "x": _rounded(poses[:, :, 0] / unit_m),
+            "y": _rounded(poses[:, :, 1] / unit_m),
+            # The remainder first: a yaw may have any number of turns, int16 has one.
+            "yaw": _rounded(np.remainder(poses[:, :, 2] + math.pi, 2 * math.pi) / TURN_RAD - _LARGEST - 1),
+            "z": _rounded(heights.astype(np.float64) / HEIGHT_M),
+            "tilt": _rounded(np.arccos(np.clip(uprights.astype(np.float64), -1.0, 1.0)) / TILT_RAD),
+        }
+
+
+def units(unit_m: float) -> dict[str, float]:
+    """Return what 1 is worth in each channel, in m and rad; ``unit_m``: for x and y."""
+    return {"x": unit_m, "y": unit_m, "yaw": TURN_RAD, "z": HEIGHT_M, "tilt": TILT_RAD}
 
 
 def packed(frames: Frames) -> str:

@@ -6,18 +6,19 @@ import base64
 import hashlib
 import html
 import json
+from collections.abc import Collection, Mapping
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from pydantic import ValidationError
-
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.folder import REPLAY, SCENARIO, replaced
-from rcj_challenges.records.result import RunResult, read_result
-from rcj_challenges.records.trajectory import HalfTrack, Trajectory
-from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.records.folder import REPLAY, replaced
+from rcj_challenges.records.logos import MOST_LOGO_BYTES, LogoError, checked_png, logo_path
+from rcj_challenges.records.result import RunResult
+from rcj_challenges.records.salvage import RunRecord, read_run
+from rcj_challenges.records.sensors import DAMAGE, read_sensors
+from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.views.replay.packing import (
     HEIGHT_M,
     TILT_RAD,
@@ -27,15 +28,21 @@ from rcj_challenges.views.replay.packing import (
     length_unit,
     packed,
 )
+from rcj_challenges.views.replay.sensing import output_block, sensor_block, sensor_facts
 from rcj_challenges.views.replay.story import Story, tell
 from rcj_challenges.views.replay.things import visible_things
 
 SCRIPTS = (
-    "element", "maths", "colours", "recording", "embedded", "mesh", "ground", "bodies", "painter", "scene", "flat",
-    "camera", "hands", "labels", "board", "player", "deck", "eventlist", "robotlist", "panels", "app", "start",
+    "element", "maths", "colours", "recording", "embedded", "mesh", "ground", "bodies", "signs", "painter", "scene",
+    "flat", "camera", "hands", "labels", "board", "player", "deck", "eventlist", "robotlist", "sensors", "heat",
+    "logos", "panels", "app", "start",
 )  # fmt: skip
 """The parts of the viewer in the order in which they are joined: what is used stands before what uses it."""
 
+LIVE_SCRIPTS = (*SCRIPTS[:-1], "live", "spectator", "steward", "startlive")
+"""The parts of the page that watches a match while it is played: the same viewer, filled by a feed."""
+
+_STYLES = ("style.css",)
 _LONGEST_DETAIL = 10_000
 
 
@@ -45,50 +52,65 @@ def write_replay(folder: Path) -> Path:
     Raises:
         RecordError: there is nothing in the folder that could be shown.
     """
-    result = read_result(folder)
-    scenario = _read_scenario(folder)
-    halves = [half for half in Trajectory.open(folder).halves if half.ticks]
-    if not halves:
-        raise RecordError(f"{folder.name}: the run was stopped before its first tick: there is nothing to show")
-    story = tell(folder, scenario, halves, result)
+    run = read_run(folder)
+    halves = list(run.halves)
+    story = tell(folder, run.scenario, halves, run.result)
     unit_m = length_unit(*halves)
     frames = [frames_of(half, unit_m) for half in halves]
-    facts = _facts(result, scenario, halves, frames, story, unit_m)
+    facts = _facts(run, frames, story, unit_m)
     blocks = {half.info.half: packed(moving) for half, moving in zip(halves, frames, strict=True)}
+    more = _sense(facts, folder)
+    _give_logos(facts, folder, run.scenario.entrants)
     path = folder / REPLAY
     with replaced(path) as file:
-        file.write(_page(facts, blocks).encode())
+        file.write(page_text(facts, blocks, more).encode())
     return path
 
 
-def _read_scenario(folder: Path) -> Scenario:
+def _sense(facts: dict[str, Any], folder: Path) -> dict[str, str]:
+    """Add what is known of sensor recordings to the facts; return their blocks by id."""
+    facts["sensors"] = {}
+    blocks = {}
     try:
-        return Scenario.model_validate_json((folder / SCENARIO).read_bytes())
-    except FileNotFoundError:
-        raise RecordError(f"{folder.name}: {SCENARIO} is missing") from None
-    except (OSError, ValidationError) as error:
-        raise RecordError(f"{folder.name}: {SCENARIO} is damaged: it is not the scenario of a run") from error
+        for number, half in read_sensors(folder).items():
+            facts["sensors"][str(number)] = sensor_facts(half)
+            blocks[f"sensors-{number}"] = sensor_block(half)
+            blocks[f"output-{number}"] = output_block(half)
+            if half.damaged:
+                facts["problem"] += f" The sensor recording of half {number} is damaged: its beginning is shown."
+    except RecordError as error:
+        facts["problem"] += f" {error}"
+    except DAMAGE as error:
+        facts["problem"] += f" The sensor recording is damaged and not shown: {type(error).__name__}: {error}"
+        facts["sensors"], blocks = {}, {}
+    facts["problem"] = facts["problem"].strip()
+    return blocks
 
 
-def _facts(
-    result: RunResult,
-    scenario: Scenario,
-    halves: list[HalfTrack],
-    frames: list[Frames],
-    story: Story,
-    unit_m: float,
-) -> dict[str, Any]:
+def _give_logos(facts: dict[str, Any], folder: Path, seats: Collection[str]) -> None:
+    """Add the teams' logos to the facts, or why one cannot be shown; only seats of the scenario are names of files."""
+    for team in [team for team in facts["teams"] if team["name"] in seats]:
+        path = logo_path(folder, team["name"])
+        try:
+            if path.is_file() and path.stat().st_size <= MOST_LOGO_BYTES:
+                team["logo"] = "data:image/png;base64," + base64.b64encode(checked_png(path.read_bytes())).decode()
+        except (LogoError, OSError) as error:
+            facts["about"].append(("logo", f"that of {team['title']} is not shown: {error}"))
+
+
+def _facts(run: RunRecord, frames: list[Frames], story: Story, unit_m: float) -> dict[str, Any]:
+    result, halves = run.result, run.halves
     units = {"x": unit_m, "y": unit_m, "yaw": TURN_RAD, "z": HEIGHT_M, "tilt": TILT_RAD}
     return {
         "tick_s": TICK_S,
-        **visible_things(scenario),
+        **visible_things(run.scenario),
         "teams": [{"name": team, "title": entrant.name or team} for team, entrant in result.entrants.items()],
         "halves_planned": halves[0].info.halves,
         "channels": [{"name": name, "unit": units[name]} for name in frames[0].columns],
         "halves": [_half(half, moving, story) for half, moving in zip(halves, frames, strict=True)],
         "events": story.events,
-        "about": _about(result),
-        "problem": _problem(result, story),
+        "about": about_run(result),
+        "problem": _problem(run, story),
     }
 
 
@@ -111,7 +133,7 @@ def _half(half: HalfTrack, frames: Frames, story: Story) -> dict[str, Any]:
     }
 
 
-def _about(result: RunResult) -> list[tuple[str, str]]:
+def about_run(result: RunResult) -> list[tuple[str, str]]:
     """Return what is said of the run beside the field."""
     versions = result.versions
     lines = [
@@ -127,12 +149,9 @@ def _about(result: RunResult) -> list[tuple[str, str]]:
     return [(name, text) for name, text in lines if text]
 
 
-def _problem(result: RunResult, story: Story) -> str:
+def _problem(run: RunRecord, story: Story) -> str:
     """Return the sentence of warning above the field, or nothing."""
-    problems = []
-    if not result.complete:
-        why = f" ({result.stopped})" if result.stopped else ""
-        problems.append(f"This run was not played to its end{why}: what was recorded is shown.")
+    problems = list(run.problems)
     if story.unreadable:
         problems.append(f"{story.unreadable} lines of the referee's log are damaged and left out.")
     return " ".join(problems)
@@ -141,18 +160,29 @@ def _problem(result: RunResult, story: Story) -> str:
 # --- the file ---------------------------------------------------------------------------------------------------------
 
 
-def _page(facts: dict[str, Any], blocks: dict[int, str]) -> str:
-    """Return the page. Every part is put in once, in one pass: no part can smuggle in another's mark."""
+def page_text(
+    facts: dict[str, Any], blocks: dict[int, str], more: Mapping[str, str] | None = None, *, live: bool = False
+) -> str:
+    """Return the page. Every part is put in once, in one pass: no part can smuggle in another's mark.
+
+    Args:
+        facts: what the viewer is told, JSON-able.
+        blocks: packed poses by half.
+        more: other packed blocks by the id under which the viewer looks for them.
+        live: True makes the page that asks the server it came from for the rest of the match, and nobody else.
+    """
     viewer = files("rcj_challenges.views.replay") / "viewer"
-    style = (viewer / "style.css").read_text("utf-8")
-    script = _script({name: (viewer / f"{name}.js").read_text("utf-8") for name in SCRIPTS})
+    style = "".join((viewer / name).read_text("utf-8") for name in (_STYLES if not live else (*_STYLES, "live.css")))
+    scripts = LIVE_SCRIPTS if live else SCRIPTS
+    script = _script([(viewer / f"{name}.js").read_text("utf-8") for name in scripts])
     parts = {
-        "CSP": _policy(script, style),
+        "CSP": _policy(script, style) + ("; connect-src 'self'" if live else ""),
         "TITLE": html.escape(_title(facts)),
         "STYLE": style,
         "FACTS": inert_json(facts),
         "HALVES": "\n".join(
-            f'<script type="text/plain" id="half-{half}">{block}</script>' for half, block in blocks.items()
+            f'<script type="text/plain" id="{name}">{block}</script>'
+            for name, block in ({f"half-{half}": block for half, block in blocks.items()} | dict(more or {})).items()
         ),
         "SCRIPT": script,
     }
@@ -161,8 +191,8 @@ def _page(facts: dict[str, Any], blocks: dict[int, str]) -> str:
     return "".join(parts.get(piece, piece) if index % 2 else piece for index, piece in enumerate(pieces))
 
 
-def _script(sources: dict[str, str]) -> str:
-    joined = "\n".join(sources[name] for name in SCRIPTS)
+def _script(sources: list[str]) -> str:
+    joined = "\n".join(sources)
     return f'"use strict";\n(() => {{\n{joined}\n}})();\n'
 
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.records.folder import REFEREE_LOG
+from rcj_challenges.records.refereelog import read_referee_log
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.records.trajectory import HalfTrack
@@ -51,8 +51,8 @@ class Story:
 
 def tell(folder: Path, scenario: Scenario, halves: list[HalfTrack], result: RunResult) -> Story:
     """Return the story of a run from the referee's log, as far as it can be read."""
-    story = Story()
-    lines = list(_lines(folder, story))
+    lines, unreadable = read_referee_log(folder)
+    story = Story(unreadable=unreadable)
     if not lines:
         lines = [{"kind": "event", **event.model_dump()} for event in result.events]
     firings = [line for line in lines if line["kind"] == "firing" and line.get("suppressed") is None]
@@ -63,32 +63,9 @@ def tell(folder: Path, scenario: Scenario, halves: list[HalfTrack], result: RunR
             for line in lines
             if line["kind"] == "phase" and line["half"] == half.info.half
         ]
-    told = _Teller(scenario, halves, firings, story)
+    told = Teller(scenario, {half.info.half: half.info.teams for half in halves}, firings, story)
     story.events = [told.event(line) for line in lines if line["kind"] == "event"]
     return story
-
-
-def _lines(folder: Path, story: Story) -> Iterator[dict[str, Any]]:
-    """Yield the lines of the referee's log that can be read; count the others."""
-    path = folder / REFEREE_LOG
-    for line in path.read_bytes().splitlines() if path.exists() else ():
-        try:
-            found = json.loads(line)
-            fits = {"kind", "half", "tick"} <= found.keys() and found["kind"] in _NEEDED
-            fits = fits and _NEEDED[found["kind"]] <= found.keys()
-        except (ValueError, AttributeError, TypeError):
-            fits = False
-        if fits:
-            yield found
-        else:
-            story.unreadable += 1
-
-
-_NEEDED = {
-    "firing": {"rule", "trigger", "scored"},
-    "event": {"event", "payload"},
-    "phase": {"phase", "waiting_for_kickoff"},
-}
 
 
 def _follow_the_score(story: Story, half: HalfTrack, firings: list[dict[str, Any]]) -> None:
@@ -98,16 +75,28 @@ def _follow_the_score(story: Story, half: HalfTrack, firings: list[dict[str, Any
     for firing in firings:
         if firing["scored"]:
             for seat, points in firing["scored"].items():
-                scores[teams[seat]] += points
+                if teams.get(seat) in scores:
+                    scores[teams[seat]] += points
             changes.append([firing["tick"], dict(scores)])
     story.score_changes[half.info.half] = changes
 
 
-class _Teller:
-    """Joins events with the firings of the rules that emitted them."""
+class Teller:
+    """Joins events with the firings of the rules that emitted them.
+
+    Args:
+        scenario: whose rules fired.
+        teams: by half, by seat: who played there.
+        firings: lines of the referee's log whose actions ran.
+        story: its score as it went is what events are told with.
+    """
 
     def __init__(
-        self, scenario: Scenario, halves: list[HalfTrack], firings: list[dict[str, Any]], story: Story
+        self,
+        scenario: Scenario,
+        teams: Mapping[int, Mapping[str, str]],
+        firings: list[dict[str, Any]],
+        story: Story,
     ) -> None:
         self._emitted = {
             rule: [action.event for action in definition.actions if isinstance(action, Emit)]
@@ -119,9 +108,8 @@ class _Teller:
             for event in self._emitted.get(firing["rule"], ()):
                 self._open.setdefault((firing["half"], firing["tick"], event), []).append(firing)
         self._story = story
-        self._order = {half.info.half: list(half.info.teams.values()) for half in halves}
-        first = min(self._order, default=0)
-        self._teams = self._order.get(first, [])
+        # The scoreboard's order: as they stood in the first half.
+        self._teams = list(teams[min(teams)].values()) if teams else []
         self._colours = {
             seat: shown_colour(scenario.robots[next(iter(entrant.robots))].colour)
             for seat, entrant in scenario.entrants.items()

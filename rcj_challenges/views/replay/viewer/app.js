@@ -8,17 +8,24 @@ const KEYS = [
   ["double click", "the whole field again"], ["click on a robot", "its trail"],
 ];
 const BACKGROUNDS = { light: [0.86, 0.89, 0.92], dark: [0.055, 0.07, 0.09] };
-const SLOW_FRAME_MS = 24;
+const SLOW_FRAME_MS = 20;
+const COARSEST = 0.5;
+const WRITTEN_EVERY_MS = 100;
 const CAPTION_S = 2;
 
 class App {
-  constructor(recording) {
+  constructor(recording, player = new Player(recording)) {
     this.recording = recording;
     this.find = (id) => document.getElementById(id);
-    this.player = new Player(recording);
+    this.player = player;
+    this.shot = {
+      poses: recording.entities.map(() => ({ x: 0, y: 0, z: 0, yaw: 0, tilt: 0 })),
+      spins: recording.entities.map((entity) => (entity.kind === "ball" ? [0, 0, 0, 1] : null)),
+    };
     this.slowness = 0;
+    this.written = 0;
     this.view = this.bestView();
-    this.density = Math.min(this.view.finest, window.devicePixelRatio || 1);
+    this.sharp = this.density = Math.min(this.view.finest, window.devicePixelRatio || 1);
     this.camera = new Camera(recording.facts.field, this.view instanceof Flat);
     this.drawn = 0;
     const changed = () => this.changed();
@@ -26,6 +33,9 @@ class App {
     this.events = new EventList(recording, this.find, (place, playing) => this.go(place, playing));
     this.robots = new RobotList(recording, this.find, changed, (index) => this.look("robot", index));
     this.deck = new Deck(recording, this.player, this.find, changed, (direction) => this.toEvent(direction));
+    this.sensors = new Sensors(recording, this.find, this.robots.cards, changed);
+    this.heat = new Heat(recording, this.find, changed);
+    this.logos = new Logos(recording, this.board.rows, changed);
     this.labels = new Labels(recording, this.find("labels"));
     this.hands = new Hands(this.find("view"), this.camera, {
       changed: () => { this.showCamera(); changed(); },
@@ -68,7 +78,7 @@ class App {
     const stage = this.find("view").parentElement;
     const width = stage.clientWidth, height = stage.clientHeight;
     if (!width || !height) return;
-    this.view.resize(width, height, this.density);
+    this.view.resize(width, height, this.moving ? this.density : this.sharp);
     this.labels.resize(width, height);
     this.camera.resize(width / height);
     this.draw();
@@ -150,7 +160,13 @@ class App {
 
   // --- drawing ---------------------------------------------------------------------------------------------------------
 
+  /** Something is different: draw, and write what is written around the picture. */
   changed() {
+    this.written = -Infinity;
+    this.again();
+  }
+
+  again() {
     if (this.waiting) return;
     this.waiting = requestAnimationFrame((now) => this.tick(now));
   }
@@ -163,20 +179,27 @@ class App {
     this.player.advance(seconds);
     const moving = this.camera.advance(seconds, this.leader, this.player.jumped && !this.camera.goal);
     this.player.jumped = false;
-    this.draw();
+    this.move(this.player.moves || moving);
+    this.draw(now);
     if (this.player.playing) this.adapt(passed);
-    if (this.player.playing || moving) this.changed();
+    if (this.moving) this.again();
     else {
       this.before = undefined;
       this.toAddress();
     }
   }
 
-  /** Draw fewer pixels where frames come slowly: smooth motion matters more than sharp edges. */
+  /** Where frames come slowly, what moves is drawn with fewer pixels: smooth motion matters more than sharp edges. */
+  move(moving) {
+    if (moving === this.moving) return;
+    this.moving = moving;
+    if (this.density < this.sharp) this.resize();
+  }
+
   adapt(passed) {
     this.slowness = Maths.mix(this.slowness, passed > SLOW_FRAME_MS ? 1 : 0, 0.06);
-    if (this.slowness > 0.7 && this.density > 0.6) {
-      this.density = Math.max(0.6, this.density * 0.8);
+    if (this.slowness > 0.6 && this.density > COARSEST) {
+      this.density = Math.max(COARSEST, this.density * 0.8);
       this.slowness = 0;
       this.resize();
     }
@@ -186,27 +209,53 @@ class App {
     const { place } = this.player;
     const { track, tick } = this.recording.at(place);
     const failed = this.robots.failed(place);
+    const { poses, spins } = this.shot;
+    for (let index = 0; index < poses.length; index++) {
+      track.pose(index, tick, poses[index]);
+      if (spins[index]) track.spin(index, tick, spins[index]);
+    }
     return {
-      poses: this.recording.entities.map((_, index) => track.pose(index, tick)),
-      spins: this.recording.entities.map((entity, index) => (entity.kind === "ball" ? track.spin(index, tick) : null)),
-      trails: this.robots.trailsAt(place, this.panels.trailSeconds),
-      show: this.panels.shown,
+      poses,
+      spins,
+      trails: [...this.robots.trailsAt(place, this.panels.trailSeconds), ...this.sensors.raysAt(place, this.panels.shown.rays)],
+      heat: this.heat.at(place),
+      logos: this.logos.at(place),
+      show: this.shownNow,
       failed,
       background: BACKGROUNDS[this.panels.themeNow],
     };
   }
 
-  draw() {
-    const { place, playing } = this.player;
+  /** What the switches say: the same object for as long as nobody touches them. */
+  get shownNow() {
+    const shown = this.panels.shown;
+    const changed = !this.switches || Object.keys(shown).some((name) => shown[name] !== this.switches[name]);
+    if (changed) this.switches = shown;
+    return this.switches;
+  }
+
+  /** The picture is drawn anew each time; what is written around it ten times a second while the match plays. */
+  draw(now = performance.now()) {
     const frame = this.frame;
     this.view.draw(frame, this.camera);
     this.labels.show(frame, this.view);
+    this.drawn += 1;
+    if (this.player.moves && now - this.written < WRITTEN_EVERY_MS) return;
+    this.written = now;
+    this.write(frame);
+  }
+
+  write(frame) {
+    const { place, playing } = this.player;
     this.board.show(place);
     this.deck.show(place);
     this.events.show(place, playing);
-    if (!this.find("panel-robots").hidden) this.robots.show(place, frame.failed);
+    if (!this.find("panel-robots").hidden) {
+      this.robots.show(place, frame.failed);
+      this.sensors.show(place, playing);
+    }
     this.caption(place);
-    this.drawn += 1;
+    this.afterDraw?.();
   }
 
   /** What the referee said just now, over the picture. */

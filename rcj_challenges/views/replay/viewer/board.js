@@ -23,9 +23,10 @@ class Board {
   show(place) {
     const { recording } = this;
     const { track } = recording.at(place);
+    const clock = recording.clock(place);
+    if (clock !== this.clock) this.clockText.textContent = this.clock = clock;
     const phase = recording.phase(place);
     const scores = recording.scores(place);
-    this.clockText.textContent = recording.clock(place);
     const key = JSON.stringify([track.facts.half, phase, scores]);
     if (key === this.shown) return;
     this.shown = key;

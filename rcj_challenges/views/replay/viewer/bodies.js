@@ -5,19 +5,21 @@ const ATLAS_CELL_PIXELS = 128;
 const DARK = [0.11, 0.13, 0.16];
 
 const Bodies = {
-  /** The numbers of all robots in one picture, black or white, whichever can be read on the robot. */
-  atlas(entities) {
+  /** Numbers (and logos) of all robots in one picture; numbers black or white, whichever can be read on the robot. */
+  atlas(entities, logos = []) {
     const canvas = document.createElement("canvas");
     canvas.width = canvas.height = ATLAS_CELLS * ATLAS_CELL_PIXELS;
     const pen = canvas.getContext("2d");
-    pen.font = `800 ${ATLAS_CELL_PIXELS * 0.8}px system-ui, "Segoe UI", Roboto, "Noto Sans", sans-serif`;
     pen.textAlign = "center";
     pen.textBaseline = "middle";
     entities.slice(0, ATLAS_CELLS * ATLAS_CELLS).forEach((entity, cell) => {
       if (entity.kind !== "robot") return;
       pen.fillStyle = Colours.onTop(Colours.rgb(entity.colour));
-      const x = ((cell % ATLAS_CELLS) + 0.5) * ATLAS_CELL_PIXELS, y = (Math.floor(cell / ATLAS_CELLS) + 0.54) * ATLAS_CELL_PIXELS;
-      pen.fillText(String(entity.number), x, y, ATLAS_CELL_PIXELS * 0.9);
+      const x = ((cell % ATLAS_CELLS) + 0.5) * ATLAS_CELL_PIXELS, top = Math.floor(cell / ATLAS_CELLS) * ATLAS_CELL_PIXELS;
+      const logo = logos[cell];
+      pen.font = `800 ${ATLAS_CELL_PIXELS * (logo ? 0.46 : 0.8)}px system-ui, "Segoe UI", Roboto, "Noto Sans", sans-serif`;
+      pen.fillText(String(entity.number), x, top + ATLAS_CELL_PIXELS * (logo ? 0.22 : 0.54), ATLAS_CELL_PIXELS * 0.9);
+      if (logo) Logos.draw(pen, logo, x, top + ATLAS_CELL_PIXELS * 0.7, ATLAS_CELL_PIXELS * 0.58);
     });
     return canvas;
   },
@@ -67,6 +69,19 @@ const Bodies = {
     const height = entity.height_m;
     if (entity.shape === "cylinder") return new Mesh().cylinder([0, 0, 0], entity.radius_m, height, "z", colour, Colours.mix(colour, [1, 1, 1], 0.25));
     return new Mesh().box([0, 0, 0], [...entity.size_m, height], 0, colour, { top: Colours.mix(colour, [1, 1, 1], 0.25) });
+  },
+
+  /** What casts a shadow: as little as still looks like the body's. */
+  outline(entity) {
+    if (entity.kind === "ball") return new Mesh().sphere(entity.radius_m, [DARK, DARK], 6, 12);
+    if (entity.kind !== "robot") return Bodies.obstacle(entity);
+    const size = entity.size_m;
+    const mesh = new Mesh().box([0, 0, 0], [size, size, size], 0, DARK);
+    for (const side of [-1, 1]) {
+      const centre = [0, (side * entity.wheel_track_m) / 2, entity.wheel_radius_m - size / 2];
+      mesh.cylinder(centre, entity.wheel_radius_m, entity.wheel_width_m, "y", DARK, DARK, 8);
+    }
+    return mesh;
   },
 
   of(entity) {

@@ -96,9 +96,9 @@ class Camera {
     ];
   }
 
-  matrix(pose = this.pose) {
+  matrix(out = new Float32Array(16)) {
     const projection = Maths.perspective(VIEW_ANGLE, this.aspect, NEAR, FAR);
-    return Maths.multiply(projection, Maths.lookAt(this.eye(pose), pose.target, [0, 0, 1]));
+    return Maths.multiply(projection, Maths.lookAt(this.eye(), this.pose.target, [0, 0, 1]), out);
   }
 
   orbit(right, up) {

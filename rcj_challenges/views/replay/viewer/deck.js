@@ -15,7 +15,7 @@ class Deck {
     this.speed = find("speed");
     this.knob = -1;
     this.shown = "";
-    this.seek.max = String(recording.last);
+    this.seek.max = String(recording.span);
     const act = (id, action) => find(id).addEventListener("click", () => { action(); changed(); });
     act("play", () => player.toggle());
     act("rewind", () => player.wind(-1));
@@ -33,12 +33,19 @@ class Deck {
     this.seek.addEventListener("keydown", (event) => { if (event.key.startsWith("Arrow")) event.preventDefault(); });
   }
 
+  /** The match went on: the time line may be longer, and has more marks. */
+  grown() {
+    this.seek.max = String(this.recording.span);
+    this.knob = -1;
+    this.drawMarks();
+  }
+
   /** Time and event under the pointer. */
   tell(event) {
     const box = this.seek.getBoundingClientRect();
     const share = Maths.clamp((event.clientX - box.left) / box.width, 0, 1);
-    const place = Math.round(share * this.recording.last);
-    const reach = (6 / box.width) * this.recording.last;
+    const place = Math.min(this.recording.last, Math.round(share * this.recording.span));
+    const reach = (6 / box.width) * this.recording.span;
     const near = this.recording.events.filter((candidate) => Math.abs(candidate.place - place) <= reach);
     const best = near.find((candidate) => candidate.scored) || near[0];
     this.hover.textContent = best ? `${this.recording.clock(best.place)}  ${best.name}` : this.recording.clock(place);
@@ -57,7 +64,11 @@ class Deck {
     const pen = marks.getContext("2d");
     pen.scale(density, density);
     const styles = getComputedStyle(marks);
-    const at = (place) => 8 + ((width - 16) * place) / Math.max(1, recording.last);
+    const at = (place) => 8 + ((width - 16) * place) / Math.max(1, recording.span);
+    if (recording.last < recording.span) {
+      pen.fillStyle = styles.getPropertyValue("--quiet");
+      pen.fillRect(at(0), height - 2, at(recording.last) - at(0), 2);
+    }
     pen.fillStyle = styles.getPropertyValue("--line");
     for (const half of recording.halves.slice(1)) pen.fillRect(at(half.offset) - 1, 0, 2, height);
     pen.fillStyle = styles.getPropertyValue("--quiet");
@@ -84,14 +95,15 @@ class Deck {
   show(place) {
     const { recording, player } = this;
     const { track, tick } = recording.at(place);
-    this.frame.textContent = `tick ${Math.round(tick)}`;
+    const text = `tick ${Math.round(tick)}`;
+    if (this.frame.textContent !== text) this.frame.textContent = text;
     // While the match plays, the knob moves by less than a pixel a frame: redrawing it each time would be for nothing.
-    const step = player.playing ? recording.last / 2000 : 0;
+    const step = player.playing ? recording.span / 2000 : 0;
     if (Math.abs(place - this.knob) <= step && step > 0) return this.showKeys(player);
     this.knob = place;
     this.seek.value = String(Math.round(place));
     this.seek.setAttribute("aria-valuetext", `half ${track.facts.half}, ${recording.clock(place)}`);
-    this.seek.style.setProperty("--done", `${(100 * place) / Math.max(1, recording.last)}%`);
+    this.seek.style.setProperty("--done", `${(100 * place) / Math.max(1, recording.span)}%`);
     this.showKeys(player);
   }
 

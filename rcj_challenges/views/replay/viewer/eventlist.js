@@ -19,7 +19,23 @@ class EventList {
     this.build();
   }
 
+  /** Events were added while the match is played: rows are appended, counts brought up to date. */
+  grown(added) {
+    this.buildFilters();
+    const chosen = added.filter((event) => this.kind === null || event.name === this.kind);
+    const room = Math.max(0, MOST_ROWS - this.rows.length);
+    for (const event of chosen.slice(0, room)) {
+      const row = this.row(event);
+      const before = this.rows[this.rows.length - 1];
+      if (before ? before.event.half !== event.half : event.half > 1) this.list.append(element("li", "divider", `Half ${event.half}`));
+      this.rows.push(row);
+      this.list.append(row.item);
+    }
+    this.empty.hidden = this.rows.length > 0;
+  }
+
   buildFilters() {
+    this.filters.replaceChildren();
     const counts = new Map();
     for (const event of this.recording.events) counts.set(event.name, (counts.get(event.name) || 0) + 1);
     const scoring = new Set(this.recording.events.filter((event) => event.scored).map((event) => event.name));

@@ -24,6 +24,7 @@ class Flat {
     this.matrix = this.seenFrom(camera.pose);
     pen.setTransform(...this.matrix);
     for (const shape of this.ground) this.shape(shape);
+    for (const shape of frame.heat.shapes) this.shape(shape);
     for (const shape of Ground.marks(this.facts, frame.show)) this.shape(shape);
     for (const trail of frame.trails) {
       for (const points of trail.pieces) this.shape({ points, line: trail.colour, width: trail.width, alpha: 0.75 });
@@ -32,7 +33,7 @@ class Flat {
       this.shape({ points: [wall.from, wall.to], line: wall.colour, width: 0.012, alpha: 1 });
     }
     this.facts.fixed.forEach((thing) => this.thing(thing, { x: thing.centre_m?.[0] ?? 0, y: thing.centre_m?.[1] ?? 0, yaw: thing.yaw_rad || 0 }));
-    this.facts.entities.forEach((entity, index) => this.thing(entity, frame.poses[index], frame.failed.has(index)));
+    this.facts.entities.forEach((entity, index) => this.thing(entity, frame.poses[index], frame.failed.has(index), frame.logos[index]));
   }
 
   /** The 2-D matrix of a camera that looks straight down. */
@@ -58,7 +59,7 @@ class Flat {
     }
   }
 
-  thing(thing, pose, failed = false) {
+  thing(thing, pose, failed = false, logo = undefined) {
     const { pen } = this;
     if (thing.shape === "wall") {
       this.shape({ points: [thing.from_m, thing.to_m], line: Colours.rgb(thing.colour), width: thing.thickness_m, alpha: 1 });
@@ -68,7 +69,7 @@ class Flat {
     pen.translate(pose.x, pose.y);
     pen.rotate(pose.yaw);
     const colour = failed ? [0.45, 0.46, 0.5] : Colours.rgb(thing.colour);
-    if (thing.kind === "robot") this.robot(thing, colour);
+    if (thing.kind === "robot") this.robot(thing, colour, logo);
     else if (thing.radius_m) this.shape({ points: Mesh.circle(0, 0, thing.radius_m, 32), fill: colour, alpha: 1 });
     else {
       const [x, y] = thing.size_m;
@@ -77,7 +78,7 @@ class Flat {
     pen.restore();
   }
 
-  robot(entity, colour) {
+  robot(entity, colour, logo) {
     const { pen } = this;
     const half = entity.size_m / 2, wheel = entity.wheel_radius_m, outer = entity.wheel_track_m / 2 + entity.wheel_width_m / 2;
     this.shape({ points: Ground.rectangle(-wheel, -outer, wheel, outer), fill: DARK, alpha: 1 });
@@ -89,10 +90,11 @@ class Flat {
     const pixels = Math.hypot(a, b) * entity.size_m * 0.55;
     pen.setTransform(1, 0, 0, 1, e, f);
     pen.fillStyle = Colours.onTop(colour);
-    pen.font = `800 ${pixels}px system-ui, "Noto Sans", sans-serif`;
+    pen.font = `800 ${logo ? pixels * 0.7 : pixels}px system-ui, "Noto Sans", sans-serif`;
     pen.textAlign = "center";
     pen.textBaseline = "middle";
-    pen.fillText(String(entity.number), 0, pixels * 0.05);
+    pen.fillText(String(entity.number), 0, logo ? -pixels * 0.42 : pixels * 0.05);
+    if (logo) Logos.draw(pen, logo, 0, pixels * 0.42, pixels * 0.78);
   }
 
   project(x, y) {

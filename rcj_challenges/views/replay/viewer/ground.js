@@ -5,6 +5,7 @@ const STRIPES = 8;
 
 const Ground = {
   WHITE: [0.96, 0.98, 0.97],
+  LINE: [0.84, 0.9, 0.87], // white on grass, a little of which shines through
   LINE_M: 0.008,
 
   /** The floor itself: grass in stripes, lines of the scenario, goals' floors. */
@@ -22,7 +23,7 @@ const Ground = {
       shapes.push({ points: Ground.goalFloor(facts.field, goal), fill: colour, alpha: 1 });
     }
     const line = (points, closed = false) =>
-      shapes.push({ points, line: Ground.WHITE, width: Ground.LINE_M, closed, alpha: 0.85 });
+      shapes.push({ points, line: Ground.LINE, width: Ground.LINE_M, closed, alpha: 1 });
     line(Ground.outline(x - 0.006, y - 0.006, cut), true);
     if (facts.field.goals.length) line([[-x, 0], [x, 0]]);
     for (const zone of facts.zones) {

@@ -1,10 +1,10 @@
-// Names over the picture: robots, and what is shown of the scenario. They are text, placed by the page.
+// Names over the picture of what is shown of the scenario; in 2-D of robots too. They are text, placed by the page.
 
 class Labels {
   constructor(recording, box) {
     this.recording = recording;
     this.box = box;
-    this.key = "";
+    this.shown = null;
     this.placed = [];
     this.width = this.height = 1;
   }
@@ -15,25 +15,27 @@ class Labels {
   }
 
   show(frame, view) {
-    const key = JSON.stringify(frame.show);
-    if (key !== this.key) {
-      this.key = key;
-      this.rebuild(frame.show, this.recording.facts);
+    if (frame.show !== this.shown) {
+      this.shown = frame.show;
+      this.rebuild(frame.show, this.recording.facts, !view.writesNames);
     }
-    for (const { label, at, lift, reach } of this.placed) {
-      const place = view.project(...at(frame.poses));
+    for (const sign of this.placed) {
+      const place = view.project(...sign.at(frame.poses));
       const seen = place && place[0] > 0 && place[0] < 1 && place[1] > 0 && place[1] < 1;
-      label.style.display = seen ? "" : "none";
-      if (!seen) continue;
-      const x = place[0] * this.width, y = (place[1] - place[2] * reach) * this.height;
-      label.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px) translate(-50%, ${lift})`;
+      const x = seen ? place[0] * this.width : 0, y = seen ? (place[1] - place[2] * sign.reach) * this.height : 0;
+      const style = seen ? `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px) translate(-50%, ${sign.lift})` : "";
+      // The page is told of what changed only: most of these stand still.
+      if (style === sign.style) continue;
+      sign.style = style;
+      sign.label.style.display = seen ? "" : "none";
+      sign.label.style.transform = style;
     }
   }
 
   /** A robot's name stands just above its picture, a spot's above the spot, a zone's below its middle. */
-  rebuild(show, facts) {
+  rebuild(show, facts, robots) {
     this.placed = [];
-    if (show.names) {
+    if (show.names && robots) {
       facts.entities.forEach((entity, index) => {
         if (entity.kind !== "robot") return;
         const label = element("bdi", "label", entity.name);

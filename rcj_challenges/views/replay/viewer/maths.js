@@ -22,8 +22,7 @@ const Maths = {
     return [a[0] / length, a[1] / length, a[2] / length];
   },
 
-  multiply(a, b) {
-    const out = new Float32Array(16);
+  multiply(a, b, out = new Float32Array(16)) {
     for (let column = 0; column < 4; column++) {
       for (let row = 0; row < 4; row++) {
         let sum = 0;
@@ -61,26 +60,31 @@ const Maths = {
     ];
   },
 
-  /** A body's pose as a matrix: at (x, y, z), turned by yaw about z, then tilted by `tilt` about its own x axis. */
-  pose(x, y, z, yaw, tilt) {
+  /**
+   * A body's pose as a matrix: at (x, y, z), turned by yaw about z, then tilted by `tilt` about its own x axis. It is
+   * written into `out` from `at` on, as all matrices that change with each picture.
+   */
+  pose(x, y, z, yaw, tilt, out, at) {
     const c = Math.cos(yaw), s = Math.sin(yaw), ct = Math.cos(tilt), st = Math.sin(tilt);
-    return new Float32Array([c, s, 0, 0, -s * ct, c * ct, st, 0, s * st, -c * st, ct, 0, x, y, z, 1]);
+    Maths.column(out, at, c, s, 0, 0);
+    Maths.column(out, at + 4, -s * ct, c * ct, st, 0);
+    Maths.column(out, at + 8, s * st, -c * st, ct, 0);
+    Maths.column(out, at + 12, x, y, z, 1);
   },
 
   /** A pose whose rotation is a unit quaternion. */
-  poseOfQuaternion(x, y, z, q) {
-    const [i, j, k, w] = q;
-    return new Float32Array([
-      1 - 2 * (j * j + k * k), 2 * (i * j + k * w), 2 * (i * k - j * w), 0,
-      2 * (i * j - k * w), 1 - 2 * (i * i + k * k), 2 * (j * k + i * w), 0,
-      2 * (i * k + j * w), 2 * (j * k - i * w), 1 - 2 * (i * i + j * j), 0,
-      x, y, z, 1,
-    ]);
+  poseOfQuaternion(x, y, z, q, out, at) {
+    const i = q[0], j = q[1], k = q[2], w = q[3];
+    Maths.column(out, at, 1 - 2 * (j * j + k * k), 2 * (i * j + k * w), 2 * (i * k - j * w), 0);
+    Maths.column(out, at + 4, 2 * (i * j - k * w), 1 - 2 * (i * i + k * k), 2 * (j * k + i * w), 0);
+    Maths.column(out, at + 8, 2 * (i * k + j * w), 2 * (j * k - i * w), 1 - 2 * (i * i + j * j), 0);
+    Maths.column(out, at + 12, x, y, z, 1);
   },
 
-  /** What flattens everything onto the floor along the light's direction: a shadow. */
-  flatten(light) {
-    const [x, y, z] = light;
-    return new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, -x / z, -y / z, 0, 0, 0, 0, 0, 1]);
+  column(out, at, a, b, c, d) {
+    out[at] = a;
+    out[at + 1] = b;
+    out[at + 2] = c;
+    out[at + 3] = d;
   },
 };

@@ -1,6 +1,8 @@
-// Shapes as triangles. A vertex is position, normal, colour and a place in the atlas of numbers; metres.
+// Shapes as triangles. A vertex is position, normal, colour, a place in the atlas of numbers, and the number of the body
+// that it belongs to; metres.
 
-const FLOATS_PER_VERTEX = 11;
+const VERTEX_PARTS = [3, 3, 3, 2, 1];
+const FLOATS_PER_VERTEX = 12;
 
 class Mesh {
   constructor() {
@@ -11,9 +13,18 @@ class Mesh {
   triangle(points, normals, colour, places = null) {
     points.forEach((point, index) => {
       const place = places ? places[index] : [0, 0];
-      this.numbers.push(...point, ...normals[index], ...colour, ...place);
+      this.numbers.push(...point, ...normals[index], ...colour, ...place, 0);
     });
     this.vertices += 3;
+    return this;
+  }
+
+  /** Take in another mesh, as a part of a body. */
+  join(other, body = 0) {
+    for (let at = 0; at < other.numbers.length; at++) {
+      this.numbers.push(at % FLOATS_PER_VERTEX === FLOATS_PER_VERTEX - 1 ? body : other.numbers[at]);
+    }
+    this.vertices += other.vertices;
     return this;
   }
 
@@ -48,7 +59,7 @@ class Mesh {
   }
 
   /** A cylinder along an axis ("y" or "z") around a centre, with a light spoke so that turning can be seen. */
-  cylinder(centre, radius, length, axis, colour, cap = colour, parts = 20) {
+  cylinder(centre, radius, length, axis, colour, cap = colour, parts = 16) {
     const at = (angle, along) => {
       const a = radius * Math.cos(angle), b = radius * Math.sin(angle);
       const offset = axis === "y" ? [a, along, -b] : [a, b, along];
@@ -71,7 +82,7 @@ class Mesh {
   }
 
   /** A ball whose eight octants change colour, so that rolling can be seen. */
-  sphere(radius, colours, rings = 14, parts = 24) {
+  sphere(radius, colours, rings = 12, parts = 20) {
     const at = (ring, part) => {
       const polar = (Math.PI * ring) / rings, round = (2 * Math.PI * part) / parts;
       return [Math.sin(polar) * Math.cos(round), Math.sin(polar) * Math.sin(round), Math.cos(polar)];

@@ -1,59 +1,94 @@
-// WebGL 2, no more of it than this viewer needs: one program, meshes, a few ways of laying one over another.
+// WebGL 2, no more of it than this viewer needs. On a software GPU each call, each vertex and each instruction of a pixel
+// counts, so: few large meshes, all poses in one block of numbers that is sent once a picture, light computed at corners.
 
-const VERTEX_SHADER = `#version 300 es
+const MOST_BODIES = 128;
+const FAR_OFF = { view: 0, eye: 16, light: 20, screen: 24, lens: 28, models: 32, shades: 32 + 16 * MOST_BODIES };
+const BLOCK_FLOATS = FAR_OFF.shades + 4 * MOST_BODIES;
+
+// Each vertex belongs to a body; body 0 is what stands still. A model is its pose, shades.x how grey it is.
+const VERTEX_HEAD = `#version 300 es
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 colour;
 layout(location = 3) in vec2 place;
-uniform mat4 view;
-uniform mat4 model;
-out vec3 worldNormal;
-out vec3 worldPosition;
-out vec3 paint;
-out vec2 atlas;
-void main() {
-  vec4 world = model * vec4(position, 1.0);
-  worldNormal = mat3(model) * normal;
-  worldPosition = world.xyz;
-  paint = colour;
-  atlas = place;
-  gl_Position = view * world;
-}`;
-
-// Three ways of painting, a program for each: on a software GPU every instruction of a pixel counts.
-const PIXEL_HEAD = `#version 300 es
-precision mediump float;
-in vec3 worldNormal;
-in vec3 worldPosition;
-in vec3 paint;
-in vec2 atlas;
-uniform vec4 tint;       // rgb: mixed in by its share; a: opacity
-uniform float tintShare;
-uniform vec3 light;
-uniform vec3 eye;
-uniform sampler2D letters;
-out vec4 pixel;
+layout(location = 4) in float body;
+layout(std140) uniform Now {
+  mat4 view;
+  vec4 eye;
+  vec4 light;
+  vec4 screen;  // width and height of the picture on the page, then in its own pixels
+  vec4 lens;    // x: how much of half the picture's height a metre takes at a distance of one metre
+  mat4 models[${MOST_BODIES}];
+  vec4 shades[${MOST_BODIES}];
+};
 `;
 
-const PIXEL_SHADERS = {
-  plain: `${PIXEL_HEAD}
+const VERTEX_SHADERS = {
+  plain: `
+out vec3 paint;
 void main() {
-  pixel = vec4(mix(paint, tint.rgb, tintShare) * tint.a, tint.a);
+  paint = colour;
+  gl_Position = view * vec4(position, 1.0);
 }`,
-  lit: `${PIXEL_HEAD}
+  lit: `
+out vec3 paint;
 void main() {
-  vec3 n = normalize(worldNormal);
-  vec3 halfway = normalize(light + normalize(eye - worldPosition));
+  int b = int(body);
+  vec4 world = models[b] * vec4(position, 1.0);
+  vec3 n = normalize(mat3(models[b]) * normal);
+  vec3 halfway = normalize(light.xyz + normalize(eye.xyz - world.xyz));
   float shine = pow(max(dot(n, halfway), 0.0), 40.0) * 0.18;
-  vec3 colour = mix(paint, tint.rgb, tintShare) * (0.52 + 0.1 * n.z + 0.5 * max(dot(n, light), 0.0)) + shine;
-  pixel = vec4(colour * tint.a, tint.a);
+  paint = mix(colour, vec3(0.45, 0.46, 0.5), shades[b].x) * (0.52 + 0.1 * n.z + 0.5 * max(dot(n, light.xyz), 0.0)) + shine;
+  gl_Position = view * world;
 }`,
-  lettered: `${PIXEL_HEAD}
+  // Everything flattened onto the floor along the light.
+  shadow: `
+out vec3 paint;
+void main() {
+  vec4 world = models[int(body)] * vec4(position, 1.0);
+  paint = vec3(0.0, 0.02, 0.05);
+  gl_Position = view * vec4(world.xy - light.xy / light.z * world.z, 0.0, 1.0);
+}`,
+  lettered: `
+out vec2 atlas;
+void main() {
+  atlas = place;
+  gl_Position = view * models[int(body)] * vec4(position, 1.0);
+}`,
+  // Signs stand upright over a body, at a fixed size on the page: position is in its pixels, z how far above in m.
+  sign: `
+out vec2 atlas;
+void main() {
+  atlas = place;
+  vec4 at = view * models[int(body)] * vec4(0.0, 0.0, 0.0, 1.0);
+  at.y += position.z * lens.x;
+  vec2 pixel = floor((at.xy / at.w * 0.5 + 0.5) * screen.zw + 0.5) + floor(position.xy / screen.xy * screen.zw + 0.5);
+  at.xy = (pixel / screen.zw * 2.0 - 1.0) * at.w;
+  gl_Position = at;
+}`,
+};
+
+const PAINTED = `#version 300 es
+precision mediump float;
+in vec3 paint;
+uniform float opacity;
+out vec4 pixel;
+void main() {
+  pixel = vec4(paint * opacity, opacity);
+}`;
+
+const WRITTEN = `#version 300 es
+precision mediump float;
+in vec2 atlas;
+uniform sampler2D letters;
+out vec4 pixel;
 void main() {
   vec4 ink = texture(letters, atlas);
   pixel = vec4(ink.rgb * ink.a, ink.a);
-}`,
-};
+}`;
+
+const PIXEL_SHADERS = { plain: PAINTED, lit: PAINTED, shadow: PAINTED, lettered: WRITTEN, sign: WRITTEN };
+const TEXTURES = { lettered: 0, sign: 1 };
 
 class Painter {
   /** Throws if there is no WebGL 2. */
@@ -63,10 +98,16 @@ class Painter {
     const gl = canvas.getContext("webgl2", { antialias: !this.software, stencil: true, alpha: false, powerPreference: "low-power" });
     if (!gl) throw new Error("no WebGL 2");
     this.gl = gl;
-    this.programs = Object.fromEntries(Object.entries(PIXEL_SHADERS).map(([way, source]) => [way, this.build(source)]));
+    this.block = new Float32Array(BLOCK_FLOATS);
+    this.buffer = gl.createBuffer();
+    gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, this.buffer);
+    gl.bufferData(gl.UNIFORM_BUFFER, this.block.byteLength, gl.DYNAMIC_DRAW);
+    this.programs = Object.fromEntries(Object.keys(VERTEX_SHADERS).map((way) => [way, this.build(way)]));
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    gl.enable(gl.CULL_FACE);
+    gl.stencilFunc(gl.EQUAL, 0, 0xff);
+    gl.stencilOp(gl.KEEP, gl.KEEP, gl.INCR);
     this.changing = this.upload(new Mesh(), gl.DYNAMIC_DRAW);
+    this.textures = [];
   }
 
   /** Whether WebGL is computed by the processor, as far as the browser tells. */
@@ -78,11 +119,10 @@ class Painter {
     return /swiftshader|llvmpipe|software|basic render/i.test(name);
   }
 
-  /** A program, and the places of what it is told. */
-  build(pixels) {
+  build(way) {
     const gl = this.gl;
     const program = gl.createProgram();
-    for (const [kind, source] of [[gl.VERTEX_SHADER, VERTEX_SHADER], [gl.FRAGMENT_SHADER, pixels]]) {
+    for (const [kind, source] of [[gl.VERTEX_SHADER, VERTEX_HEAD + VERTEX_SHADERS[way]], [gl.FRAGMENT_SHADER, PIXEL_SHADERS[way]]]) {
       const shader = gl.createShader(kind);
       gl.shaderSource(shader, source);
       gl.compileShader(shader);
@@ -90,8 +130,10 @@ class Painter {
     }
     gl.linkProgram(program);
     if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program) || "no shader");
-    const names = ["view", "model", "tint", "tintShare", "light", "eye", "letters"];
-    return { program, places: Object.fromEntries(names.map((name) => [name, gl.getUniformLocation(program, name)])) };
+    gl.uniformBlockBinding(program, gl.getUniformBlockIndex(program, "Now"), 0);
+    gl.useProgram(program);
+    if (way in TEXTURES) gl.uniform1i(gl.getUniformLocation(program, "letters"), TEXTURES[way]);
+    return { program, opacity: gl.getUniformLocation(program, "opacity"), was: null };
   }
 
   upload(mesh, usage = this.gl.STATIC_DRAW) {
@@ -101,7 +143,7 @@ class Painter {
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     gl.bufferData(gl.ARRAY_BUFFER, mesh.data(), usage);
     let first = 0;
-    [3, 3, 3, 2].forEach((size, location) => {
+    VERTEX_PARTS.forEach((size, location) => {
       gl.enableVertexAttribArray(location);
       gl.vertexAttribPointer(location, size, gl.FLOAT, false, FLOATS_PER_VERTEX * 4, first * 4);
       first += size;
@@ -109,62 +151,61 @@ class Painter {
     return { array, buffer, vertices: mesh.vertices };
   }
 
+  forget(mesh) {
+    this.gl.deleteVertexArray(mesh.array);
+    this.gl.deleteBuffer(mesh.buffer);
+  }
+
   /** Draw a mesh that is thrown away afterwards. */
-  drawOnce(mesh, model, style) {
+  drawOnce(mesh, opacity) {
     if (!mesh.vertices) return;
     const gl = this.gl;
     gl.bindBuffer(gl.ARRAY_BUFFER, this.changing.buffer);
     gl.bufferData(gl.ARRAY_BUFFER, mesh.data(), gl.DYNAMIC_DRAW);
     this.changing.vertices = mesh.vertices;
-    this.draw(this.changing, model, style);
+    this.draw("plain", this.changing, opacity);
   }
 
-  useLetters(canvas) {
-    const gl = this.gl;
-    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+  /** Use a picture as what is written in one of the ways that write: `lettered` or `sign`. */
+  useLetters(canvas, way = "lettered") {
+    const gl = this.gl, unit = TEXTURES[way];
+    if (this.textures[unit]) gl.deleteTexture(this.textures[unit]);
+    this.textures[unit] = gl.createTexture();
+    gl.activeTexture(gl.TEXTURE0 + unit);
+    gl.bindTexture(gl.TEXTURE_2D, this.textures[unit]);
     gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, canvas);
     gl.generateMipmap(gl.TEXTURE_2D);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, way === "sign" ? gl.LINEAR : gl.LINEAR_MIPMAP_LINEAR);
   }
 
-  begin(background, view, eye, light) {
+  /** Begin a picture: `block` says all that is different from the last. */
+  begin(background) {
     const gl = this.gl;
+    gl.bufferSubData(gl.UNIFORM_BUFFER, 0, this.block);
     gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
-    gl.clearColor(...background, 1);
+    gl.clearColor(background[0], background[1], background[2], 1);
     gl.depthMask(true);
-    gl.stencilMask(0xff);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
-    for (const { program, places } of Object.values(this.programs)) {
-      gl.useProgram(program);
-      gl.uniformMatrix4fv(places.view, false, view);
-      gl.uniform3fv(places.eye, eye);
-      gl.uniform3fv(places.light, light);
-    }
   }
 
   /** What lies on the floor: painted in order, nothing can hide it but what stands. */
   onFloor() {
     this.gl.disable(this.gl.DEPTH_TEST);
-    this.gl.disable(this.gl.STENCIL_TEST);
+    this.gl.disable(this.gl.CULL_FACE);
   }
 
   /** Shadows: each spot of the floor is darkened once, however many things stand in its light. */
-  shadows() {
+  shadows(mesh) {
     const gl = this.gl;
-    gl.disable(gl.DEPTH_TEST);
-    gl.disable(gl.CULL_FACE);
     gl.enable(gl.STENCIL_TEST);
-    gl.stencilFunc(gl.EQUAL, 0, 0xff);
-    gl.stencilOp(gl.KEEP, gl.KEEP, gl.INCR);
+    this.draw("shadow", mesh, 0.34);
+    gl.disable(gl.STENCIL_TEST);
   }
 
   solid() {
-    const gl = this.gl;
-    gl.disable(gl.STENCIL_TEST);
-    gl.enable(gl.CULL_FACE);
-    gl.enable(gl.DEPTH_TEST);
-    gl.depthMask(true);
+    this.gl.enable(this.gl.CULL_FACE);
+    this.gl.enable(this.gl.DEPTH_TEST);
   }
 
   /** What one can see through: drawn last, hides nothing. */
@@ -172,15 +213,16 @@ class Painter {
     this.gl.depthMask(false);
   }
 
-  /** way: plain (its colours as they are), lit, or lettered (from the atlas of numbers). */
-  draw(mesh, model, { way = "lit", tint = [0, 0, 0], share = 0, opacity = 1 } = {}) {
-    const gl = this.gl;
-    const { program, places } = this.programs[way];
-    gl.useProgram(program);
-    gl.uniformMatrix4fv(places.model, false, model);
-    gl.uniform4f(places.tint, tint[0], tint[1], tint[2], opacity);
-    gl.uniform1f(places.tintShare, share);
-    if (opacity < 1 || way === "lettered") gl.enable(gl.BLEND);
+  /** way: plain (its colours as they are), lit, shadow, lettered (numbers and logos) or sign (names). */
+  draw(way, mesh, opacity = 1) {
+    if (!mesh.vertices) return;
+    const gl = this.gl, program = this.programs[way];
+    gl.useProgram(program.program);
+    if (program.opacity && program.was !== opacity) {
+      program.was = opacity;
+      gl.uniform1f(program.opacity, opacity);
+    }
+    if (opacity < 1 || way in TEXTURES) gl.enable(gl.BLEND);
     else gl.disable(gl.BLEND);
     gl.bindVertexArray(mesh.array);
     gl.drawArrays(gl.TRIANGLES, 0, mesh.vertices);

@@ -19,6 +19,11 @@ class Player {
     return (this.direction * this.speed * this.winding) / this.recording.tickSeconds;
   }
 
+  /** Whether the next picture differs from this one. */
+  get moves() {
+    return this.playing;
+  }
+
   seek(place) {
     this.place = Maths.clamp(place, 0, this.recording.last);
     this.jumped = true;

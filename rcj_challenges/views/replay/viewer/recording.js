@@ -1,6 +1,6 @@
 // What was recorded, and where everything was at any moment. A moment is a *place*: a number of ticks counted over all
 // halves, with a fraction between ticks. Half i covers the places from its `offset` to `offset + ticks`.
-// This is all that the rest of the viewer knows of a match: a live page would fill the same objects from a socket.
+// This is all that the rest of the viewer knows of a match; while it is played, live.js lets the same objects grow.
 
 class HalfTrack {
   /**
@@ -14,27 +14,28 @@ class HalfTrack {
     this.channels = channels;
     this.units = units;
     this.jumps = entities.map((_, index) => new Set(facts.jumps[index] || []));
-    this.spins = entities.map((entity, index) => (entity.kind === "ball" ? this.rolled(index, entity.radius_m) : null));
+    this.radii = entities.map((entity) => (entity.kind === "ball" ? entity.radius_m : 0));
+    this.spins = entities.map(() => null);
+    this.roll(0);
   }
 
-  /** The pose at a tick, with a fraction: positions in m, angles in rad. Nothing glides where it was put elsewhere. */
-  pose(entity, tick) {
+  /**
+   * The pose at a tick, with a fraction: positions in m, angles in rad. Nothing glides where it was put elsewhere.
+   * `out` is what it is written into: who draws sixty times a second brings the same one each time.
+   */
+  pose(entity, tick, out = { x: 0, y: 0, z: 0, yaw: 0, tilt: 0 }) {
+    const { channels, units } = this;
     const from = Math.floor(tick);
     const share = from >= this.ticks ? 0 : tick - from;
     const to = share === 0 || this.jumps[entity].has(from) ? from : from + 1;
-    const at = (channel) => {
-      const numbers = this.channels[channel][entity];
-      return Maths.mix(numbers[from], numbers[to], share) * this.units[channel];
-    };
-    const yaws = this.channels.yaw[entity];
-    const turn = Maths.wrap((yaws[to] - yaws[from]) * this.units.yaw);
-    return {
-      x: at("x"),
-      y: at("y"),
-      z: at("z"),
-      yaw: Maths.wrap(yaws[from] * this.units.yaw + turn * share),
-      tilt: at("tilt"),
-    };
+    const x = channels.x[entity], y = channels.y[entity], z = channels.z[entity];
+    const yaws = channels.yaw[entity], tilts = channels.tilt[entity];
+    out.x = (x[from] + (x[to] - x[from]) * share) * units.x;
+    out.y = (y[from] + (y[to] - y[from]) * share) * units.y;
+    out.z = (z[from] + (z[to] - z[from]) * share) * units.z;
+    out.yaw = Maths.wrap(yaws[from] * units.yaw + Maths.wrap((yaws[to] - yaws[from]) * units.yaw) * share);
+    out.tilt = (tilts[from] + (tilts[to] - tilts[from]) * share) * units.tilt;
+    return out;
   }
 
   /** Metres per second over the ticks around this one. */
@@ -48,18 +49,31 @@ class HalfTrack {
   }
 
   /** How the ball lies at a tick: it is not recorded, so it is what rolling without slipping makes of its path. */
-  spin(entity, tick) {
+  spin(entity, tick, out = [0, 0, 0, 1]) {
     const all = this.spins[entity];
     const first = 4 * Math.round(tick);
-    return [all[first], all[first + 1], all[first + 2], all[first + 3]];
+    for (let part = 0; part < 4; part++) out[part] = all[first + part];
+    return out;
   }
 
-  rolled(entity, radius) {
-    const x = this.channels.x[entity], y = this.channels.y[entity];
-    const spins = new Float32Array(4 * (this.ticks + 1));
-    let q = [0, 0, 0, 1];
-    spins.set(q, 0);
-    for (let tick = 1; tick <= this.ticks; tick++) {
+  /** Work out how balls lie after tick `after`, up to the last there is. */
+  roll(after) {
+    this.radii.forEach((radius, entity) => {
+      if (!radius) return;
+      const room = 4 * this.channels.x[entity].length;
+      if (!this.spins[entity] || this.spins[entity].length < room) {
+        const spins = new Float32Array(room);
+        spins.set(this.spins[entity] || [0, 0, 0, 1]);
+        this.spins[entity] = spins;
+      }
+      this.rolled(entity, radius, after);
+    });
+  }
+
+  rolled(entity, radius, after) {
+    const x = this.channels.x[entity], y = this.channels.y[entity], spins = this.spins[entity];
+    let q = [...spins.subarray(4 * after, 4 * after + 4)];
+    for (let tick = after + 1; tick <= this.ticks; tick++) {
       const dx = (x[tick] - x[tick - 1]) * this.units.x, dy = (y[tick] - y[tick - 1]) * this.units.y;
       const length = Math.hypot(dx, dy);
       if (length > 0 && !this.jumps[entity].has(tick - 1)) {
@@ -72,7 +86,6 @@ class HalfTrack {
       }
       spins.set(q, 4 * tick);
     }
-    return spins;
   }
 }
 
@@ -82,13 +95,23 @@ class Recording {
     this.entities = facts.entities;
     this.halves = halves;
     this.tickSeconds = facts.tick_s;
+    this.measure();
+    this.events = this.placed(facts.events);
+  }
+
+  /** Count the places: how far the match is recorded, and how long the time line is. */
+  measure() {
     let offset = 0;
-    for (const half of halves) {
+    for (const half of this.halves) {
       half.offset = offset;
       offset += half.ticks + 1;
     }
     this.last = Math.max(0, offset - 1);
-    this.events = facts.events
+    this.span = this.last;
+  }
+
+  placed(events) {
+    return events
       .map((event) => ({ ...event, place: this.placeOf(event.half, event.tick) }))
       .filter((event) => event.place !== null);
   }
@@ -101,9 +124,15 @@ class Recording {
 
   /** {track, tick} of a place: which half, and which tick of it. */
   at(place) {
-    let track = this.halves[0];
-    for (const candidate of this.halves) if (candidate.offset <= place) track = candidate;
+    const track = this.trackAt(place);
     return { track, tick: Maths.clamp(place - track.offset, 0, track.ticks) };
+  }
+
+  trackAt(place) {
+    const { halves } = this;
+    let index = halves.length - 1;
+    while (index > 0 && halves[index].offset > place) index -= 1;
+    return halves[index];
   }
 
   pose(entity, place) {

@@ -1,29 +1,55 @@
-// The field in 3-D.
+// The field in 3-D: about seven calls for a picture, whatever moves.
 
 const LIGHT = Maths.unit([-0.35, 0.25, 0.9]);
-const IDENTITY = new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
-const SHADOW = Maths.flatten(LIGHT);
+const GLASS = 0.34;
+const TRAIL_OPACITY = 0.75;
 
 class Scene {
   /** Throws if the browser has no WebGL 2. */
   constructor(canvas, facts) {
     this.canvas = canvas;
     this.facts = facts;
-    this.painter = new Painter(canvas);
+    const { entities } = facts;
+    if (entities.length >= MOST_BODIES) throw new Error(`more than ${MOST_BODIES - 1} things that move`);
+    const painter = this.painter = new Painter(canvas);
     this.name = "3-D";
-    this.finest = this.painter.software ? 1 : 2;
-    this.painter.useLetters(Bodies.atlas(facts.entities));
-    this.bodies = facts.entities.map((entity) => this.painter.upload(Bodies.of(entity)));
-    this.numbers = facts.entities.map((entity, cell) =>
-      entity.kind === "robot" ? this.painter.upload(Bodies.number(entity, cell)) : null);
+    this.writesNames = true;
+    this.finest = painter.software ? 1 : 2;
+    painter.useLetters(Bodies.atlas(entities));
     const { panes, rims } = Bodies.wallMeshes(facts.field);
-    this.panes = this.painter.upload(panes);
-    this.rims = this.painter.upload(rims);
-    this.fixed = this.painter.upload(Bodies.fixed(facts));
+    const standing = new Mesh().join(Bodies.fixed(facts)).join(rims);
+    const shades = new Mesh().join(Bodies.fixed(facts));
+    const numbers = new Mesh();
+    entities.forEach((entity, index) => {
+      standing.join(Bodies.of(entity), index + 1);
+      shades.join(Bodies.outline(entity), index + 1);
+      if (entity.kind === "robot") numbers.join(Bodies.number(entity, index), index + 1);
+    });
+    this.bodies = painter.upload(standing);
+    this.shades = painter.upload(shades);
+    this.numbers = painter.upload(numbers);
+    this.panes = painter.upload(panes);
     this.ground = this.layers(Ground.field(facts));
+    this.signs = this.nameSigns(entities);
     this.marks = [];
     this.markKey = "";
-    this.view = IDENTITY;
+    this.shown = null;
+    this.view = new Float32Array(16);
+    this.begin();
+  }
+
+  /** What is the same in every picture. */
+  begin() {
+    const { block } = this.painter;
+    block.set([...LIGHT, 0], FAR_OFF.light);
+    block.set([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], FAR_OFF.models);
+    block[FAR_OFF.lens] = 1 / Math.tan(VIEW_ANGLE / 2);
+  }
+
+  nameSigns(entities) {
+    const { canvas, mesh } = Signs.of(entities);
+    if (mesh.vertices) this.painter.useLetters(canvas, "sign");
+    return this.painter.upload(mesh);
   }
 
   /** Shapes of equal opacity that follow each other are one mesh. */
@@ -39,57 +65,63 @@ class Scene {
   }
 
   resize(width, height, density) {
-    this.canvas.width = Math.max(1, Math.round(width * density));
-    this.canvas.height = Math.max(1, Math.round(height * density));
+    const across = Math.max(1, Math.round(width * density)), down = Math.max(1, Math.round(height * density));
+    if (this.canvas.width !== across) this.canvas.width = across;
+    if (this.canvas.height !== down) this.canvas.height = down;
+    this.painter.block.set([width, height, across, down], FAR_OFF.screen);
   }
 
-  /** frame: {poses, spins, trails, show, background, ghost}; camera: where from. */
+  /** frame: {poses, spins, trails, heat, logos, show, failed, background}; camera: where from. */
   draw(frame, camera) {
-    const painter = this.painter;
-    this.view = camera.matrix();
-    painter.begin(frame.background, this.view, camera.eye(), LIGHT);
-    const models = this.facts.entities.map((entity, index) => this.model(entity, frame.poses[index], frame.spins[index]));
-    this.drawFloor(frame, models);
+    const { painter } = this;
+    if (frame.logos !== this.logos) {
+      this.logos = frame.logos;
+      painter.useLetters(Bodies.atlas(this.facts.entities, this.logos));
+    }
+    this.pose(frame, camera);
+    painter.begin(frame.background);
+    this.drawFloor(frame);
     painter.solid();
-    models.forEach((model, index) => painter.draw(this.bodies[index], model, this.style(frame, index)));
-    painter.draw(this.fixed, IDENTITY);
-    painter.draw(this.rims, IDENTITY);
+    painter.draw("lit", this.bodies);
     painter.glass();
-    models.forEach((model, index) => {
-      if (this.numbers[index]) painter.draw(this.numbers[index], model, { way: "lettered" });
-    });
-    painter.draw(this.panes, IDENTITY, { opacity: 0.34 });
+    painter.draw("lettered", this.numbers);
+    painter.draw("lit", this.panes, GLASS);
+    if (!frame.show.names) return;
+    painter.onFloor();
+    painter.draw("sign", this.signs);
   }
 
-  drawFloor(frame, models) {
-    const painter = this.painter;
-    painter.onFloor();
-    for (const { alpha, mesh } of this.ground) painter.draw(mesh, IDENTITY, { way: "plain", opacity: alpha });
-    const key = JSON.stringify([frame.show.zones, frame.show.gates, frame.show.spots]);
-    if (key !== this.markKey) {
-      this.markKey = key;
-      this.marks = this.layers(Ground.marks(this.facts, frame.show));
+  /** Where everything is: written straight into the block of numbers that is sent. */
+  pose(frame, camera) {
+    const { block } = this.painter;
+    camera.matrix(this.view);
+    block.set(this.view, FAR_OFF.view);
+    block.set(camera.eye(), FAR_OFF.eye);
+    for (let index = 0; index < frame.poses.length; index++) {
+      const at = FAR_OFF.models + 16 * (index + 1), pose = frame.poses[index], spin = frame.spins[index];
+      if (spin) Maths.poseOfQuaternion(pose.x, pose.y, pose.z, spin, block, at);
+      else Maths.pose(pose.x, pose.y, pose.z, pose.yaw, pose.tilt, block, at);
+      block[FAR_OFF.shades + 4 * (index + 1)] = frame.failed.has(index) ? 0.7 : 0;
     }
-    for (const { alpha, mesh } of this.marks) painter.draw(mesh, IDENTITY, { way: "plain", opacity: alpha });
+  }
+
+  drawFloor(frame) {
+    const { painter } = this;
+    painter.onFloor();
+    for (const { alpha, mesh } of this.ground) painter.draw("plain", mesh, alpha);
+    if (frame.show !== this.shown || frame.heat.key !== this.heatKey) {
+      this.shown = frame.show;
+      this.heatKey = frame.heat.key;
+      for (const { mesh } of this.marks) painter.forget(mesh);
+      this.marks = this.layers([...frame.heat.shapes, ...Ground.marks(this.facts, frame.show)]);
+    }
+    for (const { alpha, mesh } of this.marks) painter.draw("plain", mesh, alpha);
     for (const trail of frame.trails) {
       const mesh = new Mesh();
       for (const piece of trail.pieces) mesh.line(piece, trail.width, trail.colour);
-      painter.drawOnce(mesh, IDENTITY, { way: "plain", opacity: 0.75 });
+      painter.drawOnce(mesh, TRAIL_OPACITY);
     }
-    if (!frame.show.shadows) return;
-    painter.shadows();
-    const dark = { tint: [0, 0.02, 0.05], share: 1, way: "plain", opacity: 0.34 };
-    models.forEach((model, index) => painter.draw(this.bodies[index], Maths.multiply(SHADOW, model), dark));
-    painter.draw(this.fixed, SHADOW, dark);
-  }
-
-  model(entity, pose, spin) {
-    if (spin) return Maths.poseOfQuaternion(pose.x, pose.y, pose.z, spin);
-    return Maths.pose(pose.x, pose.y, pose.z, pose.yaw, pose.tilt);
-  }
-
-  style(frame, index) {
-    return frame.failed.has(index) ? { tint: [0.45, 0.46, 0.5], share: 0.7 } : {};
+    if (frame.show.shadows) painter.shadows(this.shades);
   }
 
   /**

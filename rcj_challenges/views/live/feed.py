@@ -1,0 +1,89 @@
+"""The feed: everything that spectators are told, once, in one growing row of bytes.
+
+A spectator reads from any place of it, at its own speed: what is written is never changed, so all read the same bytes
+and nothing is kept for any of them. Messages are framed as ``kind`` (uint8), ``length`` (uint32), then so many bytes,
+little-endian; a message is appended whole.
+
+| kind | content |
+|---|---|
+| 0 | empty: somebody is still there. It is sent in between and is no part of the row |
+| 1 | one JSON object; its key ``say`` names it: ``half``, ``news``, ``pace``, ``over`` |
+| 2 | poses: half (uint16), tick of the first row (uint32), then rows of int16 ``[channel][entity]`` |
+"""
+
+from __future__ import annotations
+
+import json
+import struct
+import threading
+from bisect import bisect_right
+from typing import Any
+
+STILL_HERE = struct.pack("<BI", 0, 0)
+
+_SAID, _POSES = 1, 2
+_MOST_AT_ONCE = 1 << 16
+
+
+def said(message: dict[str, Any]) -> bytes:
+    """Return a JSON message, framed."""
+    body = json.dumps(message, ensure_ascii=True, allow_nan=False, separators=(",", ":")).encode("ascii")
+    return struct.pack("<BI", _SAID, len(body)) + body
+
+
+def poses(half: int, first_tick: int, rows: bytes) -> bytes:
+    """Return poses of ticks that follow each other, framed; ``rows`` is int16 ``[tick][channel][entity]``."""
+    return struct.pack("<BIHI", _POSES, 6 + len(rows), half, first_tick) + rows
+
+
+class Feed:
+    """A row of bytes that only grows; one writes, any number read, each from a thread of its own."""
+
+    def __init__(self) -> None:
+        self._chunks: list[bytes] = []
+        self._ends: list[int] = []
+        self._news = threading.Condition()
+        self._closed = False
+
+    @property
+    def size_bytes(self) -> int:
+        """How much there is."""
+        with self._news:
+            return self._size()
+
+    def append(self, chunk: bytes) -> None:
+        """Add whole messages and wake everybody who waits for them."""
+        if chunk:
+            with self._news:
+                self._chunks.append(chunk)
+                self._ends.append(self._size() + len(chunk))
+                self._news.notify_all()
+
+    def close(self) -> None:
+        """Nothing more comes: whoever waits or has read everything is told so."""
+        with self._news:
+            self._closed = True
+            self._news.notify_all()
+
+    def read(self, start: int, wait_s: float) -> bytes | None:
+        """Return what stands from a place on, at most 64 KB or one chunk; waits for it if there is nothing yet.
+
+        Returns:
+            The bytes, empty if nothing came within ``wait_s``, None if nothing will ever come.
+        """
+        with self._news:
+            if start >= self._size() and not self._closed:
+                self._news.wait(wait_s)
+            size = self._size()
+            if start >= size:
+                return None if self._closed else b""
+            first = bisect_right(self._ends, start)
+            last = first + 1
+            while last < len(self._ends) and self._ends[last] - start <= _MOST_AT_ONCE:
+                last += 1
+            chunks = self._chunks[first:last]
+            begin = self._ends[first] - len(self._chunks[first])
+        return b"".join(chunks)[start - begin :]
+
+    def _size(self) -> int:
+        return self._ends[-1] if self._ends else 0

@@ -1,0 +1,128 @@
+"""How fast the match runs for its spectators: a speed, a pause, single steps. It delays the loop and nothing else."""
+
+from __future__ import annotations
+
+import math
+import threading
+import time
+from collections.abc import Callable
+from typing import Any
+
+from rcj_challenges.facts.timing import TICK_S
+
+MAX_SPEED = math.inf
+"""As fast as the machine can."""
+
+MOST_STEPS = 1_000
+SLOWEST, FASTEST = 0.01, 1_000.0
+
+_SLICE_S = 0.5
+"""Waits are cut into slices: on some systems a wait without an end cannot be interrupted from the keyboard."""
+_FORGIVEN_S = 0.2
+"""A match that is later than this does not race to catch up: its pace counts from now on."""
+
+
+class Pace:
+    """Whether the next tick may begin. The match asks; whoever steers it answers, from another thread.
+
+    Args:
+        speed: simulated over wall time; `MAX_SPEED` does not wait.
+        changed: called with `state` after each change, by the thread that made it.
+        clock: seconds that only grow; another one in tests.
+    """
+
+    def __init__(
+        self,
+        speed: float = 1.0,
+        changed: Callable[[dict[str, Any]], None] | None = None,
+        clock: Callable[[], float] = time.perf_counter,
+    ) -> None:
+        self._speed = speed
+        self._paused = False
+        self._steps = 0
+        self._over = False
+        self._free = speed == MAX_SPEED
+        self._changed = changed or (lambda _state: None)
+        self._clock = clock
+        self._turn = threading.Condition()
+        self._anchor_s = clock()
+        self._anchor_tick = -1
+        self._last_tick = 0
+
+    @property
+    def state(self) -> dict[str, Any]:
+        """What spectators are told: ``paused``, and ``speed`` (None: as fast as it can)."""
+        return {"paused": self._paused, "speed": None if self._speed == MAX_SPEED else self._speed}
+
+    def before_tick(self, tick: int) -> None:
+        """Return when this tick may begin. Costs nothing while the match runs as fast as it can."""
+        if self._free:
+            return
+        with self._turn:
+            while (wait_s := self._wait_s(tick)) > 0:
+                self._turn.wait(min(wait_s, _SLICE_S))
+
+    def pause(self) -> None:
+        """Begin no more ticks."""
+        self._set(paused=True)
+
+    def resume(self) -> None:
+        """Go on at the speed that is set."""
+        self._set(paused=False)
+
+    def step(self, ticks: int = 1) -> None:
+        """Pause, and play so many ticks (at most `MOST_STEPS`)."""
+        with self._turn:
+            self._steps = min(MOST_STEPS, self._steps + ticks)
+        self._set(paused=True, keep_steps=True)
+
+    def set_speed(self, speed: float) -> None:
+        """Play at another speed: from `SLOWEST` to `FASTEST`, or `MAX_SPEED`.
+
+        Raises:
+            ValueError: it is none of these.
+        """
+        if not (SLOWEST <= speed <= FASTEST or speed == MAX_SPEED):
+            raise ValueError(f"a speed is from {SLOWEST:g} to {FASTEST:g}, or max")
+        self._set(speed=speed)
+
+    def release(self) -> None:
+        """Let the match go on without anybody's leave, for good."""
+        with self._turn:
+            self._over = True
+            self._free = True
+            self._turn.notify_all()
+
+    def _set(self, *, paused: bool | None = None, speed: float | None = None, keep_steps: bool = False) -> None:
+        with self._turn:
+            before = self.state
+            self._paused = self._paused if paused is None else paused
+            self._speed = self._speed if speed is None else speed
+            if not keep_steps:
+                self._steps = 0
+            self._free = self._over or (self._speed == MAX_SPEED and not self._paused)
+            self._anchor_tick = -1
+            self._turn.notify_all()
+            now = self.state
+        if now != before:
+            self._changed(now)
+
+    def _wait_s(self, tick: int) -> float:
+        """Return how long this tick has to wait at least; 0 lets it begin."""
+        if self._over:
+            return 0.0
+        if self._paused:
+            if self._steps:
+                self._steps -= 1
+                return 0.0
+            return math.inf
+        if self._speed == MAX_SPEED:
+            return 0.0
+        now_s = self._clock()
+        due_s = self._anchor_s + (tick - self._anchor_tick) * TICK_S / self._speed
+        again, self._last_tick = tick < self._last_tick, tick
+        if self._anchor_tick < 0 or again or now_s - due_s > _FORGIVEN_S:
+            # A change, a new half, or a match that cannot keep up: count from here.
+            self._anchor_s, self._anchor_tick = now_s, tick
+            return 0.0
+        return due_s - now_s

@@ -1,0 +1,280 @@
+"""The server: standard library, loopback only, a thread for each connection, nothing kept for any of them.
+
+What it answers (`docs/live.md`): ``GET /`` the page, ``GET /feed?match=ID&from=N`` the feed from a byte on for as long
+as it grows, ``GET /replay.html`` the finished page, ``POST /steer`` with the token: pause, resume, step, speed.
+"""
+
+from __future__ import annotations
+
+import hmac
+import json
+import socketserver
+import sys
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any, ClassVar
+from urllib.parse import parse_qs, urlsplit
+
+from rcj_challenges.views.live.feed import STILL_HERE, Feed
+from rcj_challenges.views.live.pace import MAX_SPEED, MOST_STEPS, Pace
+
+HOST = "127.0.0.1"
+MOST_CONNECTIONS = 64
+"""Whoever comes beyond these is told to try again later."""
+
+_TIMEOUT_S = 20.0
+"""A spectator that takes nothing, or asks nothing, for so long is let go; the page comes back by itself."""
+_STILL_HERE_S = 5.0
+_LONGEST_ORDER = 1_024
+
+_HEADERS = {
+    "Cache-Control": "no-store",
+    "Content-Security-Policy": "frame-ancestors 'none'",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "Referrer-Policy": "no-referrer",
+    "X-Content-Type-Options": "nosniff",
+    "X-Frame-Options": "DENY",
+}
+_HTML = "text/html; charset=utf-8"
+_JSON = "application/json"
+_TEXT = "text/plain; charset=utf-8"
+
+
+@dataclass
+class Stage:
+    """What the server has to show.
+
+    Attributes:
+        page: the viewer, UTF-8.
+        match: name of this match, so that a page of another one is not fed with it.
+        feed: what happened so far.
+        pace: what may be steered.
+        token: who knows it may steer.
+        replay: the finished page, once there is one.
+    """
+
+    page: bytes
+    match: str
+    feed: Feed
+    pace: Pace
+    token: str
+    replay: Path | None = field(default=None)
+
+
+class SpectatorServer(ThreadingHTTPServer):
+    """Listens on loopback; `serve_forever` runs in a thread of its own.
+
+    Connections are threads that end with the process and are not waited for: a spectator never holds up the end.
+    """
+
+    daemon_threads = True
+    block_on_close = False
+    # Elsewhere it lets a port be used again at once; on Windows it would let two programs share one.
+    allow_reuse_address = sys.platform != "win32"
+    request_queue_size = 32
+
+    def __init__(self, port: int, stage: Stage) -> None:
+        """Listen.
+
+        Args:
+            port: 0 takes a free one.
+            stage: what to show.
+
+        Raises:
+            OSError: the port is taken or not allowed.
+        """
+        self.stage = stage
+        self._free = threading.BoundedSemaphore(MOST_CONNECTIONS)
+        super().__init__((HOST, port), _Handler)
+        self.port: int = self.server_address[1]
+        self.hosts = frozenset(
+            name for host in (HOST, "localhost") for name in (f"{host}:{self.port}", *((host,) * (self.port == 80)))
+        )
+        self.origins = frozenset(f"http://{host}" for host in self.hosts)
+
+    def server_bind(self) -> None:
+        """Bind without asking the name service who we are, which may take seconds."""
+        socketserver.TCPServer.server_bind(self)
+        self.server_name, self.server_port = HOST, self.server_address[1]
+
+    def process_request(self, request: Any, client_address: Any) -> None:
+        """Give the connection a thread, if there is one left."""
+        if not self._free.acquire(blocking=False):
+            try:
+                request.settimeout(1.0)
+                request.sendall(b"HTTP/1.1 503 Service Unavailable\r\nConnection: close\r\nContent-Length: 0\r\n\r\n")
+            except OSError:
+                pass
+            self.shutdown_request(request)
+            return
+        super().process_request(request, client_address)
+
+    def process_request_thread(self, request: Any, client_address: Any) -> None:
+        """Serve one connection, and give its place back."""
+        try:
+            super().process_request_thread(request, client_address)
+        finally:
+            self._free.release()
+
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """Say nothing of spectators that are gone."""
+        if not isinstance(sys.exception(), OSError):
+            super().handle_error(request, client_address)
+
+
+class _Handler(BaseHTTPRequestHandler):
+    protocol_version = "HTTP/1.1"
+    server_version = "rcj-challenges"
+    sys_version = ""
+    timeout = _TIMEOUT_S
+    server: SpectatorServer
+
+    _PATHS: ClassVar[dict[str, frozenset[str]]] = {
+        "/": frozenset({"GET", "HEAD"}),
+        "/feed": frozenset({"GET"}),
+        "/replay.html": frozenset({"GET", "HEAD"}),
+        "/steer": frozenset({"POST"}),
+    }
+
+    def do_GET(self) -> None:
+        """Show the page, the feed or the replay."""
+        path = self._path()
+        if path == "/":
+            self._answer(200, self.server.stage.page, _HTML)
+        elif path == "/feed":
+            self._feed()
+        elif path == "/replay.html":
+            self._replay()
+
+    do_HEAD = do_GET  # noqa: N815 - the name that http.server looks for
+
+    def do_POST(self) -> None:
+        """Steer the match."""
+        if self._path() == "/steer":
+            self._steer()
+
+    def do_OPTIONS(self) -> None:
+        """Refuse: nobody from elsewhere is given leave to ask."""
+        self._refuse(403, "not from here")
+
+    do_PUT = do_DELETE = do_PATCH = do_POST  # noqa: N815 - the names that http.server looks for
+
+    # --- who may ask ------------------------------------------------------------------------------------------------
+
+    def _path(self) -> str | None:
+        """Return the path, if it exists and may be asked for in this way; else answer and return None."""
+        server = self.server
+        origin, site = self.headers.get("Origin"), self.headers.get("Sec-Fetch-Site", "none")
+        path = urlsplit(self.path).path
+        if self.headers.get("Host", "").lower() not in server.hosts or len(self.headers.get_all("Host", [])) != 1:
+            # A name that merely resolves to this machine would let another site's script read and steer.
+            self._refuse(403, f"ask for http://{HOST}:{server.port}/")
+        elif (origin is not None and origin.lower() not in server.origins) or (
+            site not in ("none", "same-origin") and path != "/"
+        ):
+            self._refuse(403, "not from another page")
+        elif path not in self._PATHS:
+            self._refuse(404, "there is nothing of that name")
+        elif self.command not in self._PATHS[path]:
+            self._refuse(405, "not in this way", {"Allow": ", ".join(sorted(self._PATHS[path]))})
+        else:
+            return path
+        return None
+
+    def _may_steer(self) -> bool:
+        given = self.headers.get("Authorization", "").encode("utf-8", "replace")
+        return hmac.compare_digest(given, f"Bearer {self.server.stage.token}".encode())
+
+    # --- answers ----------------------------------------------------------------------------------------------------
+
+    def _feed(self) -> None:
+        """Send the feed from a place on, for as long as it grows."""
+        stage = self.server.stage
+        asked = parse_qs(urlsplit(self.path).query)
+        start = asked.get("from", ["0"])[0]
+        if not (start.isascii() and start.isdigit() and len(start) <= 12):
+            return self._refuse(400, "from: a number of bytes")
+        if asked.get("match", [""])[0] != stage.match:
+            return self._refuse(409, "another match is played here now")
+        self._head(200, {"Content-Type": "application/octet-stream", "Transfer-Encoding": "chunked"})
+        at = min(int(start), stage.feed.size_bytes)
+        while (chunk := stage.feed.read(at, _STILL_HERE_S)) is not None:
+            self._send_chunk(chunk or STILL_HERE)
+            at += len(chunk)
+        self.wfile.write(b"0\r\n\r\n")
+        return None
+
+    def _send_chunk(self, chunk: bytes) -> None:
+        self.wfile.write(b"%x\r\n%b\r\n" % (len(chunk), chunk))
+
+    def _replay(self) -> None:
+        replay = self.server.stage.replay
+        try:
+            page = None if replay is None else replay.read_bytes()
+        except OSError:
+            page = None
+        if page is None:
+            self._refuse(404, "the match is not over yet, or its replay was not written")
+        else:
+            self._answer(200, page, _HTML)
+
+    def _steer(self) -> None:
+        if not self._may_steer():
+            return self._refuse(403, "only who started the match may steer it: use the address with the token")
+        length = self.headers.get("Content-Length", "")
+        if not (length.isascii() and length.isdigit()) or int(length) > _LONGEST_ORDER:
+            return self._refuse(413, f"an order of at most {_LONGEST_ORDER} bytes")
+        try:
+            carry_out(self.server.stage.pace, json.loads(self.rfile.read(int(length))))
+        except (ValueError, TypeError, RecursionError) as error:
+            return self._refuse(400, str(error), keep=True)
+        return self._answer(200, json.dumps(self.server.stage.pace.state).encode(), _JSON)
+
+    def _refuse(self, status: int, why: str, more: dict[str, str] | None = None, *, keep: bool = False) -> None:
+        """Say no. What is left of the request is not read, so the connection ends, unless all of it was."""
+        if not keep:
+            self.close_connection = True
+            more = {"Connection": "close", **(more or {})}
+        self._answer(status, f"{why}\n".encode(), _TEXT, more)
+
+    def _answer(self, status: int, body: bytes, kind: str, more: dict[str, str] | None = None) -> None:
+        self._head(status, {"Content-Type": kind, "Content-Length": str(len(body)), **(more or {})})
+        if self.command != "HEAD":
+            self.wfile.write(body)
+
+    def _head(self, status: int, more: dict[str, str]) -> None:
+        self.send_response(status)
+        for name, value in (_HEADERS | more).items():
+            self.send_header(name, value)
+        self.end_headers()
+
+    def log_message(self, format: str, *arguments: Any) -> None:  # noqa: A002 - the name that http.server gives it
+        """Say nothing: the terminal belongs to the match, and addresses are nobody's business."""
+
+
+def carry_out(pace: Pace, order: Any) -> None:
+    """Carry out an order: ``{"do": "pause"}``, ``resume``, ``step`` (with ``ticks``), ``speed`` (a number or null).
+
+    Raises:
+        ValueError: it is no order; the message says what is.
+    """
+    does = order.get("do") if isinstance(order, dict) else None
+    plain: dict[Any, Callable[[], None]] = {"pause": pace.pause, "resume": pace.resume}
+    if isinstance(does, str) and does in plain:
+        plain[does]()
+    elif does == "step":
+        ticks = order.get("ticks", 1)
+        if type(ticks) is not int or not 1 <= ticks <= MOST_STEPS:
+            raise ValueError(f"ticks: a whole number from 1 to {MOST_STEPS}")
+        pace.step(ticks)
+    elif does == "speed":
+        speed = order.get("speed")
+        if speed is not None and (isinstance(speed, bool) or not isinstance(speed, int | float)):
+            raise ValueError("speed: a number, or null for as fast as it can")
+        pace.set_speed(MAX_SPEED if speed is None else speed)
+    else:
+        raise ValueError("do: one of pause, resume, step, speed")

@@ -1,0 +1,146 @@
+"""One live match: its address, its spectators, and its end."""
+
+from __future__ import annotations
+
+import errno
+import secrets
+import threading
+from collections.abc import Mapping
+from contextlib import suppress
+from pathlib import Path
+from types import TracebackType
+from typing import Self
+
+from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.records.errors import RecordError
+from rcj_challenges.records.folder import REPLAY
+from rcj_challenges.records.result import read_result
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.views.live.feed import Feed, said
+from rcj_challenges.views.live.pace import Pace
+from rcj_challenges.views.live.server import HOST, SpectatorServer, Stage
+from rcj_challenges.views.live.telling import LiveWatcher, live_facts
+from rcj_challenges.views.replay.page import about_run, page_text
+
+_FLUSH_EVERY_S = 0.1
+"""Three ticks at real time: fine enough to be smooth, rare enough to cost a fast match nothing."""
+_BEAT_S = 0.5
+_ACCEPT_EVERY_S = 0.05
+"""How long the end of the server may take; connections are accepted at once."""
+
+
+class PortTakenError(RcjError):
+    """The port cannot be listened on."""
+
+
+class LiveShow:
+    """Serves a match from before its first tick until it is closed; a context manager.
+
+    Use it as: give `watcher` to the match; afterwards call `match_over`, then `linger` for as long as spectators shall
+    be served. Leaving the context ends everything at once, whoever still watches.
+
+    Attributes:
+        watcher: to be told of the match.
+        pace: how fast it runs.
+        port: where it listens, on loopback only.
+    """
+
+    def __init__(
+        self, scenario: Scenario, titles: Mapping[str, str], seed: int, *, port: int = 0, speed: float = 1.0
+    ) -> None:
+        """Open the port; from now on the page is there.
+
+        Args:
+            scenario: what is played.
+            titles: names of the teams, by their seat of the first half.
+            seed: of the match.
+            port: to listen on; 0 takes a free one.
+            speed: simulated over wall time, `MAX_SPEED` as fast as it can.
+
+        Raises:
+            PortTakenError: the port is in use or not allowed.
+        """
+        self._feed = Feed()
+        self.pace = Pace(speed, self._paced)
+        self._feed.append(said({"say": "pace", **self.pace.state}))
+        self.watcher = LiveWatcher(scenario, self._feed, self.pace)
+        match = secrets.token_urlsafe(9)
+        page = page_text({**live_facts(scenario, dict(titles), seed), "match": match}, {}, live=True).encode()
+        self._stage = Stage(page, match, self._feed, self.pace, secrets.token_urlsafe(24))
+        try:
+            self._server = SpectatorServer(port, self._stage)
+        except OSError as error:
+            raise PortTakenError(_why(port, error)) from error
+        self.port = self._server.port
+        self._ended = threading.Event()
+        self._threads = [
+            threading.Thread(target=self._server.serve_forever, kwargs={"poll_interval": _ACCEPT_EVERY_S}, daemon=True),
+            threading.Thread(target=self._keep_telling, daemon=True),
+        ]
+        for thread in self._threads:
+            thread.start()
+
+    @property
+    def address(self) -> str:
+        """Where everybody on this machine may watch."""
+        return f"http://{HOST}:{self.port}/"
+
+    @property
+    def steering_address(self) -> str:
+        """The same for who may also steer. The token stands behind ``#``, which browsers send to nobody."""
+        return f"{self.address}#token={self._stage.token}"
+
+    def match_over(self, folder: Path) -> None:
+        """Tell spectators that the match is over and recorded; they can go on looking at all of it.
+
+        Args:
+            folder: of the record; its replay page is served if it is there.
+        """
+        self.watcher.flush()
+        self.pace.release()
+        page = folder / REPLAY
+        self._stage.replay = page if page.is_file() else None
+        about: list[tuple[str, str]] = []
+        with suppress(RecordError):
+            about = about_run(read_result(folder))
+        self._feed.append(said({"say": "over", "about": about, "replay": self._stage.replay is not None}))
+        self._feed.close()
+
+    def linger(self, seconds: float | None = None) -> None:
+        """Go on serving for so long, or (None) until somebody interrupts from the keyboard; then return."""
+        left_s = seconds
+        with suppress(KeyboardInterrupt):
+            while left_s is None or left_s > 0:
+                # In slices: on some systems a long wait cannot be interrupted.
+                beat_s = _BEAT_S if left_s is None else min(_BEAT_S, left_s)
+                self._ended.wait(beat_s)
+                left_s = None if left_s is None else left_s - beat_s
+
+    def close(self) -> None:
+        """End it at once. Can be called again."""
+        self._ended.set()
+        self.pace.release()
+        self._feed.close()
+        self._server.shutdown()
+        self._server.server_close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def _paced(self, state: dict[str, object]) -> None:
+        self._feed.append(said({"say": "pace", **state}))
+
+    def _keep_telling(self) -> None:
+        while not self._ended.wait(_FLUSH_EVERY_S):
+            self.watcher.flush()
+
+
+def _why(port: int, error: OSError) -> str:
+    if error.errno == errno.EADDRINUSE:
+        return f"--live {port}: this port is in use already; take another, or leave it out: a free one is found"
+    return f"--live {port}: cannot listen on this port: {error.strerror}; leave it out: a free one is found"

@@ -1,0 +1,197 @@
+"""From what the match tells its watchers to the messages of the feed, in the words of the replay page."""
+
+from __future__ import annotations
+
+import json
+import threading
+from collections import deque
+from typing import Any
+
+import numpy as np
+
+from rcj_challenges.facts.play import Fault, HalfInfo, Snapshot, Verdict
+from rcj_challenges.facts.timing import TICK_S, ticks_from_s
+from rcj_challenges.match.watching import Silent
+from rcj_challenges.records.lines import json_line
+from rcj_challenges.records.reflog import event_line, events_of, firing_line
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.views.live.feed import Feed, poses, said
+from rcj_challenges.views.live.pace import Pace
+from rcj_challenges.views.replay.packing import FINEST_M, rounded_poses, units
+from rcj_challenges.views.replay.story import Story, Teller
+from rcj_challenges.views.replay.things import visible_things
+
+_MOST_AT_ONCE = 2_000
+_LONGEST_DETAIL = 10_000
+_SEEN_BEYOND_M = 3.0
+"""How far outside of the field poses are still told apart; what is further (parked robots) stands at the edge."""
+
+
+def live_facts(scenario: Scenario, titles: dict[str, str], seed: int) -> dict[str, Any]:
+    """Return what the page is told before the first half: as in a replay, without anything that happened yet.
+
+    Args:
+        scenario: what is played.
+        titles: names of the teams, by their seat of the first half.
+        seed: of the match.
+    """
+    return {
+        "tick_s": TICK_S,
+        **visible_things(scenario),
+        "teams": [{"name": team, "title": titles.get(team) or team} for team in scenario.entrants],
+        "halves_planned": scenario.match.halves,
+        "half_ticks_planned": ticks_from_s(scenario.match.half_s),
+        "channels": [{"name": name, "unit": unit} for name, unit in units(_unit_m(scenario)).items()],
+        "halves": [],
+        "events": [],
+        "about": [("scenario", f"{scenario.title} ({scenario.id})"), ("seed", str(seed))],
+        "problem": "",
+        "live": True,
+    }
+
+
+def _unit_m(scenario: Scenario) -> float:
+    """Return what 1 is worth for x and y: fixed before the match, so it follows from the field."""
+    reach_m = max(scenario.field.width_m, scenario.field.length_m) / 2 + _SEEN_BEYOND_M
+    return max(FINEST_M, reach_m / 32_767)
+
+
+class LiveWatcher(Silent):
+    """Fills the feed from the calls of a match.
+
+    On a tick it only keeps what it was handed; `flush`, called from another thread some times a second, makes messages
+    of it. So the match pays about as much at any speed, and spectators see it in small steps at real time.
+    """
+
+    def __init__(self, scenario: Scenario, feed: Feed, pace: Pace) -> None:
+        self._scenario = scenario
+        self._feed = feed
+        self._unit_m = _unit_m(scenario)
+        self._half: HalfInfo | None = None
+        self._story = Story()
+        self._teams: dict[int, dict[str, str]] = {}
+        self._scores: dict[str, int | float] = {}
+        self._phase: tuple[str, bool] | None = None
+        self._waiting: deque[tuple[Snapshot, Verdict]] = deque()
+        self._flushing = threading.Lock()
+        self.before_tick = pace.before_tick  # type: ignore[method-assign]
+        self._take = self._waiting.append
+
+    def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
+        """Keep it for the next `flush`."""
+        self._take((snapshot, verdict))
+
+    def half_started(self, half: HalfInfo) -> None:
+        """Tell of the half; what is left of the one before comes first."""
+        self.flush()
+        with self._flushing:
+            self._half = half
+            self._phase = None
+            self._teams[half.half] = half.teams
+            self._scores = {half.teams[seat]: points for seat, points in half.scores.items()}
+            self._story.score_changes[half.half] = []
+            self._feed.append(said({"say": "half", "facts": self._half_facts(half)}))
+
+    def closing(self, verdict: Verdict, half: HalfInfo) -> None:
+        """Tell what the rules said after the last tick."""
+        self.flush()
+        with self._flushing:
+            tick = max((event.tick for event in verdict.events), default=0)
+            tick = max([tick, *(firing.tick for firing in verdict.firings)])
+            if verdict.events or verdict.firings:
+                self._feed.append(self._news(Snapshot(tick, [], [], [], ()), verdict, phase=False))
+
+    def flush(self) -> None:
+        """Make messages of all ticks that wait."""
+        with self._flushing:
+            while self._waiting:
+                batch: list[tuple[Snapshot, Verdict]] = []
+                while self._waiting and len(batch) < _MOST_AT_ONCE:
+                    batch.append(self._waiting.popleft())
+                self._tell(batch)
+
+    # --- messages ---------------------------------------------------------------------------------------------------
+
+    def _tell(self, batch: list[tuple[Snapshot, Verdict]]) -> None:
+        half = self._half
+        if half is None:
+            return
+        first = batch[0][0].tick
+        judged = np.array([snapshot.substeps[-1] for snapshot, _ in batch])
+        if first == 0:
+            for placement in batch[0][1].placements:  # the start is shown as the first tick finds it
+                if placement.entity < judged.shape[1]:
+                    judged[0, placement.entity] = (placement.x_m, placement.y_m, placement.yaw_rad)
+        heights = np.array([snapshot.heights for snapshot, _ in batch])
+        uprights = np.array([snapshot.uprights for snapshot, _ in batch])
+        channels = rounded_poses(judged, heights, uprights, self._unit_m)
+        rows = np.stack(list(channels.values()), axis=1).astype("<i2").tobytes()
+        news = [self._news(*tick) for tick in batch if self._is_news(*tick)]
+        self._feed.append(poses(half.half, first, rows) + b"".join(news))
+
+    def _is_news(self, snapshot: Snapshot, verdict: Verdict) -> bool:
+        return bool(
+            verdict.events
+            or verdict.firings
+            or verdict.placements
+            or snapshot.faults
+            or (verdict.phase, verdict.waiting_for_kickoff) != self._phase
+        )
+
+    def _news(self, snapshot: Snapshot, verdict: Verdict, *, phase: bool = True) -> bytes:
+        """Return what happened on a tick, framed: events, score, phase, faults, and who was put elsewhere."""
+        half = self._half
+        assert half is not None  # noqa: S101 - only called within a half
+        tick = snapshot.tick
+        news: dict[str, Any] = {"say": "news", "half": half.half, "tick": tick}
+        if self._follow_the_score(half, verdict):
+            self._story.score_changes[half.half].append([tick, dict(self._scores)])
+            news["score"] = dict(self._scores)
+        if phase and (verdict.phase, verdict.waiting_for_kickoff) != self._phase:
+            self._phase = (verdict.phase, verdict.waiting_for_kickoff)
+            news["phase"] = self._phase
+        if verdict.placements and tick:
+            news["jumps"] = sorted({placement.entity for placement in verdict.placements})
+        if snapshot.faults:
+            news["faults"] = [_fault(fault) for fault in snapshot.faults]
+        news["events"] = self._events(half, snapshot, verdict)
+        return said(news)
+
+    def _events(self, half: HalfInfo, snapshot: Snapshot, verdict: Verdict) -> list[dict[str, Any]]:
+        events = events_of(snapshot, verdict)
+        if not events:
+            return []
+        firings = [_as_read(firing_line(half.half, firing)) for firing in verdict.firings if firing.suppressed is None]
+        teller = Teller(self._scenario, self._teams, firings, self._story)
+        return [teller.event(_as_read({"kind": "event", **event_line(half.half, event)})) for event in events]
+
+    def _follow_the_score(self, half: HalfInfo, verdict: Verdict) -> bool:
+        """Add what was scored; returns whether anything was."""
+        scored = [firing for firing in verdict.firings if firing.suppressed is None and firing.scored]
+        for firing in scored:
+            for seat, points in firing.scored.items():
+                self._scores[half.teams[seat]] += points
+        return bool(scored)
+
+    def _half_facts(self, half: HalfInfo) -> dict[str, Any]:
+        return {
+            "half": half.half,
+            "ticks": 0,
+            "planned_ticks": half.ticks,
+            "sides": dict(half.teams),
+            "scores": dict(self._scores),
+            "score_changes": [],
+            "phases": [],
+            "jumps": [],
+            "faults": [],
+        }
+
+
+def _fault(fault: Fault) -> dict[str, Any]:
+    return {"robot": fault.robot, "tick": fault.tick, "kind": fault.kind, "detail": fault.detail[:_LONGEST_DETAIL]}
+
+
+def _as_read(line: dict[str, Any]) -> dict[str, Any]:
+    """Return a line of the referee's log as whoever reads it finds it: the same words in live view and replay."""
+    read: dict[str, Any] = json.loads(json_line(line))
+    return read

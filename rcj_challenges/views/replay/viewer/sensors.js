@@ -1,0 +1,234 @@
+// What programs saw, set and printed, if it was recorded: readings and output on the robots' cards, rays on the field.
+// Blocks are read when they are first wanted: int32 differences, four planes of bytes for each column, lowest first.
+
+const NO_NUMBER = -(2 ** 31), INFINITE = 2 ** 31 - 1, MINUS_INFINITE = -(2 ** 31) + 1;
+const RAY_WIDTH_M = 0.003;
+const MOST_PRINTED = 40;
+const LONGEST_PRINTED = 20000;
+const SENSOR_COLOURS = { sonar: [0.45, 0.95, 1], lidar: [1, 0.55, 0.85], ball: [1, 0.6, 0.2] };
+
+class Sensors {
+  constructor(recording, find, cards, changed) {
+    this.recording = recording;
+    this.changed = changed;
+    this.facts = recording.facts.sensors || {};
+    this.blocks = new Map();
+    this.rays = new Set();
+    this.cards = [];
+    this.shownAt = 0;
+    this.box = find("show").querySelector("input[name=rays]");
+    this.box.disabled = !this.any;
+    const recorded = new Set(Object.values(this.facts).flatMap(({ robots }) => robots.map(({ name }) => name)));
+    recording.entities.forEach((entity, index) => { if (recorded.has(entity.name)) this.addCard(entity, index, cards[index]); });
+  }
+
+  get any() {
+    return Object.keys(this.facts).length > 0;
+  }
+
+  addCard(entity, index, card) {
+    const item = card.numbers.parentElement;
+    const button = element("button", "", "Rays");
+    button.type = "button";
+    button.setAttribute("aria-label", `Rays of the sensors of ${entity.name}`);
+    button.setAttribute("aria-pressed", "false");
+    button.addEventListener("click", () => {
+      if (!this.rays.delete(index)) this.rays.add(index);
+      button.setAttribute("aria-pressed", String(this.rays.has(index)));
+      this.changed();
+    });
+    item.querySelector(".buttons").append(button);
+    const box = element("div", "sensing");
+    const readings = element("dl", "readings"), printed = element("pre", "printed");
+    printed.setAttribute("aria-label", `What the program of ${entity.name} printed`);
+    printed.tabIndex = 0;
+    box.append(readings, printed);
+    item.append(box);
+    this.cards.push({ index, name: entity.name, box, readings, printed, values: [], key: "" });
+  }
+
+  // --- blocks ----------------------------------------------------------------------------------------------------------
+
+  /** What is known of a half: robots by name, or null as long as it is being read, or if there is nothing. */
+  half(number) {
+    const facts = this.facts[number];
+    if (!facts) return null;
+    if (!this.blocks.has(number)) {
+      this.blocks.set(number, null);
+      this.read(number, facts).then((robots) => { this.blocks.set(number, robots); this.changed(); })
+        .catch((error) => console.error(`the sensor recording of half ${number} cannot be shown: ${error.message}`));
+    }
+    return this.blocks.get(number);
+  }
+
+  async read(number, facts) {
+    const bytes = await Embedded.inflate(document.getElementById(`sensors-${number}`).textContent);
+    const text = await Embedded.inflate(document.getElementById(`output-${number}`).textContent);
+    const printed = JSON.parse(new TextDecoder().decode(text));
+    const robots = new Map();
+    let first = 0;
+    const take = (rows) => {
+      const numbers = Sensors.column(bytes, first, rows);
+      first += 4 * rows;
+      return numbers;
+    };
+    for (const robot of facts.robots) {
+      const ticks = take(robot.rows), columns = robot.units.map(() => take(robot.rows));
+      robots.set(robot.name, { facts: robot, ticks, columns, printed: printed.filter(([name]) => name === robot.name) });
+    }
+    if (first !== bytes.length) throw new Error("it is not complete");
+    return robots;
+  }
+
+  static column(bytes, first, rows) {
+    const numbers = new Int32Array(rows);
+    let value = 0;
+    for (let row = 0; row < rows; row++) {
+      const at = first + row;
+      value = (value + (bytes[at] | (bytes[at + rows] << 8) | (bytes[at + 2 * rows] << 16) | (bytes[at + 3 * rows] << 24))) | 0;
+      numbers[row] = value;
+    }
+    return numbers;
+  }
+
+  /** The last index whose number is at most `limit`, or -1. */
+  static last(numbers, limit) {
+    let low = 0, high = numbers.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (numbers[middle] <= limit) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+
+  /** {robot, row, value(column)} of the last observation of a robot at a place, or null. */
+  observation(index, place) {
+    const { track, tick } = this.recording.at(place);
+    const robot = this.half(track.facts.half)?.get(this.recording.entities[index].name);
+    if (!robot) return null;
+    const row = Sensors.last(robot.ticks, Math.floor(tick + 1e-6));
+    if (row < 0) return null;
+    const value = (column) => {
+      const number = robot.columns[column][row];
+      if (number === NO_NUMBER) return NaN;
+      if (number === INFINITE) return Infinity;
+      return number === MINUS_INFINITE ? -Infinity : number * robot.facts.units[column];
+    };
+    return { robot, row, tick: robot.ticks[row], value };
+  }
+
+  // --- cards -----------------------------------------------------------------------------------------------------------
+
+  /** Show readings and output; while the match plays, ten times a second are enough to read. */
+  show(place, playing) {
+    const now = performance.now();
+    if (!this.any || (playing && now - this.shownAt < 100)) return;
+    this.shownAt = now;
+    for (const card of this.cards) {
+      const seen = this.observation(card.index, place);
+      card.box.hidden = !seen;
+      if (!seen) continue;
+      this.showReadings(card, seen);
+      this.showPrinted(card, seen.robot, Math.floor(this.recording.at(place).tick + 1e-6));
+    }
+  }
+
+  showReadings(card, seen) {
+    const rows = Sensors.readings(seen);
+    const key = rows.map(([name]) => name).join("\n");
+    if (key !== card.key) {
+      card.key = key;
+      card.values = rows.map(() => element("dd"));
+      card.readings.replaceChildren(...rows.flatMap(([name], at) => [element("dt", "", name), card.values[at]]));
+    }
+    rows.forEach(([, text], at) => { if (card.values[at].textContent !== text) card.values[at].textContent = text; });
+  }
+
+  /** [name, text] of each device at an observation, wheels first. */
+  static readings({ robot, tick, value }) {
+    const { devices, packets, motors, units } = robot.facts;
+    const number = (column, digits) => (Number.isNaN(value(column)) ? "–" : value(column).toFixed(digits).replace("Infinity", "∞"));
+    const firstMotor = units.length - motors.length, firstPacket = firstMotor - 4 * packets;
+    const rows = [["observation", `tick ${tick}`]];
+    motors.forEach((name, at) => rows.push([name, `set to ${number(firstMotor + at, 2)} rad/s`]));
+    const off = [];
+    let column = 0;
+    for (const device of devices) {
+      const all = Array.from({ length: device.columns }, (_, part) => column + part);
+      column += device.columns;
+      if (Number.isNaN(value(all[0]))) off.push(device.name);
+      else if (device.kind === "position_sensor") rows.push([device.name, `${number(all[0], 2)} rad, turned ${number(all[1], 2)} rad/s`]);
+      else if (device.kind === "lidar") rows.push([device.name, Sensors.lidarText(all.map(value))]);
+      else rows.push([device.name, all.map((one) => number(one, device.kind === "distance_sensor" ? 1 : 3)).join("  ")]);
+    }
+    for (let at = firstPacket; at < firstMotor; at += 4) {
+      const heard = !Number.isNaN(value(at));
+      rows.push(["ball", heard ? `strength ${number(at, 1)}, direction ${[1, 2, 3].map((axis) => number(at + axis, 2)).join("  ")}` : "not heard"]);
+    }
+    if (off.length) rows.push(["not enabled", off.join(", ")]);
+    return rows;
+  }
+
+  static lidarText(ranges) {
+    const seen = ranges.filter((range) => Number.isFinite(range) && range > 0);
+    return seen.length ? `${Math.min(...seen).toFixed(3)} to ${Math.max(...seen).toFixed(3)} m (${ranges.length} rays shown)` : "no ray yet";
+  }
+
+  showPrinted(card, robot, tick) {
+    const until = Sensors.last(robot.printed.map(([, at]) => at), tick);
+    const key = `${robot.facts.name} ${robot.ticks.length} ${until}`;
+    if (key === card.printedKey) return;
+    card.printedKey = key;
+    const entries = robot.printed.slice(Math.max(0, until + 1 - MOST_PRINTED), until + 1);
+    const lines = entries.map(([, at, text]) => {
+      const line = element("span", "line");
+      const shown = text.length > LONGEST_PRINTED ? `${text.slice(0, LONGEST_PRINTED)}…` : text.replace(/\n$/, "");
+      line.append(element("span", "when", `${Recording.clockText(at * this.recording.tickSeconds)} `), element("bdi", "", shown));
+      return line;
+    });
+    card.printed.replaceChildren(...lines);
+    card.printed.hidden = !lines.length;
+    card.printed.scrollTop = card.printed.scrollHeight;
+  }
+
+  // --- rays ------------------------------------------------------------------------------------------------------------
+
+  /** Rays of the chosen robots (of all, if `all`), as lines on the floor: {pieces, colour, width}. */
+  raysAt(place, all) {
+    if (!this.any) return [];
+    const robots = all ? this.cards.map((card) => card.index) : [...this.rays];
+    return robots.flatMap((index) => {
+      const seen = this.observation(index, place);
+      return seen ? this.raysOf(index, seen, this.recording.pose(index, place)) : [];
+    });
+  }
+
+  raysOf(index, { robot, value }, pose) {
+    const { devices, packets, motors, units } = robot.facts;
+    const half = this.recording.entities[index].size_m / 2;
+    const at = (bearing, distance) => [pose.x + Math.cos(pose.yaw + bearing) * distance, pose.y + Math.sin(pose.yaw + bearing) * distance];
+    const lines = { sonar: [], lidar: [], ball: [] };
+    let column = 0;
+    for (const { kind, columns, facts } of devices) {
+      if (kind === "distance_sensor") {
+        const reach = Math.min(value(column), facts.max_value) / 1000;
+        if (reach >= 0) lines.sonar.push([at(facts.bearing_rad, half), at(facts.bearing_rad, half + reach)]);
+      }
+      if (kind === "lidar") {
+        for (let ray = 0; ray < columns; ray++) {
+          const range = value(column + ray), bearing = facts.first_bearing_rad + ray * facts.bearing_step_rad;
+          if (Number.isFinite(range) && range > 0) lines.lidar.push([at(bearing, Math.max(half, range - 0.03)), at(bearing, range)]);
+        }
+      }
+      column += columns;
+    }
+    for (let packet = column; packet < column + 4 * packets; packet += 4) {
+      const strength = value(packet), bearing = Math.atan2(value(packet + 2), value(packet + 1));
+      if (strength > 0) lines.ball.push([at(bearing, half), at(bearing, Math.max(half, 1 / Math.sqrt(strength)))]);
+    }
+    if (column + 4 * packets + motors.length !== units.length) return [];
+    return Object.entries(lines).filter(([, pieces]) => pieces.length)
+      .map(([kind, pieces]) => ({ pieces, colour: SENSOR_COLOURS[kind], width: RAY_WIDTH_M }));
+  }
+}
