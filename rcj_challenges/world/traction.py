@@ -45,14 +45,17 @@ class Wheel:
         stopped: whether its robot has been taken off the field.
         turns_radps: how fast it turns now.
         just_reversed: whether it has begun to turn this way in this tick.
+        tendon: index of its grip in the model.
     """
 
     __slots__ = (
-        "arm_m", "brake_n", "commanded_radps", "drive_n", "just_reversed", "stopped", "target_rad", "turns_radps",
+        "arm_m", "brake_n", "commanded_radps", "drive_n", "just_reversed", "stopped", "target_rad", "tendon",
+        "turns_radps",
     )  # fmt: skip
 
-    def __init__(self, arm_m: float, grip: contact.Grip) -> None:
+    def __init__(self, arm_m: float, grip: contact.Grip, tendon: int) -> None:
         self.arm_m = arm_m
+        self.tendon = tendon
         self.drive_n, self.brake_n = grip.drive_n, grip.brake_n
         self.commanded_radps = 0.0
         self.target_rad = 0.0
@@ -76,14 +79,15 @@ class Traction:
         self._turning = coefficients[:, _TURNING]
         self._headings = self._turning[:, :2]
         self._phased = np.zeros((robots, len(_PHASES_RAD)))
-        limits_n = model.tendon_frictionloss[: _TENDONS_PER_ROBOT * robots]
-        self._limits_n = limits_n.reshape(robots, _TENDONS_PER_ROBOT)[:, ::2]
+        self._limits_n = model.tendon_frictionloss
         self._wheels = [
-            Wheel(way * one.wheel_track_m / 2, contact.grip_of(one, friction)) for one in chassis for way in (1, -1)
+            Wheel(way * one.wheel_track_m / 2, contact.grip_of(one, friction), _TENDONS_PER_ROBOT * robot + 1 - way)
+            for robot, one in enumerate(chassis)
+            for way in (1, -1)
         ]
         self._pairs = list(zip(self._wheels[0::2], self._wheels[1::2], strict=True))
         self._reversed: list[Wheel] = []
-        self._chosen_n: list[float] = []
+        self._chosen_n = [-1.0] * len(self._wheels)
         # What all its grip stops in this time; on ice it stops nothing.
         self._stops_in_tick_mps = max(friction * contact.GRAVITY_MPS2 * TICK_S, 1e-9)
         self._stops_in_substep_mps = self._stops_in_tick_mps / SUBSTEPS_PER_TICK
@@ -135,22 +139,22 @@ class Traction:
 
     def _choose_grip(self) -> None:
         """A wheel that pushes its robot on has less grip than one that slows or holds it, see `contact.grip_of`."""
-        limits_n: list[float] = []
-        choose = limits_n.append
+        chosen_n, index = self._chosen_n, 0
         states = zip(self._velocities.tolist(), self._headings.tolist(), self._pairs, strict=True)
-        for (vx, vy, spin, _, _), (cos, sin), (left, right) in states:
+        for (vx, vy, spin, _, _), (cos, sin), pair in states:
             forward_mps = cos * vx + sin * vy
-            for wheel in (left, right):
+            for wheel in pair:
                 turns = wheel.turns_radps
                 if turns == 0.0:
-                    choose(wheel.brake_n)
+                    limit_n = wheel.brake_n
                 elif (forward_mps - wheel.arm_m * spin >= 0.0) is (turns > 0.0):
-                    choose(wheel.drive_n)
+                    limit_n = wheel.drive_n
                 else:
-                    choose(self._slowing_n(wheel, abs(forward_mps - wheel.arm_m * spin)))
-        if limits_n != self._chosen_n:
-            self._chosen_n = limits_n
-            self._limits_n[:] = np.reshape(limits_n, (-1, 2))
+                    limit_n = self._slowing_n(wheel, abs(forward_mps - wheel.arm_m * spin))
+                if limit_n != chosen_n[index]:
+                    chosen_n[index] = limit_n
+                    self._limits_n[wheel.tendon] = limit_n
+                index += 1
         if self._reversed:
             for wheel in self._reversed:
                 wheel.just_reversed = False
