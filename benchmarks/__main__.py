@@ -57,7 +57,9 @@ def half(out: Path, half_s: float, *more: str, prefix: Sequence[str] = (), seed:
     command = [*prefix, sys.executable, "-m", "rcj_challenges", "run", "match", "--halves", "1", "--json"]
     command += ["--no-replay", "--duration", f"{half_s:g}", "--seed", str(seed), "--out", str(out)]
     command += ["--blue", str(PROGRAM), "--yellow", str(PROGRAM), *more]
-    return subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    # As a user has it: with byte code on the disk, and imports from the installed package.
+    ours = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+    return subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=ours)
 
 
 def result(process: subprocess.Popen[str]) -> dict[str, Any]:

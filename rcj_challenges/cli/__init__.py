@@ -54,6 +54,8 @@ def _start_quickly() -> None:
     """Spare the start what it does not need."""
     # Pydantic would look for plug-ins in the metadata of every installed package.
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
+    # numpy would start a thread for each further core, and nothing here multiplies large matrices.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     # Imports make tens of thousands of objects that stay: to look for garbage among them again and again is in vain.
     gc.set_threshold(_OBJECTS_BETWEEN_COLLECTIONS, *gc.get_threshold()[1:])
 

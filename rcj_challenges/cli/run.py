@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -56,6 +57,8 @@ def run_scenario(options: RunOptions) -> int:
     """
     from rcj_challenges.scenario.load import load
 
+    # MuJoCo would load a window system's library, 50 ms, and a match draws nothing.
+    os.environ.setdefault("MUJOCO_GL", "disable")
     loaded = load(options.scenario, options.overrides)
     robots = frozenset(robot for entrant in loaded.scenario.entrants.values() for robot in entrant.robots)
     for robot in (*options.show_output, *options.debug):

@@ -31,7 +31,7 @@ def common_cell(first: Cell, second: Cell) -> Cell:
 
 def box_around(x_m: float, y_m: float, clear_m: float) -> Cell:
     """Return a cell around a centre to which the nearest boundary is ``clear_m`` away."""
-    half = clear_m * _BOX_IN_CIRCLE
+    half = max(0.0, clear_m - _ROUNDING_M) * _BOX_IN_CIRCLE  # on the boundary itself there is no room
     return (x_m - half, x_m + half, y_m - half, y_m + half)
 
 

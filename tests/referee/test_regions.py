@@ -29,6 +29,7 @@ zones = st.one_of(
 
 
 @given(zones, point, st.floats(-1, 1), st.floats(-1, 1))
+@example(PolygonZone(shape="polygon", points_m=((0.0, -1.0), (0.438, 0.0), (-1.0, 0.0))), (0.0, 0.0), 0.0, -1.0)
 def test_within_a_cell_the_answer_is_the_same(zone, here, along_x, along_y):
     region = region_of(zone)
     x_low, x_high, y_low, y_high = region.cell(*here)

@@ -166,7 +166,7 @@ def test_who_comes_late_gets_all_from_the_beginning_and_can_look_back(
     page.click("#filters >> text=GOAL")
     page.locator("a.moment", has_text="GOAL").first.click()
     assert page.evaluate("[replay.half, replay.tick]") == [1, 400]
-    assert page.get_attribute("#live", "aria-pressed") == "false"
+    _until(page, "document.getElementById('live').ariaPressed === 'false'")
     played.show.pace.resume()
     _until(page, "replay.recording.last > 640")
     assert page.evaluate("replay.tick") == 400  # the match goes on, the picture stays
@@ -235,6 +235,7 @@ def test_who_has_no_token_watches_and_finds_no_wheel(
     assert page.evaluate("sessionStorage.length") == 0
 
 
+@pytest.mark.nightly
 def test_a_reload_can_still_steer_and_a_wrong_token_resigns(
     match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:

@@ -154,6 +154,7 @@ def test_poses_in_the_page_equal_the_trajectory(show: Callable[..., Any], run: P
         assert np.degrees(np.abs(shown[:, :, 4] - tilt)).max() < 0.1
 
 
+@pytest.mark.nightly
 def test_the_ball_rolls_without_slipping(show: Callable[..., Any], run: Path) -> None:
     # Over one tick the turn is the way rolled over the radius, about the axis to the left of the way.
     page = show(run)
@@ -240,7 +241,9 @@ def test_play_pause_rewind_and_speed(show: Callable[..., Any], run: Path) -> Non
     assert page.evaluate("replay.app.player.playing") is False
 
 
-@pytest.mark.parametrize("speed", ["0.25", "1", "4", "16"])
+@pytest.mark.parametrize(
+    "speed", [*(pytest.param(slow, marks=pytest.mark.nightly) for slow in ("0.25", "1")), "4", "16"]
+)
 def test_time_runs_as_fast_as_was_asked_for(speed: str, show: Callable[..., Any], run: Path) -> None:
     page = show(run, "#h1t100")
     moved = page.evaluate(
@@ -323,6 +326,7 @@ def test_each_camera_shows_another_picture(show: Callable[..., Any], run: Path) 
     assert page.evaluate("replay.app.camera.pose.elevation") > 1.56
 
 
+@pytest.mark.nightly
 def test_the_camera_behind_a_robot_follows_it(show: Callable[..., Any], run: Path) -> None:
     page = show(run, "#h1t10")
     page.select_option("#behind", label="Y2")
@@ -334,6 +338,7 @@ def test_the_camera_behind_a_robot_follows_it(show: Callable[..., Any], run: Pat
         assert np.hypot(target[0] - x, target[1] - y) == pytest.approx(0.16, abs=0.01)
 
 
+@pytest.mark.nightly
 def test_the_whole_field_is_in_the_picture_on_any_screen(show: Callable[..., Any], run: Path) -> None:
     for size in (_WIDE, _NARROW, {"width": 844, "height": 390}, {"width": 820, "height": 1180}):
         page = show(run, viewport=size)
@@ -407,6 +412,7 @@ def test_zones_gates_and_spots_can_be_shown(show: Callable[..., Any], run: Path)
 # --- everybody ---------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.nightly
 def test_everything_that_can_be_pressed_has_a_name(show: Callable[..., Any], run: Path) -> None:
     page = show(run)
     for tab in ("#tab-robots", "#tab-show", "#tab-events"):
@@ -419,6 +425,7 @@ def test_everything_that_can_be_pressed_has_a_name(show: Callable[..., Any], run
         assert nameless == []
 
 
+@pytest.mark.nightly
 def test_tabs_are_walked_with_the_arrow_keys(show: Callable[..., Any], run: Path) -> None:
     page = show(run)
     page.focus("#tab-events")
@@ -428,6 +435,7 @@ def test_tabs_are_walked_with_the_arrow_keys(show: Callable[..., Any], run: Path
     assert page.evaluate("document.activeElement.id") == "tab-robots"
 
 
+@pytest.mark.nightly
 def test_the_page_is_light_or_dark_as_the_reader_likes_it(show: Callable[..., Any], run: Path) -> None:
     ground = "getComputedStyle(document.body).backgroundColor"
     light = show(run, color_scheme="light").evaluate(ground)

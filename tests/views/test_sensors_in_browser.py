@@ -205,6 +205,7 @@ def test_printed_text_is_text_whatever_it_contains(size: dict, show: Callable[..
     assert line.locator(".when").bounding_box()["x"] < line.locator("bdi").bounding_box()["x"]
 
 
+@pytest.mark.nightly
 def test_a_page_without_sensors_offers_no_rays(show: Callable[..., Any], tmp_path: Path) -> None:
     folder = write_made_up_run(tmp_path, ticks=60, halves=1)
     write_replay(folder)
@@ -239,6 +240,7 @@ def test_rays_reach_as_far_as_the_readings_say_in_the_robots_frame(show: Callabl
     assert math.remainder(ball_rad, 2 * math.pi) == pytest.approx(0, abs=1e-3)
 
 
+@pytest.mark.nightly
 def test_rays_are_drawn_when_they_are_asked_for(show: Callable[..., Any], run: Path) -> None:
     page = show(run, "#h1t125")
     count = "replay.app.frame.trails.length"
@@ -278,6 +280,7 @@ def test_a_heat_map_is_warm_where_somebody_was(show: Callable[..., Any], run: Pa
     assert page.evaluate("replay.app.heat.at(replay.place).shapes.length") == 0
 
 
+@pytest.mark.nightly
 def test_a_heat_map_of_a_team_follows_it_to_the_other_side(show: Callable[..., Any], run: Path) -> None:
     page = show(run)
     page.click("#tab-show")
@@ -300,6 +303,7 @@ def test_a_logo_is_on_the_scoreboard_and_on_the_robots_of_its_team(show: Callabl
     assert "that of Alster is not shown: it is a GIF" in page.locator("#about").inner_text()
 
 
+@pytest.mark.nightly
 def test_logos_are_drawn_without_webgl_too(show: Callable[..., Any], run: Path) -> None:
     no_webgl = """
       const real = HTMLCanvasElement.prototype.getContext;
