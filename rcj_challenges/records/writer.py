@@ -32,6 +32,7 @@ from rcj_challenges.records.pack import pack_trajectory
 from rcj_challenges.records.reflog import event_line, events_of, firing_line, reflog_lines
 from rcj_challenges.records.result import RunResult, versions
 from rcj_challenges.records.track import TrackWriter
+from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 
@@ -97,7 +98,7 @@ class RecordWriter:
         self._started = now()
         self._header = header
         self._roster = Roster.of(header.scenario)
-        scenario = header.scenario.model_dump(mode="json", by_alias=True)
+        scenario = dumped(header.scenario)
         self._digest = Digest(scenario, header.seed, header.programs)
         self.folder = make_run_folder(out, name or folder_name(self._started, header.scenario.id))
         self.logs = self.folder / LOGS

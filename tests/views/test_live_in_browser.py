@@ -248,6 +248,7 @@ def test_a_reload_can_still_steer_and_a_wrong_token_resigns(
     assert played.show.pace.state["paused"]
 
 
+@pytest.mark.nightly
 def test_pause_and_play_of_a_spectator_do_not_touch_the_match(
     match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:

@@ -348,6 +348,7 @@ def test_the_whole_field_is_in_the_picture_on_any_screen(show: Callable[..., Any
         assert spread.max() > 0.85, size
 
 
+@pytest.mark.nightly
 def test_drag_turns_wheel_zooms_and_shift_drag_moves(show: Callable[..., Any], run: Path) -> None:
     page = show(run)
     pose = "(() => { const p = replay.app.camera.pose; return [p.azimuth, p.distance, p.target[0], p.target[1]]; })()"
@@ -390,6 +391,7 @@ def test_a_click_on_a_robot_shows_its_trail(show: Callable[..., Any], run: Path)
     assert before is not None
 
 
+@pytest.mark.nightly
 def test_a_failed_program_is_said_on_the_robots_card(show: Callable[..., Any], run: Path) -> None:
     page = show(run, "#h1t299")
     page.click("#tab-robots")

@@ -176,6 +176,7 @@ def test_only_robots_whose_programs_were_recorded_have_readings(show: Callable[.
     assert page.locator(".sensing:visible").count() == 0
 
 
+@pytest.mark.nightly
 def test_printed_lines_come_with_their_time_and_only_when_they_were_printed(
     show: Callable[..., Any], run: Path
 ) -> None:
@@ -189,7 +190,7 @@ def test_printed_lines_come_with_their_time_and_only_when_they_were_printed(
     assert len(lines) == 8
 
 
-@pytest.mark.parametrize("size", [_WIDE, _NARROW], ids=["wide", "narrow"])
+@pytest.mark.parametrize("size", [_WIDE, pytest.param(_NARROW, marks=pytest.mark.nightly)], ids=["wide", "narrow"])
 def test_printed_text_is_text_whatever_it_contains(size: dict, show: Callable[..., Any], run: Path) -> None:
     page = show(run, "#h1t40", viewport=size)
     card = _robots(page)
@@ -218,6 +219,7 @@ def test_a_page_without_sensors_offers_no_rays(show: Callable[..., Any], tmp_pat
 # --- rays ----------------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.nightly
 def test_rays_reach_as_far_as_the_readings_say_in_the_robots_frame(show: Callable[..., Any], run: Path) -> None:
     page = show(run, "#h1t125")
     _robots(page)
@@ -329,7 +331,11 @@ def test_logos_are_drawn_without_webgl_too(show: Callable[..., Any], run: Path) 
 
 
 @pytest.mark.parametrize(
-    ("share", "says"), [(0.7, "ticks of them could be read"), (0.0, "everything stands at its start")]
+    ("share", "says"),
+    [
+        pytest.param(0.7, "ticks of them could be read", marks=pytest.mark.nightly),
+        (0.0, "everything stands at its start"),
+    ],
 )
 def test_of_a_damaged_trajectory_the_page_shows_what_is_left_and_says_so(
     share: float, says: str, show: Callable[..., Any], run: Path, tmp_path: Path

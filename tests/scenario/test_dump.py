@@ -1,0 +1,29 @@
+import signal
+
+import pytest
+
+from rcj_challenges.scenario.dump import dumped
+from rcj_challenges.scenario.load import load
+
+
+def test_a_scenario_survives_being_written_and_read():
+    scenario = load("match").scenario
+    assert type(scenario).model_validate(dumped(scenario)) == scenario
+
+
+def test_ctrl_c_while_a_scenario_is_written_waits_until_that_is_done_and_is_not_lost(monkeypatch):
+    scenario = load("match").scenario
+    kind, done = type(scenario), []
+    write = kind.model_dump
+
+    def interrupted(self, **options):
+        signal.raise_signal(signal.SIGINT)
+        written = write(self, **options)
+        done.append(written)
+        return written
+
+    monkeypatch.setattr(kind, "model_dump", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        dumped(scenario)
+    assert done
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
