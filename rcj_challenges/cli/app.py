@@ -235,7 +235,7 @@ def simulate(
     )
 
 
-_Out = Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the records are.")]
+_Out = Annotated[Path, typer.Option("--runs", "--out", metavar="DIR", help="Where the records are.")]
 
 
 @app.command()

@@ -39,7 +39,7 @@ def _stats(
         list[Path] | None,
         typer.Argument(metavar="RUN...", help="Records' folders, or how their names begin; left out: the newest."),
     ] = None,
-    out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the records are.")] = Path("runs"),
+    out: Annotated[Path, typer.Option("--runs", "--out", metavar="DIR", help="Where the records are.")] = Path("runs"),
     json_: Annotated[bool, typer.Option("--json", help="Print the figures as JSON and nothing else.")] = False,
     explain: Annotated[bool, typer.Option("--explain", help="Say below the table how each figure is defined.")] = False,
 ) -> None:
