@@ -166,9 +166,11 @@ def _user_tasks(limits: Limits) -> int:
 def processor_s(limits: Limits) -> int:
     """Return the processor time that a program may use in a half, in s.
 
-    The last resort against threads that compute for ever: a program with one thread cannot come near, for the match
-    would have waited too long for it or for others before.
+    Where the scenario does not say: the last resort against threads that compute for ever. A program with one thread
+    cannot come near, for the match would have waited too long for it or for others before.
     """
+    if limits.processor_s is not None:
+        return math.ceil(limits.processor_s)
     return math.ceil(limits.start_s + _PROGRAMS_WAITED_FOR * limits.half_s)
 
 

@@ -74,6 +74,7 @@ def test_a_program_that_uses_up_its_processor_time_is_ended(tmp_path: Path, monk
 def test_no_program_with_one_thread_comes_near_the_limit_of_processor_time() -> None:
     limits = Limits()
     assert isolation.processor_s(limits) > limits.start_s + 6 * limits.half_s
+    assert isolation.processor_s(limits.model_copy(update={"processor_s": 2.5})) == 3
 
 
 @needs_linux

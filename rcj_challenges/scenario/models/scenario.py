@@ -87,6 +87,9 @@ class Limits(Strict):
     start_s: WallTimeS = described(30.0, "wall time from launch to its first step, in s")
     step_s: WallTimeS = described(5.0, "wall time that is waited for one step, in s")
     half_s: WallTimeS = described(120.0, "wall time that is waited for it in a whole half, in s")
+    processor_s: float | None = described(
+        None, "processor time in a half, in s, start included; left out: start_s and 8 times half_s", gt=0, le=86_400
+    )
     memory_mb: int = described(1024, "memory in MB", ge=64, le=65_536)
     output_mb: float = described(8.0, "what it may print in a half, in MB", gt=0, le=1024)
     message_kb: float = described(1024.0, "largest radio packet in kB", gt=0, le=16_384)
