@@ -34,11 +34,13 @@ def probed_anew() -> Iterator[None]:
 def test_what_is_outside_has_no_name(tmp_path: Path) -> None:
     secret = tmp_path / "reflog.jsonl"
     secret.touch()
+    temporary = os.path.realpath(os.environ.get("TMPDIR", "/tmp"))
     seen = {
         "the record": f"os.path.exists({str(secret)!r})",
         "who has an account": "os.path.exists('/etc/passwd')",
         "homes": "os.path.exists('/home')",
-        "other private folders": f"len(os.listdir({str(Path(os.path.realpath(os.environ.get('TMPDIR', '/tmp'))))!r}))",
+        # Python itself may be there as well.
+        "private folders": f"len([name for name in os.listdir({temporary!r}) if name[:5] in ('rcj-B', 'rcj-Y')])",
         "its parent": "os.getppid()",
         "processes": "len([name for name in os.listdir('/proc') if name.isdigit()])",
         "networks": "[name for _, name in socket.if_nameindex()]",
@@ -54,7 +56,7 @@ def test_what_is_outside_has_no_name(tmp_path: Path) -> None:
         "the record": "False",
         "who has an account": "False",
         "homes": told["homes"] if sys.prefix.startswith("/home") else "False",
-        "other private folders": "1",
+        "private folders": "1",
         "its parent": "1",
         "processes": "2",
         "networks": "['lo']",
