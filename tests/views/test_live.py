@@ -135,6 +135,16 @@ def test_another_pages_script_is_refused(origin: str, show: LiveShow, ask: Ask) 
     assert show.pace.state["paused"] is False
 
 
+def test_who_is_refused_may_end_the_sentence(show: LiveShow) -> None:
+    head = f"POST /steer HTTP/1.1\r\nHost: 127.0.0.1:{show.port}\r\nContent-Length: 40000\r\n\r\n"
+    with socket.create_connection(("127.0.0.1", show.port), timeout=10) as connection:
+        connection.sendall(head.encode())
+        answer = connection.recv(4096)
+        for _ in range(40):
+            connection.sendall(b"x" * 1000)  # fails where nobody takes it in any more
+    assert answer.startswith(b"HTTP/1.1 403 ")
+
+
 def test_what_another_page_embeds_is_refused(ask: Ask) -> None:
     assert ask("GET", "/feed?match=x&from=0", Sec_Fetch_Site="cross-site")[0] == 403
     assert ask("GET", "/", Sec_Fetch_Site="cross-site")[0] == 200  # a link to the page is no harm

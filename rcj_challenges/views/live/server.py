@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import hmac
 import json
+import socket
 import socketserver
 import sys
 import threading
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -29,6 +31,8 @@ _TIMEOUT_S = 20.0
 """A spectator that takes nothing, or asks nothing, for so long is let go; the page comes back by itself."""
 _STILL_HERE_S = 5.0
 _LONGEST_ORDER = 1_024
+_MOST_TAKEN_IN = 65_536
+_LINGERS_S = 1.0
 
 _HEADERS = {
     "Cache-Control": "no-store",
@@ -235,11 +239,23 @@ class _Handler(BaseHTTPRequestHandler):
         return self._answer(200, json.dumps(self.server.stage.pace.state).encode(), _JSON)
 
     def _refuse(self, status: int, why: str, more: dict[str, str] | None = None, *, keep: bool = False) -> None:
-        """Say no. What is left of the request is not read, so the connection ends, unless all of it was."""
+        """Say no. What is left of the request is not carried out, so the connection ends, unless all of it was read."""
         if not keep:
             self.close_connection = True
             more = {"Connection": "close", **(more or {})}
         self._answer(status, f"{why}\n".encode(), _TEXT, more)
+        if not keep:
+            self._end_after_what_is_left()
+
+    def _end_after_what_is_left(self) -> None:
+        """Take in a little of what is still sent: a connection that ends with unread bytes takes the answer with it."""
+        with suppress(OSError):
+            self.wfile.flush()
+            self.connection.shutdown(socket.SHUT_WR)
+            self.connection.settimeout(_LINGERS_S)
+            left = _MOST_TAKEN_IN
+            while left > 0 and (taken := self.connection.recv(min(left, _LONGEST_ORDER))):
+                left -= len(taken)
 
     def _answer(self, status: int, body: bytes, kind: str, more: dict[str, str] | None = None) -> None:
         self._head(status, {"Content-Type": kind, "Content-Length": str(len(body)), **(more or {})})
