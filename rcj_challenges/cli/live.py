@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -97,9 +97,10 @@ def on_air(
 
 def stay_on_air(show: LiveShow, options: LiveOptions, console: Console) -> None:
     """Go on serving after the match, for as long as was asked for."""
-    if options.for_s is None:
-        _say(console, f"live:   the match is over; {show.address} shows it until Ctrl-C")
-    show.linger(options.for_s)
+    with suppress(KeyboardInterrupt):  # from the moment on at which we say so
+        if options.for_s is None:
+            _say(console, f"live:   the match is over; {show.address} shows it until Ctrl-C")
+        show.linger(options.for_s)
 
 
 def _speed(text: str | None) -> float:
