@@ -131,7 +131,11 @@ const Bodies = {
       const dx = to[0] - from[0], dy = to[1] - from[1];
       const middle = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
       const length = Math.hypot(dx, dy), yaw = Math.atan2(dy, dx);
-      panes.box([...middle, height / 2], [length + 0.008, 0.008, height], yaw, colour);
+      const along = [dx / length, dy / length], across = [-along[1] * 0.004, along[0] * 0.004];
+      for (const side of [-1, 1]) {
+        const at = (end, z) => [...[0, 1].map((k) => middle[k] + side * (end * (length / 2 + 0.004) * along[k] - across[k])), z];
+        panes.quad(at(-1, 0), at(1, 0), at(1, height), at(-1, height), colour);
+      }
       rims.box([...middle, height], [length + 0.012, 0.012, 0.008], yaw, Colours.mix(colour, [1, 1, 1], 0.15));
     }
     return { panes, rims };

@@ -160,7 +160,30 @@ class Mesh {
     return triangles;
   }
 
+  /** Where the corners are and whose they are, without what they look like. */
+  get outline() {
+    const bare = new Mesh();
+    bare.numbers = this.numbers.map((number, at) => (at % FLOATS_PER_VERTEX < 3 || at % FLOATS_PER_VERTEX === FLOATS_PER_VERTEX - 1 ? number : 0));
+    bare.vertices = this.vertices;
+    return bare;
+  }
+
   data() {
     return new Float32Array(this.numbers);
+  }
+
+  /** The same with each vertex once, and the order in which the triangles use them: half as many to compute. */
+  indexed() {
+    const known = new Map(), corners = [], order = new Uint32Array(this.vertices);
+    for (let vertex = 0; vertex < this.vertices; vertex++) {
+      const numbers = this.numbers.slice(vertex * FLOATS_PER_VERTEX, (vertex + 1) * FLOATS_PER_VERTEX);
+      const key = numbers.join();
+      if (!known.has(key)) {
+        known.set(key, known.size);
+        corners.push(...numbers);
+      }
+      order[vertex] = known.get(key);
+    }
+    return { corners: new Float32Array(corners), order };
   }
 }

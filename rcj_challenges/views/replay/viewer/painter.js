@@ -25,7 +25,7 @@ layout(std140) uniform Now {
 
 const VERTEX_SHADERS = {
   plain: `
-out vec3 paint;
+flat out vec3 paint;
 void main() {
   paint = colour;
   gl_Position = view * vec4(position, 1.0);
@@ -41,13 +41,14 @@ void main() {
   paint = mix(colour, vec3(0.45, 0.46, 0.5), shades[b].x) * (0.52 + 0.1 * n.z + 0.5 * max(dot(n, light.xyz), 0.0)) + shine;
   gl_Position = view * world;
 }`,
-  // Everything flattened onto the floor along the light.
+  // Everything flattened onto the floor along the light; all of it equally far off, behind all that stands.
   shadow: `
-out vec3 paint;
+flat out vec3 paint;
 void main() {
   vec4 world = models[int(body)] * vec4(position, 1.0);
   paint = vec3(0.0, 0.02, 0.05);
   gl_Position = view * vec4(world.xy - light.xy / light.z * world.z, 0.0, 1.0);
+  gl_Position.z = 0.99999 * gl_Position.w;
 }`,
   lettered: `
 out vec2 atlas;
@@ -77,6 +78,8 @@ void main() {
   pixel = vec4(paint * opacity, opacity);
 }`;
 
+const FLAT = PAINTED.replace("in vec3 paint", "flat in vec3 paint");
+
 const WRITTEN = `#version 300 es
 precision mediump float;
 in vec2 atlas;
@@ -87,7 +90,7 @@ void main() {
   pixel = vec4(ink.rgb * ink.a, ink.a);
 }`;
 
-const PIXEL_SHADERS = { plain: PAINTED, lit: PAINTED, shadow: PAINTED, lettered: WRITTEN, sign: WRITTEN };
+const PIXEL_SHADERS = { plain: FLAT, lit: PAINTED, shadow: FLAT, lettered: WRITTEN, sign: WRITTEN };
 const TEXTURES = { lettered: 0, sign: 1 };
 
 class Painter {
@@ -95,7 +98,7 @@ class Painter {
   constructor(canvas) {
     // Smooth edges cost a software GPU four times the work: it gets none, so that motion is smooth instead.
     this.software = Painter.drawsInSoftware();
-    const gl = canvas.getContext("webgl2", { antialias: !this.software, stencil: true, alpha: false, powerPreference: "low-power" });
+    const gl = canvas.getContext("webgl2", { antialias: !this.software, alpha: false, powerPreference: "low-power" });
     if (!gl) throw new Error("no WebGL 2");
     this.gl = gl;
     this.block = new Float32Array(BLOCK_FLOATS);
@@ -104,9 +107,7 @@ class Painter {
     gl.bufferData(gl.UNIFORM_BUFFER, this.block.byteLength, gl.DYNAMIC_DRAW);
     this.programs = Object.fromEntries(Object.keys(VERTEX_SHADERS).map((way) => [way, this.build(way)]));
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    gl.stencilFunc(gl.EQUAL, 0, 0xff);
-    gl.stencilOp(gl.KEEP, gl.KEEP, gl.INCR);
-    this.changing = this.upload(new Mesh(), gl.DYNAMIC_DRAW);
+    this.changing = this.room();
     this.textures = [];
   }
 
@@ -136,24 +137,34 @@ class Painter {
     return { program, opacity: gl.getUniformLocation(program, "opacity"), was: null };
   }
 
-  upload(mesh, usage = this.gl.STATIC_DRAW) {
+  /** Room for vertices, in the order of their triangles. */
+  room() {
     const gl = this.gl;
     const array = gl.createVertexArray(), buffer = gl.createBuffer();
     gl.bindVertexArray(array);
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, mesh.data(), usage);
     let first = 0;
     VERTEX_PARTS.forEach((size, location) => {
       gl.enableVertexAttribArray(location);
       gl.vertexAttribPointer(location, size, gl.FLOAT, false, FLOATS_PER_VERTEX * 4, first * 4);
       first += size;
     });
-    return { array, buffer, vertices: mesh.vertices };
+    return { array, buffer, order: null, vertices: 0 };
+  }
+
+  /** Take over a mesh that is drawn in every picture from now on. */
+  upload(mesh) {
+    const gl = this.gl, room = this.room(), { corners, order } = mesh.indexed();
+    gl.bufferData(gl.ARRAY_BUFFER, corners, gl.STATIC_DRAW);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, (room.order = gl.createBuffer()));
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, order, gl.STATIC_DRAW);
+    return { ...room, vertices: mesh.vertices };
   }
 
   forget(mesh) {
     this.gl.deleteVertexArray(mesh.array);
     this.gl.deleteBuffer(mesh.buffer);
+    this.gl.deleteBuffer(mesh.order);
   }
 
   /** Draw a mesh that is thrown away afterwards. */
@@ -186,7 +197,7 @@ class Painter {
     gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
     gl.clearColor(background[0], background[1], background[2], 1);
     gl.depthMask(true);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
 
   /** What lies on the floor: painted in order, nothing can hide it but what stands. */
@@ -195,12 +206,11 @@ class Painter {
     this.gl.disable(this.gl.CULL_FACE);
   }
 
-  /** Shadows: each spot of the floor is darkened once, however many things stand in its light. */
+  /** Shadows: each spot is darkened once, since a second shadow is no nearer than the first. */
   shadows(mesh) {
     const gl = this.gl;
-    gl.enable(gl.STENCIL_TEST);
+    gl.enable(gl.DEPTH_TEST);
     this.draw("shadow", mesh, 0.34);
-    gl.disable(gl.STENCIL_TEST);
   }
 
   solid() {
@@ -225,6 +235,7 @@ class Painter {
     if (opacity < 1 || way in TEXTURES) gl.enable(gl.BLEND);
     else gl.disable(gl.BLEND);
     gl.bindVertexArray(mesh.array);
-    gl.drawArrays(gl.TRIANGLES, 0, mesh.vertices);
+    if (mesh.order) gl.drawElements(gl.TRIANGLES, mesh.vertices, gl.UNSIGNED_INT, 0);
+    else gl.drawArrays(gl.TRIANGLES, 0, mesh.vertices);
   }
 }

@@ -26,7 +26,7 @@ class Scene {
       if (entity.kind === "robot") numbers.join(Bodies.number(entity, index), index + 1);
     });
     this.bodies = painter.upload(standing);
-    this.shades = painter.upload(shades);
+    this.shades = painter.upload(shades.outline);
     this.numbers = painter.upload(numbers);
     this.panes = painter.upload(panes);
     this.ground = this.layers(Ground.field(facts));
