@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import struct
 import threading
 from collections import deque
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -22,6 +24,8 @@ from rcj_challenges.views.replay.story import Story, Teller
 from rcj_challenges.views.replay.things import visible_things
 
 _MOST_AT_ONCE = 2_000
+_NUMBERS_PER_ENTITY = 5  # x, y, yaw; height; upright
+_Kept = tuple[int, bytes, tuple[Snapshot, Verdict] | None]  # tick, poses, and all of it where something happened
 _LONGEST_DETAIL = 10_000
 _SEEN_BEYOND_M = 3.0
 """How far outside of the field poses are still told apart; what is further (parked robots) stands at the edge."""
@@ -59,8 +63,9 @@ def _unit_m(scenario: Scenario) -> float:
 class LiveWatcher(Silent):
     """Fills the feed from the calls of a match.
 
-    On a tick it only keeps what it was handed; `flush`, called from another thread some times a second, makes messages
-    of it. So the match pays about as much at any speed, and spectators see it in small steps at real time.
+    On a tick it only keeps the poses; `flush`, called from another thread some times a second, makes messages of them.
+    So the match pays about as much at any speed, and spectators see it in small steps at real time. Snapshots are kept
+    only of ticks on which something happened: holding on to all of them would cost the match its caches.
     """
 
     def __init__(self, scenario: Scenario, feed: Feed, pace: Pace) -> None:
@@ -72,21 +77,34 @@ class LiveWatcher(Silent):
         self._teams: dict[int, dict[str, str]] = {}
         self._scores: dict[str, int | float] = {}
         self._phase: tuple[str, bool] | None = None
-        self._waiting: deque[tuple[Snapshot, Verdict]] = deque()
+        self._phase_kept: tuple[str, bool] | None = None
+        self._entities = 0
+        self._row = struct.Struct("")
+        self._waiting: deque[_Kept] = deque()
         self._flushing = threading.Lock()
         self.before_tick = pace.before_tick  # type: ignore[method-assign]
-        self._take = self._waiting.append
 
     def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
-        """Keep it for the next `flush`."""
-        self._take((snapshot, verdict))
+        """Keep of it what the next `flush` tells."""
+        poses, heights = snapshot.substeps[-1], snapshot.heights
+        if len(heights) != self._entities:
+            self._entities = len(heights)
+            self._row = struct.Struct(f"<{_NUMBERS_PER_ENTITY * self._entities}f")
+        row = self._row.pack(*chain.from_iterable(poses), *heights, *snapshot.uprights)
+        phase = verdict.phase, verdict.waiting_for_kickoff
+        is_news = (
+            verdict.events or verdict.firings or verdict.placements or snapshot.faults
+            or phase != self._phase_kept or not snapshot.tick
+        )  # fmt: skip
+        self._phase_kept = phase
+        self._waiting.append((snapshot.tick, row, (snapshot, verdict) if is_news else None))
 
     def half_started(self, half: HalfInfo) -> None:
         """Tell of the half; what is left of the one before comes first."""
         self.flush()
         with self._flushing:
             self._half = half
-            self._phase = None
+            self._phase = self._phase_kept = None
             self._teams[half.half] = half.teams
             self._scores = {half.teams[seat]: points for seat, points in half.scores.items()}
             self._story.score_changes[half.half] = []
@@ -105,38 +123,29 @@ class LiveWatcher(Silent):
         """Make messages of all ticks that wait."""
         with self._flushing:
             while self._waiting:
-                batch: list[tuple[Snapshot, Verdict]] = []
+                batch: list[_Kept] = []
                 while self._waiting and len(batch) < _MOST_AT_ONCE:
                     batch.append(self._waiting.popleft())
                 self._tell(batch)
 
     # --- messages ---------------------------------------------------------------------------------------------------
 
-    def _tell(self, batch: list[tuple[Snapshot, Verdict]]) -> None:
-        half = self._half
+    def _tell(self, batch: list[_Kept]) -> None:
+        half, entities = self._half, self._entities
         if half is None:
             return
-        first = batch[0][0].tick
-        judged = np.array([snapshot.substeps[-1] for snapshot, _ in batch])
-        if first == 0:
-            for placement in batch[0][1].placements:  # the start is shown as the first tick finds it
-                if placement.entity < judged.shape[1]:
+        first, _, start = batch[0]
+        numbers = np.frombuffer(b"".join([row for _, row, _ in batch]), "<f4").reshape(len(batch), -1)
+        judged = numbers[:, : 3 * entities].reshape(-1, entities, 3).copy()
+        if first == 0 and start is not None:
+            for placement in start[1].placements:  # the start is shown as the first tick finds it
+                if placement.entity < entities:
                     judged[0, placement.entity] = (placement.x_m, placement.y_m, placement.yaw_rad)
-        heights = np.array([snapshot.heights for snapshot, _ in batch])
-        uprights = np.array([snapshot.uprights for snapshot, _ in batch])
+        heights, uprights = numbers[:, 3 * entities : 4 * entities], numbers[:, 4 * entities :]
         channels = rounded_poses(judged, heights, uprights, self._unit_m)
         rows = np.stack(list(channels.values()), axis=1).astype("<i2").tobytes()
-        news = [self._news(*tick) for tick in batch if self._is_news(*tick)]
+        news = [self._news(*happened) for _, _, happened in batch if happened is not None]
         self._feed.append(poses(half.half, first, rows) + b"".join(news))
-
-    def _is_news(self, snapshot: Snapshot, verdict: Verdict) -> bool:
-        return bool(
-            verdict.events
-            or verdict.firings
-            or verdict.placements
-            or snapshot.faults
-            or (verdict.phase, verdict.waiting_for_kickoff) != self._phase
-        )
 
     def _news(self, snapshot: Snapshot, verdict: Verdict, *, phase: bool = True) -> bytes:
         """Return what happened on a tick, framed: events, score, phase, faults, and who was put elsewhere."""
