@@ -1,14 +1,14 @@
-"""All bars in one table: what a match costs, as ratios to the raw physics of the same model in the same run.
+"""The bars of the match in one table: what it costs, as ratios to the raw physics of the same model in the same run.
 
     python -m benchmarks [--json] [--quick] [--same]
 
 ``--same`` adds the long test of repeatability: ten halves in a row, one pinned to one core, one beside another match,
 all with one digest. ``--quick`` plays halves of 60 s (ratios only; the absolute bars need whole halves).
+``python -m benchmarks.challenges`` and ``python -m benchmarks.watching`` measure the rest.
 """
 
 from __future__ import annotations
 
-import argparse
 import json
 import os
 import statistics
@@ -17,11 +17,11 @@ import sys
 import tempfile
 import time
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
 from benchmarks import physics_floor, referee_cost, sensing_cost
+from benchmarks.rows import Row, as_users_have_it, parser, show
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.load import load
 from rcj_challenges.world.world import World
@@ -30,36 +30,12 @@ PROGRAM = Path(__file__).parent / "programs" / "trivial" / "robot.py"
 HALF_S = 600.0
 
 
-@dataclass(frozen=True)
-class Row:
-    """One bar: what was measured, against what it is held."""
-
-    what: str
-    measured: float
-    unit: str
-    must: float | None
-    aim: float | None
-    more_is_better: bool = False
-
-    @property
-    def verdict(self) -> str:
-        """Whether the bar is reached."""
-        if self.must is None:
-            return ""
-        sign = -1 if self.more_is_better else 1
-        if sign * self.measured > sign * self.must:
-            return "MISSED"
-        return "aim" if self.aim is not None and sign * self.measured <= sign * self.aim else "must"
-
-
 def half(out: Path, half_s: float, *more: str, prefix: Sequence[str] = (), seed: int = 1) -> subprocess.Popen[str]:
     """Start a half with six trivial programs in a process of its own; it prints its result as JSON."""
     command = [*prefix, sys.executable, "-m", "rcj_challenges", "run", "match", "--halves", "1", "--json"]
     command += ["--no-replay", "--duration", f"{half_s:g}", "--seed", str(seed), "--out", str(out)]
     command += ["--blue", str(PROGRAM), "--yellow", str(PROGRAM), *more]
-    # As a user has it: with byte code on the disk, and imports from the installed package.
-    ours = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
-    return subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=ours)
+    return subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=as_users_have_it())
 
 
 def result(process: subprocess.Popen[str]) -> dict[str, Any]:
@@ -144,25 +120,16 @@ def same_rows(out: Path, half_s: float) -> list[Row]:
 
 def main() -> int:
     """Print the table; exit code 1 if a must is missed."""
-    parser = argparse.ArgumentParser(description="all bars, measured")
-    parser.add_argument("--json", action="store_true")
-    parser.add_argument("--quick", action="store_true", help="halves of 60 s")
-    parser.add_argument("--same", action="store_true", help="also the test of repeatability")
-    given = parser.parse_args()
+    options = parser("the bars of the match, measured")
+    options.add_argument("--quick", action="store_true", help="halves of 60 s")
+    options.add_argument("--same", action="store_true", help="also the test of repeatability")
+    given = options.parse_args()
     half_s = 60.0 if given.quick else HALF_S
     with tempfile.TemporaryDirectory() as out:
         rows = [*speed_rows(Path(out), half_s), *part_rows()]
         if given.same:
             rows += same_rows(Path(out), half_s)
-    if given.json:
-        print(json.dumps([asdict(row) | {"verdict": row.verdict} for row in rows], indent=2))
-    else:
-        print(f"{'what':38} {'measured':>10} {'unit':9} {'must':>8} {'aim':>8}")
-        for row in rows:
-            must = "" if row.must is None else f"{row.must:g}"
-            aim = "" if row.aim is None else f"{row.aim:g}"
-            print(f"{row.what:38} {row.measured:10g} {row.unit:9} {must:>8} {aim:>8}  {row.verdict}")
-    return 1 if any(row.verdict == "MISSED" for row in rows) else 0
+    return show(rows, as_json=given.json)
 
 
 if __name__ == "__main__":
