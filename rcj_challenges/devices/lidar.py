@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import cast
+from typing import NamedTuple, cast
 
 import mujoco
 import numpy as np
@@ -26,6 +26,18 @@ NOT_YET_SWEPT = 0.0
 """What a cell holds that the rays have not reached yet. Source: reference, 4.2."""
 
 
+_REMEMBERED = 1_000
+"""Sectors of a turning head; at 10 Hz there are 25."""
+
+
+class Sector(NamedTuple):
+    """Cells of a ring: which, and the parts of their rays along the robot's +x and +y."""
+
+    cells: slice | NDArray[np.intp]
+    forward: NDArray[np.float64]
+    left: NDArray[np.float64]
+
+
 class Lidar:
     """One scanner. Its plane is level at its height while the robot stands, and tilts with a robot that lies."""
 
@@ -39,10 +51,12 @@ class Lidar:
         self._bounds_hz = (fitted.spec.facts["min_frequency"], fitted.spec.facts["max_frequency"])
         self._frequency_hz = device.frequency_hz
         self._turns = 0.0
+        self._passed: dict[tuple[float, float], Sector] = {}
         first_rad, step_rad = lidar_bearings(device)
         bearings = first_rad + step_rad * np.arange(device.points)
         self._forward = np.cos(bearings)
         self._left = np.sin(bearings)
+        self._whole = Sector(slice(None), self._forward, self._left)
         # Where in its clockwise turn from the front the head passes each cell, in turns.
         self._passed_at = (-bearings / (2 * math.pi)) % 1.0
         chassis = scenario.kits[scenario.robots[fitted.robot_name].kit].chassis
@@ -70,23 +84,34 @@ class Lidar:
 
     def turn(self, tick: int, pose: RobotPose) -> None:
         """Refresh the cells that a rotating head passes in one tick."""
-        begin = self._turns
-        end = begin + self._frequency_hz * TICK_S
-        self._turns = end % 1.0
-        if end - begin >= 1:
-            self.measure(tick, pose, None)
+        begin, forth = self._turns, self._frequency_hz * TICK_S
+        # Rounded, so that a head that comes back to the same place is seen to be there.
+        self._turns = round(begin + forth, 12) % 1.0
+        if forth >= 1:
+            self.measure(tick, pose)
             return
+        sector = self._passed.get((begin, forth))
+        if sector is None:
+            sector = self._sector(begin, forth)
+        self.measure(tick, pose, sector)
+
+    def _sector(self, begin: float, forth: float) -> Sector:
+        """Return the cells that the head passes from one place on, in turns; remembered, for it passes them again."""
         # Rounded to a billionth of a turn: whether a cell is passed must not hang on the last bit of a sum.
         since = np.round((self._passed_at - begin) % 1.0, 9) % 1.0
-        self.measure(tick, pose, np.flatnonzero(since < round(end - begin, 9)))
+        cells = np.flatnonzero(since < round(forth, 9))
+        if len(self._passed) >= _REMEMBERED:
+            self._passed.clear()
+        sector = self._passed[begin, forth] = Sector(cells, self._forward[cells], self._left[cells])
+        return sector
 
-    def measure(self, tick: int, pose: RobotPose, cells: NDArray[np.intp] | None) -> None:
+    def measure(self, tick: int, pose: RobotPose, sector: Sector | None = None) -> None:
         """Measure some cells, or all of them (None)."""
-        chosen = slice(None) if cells is None else cells
-        count = len(self.cells) if cells is None else len(cells)
+        chosen, forward, left = sector or self._whole
+        count = len(forward)
         if not count:
             return
-        self._aim(pose, self._forward[chosen], self._left[chosen], count)
+        self._aim(pose, forward, left, count)
         distances = self._distances[:count]
         mujoco.mj_multiRay(
             self._model, self._data, self._origin, self._rays[:count].reshape(-1), self._groups, 1, self._body,
@@ -132,7 +157,7 @@ class Lidars:
             if lidar.device.rotating:
                 lidar.turn(tick, poses.robots[lidar.robot])
             elif member in due:
-                lidar.measure(tick, poses.robots[lidar.robot], None)
+                lidar.measure(tick, poses.robots[lidar.robot])
         for member in due:
             lidar = self.lidars[member]
             values[lidar.robot][lidar.slot : lidar.slot + lidar.device.points] = lidar.cells.tolist()
