@@ -15,6 +15,7 @@ import shutil
 import signal
 import subprocess
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 _PROBE_S = 10.0
@@ -59,6 +60,30 @@ def prefix(python: str, readable: tuple[str, ...], private: Path | None) -> list
         command += ["--bind", str(private), str(private)]
     # What holds the mounts is in memory, without a limit: nothing may be written there.
     return [*command, "--remount-ro", "/dev", "--remount-ro", "/", "--"]
+
+
+def until_gone_holding(fd: int, command: Sequence[str]) -> list[str]:
+    """Return the command of `prefix` so that bubblewrap keeps a file open as long as one of its own processes lives.
+
+    Args:
+        fd: of that file; the program does not get it.
+        command: as `prefix` made it.
+    """
+    return [command[0], "--sync-fd", str(fd), *command[1:]]
+
+
+def wait_until_gone(fd: int) -> None:
+    """Wait until no process of bubblewrap's lives any more; the program must have ended, and the outermost one as well.
+
+    The outermost one does not wait for the first one inside, which lives up to a few hundredths of a second longer on
+    a busy machine.
+
+    Args:
+        fd: read end of the pipe whose write end `until_gone_holding` was given.
+    """
+    poll = select.poll()
+    poll.register(fd, select.POLLIN)
+    poll.poll(_GONE_S * 1000)
 
 
 def innermost(pid: int) -> int:

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Self
 
 from rcj_challenges.controllers.isolation import active_layers
+from rcj_challenges.controllers.private_folders import PrivateFolders, remove_left_overs_once
 from rcj_challenges.controllers.program import CLEAN_UP_S, Assignment, Program
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.traffic import Observation, RobotSpec
@@ -56,6 +57,7 @@ class Crew:
         self._plan = plan
         self.layers = active_layers(plan.sandbox)
         self.programs: dict[str, Program] = {}
+        self._folders: PrivateFolders | None = None
 
     def add(self, spec: RobotSpec, team: Team, entry: str) -> Program:
         """Add a robot's program; `launch` starts it.
@@ -86,11 +88,15 @@ class Crew:
     def launch(self) -> None:
         """Start all programs; they run to their first ``step`` side by side.
 
+        What matches that were killed have left behind is removed meanwhile.
+
         Raises:
-            OSError: a log cannot be written.
+            OSError: a log cannot be written, or no folder can be made for the programs.
         """
+        self._folders = PrivateFolders()
         for program in self.programs.values():
-            program.launch()
+            program.launch(self._folders.place)
+        remove_left_overs_once()
 
     def finish(self, last: Mapping[str, Observation]) -> None:
         """Tell programs that the match is over, give them about 1 s together to clean up, then end all.
@@ -112,6 +118,8 @@ class Crew:
                 program.kill()
         for program in self.programs.values():
             program.close()
+        if self._folders is not None:
+            self._folders.close()
 
     def __enter__(self) -> Self:
         return self

@@ -26,12 +26,13 @@ class ProgramLog:
         fd: for the program's output; -1 when closed.
     """
 
-    def __init__(self, path: Path, most_bytes: int) -> None:
+    def __init__(self, path: Path, most_bytes: int, temporary: Path) -> None:
         """Open it, at its end.
 
         Args:
             path: of the file; its folder is made if it is not there.
             most_bytes: of the program's output that are taken over.
+            temporary: an existing folder for the file that the program writes into.
 
         Raises:
             OSError: it cannot be written.
@@ -39,7 +40,7 @@ class ProgramLog:
         path.parent.mkdir(parents=True, exist_ok=True)
         self._log_fd = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND | _BINARY, 0o644)
         try:
-            self.fd, name = tempfile.mkstemp(prefix="rcj-output-")
+            self.fd, name = tempfile.mkstemp(prefix="output-", dir=temporary)
         except OSError:
             os.close(self._log_fd)
             raise

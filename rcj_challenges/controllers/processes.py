@@ -52,11 +52,14 @@ class Ends:
 class Process:
     """A running program, and everything that it starts."""
 
-    def __init__(self, popen: subprocess.Popen[bytes], job: Any, *, own_session: bool, wrapped: bool = False) -> None:
+    def __init__(
+        self, popen: subprocess.Popen[bytes], job: Any, *, own_session: bool, sandbox_fd: int | None = None
+    ) -> None:
         self._popen = popen
         self._job = job
         self._own_session = own_session
-        self._wrapped = wrapped
+        self._wrapped = sandbox_fd is not None
+        self._sandbox_fd = sandbox_fd  # read end of a pipe that ends with the last process of bubblewrap's
 
     @property
     def pid(self) -> int:
@@ -107,6 +110,10 @@ class Process:
         with contextlib.suppress(OSError):
             self._popen.kill()
         self._popen.wait()
+        if self._sandbox_fd is not None:
+            bubblewrap.wait_until_gone(self._sandbox_fd)
+            os.close(self._sandbox_fd)
+            self._sandbox_fd = None
 
     def _innermost_pid(self) -> int:
         return bubblewrap.innermost(self._popen.pid) if self._wrapped else self._popen.pid
@@ -129,7 +136,7 @@ def start(
         log_fd: where its output goes; None: it has this process's terminal, for debugging.
         memory_bytes: limit that the platform sets from outside (Windows); None: no limit.
         lifeline: whether it gets a pipe by which it notices the end of this process.
-        prefix: a command that starts it, with its arguments; empty: it is started directly.
+        prefix: of `bubblewrap.prefix`, the command that starts it; empty: it is started directly.
 
     Raises:
         OSError: it cannot be started.
@@ -139,15 +146,17 @@ def start(
         theirs_read, write_fd = _pipe(undo)
         read_fd, theirs_write = _pipe(undo)
         theirs_life, lifeline_fd = _pipe(undo) if lifeline else (None, None)
-        inherited = [fd for fd in (theirs_read, theirs_write, theirs_life) if fd is not None]
+        sandbox_fd, theirs_sync = _pipe(undo) if prefix else (None, None)
+        inherited = [fd for fd in (theirs_read, theirs_write, theirs_life, theirs_sync) if fd is not None]
+        wrapping = prefix if theirs_sync is None else bubblewrap.until_gone_holding(theirs_sync, prefix)
         arguments = [*_handles(theirs_read, theirs_write, theirs_life), str(PUPIL_FOLDER)]
         process = _popen(
-            [*prefix, python(), "-s", "-S", "-P", "-B", "-X", "utf8", "-X", "faulthandler", "-c", _START, *arguments],
+            [*wrapping, python(), "-s", "-S", "-P", "-B", "-X", "utf8", "-X", "faulthandler", "-c", _START, *arguments],
             inherited,
             {"cwd": cwd, "env": environment},
             log_fd,
             memory_bytes,
-            wrapped=bool(prefix),
+            sandbox_fd=sandbox_fd,
         )
         undo.pop_all()
     for fd in inherited:
@@ -169,7 +178,7 @@ def _popen(
     log_fd: int | None,
     memory_bytes: int | None,
     *,
-    wrapped: bool,
+    sandbox_fd: int | None,
 ) -> Process:
     streams: dict[str, Any] = {}
     if log_fd is not None:
@@ -191,7 +200,7 @@ def _popen(
     popen = subprocess.Popen(
         command, pass_fds=inherited, start_new_session=own_session, restore_signals=True, **place, **streams
     )
-    return Process(popen, None, own_session=own_session, wrapped=wrapped)
+    return Process(popen, None, own_session=own_session, sandbox_fd=sandbox_fd)
 
 
 def _handles(*fds: int | None) -> list[str]:

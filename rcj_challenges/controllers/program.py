@@ -108,8 +108,11 @@ class Program:
         """How many times it has called ``step``."""
         return self._requests
 
-    def launch(self) -> None:
+    def launch(self, place: Path) -> None:
         """Start the process; it runs to its first ``step``, which `collect` waits for.
+
+        Args:
+            place: the folder that its private folder is made in.
 
         Raises:
             IsolationError: strict isolation cannot be had here.
@@ -118,11 +121,11 @@ class Program:
         layers = isolation.active_layers(self._assignment.sandbox)
         if self._assignment.debug:
             layers = tuple(layer for layer in layers if layer not in ("resource_limits", "bubblewrap"))
-        self._log = ProgramLog(self._assignment.log_path, self._output_limit)
+        self._log = ProgramLog(self._assignment.log_path, self._output_limit, place)
         self._say(f"--- half {self._assignment.half}: {self._assignment.entry} ---\n")
         self._launched_at = time.perf_counter()
         try:
-            self._start(layers, self._log.fd)
+            self._start(layers, self._log.fd, place)
         except (OSError, ValueError, RcjError) as error:
             self._fail("start", f"the program could not be started: {one_line(str(error))}")
 
@@ -239,9 +242,9 @@ class Program:
         """Return what it printed since the last call."""
         return self._log.new_text() if self._log is not None else ""
 
-    def _start(self, layers: tuple[str, ...], log_fd: int) -> None:
+    def _start(self, layers: tuple[str, ...], log_fd: int, place: Path) -> None:
         assignment = self._assignment
-        folder = self._folder = Path(tempfile.mkdtemp(prefix=f"rcj-{self.name}-")).resolve()
+        folder = self._folder = Path(tempfile.mkdtemp(prefix=f"rcj-{self.name}-", dir=place))
         root = folder / "team"
         root.mkdir()
         assignment.team.unpack(root)

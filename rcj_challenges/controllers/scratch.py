@@ -38,7 +38,7 @@ def has_more_than(folder: Path, limit_bytes: float) -> bool:
         try:
             with os.scandir(here) as entries:
                 for entry in entries:
-                    if _is_folder(entry):
+                    if is_folder(entry):
                         todo.append(entry.path)
                     total += _entry_bytes(entry)
                     if total > limit_bytes:
@@ -100,7 +100,7 @@ def remove(folder: Path) -> None:
             with os.scandir(here) as entries:
                 listed = list(entries)
             for entry in listed:
-                if _is_folder(entry):
+                if is_folder(entry):
                     todo.append(entry.path)
                 else:
                     _unlink(entry.path)
@@ -120,7 +120,7 @@ def _brought_up(path: str, place: str) -> str:
     return place
 
 
-def _is_folder(entry: os.DirEntry[str]) -> bool:
+def is_folder(entry: os.DirEntry[str]) -> bool:
     """Return whether it is a folder itself, and neither a link to one nor a junction (Windows)."""
     if not entry.is_dir(follow_symlinks=False):
         return False

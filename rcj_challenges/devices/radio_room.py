@@ -41,7 +41,7 @@ class RadioRoom:
             queues: where each robot's receivers deliver, by robot.
         """
         self._receivers: dict[tuple[int, int], Receiver] = {}
-        self._slow: list[Receiver] = []
+        self._slow: dict[int, list[Receiver]] = {}  # by robot; robots without one are absent
         self._emitters: dict[tuple[int, int], Emitter] = {}
         self._refused: dict[tuple[int, int], frozenset[int]] = {}
         radios: list[tuple[Fitted, Receiver]] = []
@@ -107,7 +107,10 @@ class RadioRoom:
 
     def _retune(self) -> None:
         """Find out anew who listens to what."""
-        self._slow = [receiver for receiver in self._receivers.values() if receiver.slow]
+        self._slow = {}
+        for receiver in self._receivers.values():
+            if receiver.slow:
+                self._slow.setdefault(receiver.robot, []).append(receiver)
         self._infrared.retune()
         for referee in self._referee:
             referee.retune()
@@ -127,11 +130,10 @@ class RadioRoom:
         """Bring the balls' packets of ``tick`` to a robot; then its slow receivers deliver what they have heard."""
         self._infrared.send(robot, tick, poses)
         if self._slow:
-            for receiver in self._slow:
-                if receiver.robot == robot:
-                    receiver.deliver(tick)
-                    if tick % TRIM_EVERY_TICKS == 0:
-                        receiver.trim()
+            for receiver in self._slow.get(robot, ()):
+                receiver.deliver(tick)
+                if tick % TRIM_EVERY_TICKS == 0:
+                    receiver.trim()
 
 
 def _referee_radios(

@@ -7,7 +7,7 @@ obstacles and robots' cubes; never what the rule book's sonar passes over: balls
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from typing import cast
 
 import mujoco
@@ -100,8 +100,9 @@ class Sonars:
         for member, (one, device) in enumerate(zip(fitted, devices, strict=True)):
             heard_below = -max(_GRAZING, math.cos(device.lost_from_rad))
             self._of_robot.setdefault(one.robot, []).append((member, one.spec.slot, device.range_m, heard_below))
-        self._due: Sequence[int] = ()
+        self._due: Collection[int] = ()
         self._all = count
+        self._all_due = False
         self._echoes: list[list[float]] = []
         self._errors: list[float] = []
         self._mask = RayMask(ground, groups_at(scenario, min(device.height_m for device in devices)))
@@ -111,7 +112,9 @@ class Sonars:
 
     def sample(self, tick: int, _poses: Poses, _values: Values) -> None:
         """Measure all rays, if a sonar is due at ``tick``; `read` makes readings of them."""
-        self._due = due = self.schedule.due(tick)
+        due = self.schedule.due(tick)
+        self._all_due = len(due) == self._all
+        self._due = due if self._all_due else frozenset(due)
         if due:
             self._measure()
             self._echoes, self._errors = self._rays.tolist(), self._noise.row(tick).tolist()
@@ -121,7 +124,7 @@ class Sonars:
         due = self._due
         if not due:
             return
-        all_due, echoes, errors, own = len(due) == self._all, self._echoes, self._errors, values[robot]
+        all_due, echoes, errors, own = self._all_due, self._echoes, self._errors, values[robot]
         # Number by number: for a handful of them numpy's calls cost more than they save.
         for member, slot, range_m, heard_below in self._of_robot.get(robot, ()):
             if not all_due and member not in due:

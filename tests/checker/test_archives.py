@@ -15,6 +15,7 @@ from pathlib import Path, PurePosixPath
 import pytest
 
 from rcj_challenges.checker.archives import Inspection, inspect
+from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.checker.findings import Finding
 from rcj_challenges.checker.images import Picture, look_at
 from rcj_challenges.controllers.team import TeamError, open_team
@@ -22,7 +23,20 @@ from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.scenario.models.scenario import Scenario
 from tests.hostile.archives import pictures
 from tests.hostile.archives.building import Member, pack, with_folders
-from tests.hostile.archives.cases import ALL, ENTRY, FINE, NAME, OF_2021, PROGRAM, SOUND, named, plain
+from tests.hostile.archives.cases import (
+    ALL,
+    ENTRY,
+    FINE,
+    IMPORTS,
+    NAME,
+    OF_2021,
+    PROGRAM,
+    SEEN,
+    SOUND,
+    Case,
+    named,
+    plain,
+)
 
 
 @cache
@@ -77,6 +91,28 @@ def test_the_check_and_a_match_agree_whether_an_archive_can_be_used(tmp_path: Pa
     else:
         assert inspection.team is not None
         assert (inspection.digest, inspection.display_name) == (team.digest, team.name)
+
+
+@pytest.mark.parametrize("case", (SEEN | IMPORTS).values(), ids=SEEN | IMPORTS)
+def test_the_whole_check_names_each_defect_of_real_submissions(tmp_path: Path, case: Case) -> None:
+    path = tmp_path / "team.zip"
+    path.write_bytes(case.build())
+    report = check_file(path, load(case.scenario), CheckOptions(play=False))
+    stage = next(stage for stage in report.stages if stage.name == case.code.partition(".")[0])
+    found = [finding for finding in stage.findings if finding.code == case.code]
+    assert [finding.level for finding in found] == [case.level] * max(1, len(found))
+    assert any(case.says in finding.message for finding in found), [finding.message for finding in found]
+    assert {finding.repair for finding in found} == {case.repair}
+    assert all(finding.remedy for finding in found) or case.level == "passed"
+    assert case.level != "failure" or report.level == "failure"
+
+
+def test_a_rar_archive_under_its_own_name_is_told_as_one(tmp_path: Path) -> None:
+    path = tmp_path / "team.rar"
+    path.write_bytes(SEEN["rar"].build())
+    report = check_file(path, load("match"), CheckOptions(play=False))
+    assert [finding.code for finding in report.stages[0].findings] == ["archive.other_kind"]
+    assert report.level == "failure"
 
 
 @pytest.mark.parametrize("build", FINE.values(), ids=FINE)
@@ -265,11 +301,11 @@ def test_looking_at_an_archive_needs_no_physics() -> None:
 def test_the_page_for_teams_lists_every_message_with_its_level_and_whether_it_is_repaired() -> None:
     page = (Path(__file__).parents[2] / "docs" / "submission.md").read_text(encoding="utf-8")
     rows = re.findall(
-        r"^\| `((?:archive|layout|identity)\.\w+)` \| (\w+) \|.*\| (yes|no)[ ¹²³⁴⁵]*\|$", page, re.MULTILINE
+        r"^\| `((?:archive|layout|identity|sources)\.\w+)` \| (\w+) \|.*\| (yes|no)[ ¹²³⁴⁵]*\|$", page, re.MULTILINE
     )
     listed = {code: (level, fix == "yes") for code, level, fix in rows}
     cases: dict[str, tuple[str, bool]] = {}
-    for case in ALL.values():
+    for case in (ALL | IMPORTS).values():
         cases[case.code] = (case.level, case.repair or cases.get(case.code, ("", False))[1])
     assert len(rows) == len(listed)
     assert {code: listed.get(code) for code in cases} == cases

@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import os
 import shutil
+import subprocess
 import sys
+import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from attempts import BASE, only, outcomes
-from fake_match import SPEC, FakeMatch, Played, play_on
+from fake_match import SPEC, FakeMatch, Played, play_on, values_at
 from test_program_endings import exists, gone_within
 
 from rcj_challenges.controllers import bubblewrap, isolation, processes, sight
+from rcj_challenges.controllers.private_folders import PREFIX
+from rcj_challenges.facts.traffic import Observation
 
 installed = sys.platform == "linux" and bubblewrap.works(processes.python(), sight.readable())
 needs_bubblewrap = pytest.mark.skipif(not installed, reason="bubblewrap is not installed, or may not make name spaces")
@@ -30,6 +34,14 @@ def probed_anew() -> Iterator[None]:
     bubblewrap.works.cache_clear()
 
 
+def environment_of(pid: int) -> bytes:
+    """Return the environment of a process; none when its memory is given back already, or it is gone."""
+    try:
+        return Path(f"/proc/{pid}/environ").read_bytes()
+    except OSError:
+        return b""
+
+
 @needs_bubblewrap
 def test_what_is_outside_has_no_name(tmp_path: Path) -> None:
     secret = tmp_path / "reflog.jsonl"
@@ -40,7 +52,8 @@ def test_what_is_outside_has_no_name(tmp_path: Path) -> None:
         "who has an account": "os.path.exists('/etc/passwd')",
         "homes": "os.path.exists('/home')",
         # Python itself may be there as well.
-        "private folders": f"len([name for name in os.listdir({temporary!r}) if name[:5] in ('rcj-B', 'rcj-Y')])",
+        "matches": f"len([name for name in os.listdir({temporary!r}) if name.startswith({PREFIX!r})])",
+        "private folders": "[name[:7] for name in os.listdir(os.path.dirname(os.environ['HOME']))]",
         "its parent": "os.getppid()",
         "processes": "len([name for name in os.listdir('/proc') if name.isdigit()])",
         "networks": "[name for _, name in socket.if_nameindex()]",
@@ -56,7 +69,8 @@ def test_what_is_outside_has_no_name(tmp_path: Path) -> None:
         "the record": "False",
         "who has an account": "False",
         "homes": told["homes"] if sys.prefix.startswith("/home") else "False",
-        "private folders": "1",
+        "matches": "1",
+        "private folders": "['rcj-Y1-']",
         "its parent": "1",
         "processes": "2",
         "networks": "['lo']",
@@ -117,6 +131,39 @@ def test_nothing_of_it_is_left_when_the_match_has_ended_the_program(tmp_path: Pa
         program.kill()
         assert not exists(inner)
         assert gone_within([outer], 5)
+
+
+@needs_bubblewrap
+@pytest.mark.parametrize("by_itself", [True, False], ids=["by itself", "by the match"])
+def test_when_a_program_has_ended_bubblewraps_own_processes_have_as_well(tmp_path: Path, by_itself: bool) -> None:
+    match = FakeMatch(tmp_path)
+    with only("bubblewrap"), match.crew() as crew:
+        program = crew.add(SPEC, match.team(IN_PLAY), "robot.py")
+        crew.launch()
+        play_on(program, Played(), 0)
+        assert program._process is not None
+        outer = program._process.pid
+        inside = int(Path(f"/proc/{outer}/task/{outer}/children").read_text(encoding="ascii"))
+        assert b"HOME=" in environment_of(inside)
+        if by_itself:
+            program.finish(Observation(1, values_at(1), [], over=True))
+            program.wait_until(time.perf_counter() + 10)
+        program.kill()
+        assert environment_of(inside) == b""
+
+
+@needs_linux
+def test_the_end_of_a_program_is_waited_for_until_bubblewraps_last_process_is_gone() -> None:
+    read_fd, write_fd = os.pipe()
+    process = processes.Process(subprocess.Popen(["sleep", "60"]), None, own_session=False, sandbox_fd=read_fd)
+    killing = threading.Thread(target=process.kill)
+    killing.start()
+    killing.join(0.1)
+    assert killing.is_alive(), "somebody still holds the pipe"
+    os.close(write_fd)
+    killing.join(5)
+    assert not killing.is_alive()
+    process.kill()
 
 
 @needs_bubblewrap

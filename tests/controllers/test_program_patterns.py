@@ -35,6 +35,45 @@ def test_a_program_reads_what_its_robot_senses_and_drives(either_match: FakeMatc
     assert set(played.requests[0][1].sampling) == wanted
 
 
+def test_steps_of_several_threads_that_come_one_after_the_other_are_those_of_one_program(match: FakeMatch) -> None:
+    program = """
+import threading
+from controller import Robot
+robot = Robot()
+for _ in range(5):
+    thread = threading.Thread(target=robot.step, args=(32,))
+    thread.start()
+    thread.join()
+    print(robot.getTime())
+while robot.step(32) != -1:
+    pass
+"""
+    played = match.play(program, ticks=6)
+    assert played.fault is None
+    assert played.said == ["0.032", "0.064", "0.096", "0.128", "0.16"]
+
+
+def test_a_second_step_while_the_first_waits_ends_the_program(either_match: FakeMatch) -> None:
+    program = """
+import os, threading
+from controller import Robot, _hub
+robot = Robot()
+wire = _hub.connected()._wire
+both = threading.Barrier(2)
+exchange = wire.exchange
+def exchange_together(frame):
+    both.wait()
+    return exchange(frame)
+wire.exchange = exchange_together
+threading.Thread(target=robot.step, args=(32,)).start()
+robot.step(32)
+"""
+    played = either_match.play(program, ticks=6)
+    assert played.fault is not None
+    assert (played.fault.kind, played.fault.tick) == ("protocol", 1)
+    assert "answers tick 0 at tick 1" in played.fault.detail
+
+
 def test_step_loops_may_be_nested_in_helpers(match: FakeMatch) -> None:
     played = match.play("patterns/nested_step_loops", ticks=12)
     assert played.fault is None

@@ -91,6 +91,15 @@ def logo(content: bytes, name: str = "logo.png") -> bytes:
     return plain(SOUND | {name: content})
 
 
+def leftover(path: str, says: str = "") -> Case:
+    return Case(lambda: sound_with(**{path: b"\0"}), "archive.leftovers", "warning", says or path, repair=True)
+
+
+def importing(line: bytes, **more: bytes) -> bytes:
+    """Return a sound archive whose program imports something else."""
+    return sound_with(**{ENTRY: line + b"\n" + PROGRAM, **more})
+
+
 def noise(size: int) -> bytes:
     return random.Random(size).randbytes(size)
 
@@ -189,6 +198,10 @@ SEEN: dict[str, Case] = {
         lambda: sound_with(**{"rcj_soccer_team_yellow/rcj_soccer_team_yellow.py": b"\n"}),
         "layout.empty_program", "warning", "is empty, and this scenario does not ask for it", repair=True,
     ),
+    "second_entry_of_no_bytes": Case(
+        lambda: sound_with(**{"rcj_soccer_team_yellow/rcj_soccer_team_yellow.py": b""}),
+        "layout.empty_program", "warning", "is empty, and this scenario does not ask for it", repair=True,
+    ),
     "empty_first_entry": Case(
         lambda: plain(OF_2021 | {ENTRY: b""}), "layout.empty_entry", says="B1, B2, B3", repair=True
     ),
@@ -212,6 +225,7 @@ SEEN: dict[str, Case] = {
     "name_file_is_a_document": Case(
         lambda: named(b"{\\rtf1 Robo Cats}", "team_name.rtf"), "identity.name_document", "warning", "no plain text"
     ),
+    "name_file_of_no_bytes": Case(lambda: named(b""), "identity.name_empty", "warning", "is empty"),
     "name_empty": Case(lambda: named(b" \r\n"), "identity.name_empty", "warning", "is empty"),
     "name_too_long": Case(
         lambda: named(b"The Extraordinarily Invincible Robots"), "identity.name_long", "warning", "longer than 32 letters", repair=True
@@ -241,6 +255,11 @@ SEEN: dict[str, Case] = {
         lambda: sound_with(**{".git/HEAD": b"ref", "rcj_soccer_team_blue/__pycache__/utils.cpython-311.pyc": b"\0"}),
         "archive.leftovers", "warning", ".git/HEAD", repair=True,
     ),
+    "left_over_shadow_of_macos": leftover("__MACOSX/rcj_soccer_team_blue/._picture.png"),
+    "left_over_desktop_file_of_macos": leftover("rcj_soccer_team_blue/.DS_Store"),
+    "left_over_icon_of_macos": leftover("rcj_soccer_team_blue/Icon\r", "Icon\\r"),
+    "left_over_history_of_git": leftover(".git/objects/4b/825dc642cb6eb9a060e54bf8d69288fbee4904"),
+    "left_over_byte_code": leftover("rcj_soccer_team_blue/__pycache__/utils.cpython-38.pyc"),
     "rar": Case(lambda: b"Rar!\x1a\x07\x01\x00" + noise(200), "archive.other_kind", says="a RAR archive"),
     "rar_of_old": Case(lambda: b"Rar!\x1a\x07\x00" + noise(200), "archive.other_kind", says="a RAR archive"),
     "logo_is_a_jpeg": Case(
@@ -257,6 +276,42 @@ SEEN: dict[str, Case] = {
     ),
 }  # fmt: skip
 """What was seen at the demo of 2021 and since."""
+
+IMPORTS: dict[str, Case] = {
+    "a_module_is_not_included": Case(
+        lambda: plain(without(SOUND, "rcj_soccer_team_blue/utils.py")), "sources.missing_module", says='imports "utils"'
+    ),
+    "the_libraries_of_2021_are_not_included": Case(
+        lambda: plain(without(OF_2021, "team_7_libraries/robot1.py")),
+        "sources.missing_module", says='imports "team_7_libraries"',
+    ),
+    "a_part_of_the_libraries_of_2021_is_not_included": Case(
+        lambda: plain(without(OF_2021, "team_7_libraries/robot1.py") | {"team_7_libraries/robot2.py": b"x = 1\n"}),
+        "sources.missing_part", says="there is no robot1.py in the folder team_7_libraries",
+    ),
+    "a_module_that_is_on_the_teams_own_computer_only": Case(
+        lambda: importing(b"import cv2"), "sources.missing_module", says='imports "cv2"'
+    ),
+    "an_import_in_the_middle_of_a_program": Case(
+        lambda: importing(b"def later():\n    from strategy import attack"), "sources.missing_module", says='"strategy"'
+    ),
+    "an_import_of_an_import": Case(
+        lambda: sound_with(**{"rcj_soccer_team_blue/utils.py": b"from maths import speed\n"}),
+        "sources.missing_module", says='imports "maths"',
+    ),
+    "an_import_that_the_program_can_do_without": Case(
+        lambda: importing(b"try:\n    import pandas\nexcept ImportError:\n    pass"),
+        "sources.optional_missing_module", "warning", "has a way out",
+    ),
+    "an_import_with_capital_letters": Case(
+        lambda: importing(b"import Utils"), "sources.wrong_case", says='called "utils"'
+    ),
+    "a_module_in_another_folder": Case(
+        lambda: importing(b"import strategy", **{"shared/strategy.py": b"x = 1\n"}),
+        "sources.elsewhere", says="shared/strategy.py is not where Python looks",
+    ),
+}  # fmt: skip
+"""Sound archives with a program that imports what is not there: seen as well, but told by the stage after these."""
 
 HOSTILE: dict[str, Case] = {
     "no_bytes_at_all": Case(lambda: b"", "archive.empty", says="not a ZIP archive"),

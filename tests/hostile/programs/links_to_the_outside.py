@@ -14,7 +14,7 @@ import arena
 
 arena.drive(10)
 home = os.environ["HOME"]
-treasure = os.path.abspath(os.path.join(home, "..", "..", "treasure"))
+treasure = os.path.abspath(os.path.join(home, "..", "..", "..", "treasure"))
 os.symlink("/usr", os.path.join(home, "usr"))
 os.symlink("/", "root")
 os.symlink(".", "circle")

@@ -8,14 +8,20 @@ import threading
 
 import arena
 
+THREADS = 8
+
+# Steps that happen to come one after the other are no fault: all begin together, again and again.
+together = threading.Barrier(THREADS + 1)
+
 
 def step():
-    while arena.robot.step(32) != -1:
-        pass
+    while True:
+        together.wait()
+        arena.robot.step(32)
 
 
 arena.drive(10)
-others = [threading.Thread(target=step) for _ in range(8)]
+others = [threading.Thread(target=step, daemon=True) for _ in range(THREADS)]
 for other in others:
     other.start()
 step()

@@ -14,7 +14,7 @@ import arena
 
 arena.drive(10)
 home = os.environ["HOME"]
-treasure = os.path.join(os.path.dirname(home), "..", "treasure")
+treasure = os.path.join(os.path.dirname(home), "..", "..", "treasure")
 arena.refused("rename", os.rename, home, home + "-moved")
 arena.refused("link", os.symlink, treasure, home + "-link")
 if os.path.islink(home + "-link"):

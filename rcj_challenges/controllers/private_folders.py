@@ -1,0 +1,147 @@
+"""The place of one half's private folders, and how those that dead matches left behind go.
+
+A match that is killed (``kill -9``, a power cut) cannot remove what it made. So all private folders of a half are in
+one folder with a file that the match holds locked while it lives: the system gives the lock back however a process
+ends. A match that starts removes such folders whose lock it gets. Neither clocks nor process ids decide, and a lock
+that is held is never waited for.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import os
+import stat
+import sys
+import tempfile
+from pathlib import Path
+
+from rcj_challenges.controllers import scratch
+
+if sys.platform == "win32":
+    import msvcrt
+else:
+    import fcntl
+
+PREFIX = "rcj-match-"
+LOCK_FILE = "in-use"
+
+_ATTEMPTS = 100  # another match may take a folder for a left-over in the moment before it is locked
+# What a program may have put in the place of the file is neither followed nor waited for.
+_FLAGS = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+
+
+class PrivateFolders:
+    """Where the programs of one half have their private folders.
+
+    Attributes:
+        place: the folder that they are in; only this user may look into it.
+    """
+
+    def __init__(self) -> None:
+        """Make the place, in the temporary folder.
+
+        Raises:
+            OSError: it cannot be made.
+        """
+        self.place, self._lock_fd = _made()
+
+    def close(self) -> None:
+        """Remove it with all that is in it. The programs must have ended. Can be called again."""
+        if self._lock_fd >= 0:
+            _discard(self.place, self._lock_fd)
+            self._lock_fd = -1
+
+
+@functools.cache
+def remove_left_overs_once() -> None:
+    """Remove what dead matches left in the temporary folder, the first time that this process asks for it."""
+    remove_left_overs(Path(tempfile.gettempdir()))
+
+
+def remove_left_overs(temporary: Path) -> None:
+    """Remove the places of matches that do not live any more. Whatever cannot be removed stays.
+
+    Args:
+        temporary: the folder to look through, not into.
+    """
+    with contextlib.suppress(OSError), os.scandir(temporary) as entries:
+        for entry in entries:
+            if entry.name.startswith(PREFIX):
+                with contextlib.suppress(OSError):
+                    _remove_if_nobodys(entry)
+
+
+def _remove_if_nobodys(entry: os.DirEntry[str]) -> None:
+    mine = sys.platform == "win32" or entry.stat(follow_symlinks=False).st_uid == os.geteuid()
+    if not mine or not scratch.is_folder(entry):
+        return
+    folder = Path(entry.path)
+    fd = os.open(folder / LOCK_FILE, _FLAGS, 0o600)
+    try:
+        nobodys = _lock(fd) and _is_in_its_place(fd, folder)
+    except OSError:  # no locks here: nothing can be proved
+        nobodys = False
+    if nobodys:
+        _discard(folder, fd)
+    else:
+        os.close(fd)
+
+
+def _made() -> tuple[Path, int]:
+    """Return a new folder, and the locked file in it."""
+    for _ in range(_ATTEMPTS):
+        folder = Path(tempfile.mkdtemp(prefix=PREFIX)).resolve()
+        try:
+            fd = os.open(folder / LOCK_FILE, _FLAGS, 0o600)
+        except FileNotFoundError:
+            continue  # somebody has just removed it
+        except OSError:
+            folder.rmdir()
+            raise
+        try:
+            held = _lock(fd)
+        except OSError:
+            held = True  # a file system without locks: nobody else gets one either
+        if held and _is_in_its_place(fd, folder):
+            return folder, fd
+        os.close(fd)
+    raise OSError(f"no folder in {tempfile.gettempdir()} stays where it was made")
+
+
+def _discard(folder: Path, lock_fd: int) -> None:
+    """Remove a folder; its lock is held until all else is gone."""
+    scratch.remove(folder)
+    os.close(lock_fd)
+    if sys.platform == "win32":  # a file that is open stays
+        with contextlib.suppress(OSError):
+            (folder / LOCK_FILE).unlink()
+            folder.rmdir()
+
+
+def _is_in_its_place(fd: int, folder: Path) -> bool:
+    """Return whether the file of a lock is an ordinary one, and still the one of that name."""
+    try:
+        found = (folder / LOCK_FILE).lstat()
+    except OSError:
+        return False
+    return stat.S_ISREG(found.st_mode) and os.path.samestat(os.fstat(fd), found)
+
+
+def _lock(fd: int) -> bool:
+    """Lock a file until it is closed; return False if another process, or another place in this one, holds it.
+
+    Raises:
+        OSError: there are no locks in this file system.
+    """
+    if sys.platform == "win32":
+        try:
+            msvcrt.locking(fd, msvcrt.LK_NBLCK, 1)
+        except OSError:
+            return False
+        return True
+    try:
+        fcntl.flock(fd, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return False
+    return True
