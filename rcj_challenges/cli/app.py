@@ -148,7 +148,11 @@ def play_tests(
     set_: _Set = None,
     json_: Annotated[bool, typer.Option("--json", help="Print the outcome as JSON and nothing else.")] = False,
 ) -> None:
-    """Play the tests written in scenario files (expect:), without physics and without programs."""
+    """Play the tests written in scenario files (expect:), without physics and without programs.
+
+    Every file is played, also after one that cannot be used. Exit status 0: all as expected; 1: a test failed;
+    2: a file that cannot be used, whatever came out of the others.
+    """
     from rcj_challenges.cli.expect import run_tests
 
     raise typer.Exit(run_tests(files, set_ or [], as_json=json_))

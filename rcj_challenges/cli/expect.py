@@ -6,12 +6,13 @@ import json
 import sys
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 from rcj_challenges.cli.validate import say
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.script import Trial, try_expectation
+from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.scenario.models.actions import Emit, Score
 
@@ -34,24 +35,33 @@ def run_tests(paths: Sequence[str], overrides: Sequence[str], *, as_json: bool =
         as_json: print one JSON object and nothing else.
 
     Returns:
-        0 if all is as expected, 1 if something is not.
-
-    Raises:
-        ScenarioError: a file cannot be used.
+        2 if a file cannot be used (the others are played all the same); else 1 if something is not as expected; else 0.
     """
-    loaded = [(path, load(path, overrides)) for path in paths]
-    reports = []
-    for path, one in loaded:
-        played = [_play(one, name) for name in one.scenario.expect]
-        reports.append(_report(path, one, played))
-        if not as_json:
-            _show(reports[-1])
-    passed = all(report["passed"] for report in reports)
+    code = 0
+    reports: list[dict[str, Any]] = []
+    for path in paths:
+        try:
+            loaded = load(path, overrides)
+        except ScenarioError as error:
+            reports.append(_unusable(path, error))
+            code = ScenarioError.exit_code
+            say("" if as_json else str(error), sys.stderr)
+        else:
+            reports.append(_report(path, loaded, [_play(loaded, name) for name in loaded.scenario.expect]))
+            code = max(code, 0 if reports[-1]["passed"] else 1)
+            if not as_json:
+                _show(reports[-1])
     if as_json:
+        passed = all(report["passed"] for report in reports)
         say(json.dumps({"passed": passed, "files": reports}, ensure_ascii=False, indent=2), sys.stdout)
     else:
         _show_sum(reports)
-    return 0 if passed else 1
+    return code
+
+
+def _unusable(path: str, error: ScenarioError) -> dict[str, Any]:
+    problems = [asdict(problem) for problem in error.problems]
+    return {"file": path, "title": None, "passed": False, "problems": problems, "tests": [], "untested_rules": []}
 
 
 def _play(loaded: Loaded, name: str) -> _Played:
@@ -66,6 +76,7 @@ def _report(path: str, loaded: Loaded, played: list[_Played]) -> dict[str, Any]:
         "file": path,
         "title": loaded.scenario.title,
         "passed": not any(one.trial.differences for one in played),
+        "problems": [],
         "tests": [
             {
                 "name": one.name,
@@ -109,4 +120,9 @@ def _show_sum(reports: list[dict[str, Any]]) -> None:
     wall = sum(test["wall_s"] for test in tests)
     speed = f" in {wall:.2f} s ({simulated / wall:.0f} x real time)" if wall else ""
     verdict = f"{failed} of {len(tests)} failed" if failed else f"all {len(tests)} passed"
-    say(f"{verdict}; {simulated:.0f} s played{speed}", sys.stdout)
+    unusable = sum(bool(report["problems"]) for report in reports)
+    if unusable < len(reports):
+        say(f"{verdict}; {simulated:.0f} s played{speed}", sys.stdout)
+    if unusable:
+        files = "1 file" if len(reports) == 1 else f"{len(reports)} files"
+        say(f"{unusable} of {files} cannot be used", sys.stdout)

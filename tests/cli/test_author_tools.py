@@ -14,7 +14,6 @@ from typer.testing import CliRunner
 from rcj_challenges.cli.app import app
 from rcj_challenges.cli.author import OutputError
 from rcj_challenges.cli.starter import StarterError
-from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import load
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -119,8 +118,41 @@ class TestTest:
         path = written((GOAL, text))
         assert "no tests: add expect:" in call("test", path).stdout
 
-    def test_a_file_that_cannot_be_used_is_refused(self, written):
-        assert isinstance(call("test", written(("blue_goal", "blue_gaol"))).exception, ScenarioError)
+    def test_a_file_that_cannot_be_used_is_told_with_its_line_and_the_others_are_played(self, written, tmp_path):
+        wrong = written(("blue_goal", "blue_gaol"), name="wrong.yaml")
+        done = call("test", tmp_path / "missing.yaml", wrong, written(name="last.yaml"))
+        assert done.exit_code == 2
+        assert "missing.yaml" in done.stderr.splitlines()[0]
+        assert "wrong.yaml:8:" in done.stderr
+        assert "ok    a_goal_gives_a_point" in done.stdout
+        assert "all 2 passed" in done.stdout
+        assert done.stdout.strip().endswith("2 of 3 files cannot be used")
+
+    @pytest.mark.parametrize("last", ["wrong.yaml", "failing.yaml"])
+    def test_a_file_that_cannot_be_used_outweighs_a_failed_test_whichever_comes_first(self, written, last):
+        wrong = written(("blue_goal", "blue_gaol"), name="wrong.yaml")
+        failing = written(("POINTS", "2"), name="failing.yaml")
+        done = call("test", *sorted((wrong, failing), key=lambda path: path.name == last))
+        assert done.exit_code == 2
+        assert "1 of 2 failed" in done.stdout
+
+    def test_of_files_that_cannot_be_used_only_nothing_is_said_to_have_passed(self, written):
+        done = call("test", written(("blue_goal", "blue_gaol")))
+        assert done.exit_code == 2
+        assert "passed" not in done.stdout
+        assert "1 of 1 file cannot be used" in done.stdout
+
+    def test_json_tells_the_problems_of_a_file_that_cannot_be_used(self, written):
+        wrong = written(("blue_goal", "blue_gaol"), name="wrong.yaml")
+        done = call("test", "--json", wrong, written())
+        report = json.loads(done.stdout)
+        assert (done.exit_code, report["passed"]) == (2, False)
+        first, second = report["files"]
+        assert (first["passed"], first["tests"], first["problems"][0]["line"]) == (False, [], 8)
+        assert (second["passed"], second["problems"]) == (True, [])
+
+    def test_the_help_tells_the_exit_codes(self):
+        assert "2: a file that cannot be used" in " ".join(call("test", "--help").stdout.replace("│", " ").split())
 
     def test_the_shipped_scenarios_play_over_200_times_faster_than_real_time(self):
         began = time.process_time()

@@ -1,19 +1,36 @@
 """The drawing shows what the referee tests, from the same numbers."""
 
 import math
+import os
+import re
+import subprocess
+import sys
 import xml.etree.ElementTree as ET
+from functools import cache
+from itertools import combinations
+from pathlib import Path
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rcj_challenges.scenario.load import load
+from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, RectZone
+from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.drawing import draw_scenario
+from rcj_challenges.views.drawing.labels import Label, Surroundings, place_labels
 from rcj_challenges.views.drawing.shapes import zone_outline, zone_words
 
 SVG = "{http://www.w3.org/2000/svg}"
 SHIPPED = ("match", "fast_shooter", "pass_the_ball", "precision_lidar")
+ROOT = Path(__file__).resolve().parents[2]
+RECIPES = re.findall(
+    r"^```yaml\n(.*?)^```$", (ROOT / "docs" / "recipes.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL
+)
+ALL = [
+    *(pytest.param(path, id=path.stem) for path in sorted((ROOT / "scenarios").rglob("*.yaml"))),
+    *(pytest.param(text, id=text.split("id: ")[1].split()[0]) for text in RECIPES),
+]
 PAPER = (-1.0, -1.0, 1.0, 1.0)
 
 
@@ -46,16 +63,170 @@ def test_the_legend_tells_the_number_that_the_referee_tests():
     )
 
 
-def test_labels_do_not_cover_each_other():
-    boxes = []
-    for element in drawn("match").iter(f"{SVG}text"):
-        if element.get("class") == "label":
-            half = len(element.text or "") * 6.1 / 2
-            x, y = float(element.get("x")), float(element.get("y"))
-            boxes.append((x - half, y - 9, x + half, y + 2))
-    for k, a in enumerate(boxes):
-        for b in boxes[k + 1 :]:
-            assert not (a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3])
+# Width and height of a character, in px, by what kind of text it is: as in wide fonts, of which readers may have one.
+CHARACTER = {
+    "label": (6.1, 11),
+    "number": (8, 13),
+    "axis": (5.6, 10),
+    "title": (9, 16),
+    "head": (7, 12),
+    "entry": (6, 11),
+}
+
+
+def boxes(picture: ET.Element, *kinds: str) -> list[tuple[str, tuple[float, float, float, float]]]:
+    """Return all texts of some kinds with what they cover: left, top, right, bottom in px."""
+    found = []
+    for element in picture.iter(f"{SVG}text"):
+        width, height = CHARACTER[element.get("class")]
+        if kinds and element.get("class") not in kinds:
+            continue
+        text, x, y = element.text, float(element.get("x")), float(element.get("y"))
+        wide = len(text) * width
+        left = x - wide / 2 if element.get("class") in ("label", "number") else x
+        found.append((text, (left, y - 0.8 * height, left + wide, y + 0.2 * height)))
+    return found
+
+
+def overlap(a: tuple[float, ...], b: tuple[float, ...]) -> bool:
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+
+
+@cache
+def picture_of(source: Path | str) -> tuple[Scenario, ET.Element]:
+    loaded = load(source) if isinstance(source, Path) else load_text(source)
+    return loaded.scenario, ET.fromstring(draw_scenario(loaded.scenario, loaded.roster))
+
+
+@pytest.mark.parametrize("source", ALL)
+def test_no_two_texts_of_any_shipped_drawing_overlap(source):
+    _, picture = picture_of(source)
+    found = boxes(picture, "label", "number", "axis")
+    assert len(found) > 5
+    assert [(one, other) for (one, a), (other, b) in combinations(found, 2) if overlap(a, b)] == []
+
+
+@pytest.mark.parametrize("source", ALL)
+def test_every_text_of_any_shipped_drawing_stays_inside_the_picture(source):
+    _, picture = picture_of(source)
+    width, height = float(picture.get("width")), float(picture.get("height"))
+    outside = [text for text, box in boxes(picture)
+               if box[0] < 0 or box[1] < 0 or box[2] > width or box[3] > height]  # fmt: skip
+    assert outside == []
+
+
+@pytest.mark.parametrize("source", ALL)
+def test_no_label_covers_a_robot_or_a_ball_or_a_round_obstacle(source):
+    scenario, picture = picture_of(source)
+    bodies = {name: (robot.start.x_m, robot.start.y_m, 0.0375) for name, robot in scenario.robots.items()}
+    bodies |= {name: (*ball.start_m, ball.radius_m) for name, ball in scenario.balls.items()}
+    bodies |= {name: (*thing.centre_m, thing.radius_m) for name, thing in scenario.obstacles.items()
+               if thing.shape == "cylinder"}  # fmt: skip
+    for name, (x, y, radius) in bodies.items():
+        (left, top), (right, bottom) = px(scenario, (x - radius, y + radius)), px(scenario, (x + radius, y - radius))
+        covering = [text for text, box in boxes(picture, "label") if overlap(box, (left, top, right, bottom))]
+        assert covering == [], name
+
+
+def px(scenario: Scenario, point: tuple[float, float]) -> tuple[float, float]:
+    """Return where a point of the field is on the paper: 460 px to a metre, 0.1 m of margin around field and goals."""
+    depth = max(goal.depth_m for goal in scenario.field.goals.values())
+    half_x, half_y = scenario.field.width_m / 2 + 0.1, scenario.field.length_m / 2 + depth + 0.1
+    return (point[0] + half_x) * 460, (half_y - point[1]) * 460
+
+
+@pytest.mark.parametrize("source", ALL)
+def test_a_label_stands_beside_its_spot_or_a_line_leads_from_it_to_the_spot(source):
+    scenario, picture = picture_of(source)
+    ends = {(line.get("x2"), line.get("y2")) for line in picture.iter(f"{SVG}line") if line.get("class") == "leader"}
+    for name, spot in scenario.spots.items():
+        x, y = px(scenario, (spot.x_m, spot.y_m))
+        near = [box for text, box in boxes(picture, "label") if text == name
+                and box[0] - 20 < x < box[2] + 20 and box[1] - 20 < y < box[3] + 20]  # fmt: skip
+        assert near or (f"{x:.1f}", f"{y:.1f}") in ends, name
+
+
+@pytest.mark.parametrize("source", ALL)
+def test_the_name_of_an_area_stands_in_it(source):
+    scenario, picture = picture_of(source)
+    for name, zone in scenario.zones.items():
+        if zone.shape == "circle" and not zone.inverted:
+            (x, y), radius = px(scenario, zone.centre_m), zone.radius_m * 460
+            ((_, box),) = [one for one in boxes(picture, "label") if one[0] == name]
+            assert max(math.dist((x, y), corner) for corner in ((box[0], box[1]), (box[2], box[3]))) < radius
+
+
+CROWD = """
+schema_version: 1
+id: crowd
+title: A crowd of things with a title that is far too long for one line of the legend beside the picture
+extends: soccersim_v2
+entrants: {blue: null}
+robots: {B3: null, B1: {start: {x_m: 0, y_m: 0.3, yaw_rad: 1, noise_m: [0, 0]}}}
+spots: {SPOTS}
+zones: {odd: {shape: polygon, points_m: [[0, 0], [0.1, 0], [0.2, 0.1], [0.2, 0.2], [0.1, 0.3], [0, 0.3], [-0.1, 0.2]]}}
+""".replace("SPOTS", ", ".join(f"a_spot_with_the_number_{k}: {{x_m: {k * 0.01}, y_m: 0.5}}" for k in range(16)))
+
+
+def test_even_in_a_crowd_each_label_is_readable_and_a_line_tells_what_it_names():
+    _, picture = picture_of(CROWD)
+    found = boxes(picture, "label", "number", "axis", "title", "head", "entry")
+    assert [(one, other) for (one, a), (other, b) in combinations(found, 2) if overlap(a, b)] == []
+    assert max(box[2] for _, box in found) <= float(picture.get("width"))
+    assert sum(line.get("class") == "leader" for line in picture.iter(f"{SVG}line")) > 5
+
+
+def test_a_long_name_of_a_robot_stands_beside_it():
+    _, picture = picture_of(
+        CROWD.replace("B1: {start", "B1: null, goalkeeper: {colour: blue, number: 4, kit: v2, start")
+    )
+    assert [text for text, _ in boxes(picture, "label") if text == "goalkeeper"]
+    assert "goalkeeper" not in [text for text, _ in boxes(picture, "number")]
+
+
+@given(
+    st.lists(st.tuples(st.floats(-50, 450), st.floats(-50, 350), st.integers(1, 64)), min_size=1, max_size=12),
+    st.lists(st.tuples(st.floats(0, 300), st.floats(0, 200)), max_size=4),
+)
+@settings(deadline=None, max_examples=25)
+def test_labels_find_room_side_by_side_in_a_picture_that_has_room(things, solids):
+    frame = (0.0, 0.0, 400.0, 300.0)
+    labels = [Label("x" * length, (x, y), (4.0, 4.0)) for x, y, length in things]
+    around = Surroundings(frame, [(x, y, x + 30, y + 30) for x, y in solids])
+    placed = place_labels(labels, around)
+    assert [one.label for one in placed] == labels
+    assert all(p.box[0] >= 0 and p.box[1] >= 0 and p.box[2] <= 400 and p.box[3] <= 300 for p in placed)
+    assert not any(overlap(a.box, b.box) for a, b in combinations(placed, 2))
+    assert place_labels(labels, around) == placed
+
+
+def test_the_drawing_is_the_same_in_every_process():
+    program = (
+        "import sys\n"
+        "from rcj_challenges.scenario.load import load\n"
+        "from rcj_challenges.views.drawing import draw_scenario\n"
+        "one = load('precision_lidar')\n"
+        "sys.stdout.buffer.write(draw_scenario(one.scenario, one.roster).encode())\n"
+    )
+    drawings = {
+        subprocess.run(
+            [sys.executable, "-c", program], env={**os.environ, "PYTHONHASHSEED": seed}, capture_output=True, check=True
+        ).stdout
+        for seed in ("1", "2")
+    }
+    assert len(drawings) == 1
+
+
+def test_where_rules_put_things_is_drawn_with_what_is_put_there():
+    labels = texts(drawn("precision_lidar"))
+    assert "put ball" in labels
+    assert "B3: (0.148, 0.7)" in labels
+    assert "ball: (-0.3, 0) to (0.3, 0)" in labels
+    x, y = px(load("match").scenario, (0, 0.1))
+    (dot,) = [
+        path for path in drawn("match").iter(f"{SVG}path") if path.findtext(f"{SVG}title") == "put B3 at (0, 0.1)"
+    ]
+    assert f"{x - 0.006 * 460:.1f} {y - 0.006 * 460:.1f}" in dot.get("d")
 
 
 def test_a_name_cannot_break_out_of_the_picture():

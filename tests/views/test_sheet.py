@@ -1,6 +1,8 @@
 """The rule sheet says what the referee does."""
 
+import re
 from html.parser import HTMLParser
+from pathlib import Path
 
 import pytest
 
@@ -13,7 +15,15 @@ from rcj_challenges.views.sheet import sheet_html, sheet_markdown
 from rcj_challenges.views.sheet.deeds import ACTIONS, PLACES
 from rcj_challenges.views.sheet.edges import CONDITIONS, TRIGGERS
 
+ROOT = Path(__file__).resolve().parents[2]
 SHIPPED = ("match", "fast_shooter", "pass_the_ball", "precision_lidar")
+RECIPES = re.findall(
+    r"^```yaml\n(.*?)^```$", (ROOT / "docs" / "recipes.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL
+)
+ALL = [
+    *(pytest.param(path, id=path.stem) for path in sorted((ROOT / "scenarios").rglob("*.yaml"))),
+    *(pytest.param(text, id=text.split("id: ")[1].split()[0]) for text in RECIPES),
+]
 
 
 def sheet(name: str, *overrides: str) -> str:
@@ -108,3 +118,147 @@ def test_an_event_of_several_rules_is_explained_by_all_of_them():
     loaded = load_text(SMALL)
     text = sheet_markdown(loaded.scenario, loaded.roster)
     assert "| OUT | The obstacle is down. Or: The ball is gone. |" in text
+
+
+SEVERAL = re.compile(
+    r"(?P<one>(?:one|each|any|none) of )?the (?:\w+ )?(?:robots|balls|obstacles|spots|zones|circles|areas)(?: “[^”]*”)? "
+    r"(?P<verb>is|has|was|leaves|enters|touches|crosses|moves|tilts|fails)\b"
+)
+
+
+@pytest.mark.parametrize("source", ALL)
+def test_of_several_nothing_is_said_as_if_they_were_one(source):
+    loaded = load(source) if isinstance(source, Path) else load_text(source)
+    text = sheet_markdown(loaded.scenario, loaded.roster).replace("\\", "")
+    assert [found[0] for found in SEVERAL.finditer(text) if found["one"] is None] == []
+    for odd in (" of it ", "everything of", "not (", "-1 point", "1 times", "every 1 tick", " the the ", " a a "):
+        assert odd not in text
+
+
+GROUPS = """
+schema_version: 1
+id: groups
+title: Groups
+extends: soccersim_v2
+balls: {red: {start_m: [0.4, 0]}}
+obstacles: {vase: {shape: cylinder, centre_m: [0.4, 0.1], radius_m: 0.02, movable: true}}
+groups: {wings: [B1, B2], lone: [Y1]}
+counters: {laps: {per: robots}, goals: {}}
+flags: {away: {}}
+placements: {corner: [{entity: [blue, Y3], at: start}, {entity: balls, at: {spot: centre}}]}
+rules:
+  it: RULE
+  other: {triggers: [{trigger: half_ended}], actions: [{action: count, counter: goals}, {action: set_flag, flag: away}]}
+"""
+
+
+def said(rule: str) -> str:
+    """Return the sentence of a rule that is written in YAML on one line."""
+    loaded = load_text(GROUPS.replace("RULE", f"{{{rule}}}"))
+    text = sheet_markdown(loaded.scenario, loaded.roster).replace("\\", "")
+    return next(line for line in text.splitlines() if line.startswith("1. [it]")).removeprefix("1. [it] ")
+
+
+EDGES = {
+    "trigger: touches, entity: robots, other: walls": "one of the robots touches a wall",
+    "trigger: touches, entity: lone, other: obstacles": "Y1 touches the obstacle “vase”",
+    "trigger: touches, entity: [Y1, blue], other: balls": "Y1 or one of the blue robots touches one of the balls",
+    "trigger: leaves, entity: ball, zone: in_play": "the ball leaves the zones “in play”",
+    "trigger: enters, entity: red, zone: penalty_areas": "the ball “red” enters one of the penalty areas",
+    "trigger: stays_in, entity: wings, zone: pitch, limit_s: 3": (
+        "one of the wings has been in the pitch for more than 3 s"
+    ),
+    "trigger: program_fault": "the program of one of the robots fails",
+    "trigger: time_reached, at_s: 1": "the half has lasted 1 s",
+}
+
+
+@pytest.mark.parametrize(("written", "words"), EDGES.items(), ids=list(EDGES.values()))
+def test_a_trigger_of_a_group_speaks_of_one_of_them(written, words):
+    assert said(f"triggers: [{{{written}}}], actions: [{{action: end}}]") == f"When {words}: the half ends."
+
+
+LEVELS = {
+    "condition: in_zone, entity: wings, of: all, zone: pitch": "all of the wings are in the pitch",
+    "condition: in_zone, entity: wings, of: all, zone: pitch, negate: true": "not all of the wings are in the pitch",
+    "condition: in_zone, entity: wings, zone: pitch, negate: true": "none of the wings is in the pitch",
+    "condition: in_zone, entity: ball, zone: pitch, negate: true": "the ball is not in the pitch",
+    "condition: in_zone, entity: robots, of: {at_least: 2}, zone: pitch": "at least 2 of the robots are in the pitch",
+    "condition: in_zone, entity: robots, of: {at_least: 2}, zone: pitch, negate: true": (
+        "fewer than 2 of the robots are in the pitch"
+    ),
+    "condition: speed, entity: ball, at_least: 0.1, negate: true": (
+        "the ball does not move at a speed of at least 0.1 m/s"
+    ),
+    "condition: distance, entity: ball, to: robots, at_most: 0.1": (
+        "the ball is at most 0.1 m from the nearest of the robots"
+    ),
+    "condition: flag, flag: away, negate: true": "the flag “away” is not set",
+    "condition: counter, counter: blue, at_least: 2": "the score of blue is at least 2",
+    "condition: last_touch, by: yellow, negate: true": "the last to touch the ball was not one of the yellow robots",
+    "condition: spot_free, spot: neutral_spots, of: none": "none of the neutral spots is free",
+}
+
+
+@pytest.mark.parametrize(("written", "words"), LEVELS.items(), ids=list(LEVELS.values()))
+def test_a_condition_of_a_group_says_how_many_of_them(written, words):
+    rule = f"triggers: [{{trigger: half_started}}], conditions: [{{{written}}}], actions: [{{action: end}}]"
+    assert said(rule) == f"When a half starts, provided that {words}: the half ends."
+
+
+DEEDS = {
+    "action: place, entity: robots, at: start": "the robots are put at their starts",
+    "action: place, entity: lone, at: start": "Y1 is put at its start",
+    "action: place, entity: wings, at: {nearest_free: neutral_spots}": (
+        "the wings are each put on that free one of the neutral spots which is nearest to where it is"
+    ),
+    "action: place, layout: corner": "things are put as in “corner”",
+    "action: place, layout: corner, mirror: {axis: both, when: away}": (
+        "things are put as in “corner”, mirrored (x becomes -x and y becomes -y) if the flag “away” is set"
+    ),
+    "action: remove, entity: [Y1, red]": "Y1 and the ball “red” are taken off the field",
+    "action: remove, entity: blue, for_s: 5": (
+        "the blue robots are taken off the field and after 5 s put at their starts"
+    ),
+    "action: count, counter: laps, to: 0": "the counter “laps” of each of the robots is set to 0",
+    "action: count, counter: goals, by: -2": "the counter “goals” falls by 2",
+    "action: score, entrant: blue, points: -1": "blue loses 1 point",
+    "action: score, entrant: blue, points: 2.5": "blue gets 2.5 points",
+}
+
+
+@pytest.mark.parametrize(("written", "words"), DEEDS.items(), ids=list(DEEDS.values()))
+def test_an_action_on_a_group_speaks_of_all_of_them(written, words):
+    assert said(f"triggers: [{{trigger: half_started}}], actions: [{{{written}}}]") == f"When a half starts: {words}."
+
+
+def test_a_rule_for_each_of_a_group_says_it_and_its():
+    rule = (
+        "for_each: wings, triggers: [{trigger: leaves, entity: each, zone: pitch}, {trigger: program_fault, robot: each}], "
+        "conditions: [{condition: counter, counter: laps, entity: each, at_least: 1}], "
+        "actions: [{action: count, counter: laps, entity: each}, {action: place, entity: each, at: start}]"
+    )
+    assert said(rule) == (
+        "For each of the wings, when it leaves the pitch, or when its program fails, provided that its counter “laps” is "
+        "at least 1: its counter “laps” grows by 1, then it is put at its start."
+    )
+
+
+def test_a_layout_speaks_of_all_that_it_puts():
+    loaded = load_text(GROUPS.replace("RULE", "{triggers: [{trigger: half_started}], actions: [{action: end}]}"))
+    text = sheet_markdown(loaded.scenario, loaded.roster)
+    assert "the blue robots and Y3 are put at their starts; the balls are each put on the spot “centre”." in text
+    assert "“wings”: B1, B2" in text
+
+
+def test_who_is_better_stands_on_the_sheet():
+    assert "a shorter time, with 3 s added for each count of the counter “touched posts”" in sheet(
+        str(ROOT / "scenarios" / "examples" / "slalom.yaml")
+    )
+
+
+def test_the_order_of_a_sequence_stands_on_the_sheet():
+    assert (
+        "quarter 1, then quarter 2, then quarter 3, then quarter 4 and back to the first; a wrong step breaks it"
+        in (sheet("pass_the_ball"))
+    )

@@ -3,27 +3,33 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from textwrap import wrap
 
-from rcj_challenges.scenario.models.actions import Place, Remove
 from rcj_challenges.scenario.models.field import Box as BoxObstacle
 from rcj_challenges.scenario.models.field import Cylinder, Wall
-from rcj_challenges.scenario.models.places import At, AtPoint, Choice, OnLine, UniformIn
+from rcj_challenges.scenario.models.places import OnLine, UniformIn
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.views.drawing.paper import Paper, Point
+from rcj_challenges.views.drawing.areas import placement_areas
+from rcj_challenges.views.drawing.labels import Point
+from rcj_challenges.views.drawing.paper import Paper
 from rcj_challenges.views.drawing.shapes import box, middle, point_words, turned, zone_outline, zone_words
 
 _PX_PER_M = 460.0
-_MARGIN_M = 0.08
+_MARGIN_M = 0.1
 _LEGEND_PX = 380.0
 _LINE_PX = 15.0
-_WALL_M = 0.01
+_CHARACTERS = 60  # of a line of the legend: 380 px hold them in wide fonts too
+_TITLE_CHARACTERS = 38
+_THICK = 3.0  # what it costs a label to cover a pixel of a wall, of an obstacle or of a gate, which are thick
+_DOT_M = 0.006  # half the side of the square that marks a place without noise
+_IN_A_ROBOT = 4  # characters of a name that fit into its body
 _ZONE_COLOURS = ("#7048e8", "#1098ad", "#d6336c", "#5c940d", "#e67700", "#4263eb", "#0b7285", "#a61e4d")
 _STYLE = (
     "text{font-family:system-ui,-apple-system,'Segoe UI',sans-serif;fill:#1f2937}"
     ".label{font-size:11px;paint-order:stroke;stroke:#ffffff;stroke-width:3px;stroke-linejoin:round}"
     ".number{font-size:13px;font-weight:700;fill:#ffffff;text-anchor:middle}"
+    ".leader{stroke:#495057;stroke-width:1;stroke-opacity:.8}.end{fill:#495057}"
     ".axis{font-size:10px;fill:#6b7280}.title{font-size:16px;font-weight:700}.head{font-size:12px;font-weight:700}"
     ".entry{font-size:11px}"
 )
@@ -44,6 +50,7 @@ def draw_scenario(scenario: Scenario, roster: Roster) -> str:
     _placement_areas(paper, scenario)
     _gates(paper, scenario)
     _spots(paper, scenario)
+    paper.leaders_here()
     _obstacles(paper, scenario)
     _bodies(paper, scenario, roster)
     height = _legend(paper, scenario)
@@ -55,7 +62,9 @@ def _ground(paper: Paper, scenario: Scenario) -> None:
     w, h, cut = field.width_m / 2, field.length_m / 2, field.corner_cut_m
     octagon = [(w - cut, h), (w, h - cut), (w, -h + cut), (w - cut, -h),
                (-w + cut, -h), (-w, -h + cut), (-w, h - cut), (-w + cut, h)]  # fmt: skip
-    paper.polygon(octagon, 'fill="#e9f5ec" stroke="#343a40" stroke-width="4"', "the field, inside its walls")
+    paper.polygon(
+        octagon, 'fill="#e9f5ec" stroke="#343a40" stroke-width="4"', "the field, inside its walls", in_the_way=_THICK
+    )
     for name, goal in field.goals.items():
         sign = 1 if goal.end == "positive_y" else -1
         near, far, g = sign * h, sign * (h + goal.depth_m), goal.width_m / 2
@@ -64,14 +73,12 @@ def _ground(paper: Paper, scenario: Scenario) -> None:
         for start, end in zip(corners[1:], [*corners[2:], corners[0]], strict=True):
             paper.line(start, end, f'stroke="{_colour(goal.colour)}" stroke-width="4"')
         paper.line((-g, near), (g, near), 'stroke="#ffffff" stroke-width="3"')
-    paper.line((-w, 0), (w, 0), 'stroke="#adb5bd" stroke-dasharray="2 6"', "halfway line, y = 0")
-    paper.line((0, -h), (0, h), 'stroke="#adb5bd" stroke-dasharray="2 6"', "x = 0")
+    paper.line((-w, 0), (w, 0), 'stroke="#adb5bd" stroke-dasharray="2 6"', "halfway line, y = 0", in_the_way=0)
+    paper.line((0, -h), (0, h), 'stroke="#adb5bd" stroke-dasharray="2 6"', "x = 0", in_the_way=0)
     for x in (-w, 0.0, w):
-        at = paper.px((x, -h - 0.03))
-        paper.text_px(at[0] - 10, at[1] + 6, f"x {x:g}", "axis")
-    for y in (-h, h):
-        at = paper.px((-w - _MARGIN_M, y))
-        paper.text_px(at[0] + 2, at[1] + (12 if y > 0 else -4), f"y {y:g}", "axis")
+        paper.note_px(paper.px((x, 0))[0] - 10, paper.height_px - 5, f"x {x:g}", "axis")
+    for y in (-h, 0.0, h):
+        paper.note_px(2, paper.px((0, y))[1] + 4, f"y {y:g}", "axis")
 
 
 def _zones(paper: Paper, scenario: Scenario) -> None:
@@ -86,44 +93,38 @@ def _zones(paper: Paper, scenario: Scenario) -> None:
             paper.path(f"{everything} {paper.outline(outline)}", f'{style} fill-rule="evenodd"', f"all but {name}")
         else:
             paper.polygon(outline, style, name)
-        paper.label(middle(outline, paper.bounds), f"not {name}" if zone.inverted else name)
+        text = f"not {name}" if zone.inverted else name
+        paper.label(middle(outline, paper.bounds), text, area=outline, colour=_dark(colour))
 
 
 def _placement_areas(paper: Paper, scenario: Scenario) -> None:
-    """Hatch where chance may put something; each area once, however many rules put something there."""
-    for at, noise in dict.fromkeys(_places(scenario)):
-        style = 'fill="#f08c00" fill-opacity="0.18" stroke="#f08c00" stroke-width="1"'
-        if isinstance(at, UniformIn) and at.uniform_in in scenario.zones:
-            paper.polygon(zone_outline(scenario.zones[at.uniform_in], paper.bounds), style, "put anywhere in here")
+    """Draw where rules put things: each place once, however many rules put something there, with what is put."""
+    style = 'fill="#f08c00" fill-opacity="0.18" stroke="#f08c00" stroke-width="1"'
+    for area, who in placement_areas(scenario).items():
+        at, colour = area.at, _dark("#f08c00")
+        # What is put at its start is drawn there anyway.
+        moved = [name for name in who if any(area.noise_m) or at != _start(scenario, name)]
+        if not moved:
+            continue
+        names = f"put {', '.join(moved)}"
+        if isinstance(at, UniformIn):
+            outline = zone_outline(scenario.zones[at.uniform_in], paper.bounds)
+            paper.polygon(outline, style, f"{names} anywhere in here")
+            paper.label(middle(outline, paper.bounds), names, area=outline, colour=colour)
         elif isinstance(at, OnLine):
-            paper.line(
-                *at.on_line,
-                'stroke="#f08c00" stroke-width="5" stroke-opacity="0.6"',
-                "put anywhere on this line",
-            )
-        elif isinstance(at, AtPoint):
-            _area(paper, at.point, noise, style)
-        elif isinstance(at, Choice):
-            for place in at.choice:
-                if not isinstance(place, str):
-                    _area(paper, place, noise, style)
+            line = 'stroke="#f08c00" stroke-width="5" stroke-opacity="0.6"'
+            start, end = at.on_line
+            paper.line(start, end, line, f"{names} anywhere on this line", in_the_way=_THICK)
+            paper.label(((start[0] + 3 * end[0]) / 4, (start[1] + 3 * end[1]) / 4), names, colour=colour)
+        else:
+            x, y = (2 * max(noise, _DOT_M) for noise in area.noise_m)
+            paper.polygon([_shifted(at, corner) for corner in box(x, y)], style, f"{names} at {point_words(at)}")
+            # A dot may lie under a robot: the line that leads there tells where it is.
+            paper.label(at, names, reach_m=max(area.noise_m[1], _DOT_M), colour=colour)
 
 
-def _area(paper: Paper, at: Point, noise: Point, style: str) -> None:
-    size = [(at[0] + x, at[1] + y) for x, y in box(2 * max(noise[0], 0.006), 2 * max(noise[1], 0.006))]
-    paper.polygon(size, style, f"put here: {at[0]:g}, {at[1]:g}")
-
-
-def _places(scenario: Scenario) -> Iterator[tuple[At | None, Point]]:
-    for layout in scenario.placements.values():
-        for placing in layout:
-            yield placing.at, placing.noise_m
-    for rule in scenario.rules.values():
-        for action in rule.actions:
-            if isinstance(action, Place):
-                yield action.at, action.noise_m
-            elif isinstance(action, Remove):
-                yield action.back_at, (0.0, 0.0)
+def _start(scenario: Scenario, name: str) -> Point | None:
+    return _home(scenario, name) if name in scenario.robots or name in scenario.balls else None
 
 
 def _gates(paper: Paper, scenario: Scenario) -> None:
@@ -131,16 +132,18 @@ def _gates(paper: Paper, scenario: Scenario) -> None:
         start, end = gate.from_m, gate.to_m
         if gate.anchor is not None:
             start, end = (_shifted(point, _home(scenario, gate.anchor)) for point in (start, end))
-        paper.line(start, end, 'stroke="#c92a2a" stroke-width="3"', name)
+        paper.line(start, end, 'stroke="#c92a2a" stroke-width="3"', name, in_the_way=_THICK)
         for post in (start, end):
             paper.circle(post, 0.008, 'fill="#c92a2a"')
+            paper.reserve(post, 0.008)
         centre = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
         length = math.dist(start, end) or 1.0
         ahead = (-(end[1] - start[1]) / length * 0.05, (end[0] - start[0]) / length * 0.05)
         tip = _shifted(centre, ahead)
-        paper.line(centre, tip, 'stroke="#c92a2a" stroke-width="2"', "forward")
+        paper.line(centre, tip, 'stroke="#c92a2a" stroke-width="2"', "forward", in_the_way=_THICK)
         paper.circle(tip, 0.006, 'fill="#c92a2a"')
-        paper.label(_shifted(tip, ahead), name)
+        paper.reserve(tip, 0.006)
+        paper.label(centre, name, colour=_dark("#c92a2a"))
 
 
 def _spots(paper: Paper, scenario: Scenario) -> None:
@@ -149,29 +152,31 @@ def _spots(paper: Paper, scenario: Scenario) -> None:
         for dx, dy in ((0.012, 0.0), (0.0, 0.012)):
             paper.line((at[0] - dx, at[1] - dy), (at[0] + dx, at[1] + dy), 'stroke="#212529" stroke-width="2"', name)
         paper.reserve(at, 0.012)
-        paper.label((at[0], at[1] - 0.03), name)
+        paper.label(at, name, reach_m=0.012)
 
 
 def _obstacles(paper: Paper, scenario: Scenario) -> None:
     for name, obstacle in scenario.obstacles.items():
         style = f'fill="{_colour(obstacle.colour)}" stroke="#212529"'
         if isinstance(obstacle, Cylinder):
-            at = obstacle.centre_m
-            paper.circle(at, obstacle.radius_m, style, name)
-        elif isinstance(obstacle, BoxObstacle):
-            at = obstacle.centre_m
-            paper.polygon(turned(box(*obstacle.size_m), at, obstacle.yaw_rad), style, name)
+            paper.circle(obstacle.centre_m, obstacle.radius_m, style, name)
+            paper.reserve(obstacle.centre_m, obstacle.radius_m)
+            paper.label(obstacle.centre_m, name, reach_m=obstacle.radius_m)
+            continue
+        if isinstance(obstacle, BoxObstacle):
+            at, outline = obstacle.centre_m, turned(box(*obstacle.size_m), obstacle.centre_m, obstacle.yaw_rad)
         else:
-            at = _wall(paper, obstacle, style, name)
-        paper.label(at, name)
+            at, outline = _wall(obstacle)
+        paper.polygon(outline, style, name, in_the_way=_THICK)
+        paper.label(at, name, area=outline)
 
 
-def _wall(paper: Paper, wall: Wall, style: str, name: str) -> Point:
+def _wall(wall: Wall) -> tuple[Point, list[Point]]:
+    """Return the middle of a wall and its outline."""
     (x1, y1), (x2, y2) = wall.from_m, wall.to_m
     at = ((x1 + x2) / 2, (y1 + y2) / 2)
     shape = box(math.dist(wall.from_m, wall.to_m), wall.thickness_m)
-    paper.polygon(turned(shape, at, math.atan2(y2 - y1, x2 - x1)), style, name)
-    return at
+    return at, turned(shape, at, math.atan2(y2 - y1, x2 - x1))
 
 
 def _bodies(paper: Paper, scenario: Scenario, roster: Roster) -> None:
@@ -201,9 +206,12 @@ def _bodies(paper: Paper, scenario: Scenario, roster: Roster) -> None:
             (reach * 0.55, -chassis.size_m * 0.16),
         ]
         paper.polygon(turned(nose, at, start.yaw_rad), 'fill="#ffffff"', "its front")
-        x, y = paper.px(at)
-        paper.text_px(x, y + 5, name, "number")
         paper.reserve(at, chassis.size_m * 0.7)
+        if len(name) <= _IN_A_ROBOT:
+            x, y = paper.px(at)
+            paper.text_px(x, y + 5, name, "number")
+        else:
+            paper.label(at, name, reach_m=chassis.size_m * 0.7)
     for name in roster.groups["balls"]:
         ball = scenario.balls[name]
         paper.circle(
@@ -213,21 +221,23 @@ def _bodies(paper: Paper, scenario: Scenario, roster: Roster) -> None:
             f"{name} at its start",
         )
         paper.reserve(ball.start_m, ball.radius_m)
-        paper.label((ball.start_m[0], ball.start_m[1] + ball.radius_m + 0.02), name)
+        paper.label(ball.start_m, name, reach_m=ball.radius_m)
 
 
 def _legend(paper: Paper, scenario: Scenario) -> float:
     """Write the numbers of zones, gates and spots beside the drawing; returns the height used in pixels."""
-    x, y = paper.width_px + 8, 26.0
-    paper.text_px(x, y, scenario.title, "title")
+    x, y = paper.width_px + 8, 10.0
+    for line in wrap(scenario.title, _TITLE_CHARACTERS):
+        y += 1.3 * _LINE_PX
+        paper.text_px(x, y, line, "title")
     for head, entries in _legend_entries(scenario):
         if not entries:
             continue
         y += _LINE_PX * 1.6
         paper.text_px(x, y, head, "head")
-        for entry in entries:
+        for line in (line for entry in entries for line in wrap(entry, _CHARACTERS, subsequent_indent="    ")):
             y += _LINE_PX
-            paper.text_px(x, y, entry, "entry")
+            paper.text_px(x, y, line, "entry")
     return y + 2 * _LINE_PX
 
 
@@ -244,8 +254,10 @@ def _legend_entries(scenario: Scenario) -> list[tuple[str, list[str]]]:
         + (f", ± {r.start.noise_m[0]:g}, {r.start.noise_m[1]:g}" if any(r.start.noise_m) else "")
         for name, r in scenario.robots.items()
     ]
+    put = [f"{', '.join(who)}: {area.words()}" for area, who in placement_areas(scenario).items()]
     return [
         ("Zones (m)", zones), ("Gates (m)", gates), ("Spots (m)", spots), ("Robots' starts (m, rad)", starts),
+        ("Put by rules (m)", put),
     ]  # fmt: skip
 
 
@@ -261,6 +273,11 @@ def _home(scenario: Scenario, entity: str) -> Point:
         return scenario.balls[entity].start_m
     obstacle = scenario.obstacles[entity]
     return obstacle.from_m if isinstance(obstacle, Wall) else obstacle.centre_m
+
+
+def _dark(colour: str) -> str:
+    """Return a colour #rrggbb so much darker that text of it is readable on white."""
+    return "#" + "".join(f"{round(int(colour[k : k + 2], 16) * 0.65):02x}" for k in (1, 3, 5))
 
 
 def _team_colour(colour: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
-from rcj_challenges.views.drawing.paper import Box, Point
+from rcj_challenges.views.drawing.labels import Box, Point
 
 
 def zone_outline(zone: Zone, bounds: Box) -> list[Point]:

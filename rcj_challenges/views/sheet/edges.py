@@ -5,75 +5,111 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from rcj_challenges.views.sheet.phrases import compared, metres, named, number, place, quantified, seconds
+from rcj_challenges.views.sheet.nouns import Nouns, Subject, plain, quoted
+from rcj_challenges.views.sheet.phrases import compared, metres, number, seconds
 
 
-def trigger_words(trigger: Any) -> str:
+def trigger_words(nouns: Nouns, trigger: Any) -> str:
     """Return a trigger as the part of a sentence that follows ``When``."""
-    return TRIGGERS[trigger.trigger](trigger)
+    return TRIGGERS[trigger.trigger](nouns, trigger)
 
 
-def condition_words(condition: Any) -> str:
-    """Return a condition as the part of a sentence that follows ``if``."""
-    words = CONDITIONS[condition.condition](condition)
-    return f"not ({words})" if condition.negate else words
+def condition_words(nouns: Nouns, condition: Any) -> str:
+    """Return a condition, or the opposite of a negated one, as the part of a sentence that follows ``if``."""
+    return CONDITIONS[condition.condition](nouns, condition)
 
 
-def _displaced(t: Any) -> str:
-    origin = "where it was put" if t.from_ == "last_placement" else place(t.from_)
+def _phase_entered(_nouns: Nouns, t: Any) -> str:
+    return f"the phase {quoted(t.phase)} begins" + (f" after {quoted(t.from_)}" if t.from_ else "")
+
+
+def _leaves(nouns: Nouns, t: Any) -> str:
+    # Of several zones: out of all of them.
+    return f"{nouns.any_of(t.entity)} leaves {nouns.all_of(t.zone).text}"
+
+
+def _displaced(nouns: Nouns, t: Any) -> str:
+    origin = "where it was put" if t.from_ == "last_placement" else nouns.point(t.from_)
     how = "" if t.axis == "distance" else " in x or in y"
-    return f"{named(t.entity)} is more than {metres(t.distance_m)}{how} from {origin}"
+    return f"{nouns.any_of(t.entity)} is more than {metres(t.distance_m)}{how} from {origin}"
 
 
-def _stays_in(t: Any) -> str:
-    grace = f" (leaving it for up to {seconds(t.grace_s)} does not count)" if t.grace_s else ""
-    return f"{named(t.entity)} is in {named(t.zone)} for more than {seconds(t.limit_s)}{grace}"
+def _no_progress(nouns: Nouns, t: Any) -> str:
+    way = f"less than {metres(t.distance_m)} in all over the last {seconds(t.within_s)}"
+    return f"{nouns.any_of(t.entity)} has moved {way}"
 
 
-def _crosses(t: Any) -> str:
+def _stays_in(nouns: Nouns, t: Any) -> str:
+    grace = f" (leaving for up to {seconds(t.grace_s)} does not count)" if t.grace_s else ""
+    stay = f"has been in {nouns.any_of(t.zone)} for more than {seconds(t.limit_s)}{grace}"
+    return f"{nouns.any_of(t.entity)} {stay}"
+
+
+def _crosses(nouns: Nouns, t: Any) -> str:
     way = {"either": "", "forward": " forward", "backward": " backward"}[t.direction]
-    return f"{named(t.entity)} crosses {named(t.gate)}{way}"
+    return f"{nouns.any_of(t.entity)} crosses {nouns.any_of(t.gate)}{way}"
 
 
-def _holds(t: Any) -> str:
+def _holds(nouns: Nouns, t: Any) -> str:
     for_s = f" for {seconds(t.for_s)}" if t.for_s else ""
-    again = f", and again every {seconds(t.every_s)}" if t.every_s else ""
     grace = f" (interruptions of up to {seconds(t.grace_s)} do not count)" if t.grace_s else ""
-    return f"{condition_words(t.condition)}{for_s}{grace}{again}"
+    again = f", and again every {seconds(t.every_s)} while that lasts" if t.every_s else ""
+    return f"{condition_words(nouns, t.condition)}{for_s}{grace}{again}"
 
 
-TRIGGERS: dict[str, Callable[[Any], str]] = {
-    "half_started": lambda _: "a half starts",
-    "half_ended": lambda _: "a half is over",
-    "phase_entered": lambda t: f"{named(t.phase)} begins" + (f" after {named(t.from_)}" if t.from_ else ""),
-    "time_reached": lambda t: f"{seconds(t.at_s)} of the half are over",
-    "timer_expired": lambda t: f"the time of {named(t.timer)} is over",
-    "enters": lambda t: f"{named(t.entity)} enters {named(t.zone)}",
-    "leaves": lambda t: f"{named(t.entity)} leaves {named(t.zone)}",
+def _is(nouns: Nouns, c: Any, names: Any, what: str) -> str:
+    """Return that so many of the names are something, or are not."""
+    return f"{nouns.quantified(c.of, names, negate=c.negate).does('is', 'are')} {what}"
+
+
+def _it_is(subject: str, c: Any, what: str) -> str:
+    return f"{Subject(subject, negated=c.negate).does('is', 'are')} {what}"
+
+
+def _timer(nouns: Nouns, c: Any) -> str:
+    timer, limits = nouns.kept("timer", c.timer, c.entity), compared(nouns, c, " s")
+    return f"{timer} has{' not' if c.negate else ''} run for {limits}" if limits else _it_is(timer, c, "running")
+
+
+def _speed(nouns: Nouns, c: Any) -> str:
+    who = nouns.quantified(c.of, c.entity, negate=c.negate)
+    return f"{who.does('moves', 'move')} at a speed of {compared(nouns, c, ' m/s')}"
+
+
+TRIGGERS: dict[str, Callable[[Nouns, Any], str]] = {
+    "half_started": lambda _n, _t: "a half starts",
+    "half_ended": lambda _n, _t: "a half is over",
+    "phase_entered": _phase_entered,
+    "time_reached": lambda _, t: f"the half has lasted {seconds(t.at_s)}",
+    "timer_expired": lambda _, t: f"the timer {quoted(t.timer)} runs out",
+    "enters": lambda n, t: f"{n.any_of(t.entity)} enters {n.any_of(t.zone)}",
+    "leaves": _leaves,
     "crosses": _crosses,
-    "touches": lambda t: f"{named(t.entity)} touches {named(t.other)}",
+    "touches": lambda n, t: f"{n.any_of(t.entity)} touches {n.any_of(t.other)}",
     "displaced": _displaced,
-    "no_progress": lambda t: (
-        f"{named(t.entity)} has moved less than {metres(t.distance_m)} in all over the last {seconds(t.within_s)}"
-    ),
+    "no_progress": _no_progress,
     "stays_in": _stays_in,
-    "tips_over": lambda t: f"{named(t.entity)} tilts by more than {number(round(t.angle_rad * 57.29578))}°",
-    "sequence_completed": lambda t: f"the sequence {named(t.sequence)} is complete",
-    "sequence_broken": lambda t: f"the sequence {named(t.sequence)} is broken",
-    "event": lambda t: f"{t.event} was announced",
-    "program_fault": lambda t: f"the program of {named(t.robot)} fails",
+    "tips_over": lambda n, t: f"{n.any_of(t.entity)} tilts by more than {number(round(t.angle_rad * 57.29578))}°",
+    "sequence_completed": lambda _, t: f"the sequence {quoted(t.sequence)} is complete",
+    "sequence_broken": lambda _, t: f"the sequence {quoted(t.sequence)} is broken",
+    "event": lambda _, t: f"{t.event} was announced",
+    "program_fault": lambda n, t: f"{n.owned('program', t.robot)} fails",
     "holds": _holds,
 }
 
-CONDITIONS: dict[str, Callable[[Any], str]] = {
-    "in_zone": lambda c: f"{quantified(c.of, c.entity)} is in {named(c.zone)}",
-    "speed": lambda c: f"{quantified(c.of, c.entity)} moves with {compared(c, ' m/s')}",
-    "distance": lambda c: f"{quantified(c.of, c.entity)} is {compared(c, ' m')} from {place(c.to)}",
-    "counter": lambda c: f"{named(c.counter)}{f' of {named(c.entity)}' if c.entity else ''} is {compared(c)}",
-    "flag": lambda c: f"{named(c.flag)}{f' of {named(c.entity)}' if c.entity else ''} is set",
-    "drawn": lambda c: f"{named(c.draw)} was drawn as {named(str(c.equals))}",
-    "timer": lambda c: f"{named(c.timer)} is {compared(c, ' s') or 'running'}",
-    "last_touch": lambda c: f"{named(c.by)} touched {named(c.entity)} last",
-    "spot_free": lambda c: f"{quantified(c.of, c.spot)} is free",
-    "sequence_at": lambda c: f"{named(c.sequence)} stands at {named(c.step)}",
+CONDITIONS: dict[str, Callable[[Nouns, Any], str]] = {
+    "in_zone": lambda n, c: _is(n, c, c.entity, f"in {n.any_of(c.zone)}"),
+    "speed": _speed,
+    "distance": lambda n, c: _is(n, c, c.entity, f"{compared(n, c, ' m')} from {n.point(c.to)}"),
+    "counter": lambda n, c: _it_is(n.kept("counter", c.counter, c.entity), c, compared(n, c)),
+    "flag": lambda n, c: _it_is(n.kept("flag", c.flag, c.entity), c, "set"),
+    "drawn": lambda _, c: f"“{plain(str(c.equals))}” was {'not ' if c.negate else ''}drawn as {quoted(c.draw)}",
+    "timer": _timer,
+    "last_touch": lambda n, c: (
+        f"the last to touch {n.thing(c.entity)} was {'not ' if c.negate else ''}{n.any_of(c.by)}"
+    ),
+    "spot_free": lambda n, c: _is(n, c, c.spot, "free"),
+    "sequence_at": lambda n, c: (
+        f"the sequence {quoted(c.sequence)} {'does not stand' if c.negate else 'stands'} at {n.thing(c.step)}"
+    ),
 }

@@ -1,4 +1,4 @@
-"""Names and values as parts of sentences."""
+"""Numbers and values as parts of sentences."""
 
 from __future__ import annotations
 
@@ -6,13 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from rcj_challenges.scenario.models import state
-
-
-def named(names: str | tuple[str, ...]) -> str:
-    """Return names as people list them: ``each robot``, ``ball``, ``Y1 or Y2``."""
-    if isinstance(names, tuple):
-        return " or ".join(named(name) for name in names)
-    return {"each": "it"}.get(names, names.replace("_", " "))
+from rcj_challenges.views.sheet.nouns import Nouns, plain, quoted
 
 
 def number(value: float) -> str:
@@ -30,58 +24,69 @@ def metres(value: float) -> str:
     return f"{value * 100:g} cm" if value < 0.1 else f"{value:g} m"
 
 
-def place(value: Any) -> str:
-    """Return a name, or a point as ``(x, y)``."""
-    return named(value) if isinstance(value, str) else f"({value[0]:g}, {value[1]:g})"
+def times(count: int) -> str:
+    """Return how often: ``once``, ``3 times``."""
+    return "once" if count == 1 else f"{count} times"
 
 
-def value(value: Any) -> str:
+def value(nouns: Nouns, value: Any) -> str:
     """Return a value of the scenario in words."""
     describe = _VALUES.get(type(value))
-    return str(value).lower() if isinstance(value, bool) else describe(value) if describe else str(value)
+    return str(value).lower() if isinstance(value, bool) else describe(nouns, value) if describe else str(value)
 
 
-def amount(value: Any) -> str:
+def amount(nouns: Nouns, value: Any) -> str:
     """Return points or counts: a number, a counter, or a sum of weighted parts."""
     if isinstance(value, (int, float)):
         return number(value)
     if isinstance(value, tuple):
-        return " plus ".join(_part(part) for part in value)
-    return _counter(value)
+        return ", plus ".join(_part(nouns, part) for part in value)
+    return nouns.kept("counter", value.counter, value.entity)
 
 
-def compared(model: Any, unit: str = "") -> str:
+def compared(nouns: Nouns, model: Any, unit: str = "") -> str:
     """Return the comparison of a condition: ``at least 3 and at most 5``."""
     parts = [
-        f"{words} {amount(limit)}{unit}"
+        f"{words} {amount(nouns, limit)}{unit}"
         for words, limit in (("at least", model.at_least), ("at most", model.at_most), ("exactly", model.equals))
         if limit is not None
     ]
     return " and ".join(parts)
 
 
-def quantified(of: Any, names: str | tuple[str, ...]) -> str:
-    """Return who must satisfy a condition: ``any of the robots``."""
-    if names == "each" or (isinstance(names, str) and of == "any"):
-        return named(names)
-    words = {"any": "any of", "all": "all of", "none": "none of"}.get(of) if isinstance(of, str) else None
-    return f"{words or f'at least {of.at_least} of'} {named(names)}"
+def _part(nouns: Nouns, part: state.WeightedCounter | state.WeightedFlag) -> str:
+    if isinstance(part, state.WeightedFlag):
+        return f"{number(part.weight)} if {nouns.kept('flag', part.flag, None)} is set"
+    counter = nouns.kept("counter", part.counter, None)
+    return counter if part.weight == 1 else f"{number(part.weight)} times {counter}"
 
 
-def _counter(model: state.CounterValue) -> str:
-    return named(model.counter) + (f" of {named(model.entity)}" if model.entity else "")
+def _word(_nouns: Nouns, model: state.WordValue) -> str:
+    words = _WORDS[model.word]
+    return f"{words} of {plain(model.of)}" if model.of else words
 
 
-def _part(part: state.WeightedCounter | state.WeightedFlag) -> str:
-    if isinstance(part, state.WeightedCounter):
-        return named(part.counter) if part.weight == 1 else f"{number(part.weight)} times {named(part.counter)}"
-    return f"{number(part.weight)} if {named(part.flag)}"
+_WORDS = {
+    "robot_name": "the name of the robot",
+    "entity_name": "the name of the one concerned",
+    "team_name": "the team name",
+    "entrant": "the entrant",
+    "score": "the score",
+    "halftime": "the number of the half",
+    "match_id": "the number of the match",
+    "total_match_time_s": "the length of the half in s",
+    "time_s": "the time in s",
+    "time_left_s": "the time left in s",
+    "measured": "what was measured",
+    "limit": "the limit",
+    "phase": "the phase",
+    "seed_id": "a mark of the seed",
+}
 
-
-_VALUES: dict[type, Callable[[Any], str]] = {
-    state.CounterValue: _counter,
-    state.FlagValue: lambda model: f"whether {named(model.flag)}",
-    state.DrawValue: lambda model: f"the drawn {named(model.draw)}",
-    state.WordValue: lambda model: named(model.word) + (f" of {named(model.of)}" if model.of else ""),
-    state.PositionValue: lambda model: f"position of {named(model.position_of)}",
+_VALUES: dict[type, Callable[[Nouns, Any], str]] = {
+    state.CounterValue: lambda nouns, model: nouns.kept("counter", model.counter, model.entity),
+    state.FlagValue: lambda nouns, model: f"whether {nouns.kept('flag', model.flag, model.entity)} is set",
+    state.DrawValue: lambda _, model: f"what was drawn as {quoted(model.draw)}",
+    state.WordValue: _word,
+    state.PositionValue: lambda nouns, model: f"the position of {nouns.thing(model.position_of)}",
 }

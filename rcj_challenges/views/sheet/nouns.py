@@ -1,0 +1,171 @@
+"""What a scenario's names stand for, as parts of sentences: one thing, one of several, all of several."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from rcj_challenges.scenario.models.conditions import AtLeast
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import WALLS, Roster
+
+Names = str | tuple[str, ...]
+
+_GROUPS_OF_ALL = ("robots", "balls", "obstacles")
+_PREPOSITIONS = frozenset(
+    ("above", "all", "around", "at", "behind", "below", "beside", "between", "beyond", "in", "inside", "near", "not",
+     "on", "outside", "over", "under")
+)  # fmt: skip
+"""What a zone's name may begin with so that no article fits before it: ``outside_the_circle``."""
+
+
+@dataclass(frozen=True)
+class Subject:
+    """What a sentence is about, with what its verb must know.
+
+    Attributes:
+        text: ``the robots``.
+        plural: whether the verb stands in the plural: ``are``.
+        negated: whether the verb is negated: ``is not``.
+    """
+
+    text: str
+    plural: bool = False
+    negated: bool = False
+
+    def does(self, one: str, several: str) -> str:
+        """Return the subject with its verb: ``the robots move``, ``Y1 does not move``.
+
+        Args:
+            one: the verb after a single one: ``moves``, ``is``.
+            several: the verb after several, ``move``, ``are``; it also follows ``does not``.
+        """
+        if not self.negated:
+            return f"{self.text} {several if self.plural else one}"
+        if several == "are":
+            return f"{self.text} {'are' if self.plural else 'is'} not"
+        return f"{self.text} {'do' if self.plural else 'does'} not {several}"
+
+
+def plain(name: str) -> str:
+    """Return a name as people write it: ``blue goal``."""
+    return name.replace("_", " ")
+
+
+def quoted(name: str) -> str:
+    """Return the name of something that cannot be seen on the field, in quotes: ``“goal pause”``."""
+    return f"“{plain(name)}”"
+
+
+def listed(parts: Sequence[str], last: str) -> str:
+    """Return parts as a list: ``Y1, Y2 or Y3``."""
+    return f" {last} ".join(part for part in (", ".join(parts[:-1]), parts[-1]) if part)
+
+
+class Nouns:
+    """Knows of each name of a scenario what it names, and says it with the article that belongs to it.
+
+    Args:
+        scenario: the scenario; its references have been checked.
+        roster: its roster.
+    """
+
+    def __init__(self, scenario: Scenario, roster: Roster) -> None:
+        self.scenario = scenario
+        self.roster = roster
+
+    def thing(self, name: str) -> str:
+        """Return one thing: ``Y1``, ``the ball``, ``gate 1``, ``the spot “centre”``; ``each`` is ``it``."""
+        scenario = self.scenario
+        if name == "each":
+            return "it"
+        if name == WALLS:
+            return "a wall"
+        kind = _kind(scenario, name)
+        if kind in ("ball", "obstacle", "gate", "spot") and kind not in name.lower():
+            return f"the {kind} {quoted(name)}"
+        if name in scenario.draws:
+            return f"what was drawn as {quoted(name)}"
+        # A name with a number, as most robots have one, is said without article.
+        if kind == "zone" and name.lower().partition("_")[0] in _PREPOSITIONS:
+            return f"the zone {quoted(name)}"
+        proper = kind in ("", "robot") or any(character.isdigit() for character in name)
+        return plain(name) if proper else f"the {plain(name)}"
+
+    def any_of(self, names: Names) -> str:
+        """Return the one of several that a rule is about: ``one of the robots``, ``Y1 or Y2``."""
+        return listed([f"one of {self._group(name)}" if self._several(name) else self._one(name)
+                       for name in _tuple(names)], "or")  # fmt: skip
+
+    def all_of(self, names: Names) -> Subject:
+        """Return several together: ``the blue robots and Y3``, which is plural."""
+        parts = [self._group(name) if self._several(name) else self._one(name) for name in _tuple(names)]
+        return Subject(listed(parts, "and"), plural=len(parts) > 1 or self._several(_tuple(names)[0]))
+
+    def each_of(self, names: str) -> str:
+        """Return what a rule goes over: ``each of the robots``; of a group of one its only member."""
+        return f"each of {self._group(names)}" if self._several(names) else self._one(names)
+
+    def quantified(self, of: Any, names: Names, *, negate: bool) -> Subject:
+        """Return how many of several must do something: ``none of the robots``; negated, the opposite of it."""
+        if isinstance(names, str) and not self._several(names):
+            return Subject(self._one(names), negated=negate)
+        several = self.all_of(names).text
+        if isinstance(of, AtLeast):
+            return Subject(f"{'fewer than' if negate else 'at least'} {of.at_least} of {several}", plural=True)
+        if of == "all":
+            return Subject(f"{'not all' if negate else 'all'} of {several}", plural=True)
+        return Subject(f"{'any' if (of == 'any') != negate else 'none'} of {several}")
+
+    def point(self, at: Any) -> str:
+        """Return a named thing or a point ``(x, y)``; of a group the nearest of it is meant."""
+        if not isinstance(at, str):
+            return f"({at[0]:g}, {at[1]:g})"
+        return f"the nearest of {self._group(at)}" if self._several(at) else self._one(at)
+
+    def owned(self, what: str, names: Names) -> str:
+        """Return what belongs to one of several: ``its program``, ``the program of one of the robots``."""
+        return f"its {what}" if names == "each" else f"the {what} of {self.any_of(names)}"
+
+    def kept(self, kind: str, name: str, entity: str | None) -> str:
+        """Return a counter, flag or timer, with whose it is: ``the counter “laps” of Y1``, ``its flag “out”``."""
+        if name in self.scenario.entrants:
+            return f"the score of {plain(name)}"
+        if entity == "each":
+            return f"its {kind} {quoted(name)}"
+        return f"the {kind} {quoted(name)}" + (f" of {self.thing(entity)}" if entity else "")
+
+    def every_kept(self, kind: str, name: str, entity: str | None) -> str:
+        """Return the same for an action, where no entity means all of them."""
+        one = getattr(self.scenario, f"{kind}s").get(name)
+        if entity or one is None or one.per is None:
+            return self.kept(kind, name, entity)
+        return f"the {kind} {quoted(name)} of {self.each_of(one.per)}"
+
+    def members(self, group: str) -> str:
+        """Return the members of a group by name."""
+        return ", ".join(map(plain, self.roster.expand(group)))
+
+    def _several(self, name: str) -> bool:
+        return len(self.roster.expand(name)) > 1
+
+    def _one(self, name: str) -> str:
+        members = self.roster.expand(name)
+        return self.thing(members[0] if len(members) == 1 else name)
+
+    def _group(self, name: str) -> str:
+        if name in self.scenario.groups:
+            kind = _kind(self.scenario, self.roster.expand(name)[0])
+            return f"the {plain(name)}" if name.endswith("s") or not kind else f"the {kind}s {quoted(name)}"
+        return f"the {plain(name)}" if name in _GROUPS_OF_ALL else f"the {plain(name)} robots"
+
+
+def _tuple(names: Names) -> tuple[str, ...]:
+    return (names,) if isinstance(names, str) else names
+
+
+def _kind(scenario: Scenario, name: str) -> str:
+    """Return of what kind a thing of the field is; an empty text for what is none."""
+    kinds = ("robot", "ball", "obstacle", "gate", "spot", "zone")
+    return next((kind for kind in kinds if name in getattr(scenario, f"{kind}s")), "")
