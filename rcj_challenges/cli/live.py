@@ -75,7 +75,12 @@ class LiveOptions:
 
 @contextmanager
 def on_air(
-    options: LiveOptions | None, scenario: Scenario, titles: Mapping[str, str], seed: int, console: Console
+    options: LiveOptions | None,
+    scenario: Scenario,
+    titles: Mapping[str, str],
+    logos: Mapping[str, bytes],
+    seed: int,
+    console: Console,
 ) -> Iterator[LiveShow | None]:
     """Show the match that is played in this context; its addresses are told. None if it is not shown.
 
@@ -87,7 +92,7 @@ def on_air(
         return
     from rcj_challenges.views.live import LiveShow
 
-    with LiveShow(scenario, titles, seed, port=options.port, speed=options.speed) as show:
+    with LiveShow(scenario, titles, seed, logos=logos, port=options.port, speed=options.speed) as show:
         _say(console, f"live:   {show.address}")
         _say(console, f"steer:  {show.steering_address}")
         if options.open and not _opened(show.steering_address):

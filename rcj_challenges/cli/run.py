@@ -87,7 +87,7 @@ def run_scenario(options: RunOptions) -> int:
     )
     titles = {team: plan.name_of(team) for team in plan.teams}
     try:
-        with on_air(options.live, loaded.scenario, titles, plan.seed, console) as show:
+        with on_air(options.live, loaded.scenario, titles, plan.logos, plan.seed, console) as show:
             outcome = play_match(plan, watcher if show is None else Together(watcher, show.watcher))
             _tell(options, console, outcome)
             if show is not None and options.live is not None:

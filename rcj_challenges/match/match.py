@@ -66,6 +66,11 @@ class MatchPlan:
         """Return what a team is called."""
         return self.team_names.get(team) or self.teams[team].name
 
+    @property
+    def logos(self) -> dict[str, bytes]:
+        """The teams' own ``logo.png`` as they gave it, by seat of the first half; nobody has looked at it yet."""
+        return {team: logo for team, opened in self.teams.items() if (logo := logo_of(opened.files))}
+
 
 @dataclass(frozen=True)
 class PlayedMatch:
@@ -100,6 +105,7 @@ class _MatchPlay:
         self._kept: dict[str, Any] = {}
         self._ranking: list[dict[str, Any]] = []
         self._half_ticks = ticks_from_s(self._scenario.match.half_s)
+        self._held_up_s = 0.0
 
     def play(self) -> PlayedMatch:
         plan = self._plan
@@ -112,13 +118,14 @@ class _MatchPlay:
             match_id=plan.match_id,
             sandbox={"mode": plan.sandbox, "layers": list(active_layers(plan.sandbox))},
             marks=("debug",) if plan.debug else (),
-            logos={team: logo for team, opened in plan.teams.items() if (logo := logo_of(opened.files))},
+            logos=plan.logos,
         )
         with RecordWriter(plan.out, header) as record:
             for number in range(1, self._scenario.match.halves + 1):
                 if self._play_half(number, record).ends_match:
                     break
-            record.finish({"wall_s": round(time.perf_counter() - began, 3), "ranking": self._ranking})
+            wall_s = time.perf_counter() - began - self._held_up_s
+            record.finish({"wall_s": round(wall_s, 3), "ranking": self._ranking})
         self._watcher.finished(record.result)
         return PlayedMatch(record.folder, record.result)
 
@@ -137,8 +144,9 @@ class _MatchPlay:
             clerk = HalfClerk(half, referee, record, self._watcher, crew, plan.show_output, real_time=plan.real_time)
             record.begin_half(half)
             self._watcher.half_started(half)
+            overhearing.tell(self._watcher, half)
             stage = HalfStage(world, referee, rack, overhearing.on(drivers))
-            outcome = HalfPlay(stage, half, clerk.ticked, self._watcher.fault, self._watcher.before_tick).play()
+            outcome = HalfPlay(stage, half, clerk.ticked, self._watcher.fault, self._before_tick).play()
             record.end_half(outcome.closing, referee.scores, outcome.ended)
             crew.finish(
                 {
@@ -154,6 +162,12 @@ class _MatchPlay:
         time_s = s_from_ticks(outcome.ticks)
         self._ranking = ranking(scenario, self._scores, referee.counters, half.teams, time_s)
         return outcome
+
+    def _before_tick(self, tick: int) -> None:
+        """Wait for the watcher; how long is not the time that the match took."""
+        began = time.perf_counter()
+        self._watcher.before_tick(tick)
+        self._held_up_s += time.perf_counter() - began
 
     def _launch(self, crew: Crew, specs: Mapping[int, RobotSpec], half: HalfInfo) -> dict[int, Program]:
         """Start the programs of all seats; returns them by robot index."""

@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import Protocol, Self
 
 from rcj_challenges.devices.fitting import devices_of
-from rcj_challenges.facts.play import Fault
+from rcj_challenges.facts.play import Fault, HalfInfo
 from rcj_challenges.facts.traffic import Observation, Request, RobotSpec
 from rcj_challenges.match.half import Driver
+from rcj_challenges.match.watching import Watcher
 from rcj_challenges.records.sensors import SensedRobot, SensorWriter
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.robots import BallReceiverDevice
@@ -116,7 +117,8 @@ class Overhearing:
         """
         self._specs = dict(specs) if on else {}
         self._tails = {robot: LogTail(record.logs / f"{spec.name}.log") for robot, spec in self._specs.items()}
-        self._writer = SensorWriter(record.folder, half, _sensed(scenario, self._specs)) if on else None
+        self._robots = _sensed(scenario, self._specs)
+        self._writer = SensorWriter(record.folder, half, self._robots) if on else None
 
     def on(self, drivers: Mapping[int, Listened]) -> Mapping[int, Driver]:
         """Return drivers by robot index that are listened to."""
@@ -127,6 +129,11 @@ class Overhearing:
         return {
             robot: _Overheard(driver, numbers[robot], writer, self._tails[robot]) for robot, driver in drivers.items()
         }
+
+    def tell(self, watcher: Watcher, half: HalfInfo) -> None:
+        """Let a watcher have what is recorded from now on, if anything is and it wants it."""
+        if self._writer is not None:
+            self._writer.tell(watcher.sensing(half, self._robots))
 
     def __enter__(self) -> Self:
         return self

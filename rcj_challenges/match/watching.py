@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
 from rcj_challenges.facts.play import Event, Fault, HalfInfo, Snapshot, Verdict
+from rcj_challenges.records.sensors import SensedRobot, SensorListener
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +58,9 @@ class Watcher(Protocol):
     def half_started(self, half: HalfInfo) -> None:
         """A half begins."""
 
+    def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:
+        """A half begins whose programs' observations are recorded; return who is to be given them as they come."""
+
     def progressed(self, progress: Progress) -> None:
         """Another ``progress_every_ticks`` ticks are played."""
 
@@ -91,6 +96,11 @@ class Silent:
 
     def half_started(self, half: HalfInfo) -> None:
         """Do nothing."""
+
+    def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:
+        """Want none of it."""
+        del half, robots
+        return ()
 
     def progressed(self, progress: Progress) -> None:
         """Do nothing."""
@@ -131,6 +141,10 @@ class Together:
         """Tell all."""
         for watcher in self._watchers:
             watcher.half_started(half)
+
+    def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:
+        """Ask all."""
+        return [listener for watcher in self._watchers for listener in watcher.sensing(half, robots)]
 
     def progressed(self, progress: Progress) -> None:
         """Tell all."""

@@ -109,8 +109,12 @@ class RunResult(_Part):
     faults: list[FaultResult] = _described("programs that failed, in order")
     digest: str = _described("SHA-256 over inputs, states and events; empty while the run is not complete")
     simulated_s: float = _described("simulated time of all halves in s", ge=0)
-    wall_s: float = _described("wall time of the run in s", ge=0)
-    real_time_factor: float = _described("simulated over wall time", ge=0)
+    wall_s: float = _described(
+        "wall time that the match itself took in s: without what it waited before ticks for who steers a live view "
+        "(pauses, single steps, a slower speed)",
+        ge=0,
+    )
+    real_time_factor: float = _described("simulated_s over wall_s", ge=0)
     versions: Versions
     sandbox: dict[str, Any] = _described("how programs were isolated: what was asked for and which layers were active")
     marks: list[str] = _described("what makes this run special, such as debug: it does not count as a fair one")

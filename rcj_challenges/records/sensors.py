@@ -18,7 +18,7 @@ import zlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any, BinaryIO, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -96,6 +96,21 @@ def row_dtype(robot: SensedRobot) -> np.dtype[np.void]:
     )
 
 
+class SensorListener(Protocol):
+    """Somebody who is given a recording while it is made. Calls must return at once: the match waits for them."""
+
+    def sensed(self, robot: int, row: bytes) -> None:
+        """Take a row of `row_dtype`, as it is recorded.
+
+        Args:
+            robot: its place in the order of the recording.
+            row: the observation, with what the program set on it.
+        """
+
+    def printed(self, entry: tuple[int, int, str]) -> None:
+        """Take what a program printed, as it is recorded: robot, tick of the observation before, text."""
+
+
 class _Rows:
     """The rows of one robot that are not written yet."""
 
@@ -123,11 +138,13 @@ class _Rows:
                 numbers += (packet.strength, *packet.direction)
             self._heard = numbers
 
-    def did(self, motors: Sequence[MotorCommand]) -> None:
+    def did(self, motors: Sequence[MotorCommand]) -> bytes:
         for command in motors:
             held = not math.isinf(command.position_rad)
             self._motors[self._motor_at[command.device]] = math.nan if held else command.velocity_radps
-        self._rows += self._pack(self.tick, *self._values, *self._heard, *self._motors)
+        row = self._pack(self.tick, *self._values, *self._heard, *self._motors)
+        self._rows += row
+        return row
 
     def take(self) -> tuple[int, bytes]:
         """Return number and bytes of the rows, column by column, and forget them."""
@@ -151,6 +168,7 @@ class SensorWriter:
         (folder / SENSORS).mkdir(exist_ok=True)
         self._file: BinaryIO = _path(folder, half).open("xb", buffering=0)
         self._rows = [_Rows(robot) for robot in robots]
+        self._listeners: tuple[SensorListener, ...] = ()
         self._output: list[tuple[int, int, str]] = []
         self._letters_left = MOST_LETTERS_A_HALF
         self._next_write = TICKS_BETWEEN_WRITES
@@ -166,6 +184,10 @@ class SensorWriter:
             )
         )
 
+    def tell(self, listeners: Sequence[SensorListener]) -> None:
+        """Give what is recorded from now on to these too."""
+        self._listeners = tuple(listeners)
+
     def saw(self, robot: int, observation: Observation) -> None:
         """Note what a program is told."""
         if not self._is_full:
@@ -177,7 +199,9 @@ class SensorWriter:
     def did(self, robot: int, motors: Sequence[MotorCommand], printed: str = "") -> None:
         """Note what a program set and printed on what it was told last (before the first: at tick 0)."""
         if not self._is_full:
-            self._rows[robot].did(motors)
+            row = self._rows[robot].did(motors)
+            for listener in self._listeners:
+                listener.sensed(robot, row)
             self.printed(robot, printed)
 
     def printed(self, robot: int, text: str) -> None:
@@ -186,7 +210,10 @@ class SensorWriter:
             if len(text) > self._letters_left:
                 text = text[: self._letters_left] + "\n… (more in logs)\n"
             self._letters_left -= len(text)
-            self._output.append((robot, self._rows[robot].tick, text))
+            entry = (robot, self._rows[robot].tick, text)
+            self._output.append(entry)
+            for listener in self._listeners:
+                listener.printed(entry)
 
     def close(self) -> None:
         """Write what is left and close the file. Can be called again."""

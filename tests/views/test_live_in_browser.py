@@ -1,6 +1,5 @@
 """The live view in a real browser: watch, come late, look back, steer, and end as a replay."""
 
-import shutil
 import struct
 import threading
 from collections.abc import Callable, Iterator
@@ -16,22 +15,8 @@ from rcj_challenges.records.testing import half_info, made_up_play, made_up_snap
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.views.live import MAX_SPEED, LiveShow
 from rcj_challenges.views.replay import write_replay
+from tests.views.browser_stage import NARROW, WIDE, until
 
-playwright = pytest.importorskip(
-    "playwright.sync_api", reason="playwright is not installed: the page is not tried in a browser"
-)
-
-_CHROMIUM = next(
-    (path for name in ("chromium", "chromium-browser", "google-chrome") if (path := shutil.which(name))), None
-)
-pytestmark = pytest.mark.skipif(
-    _CHROMIUM is None, reason="no chromium on this machine: the page is not tried in a browser"
-)
-
-_SOFTWARE_GPU = [
-    "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist",
-]  # fmt: skip
-_WIDE, _NARROW = {"width": 1366, "height": 768}, {"width": 390, "height": 844}
 TICKS = 1000
 HOSTILE = "</script><script>document.title='stolen'</script>\u202eمريخ"
 
@@ -48,6 +33,7 @@ class MadeUpMatch:
         self._halves = halves
         self.show = LiveShow(self._scenario, dict(self._header.team_names), 1, speed=speed)
         self.folder: Path | None = None
+        self._stopped = threading.Event()
         self._thread = threading.Thread(target=self._play, daemon=True)
 
     def start(self) -> "MadeUpMatch":
@@ -60,6 +46,13 @@ class MadeUpMatch:
         self._thread.join(30)
         assert not self._thread.is_alive()
 
+    def close(self) -> None:
+        """Stop it where it is: nobody watches any more."""
+        self._stopped.set()
+        self.show.close()
+        self._thread.join(30)
+        assert not self._thread.is_alive()
+
     def _play(self) -> None:
         watcher = Together(self.show.watcher)
         writer = RecordWriter(self._out, self._header)
@@ -69,6 +62,9 @@ class MadeUpMatch:
             writer.begin_half(half)
             watcher.half_started(half)
             for snapshot, verdict in made_up_play(robots, TICKS):
+                if self._stopped.is_set():
+                    writer.finish({"complete": False})
+                    return
                 if snapshot.tick:
                     watcher.before_tick(snapshot.tick)
                 writer.tick(snapshot, verdict, struct.pack("<d", snapshot.substeps[-1][0][0]))
@@ -81,14 +77,6 @@ class MadeUpMatch:
         self.show.match_over(self.folder)
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    with playwright.sync_playwright() as driver:
-        browser = driver.chromium.launch(executable_path=_CHROMIUM, args=_SOFTWARE_GPU)
-        yield browser
-        browser.close()
-
-
 @pytest.fixture
 def match(tmp_path: Path) -> Iterator[Callable[..., MadeUpMatch]]:
     played: list[MadeUpMatch] = []
@@ -99,45 +87,7 @@ def match(tmp_path: Path) -> Iterator[Callable[..., MadeUpMatch]]:
 
     yield make
     for one in played:
-        one.show.close()
-
-
-@pytest.fixture
-def watch(browser: Any) -> Iterator[Callable[..., Any]]:
-    """Opens pages; none of them may have asked anybody but its server, or complained."""
-    complaints: list[str] = []
-    opened = []
-
-    def open_page(address: str, **options: Any) -> Any:
-        page = browser.new_page(**{"viewport": _WIDE, "reduced_motion": "reduce", **options})
-        page.on("pageerror", lambda error: complaints.append(str(error)))
-        page.on("console", lambda said: complaints.append(said.text) if said.type in ("error", "warning") else None)
-        own = address.partition("#")[0]
-        page.on("request", lambda asked: None if asked.url.startswith((own, "data:")) else complaints.append(asked.url))
-        page.goto(address)
-        opened.append(page)
-        page.wait_for_selector("body.ready", timeout=10_000)
-        return page
-
-    yield open_page
-    for page in opened:
-        page.close()
-    assert not [line for line in complaints if "GPU stall" not in line]  # said by the software GPU when it is read
-
-
-def _until(page: Any, condition: str) -> None:
-    """Wait until something is so. (The page's policy forbids what playwright's own waiting does: to evaluate text.)"""
-    page.evaluate(
-        f"""() => new Promise((done, fail) => {{
-          const latest = performance.now() + 15000;
-          const look = () => {{
-            if ({condition}) done();
-            else if (performance.now() > latest) fail(new Error("it never came about"));
-            else requestAnimationFrame(look);
-          }};
-          look();
-        }})"""
-    )
+        one.close()
 
 
 def test_a_spectator_sees_the_match_go_on_while_it_is_played(
@@ -148,9 +98,9 @@ def test_a_spectator_sees_the_match_go_on_while_it_is_played(
     assert page.locator(".team .name").all_inner_texts() == ["Hanse", HOSTILE]
     assert page.title().startswith("Hanse - </script>")
     first = page.evaluate("replay.place")
-    _until(page, f"replay.place > {first} + 40")
+    until(page, f"replay.place > {first} + 40")
     assert page.get_attribute("#live", "aria-pressed") == "true"
-    _until(page, "replay.recording.last - replay.place < 40")
+    until(page, "replay.recording.last - replay.place < 40")
     assert page.evaluate("replay.recording.span") == 2 * (TICKS + 1) - 1  # as long as the match is planned
 
 
@@ -161,24 +111,24 @@ def test_who_comes_late_gets_all_from_the_beginning_and_can_look_back(
     played.show.pace.step(600)
     played.start()
     page = watch(played.show.address)
-    _until(page, "replay.recording.last === 600")
-    _until(page, "replay.place === 600")
+    until(page, "replay.recording.last === 600")
+    until(page, "replay.place === 600")
     page.click("#filters >> text=GOAL")
     page.locator("a.moment", has_text="GOAL").first.click()
     assert page.evaluate("[replay.half, replay.tick]") == [1, 400]
-    _until(page, "document.getElementById('live').ariaPressed === 'false'")
+    until(page, "document.getElementById('live').ariaPressed === 'false'")
     played.show.pace.resume()
-    _until(page, "replay.recording.last > 640")
+    until(page, "replay.recording.last > 640")
     assert page.evaluate("replay.tick") == 400  # the match goes on, the picture stays
     page.click("#live")
-    _until(page, "replay.place > 640 && document.getElementById('live').ariaPressed === 'true'")
+    until(page, "replay.place > 640 && document.getElementById('live').ariaPressed === 'true'")
 
 
 def test_it_ends_as_a_replay_that_has_everything(match: Callable[..., MadeUpMatch], watch: Callable[..., Any]) -> None:
     played = match().start()
     page = watch(played.show.address)
     played.end()
-    _until(page, "replay.recording.over")
+    until(page, "replay.recording.over")
     replay = watch(f"{played.show.address}replay.html")
     everything = """() => {
       const { recording } = replay;
@@ -198,7 +148,7 @@ def test_it_ends_as_a_replay_that_has_everything(match: Callable[..., MadeUpMatc
     page.click("#tab-show")
     assert "digest" in page.locator("#about").inner_text()
     assert page.locator(".keep").get_attribute("href") == "replay.html"
-    _until(page, "!replay.app.player.playing")
+    until(page, "!replay.app.player.playing")
     assert page.locator("#live").text_content() == "Over"
     assert page.locator("#live").is_disabled()
 
@@ -214,16 +164,16 @@ def test_who_has_the_token_pauses_steps_and_sets_the_speed(
     page = watch(played.show.steering_address)
     assert "token" not in page.url  # a link that is passed on gives nobody the wheel
     page.click("#match-pause")
-    _until(page, "replay.spectator.pace.paused")
-    _until(page, "replay.place === replay.recording.last")
+    until(page, "replay.spectator.pace.paused")
+    until(page, "replay.place === replay.recording.last")
     stood = page.evaluate("replay.recording.last")
     page.click("#match-step")
-    _until(page, f"replay.place === {stood + 1}")
+    until(page, f"replay.place === {stood + 1}")
     assert page.evaluate("replay.recording.last") == stood + 1
     assert "paused" in page.locator("#live").inner_text()
     page.select_option("#match-speed", "max")
     page.click("#match-pause")
-    _until(page, "replay.recording.over")
+    until(page, "replay.recording.over")
     assert page.locator(".steward").is_hidden()
 
 
@@ -244,7 +194,7 @@ def test_a_reload_can_still_steer_and_a_wrong_token_resigns(
     page.reload()
     page.wait_for_selector("body.ready")
     page.click("#match-pause")
-    _until(page, "replay.spectator.pace.paused")
+    until(page, "replay.spectator.pace.paused")
     assert played.show.pace.state["paused"]
 
 
@@ -256,11 +206,11 @@ def test_pause_and_play_of_a_spectator_do_not_touch_the_match(
     page = watch(played.show.address)
     page.keyboard.press("k")
     stood = page.evaluate("replay.place")
-    _until(page, f"replay.recording.last > {stood} + 30")
+    until(page, f"replay.recording.last > {stood} + 30")
     assert page.evaluate("replay.place") == stood
     page.select_option("#speed", "16")
     page.keyboard.press("k")
-    _until(page, "replay.app.player.following")  # played on faster than the match, until it was there
+    until(page, "replay.app.player.following")  # played on faster than the match, until it was there
 
 
 def test_a_lost_connection_is_found_again(match: Callable[..., MadeUpMatch], watch: Callable[..., Any]) -> None:
@@ -268,7 +218,7 @@ def test_a_lost_connection_is_found_again(match: Callable[..., MadeUpMatch], wat
     page = watch(played.show.address)
     last = page.evaluate("replay.recording.last")
     page.evaluate("replay.spectator.feed.reader.cancel()")
-    _until(page, f"replay.recording.last > {last} + 20")
+    until(page, f"replay.recording.last > {last} + 20")
     robots = len(small_scenario(halves=2, half_s=TICKS * TICK_S).robots)
     for tick in (last, last + 1, last + 20):
         x, y = page.evaluate(
@@ -277,7 +227,7 @@ def test_a_lost_connection_is_found_again(match: Callable[..., MadeUpMatch], wat
         assert (x, y) == pytest.approx(made_up_snapshot(tick, robots).substeps[-1][0][:2], abs=2e-4)
 
 
-@pytest.mark.parametrize("size", [_WIDE, _NARROW])
+@pytest.mark.parametrize("size", [WIDE, NARROW])
 def test_nothing_of_the_page_is_outside_of_the_screen(
     size: dict[str, int], match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:

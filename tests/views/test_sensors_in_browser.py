@@ -2,86 +2,29 @@
 
 import math
 import shutil
-import struct
-import zlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from rcj_challenges.facts.traffic import DeviceSpec, MotorCommand, Observation, Packet
 from rcj_challenges.records.logos import logo_path
-from rcj_challenges.records.sensors import SensedRobot, SensorWriter
+from rcj_challenges.records.sensors import SensorWriter
 from rcj_challenges.records.testing import write_made_up_run
 from rcj_challenges.views.replay import write_replay
+from tests.views.browser_stage import NARROW, NO_WEBGL, WIDE, settled, until
+from tests.views.sensing_play import ENDLESS, HOSTILE, SENSED, TURNED, logo, sense
 
-playwright = pytest.importorskip(
-    "playwright.sync_api", reason="playwright is not installed: the page is not tried in a browser"
-)
-_CHROMIUM = next(
-    (path for name in ("chromium", "chromium-browser", "google-chrome") if (path := shutil.which(name))), None
-)
-pytestmark = pytest.mark.skipif(
-    _CHROMIUM is None, reason="no chromium on this machine: the page is not tried in a browser"
-)
-_SOFTWARE_GPU = [
-    "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist",
-]  # fmt: skip
-_WIDE, _NARROW = {"width": 1366, "height": 768}, {"width": 390, "height": 844}
-
-HOSTILE = "</script><script>document.title='stolen'</script><img src=x onerror=\"document.title='stolen'\">\n"
-TURNED = "\u202eevil\u2066 \u200f\n"
-ENDLESS = "x" * 10_000 + "\n"
 TICKS = 500
-DEVICES = (
-    DeviceSpec("left wheel motor", "motor", 0, -1, 0),
-    DeviceSpec("right wheel motor", "motor", 1, -1, 0),
-    DeviceSpec("left wheel sensor", "position_sensor", 2, 0, 1),
-    DeviceSpec("gps", "gps", 3, 1, 3),
-    DeviceSpec("distancesensor left", "distance_sensor", 4, 4, 1, {"bearing_rad": math.pi / 2, "max_value": 1000.0}),
-    DeviceSpec("compass", "compass", 5, 5, 3),
-    DeviceSpec("ball receiver", "receiver", 6, -1, 0),
-    DeviceSpec(
-        "lidar", "lidar", 7, 8, 360,
-        {"first_bearing_rad": 0.0, "bearing_step_rad": -math.pi / 180, "max_range": 3.0},
-    ),
-)  # fmt: skip
-
-
-def values_at(tick: int) -> list[float]:
-    ranges = [0.0 if cell < 90 else math.inf if cell < 180 else 0.5 + 0.001 * cell for cell in range(360)]
-    return [0.032 * 5 * tick, 0.1234, -0.0001 * tick, 0.0375, 250.0 + tick, *[math.nan] * 3, *ranges]
-
-
-def printed_at(tick: int) -> str:
-    return {10: HOSTILE, 20: TURNED, 30: ENDLESS}.get(tick, f"tick {tick}\n" if tick % 100 == 0 else "")
-
-
-def logo(red: int) -> bytes:
-    def chunk(kind: bytes, body: bytes) -> bytes:
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-
-    lines = (b"\0" + bytes((red, 0, 255)) * 8) * 8
-    header = struct.pack(">IIBBBBB", 8, 8, 8, 2, 0, 0, 0)
-    return b"\x89PNG\r\n\x1a\n" + b"".join(
-        chunk(kind, body) for kind, body in ((b"IHDR", header), (b"IDAT", zlib.compress(lines)), (b"IEND", b""))
-    )
 
 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Two halves; B1 and Y2 are recorded in the first. Both teams have logos, one of which is none."""
     folder = write_made_up_run(tmp_path_factory.mktemp("runs"), ticks=TICKS, halves=2)
-    robots = [SensedRobot(name, DEVICES, 368, ("ball receiver",), 1) for name in ("B1", "Y2")]
-    writer = SensorWriter(folder, 1, robots)
-    for robot in (0, 1):
-        writer.did(robot, [MotorCommand(0, 3.0, math.inf)], "ready\n")
-    for tick in range(1, TICKS + 1):
-        for robot in (0, 1):
-            heard = [Packet(6, b"x", 4.0, (1.0, 0.0, -0.1))] if tick % 2 else []
-            writer.saw(robot, Observation(tick, values_at(tick), heard))
-            writer.did(robot, [MotorCommand(1, -float(tick % 8), math.inf)], printed_at(tick) if robot == 0 else "")
+    writer = SensorWriter(folder, 1, SENSED)
+    for tick in range(TICKS + 1):
+        sense(writer, tick)
     writer.close()
     logo_path(folder, "blue").write_bytes(logo(200))
     logo_path(folder, "yellow").write_bytes(b"GIF89a<script>alert(1)</script>")
@@ -89,55 +32,10 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    with playwright.sync_playwright() as driver:
-        browser = driver.chromium.launch(executable_path=_CHROMIUM, args=_SOFTWARE_GPU)
-        yield browser
-        browser.close()
-
-
-@pytest.fixture
-def show(browser: Any) -> Iterator[Callable[..., Any]]:
-    """Opens pages; afterwards none of them may have asked the network or complained."""
-    complaints: list[str] = []
-    opened = []
-
-    def open_page(folder: Path, fragment: str = "", script: str = "", **options: Any) -> Any:
-        page = browser.new_page(**{"viewport": _WIDE, "reduced_motion": "reduce", **options})
-        page.on("pageerror", lambda error: complaints.append(str(error)))
-        page.on("console", lambda said: complaints.append(said.text) if said.type in ("error", "warning") else None)
-        page.on(
-            "request", lambda asked: None if asked.url.startswith(("file:", "data:")) else complaints.append(asked.url)
-        )
-        if script:
-            page.add_init_script(script)
-        page.goto((folder / "replay.html").as_uri() + fragment)
-        page.wait_for_selector("body.ready")
-        opened.append(page)
-        return page
-
-    yield open_page
-    for page in opened:
-        page.close()
-    assert not [line for line in complaints if "GPU stall" not in line]  # said by the software GPU when it is read
-
-
-def _settled(page: Any) -> None:
-    """Wait until the page does not draw by itself any more."""
-    page.evaluate(
-        """() => new Promise((done) => {
-          let quiet = 0;
-          const look = () => { quiet = replay.app.waiting ? 0 : quiet + 1; if (quiet > 3) done(); else requestAnimationFrame(look); };
-          look();
-        })"""
-    )
-
-
 def _robots(page: Any) -> Any:
     page.click("#tab-robots")
-    page.wait_for_selector(".sensing:not([hidden])")
-    _settled(page)
+    until(page, "replay.app.sensors.half(replay.half)")  # read when it is first wanted
+    settled(page)
     return page.locator(".robot", has_text="B1").first
 
 
@@ -161,7 +59,7 @@ def test_readings_are_those_of_the_moment(show: Callable[..., Any], run: Path) -
     assert _reading(card, "not enabled") == "compass"
     assert _reading(card, "lidar").startswith("0.680 to 0.858 m")
     page.keyboard.press(".")
-    _settled(page)
+    settled(page)
     assert _reading(card, "distancesensor left") == "376.0"
     assert _reading(card, "ball") == "not heard"
 
@@ -172,7 +70,7 @@ def test_only_robots_whose_programs_were_recorded_have_readings(show: Callable[.
     assert page.locator(".sensing:visible").count() == 2
     assert page.get_by_role("button", name="Rays of the sensors of").count() == 2
     page.evaluate("replay.seek(2, 50)")  # the second half has none
-    _settled(page)
+    settled(page)
     assert page.locator(".sensing:visible").count() == 0
 
 
@@ -184,13 +82,13 @@ def test_printed_lines_come_with_their_time_and_only_when_they_were_printed(
     card = _robots(page)
     assert card.locator(".printed .line").all_inner_texts() == ["0:00.0 ready"]
     page.evaluate("replay.seek(1, 400)")
-    _settled(page)
+    settled(page)
     lines = card.locator(".printed .line").all_inner_texts()
     assert lines[-1] == "0:12.8 tick 400"
     assert len(lines) == 8
 
 
-@pytest.mark.parametrize("size", [_WIDE, pytest.param(_NARROW, marks=pytest.mark.nightly)], ids=["wide", "narrow"])
+@pytest.mark.parametrize("size", [WIDE, pytest.param(NARROW, marks=pytest.mark.nightly)], ids=["wide", "narrow"])
 def test_printed_text_is_text_whatever_it_contains(size: dict, show: Callable[..., Any], run: Path) -> None:
     page = show(run, "#h1t40", viewport=size)
     card = _robots(page)
@@ -224,7 +122,7 @@ def test_rays_reach_as_far_as_the_readings_say_in_the_robots_frame(show: Callabl
     page = show(run, "#h1t125")
     _robots(page)
     page.click("text=Rays >> nth=0")
-    _settled(page)
+    settled(page)
     found = page.evaluate(
         """() => {
           const pose = replay.recording.pose(0, replay.place), rays = replay.app.sensors.raysAt(replay.place, false);
@@ -246,12 +144,12 @@ def test_rays_reach_as_far_as_the_readings_say_in_the_robots_frame(show: Callabl
 def test_rays_are_drawn_when_they_are_asked_for(show: Callable[..., Any], run: Path) -> None:
     page = show(run, "#h1t125")
     count = "replay.app.frame.trails.length"
-    page.evaluate("replay.app.sensors.half(1)")
-    _settled(page)
+    until(page, "replay.app.sensors.half(1)")
+    settled(page)
     assert page.evaluate(count) == 0
     page.click("#tab-show")
     page.check("input[name=rays]")
-    _settled(page)
+    settled(page)
     assert page.evaluate(count) == 6
     page.uncheck("input[name=rays]")
     assert page.evaluate(count) == 0
@@ -265,7 +163,7 @@ def test_a_heat_map_is_warm_where_somebody_was(show: Callable[..., Any], run: Pa
     page.click("#tab-show")
     assert page.locator("#heat option").all_inner_texts()[-3:] == ["ball", "Hanse", "Alster"]
     page.select_option("#heat", label="ball")
-    _settled(page)
+    settled(page)
     inside = page.evaluate(
         """() => {
           const { shapes } = replay.app.heat.at(replay.place), track = replay.recording.halves[0];
@@ -278,7 +176,7 @@ def test_a_heat_map_is_warm_where_somebody_was(show: Callable[..., Any], run: Pa
     assert inside[1]
     assert "% of the time" in page.locator("#heat-text").inner_text()
     page.select_option("#heat", label="nobody")
-    _settled(page)
+    settled(page)
     assert page.evaluate("replay.app.heat.at(replay.place).shapes.length") == 0
 
 
@@ -294,7 +192,7 @@ def test_a_heat_map_of_a_team_follows_it_to_the_other_side(show: Callable[..., A
 def test_a_logo_is_on_the_scoreboard_and_on_the_robots_of_its_team(show: Callable[..., Any], run: Path) -> None:
     page = show(run, "#h1t50")
     page.wait_for_selector("img.logo")
-    _settled(page)
+    settled(page)
     assert page.locator("img.logo").count() == 1  # the other one is no PNG
     assert page.locator(".team", has_text="Hanse").locator("img.logo").is_visible()
     who = "[50, 550].map((place) => replay.app.logos.at(place).map((picture) => Boolean(picture)))"
@@ -307,14 +205,9 @@ def test_a_logo_is_on_the_scoreboard_and_on_the_robots_of_its_team(show: Callabl
 
 @pytest.mark.nightly
 def test_logos_are_drawn_without_webgl_too(show: Callable[..., Any], run: Path) -> None:
-    no_webgl = """
-      const real = HTMLCanvasElement.prototype.getContext;
-      HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
-        return kind === "webgl2" ? null : real.call(this, kind, ...rest);
-      };"""
-    page = show(run, "#h1t50", no_webgl)
+    page = show(run, "#h1t50", script=NO_WEBGL)
     page.wait_for_selector("img.logo")
-    _settled(page)
+    settled(page)
     violet = page.evaluate(
         """() => {
           const { pen, canvas } = replay.app.view;
@@ -352,5 +245,5 @@ def test_of_a_damaged_trajectory_the_page_shows_what_is_left_and_says_so(
     assert "sensor recording of half 1 is damaged" in notice
     page.locator("a.moment", has_text="GOAL").first.click()
     assert page.evaluate("[replay.half, replay.tick]") == [1, 400]
-    _settled(page)
+    settled(page)
     assert [score.inner_text() for score in page.locator(".score").all()] == ["0", "1"]

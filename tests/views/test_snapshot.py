@@ -194,6 +194,7 @@ from rcj_challenges.views.video import gl_probe
 reason = gl_probe.why_not_solid()
 if reason:
     print(reason); sys.exit(77)
+gl_probe.why_not_solid = lambda: None  # asked once is enough
 from rcj_challenges.views.video.footage import Footage
 from rcj_challenges.views.video.make import Look, studio, write_snapshot
 from rcj_challenges.views.video.timeline import moment_at

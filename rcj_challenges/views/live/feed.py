@@ -7,8 +7,9 @@ little-endian; a message is appended whole.
 | kind | content |
 |---|---|
 | 0 | empty: somebody is still there. It is sent in between and is no part of the row |
-| 1 | one JSON object; its key ``say`` names it: ``half``, ``news``, ``pace``, ``over`` |
+| 1 | one JSON object; its key ``say`` names it: ``half``, ``sensors``, ``news``, ``printed``, ``pace``, ``over`` |
 | 2 | poses: half (uint16), tick of the first row (uint32), then rows of int16 ``[channel][entity]`` |
+| 3 | readings of a robot: half (uint16), its place in ``sensors`` (uint16), rows (uint32), then the rows: `senses` |
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from typing import Any
 
 STILL_HERE = struct.pack("<BI", 0, 0)
 
-_SAID, _POSES = 1, 2
+_SAID, _POSES, _SENSED = 1, 2, 3
 _MOST_AT_ONCE = 1 << 16
 
 
@@ -34,6 +35,11 @@ def said(message: dict[str, Any]) -> bytes:
 def poses(half: int, first_tick: int, rows: bytes) -> bytes:
     """Return poses of ticks that follow each other, framed; ``rows`` is int16 ``[tick][channel][entity]``."""
     return struct.pack("<BIHI", _POSES, 6 + len(rows), half, first_tick) + rows
+
+
+def sensed(half: int, robot: int, rows: int, steps: bytes) -> bytes:
+    """Return what a robot's program saw and set, framed; ``steps`` are packed."""
+    return struct.pack("<BIHHI", _SENSED, 8 + len(steps), half, robot, rows) + steps
 
 
 class Feed:

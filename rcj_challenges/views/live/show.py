@@ -9,18 +9,19 @@ from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
-from typing import Self
+from typing import Any, Self
 
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY
+from rcj_challenges.records.logos import LogoError
 from rcj_challenges.records.result import read_result
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.live.feed import Feed, said
 from rcj_challenges.views.live.pace import Pace
 from rcj_challenges.views.live.server import HOST, SpectatorServer, Stage
 from rcj_challenges.views.live.telling import LiveWatcher, live_facts
-from rcj_challenges.views.replay.page import about_run, page_text
+from rcj_challenges.views.replay.page import about_run, logo_address, no_logo, page_text
 
 _FLUSH_EVERY_S = 0.1
 """Three ticks at real time: fine enough to be smooth, rare enough to cost a fast match nothing."""
@@ -46,7 +47,14 @@ class LiveShow:
     """
 
     def __init__(
-        self, scenario: Scenario, titles: Mapping[str, str], seed: int, *, port: int = 0, speed: float = 1.0
+        self,
+        scenario: Scenario,
+        titles: Mapping[str, str],
+        seed: int,
+        *,
+        logos: Mapping[str, bytes] | None = None,
+        port: int = 0,
+        speed: float = 1.0,
     ) -> None:
         """Open the port; from now on the page is there.
 
@@ -54,6 +62,7 @@ class LiveShow:
             scenario: what is played.
             titles: names of the teams, by their seat of the first half.
             seed: of the match.
+            logos: of the teams as they gave them, by their seat of the first half; why one cannot be shown is said.
             port: to listen on; 0 takes a free one.
             speed: simulated over wall time, `MAX_SPEED` as fast as it can.
 
@@ -65,7 +74,9 @@ class LiveShow:
         self._feed.append(said({"say": "pace", **self.pace.state}))
         self.watcher = LiveWatcher(scenario, self._feed, self.pace)
         match = secrets.token_urlsafe(9)
-        page = page_text({**live_facts(scenario, dict(titles), seed), "match": match}, {}, live=True).encode()
+        facts = live_facts(scenario, dict(titles), seed)
+        self._no_logos = _give_logos(facts, logos or {})
+        page = page_text({**facts, "match": match}, {}, live=True).encode()
         self._stage = Stage(page, match, self._feed, self.pace, secrets.token_urlsafe(24))
         try:
             self._server = SpectatorServer(port, self._stage)
@@ -102,7 +113,7 @@ class LiveShow:
         self._stage.replay = page if page.is_file() else None
         about: list[tuple[str, str]] = []
         with suppress(RecordError):
-            about = about_run(read_result(folder))
+            about = [*about_run(read_result(folder)), *self._no_logos]
         self._feed.append(said({"say": "over", "about": about, "replay": self._stage.replay is not None}))
         self._feed.close()
 
@@ -138,6 +149,18 @@ class LiveShow:
     def _keep_telling(self) -> None:
         while not self._ended.wait(_FLUSH_EVERY_S):
             self.watcher.flush()
+
+
+def _give_logos(facts: dict[str, Any], logos: Mapping[str, bytes]) -> list[tuple[str, str]]:
+    """Add the teams' logos to the facts; return, and add to what is said there, why one is not shown."""
+    missing = []
+    for team in (team for team in facts["teams"] if team["name"] in logos):
+        try:
+            team["logo"] = logo_address(logos[team["name"]])
+        except LogoError as error:
+            missing.append(no_logo(team["title"], error))
+    facts["about"] += missing
+    return missing
 
 
 def _why(port: int, error: OSError) -> str:

@@ -6,6 +6,7 @@ import json
 import struct
 import threading
 from collections import deque
+from collections.abc import Sequence
 from itertools import chain
 from typing import Any
 
@@ -16,9 +17,11 @@ from rcj_challenges.facts.timing import TICK_S, ticks_from_s
 from rcj_challenges.match.watching import Silent
 from rcj_challenges.records.lines import json_line
 from rcj_challenges.records.reflog import event_line, events_of, firing_line
+from rcj_challenges.records.sensors import SensedRobot, SensorListener
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.live.feed import Feed, poses, said
 from rcj_challenges.views.live.pace import Pace
+from rcj_challenges.views.live.senses import HalfSenses
 from rcj_challenges.views.replay.packing import FINEST_M, rounded_poses, units
 from rcj_challenges.views.replay.story import Story, Teller
 from rcj_challenges.views.replay.things import visible_things
@@ -73,6 +76,7 @@ class LiveWatcher(Silent):
         self._feed = feed
         self._unit_m = _unit_m(scenario)
         self._half: HalfInfo | None = None
+        self._senses: HalfSenses | None = None
         self._story = Story()
         self._teams: dict[int, dict[str, str]] = {}
         self._scores: dict[str, int | float] = {}
@@ -104,11 +108,19 @@ class LiveWatcher(Silent):
         self.flush()
         with self._flushing:
             self._half = half
+            self._senses = None
             self._phase = self._phase_kept = None
             self._teams[half.half] = half.teams
             self._scores = {half.teams[seat]: points for seat, points in half.scores.items()}
             self._story.score_changes[half.half] = []
             self._feed.append(said({"say": "half", "facts": self._half_facts(half)}))
+
+    def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:
+        """Tell what is recorded of each robot; from now on, what its program sees, sets and prints."""
+        with self._flushing:
+            self._senses = HalfSenses(half, robots)
+            self._feed.append(self._senses.announcement)
+        return (self._senses,)
 
     def closing(self, verdict: Verdict, half: HalfInfo) -> None:
         """Tell what the rules said after the last tick."""
@@ -120,13 +132,15 @@ class LiveWatcher(Silent):
                 self._feed.append(self._news(Snapshot(tick, [], [], [], ()), verdict, phase=False))
 
     def flush(self) -> None:
-        """Make messages of all ticks that wait."""
+        """Make messages of all that waits: poses first, so that no reading is of a moment that nobody knows yet."""
         with self._flushing:
             while self._waiting:
                 batch: list[_Kept] = []
                 while self._waiting and len(batch) < _MOST_AT_ONCE:
                     batch.append(self._waiting.popleft())
                 self._tell(batch)
+            if self._senses is not None:
+                self._feed.append(self._senses.messages())
 
     # --- messages ---------------------------------------------------------------------------------------------------
 

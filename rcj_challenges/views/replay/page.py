@@ -39,7 +39,7 @@ SCRIPTS = (
 )  # fmt: skip
 """The parts of the viewer in the order in which they are joined: what is used stands before what uses it."""
 
-LIVE_SCRIPTS = (*SCRIPTS[:-1], "live", "spectator", "steward", "startlive")
+LIVE_SCRIPTS = (*SCRIPTS[:-1], "live", "livesensors", "spectator", "steward", "startlive")
 """The parts of the page that watches a match while it is played: the same viewer, filled by a feed."""
 
 _STYLES = ("style.css",)
@@ -93,9 +93,23 @@ def _give_logos(facts: dict[str, Any], folder: Path, seats: Collection[str]) -> 
         path = logo_path(folder, team["name"])
         try:
             if path.is_file() and path.stat().st_size <= MOST_LOGO_BYTES:
-                team["logo"] = "data:image/png;base64," + base64.b64encode(checked_png(path.read_bytes())).decode()
+                team["logo"] = logo_address(path.read_bytes())
         except (LogoError, OSError) as error:
-            facts["about"].append(("logo", f"that of {team['title']} is not shown: {error}"))
+            facts["about"].append(no_logo(team["title"], error))
+
+
+def logo_address(logo: bytes) -> str:
+    """Return a team's logo as the page carries it: checked, made anew, and as an address that asks nobody.
+
+    Raises:
+        LogoError: it cannot be shown.
+    """
+    return "data:image/png;base64," + base64.b64encode(checked_png(logo)).decode("ascii")
+
+
+def no_logo(title: str, why: Exception) -> tuple[str, str]:
+    """Return what stands beside the field for a logo that is not shown."""
+    return "logo", f"that of {title} is not shown: {why}"
 
 
 def _facts(run: RunRecord, frames: list[Frames], story: Story, unit_m: float) -> dict[str, Any]:

@@ -17,7 +17,7 @@ import numpy.typing as npt
 
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.facts.traffic import DeviceSpec
-from rcj_challenges.records.sensors import SensorHalf, SensorTrack
+from rcj_challenges.records.sensors import FLOATS_PER_PACKET, SensedRobot, SensorHalf, SensorTrack
 
 UNITS = {
     "position_sensor": 1e-3,
@@ -32,7 +32,8 @@ STRENGTH, DIRECTION, VELOCITY_RADPS = 1e-2, 1e-4, 1e-3
 MOST_RAYS = 180
 """Rays of a lidar that the page carries: more cannot be told apart in a picture."""
 MOST_LETTERS = 1_000_000
-"""Printed text in a page; all of it is in the logs."""
+"""Printed text in a page, of all robots of a half; all of it is in the logs."""
+MORE_IN_THE_LOG = "… (more in the log)\n"
 
 NAN, INFINITE, MINUS_INFINITE = -(2**31), 2**31 - 1, -(2**31) + 1
 _LARGEST = 2**31 - 2
@@ -41,15 +42,24 @@ _ZLIB_LEVEL = 6
 Array = npt.NDArray[Any]
 
 
-class _Column(NamedTuple):
+class Column(NamedTuple):
+    """A column of numbers that the page has of a robot.
+
+    Attributes:
+        unit: what 1 is worth.
+        at: its place among the floats of a recorded row: values, then packets, then motors.
+        is_speed: whether it is not the float itself (an angle) but how fast that changes.
+    """
+
     unit: float
-    numbers: Array
+    at: int
+    is_speed: bool = False
 
 
 def sensor_facts(half: SensorHalf) -> dict[str, Any]:
     """Return how a half's block is to be read, and which device each column belongs to."""
     return {
-        "robots": [_robot_facts(track) for track in half.robots.values()],
+        "robots": [robot_facts(track.robot) | {"rows": len(track.ticks)} for track in half.robots.values()],
         "full_at": half.full_at,
         "damaged": half.damaged,
     }
@@ -61,7 +71,7 @@ def sensor_block(half: SensorHalf) -> str:
     parts = []
     for track in half.robots.values():
         parts.append(packer.compress(_planes(track.ticks.astype(np.int64))))
-        parts += [packer.compress(_planes(_whole(column))) for column in _columns(track)]
+        parts += [packer.compress(_planes(whole_numbers(*column))) for column in _columns(track)]
     return base64.b64encode(b"".join([*parts, packer.flush()])).decode("ascii")
 
 
@@ -74,18 +84,17 @@ def output_block(half: SensorHalf) -> str:
             entries.append((name, tick, text[:left]))
             left -= len(text)
             if left <= 0:
-                entries.append((name, tick, "… (more in the log)\n"))
+                entries.append((name, tick, MORE_IN_THE_LOG))
                 break
     data = json.dumps(entries, separators=(",", ":")).encode("ascii")
     return base64.b64encode(zlib.compress(data, _ZLIB_LEVEL)).decode("ascii")
 
 
-def _robot_facts(track: SensorTrack) -> dict[str, Any]:
-    robot = track.robot
+def robot_facts(robot: SensedRobot) -> dict[str, Any]:
+    """Return which columns the page has of a robot, and which device each belongs to."""
     return {
         "name": robot.name,
-        "rows": len(track.ticks),
-        "units": [column.unit for column in _columns(track)],
+        "units": [column.unit for column in columns_of(robot)],
         "devices": [
             {
                 "name": device.name,
@@ -115,22 +124,65 @@ def _ray_facts(device: DeviceSpec) -> dict[str, Any]:
     return {}
 
 
-def _columns(track: SensorTrack) -> Iterator[_Column]:
-    """Yield the columns of a robot: devices in order, a wheel's angle followed by its speed; packets; motors."""
-    for device in track.robot.devices:
-        if not device.width:
-            continue
-        readings = track.values[:, device.slot : device.slot + device.width : _stride(device)]
-        for part in range(readings.shape[1]):
-            yield _Column(UNITS.get(device.kind, 1e-3), readings[:, part])
+def columns_of(robot: SensedRobot) -> list[Column]:
+    """Return the columns of a robot: devices in order, a wheel's angle followed by its speed; packets; motors."""
+    columns: list[Column] = []
+    for device in robot.devices:
+        places = range(device.slot, device.slot + device.width, _stride(device))
+        columns += [Column(UNITS.get(device.kind, 1e-3), at) for at in places]
         if device.kind == "position_sensor":
-            yield _Column(VELOCITY_RADPS, _speeds(track.ticks, readings[:, 0]))
-    for packet in range(track.robot.packets):
-        yield _Column(STRENGTH, track.packets[:, packet, 0])
-        for axis in (1, 2, 3):
-            yield _Column(DIRECTION, track.packets[:, packet, axis])
-    for motor in range(len(track.robot.motors)):
-        yield _Column(VELOCITY_RADPS, track.motors[:, motor])
+            columns.append(Column(VELOCITY_RADPS, device.slot, is_speed=True))
+    packets = [STRENGTH, DIRECTION, DIRECTION, DIRECTION] * robot.packets
+    motors = [VELOCITY_RADPS] * len(robot.motors)
+    return columns + [Column(unit, robot.values + at) for at, unit in enumerate((*packets, *motors))]
+
+
+def speeds(ticks: Array, angles: Array) -> Array:
+    """Return how fast wheels turned from the observation before to each one, in rad/s; NaN for the first.
+
+    Args:
+        ticks: ``[N]``, of the observations.
+        angles: ``[N]`` or ``[N, wheels]``, in rad.
+    """
+    turned = np.full(angles.shape, np.nan)
+    passed = np.diff(ticks.astype(np.int64)) * TICK_S
+    with np.errstate(divide="ignore", invalid="ignore"):
+        turned[1:] = (np.diff(angles, axis=0).T / passed).T
+    return turned
+
+
+def whole_numbers(units: float | Array, numbers: Array) -> Array:
+    """Return numbers as whole numbers of their unit, int64; `NAN`, `INFINITE`, `MINUS_INFINITE` stand for what is none.
+
+    Args:
+        units: one, or one for each column.
+        numbers: ``[N]`` or ``[N, columns]``.
+    """
+    with np.errstate(invalid="ignore", over="ignore"):
+        whole: Array = np.clip(np.rint(numbers / units), -_LARGEST, _LARGEST).astype(np.int64)
+    if not np.isfinite(numbers).all():
+        whole[np.isnan(numbers)] = NAN
+        whole[numbers == np.inf] = INFINITE
+        whole[numbers == -np.inf] = MINUS_INFINITE
+    return whole
+
+
+def _columns(track: SensorTrack) -> Iterator[tuple[float, Array]]:
+    """Yield unit and numbers of the columns of a robot."""
+    for column in columns_of(track.robot):
+        numbers = _floats(track, column.at)
+        yield column.unit, speeds(track.ticks, numbers) if column.is_speed else numbers
+
+
+def _floats(track: SensorTrack, at: int) -> Array:
+    """Return one of the floats of all rows."""
+    robot = track.robot
+    if at < robot.values:
+        return track.values[:, at]
+    packet, part = divmod(at - robot.values, FLOATS_PER_PACKET)
+    if packet < robot.packets:
+        return track.packets[:, packet, part]
+    return track.motors[:, at - robot.values - FLOATS_PER_PACKET * robot.packets]
 
 
 def _shown_width(device: DeviceSpec) -> int:
@@ -141,27 +193,6 @@ def _shown_width(device: DeviceSpec) -> int:
 
 def _stride(device: DeviceSpec) -> int:
     return -(-device.width // MOST_RAYS) if device.kind == "lidar" else 1
-
-
-def _speeds(ticks: Array, angles: Array) -> Array:
-    """Return how fast a wheel turned from the observation before to each one, in rad/s."""
-    speeds = np.full(len(angles), np.nan)
-    passed = np.diff(ticks.astype(np.int64)) * TICK_S
-    with np.errstate(divide="ignore", invalid="ignore"):
-        speeds[1:] = np.diff(angles) / passed
-    return speeds
-
-
-def _whole(column: _Column) -> Array:
-    """Return a column as whole numbers of its unit."""
-    numbers = column.numbers
-    with np.errstate(invalid="ignore", over="ignore"):
-        scaled = np.rint(numbers / column.unit)
-    whole: Array = np.clip(np.nan_to_num(scaled, nan=0.0, posinf=0.0, neginf=0.0), -_LARGEST, _LARGEST).astype(np.int64)
-    whole[np.isnan(numbers)] = NAN
-    whole[np.isposinf(numbers)] = INFINITE
-    whole[np.isneginf(numbers)] = MINUS_INFINITE
-    return whole
 
 
 def _planes(numbers: Array) -> bytes:

@@ -252,7 +252,7 @@ class App {
     this.events.show(place, playing);
     if (!this.find("panel-robots").hidden) {
       this.robots.show(place, frame.failed);
-      this.sensors.show(place, playing);
+      this.sensors.show(place, this.player.moves);
     }
     this.caption(place);
     this.afterDraw?.();

@@ -2,11 +2,11 @@
 // as long as the match does. Whoever lost it asks again from the byte where it was.
 
 const HEAD_BYTES = 5;
-const SAID = 1, POSES = 2;
+const SAID = 1, POSES = 2, SENSED = 3;
 const RETRY_S = [0.3, 1, 2, 5];
 
 class LiveFeed {
-  /** take: {said(message), poses(half, tick, rows)}; lost(text): nothing comes at present, or (null) it does again. */
+  /** take: {said(message), poses(half, tick, rows), sensed(half, robot, rows, bytes), settled()}; lost(text): nothing comes at present, or (null) it does again. */
   constructor(match, take, lost) {
     this.match = match;
     this.take = take;
@@ -60,6 +60,7 @@ class LiveFeed {
       const body = at + HEAD_BYTES;
       if (kind === SAID) this.said(JSON.parse(new TextDecoder().decode(bytes.subarray(body, body + length))));
       else if (kind === POSES) this.take.poses(view.getUint16(body, true), view.getUint32(body + 2, true), LiveFeed.numbers(bytes, body + 6, length - 6));
+      else if (kind === SENSED) this.take.sensed(view.getUint16(body, true), view.getUint16(body + 2, true), view.getUint32(body + 4, true), bytes.subarray(body + 8, body + length));
       else if (kind !== 0) throw new FeedDamaged(`a message of kind ${kind}`);
       at = body + length;
       if (kind !== 0) this.read += HEAD_BYTES + length;
@@ -134,8 +135,10 @@ class LiveTrack extends HalfTrack {
 /** A recording that grows. */
 class LiveRecording extends Recording {
   constructor(facts) {
+    facts.sensors = {};
     super(facts, []);
     this.over = false;
+    this.senses = new LiveSenses();
   }
 
   get begun() {
@@ -146,6 +149,12 @@ class LiveRecording extends Recording {
     const units = Object.fromEntries(this.facts.channels.map((channel) => [channel.name, channel.unit]));
     const track = new LiveTrack(facts, units, this.entities, this.facts.channels.map((channel) => channel.name));
     this.coming = track;
+  }
+
+  /** Of a half there will be readings. */
+  sensors(half, facts) {
+    this.facts.sensors[half] = facts;
+    this.senses.begin(half, facts);
   }
 
   /** A half is shown from its first picture on. */

@@ -95,6 +95,7 @@ class Recording {
     this.entities = facts.entities;
     this.halves = halves;
     this.tickSeconds = facts.tick_s;
+    this.senses = null;
     this.measure();
     this.events = this.placed(facts.events);
   }

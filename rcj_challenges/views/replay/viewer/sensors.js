@@ -17,9 +17,18 @@ class Sensors {
     this.cards = [];
     this.shownAt = 0;
     this.box = find("show").querySelector("input[name=rays]");
+    this.none = find("no-sensors");
+    this.robotCards = cards;
+    this.known();
+  }
+
+  /** Robots of which there are recordings have their place; while the match is played, more may come to be known. */
+  known() {
     this.box.disabled = !this.any;
+    this.none.hidden = this.any;
     const recorded = new Set(Object.values(this.facts).flatMap(({ robots }) => robots.map(({ name }) => name)));
-    recording.entities.forEach((entity, index) => { if (recorded.has(entity.name)) this.addCard(entity, index, cards[index]); });
+    for (const { name } of this.cards) recorded.delete(name);
+    this.recording.entities.forEach((entity, index) => { if (recorded.has(entity.name)) this.addCard(entity, index, this.robotCards[index]); });
   }
 
   get any() {
@@ -39,6 +48,7 @@ class Sensors {
     });
     item.querySelector(".buttons").append(button);
     const box = element("div", "sensing");
+    box.hidden = true;
     const readings = element("dl", "readings"), printed = element("pre", "printed");
     printed.setAttribute("aria-label", `What the program of ${entity.name} printed`);
     printed.tabIndex = 0;
@@ -53,6 +63,7 @@ class Sensors {
   half(number) {
     const facts = this.facts[number];
     if (!facts) return null;
+    if (this.recording.senses) return this.recording.senses.of(number);
     if (!this.blocks.has(number)) {
       this.blocks.set(number, null);
       this.read(number, facts).then((robots) => { this.blocks.set(number, robots); this.changed(); })
@@ -91,12 +102,12 @@ class Sensors {
     return numbers;
   }
 
-  /** The last index whose number is at most `limit`, or -1. */
-  static last(numbers, limit) {
-    let low = 0, high = numbers.length;
+  /** The last index whose number is at most `limit`, or -1; `number` says which number an entry has. */
+  static last(entries, limit, number = (entry) => entry) {
+    let low = 0, high = entries.length;
     while (low < high) {
       const middle = (low + high) >> 1;
-      if (numbers[middle] <= limit) low = middle + 1;
+      if (number(entries[middle]) <= limit) low = middle + 1;
       else high = middle;
     }
     return low - 1;
@@ -176,10 +187,10 @@ class Sensors {
   }
 
   showPrinted(card, robot, tick) {
-    const until = Sensors.last(robot.printed.map(([, at]) => at), tick);
-    const key = `${robot.facts.name} ${robot.ticks.length} ${until}`;
-    if (key === card.printedKey) return;
-    card.printedKey = key;
+    const until = Sensors.last(robot.printed, tick, ([, at]) => at);
+    if (card.printedOf === robot && card.printedUntil === until) return;
+    card.printedOf = robot;
+    card.printedUntil = until;
     const entries = robot.printed.slice(Math.max(0, until + 1 - MOST_PRINTED), until + 1);
     const lines = entries.map(([, at, text]) => {
       const line = element("span", "line");

@@ -118,8 +118,14 @@ class Spectator {
     this.grew = true;
   }
 
+  sensed(half, robot, rows, bytes) {
+    this.recording.senses.rows(half, robot, rows, bytes);
+  }
+
   said(message) {
     if (message.say === "half") this.recording.half(message.facts);
+    if (message.say === "sensors") this.sensors(message);
+    if (message.say === "printed") this.recording.senses.lines(message.half, message.lines);
     if (message.say === "news") this.added = (this.added || []).concat(this.recording.news(message));
     if (message.say === "pace") this.pace = message;
     if (message.say === "over") this.finish(message);
@@ -143,6 +149,11 @@ class Spectator {
     }
     this.showBadge();
     this.steward?.show(this.pace, this.recording.over);
+  }
+
+  sensors({ half, facts }) {
+    this.recording.sensors(half, facts);
+    this.app?.sensors.known();
   }
 
   open() {

@@ -1,0 +1,79 @@
+// What programs see, set and print while the match is played: tables that grow, one for each robot and half. They look
+// like what sensors.js reads from a finished page, so cards and rays are the same.
+
+const FIRST_ROOM = 256;
+
+class LiveSensed {
+  /** facts: which columns there are (views/replay/sensing.py); the first of the table is the tick. */
+  constructor(facts) {
+    this.facts = facts;
+    this.rows = 0;
+    this.room = FIRST_ROOM;
+    this.table = Array.from({ length: 1 + facts.units.length }, () => new Int32Array(this.room));
+    this.row = new Int32Array(this.table.length);
+    this.printed = [];
+    this.cut();
+  }
+
+  /** What there is so far: ticks as long as rows, columns at least so long. */
+  cut() {
+    this.ticks = this.table[0].subarray(0, this.rows);
+    this.columns = this.table.slice(1);
+  }
+
+  /** Take rows: differences to the row before, the sign in the lowest bit, seven bits a byte, the lowest first. */
+  append(count, bytes) {
+    this.reserve(this.rows + count);
+    const { table, row } = this;
+    let at = 0;
+    for (let index = this.rows; index < this.rows + count; index++) {
+      for (let column = 0; column < table.length; column++) {
+        let folded = 0, shift = 0, byte;
+        do {
+          byte = bytes[at++];
+          folded |= (byte & 127) << shift;
+          shift += 7;
+        } while (byte & 128);
+        row[column] += (folded >>> 1) ^ -(folded & 1);
+        table[column][index] = row[column];
+      }
+    }
+    if (at !== bytes.length) throw new FeedDamaged("readings that are not complete");
+    this.rows += count;
+    this.cut();
+  }
+
+  reserve(rows) {
+    if (rows <= this.room) return;
+    this.room = Math.max(rows, 2 * this.room);
+    this.table = this.table.map((numbers) => {
+      const more = new Int32Array(this.room);
+      more.set(numbers);
+      return more;
+    });
+  }
+}
+
+/** All of a match: robots by name, by half. */
+class LiveSenses {
+  constructor() {
+    this.halves = new Map();
+  }
+
+  begin(half, facts) {
+    this.halves.set(half, new Map(facts.robots.map((robot) => [robot.name, new LiveSensed(robot)])));
+  }
+
+  of(half) {
+    return this.halves.get(half) ?? null;
+  }
+
+  rows(half, robot, count, bytes) {
+    [...this.halves.get(half).values()][robot].append(count, bytes);
+  }
+
+  lines(half, lines) {
+    const robots = this.halves.get(half);
+    for (const line of lines) robots.get(line[0]).printed.push(line);
+  }
+}

@@ -1,0 +1,61 @@
+"""What made-up programs see, set and print, for tests of pages: devices, readings, lines of any kind, logos."""
+
+import math
+import struct
+import zlib
+
+from rcj_challenges.facts.traffic import DeviceSpec, MotorCommand, Observation, Packet
+from rcj_challenges.records.sensors import SensedRobot, SensorWriter
+
+HOSTILE = "</script><script>document.title='stolen'</script><img src=x onerror=\"document.title='stolen'\">\n"
+TURNED = "\u202eevil\u2066 \u200f\n"
+ENDLESS = "x" * 10_000 + "\n"
+DEVICES = (
+    DeviceSpec("left wheel motor", "motor", 0, -1, 0),
+    DeviceSpec("right wheel motor", "motor", 1, -1, 0),
+    DeviceSpec("left wheel sensor", "position_sensor", 2, 0, 1),
+    DeviceSpec("gps", "gps", 3, 1, 3),
+    DeviceSpec("distancesensor left", "distance_sensor", 4, 4, 1, {"bearing_rad": math.pi / 2, "max_value": 1000.0}),
+    DeviceSpec("compass", "compass", 5, 5, 3),
+    DeviceSpec("ball receiver", "receiver", 6, -1, 0),
+    DeviceSpec(
+        "lidar", "lidar", 7, 8, 360,
+        {"first_bearing_rad": 0.0, "bearing_step_rad": -math.pi / 180, "max_range": 3.0},
+    ),
+)  # fmt: skip
+SENSED = [SensedRobot(name, DEVICES, 368, ("ball receiver",), 1) for name in ("B1", "Y2")]
+
+
+def values_at(tick: int) -> list[float]:
+    """Return all numbers of the devices: a wheel that turns by 5 rad/s, a compass that is off, lidar cells of all kinds."""
+    ranges = [0.0 if cell < 90 else math.inf if cell < 180 else 0.5 + 0.001 * cell for cell in range(360)]
+    return [0.032 * 5 * tick, 0.1234, -0.0001 * tick, 0.0375, 250.0 + tick, *[math.nan] * 3, *ranges]
+
+
+def printed_at(tick: int) -> str:
+    """Return what B1 prints on a tick."""
+    return {10: HOSTILE, 20: TURNED, 30: ENDLESS}.get(tick, f"tick {tick}\n" if tick % 100 == 0 else "")
+
+
+def sense(writer: SensorWriter, tick: int) -> None:
+    """Record one tick of both robots; tick 0: what they set and print before their first step."""
+    for robot in range(len(SENSED)):
+        if tick == 0:
+            writer.did(robot, [MotorCommand(0, 3.0, math.inf)], "ready\n")
+            continue
+        heard = [Packet(6, b"x", 4.0, (1.0, 0.0, -0.1))] if tick % 2 else []
+        writer.saw(robot, Observation(tick, values_at(tick), heard))
+        writer.did(robot, [MotorCommand(1, -float(tick % 8), math.inf)], "" if robot else printed_at(tick))
+
+
+def logo(red: int) -> bytes:
+    """Return a PNG of 8 x 8 pixels of one colour."""
+
+    def chunk(kind: bytes, body: bytes) -> bytes:
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+
+    lines = (b"\0" + bytes((red, 0, 255)) * 8) * 8
+    header = struct.pack(">IIBBBBB", 8, 8, 8, 2, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + b"".join(
+        chunk(kind, body) for kind, body in ((b"IHDR", header), (b"IDAT", zlib.compress(lines)), (b"IEND", b""))
+    )

@@ -1,0 +1,209 @@
+"""Logos, readings, rays and printed lines of a live match in a real browser, also for who comes late."""
+
+import math
+import struct
+import threading
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rcj_challenges.facts.play import Verdict
+from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.records.sensors import SensorWriter
+from rcj_challenges.records.testing import half_info, made_up_play, small_header, small_scenario
+from rcj_challenges.records.writer import RecordWriter
+from rcj_challenges.views.live import MAX_SPEED, LiveShow
+from rcj_challenges.views.replay import write_replay
+from tests.views.browser_stage import NARROW, WIDE, settled, until
+from tests.views.sensing_play import ENDLESS, HOSTILE, SENSED, TURNED, logo, sense
+
+TICKS = 500
+HOSTILE_NAME = "</script><script>document.title='stolen'</script>\u202eمريخ"
+
+
+class SensedMatch:
+    """A match without physics that is played, recorded with its sensors, and shown, in a thread of its own."""
+
+    def __init__(self, out: Path, *, sensors: bool = True) -> None:
+        self._scenario = small_scenario(halves=2, half_s=TICKS * TICK_S)
+        self._header = small_header(self._scenario, ("Hanse", HOSTILE_NAME))
+        self._out = out
+        self._sensors = sensors
+        titles = dict(self._header.team_names)
+        self.show = LiveShow(self._scenario, titles, 1, logos={"blue": logo(200)}, speed=MAX_SPEED)
+        self._thread = threading.Thread(target=self._play, daemon=True)
+
+    def start(self) -> "SensedMatch":
+        self._thread.start()
+        return self
+
+    def end(self) -> None:
+        """Let it run to its end at once, and wait for that."""
+        self.show.pace.release()
+        self._thread.join(30)
+        assert not self._thread.is_alive()
+
+    def _play(self) -> None:
+        watcher, writer = self.show.watcher, RecordWriter(self._out, self._header)
+        for number in (1, 2):
+            half = half_info(self._scenario, number, TICKS, self._header, writer.result["score"])
+            writer.begin_half(half)
+            watcher.half_started(half)
+            senses = SensorWriter(writer.folder, number, SENSED) if self._sensors else None
+            if senses is not None:
+                senses.tell(watcher.sensing(half, SENSED))
+            for snapshot, verdict in made_up_play(len(self._scenario.robots), TICKS):
+                if snapshot.tick:
+                    watcher.before_tick(snapshot.tick)
+                writer.tick(snapshot, verdict, struct.pack("<d", snapshot.substeps[-1][0][0]))
+                watcher.ticked(snapshot, verdict)
+                if senses is not None:
+                    sense(senses, snapshot.tick)
+            if senses is not None:
+                senses.close()
+            writer.end_half(Verdict())
+        folder = writer.finish({"wall_s": 1.0})
+        write_replay(folder)
+        self.show.match_over(folder)
+
+
+@pytest.fixture
+def match(tmp_path: Path) -> Iterator[Callable[..., SensedMatch]]:
+    played: list[SensedMatch] = []
+
+    def make(**options: Any) -> SensedMatch:
+        played.append(SensedMatch(tmp_path, **options))
+        return played[-1]
+
+    yield make
+    for one in played:
+        one.show.close()
+
+
+def _shown(page: Any, half: int, tick: int) -> Any:
+    """Go to a moment, wait until the page stands still there, and return the card of B1."""
+    page.evaluate(f"replay.seek({half}, {tick})")
+    until(page, f"replay.half === {half} && replay.tick === {tick}")
+    settled(page)
+    return page.locator(".robot", has_text="B1").first
+
+
+def _reading(card: Any, name: str) -> str:
+    return card.locator(f"dt:text-is('{name}') + dd").inner_text()
+
+
+@pytest.mark.parametrize("size", [WIDE, pytest.param(NARROW, marks=pytest.mark.nightly)], ids=["wide", "narrow"])
+def test_who_comes_late_sees_logos_readings_and_printed_lines_and_can_look_back(
+    size: dict[str, int], match: Callable[..., SensedMatch], watch: Callable[..., Any]
+) -> None:
+    played = match()
+    played.show.pace.pause()
+    played.show.pace.step(400)
+    played.start()
+    page = watch(played.show.address, viewport=size)
+    until(page, "replay.place === 400 && replay.app.sensors.observation(0, 400)?.tick === 400")
+    page.wait_for_selector("img.logo")
+    assert page.locator("img.logo").count() == 1
+    assert page.locator(".team", has_text="Hanse").locator("img.logo").is_visible()
+    page.click("#tab-robots")
+    card = page.locator(".robot", has_text="B1").first
+    settled(page)
+    assert _reading(card, "observation") == "tick 400"
+    assert _reading(card, "distancesensor left") == "650.0"
+    assert card.locator(".printed .line").last.inner_text() == "0:12.8 tick 400"
+    assert page.locator("#no-sensors").is_hidden()
+
+    card = _shown(page, 1, 125)
+    assert _reading(card, "left wheel motor") == "set to 3.00 rad/s"
+    assert _reading(card, "right wheel motor") == "set to -5.00 rad/s"
+    assert _reading(card, "left wheel sensor") == "20.00 rad, turned 5.00 rad/s"
+    assert _reading(card, "gps") == "0.123  -0.013  0.037"
+    assert _reading(card, "distancesensor left") == "375.0"
+    assert _reading(card, "ball") == "strength 4.0, direction 1.00  0.00  -0.10"
+    assert _reading(card, "not enabled") == "compass"
+    texts = card.locator(".printed bdi").all_text_contents()
+    assert texts == ["ready", HOSTILE.rstrip(), TURNED.rstrip("\n"), ENDLESS.rstrip(), "tick 100"]
+    assert page.title().startswith("Hanse - </script>")
+    assert page.evaluate("document.querySelectorAll('.printed img, .printed script').length") == 0
+    assert page.evaluate("document.documentElement.scrollWidth") <= size["width"]
+
+    # The match goes on, into the second half; what is looked at stays, until one goes back to now.
+    played.show.pace.resume()
+    until(page, "replay.recording.over")
+    assert page.evaluate("replay.tick") == 125
+    card = _shown(page, 2, TICKS)
+    assert _reading(card, "observation") == f"tick {TICKS}"
+    assert card.locator(".printed .line").last.inner_text() == "0:16.0 tick 500"
+
+
+def test_it_ends_with_the_readings_and_rays_of_the_replay(
+    match: Callable[..., SensedMatch], watch: Callable[..., Any]
+) -> None:
+    played = match().start()
+    page = watch(played.show.address)
+    played.end()
+    until(page, "replay.recording.over")
+    replay = watch(f"{played.show.address}replay.html")
+    until(replay, "(replay.app.sensors.half(1), replay.app.sensors.half(2))")
+    until(replay, "replay.app.sensors.half(1)")
+    everything = f"""() => [1, 2].map((half) => [...replay.app.sensors.half(half).values()].map((robot) => [
+      robot.facts.name, robot.facts.units, robot.facts.devices, [...robot.ticks],
+      robot.columns.map((column) => [0, 1, 2, 77, 256, 257, {TICKS}].map((row) => column[row])), robot.printed,
+    ]))"""
+    assert page.evaluate(everything) == replay.evaluate(everything)
+    rays = f"replay.app.sensors.raysAt({TICKS + 1 + 77}, true)"
+    live, recorded = page.evaluate(rays), replay.evaluate(rays)
+    assert [ray["colour"] for ray in live] == [ray["colour"] for ray in recorded]
+    assert len(live) == 6
+    for one, other in zip(_flat(live), _flat(recorded), strict=True):
+        assert math.isclose(one, other, abs_tol=2e-4)
+
+
+def _flat(nested: Any) -> list[float]:
+    if isinstance(nested, dict):
+        return _flat(nested["pieces"])
+    return [number for part in nested for number in _flat(part)] if isinstance(nested, list) else [nested]
+
+
+def test_without_a_recording_the_page_says_how_to_get_one(
+    match: Callable[..., SensedMatch], watch: Callable[..., Any]
+) -> None:
+    played = match(sensors=False).start()
+    live = watch(played.show.address)
+    played.end()
+    for page in (live, watch(f"{played.show.address}replay.html")):
+        page.click("#tab-robots")
+        assert "--record sensors" in page.locator("#no-sensors").inner_text()
+        assert page.get_by_role("button", name="Rays").count() == 0
+        page.click("#tab-show")
+        assert page.locator("input[name=rays]").is_disabled()
+
+
+def test_each_step_of_a_paused_match_shows_the_readings_of_its_tick(
+    match: Callable[..., SensedMatch], watch: Callable[..., Any]
+) -> None:
+    played = match()
+    played.show.pace.pause()
+    played.show.pace.step(100)
+    page = watch(played.start().show.address)
+    page.click("#tab-robots")
+    for tick in range(100, 110):
+        until(page, f"replay.place === {tick} && replay.app.sensors.observation(0, {tick})?.tick === {tick}")
+        settled(page)
+        assert _reading(page.locator(".robot", has_text="B1").first, "observation") == f"tick {tick}"
+        played.show.pace.step(1)
+
+
+@pytest.mark.nightly
+def test_readings_go_on_after_a_lost_connection(match: Callable[..., SensedMatch], watch: Callable[..., Any]) -> None:
+    played = match()
+    played.show.pace.set_speed(2.0)
+    page = watch(played.start().show.address)
+    until(page, "replay.recording.last > 50")
+    page.evaluate("replay.spectator.feed.reader.cancel()")
+    played.end()
+    until(page, "replay.recording.over")
+    ticks = page.evaluate("[...replay.app.sensors.half(2).get('Y2').ticks]")
+    assert ticks == list(range(TICKS + 1))
