@@ -1,6 +1,6 @@
 """The bars of watching: the replay page, the live view, films.
 
-    python -m benchmarks.watching [--json] [--rounds 5] [--chromium /usr/bin/chromium]
+    python -m benchmarks.watching [--json] [--rounds 10] [--chromium /usr/bin/chromium]
 
 Pages are measured in headless Chromium without a GPU, once as it starts by itself (WebGL by SwiftShader, pages put
 together by the processor) and once with everything by SwiftShader; beside each stands the floor of the same minutes:
@@ -40,7 +40,7 @@ SPECTATORS = 2
 WATCHED_S = 4.0
 SETTLING_MS = 500
 BROWSERS = {
-    "as it starts": ["--no-sandbox", "--enable-unsafe-swiftshader"],
+    "as it starts": ["--no-sandbox"],
     "all by SwiftShader": [
         "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
         "--ignore-gpu-blocklist",
@@ -184,7 +184,7 @@ def film_rows(record: Path, out: Path) -> list[Row]:
 def main() -> int:
     """Print the table; exit code 1 if a must is missed."""
     options = parser("the bars of watching, measured")
-    options.add_argument("--rounds", type=int, default=5)
+    options.add_argument("--rounds", type=int, default=10)
     options.add_argument("--chromium", default=shutil.which("chromium") or "")
     given = options.parse_args()
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
