@@ -22,17 +22,18 @@ CUSHION = 0.65 - BALL_RADIUS
 
 
 def room(start, end, formation):
-    """How much room a ball has on a straight way, on the narrower side; below 0 it touches something."""
+    """How much room a ball has on a straight way, on the narrower side; 0 or less: it touches something."""
     smallest = min(distance_to_segment(post, start, end) for post in POSTS)
     steps = 60
-    for step in range(steps + 1):
-        x = start[0] + (end[0] - start[0]) * step / steps
+    for step in range(steps, -1, -1):  # from the goal back: most ways that are no good end there
         y = start[1] + (end[1] - start[1]) * step / steps
-        if y > 0.38:  # the obstacles stand beyond
-            for middle_x, middle_y in formation:
-                beside = max(0.0, abs(x - middle_x) - HALF_WIDTH)
-                before = max(0.0, abs(y - middle_y) - HALF_DEPTH)
-                smallest = min(smallest, math.hypot(beside, before))
+        if y <= 0.38 or smallest <= BALL_RADIUS:  # nearer to us there are no obstacles; worse than no room does not count
+            break
+        x = start[0] + (end[0] - start[0]) * step / steps
+        for middle_x, middle_y in formation:
+            beside = max(0.0, abs(x - middle_x) - HALF_WIDTH)
+            before = max(0.0, abs(y - middle_y) - HALF_DEPTH)
+            smallest = min(smallest, math.hypot(beside, before))
     return smallest - BALL_RADIUS
 
 
