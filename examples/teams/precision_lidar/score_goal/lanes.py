@@ -27,7 +27,9 @@ def room(start, end, formation):
     steps = 60
     for step in range(steps, -1, -1):  # from the goal back: most ways that are no good end there
         y = start[1] + (end[1] - start[1]) * step / steps
-        if y <= 0.38 or smallest <= BALL_RADIUS:  # nearer to us there are no obstacles; worse than no room does not count
+        if (
+            y <= 0.38 or smallest <= BALL_RADIUS
+        ):  # nearer to us there are no obstacles; worse than no room does not count
             break
         x = start[0] + (end[0] - start[0]) * step / steps
         for middle_x, middle_y in formation:
