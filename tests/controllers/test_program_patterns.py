@@ -65,8 +65,10 @@ def exchange_together(frame):
     both.wait()
     return exchange(frame)
 wire.exchange = exchange_together
-threading.Thread(target=robot.step, args=(32,)).start()
+other = threading.Thread(target=robot.step, args=(32,))
+other.start()
 robot.step(32)
+other.join()  # or the program could come to its end before the other has sent its request
 """
     played = either_match.play(program, ticks=6)
     assert played.fault is not None
