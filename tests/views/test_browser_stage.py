@@ -32,6 +32,7 @@ def test_what_a_page_complains_of_or_asks_for_is_heard(
     browser_stage.complaints.clear()
 
 
+@pytest.mark.nightly
 def test_a_replay_is_kept_as_it_was_loaded_or_loaded_anew(
     show: Callable[..., Any], browser_stage: Stage, tmp_path: Path
 ) -> None:
