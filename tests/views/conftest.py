@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from tests.views.browser_stage import WIDE, Stage, opened_browser
+from tests.views.live_play import MadeUpMatch
 
 
 @pytest.fixture(scope="session")
@@ -43,3 +44,17 @@ def show(browser_stage: Stage, watch: Callable[..., Any]) -> Callable[..., Any]:
         return browser_stage.look_at(address, int(half), int(tick))
 
     return open_replay
+
+
+@pytest.fixture
+def made_up_match(tmp_path: Path) -> Iterator[Callable[..., MadeUpMatch]]:
+    """Makes live matches; afterwards they are stopped wherever they are."""
+    played: list[MadeUpMatch] = []
+
+    def make(**options: Any) -> MadeUpMatch:
+        played.append(MadeUpMatch(tmp_path, **options))
+        return played[-1]
+
+    yield make
+    for one in played:
+        one.close()

@@ -1,99 +1,20 @@
 """The live view in a real browser: watch, come late, look back, steer, and end as a replay."""
 
-import struct
-import threading
-from collections.abc import Callable, Iterator
-from pathlib import Path
+from collections.abc import Callable
 from typing import Any
 
 import pytest
 
-from rcj_challenges.facts.play import Event, Verdict
 from rcj_challenges.facts.timing import TICK_S
-from rcj_challenges.match.watching import Together
-from rcj_challenges.records.testing import half_info, made_up_play, made_up_snapshot, small_header, small_scenario
-from rcj_challenges.records.writer import RecordWriter
-from rcj_challenges.views.live import MAX_SPEED, LiveShow
-from rcj_challenges.views.replay import write_replay
+from rcj_challenges.records.testing import made_up_snapshot, small_scenario
 from tests.views.browser_stage import NARROW, WIDE, until
-
-TICKS = 1000
-HOSTILE = "</script><script>document.title='stolen'</script>\u202eمريخ"
-
-
-class MadeUpMatch:
-    """A match without physics that is played, recorded and shown as any other, in a thread of its own."""
-
-    def __init__(
-        self, out: Path, *, speed: float = MAX_SPEED, halves: int = 2, names: tuple[str, str] = ("Hanse", HOSTILE)
-    ) -> None:
-        self._scenario = small_scenario(halves=halves, half_s=TICKS * TICK_S)
-        self._header = small_header(self._scenario, names)
-        self._out = out
-        self._halves = halves
-        self.show = LiveShow(self._scenario, dict(self._header.team_names), 1, speed=speed)
-        self.folder: Path | None = None
-        self._stopped = threading.Event()
-        self._thread = threading.Thread(target=self._play, daemon=True)
-
-    def start(self) -> "MadeUpMatch":
-        self._thread.start()
-        return self
-
-    def end(self) -> None:
-        """Let it run to its end at once, and wait for that."""
-        self.show.pace.release()
-        self._thread.join(30)
-        assert not self._thread.is_alive()
-
-    def close(self) -> None:
-        """Stop it where it is: nobody watches any more."""
-        self._stopped.set()
-        self.show.close()
-        self._thread.join(30)
-        assert not self._thread.is_alive()
-
-    def _play(self) -> None:
-        watcher = Together(self.show.watcher)
-        writer = RecordWriter(self._out, self._header)
-        robots = len(self._scenario.robots)
-        for number in range(1, self._halves + 1):
-            half = half_info(self._scenario, number, TICKS, self._header, writer.result["score"])
-            writer.begin_half(half)
-            watcher.half_started(half)
-            for snapshot, verdict in made_up_play(robots, TICKS):
-                if self._stopped.is_set():
-                    writer.finish({"complete": False})
-                    return
-                if snapshot.tick:
-                    watcher.before_tick(snapshot.tick)
-                writer.tick(snapshot, verdict, struct.pack("<d", snapshot.substeps[-1][0][0]))
-                watcher.ticked(snapshot, verdict)
-            closing = Verdict(events=(Event(TICKS, "MATCH_FINISH", {"total_match_time": TICKS * TICK_S}),))
-            writer.end_half(closing)
-            watcher.closing(closing, half)
-        self.folder = writer.finish({"wall_s": 1.0})
-        write_replay(self.folder)
-        self.show.match_over(self.folder)
-
-
-@pytest.fixture
-def match(tmp_path: Path) -> Iterator[Callable[..., MadeUpMatch]]:
-    played: list[MadeUpMatch] = []
-
-    def make(**options: Any) -> MadeUpMatch:
-        played.append(MadeUpMatch(tmp_path, **options))
-        return played[-1]
-
-    yield make
-    for one in played:
-        one.close()
+from tests.views.live_play import HOSTILE, TICKS, MadeUpMatch
 
 
 def test_a_spectator_sees_the_match_go_on_while_it_is_played(
-    match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
+    made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
-    played = match(speed=2.0).start()
+    played = made_up_match(speed=2.0).start()
     page = watch(played.show.address)
     assert page.locator(".team .name").all_inner_texts() == ["Hanse", HOSTILE]
     assert page.title().startswith("Hanse - </script>")
@@ -105,9 +26,9 @@ def test_a_spectator_sees_the_match_go_on_while_it_is_played(
 
 
 def test_who_comes_late_gets_all_from_the_beginning_and_can_look_back(
-    match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
+    made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
-    played = match(speed=4.0)
+    played = made_up_match(speed=4.0)
     played.show.pace.step(600)
     played.start()
     page = watch(played.show.address)
@@ -124,8 +45,10 @@ def test_who_comes_late_gets_all_from_the_beginning_and_can_look_back(
     until(page, "replay.place > 640 && document.getElementById('live').ariaPressed === 'true'")
 
 
-def test_it_ends_as_a_replay_that_has_everything(match: Callable[..., MadeUpMatch], watch: Callable[..., Any]) -> None:
-    played = match().start()
+def test_it_ends_as_a_replay_that_has_everything(
+    made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
+) -> None:
+    played = made_up_match().start()
     page = watch(played.show.address)
     played.end()
     until(page, "replay.recording.over")
@@ -158,9 +81,9 @@ def _flat(nested: Any) -> list[float]:
 
 
 def test_who_has_the_token_pauses_steps_and_sets_the_speed(
-    match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
+    made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
-    played = match(speed=1.0).start()
+    played = made_up_match(speed=1.0).start()
     page = watch(played.show.steering_address)
     assert "token" not in page.url  # a link that is passed on gives nobody the wheel
     page.click("#match-pause")
@@ -178,18 +101,18 @@ def test_who_has_the_token_pauses_steps_and_sets_the_speed(
 
 
 def test_who_has_no_token_watches_and_finds_no_wheel(
-    match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
+    made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
-    page = watch(match(speed=1.0).start().show.address)
+    page = watch(made_up_match(speed=1.0).start().show.address)
     assert page.locator(".steward").count() == 0
     assert page.evaluate("sessionStorage.length") == 0
 
 
 @pytest.mark.nightly
 def test_a_reload_can_still_steer_and_a_wrong_token_resigns(
-    match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
+    made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
-    played = match(speed=1.0).start()
+    played = made_up_match(speed=1.0).start()
     page = watch(played.show.steering_address)
     page.reload()
     page.wait_for_selector("body.ready")
@@ -200,9 +123,9 @@ def test_a_reload_can_still_steer_and_a_wrong_token_resigns(
 
 @pytest.mark.nightly
 def test_pause_and_play_of_a_spectator_do_not_touch_the_match(
-    match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
+    made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
-    played = match(speed=1.0).start()
+    played = made_up_match(speed=1.0).start()
     page = watch(played.show.address)
     page.keyboard.press("k")
     stood = page.evaluate("replay.place")
@@ -213,8 +136,8 @@ def test_pause_and_play_of_a_spectator_do_not_touch_the_match(
     until(page, "replay.app.player.following")  # played on faster than the match, until it was there
 
 
-def test_a_lost_connection_is_found_again(match: Callable[..., MadeUpMatch], watch: Callable[..., Any]) -> None:
-    played = match(speed=1.0).start()
+def test_a_lost_connection_is_found_again(made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]) -> None:
+    played = made_up_match(speed=1.0).start()
     page = watch(played.show.address)
     last = page.evaluate("replay.recording.last")
     page.evaluate("replay.spectator.feed.reader.cancel()")
@@ -229,9 +152,9 @@ def test_a_lost_connection_is_found_again(match: Callable[..., MadeUpMatch], wat
 
 @pytest.mark.parametrize("size", [WIDE, NARROW])
 def test_nothing_of_the_page_is_outside_of_the_screen(
-    size: dict[str, int], match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
+    size: dict[str, int], made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
-    played = match(speed=1.0).start()
+    played = made_up_match(speed=1.0).start()
     page = watch(played.show.steering_address, viewport=size)
     for part in ("#live", "#match-pause", "#match-step", "#match-speed", "#clock", "#play"):
         box = page.locator(part).bounding_box()

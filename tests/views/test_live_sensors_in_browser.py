@@ -1,85 +1,22 @@
 """Logos, readings, rays and printed lines of a live match in a real browser, also for who comes late."""
 
 import math
-import struct
-import threading
-from collections.abc import Callable, Iterator
-from pathlib import Path
+from collections.abc import Callable
 from typing import Any
 
 import pytest
 
-from rcj_challenges.facts.play import Verdict
-from rcj_challenges.facts.timing import TICK_S
-from rcj_challenges.records.sensors import SensorWriter
-from rcj_challenges.records.testing import half_info, made_up_play, small_header, small_scenario
-from rcj_challenges.records.writer import RecordWriter
-from rcj_challenges.views.live import MAX_SPEED, LiveShow
-from rcj_challenges.views.replay import write_replay
 from tests.views.browser_stage import NARROW, WIDE, settled, until
-from tests.views.sensing_play import ENDLESS, HOSTILE, SENSED, TURNED, logo, sense
+from tests.views.live_play import MadeUpMatch
+from tests.views.sensing_play import ENDLESS, HOSTILE, TURNED, logo
 
 TICKS = 500
-HOSTILE_NAME = "</script><script>document.title='stolen'</script>\u202eمريخ"
-
-
-class SensedMatch:
-    """A match without physics that is played, recorded with its sensors, and shown, in a thread of its own."""
-
-    def __init__(self, out: Path, *, sensors: bool = True) -> None:
-        self._scenario = small_scenario(halves=2, half_s=TICKS * TICK_S)
-        self._header = small_header(self._scenario, ("Hanse", HOSTILE_NAME))
-        self._out = out
-        self._sensors = sensors
-        titles = dict(self._header.team_names)
-        self.show = LiveShow(self._scenario, titles, 1, logos={"blue": logo(200)}, speed=MAX_SPEED)
-        self._thread = threading.Thread(target=self._play, daemon=True)
-
-    def start(self) -> "SensedMatch":
-        self._thread.start()
-        return self
-
-    def end(self) -> None:
-        """Let it run to its end at once, and wait for that."""
-        self.show.pace.release()
-        self._thread.join(30)
-        assert not self._thread.is_alive()
-
-    def _play(self) -> None:
-        watcher, writer = self.show.watcher, RecordWriter(self._out, self._header)
-        for number in (1, 2):
-            half = half_info(self._scenario, number, TICKS, self._header, writer.result["score"])
-            writer.begin_half(half)
-            watcher.half_started(half)
-            senses = SensorWriter(writer.folder, number, SENSED) if self._sensors else None
-            if senses is not None:
-                senses.tell(watcher.sensing(half, SENSED))
-            for snapshot, verdict in made_up_play(len(self._scenario.robots), TICKS):
-                if snapshot.tick:
-                    watcher.before_tick(snapshot.tick)
-                writer.tick(snapshot, verdict, struct.pack("<d", snapshot.substeps[-1][0][0]))
-                watcher.ticked(snapshot, verdict)
-                if senses is not None:
-                    sense(senses, snapshot.tick)
-            if senses is not None:
-                senses.close()
-            writer.end_half(Verdict())
-        folder = writer.finish({"wall_s": 1.0})
-        write_replay(folder)
-        self.show.match_over(folder)
 
 
 @pytest.fixture
-def match(tmp_path: Path) -> Iterator[Callable[..., SensedMatch]]:
-    played: list[SensedMatch] = []
-
-    def make(**options: Any) -> SensedMatch:
-        played.append(SensedMatch(tmp_path, **options))
-        return played[-1]
-
-    yield make
-    for one in played:
-        one.show.close()
+def match(made_up_match: Callable[..., MadeUpMatch]) -> Callable[..., MadeUpMatch]:
+    """Return what makes a match whose sensors are recorded, of a team with a logo."""
+    return lambda **options: made_up_match(**{"ticks": TICKS, "logos": {"blue": logo(200)}, "sensors": True, **options})
 
 
 def _shown(page: Any, half: int, tick: int) -> Any:
@@ -96,7 +33,7 @@ def _reading(card: Any, name: str) -> str:
 
 @pytest.mark.parametrize("size", [WIDE, pytest.param(NARROW, marks=pytest.mark.nightly)], ids=["wide", "narrow"])
 def test_who_comes_late_sees_logos_readings_and_printed_lines_and_can_look_back(
-    size: dict[str, int], match: Callable[..., SensedMatch], watch: Callable[..., Any]
+    size: dict[str, int], match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
     played = match()
     played.show.pace.pause()
@@ -139,7 +76,7 @@ def test_who_comes_late_sees_logos_readings_and_printed_lines_and_can_look_back(
 
 
 def test_it_ends_with_the_readings_and_rays_of_the_replay(
-    match: Callable[..., SensedMatch], watch: Callable[..., Any]
+    match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
     played = match().start()
     page = watch(played.show.address)
@@ -168,7 +105,7 @@ def _flat(nested: Any) -> list[float]:
 
 
 def test_without_a_recording_the_page_says_how_to_get_one(
-    match: Callable[..., SensedMatch], watch: Callable[..., Any]
+    match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
     played = match(sensors=False).start()
     live = watch(played.show.address)
@@ -182,7 +119,7 @@ def test_without_a_recording_the_page_says_how_to_get_one(
 
 
 def test_each_step_of_a_paused_match_shows_the_readings_of_its_tick(
-    match: Callable[..., SensedMatch], watch: Callable[..., Any]
+    match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
     played = match()
     played.show.pace.pause()
@@ -197,7 +134,7 @@ def test_each_step_of_a_paused_match_shows_the_readings_of_its_tick(
 
 
 @pytest.mark.nightly
-def test_readings_go_on_after_a_lost_connection(match: Callable[..., SensedMatch], watch: Callable[..., Any]) -> None:
+def test_readings_go_on_after_a_lost_connection(match: Callable[..., MadeUpMatch], watch: Callable[..., Any]) -> None:
     played = match()
     played.show.pace.set_speed(2.0)
     page = watch(played.start().show.address)
