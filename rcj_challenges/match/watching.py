@@ -76,8 +76,12 @@ class Watcher(Protocol):
     def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
         """A tick was judged."""
 
-    def before_tick(self, tick: int) -> None:
-        """A tick is about to be simulated. The one call that may wait: programs that are due have all answered."""
+    def before_tick(self, tick: int) -> float:
+        """A tick is about to be simulated. The one call that may wait: programs that are due have all answered.
+
+        Returns:
+            How long it waited in s: that is not the time that the match took.
+        """
 
     def closing(self, verdict: Verdict, half: HalfInfo) -> None:
         """What the rules said after the last tick of a half; its events come by themselves too."""
@@ -117,8 +121,10 @@ class Silent:
     def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
         """Do nothing."""
 
-    def before_tick(self, tick: int) -> None:
-        """Do nothing."""
+    def before_tick(self, tick: int) -> float:
+        """Wait for nobody."""
+        del tick
+        return 0.0
 
     def closing(self, verdict: Verdict, half: HalfInfo) -> None:
         """Do nothing."""
@@ -171,10 +177,9 @@ class Together:
         for watcher in self._watchers:
             watcher.ticked(snapshot, verdict)
 
-    def before_tick(self, tick: int) -> None:
+    def before_tick(self, tick: int) -> float:
         """Ask all."""
-        for watcher in self._watchers:
-            watcher.before_tick(tick)
+        return sum([watcher.before_tick(tick) for watcher in self._watchers])
 
     def closing(self, verdict: Verdict, half: HalfInfo) -> None:
         """Tell all."""

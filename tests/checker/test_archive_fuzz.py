@@ -25,7 +25,8 @@ from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.scenario import Scenario
 from tests.hostile.archives import pictures
 from tests.hostile.archives.building import Member, pack, with_folders
-from tests.hostile.archives.cases import ALL, FINE, NAME, SOUND
+from tests.hostile.archives.cases import ALL, FINE
+from tests.hostile.archives.making import NAME, SOUND
 
 MUTATED = 2_000
 MUTATED_BY_NIGHT = 50_000

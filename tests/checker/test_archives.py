@@ -23,20 +23,8 @@ from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.scenario.models.scenario import Scenario
 from tests.hostile.archives import pictures
 from tests.hostile.archives.building import Member, pack, with_folders
-from tests.hostile.archives.cases import (
-    ALL,
-    ENTRY,
-    FINE,
-    IMPORTS,
-    NAME,
-    OF_2021,
-    PROGRAM,
-    SEEN,
-    SOUND,
-    Case,
-    named,
-    plain,
-)
+from tests.hostile.archives.cases import ALL, FINE, IMPORTS, SEEN, Case
+from tests.hostile.archives.making import ENTRY, NAME, OF_2021, PROGRAM, SOUND, named, plain
 
 
 @cache

@@ -21,7 +21,8 @@ from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.scenario import Scenario
 from tests.hostile.archives import pictures
 from tests.hostile.archives.building import Member, pack, with_folders
-from tests.hostile.archives.cases import ALL, ENTRY, FINE, NAME, OF_2021, PROGRAM, SOUND, below, named, plain
+from tests.hostile.archives.cases import ALL, FINE
+from tests.hostile.archives.making import ENTRY, NAME, OF_2021, PROGRAM, SOUND, below, named, plain
 
 MENDED = [name for name, case in ALL.items() if case.repair]
 BEYOND = [name for name, case in ALL.items() if not case.repair and case.level == "failure"]

@@ -3,6 +3,7 @@
 import math
 import struct
 import zlib
+from typing import Any
 
 from rcj_challenges.facts.traffic import DeviceSpec, MotorCommand, Observation, Packet
 from rcj_challenges.records.sensors import SensedRobot, SensorWriter
@@ -59,3 +60,20 @@ def logo(red: int) -> bytes:
     return b"\x89PNG\r\n\x1a\n" + b"".join(
         chunk(kind, body) for kind, body in ((b"IHDR", header), (b"IDAT", zlib.compress(lines)), (b"IEND", b""))
     )
+
+
+READINGS_AT_125 = {
+    "left wheel motor": "set to 3.00 rad/s",
+    "right wheel motor": "set to -5.00 rad/s",
+    "left wheel sensor": "20.00 rad, turned 5.00 rad/s",
+    "gps": "0.123  -0.013  0.037",
+    "distancesensor left": "375.0",
+    "ball": "strength 4.0, direction 1.00  0.00  -0.10",
+    "not enabled": "compass",
+}
+"""What the card of B1 says at tick 125."""
+
+
+def reading(card: Any, name: str) -> str:
+    """Return what a robot's card says of a device."""
+    return str(card.locator(f"dt:text-is('{name}') + dd").inner_text())

@@ -314,24 +314,29 @@ def test_a_match_that_is_late_does_not_race_afterwards() -> None:
 
 
 def test_a_paused_match_waits_and_a_step_plays_so_many_ticks() -> None:
-    pace = Pace(MAX_SPEED)
+    clock = Clock()
+    pace = Pace(MAX_SPEED, clock=clock)
     pace.pause()
     played = threading.Semaphore(0)
+    held_up_s: list[float] = []
 
     def play() -> None:
         for tick in range(1, 6):
-            pace.before_tick(tick)
+            held_up_s.append(pace.before_tick(tick))
             played.release()
 
     match = threading.Thread(target=play, daemon=True)
     match.start()
     assert not played.acquire(timeout=0.05)
+    clock.now_s = 7.0
     pace.step(3)
     assert all(played.acquire(timeout=5) for _ in range(3))
     assert not played.acquire(timeout=0.05)
+    clock.now_s = 9.0
     pace.resume()
     match.join(5)
     assert not match.is_alive()
+    assert held_up_s == [7.0, 0.0, 0.0, 2.0, 0.0]
 
 
 def test_a_half_after_another_keeps_the_pace() -> None:

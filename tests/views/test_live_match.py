@@ -125,9 +125,11 @@ def test_a_pause_counts_for_no_programs_limits(play: Callable[..., dict[str, Any
 class Holding(Silent):
     """Somebody who holds up the first ticks of each half."""
 
-    def before_tick(self, tick: int) -> None:
-        if tick <= 5:
-            time.sleep(0.1)  # this is what is tested: time that passes while the match stands still
+    def before_tick(self, tick: int) -> float:
+        if tick > 5:
+            return 0.0
+        time.sleep(0.1)  # this is what is tested: time that passes while the match stands still
+        return 0.1
 
 
 def test_what_the_match_waits_for_its_steward_is_not_the_time_that_it_took(tmp_path: Path, team: Path) -> None:

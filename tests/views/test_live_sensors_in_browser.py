@@ -8,7 +8,7 @@ import pytest
 
 from tests.views.browser_stage import NARROW, WIDE, settled, until
 from tests.views.live_play import MadeUpMatch
-from tests.views.sensing_play import ENDLESS, HOSTILE, TURNED, logo
+from tests.views.sensing_play import ENDLESS, HOSTILE, READINGS_AT_125, TURNED, logo, reading
 
 TICKS = 500
 
@@ -27,10 +27,6 @@ def _shown(page: Any, half: int, tick: int) -> Any:
     return page.locator(".robot", has_text="B1").first
 
 
-def _reading(card: Any, name: str) -> str:
-    return card.locator(f"dt:text-is('{name}') + dd").inner_text()
-
-
 @pytest.mark.parametrize("size", [WIDE, pytest.param(NARROW, marks=pytest.mark.nightly)], ids=["wide", "narrow"])
 def test_who_comes_late_sees_logos_readings_and_printed_lines_and_can_look_back(
     size: dict[str, int], match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
@@ -47,19 +43,13 @@ def test_who_comes_late_sees_logos_readings_and_printed_lines_and_can_look_back(
     page.click("#tab-robots")
     card = page.locator(".robot", has_text="B1").first
     settled(page)
-    assert _reading(card, "observation") == "tick 400"
-    assert _reading(card, "distancesensor left") == "650.0"
+    assert reading(card, "observation") == "tick 400"
+    assert reading(card, "distancesensor left") == "650.0"
     assert card.locator(".printed .line").last.inner_text() == "0:12.8 tick 400"
     assert page.locator("#no-sensors").is_hidden()
 
     card = _shown(page, 1, 125)
-    assert _reading(card, "left wheel motor") == "set to 3.00 rad/s"
-    assert _reading(card, "right wheel motor") == "set to -5.00 rad/s"
-    assert _reading(card, "left wheel sensor") == "20.00 rad, turned 5.00 rad/s"
-    assert _reading(card, "gps") == "0.123  -0.013  0.037"
-    assert _reading(card, "distancesensor left") == "375.0"
-    assert _reading(card, "ball") == "strength 4.0, direction 1.00  0.00  -0.10"
-    assert _reading(card, "not enabled") == "compass"
+    assert {name: reading(card, name) for name in READINGS_AT_125} == READINGS_AT_125
     texts = card.locator(".printed bdi").all_text_contents()
     assert texts == ["ready", HOSTILE.rstrip(), TURNED.rstrip("\n"), ENDLESS.rstrip(), "tick 100"]
     assert page.title().startswith("Hanse - </script>")
@@ -71,7 +61,7 @@ def test_who_comes_late_sees_logos_readings_and_printed_lines_and_can_look_back(
     until(page, "replay.recording.over")
     assert page.evaluate("replay.tick") == 125
     card = _shown(page, 2, TICKS)
-    assert _reading(card, "observation") == f"tick {TICKS}"
+    assert reading(card, "observation") == f"tick {TICKS}"
     assert card.locator(".printed .line").last.inner_text() == "0:16.0 tick 500"
 
 
@@ -129,7 +119,7 @@ def test_each_step_of_a_paused_match_shows_the_readings_of_its_tick(
     for tick in range(20, 23):
         until(page, f"replay.place === {tick} && replay.app.sensors.observation(0, {tick})?.tick === {tick}")
         settled(page)
-        assert _reading(page.locator(".robot", has_text="B1").first, "observation") == f"tick {tick}"
+        assert reading(page.locator(".robot", has_text="B1").first, "observation") == f"tick {tick}"
         played.show.pace.step(1)
 
 

@@ -13,7 +13,7 @@ from rcj_challenges.records.sensors import SensorWriter
 from rcj_challenges.records.testing import write_made_up_run
 from rcj_challenges.views.replay import write_replay
 from tests.views.browser_stage import NARROW, NO_WEBGL, WIDE, settled, until
-from tests.views.sensing_play import ENDLESS, HOSTILE, SENSED, TURNED, logo, sense
+from tests.views.sensing_play import ENDLESS, HOSTILE, READINGS_AT_125, SENSED, TURNED, logo, reading, sense
 
 TICKS = 500
 
@@ -39,29 +39,19 @@ def _robots(page: Any) -> Any:
     return page.locator(".robot", has_text="B1").first
 
 
-def _reading(card: Any, name: str) -> str:
-    return card.locator(f"dt:text-is('{name}') + dd").inner_text()
-
-
 # --- readings and output -------------------------------------------------------------------------------------------------
 
 
 def test_readings_are_those_of_the_moment(show: Callable[..., Any], run: Path) -> None:
     page = show(run, "#h1t125")
     card = _robots(page)
-    assert _reading(card, "observation") == "tick 125"
-    assert _reading(card, "left wheel motor") == "set to 3.00 rad/s"
-    assert _reading(card, "right wheel motor") == "set to -5.00 rad/s"
-    assert _reading(card, "left wheel sensor") == "20.00 rad, turned 5.00 rad/s"
-    assert _reading(card, "gps") == "0.123  -0.013  0.037"
-    assert _reading(card, "distancesensor left") == "375.0"
-    assert _reading(card, "ball") == "strength 4.0, direction 1.00  0.00  -0.10"
-    assert _reading(card, "not enabled") == "compass"
-    assert _reading(card, "lidar").startswith("0.680 to 0.858 m")
+    assert reading(card, "observation") == "tick 125"
+    assert {name: reading(card, name) for name in READINGS_AT_125} == READINGS_AT_125
+    assert reading(card, "lidar").startswith("0.680 to 0.858 m")
     page.keyboard.press(".")
     settled(page)
-    assert _reading(card, "distancesensor left") == "376.0"
-    assert _reading(card, "ball") == "not heard"
+    assert reading(card, "distancesensor left") == "376.0"
+    assert reading(card, "ball") == "not heard"
 
 
 def test_only_robots_whose_programs_were_recorded_have_readings(show: Callable[..., Any], run: Path) -> None:

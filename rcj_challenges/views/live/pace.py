@@ -54,13 +54,15 @@ class Pace:
         """What spectators are told: ``paused``, and ``speed`` (None: as fast as it can)."""
         return {"paused": self._paused, "speed": None if self._speed == MAX_SPEED else self._speed}
 
-    def before_tick(self, tick: int) -> None:
-        """Return when this tick may begin. Costs nothing while the match runs as fast as it can."""
+    def before_tick(self, tick: int) -> float:
+        """Return when this tick may begin, and how long that took in s. Costs nothing at full speed."""
         if self._free:
-            return
+            return 0.0
+        began_s = self._clock()
         with self._turn:
             while (wait_s := self._wait_s(tick)) > 0:
                 self._turn.wait(min(wait_s, _SLICE_S))
+        return self._clock() - began_s
 
     def pause(self) -> None:
         """Begin no more ticks."""
