@@ -315,7 +315,15 @@ def test_a_match_that_is_late_does_not_race_afterwards() -> None:
 
 def test_a_paused_match_waits_and_a_step_plays_so_many_ticks() -> None:
     clock = Clock()
-    pace = Pace(MAX_SPEED, clock=clock)
+    asked = threading.Semaphore(0)
+
+    def time_s() -> float:
+        now_s = clock()
+        asked.release()
+        return now_s
+
+    pace = Pace(MAX_SPEED, clock=time_s)
+    assert asked.acquire(timeout=5)
     pace.pause()
     played = threading.Semaphore(0)
     held_up_s: list[float] = []
@@ -328,10 +336,12 @@ def test_a_paused_match_waits_and_a_step_plays_so_many_ticks() -> None:
     match = threading.Thread(target=play, daemon=True)
     match.start()
     assert not played.acquire(timeout=0.05)
+    assert asked.acquire(timeout=5)  # the match waits for its first tick
     clock.now_s = 7.0
     pace.step(3)
     assert all(played.acquire(timeout=5) for _ in range(3))
     assert not played.acquire(timeout=0.05)
+    assert all(asked.acquire(timeout=5) for _ in range(6))  # and now for its fourth
     clock.now_s = 9.0
     pace.resume()
     match.join(5)
