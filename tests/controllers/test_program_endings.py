@@ -239,7 +239,9 @@ from controller import Robot
 robot = Robot()
 status = dict(line.split(":", 1) for line in open("/proc/self/status"))
 limits = {line[:25].strip(): line[26:].split()[0] for line in open("/proc/self/limits")}
-print(status["NoNewPrivs"].strip(), limits["Max open files"], os.getsid(0) in (os.getpid(), 1), len(os.listdir("/proc/self/fd")) - 1)
+handed_down = [fd for fd in os.listdir("/proc/self/fd") if os.path.lexists("/proc/self/fd/" + fd)]
+handed_down = [fd for fd in handed_down if "libffi" not in os.readlink("/proc/self/fd/" + fd)]  # it holds itself open
+print(status["NoNewPrivs"].strip(), limits["Max open files"], os.getsid(0) in (os.getpid(), 1), len(handed_down))
 robot.step(32)
 """
     said = match.play(program, 1, sandbox=sandbox).said[0].split()

@@ -12,6 +12,6 @@ import arena
 arena.drive(10)
 sys.setrecursionlimit(10**9)
 first, second = [], []
-for _ in range(100_000):
+for _ in range(1_000_000):
     first, second = [first], [second]
 print(first == second)

@@ -14,7 +14,8 @@ looked = 0
 for thing in gc.get_objects():
     if type(thing) is dict:
         looked += 1
-        if "match_seed" in thing or (thing.get("name") in ("B1", "B2", "B3") and "devices" in thing):
+        # Python itself may keep all texts of this program in a dictionary: there the name stands for itself.
+        if thing.get("match_seed", "match_seed") != "match_seed" or (thing.get("name") in ("B1", "B2", "B3") and "devices" in thing):
             print("BROKEN: found", sorted(map(str, thing))[:10])
 print("looked at", looked, "dicts")
 arena.play_on()

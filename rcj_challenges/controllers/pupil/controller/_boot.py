@@ -14,7 +14,7 @@ from ._hooks import AfterImport, Patch
 from ._output import Output
 from ._wire import HELLO, Wire, fault_frame, leave
 
-_RESERVE_BYTES = 1 << 20
+_RESERVE_BYTES = 4 << 20  # of addresses, never touched; Python 3.14 needs more than 1 MB to tell of an error
 _MOST_TOLD = 2_000  # letters
 
 
