@@ -10,12 +10,11 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from rcj_challenges.devices.body_sensors import Values
 from rcj_challenges.devices.fitting import Fitted, lidar_bearings
 from rcj_challenges.devices.ground import Ground
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import Poses, RobotPose
-from rcj_challenges.devices.sampling import Schedule
+from rcj_challenges.devices.sampling import Family
 from rcj_challenges.devices.sight import as_geomgroup, groups_at
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import TICK_S
@@ -136,28 +135,31 @@ class Lidar:
         rays[:, 2] = 0.0
 
 
-class Lidars:
+class Lidars(Family[Lidar]):
     """All scanners of all robots."""
 
     def __init__(
         self, fitted: Sequence[Fitted], scenario: Scenario, ground: Ground, half: HalfInfo
     ) -> None:  # fmt: skip
         """Build them."""
-        self.schedule = Schedule()
         self.lidars = [Lidar(one, scenario, ground, half) for one in fitted]
+        super().__init__([one.robot for one in fitted], self.lidars)
+        self._enabled: Sequence[int] = ()
 
-    def sample(self, tick: int, poses: Poses, values: Values) -> None:
-        """Turn the heads that turn, and read the scanners that are due at ``tick``."""
-        enabled = self.schedule.enabled()
-        if not enabled:
+    def begin(self, tick: int) -> None:
+        """See `Family`."""
+        super().begin(tick)
+        self._enabled = self.schedule.enabled()
+
+    def read(self, robot: int, tick: int, poses: Poses, own: list[float]) -> None:
+        """Turn the heads that turn, and read the scanners that are due. See `Family`."""
+        if not self._enabled:
             return
-        due = self.schedule.due(tick)
-        for member in enabled:
-            lidar = self.lidars[member]
+        for member, lidar in self.of_robot[robot]:
             if lidar.device.rotating:
-                lidar.turn(tick, poses.robots[lidar.robot])
-            elif member in due:
-                lidar.measure(tick, poses.robots[lidar.robot])
-        for member in due:
-            lidar = self.lidars[member]
-            values[lidar.robot][lidar.slot : lidar.slot + lidar.device.points] = lidar.cells.tolist()
+                if member in self._enabled:
+                    lidar.turn(tick, poses.robots[robot])
+            elif member in self.due:
+                lidar.measure(tick, poses.robots[robot])
+            if member in self.due:
+                own[lidar.slot : lidar.slot + lidar.device.points] = lidar.cells.tolist()

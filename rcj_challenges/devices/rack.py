@@ -8,9 +8,10 @@ its program is due: the first programs think while the later robots still look a
 from __future__ import annotations
 
 import math
-from typing import Protocol
+from collections.abc import Callable
+from typing import Any
 
-from rcj_challenges.devices.body_sensors import Compasses, Gpses, Values, WheelSensors
+from rcj_challenges.devices.body_sensors import Compasses, Gpses, WheelSensors
 from rcj_challenges.devices.drive import Drive
 from rcj_challenges.devices.fitting import Fitted, driven_robots, fit, robot_specs
 from rcj_challenges.devices.ground import Ground
@@ -18,21 +19,18 @@ from rcj_challenges.devices.lidar import NOT_YET_SWEPT, Lidars
 from rcj_challenges.devices.poses import Poses
 from rcj_challenges.devices.radio_room import RadioRoom
 from rcj_challenges.devices.receivers import TRIM_EVERY_TICKS, Queue
-from rcj_challenges.devices.sampling import Schedule
+from rcj_challenges.devices.sampling import Family
 from rcj_challenges.devices.sonar import Sonars
 from rcj_challenges.facts.play import HalfInfo, Verdict
 from rcj_challenges.facts.traffic import Observation, Request, RobotSpec
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 
+Values = dict[int, list[float]]
+"""By robot: the numbers of all its devices, by slot."""
 
-class _Family(Protocol):
-    """All sensors of one kind, of all robots; members are numbered in the order in which they were fitted."""
-
-    schedule: Schedule
-
-    def sample(self, tick: int, poses: Poses, values: Values, /) -> None:
-        """Write the readings of those that are due at ``tick``."""
+Reader = Callable[[int, int, Poses, list[float]], None]
+"""The `Family.read` of some family."""
 
 
 class DeviceRack:
@@ -60,23 +58,23 @@ class DeviceRack:
         self._values: Values = {robot: [math.nan] * self.specs[robot].values for robot in robots}
         self._radio = RadioRoom(scenario, roster, world, half, fitted, self._queues)
         self._drives = {robot: Drive(scenario, robot, fitted, world) for robot in robots}
-        self._members: dict[tuple[int, int], tuple[_Family, int, Fitted]] = {}
+        self._members: dict[tuple[int, int], tuple[Family[Any], int, Fitted]] = {}
         self._lidars: Lidars | None = None
-        self._sonars: Sonars | None = None
+        self._readers: dict[int, list[Reader]] = {robot: [] for robot in robots}
         self._families = self._build_families(scenario, roster, half, fitted)
         self._silent: set[int] = set()
         self._tick = 0
 
     def _build_families(
         self, scenario: Scenario, roster: Roster, half: HalfInfo, fitted: list[Fitted]
-    ) -> list[_Family]:  # fmt: skip
+    ) -> list[Family[Any]]:  # fmt: skip
         """Build the families of which there are members; a kind that no robot has costs nothing."""
         of_kind: dict[str, list[Fitted]] = {}
         for one in fitted:
             of_kind.setdefault(one.spec.kind, []).append(one)
-        families: list[_Family] = []
+        families: list[Family[Any]] = []
         for kind, members in of_kind.items():
-            family: _Family
+            family: Family[Any]
             if kind == "position_sensor":
                 family = WheelSensors(members, self._ground)
             elif kind == "gps":
@@ -84,7 +82,7 @@ class DeviceRack:
             elif kind == "compass":
                 family = Compasses(members, half)
             elif kind == "distance_sensor":
-                family = self._sonars = Sonars(members, scenario, self._ground, half)
+                family = Sonars(members, scenario, self._ground, half)
             elif kind == "lidar":
                 family = self._lidars = Lidars(members, scenario, self._ground, half)
             else:  # motors and radio are no sensors
@@ -93,6 +91,8 @@ class DeviceRack:
             for number, one in enumerate(members):
                 self._members[one.robot, one.spec.index] = (family, number, one)
                 self._blank(one)
+            for robot in family.of_robot:
+                self._readers[robot].append(family.read)
         return families
 
     def begin(self, verdict: Verdict) -> None:
@@ -134,7 +134,9 @@ class DeviceRack:
             self.finish_sensing(robot)
 
     def begin_sensing(self, tick: int, verdict_now: Verdict) -> None:
-        """Measure the world as it stands after the placements of ``tick``, and bring the packets that arrive at it.
+        """Begin to look at the world as it stands after the placements of ``tick``; bring the radio's packets.
+
+        This is what has to be done for all robots at once: `finish_sensing` does the rest, robot by robot.
 
         Args:
             tick: counts up by one from call to call, beginning at 1.
@@ -147,18 +149,19 @@ class DeviceRack:
             for queue in self._queues.values():
                 queue.trim()
         for family in self._families:
-            family.sample(tick, poses, self._values)
+            family.begin(tick)
         self._radio.carry(tick, poses)
         self._radio.speak(tick, verdict_now, poses)
 
     def finish_sensing(self, robot: int) -> None:
-        """Do the part of ``begin_sensing`` that is one robot's alone: its sonars' echoes, and the ball's infra-red.
+        """Let one robot read its sensors, and hear the balls' infra-red.
 
         To be called once for each robot after each `begin_sensing`, while the world has not moved.
         """
-        if self._sonars is not None:
-            self._sonars.read(robot, self._values)
-        self._radio.carry_infrared(robot, self._tick, self._poses)
+        tick, poses, own = self._tick, self._poses, self._values[robot]
+        for read in self._readers[robot]:
+            read(robot, tick, poses, own)
+        self._radio.carry_infrared(robot, tick, poses)
 
     def observe(self, robot: int, tick: int, over: bool = False) -> Observation:
         """Return what a program is told when its step ends at ``tick``; its queue is empty afterwards."""

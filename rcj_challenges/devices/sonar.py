@@ -7,19 +7,18 @@ obstacles and robots' cubes; never what the rule book's sonar passes over: balls
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Sequence
-from typing import cast
+from collections.abc import Callable, Sequence
+from typing import NamedTuple, cast
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from rcj_challenges.devices.body_sensors import Values
 from rcj_challenges.devices.fitting import Fitted, fit
 from rcj_challenges.devices.ground import Ground
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import Poses
-from rcj_challenges.devices.sampling import Schedule
+from rcj_challenges.devices.sampling import Family
 from rcj_challenges.devices.sight import RayMask, groups_at
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.scenario.models.robots import SonarDevice
@@ -79,14 +78,21 @@ def device_sites(scenario: Scenario, roster: Roster) -> Callable[[mujoco.MjSpec]
     return extend
 
 
-class Sonars:
+class Sonar(NamedTuple):
+    """One sonar: where its number goes, its range, and the cosine between ray and normal below which it hears."""
+
+    slot: int
+    range_m: float
+    heard_below: float
+
+
+class Sonars(Family[Sonar]):
     """All sonars of all robots: v = 1000·d below the range, else the out-of-range value, times the noise."""
 
     def __init__(
         self, fitted: Sequence[Fitted], scenario: Scenario, ground: Ground, half: HalfInfo
     ) -> None:  # fmt: skip
         """Find the rangefinders that `device_sites` added, in the same order."""
-        self.schedule = Schedule()
         devices = [cast("SonarDevice", one.device) for one in fitted]
         count = len(fitted)
         self._model: mujoco.MjModel = ground.model
@@ -95,14 +101,11 @@ class Sonars:
         self._rays: NDArray[np.float64] = self._data.sensordata[first : first + _WIDTH * count].reshape(count, _WIDTH)
         shares = np.array([device.noise for device in devices])
         self._noise = Noise(half, [(one.robot_name, one.spec.name) for one in fitted], scale=_MM_PER_M * shares)
-        # By robot: the members that are its own, and the slots of its numbers.
-        self._of_robot: dict[int, list[tuple[int, int, float, float]]] = {}
-        for member, (one, device) in enumerate(zip(fitted, devices, strict=True)):
-            heard_below = -max(_GRAZING, math.cos(device.lost_from_rad))
-            self._of_robot.setdefault(one.robot, []).append((member, one.spec.slot, device.range_m, heard_below))
-        self._due: Collection[int] = ()
-        self._all = count
-        self._all_due = False
+        sonars = [
+            Sonar(one.spec.slot, device.range_m, -max(_GRAZING, math.cos(device.lost_from_rad)))
+            for one, device in zip(fitted, devices, strict=True)
+        ]
+        super().__init__([one.robot for one in fitted], sonars)
         self._echoes: list[list[float]] = []
         self._errors: list[float] = []
         self._mask = RayMask(ground, groups_at(scenario, min(device.height_m for device in devices)))
@@ -110,23 +113,21 @@ class Sonars:
         self._sensors_on = int(self._model.opt.disableflags) & ~int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
         self._sensors_off = int(self._model.opt.disableflags)
 
-    def sample(self, tick: int, _poses: Poses, _values: Values) -> None:
+    def begin(self, tick: int) -> None:
         """Measure all rays, if a sonar is due at ``tick``; `read` makes readings of them."""
-        due = self.schedule.due(tick)
-        self._all_due = len(due) == self._all
-        self._due = due if self._all_due else frozenset(due)
-        if due:
+        super().begin(tick)
+        if self.due:
             self._measure()
             self._echoes, self._errors = self._rays.tolist(), self._noise.row(tick).tolist()
 
-    def read(self, robot: int, values: Values) -> None:
-        """Write the readings of a robot's sonars that were due at this tick."""
-        due = self._due
+    def read(self, robot: int, tick: int, poses: Poses, own: list[float]) -> None:
+        """See `Family`."""
+        due = self.due
         if not due:
             return
-        all_due, echoes, errors, own = self._all_due, self._echoes, self._errors, values[robot]
+        all_due, echoes, errors = self.all_due, self._echoes, self._errors
         # Number by number: for a handful of them numpy's calls cost more than they save.
-        for member, slot, range_m, heard_below in self._of_robot.get(robot, ()):
+        for member, (slot, range_m, heard_below) in self.of_robot[robot]:
             if not all_due and member not in due:
                 continue
             distance, dx, dy, dz, nx, ny, nz = echoes[member]
