@@ -159,6 +159,20 @@ class Program:
             self.slowest_s = max(self.slowest_s, spent_s)
         else:
             self.started_s = time.perf_counter() - self._launched_at
+        return self._accepted(answer)
+
+    def collect_ready(self) -> Request | Fault | None:
+        """Return what `collect` would if it is here already; None: `collect` has to wait."""
+        if self._channel is None or not self._requests:
+            return None
+        try:
+            body = self._channel.receive_now()
+            return None if body is None else self._accepted(self._codec.decode(body, self._tick))
+        except (ChannelClosedError, FrameTooLongError, ProtocolError) as error:
+            return self._broken(error)
+
+    def _accepted(self, answer: Request | Ended) -> Request | Fault:
+        """Take an answer that has arrived."""
         self._requests += 1
         # Since its folder was looked through it may have had time to write much.
         had_time = self._tick >= self._look_at_tick or self.waited_s >= self._look_at_s

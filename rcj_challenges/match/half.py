@@ -19,6 +19,9 @@ class Driver(Protocol):
     def collect(self) -> Request | Fault:
         """Wait for its next request, or learn that it failed."""
 
+    def collect_ready(self) -> Request | Fault | None:
+        """Return the same if it is here already; None: `collect` has to wait for it."""
+
     def release(self, observation: Observation) -> None:
         """Let its ``step`` return."""
 
@@ -157,12 +160,8 @@ class HalfPlay:
         self.tick = tick
 
         due = self._sense_and_release(tick, plays_on=self._goes_on(verdict))
-        alive = self._alive
         self._on_tick(snapshot, verdict, state)
-        # Waiting for the last to answer, we mostly find the others' answers ready: one wait instead of six.
-        answers = [alive[robot].collect() for robot in reversed(due)]
-        for robot in due:
-            self._take(robot, answers.pop())
+        self._collect(due)
         if tick % _LOOKED_AFTER_EVERY == 0:
             self._look_after_those_away(tick)
         return verdict
@@ -182,6 +181,22 @@ class HalfPlay:
                 alive[robot].release(rack.observe(robot, tick))
                 released.append(robot)
         return released
+
+    def _collect(self, due: list[int]) -> None:
+        """Carry out what those who were released ask for, in their order."""
+        alive, ready = self._alive, 0
+        # What the first have asked for is carried out while the last still think.
+        for robot in due[:-1]:
+            answer = alive[robot].collect_ready()
+            if answer is None:
+                break
+            self._take(robot, answer)
+            ready += 1
+        waiting = due[ready:]
+        # Waiting for the last to answer, we mostly find the others' answers ready: one wait instead of six.
+        answers = [alive[robot].collect() for robot in reversed(waiting)]
+        for robot in waiting:
+            self._take(robot, answers.pop())
 
     def _take(self, robot: int, answer: Request | Fault) -> None:
         """Carry out a request, now or after the ticks its program slept through; or bury the program."""

@@ -86,7 +86,14 @@ class _Overheard:
 
     def collect(self) -> Request | Fault:
         """Wait for its next request, or learn that it failed."""
-        answer = self._driver.collect()
+        return self._heard(self._driver.collect())
+
+    def collect_ready(self) -> Request | Fault | None:
+        """Return its next request if it is here already."""
+        answer = self._driver.collect_ready()
+        return None if answer is None else self._heard(answer)
+
+    def _heard(self, answer: Request | Fault) -> Request | Fault:
         # What it printed on this observation was written before its request: lines are not held back.
         self._driver.keep_output()
         printed = self._tail.new_text()
