@@ -11,7 +11,8 @@ import statistics
 import time
 
 from benchmarks.physics_floor import MixedLoad
-from rcj_challenges.devices import DeviceRack, device_sites
+from rcj_challenges.devices.rack import DeviceRack
+from rcj_challenges.devices.sonar import device_sites
 from rcj_challenges.facts.play import HalfInfo, Verdict
 from rcj_challenges.facts.traffic import Request
 from rcj_challenges.scenario.load import Loaded, load

@@ -7,8 +7,3 @@ the rack that serves all robots of a half (`rack`). Does not belong here: how re
 Every device measures in the frames of the rule book: x forward, y left, z up of the robot; while a robot stands, its
 frame is level and heights are nominal (ADR 5).
 """
-
-from rcj_challenges.devices.rack import DeviceRack
-from rcj_challenges.devices.sonar import device_sites
-
-__all__ = ["DeviceRack", "device_sites"]

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import time
 from collections.abc import Collection
+from typing import TYPE_CHECKING
 
 from rcj_challenges.controllers.crew import Crew
 from rcj_challenges.facts.play import HalfInfo, Snapshot, Verdict
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.match.watching import Progress, Watcher
 from rcj_challenges.records.writer import RecordWriter
-from rcj_challenges.referee.engine import Referee
+
+if TYPE_CHECKING:
+    from rcj_challenges.referee.engine import Referee
 
 _OUTPUT_EVERY_TICKS = 16
 

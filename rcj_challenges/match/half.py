@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
-from rcj_challenges.devices.rack import DeviceRack
 from rcj_challenges.facts.play import Fault, HalfInfo, Snapshot, Verdict
 from rcj_challenges.facts.traffic import Observation, Request
-from rcj_challenges.referee.engine import Referee
-from rcj_challenges.world.world import World
+
+if TYPE_CHECKING:
+    from rcj_challenges.match.stage import HalfStage
 
 
 class Driver(Protocol):
@@ -27,23 +27,6 @@ class Driver(Protocol):
 
     def overstepped(self, tick: int) -> Fault | None:
         """Look whether it takes more than it may while nobody waits for it: its threads run on in a long ``step``."""
-
-
-@dataclass
-class HalfStage:
-    """All that takes part in a half.
-
-    Attributes:
-        world: the physics, fresh.
-        referee: the rules, fresh.
-        rack: the robots' devices.
-        drivers: by robot index; robots without one stand braked.
-    """
-
-    world: World
-    referee: Referee
-    rack: DeviceRack
-    drivers: Mapping[int, Driver]
 
 
 @dataclass(frozen=True)

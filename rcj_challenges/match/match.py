@@ -12,22 +12,19 @@ from rcj_challenges.controllers.crew import Crew, CrewPlan
 from rcj_challenges.controllers.isolation import active_layers
 from rcj_challenges.controllers.program import Program
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.devices import DeviceRack, device_sites
 from rcj_challenges.devices.fitting import fit, robot_specs
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.facts.traffic import RobotSpec
 from rcj_challenges.match.clerk import HalfClerk
-from rcj_challenges.match.half import HalfOutcome, HalfPlay, HalfStage
+from rcj_challenges.match.half import HalfOutcome, HalfPlay
 from rcj_challenges.match.overhearing import Overhearing
 from rcj_challenges.match.ranking import ranking
 from rcj_challenges.match.seats import by_seat, by_team, teams_by_seat
 from rcj_challenges.match.watching import Silent, Waits, Watcher
 from rcj_challenges.records.logos import logo_of
 from rcj_challenges.records.writer import RecordWriter, RunHeader
-from rcj_challenges.referee.engine import Referee
 from rcj_challenges.scenario.load import Loaded
-from rcj_challenges.world.world import World
 
 Score = int | float
 
@@ -106,10 +103,12 @@ class _MatchPlay:
         self._ranking: list[dict[str, Any]] = []
         self._half_ticks = ticks_from_s(self._scenario.match.half_s)
         self._held_up_s = 0.0
+        self._began = 0.0
+        self._start_up_s: float | None = None
 
     def play(self) -> PlayedMatch:
         plan = self._plan
-        began = time.perf_counter()
+        self._began = time.perf_counter()
         header = RunHeader(
             scenario=self._scenario,
             seed=plan.seed,
@@ -124,8 +123,9 @@ class _MatchPlay:
             for number in range(1, self._scenario.match.halves + 1):
                 if self._play_half(number, record).ends_match:
                     break
-            wall_s = time.perf_counter() - began - self._held_up_s
-            record.finish({"wall_s": round(wall_s, 3), "ranking": self._ranking})
+            wall_s = time.perf_counter() - self._began - self._held_up_s
+            start_up_s = round(self._start_up_s or 0.0, 3)
+            record.finish({"wall_s": round(wall_s, 3), "start_up_s": start_up_s, "ranking": self._ranking})
         self._watcher.finished(record.result)
         return PlayedMatch(record.folder, record.result)
 
@@ -138,14 +138,15 @@ class _MatchPlay:
         overhearing = Overhearing(scenario, record, number, specs, on=plan.record_sensors)
         with overhearing, Crew(crew_plan) as crew:
             drivers = self._launch(crew, specs, half)
-            world = World(scenario, roster, device_sites(scenario, roster))
-            referee = Referee(scenario, roster, half)
-            rack = DeviceRack(scenario, roster, world, half)
+            # While programs start, and not before: loading the physics takes as long as they do.
+            from rcj_challenges.match.stage import build_stage  # noqa: PLC0415
+
+            stage = build_stage(scenario, roster, half, overhearing.on(drivers))
+            referee, rack = stage.referee, stage.rack
             clerk = HalfClerk(half, referee, record, self._watcher, crew, plan.show_output, real_time=plan.real_time)
             record.begin_half(half)
             self._watcher.half_started(half)
             overhearing.tell(self._watcher, half)
-            stage = HalfStage(world, referee, rack, overhearing.on(drivers))
             outcome = HalfPlay(stage, half, clerk.ticked, self._watcher.fault, self._before_tick).play()
             record.end_half(outcome.closing, referee.scores, outcome.ended)
             crew.finish(
@@ -165,6 +166,8 @@ class _MatchPlay:
 
     def _before_tick(self, tick: int) -> None:
         """Wait for the watcher; how long is not the time that the match took."""
+        if self._start_up_s is None:
+            self._start_up_s = time.perf_counter() - self._began
         self._held_up_s += self._watcher.before_tick(tick)
 
     def _launch(self, crew: Crew, specs: Mapping[int, RobotSpec], half: HalfInfo) -> dict[int, Program]:

@@ -114,6 +114,12 @@ class RunResult(_Part):
         "(pauses, single steps, a slower speed)",
         ge=0,
     )
+    start_up_s: float = Field(
+        default=0.0,
+        ge=0,
+        description="of `wall_s`, what passed until all programs of the first half had called `step` for the first "
+        "time: loading the physics, compiling the world, starting the processes; 0 where nobody noted it",
+    )
     real_time_factor: float = _described("simulated_s over wall_s", ge=0)
     versions: Versions
     sandbox: dict[str, Any] = _described("how programs were isolated: what was asked for and which layers were active")

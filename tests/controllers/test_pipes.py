@@ -75,6 +75,23 @@ def test_nothing_is_told_when_the_time_is_over(line: Line, timeout_s: float) -> 
     assert time.perf_counter() - began >= timeout_s - 0.005
 
 
+def test_what_is_here_already_is_received_without_waiting(line: Line) -> None:
+    assert line.channel.receive_now() is None
+    line.says(framed(b"one") + framed(b"two")[:5])
+    assert line.channel.receive(5) == b"one"  # the threaded one may need a moment
+    assert line.channel.receive_now() is None
+    line.says(framed(b"two")[5:] + framed(b"three"))
+    assert line.channel.receive(5) == b"two"
+    until = time.perf_counter() + 5
+    while (third := line.channel.receive_now()) is None and time.perf_counter() < until:
+        time.sleep(0.001)
+    assert third == b"three"
+    line.hangs_up()
+    with pytest.raises(ChannelClosedError):
+        while time.perf_counter() < until + 5:
+            line.channel.receive_now()
+
+
 def test_half_a_frame_is_kept_until_the_rest_comes(line: Line) -> None:
     line.says(framed(b"whole")[:6])
     assert line.channel.receive(0.02) is None

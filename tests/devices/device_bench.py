@@ -9,7 +9,8 @@ from typing import Any
 import yaml
 
 import rcj_challenges.scenario
-from rcj_challenges.devices import DeviceRack, device_sites
+from rcj_challenges.devices.rack import DeviceRack
+from rcj_challenges.devices.sonar import device_sites
 from rcj_challenges.facts.play import HalfInfo, Placement, Verdict
 from rcj_challenges.facts.traffic import MotorCommand, Packet, Request
 from rcj_challenges.scenario.models.scenario import Scenario

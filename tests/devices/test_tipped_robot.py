@@ -9,7 +9,8 @@ from typing import Any
 import mujoco
 import pytest
 
-from rcj_challenges.devices import DeviceRack, device_sites
+from rcj_challenges.devices.rack import DeviceRack
+from rcj_challenges.devices.sonar import device_sites
 from rcj_challenges.facts.traffic import Request
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world import contact

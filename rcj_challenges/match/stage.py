@@ -1,0 +1,45 @@
+"""All that takes part in a half. Imports physics and numerics, which `match` leaves until programs are starting."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from rcj_challenges.devices.rack import DeviceRack
+from rcj_challenges.devices.sonar import device_sites
+from rcj_challenges.facts.play import HalfInfo
+from rcj_challenges.match.half import Driver
+from rcj_challenges.referee.engine import Referee
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.world.world import World
+
+
+@dataclass
+class HalfStage:
+    """All that takes part in a half.
+
+    Attributes:
+        world: the physics, fresh.
+        referee: the rules, fresh.
+        rack: the robots' devices.
+        drivers: by robot index; robots without one stand braked.
+    """
+
+    world: World
+    referee: Referee
+    rack: DeviceRack
+    drivers: Mapping[int, Driver]
+
+
+def build_stage(scenario: Scenario, roster: Roster, half: HalfInfo, drivers: Mapping[int, Driver]) -> HalfStage:
+    """Compile a scenario's world, and set up referee and devices for one half in it.
+
+    Args:
+        scenario: whose references have been checked.
+        roster: of this scenario.
+        half: what is to be played.
+        drivers: by robot index.
+    """
+    world = World(scenario, roster, device_sites(scenario, roster))
+    return HalfStage(world, Referee(scenario, roster, half), DeviceRack(scenario, roster, world, half), drivers)
