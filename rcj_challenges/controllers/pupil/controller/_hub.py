@@ -58,7 +58,9 @@ class Hub:
 
     Attributes:
         spec: the robot, as the match described it.
-        numbers: the latest observation: six numbers of its head, then those of all devices, as of ``tick``.
+        numbers: the latest observation: six numbers of its head, then those of all devices, as of ``tick``. Those of
+            a lidar stand packed in one piece: they are many, and seldom looked at.
+        place_of: by a device's slot, where in ``numbers`` its own begin.
         previous: the observation before, of ``previous_tick``.
         queues: unread packets by the index of the receiver.
     """
@@ -67,7 +69,10 @@ class Hub:
         self.spec: dict[str, Any] = hello["robot"]
         self.tick_ms: int = hello["tick_ms"]
         self.tick = 0
-        self.numbers: tuple[float, ...] = (float("nan"),) * (HEAD_FIELDS + self.spec["values"])
+        form, self.place_of = _layout(self.spec["devices"])
+        self._form = Struct(OBSERVATION_HEAD + form)
+        nothing_yet = Struct(f"<{self.spec['values']}d").pack(*[float("nan")] * self.spec["values"])
+        self.numbers: tuple[Any, ...] = self._form.unpack(bytes(self._form.size - len(nothing_yet)) + nothing_yet)
         self.previous, self.previous_tick = self.numbers, 0
         self.queues = {
             device["index"]: PacketQueue() for device in self.spec["devices"] if device["kind"] == "receiver"
@@ -87,7 +92,6 @@ class Hub:
         self._emitted_bytes = 0
         self._step_ms: float = -1.0
         self._step_ticks = 0
-        self._form = Struct(f"{OBSERVATION_HEAD}{self.spec['values']}d")
 
     def time_s(self) -> float:
         """Return simulated seconds at the latest observation."""
@@ -170,6 +174,19 @@ class Hub:
             begin = at + PACKET.size
             at = begin + size
             self.queues[device].add((frame[begin:at], strength, x, y, z))
+
+
+def _layout(devices: list[dict[str, Any]]) -> tuple[str, dict[int, int]]:
+    """Return how the numbers of all devices stand in an observation, and where those of each slot come to stand."""
+    form, place_of, place = "", {}, HEAD_FIELDS
+    for device in sorted(devices, key=lambda device: device["slot"]):
+        width = device["width"]
+        if width:
+            place_of[device["slot"]] = place
+            packed = device["kind"] == "lidar"
+            form += f"{8 * width}s" if packed else f"{width}d"
+            place += 1 if packed else width
+    return form, place_of
 
 
 _hub: Hub | None = None

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 from ._hub import Hub, complain
-from ._wire import HEAD_FIELDS
 
 
 class Device:
@@ -44,8 +43,8 @@ class Sensor(Device):
         super().__init__(hub, spec)
         self._period_ms = 0
         self._warned = False
-        self._slot = HEAD_FIELDS + int(spec["slot"])
-        self._end = self._slot + int(spec["width"])
+        self._place = hub.place_of.get(spec["slot"], 0)
+        self._end = self._place + int(spec["width"])
 
     def enable(self, samplingPeriod: float) -> None:
         """Measure every ``samplingPeriod`` ms, rounded up to whole ticks. The first value is there a period later."""
@@ -69,6 +68,6 @@ class Sensor(Device):
         if not self._period_ms and not self._warned:
             self._warned = True
             complain(f"Warning: {self.getName()!r} is read but not enabled: call enable(32) before the first step.")
-        return self._hub.numbers[self._slot : self._end]
+        return self._hub.numbers[self._place : self._end]
 
     sampling_period = property(getSamplingPeriod)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from struct import Struct
 from typing import Any
 
 from ._hub import Hub, complain
@@ -32,8 +33,14 @@ class Lidar(Sensor):
 
     def __init__(self, hub: Hub, spec: dict[str, Any]) -> None:
         super().__init__(hub, spec)
+        self._end = self._place + 1
+        self._form = Struct(f"<{spec['width']}d")
         self._has_cloud = False
         self._frequency = float(self._facts.get("frequency", 10.0))
+
+    def _numbers(self) -> tuple[float, ...]:
+        packed: Any = super()._numbers()[0]
+        return self._form.unpack(packed)
 
     def getRangeImage(self, data_type: str = "list") -> list[float]:
         """Return the ranges in m: ``inf`` beyond the range, 0.0 where the head has not been yet."""

@@ -18,7 +18,7 @@ class GPS(Sensor):
 
     def getSpeedVector(self) -> list[float]:
         """Return the velocity in m/s between the last two observations; NaN before there were two."""
-        now, before = self._numbers(), self._hub.previous[self._slot : self._end]
+        now, before = self._numbers(), self._hub.previous[self._place : self._end]
         passed_s = (self._hub.tick - self._hub.previous_tick) * self._hub.tick_ms / 1000
         return [(new - old) / passed_s if passed_s else math.nan for new, old in zip(now, before, strict=True)]
 
