@@ -134,8 +134,8 @@ class Traction:
         """Let the grip follow the robots' yaw: a collision changes it by up to 0.3 rad within a tick."""
         if self._on_the_way:
             self._steer_to_targets()
-        np.add(self._yaws, _PHASES_RAD, out=self._phased)
-        np.cos(self._phased, out=self._turning)
+        np.add(self._yaws, _PHASES_RAD, self._phased)
+        np.cos(self._phased, self._turning)
 
     def _choose_grip(self) -> None:
         """A wheel that pushes its robot on has less grip than one that slows or holds it, see `contact.grip_of`."""
