@@ -229,6 +229,47 @@ def test_where_rules_put_things_is_drawn_with_what_is_put_there():
     assert f"{x - 0.006 * 460:.1f} {y - 0.006 * 460:.1f}" in dot.get("d")
 
 
+MIRRORED = """
+schema_version: 1
+id: mirrored
+title: Mirrored
+extends: soccersim_v2
+flags: {changed: {initial: false}}
+zones: {garden: {shape: rect, x_min_m: 0.2, x_max_m: 0.4, y_min_m: 0.1, y_max_m: 0.3}}
+placements:
+  corner:
+    - {entity: B1, at: {point: [0.1, 0.2]}, mirror: {axis: x}}
+    - {entity: B2, at: {point: [0.15, 0.25]}}
+    - {entity: Y1, at: start}
+    - {entity: ball, at: {spot: centre_left}}
+  elsewhere:
+    - {entity: B3, at: {uniform_in: garden}, mirror: {axis: both}}
+spots: {centre_left: {x_m: -0.2, y_m: 0.05}}
+rules:
+  over: {triggers: [{trigger: half_started}], actions: [{action: place, layout: corner, mirror: {axis: y, when: changed}}]}
+  away: {triggers: [{trigger: half_ended}], actions: [{action: place, layout: elsewhere}]}
+"""
+
+
+def test_what_is_mirrored_is_drawn_where_it_is_put():
+    scenario, picture = picture_of(MIRRORED)
+    labels = texts(picture)
+    # Mirrored by its own mirror, and while the flag is set by that of its layout too.
+    assert {"B1: (-0.1, 0.2)", "B1: (-0.1, -0.2)"} <= set(labels)
+    assert "B1: (0.1, 0.2)" not in labels
+    assert {"B2: (0.15, 0.25)", "B2: (0.15, -0.25)"} <= set(labels)
+    # Its start and the spot are drawn as such: where the mirror puts it is a place of its own.
+    start = scenario.robots["Y1"].start
+    assert f"Y1: ({start.x_m:g}, {-start.y_m:g})" in labels
+    assert "ball: (-0.2, -0.05)" in labels
+    assert "B3: in garden, mirrored (x becomes -x and y becomes -y)" in labels
+    (area,) = [
+        path for path in picture.iter(f"{SVG}path") if path.findtext(f"{SVG}title") == "put B3 anywhere in here"
+    ]
+    x, y = px(scenario, (-0.2, -0.1))
+    assert f"{x:.1f} {y:.1f}" in area.get("d")
+
+
 def test_a_name_cannot_break_out_of_the_picture():
     loaded = load("match", ["title='<script>alert(1)</script>'"])
     picture = ET.fromstring(draw_scenario(loaded.scenario, loaded.roster))

@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from rcj_challenges.scenario.models.actions import Place, Remove
 from rcj_challenges.scenario.models.base import Names
-from rcj_challenges.scenario.models.places import At, AtPoint, Choice, OnLine, UniformIn
+from rcj_challenges.scenario.models.places import At, AtPoint, AtSpot, Choice, Mirror, OnLine, Placing, UniformIn
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.models.state import DrawValue
 from rcj_challenges.views.drawing.labels import Point
-from rcj_challenges.views.drawing.shapes import point_words
+from rcj_challenges.views.drawing.shapes import home, point_words
+
+Flip = tuple[bool, bool]
+"""Whether x becomes -x, and whether y becomes -y."""
+
+_AS_WRITTEN: Flip = (False, False)
 
 
 @dataclass(frozen=True)
@@ -20,51 +26,122 @@ class Area:
     Attributes:
         at: a zone or a line, every point of which is equally likely, or a point.
         noise_m: half width of the noise around it, in x and y.
+        flip: for a zone, how it is mirrored. (Lines and points are mirrored themselves.)
     """
 
     at: UniformIn | OnLine | Point
     noise_m: Point
+    flip: Flip = _AS_WRITTEN
 
     def words(self) -> str:
         """Return where it is: ``(0, 0.1)``, ``(-0.3, 0) to (0.3, 0)``, ``in garden``."""
         noise = f", ± {self.noise_m[0]:g}, {self.noise_m[1]:g}" if any(self.noise_m) else ""
         if isinstance(self.at, UniformIn):
-            return f"in {self.at.uniform_in}{noise}"
+            turned = [f"{axis} becomes -{axis}" for axis, turns in zip("xy", self.flip, strict=True) if turns]
+            mirrored = f", mirrored ({' and '.join(turned)})" if turned else ""
+            return f"in {self.at.uniform_in}{mirrored}{noise}"
         if isinstance(self.at, OnLine):
             return " to ".join(map(point_words, self.at.on_line)) + noise
         return point_words(self.at) + noise
 
 
 def placement_areas(scenario: Scenario) -> dict[Area, list[str]]:
-    """Return the places where layouts and rules put things, with the names of what is put there, as written."""
+    """Return the places where layouts and rules put things, with the names of what is put there, as written.
+
+    What a flag mirrors has both places.
+    """
     found: dict[Area, list[str]] = {}
-    for names, at, noise_m in _placings(scenario):
-        for place in _areas(scenario, at):
-            who = found.setdefault(Area(place, noise_m), [])
-            who.extend(name for name in names if name not in who)
+    for names, at, noise_m, flip in _placings(scenario):
+        for place, own in _areas(scenario, at, names, flip):
+            who = found.setdefault(_area(place, noise_m, flip), [])
+            who.extend(name for name in own if name not in who)
     return found
 
 
-def _placings(scenario: Scenario) -> Iterator[tuple[tuple[str, ...], At | None, Point]]:
-    for layout in scenario.placements.values():
+def flipped(point: Point, flip: Flip) -> Point:
+    """Return a point mirrored."""
+    # Adding 0 makes no -0 of what lies on the axis.
+    return (-point[0] + 0.0 if flip[0] else point[0], -point[1] + 0.0 if flip[1] else point[1])
+
+
+def _area(place: UniformIn | OnLine | Point, noise_m: Point, flip: Flip) -> Area:
+    if isinstance(place, UniformIn):
+        return Area(place, noise_m, flip)
+    if isinstance(place, OnLine):
+        start, end = (flipped(point, flip) for point in place.on_line)
+        return Area(OnLine(on_line=(start, end)), noise_m)
+    return Area(flipped(place, flip), noise_m)
+
+
+def _placings(scenario: Scenario) -> Iterator[tuple[tuple[str, ...], At | None, Point, Flip]]:
+    """Yield what is put where by every rule and layout, and how that is mirrored."""
+    places = [(rule, action) for rule in scenario.rules.values() for action in rule.actions]
+    for name, layout in scenario.placements.items():
+        mirrors = [
+            action.mirror for _, action in places if isinstance(action, Place) and name in _layouts(scenario, action)
+        ]
         for placing in layout:
-            yield _listed(placing.entity, ""), placing.at, placing.noise_m
-    for rule in scenario.rules.values():
-        for action in rule.actions:
-            if isinstance(action, Place) and action.entity is not None:
-                yield _listed(action.entity, rule.for_each or ""), action.at, action.noise_m
-            elif isinstance(action, Remove) and action.for_s is not None:
-                yield _listed(action.entity, rule.for_each or ""), action.back_at, (0.0, 0.0)
+            for flip in _flips(placing, mirrors or [None]):
+                yield _listed(placing.entity, ""), placing.at, placing.noise_m, flip
+    for rule, action in places:
+        if isinstance(action, Place) and action.entity is not None:
+            for flip in _flips(action, [None]):
+                yield _listed(action.entity, rule.for_each or ""), action.at, action.noise_m, flip
+        elif isinstance(action, Remove) and action.for_s is not None:
+            yield _listed(action.entity, rule.for_each or ""), action.back_at, (0.0, 0.0), _AS_WRITTEN
+
+
+def _layouts(scenario: Scenario, action: Place) -> list[str]:
+    """Return the layouts that an action may put."""
+    if isinstance(action.layout, DrawValue):
+        return [str(value) for value in scenario.draws[action.layout.draw].values]
+    return [] if action.layout is None else [action.layout]
+
+
+def _flips(placing: Placing | Place, mirrors: Iterable[Mirror | None]) -> list[Flip]:
+    """Return all ways in which a placement may be mirrored: by its own mirror, and by those of its layout."""
+    found = {
+        (own[0] is not whole[0], own[1] is not whole[1])
+        for mirror in mirrors
+        for own in _ways(placing.mirror)
+        for whole in _ways(mirror)
+    }
+    return sorted(found)
+
+
+def _ways(mirror: Mirror | None) -> list[Flip]:
+    if mirror is None:
+        return [_AS_WRITTEN]
+    flip = (mirror.axis in ("x", "both"), mirror.axis in ("y", "both"))
+    return [flip] if mirror.when is None else [_AS_WRITTEN, flip]
 
 
 def _listed(names: Names, each: str) -> tuple[str, ...]:
     return tuple(each if name == "each" else name for name in ((names,) if isinstance(names, str) else names))
 
 
-def _areas(scenario: Scenario, at: At | None) -> Iterator[UniformIn | OnLine | Point]:
+def _areas(
+    scenario: Scenario, at: At | None, names: tuple[str, ...], flip: Flip
+) -> Iterator[tuple[UniformIn | OnLine | Point, tuple[str, ...]]]:
+    """Yield the places that a word of ``at`` stands for, not yet mirrored, with what is put there."""
     if isinstance(at, OnLine) or (isinstance(at, UniformIn) and at.uniform_in in scenario.zones):
-        yield at
+        yield at, names
     elif isinstance(at, AtPoint):
-        yield at.point
+        yield at.point, names
     elif isinstance(at, Choice):
-        yield from (one for one in at.choice if not isinstance(one, str))
+        yield from ((one, names) for one in at.choice if not isinstance(one, str))
+    if flip != _AS_WRITTEN:
+        yield from _drawn_anyway(scenario, at, names)
+
+
+def _drawn_anyway(scenario: Scenario, at: At | None, names: tuple[str, ...]) -> Iterator[tuple[Point, tuple[str, ...]]]:
+    """Yield the spots and starts that a word of ``at`` stands for: places of their own only where mirrored."""
+    options = at.choice if isinstance(at, Choice) else (at.spot,) if isinstance(at, AtSpot) else ()
+    yield from (
+        ((spot.x_m, spot.y_m), names)
+        for one in options
+        if isinstance(one, str) and (spot := scenario.spots.get(one)) is not None
+    )
+    if at == "start":
+        things = {**scenario.robots, **scenario.balls, **scenario.obstacles}
+        yield from ((home(scenario, name), (name,)) for name in names if name in things)

@@ -10,10 +10,10 @@ from rcj_challenges.scenario.models.field import Cylinder, Wall
 from rcj_challenges.scenario.models.places import OnLine, UniformIn
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.views.drawing.areas import placement_areas
+from rcj_challenges.views.drawing.areas import flipped, placement_areas
 from rcj_challenges.views.drawing.labels import Point
 from rcj_challenges.views.drawing.paper import Paper
-from rcj_challenges.views.drawing.shapes import box, middle, point_words, turned, zone_outline, zone_words
+from rcj_challenges.views.drawing.shapes import box, home, middle, point_words, turned, zone_outline, zone_words
 
 _PX_PER_M = 460.0
 _MARGIN_M = 0.1
@@ -108,7 +108,8 @@ def _placement_areas(paper: Paper, scenario: Scenario) -> None:
             continue
         names = f"put {', '.join(moved)}"
         if isinstance(at, UniformIn):
-            outline = zone_outline(scenario.zones[at.uniform_in], paper.bounds)
+            zone = zone_outline(scenario.zones[at.uniform_in], paper.bounds)
+            outline = [flipped(point, area.flip) for point in zone]
             paper.polygon(outline, style, f"{names} anywhere in here")
             paper.label(middle(outline, paper.bounds), names, area=outline, colour=colour)
         elif isinstance(at, OnLine):
@@ -124,14 +125,14 @@ def _placement_areas(paper: Paper, scenario: Scenario) -> None:
 
 
 def _start(scenario: Scenario, name: str) -> Point | None:
-    return _home(scenario, name) if name in scenario.robots or name in scenario.balls else None
+    return home(scenario, name) if name in scenario.robots or name in scenario.balls else None
 
 
 def _gates(paper: Paper, scenario: Scenario) -> None:
     for name, gate in scenario.gates.items():
         start, end = gate.from_m, gate.to_m
         if gate.anchor is not None:
-            start, end = (_shifted(point, _home(scenario, gate.anchor)) for point in (start, end))
+            start, end = (_shifted(point, home(scenario, gate.anchor)) for point in (start, end))
         paper.line(start, end, 'stroke="#c92a2a" stroke-width="3"', name, in_the_way=_THICK)
         for post in (start, end):
             paper.circle(post, 0.008, 'fill="#c92a2a"')
@@ -263,16 +264,6 @@ def _legend_entries(scenario: Scenario) -> list[tuple[str, list[str]]]:
 
 def _shifted(point: Point, by: Point) -> Point:
     return point[0] + by[0], point[1] + by[1]
-
-
-def _home(scenario: Scenario, entity: str) -> Point:
-    if entity in scenario.robots:
-        start = scenario.robots[entity].start
-        return start.x_m, start.y_m
-    if entity in scenario.balls:
-        return scenario.balls[entity].start_m
-    obstacle = scenario.obstacles[entity]
-    return obstacle.from_m if isinstance(obstacle, Wall) else obstacle.centre_m
 
 
 def _dark(colour: str) -> str:

@@ -1,10 +1,12 @@
-"""Zones as polygons, cut to what is on the paper."""
+"""Zones as polygons, cut to what is on the paper; where things are at the start; points in words."""
 
 from __future__ import annotations
 
 import math
 
+from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
+from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.drawing.labels import Box, Point
 
 
@@ -100,3 +102,14 @@ def _range_words(axis: str, low: float | None, high: float | None) -> str:
     if low is None:
         return "" if high is None else f"{axis} < {high:g}"
     return f"{axis} > {low:g}" if high is None else f"{low:g} < {axis} < {high:g}"
+
+
+def home(scenario: Scenario, entity: str) -> Point:
+    """Return where an entity is at the start, in m."""
+    if entity in scenario.robots:
+        start = scenario.robots[entity].start
+        return start.x_m, start.y_m
+    if entity in scenario.balls:
+        return scenario.balls[entity].start_m
+    obstacle = scenario.obstacles[entity]
+    return obstacle.from_m if isinstance(obstacle, Wall) else obstacle.centre_m
