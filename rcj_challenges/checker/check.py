@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import re
 import shutil
-import tempfile
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -16,6 +15,7 @@ from rcj_challenges.checker.archives import Inspection, TeamError, inspect
 from rcj_challenges.checker.findings import STAGES, Finding, Stage, StageName
 from rcj_challenges.checker.report import FileReport, MatchReport, gravest, match_report, stage_report
 from rcj_challenges.checker.sources import check_sources
+from rcj_challenges.controllers.private_folders import PrivateFolders
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.facts.shown import shown, shown_block
@@ -174,8 +174,8 @@ def _run(found: _Findings, options: CheckOptions, path: Path, rehearsal_in: Call
     from rcj_challenges.checker.playing import check_play  # noqa: PLC0415
     from rcj_challenges.checker.starting import check_start  # noqa: PLC0415
 
-    with tempfile.TemporaryDirectory(prefix="rcj-check-", ignore_cleanup_errors=True) as scratch:
-        rehearsal = rehearsal_in(Path(scratch))
+    with PrivateFolders() as folders:
+        rehearsal = rehearsal_in(folders.place)
 
         def play() -> Stage:
             played = check_play(rehearsal, options.play_s)

@@ -16,6 +16,7 @@ from rcj_challenges.checker.images import PictureError, as_png
 from rcj_challenges.checker.layout import empty_programs, plan_moves
 from rcj_challenges.controllers.archive import Files
 from rcj_challenges.controllers.paths import clean, folded
+from rcj_challenges.controllers.private_folders import PrivateFolders
 from rcj_challenges.controllers.team import LOGO_FILE, Opening, alternatives, opening_of
 from rcj_challenges.controllers.team_name import NAME_FILE, find_team_name
 from rcj_challenges.controllers.troubles import MOST_OF_A_KIND, MOST_PATH_SHOWN, told, with_remedy
@@ -83,9 +84,10 @@ def repair(path: Path, out: Path, scenario: Scenario) -> Repaired:
         return Repaired(left=hopeless)
     result = Repaired(out)
     data = _zipped(_corrected(found, result.done))
-    with tempfile.TemporaryDirectory(prefix="rcj-repair-") as folder:
+    with PrivateFolders() as folders:
         # Under the name it will have: a team without a name is called after its archive.
-        trial = Path(folder) / out.name
+        trial = folders.place / "trial" / out.name
+        trial.parent.mkdir()
         trial.write_bytes(data)
         result.left = _left(inspect(trial, scenario))
     _write(out, data)

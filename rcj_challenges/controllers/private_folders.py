@@ -1,9 +1,9 @@
 """The place of one half's private folders, and how those that dead matches left behind go.
 
-A match that is killed (``kill -9``, a power cut) cannot remove what it made. So all private folders of a half are in
-one folder with a file that the match holds locked while it lives: the system gives the lock back however a process
-ends. A match that starts removes such folders whose lock it gets. Neither clocks nor process ids decide, and a lock
-that is held is never waited for.
+A match or a check that is killed (``kill -9``, a power cut) cannot remove what it made. So all that it makes in the
+temporary folder is in one folder with a file that it holds locked while it lives: the system gives the lock back
+however a process ends. A match that starts removes such folders whose lock it gets. Neither clocks nor process ids
+decide, and a lock that is held is never waited for.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import stat
 import sys
 import tempfile
 from pathlib import Path
+from typing import Self
 
 from rcj_challenges.controllers import scratch
 
@@ -32,7 +33,7 @@ _FLAGS = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_
 
 
 class PrivateFolders:
-    """Where the programs of one half have their private folders.
+    """Where the programs of one half have their private folders, or a check what it makes; a context manager.
 
     Attributes:
         place: the folder that they are in; only this user may look into it.
@@ -51,6 +52,12 @@ class PrivateFolders:
         if self._lock_fd >= 0:
             _discard(self.place, self._lock_fd)
             self._lock_fd = -1
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
 
 
 @functools.cache

@@ -263,9 +263,7 @@ def test_what_is_mirrored_is_drawn_where_it_is_put():
     assert f"Y1: ({start.x_m:g}, {-start.y_m:g})" in labels
     assert "ball: (-0.2, -0.05)" in labels
     assert "B3: in garden, mirrored (x becomes -x and y becomes -y)" in labels
-    (area,) = [
-        path for path in picture.iter(f"{SVG}path") if path.findtext(f"{SVG}title") == "put B3 anywhere in here"
-    ]
+    (area,) = [path for path in picture.iter(f"{SVG}path") if path.findtext(f"{SVG}title") == "put B3 anywhere in here"]
     x, y = px(scenario, (-0.2, -0.1))
     assert f"{x:.1f} {y:.1f}" in area.get("d")
 
