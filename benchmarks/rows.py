@@ -5,8 +5,6 @@ from __future__ import annotations
 import argparse
 import json
 import os
-import platform
-import sysconfig
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 
@@ -45,21 +43,12 @@ def show(rows: Sequence[Row], *, as_json: bool) -> int:
     if as_json:
         print(json.dumps([asdict(row) | {"verdict": row.verdict} for row in rows], indent=2))
     else:
-        print(f"{platform.python_implementation()} {platform.python_version()}, {_build()}")
         print(f"{'what':46} {'measured':>10} {'unit':9} {'must':>8} {'aim':>8}")
         for row in rows:
             must = "" if row.must is None else f"{row.must:g}"
             aim = "" if row.aim is None else f"{row.aim:g}"
             print(f"{row.what:46} {row.measured:10g} {row.unit:9} {must:>8} {aim:>8}  {row.verdict}")
     return 1 if any(row.verdict == "MISSED" for row in rows) else 0
-
-
-def _build() -> str:
-    """Return how this Python was built: it decides a quarter of the speed."""
-    arguments = sysconfig.get_config_var("CONFIG_ARGS")
-    if arguments is None:
-        return "build unknown"
-    return f"built {'with' if '--enable-optimizations' in arguments else 'without'} profile-guided optimization"
 
 
 def as_users_have_it() -> dict[str, str]:
