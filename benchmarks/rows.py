@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import platform
+import sys
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 
@@ -43,6 +45,8 @@ def show(rows: Sequence[Row], *, as_json: bool) -> int:
     if as_json:
         print(json.dumps([asdict(row) | {"verdict": row.verdict} for row in rows], indent=2))
     else:
+        # How it was built decides a quarter of the speed: a distribution's own is optimized, a hand-made one often not.
+        print(f"{platform.python_implementation()} {sys.version}")
         print(f"{'what':46} {'measured':>10} {'unit':9} {'must':>8} {'aim':>8}")
         for row in rows:
             must = "" if row.must is None else f"{row.must:g}"
