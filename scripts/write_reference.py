@@ -198,7 +198,8 @@ CHAPTERS = (
     Chapter("Actions", "What a rule does when it fires, in order.", _tagged(actions.Action), "actions", "action"),
     Chapter(
         "Values",
-        "What may stand in a payload or a broadcast, besides a literal; `counter` and weighted parts in `points:` too.",
+        "What may stand in a payload or a broadcast, besides a literal; in `points:` and `count` too: `counter`, "
+        "`flag`, and `draw` and `word` if they are numbers; in `points:` also a list of weighted parts.",
         (
             Word("counter", state.CounterValue, example="counter_value"),
             Word("flag", state.FlagValue, example="flag_value"),
@@ -207,6 +208,8 @@ CHAPTERS = (
             Word("position_of", state.PositionValue),
             Word("weighted_counter", state.WeightedCounter, own_example=False),
             Word("weighted_flag", state.WeightedFlag, own_example=False),
+            Word("weighted_draw", state.WeightedDraw, own_example=False),
+            Word("weighted_word", state.WeightedWord, own_example=False),
         ),
         "rules",
     ),
@@ -305,8 +308,10 @@ def _table(model: type[BaseModel], tag: str) -> Iterator[str]:
 
 _NAMED: tuple[tuple[Any, str], ...] = (
     (Names, "name, or list of names"), (Name, "name"), (EventName, "event"), (DurationS, "duration in s"),
-    (Point, "[x, y] in m"), (Colour, "colour"), (state.Value, "value"), (state.Amount, "number, or {counter: NAME}"),
-    (state.Points, "number, {counter: NAME}, or list of weighted parts"), (places.At, "[where](#where-things-go)"),
+    (Point, "[x, y] in m"), (Colour, "colour"), (state.Value, "value"), (state.Bound, "number, or {counter: NAME}"),
+    (state.Amount, "number, or {counter, flag, draw or word: NAME}"),
+    (state.Points, "number, {counter, flag, draw or word: NAME}, or list of weighted parts"),
+    (places.At, "[where](#where-things-go)"),
     (places.Facing, "`start`, `keep`, yaw in rad, {towards: …}, or {random: true}"),
     (triggers.Trigger, "[trigger](#triggers)"), (conditions.Condition, "[condition](#conditions)"),
     (actions.Action, "[action](#actions)"), (robots.Device, "[device](#devices)"), (places.Zone, "[zone](#zones)"),

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import hashlib
-import re
-import shutil
+import errno
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -13,11 +11,13 @@ from typing import TYPE_CHECKING
 
 from rcj_challenges.checker.archives import Inspection, TeamError, inspect
 from rcj_challenges.checker.findings import STAGES, Finding, Stage, StageName
+from rcj_challenges.checker.many_given import Called, called
 from rcj_challenges.checker.report import FileReport, MatchReport, gravest, match_report, stage_report
+from rcj_challenges.checker.report_files import copy_page, ensure_room
 from rcj_challenges.checker.sources import check_sources
 from rcj_challenges.controllers.private_folders import PrivateFolders
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.errors import HostError, RcjError, is_of_the_host, told_of
 from rcj_challenges.facts.shown import shown, shown_block
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.scenario.load import Loaded
@@ -38,6 +38,7 @@ PLAY_S = 10.0
 
 _MOST_OUTPUT_LINES = 200
 _MOST_LOGO_BYTES = 500_000
+_TEMPORARY = "the temporary folder cannot be used"
 _PNG = b"\x89PNG\r\n\x1a\n"
 
 
@@ -66,6 +67,7 @@ class _Findings:
 
     stages: dict[StageName, Stage] = field(default_factory=dict)
     matches: list[MatchReport] = field(default_factory=list)
+    hindrance: str = ""
 
     def obstacle(self, name: StageName) -> str:
         """Return why a stage makes no sense, if it does not."""
@@ -73,37 +75,44 @@ class _Findings:
         return "" if failed is None else f'"{STAGES[failed]}" has to be put right first'
 
 
-def check_file(path: Path, loaded: Loaded, options: CheckOptions, repaired: list[str] | None = None) -> FileReport:
-    """Check one submission. Whatever its bytes are, this ends with a verdict.
+def check_file(
+    path: Path,
+    loaded: Loaded,
+    options: CheckOptions,
+    repaired: list[str] | None = None,
+    named: Called | None = None,
+) -> FileReport:
+    """Check one submission. Whatever its bytes are, this ends with a verdict, unless this computer cannot go on.
 
     Args:
         path: a ZIP, a folder or a ``.py`` file that exists.
         loaded: the scenario that it is for.
         options: what to do.
         repaired: what was put right in it before, safe to show.
+        named: what it is called, where there are others; None: as its file.
 
     Raises:
         TeamError: there is nothing at this path that can be opened.
     """
     began = time.perf_counter()
+    named = named or called([path])[0]
     found = _Findings()
-    inspection = _inspected(path, loaded, found)
-    team = inspection.team if inspection is not None else None
+    inspection = None
     try:
-        if inspection is not None and team is not None:
-            name = inspection.display_name or team.name
-            _carried_out(found, "sources", lambda: check_sources(team))
-            _run(found, options, path, lambda scratch: _rehearsal(loaded, team, name, options.sandbox, scratch))
-    finally:
-        if team is not None:
-            team.close()
+        inspection = _inspected(path, loaded, found)
+        if inspection is not None and inspection.team is not None:
+            _examined(inspection, inspection.team, loaded, options, found, named)
+    except HostError as error:
+        found.hindrance = shown(error)
+    missing = "this computer could not go on" if found.hindrance else "the submission could not be opened"
     for left in STAGES:
         if left not in found.stages:
-            found.stages[left] = Stage(left, skipped=found.obstacle(left) or "the submission could not be opened")
+            found.stages[left] = Stage(left, skipped=found.obstacle(left) or missing)
     stages = [stage_report(found.stages[name]) for name in STAGES]
     return FileReport(
-        file=shown(path.resolve().name or str(path)),
-        level=gravest(stage.level for stage in stages),
+        file=named.name,
+        level="unchecked" if found.hindrance else gravest(stage.level for stage in stages),
+        hindrance=found.hindrance,
         team=shown(inspection.display_name) if inspection is not None else "",
         digest=inspection.digest if inspection is not None else "",
         repaired=repaired or [],
@@ -114,24 +123,30 @@ def check_file(path: Path, loaded: Loaded, options: CheckOptions, repaired: list
     )
 
 
-def crashed_report(path: Path, message: str, details: str = "") -> FileReport:
+def crashed_report(named: Called, message: str, details: str = "") -> FileReport:
     """Return the report on a submission whose check itself came to a bad end."""
     told = shown_block(details) if details else ""
-    return _verdict_only(path, Finding("check.broken", "failure", message, _OUR_REMEDY, details=told))
+    return _report_without_check(named, Finding("check.broken", "failure", message, _OUR_REMEDY, details=told))
 
 
-def unreadable_report(path: Path, message: str) -> FileReport:
-    """Return the report on a submission that cannot be opened any more when its turn comes."""
-    remedy = "is the file still there, and may it be read?"
-    return _verdict_only(path, Finding("archive.cannot_open", "failure", shown(message, 400), remedy))
+def unchecked_report(named: Called, hindrance: str) -> FileReport:
+    """Return the report on a submission that this computer could not check: nothing is known about it.
+
+    Args:
+        named: what it is called.
+        hindrance: what could not be done.
+    """
+    return _report_without_check(named, None, shown(hindrance, 400))
 
 
-def _verdict_only(path: Path, finding: Finding) -> FileReport:
+def _report_without_check(named: Called, finding: Finding | None, hindrance: str = "") -> FileReport:
     stages = [Stage(name, skipped="the submission could not be checked") for name in STAGES]
-    stages[0] = Stage("archive", [finding])
+    if finding is not None:
+        stages[0] = Stage("archive", [finding])
     return FileReport(
-        file=shown(path.resolve().name or str(path)),
-        level="failure",
+        file=named.name,
+        level="failure" if finding is not None else "unchecked",
+        hindrance=hindrance,
         team="",
         digest="",
         repaired=[],
@@ -147,13 +162,29 @@ _OUR_REMEDY = "this is our fault, not yours: please send the submission to the p
 def _inspected(path: Path, loaded: Loaded, found: _Findings) -> Inspection | None:
     try:
         inspection = inspect(path, loaded.scenario)
-    except TeamError:
+    except TeamError as error:
+        _raise_if_of_the_host(error)
         raise
     except Exception as error:  # noqa: BLE001 - whatever an archive does to us, its team gets a verdict
+        _raise_if_of_the_host(error)
         found.stages["archive"] = Stage("archive", [_stumbled("archive", error)])
         return None
     found.stages |= {stage.name: stage for stage in inspection.stages}
     return inspection
+
+
+def _examined(
+    inspection: Inspection, team: Team, loaded: Loaded, options: CheckOptions, found: _Findings, named: Called
+) -> None:
+    """Look at the programs of a team, and run them.
+
+    Raises:
+        HostError: this computer cannot do it.
+    """
+    name = inspection.display_name or team.name
+    with team:
+        _carried_out(found, "sources", lambda: check_sources(team))
+        _run(found, options, named, lambda scratch: _rehearsal(loaded, team, name, options.sandbox, scratch))
 
 
 def _rehearsal(loaded: Loaded, team: Team, name: str, sandbox: str, scratch: Path) -> Rehearsal:
@@ -162,7 +193,7 @@ def _rehearsal(loaded: Loaded, team: Team, name: str, sandbox: str, scratch: Pat
     return Rehearsal(loaded, team, name, sandbox, scratch)
 
 
-def _run(found: _Findings, options: CheckOptions, path: Path, rehearsal_in: Callable[[Path], Rehearsal]) -> None:
+def _run(found: _Findings, options: CheckOptions, named: Called, rehearsal_in: Callable[[Path], Rehearsal]) -> None:
     """Carry out the stages that run programs. The physics is imported only if there is something to run."""
     for name in ("start", "play"):
         obstacle = found.obstacle(name) if options.play else "not asked for (--no-play)"
@@ -171,23 +202,54 @@ def _run(found: _Findings, options: CheckOptions, path: Path, rehearsal_in: Call
     if "start" in found.stages:
         return
 
-    from rcj_challenges.checker.playing import check_play  # noqa: PLC0415
-    from rcj_challenges.checker.starting import check_start  # noqa: PLC0415
+    try:
+        from rcj_challenges.checker.playing import check_play  # noqa: PLC0415
+        from rcj_challenges.checker.starting import check_start  # noqa: PLC0415
+    except (ImportError, OSError) as error:
+        raise HostError(f"the physics cannot be loaded: {told_of(error)}") from error
 
-    with PrivateFolders() as folders:
+    with _private_folders() as folders:
         rehearsal = rehearsal_in(folders.place)
+
+        def start() -> Stage:
+            return _unless_full(check_start(rehearsal), folders.place)
 
         def play() -> Stage:
             played = check_play(rehearsal, options.play_s)
-            found.matches = [_match(match, path, options, played.stage) for match in played.matches]
-            return played.stage
+            found.matches = [_match(match, named, options) for match in played.matches]
+            return _unless_full(played.stage, folders.place)
 
-        _carried_out(found, "start", lambda: check_start(rehearsal))
+        _carried_out(found, "start", start)
         _carried_out(found, "play", play)
 
 
+def _private_folders() -> PrivateFolders:
+    try:
+        return PrivateFolders()
+    except OSError as error:
+        raise HostError(f"{_TEMPORARY}: {told_of(error)}") from error
+
+
+def _unless_full(stage: Stage, place: Path) -> Stage:
+    """Return a stage, unless programs failed while there was no room for what every program may write.
+
+    Raises:
+        HostError: there was none.
+    """
+    if stage.failed:
+        try:
+            ensure_room(place)
+        except OSError as error:
+            raise HostError(f"{_TEMPORARY}: {told_of(error)}") from error
+    return stage
+
+
 def _carried_out(found: _Findings, name: StageName, stage: Callable[[], Stage]) -> None:
-    """Carry out a stage, unless one that it needs failed; what goes wrong on our side becomes a finding."""
+    """Carry out a stage, unless one that it needs failed; what goes wrong on our side becomes a finding.
+
+    Raises:
+        HostError: it goes wrong because of this computer, which is no finding about a team.
+    """
     obstacle = found.obstacle(name)
     if obstacle:
         found.stages[name] = Stage(name, skipped=obstacle)
@@ -195,9 +257,26 @@ def _carried_out(found: _Findings, name: StageName, stage: Callable[[], Stage]) 
     try:
         found.stages[name] = stage()
     except RcjError as error:
+        _raise_if_of_the_host(error)
         found.stages[name] = Stage(name, [Finding(f"{name}.impossible", "failure", shown(error), _OUR_REMEDY)])
     except Exception as error:  # noqa: BLE001 - whatever a program does to us, its team gets a verdict
+        _raise_if_of_the_host(error)
         found.stages[name] = Stage(name, [_stumbled(name, error)])
+
+
+def _raise_if_of_the_host(error: Exception) -> None:
+    """Raise what tells of this computer's own limits as such; do nothing about other errors.
+
+    Raises:
+        HostError: this computer is the reason.
+    """
+    for reason in (error, error.__cause__):
+        if isinstance(reason, MemoryError):
+            raise HostError("there is not enough memory") from error
+        if isinstance(reason, OSError) and reason.errno == errno.ENOSPC:
+            raise HostError(f"{_TEMPORARY}: {told_of(reason)}") from error
+        if isinstance(reason, HostError) or (reason is not None and is_of_the_host(reason)):
+            raise HostError(told_of(reason)) from error
 
 
 def _stumbled(name: StageName, error: Exception) -> Finding:
@@ -205,22 +284,21 @@ def _stumbled(name: StageName, error: Exception) -> Finding:
     return Finding(f"{name}.stumbled", "failure", message, _OUR_REMEDY)
 
 
-def _match(match: Rehearsed, path: Path, options: CheckOptions, stage: Stage) -> MatchReport:
+def _match(match: Rehearsed, named: Called, options: CheckOptions) -> MatchReport:
     """Report a match, keep its replay, and quote what programs printed."""
-    replay = ""
+    replay = no_replay = ""
     if options.replays is not None:
         try:
-            replay = str(_keep_replay(match, path, options.replays))
+            replay = str(_keep_replay(match, named, options.replays))
         except (OSError, RecordError) as error:
-            message = f"the replay could not be written: {shown(error)}"
-            stage.findings.append(Finding("play.no_replay", "warning", message, "is there room on the disk?"))
+            no_replay = shown(told_of(error))
     outputs = {}
     if options.show_output:
         outputs = {robot: shown_block(match.log(robot), _MOST_OUTPUT_LINES) for robot in match.motions}
-    return match_report(match, replay, outputs)
+    return match_report(match, replay, no_replay, outputs)
 
 
-def _keep_replay(match: Rehearsed, path: Path, folder: Path) -> Path:
+def _keep_replay(match: Rehearsed, named: Called, folder: Path) -> Path:
     """Write the replay page of a match into a folder; return where.
 
     Raises:
@@ -229,18 +307,9 @@ def _keep_replay(match: Rehearsed, path: Path, folder: Path) -> Path:
     from rcj_challenges.views.replay import write_replay  # noqa: PLC0415 - few ask for it
 
     folder.mkdir(parents=True, exist_ok=True)
-    target = folder / f"{file_slug(path)}-{'-'.join(match.seats)}.html"
-    shutil.move(write_replay(match.folder), target)
+    target = folder / f"{named.slug}-{'-'.join(match.seats)}.html"
+    copy_page(write_replay(match.folder), target)
     return target
-
-
-def file_slug(path: Path) -> str:
-    """Return a name made from a file's name that is legal everywhere and differs where the file's does."""
-    name = path.resolve().name
-    slug = re.sub(r"[^A-Za-z0-9_-]+", "_", name.removesuffix(".zip")).strip("_")[:60]
-    if slug and slug == name.removesuffix(".zip"):
-        return slug
-    return f"{slug or 'team'}-{hashlib.sha256(name.encode('utf-8', 'surrogatepass')).hexdigest()[:8]}"
 
 
 def _logo(inspection: Inspection | None) -> bytes | None:

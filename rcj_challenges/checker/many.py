@@ -17,9 +17,11 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from rcj_challenges.checker.check import CheckOptions, check_file, crashed_report, unreadable_report
+from rcj_challenges.checker.check import CheckOptions, check_file, crashed_report, unchecked_report
+from rcj_challenges.checker.many_given import Called, called
 from rcj_challenges.checker.report import FileReport
 from rcj_challenges.controllers.team import TeamError
+from rcj_challenges.facts.errors import told_of
 from rcj_challenges.scenario.load import Loaded, load_resolved
 from rcj_challenges.scenario.models.scenario import Limits
 
@@ -62,7 +64,10 @@ def check_many(
     worker = _Worker(_told(loaded, options), _patience_s(loaded.scenario.limits, len(loaded.scenario.robots)))
     running = _Running()
     with ThreadPoolExecutor(max_workers=max(1, jobs)) as pool:
-        futures: list[Future[FileReport]] = [pool.submit(_check_apart, path, worker, running) for path in paths]
+        futures: list[Future[FileReport]] = [
+            pool.submit(_check_apart, path, named, worker, running)
+            for path, named in zip(paths, called(paths), strict=True)
+        ]
         try:
             pending = set(futures)
             while pending:
@@ -79,7 +84,9 @@ def check_many(
 
 def work() -> None:
     """Check one submission in this process: what it is told comes on standard input, the report goes out as JSON."""
+    signal.signal(signal.SIGINT, _leave)
     told = json.loads(sys.stdin.buffer.read())
+    named = Called(**told["called"])
     options = told["options"]
     replays = options.pop("replays")
     path = Path(told["path"])
@@ -88,12 +95,19 @@ def work() -> None:
             path,
             load_resolved(told["scenario"]),
             CheckOptions(**options, replays=None if replays is None else Path(replays)),
+            named=named,
         )
-    except TeamError as error:
-        report = unreadable_report(path, str(error))
+    except TeamError as error:  # it could be opened when the check began
+        report = unchecked_report(named, str(error))
     logo = None if report.logo is None else base64.b64encode(report.logo).decode("ascii")
     said = json.dumps({"report": report.model_dump(mode="json"), "logo": logo})
     sys.stdout.write(said + "\n")
+
+
+def _leave(*_: object) -> None:
+    """End this process, which removes what it has on the disk; a second signal does not disturb it in that."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    raise KeyboardInterrupt
 
 
 class _Running:
@@ -142,30 +156,37 @@ class _Running:
                 process.kill()
 
 
-def _check_apart(path: Path, worker: _Worker, running: _Running) -> FileReport:
+def _check_apart(path: Path, named: Called, worker: _Worker, running: _Running) -> FileReport:
     """Check a submission in a process of its own; one that dies for a reason of its own is tried once more."""
-    complaint = "the check was interrupted", ""
+    told = json.dumps({**worker.told, "path": str(path), "called": asdict(named)}).encode()
+    report = unchecked_report(named, "the check was interrupted")
     for _ in range(_ATTEMPTS):
-        process = running.start()
+        try:
+            process = running.start()
+        except OSError as error:
+            return unchecked_report(named, f"no process could be started for it: {told_of(error)}")
         if process is None:
             break
         try:
-            told = json.dumps({**worker.told, "path": str(path)}).encode()
             out, err = process.communicate(told, worker.patience_s)
         except subprocess.TimeoutExpired:
             process.kill()
             process.communicate()
-            return crashed_report(path, f"the check did not end within {worker.patience_s:.0f} s")
+            return crashed_report(named, f"the check did not end within {worker.patience_s:.0f} s")
         finally:
             running.forget(process)
-        report = _report(out)
-        if report is not None:
-            return report
-        complaint = (
-            f"the check came to a bad end (exit status {process.returncode})",
-            err.decode("utf-8", "replace"),
-        )
-    return crashed_report(path, *complaint)
+        written = _report(out)
+        if written is not None:
+            return written
+        report = _dead_report(named, process.returncode, err.decode("utf-8", "replace"))
+    return report
+
+
+def _dead_report(named: Called, status: int, said: str) -> FileReport:
+    """Return the report on a submission whose process died without one."""
+    if os.name == "posix" and status == -signal.SIGKILL:  # nothing of ours does that here
+        return unchecked_report(named, "the system ended its process; perhaps there is not enough memory")
+    return crashed_report(named, f"the check came to a bad end (exit status {status})", said)
 
 
 def _report(out: bytes) -> FileReport | None:

@@ -16,6 +16,16 @@ from pathlib import PurePosixPath
 INSTALLED = ("numpy", "scipy", "controller")
 """What a program can import beside Python's own library (reference, sections 4.3 and 7)."""
 
+WELL_KNOWN = frozenset(
+    {
+        *("cv2", "cvxpy", "gym", "gymnasium", "jax", "keras", "matplotlib", "numba", "onnxruntime", "pandas", "PIL"),
+        *("psutil", "pydantic", "pygame", "pymunk", "PyQt5", "PyQt6", "PySide6", "pylab", "rclpy", "requests", "rospy"),
+        *("seaborn", "serial", "shapely", "skimage", "sklearn", "stable_baselines3", "tensorflow", "tflite_runtime"),
+        *("torch", "torchvision", "ultralytics", "websockets", "win32api", "zmq"),
+    }
+)
+"""Libraries that no match has, and that no file beside a program replaces: compiled, or for what a match refuses."""
+
 _TOP = PurePosixPath()
 _COMPILED = frozenset({".so", ".pyd"})
 
@@ -53,9 +63,18 @@ class Library:
         """Return the library of a program that changes ``sys.path``: all folders, the usual ones first."""
         return Library(self._files, (*self.places, *sorted(self._folders)))
 
-    def top(self, name: str) -> Module | None:
-        """Return the module that ``import name`` finds in the submission, before Python's own are asked."""
-        return next((module for place in self.places if (module := self.inside(place, name, namespace=False))), None)
+    def tops(self, name: str) -> list[Module]:
+        """Return what ``import name`` can find in the submission, before Python's own are asked: the first counts."""
+        return [module for place in self.places if (module := self.inside(place, name, namespace=False))]
+
+    def has(self, module: Module, parts: Sequence[str]) -> bool:
+        """Return whether there are all of ``module.part.part``."""
+        for part in parts:
+            inner = self.inside(module.folder, part) if module.folder is not None else None
+            if inner is None:
+                return False
+            module = inner
+        return True
 
     def top_namespace(self, name: str) -> Module | None:
         """Return the folder without ``__init__.py`` that ``import name`` finds when nothing else is of that name."""

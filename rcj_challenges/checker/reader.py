@@ -13,15 +13,35 @@ import ast
 import json
 import sys
 import warnings
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any, NamedTuple
 
 MEMORY_BYTES = 2_000_000_000
 """Far above what any honest file needs; where the system lets us, Python gets no more."""
 
 _CATCHES = frozenset({"ImportError", "ModuleNotFoundError", "Exception", "BaseException"})
+_IMPORTS = (ast.Import, ast.ImportFrom)
+_FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
+_MAY_NOT_BE_RUN = (
+    *(*_FUNCTIONS, ast.Lambda, ast.If, ast.While, ast.For, ast.match_case, ast.IfExp, ast.BoolOp),
+    *(ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp),
+)
 _MOST_IMPORTS = 2_000  # of one file; no program has so many
 _MOST_WORDS = 500
+
+
+class _Spot(NamedTuple):
+    """A part of a file.
+
+    Attributes:
+        node: which.
+        guarded: whether a failed import there is caught.
+        certain: whether running the file from its beginning comes there.
+    """
+
+    node: ast.AST
+    guarded: bool
+    certain: bool
 
 
 def main() -> None:
@@ -79,44 +99,92 @@ def _place(error: SyntaxError) -> dict[str, Any]:
 
 
 def _imports(tree: ast.AST) -> Iterator[dict[str, Any]]:
-    """Yield what a file imports, wherever it does; whether it is ready for a failure stands with it."""
-    stack: list[tuple[ast.AST, bool]] = [(tree, False)]
+    """Yield what a file imports, wherever it does, each with whether failing is caught, and whether it comes there."""
+    stack = [_Spot(tree, guarded=False, certain=True)]
     while stack:
-        node, guarded = stack.pop()
+        spot = stack.pop()
+        node = spot.node
         if isinstance(node, ast.Import):
             for alias in node.names:
-                yield _import(node, alias.name, [], 0, guarded=guarded)
+                yield _import(node, spot, alias.name)
         elif isinstance(node, ast.ImportFrom):
-            names = [alias.name for alias in node.names]
-            yield _import(node, node.module or "", names, node.level, guarded=guarded)
+            yield _import(node, spot, node.module or "", [alias.name for alias in node.names], node.level)
         elif isinstance(node, ast.Call) and (module := _called_import(node)):
-            yield _import(node, module, [], 0, guarded=guarded)
-        stack += reversed(_below(node, guarded=guarded))
+            yield _import(node, spot, module)
+        stack += reversed(_below(spot))
 
 
-def _import(node: ast.stmt | ast.expr, module: str, names: list[str], level: int, *, guarded: bool) -> dict[str, Any]:
+def _import(
+    node: ast.stmt | ast.expr, spot: _Spot, module: str, names: Sequence[str] = (), level: int = 0
+) -> dict[str, Any]:
     return {
         "module": module,
-        "names": names,
+        "names": list(names),
         "level": level,
         "line": node.lineno,
         "column": node.col_offset + 1,
-        "guarded": guarded,
+        "guarded": spot.guarded,
+        "certain": spot.certain,
     }
 
 
-def _below(node: ast.AST, *, guarded: bool) -> list[tuple[ast.AST, bool]]:
-    """Return what is inside a node, each with whether a failed import there is caught."""
-    if isinstance(node, ast.Try):
-        caught = guarded or any(_catches(handler.type) for handler in node.handlers)
-        rest: list[ast.AST] = [*node.handlers, *node.orelse, *node.finalbody]
-        return [(child, caught) for child in node.body] + [(child, guarded) for child in rest]
+def _below(spot: _Spot) -> list[_Spot]:
+    """Return what is inside a node."""
+    node = spot.node
+    if isinstance(node, ast.Try | ast.TryStar):
+        return _tried(spot, node)
     if isinstance(node, ast.With):
-        caught = guarded or any(_suppresses(item.context_expr) for item in node.items)
-        return [(child, caught) for child in node.body]
+        if not any(_is_suppress(item.context_expr) for item in node.items):
+            return _one_after_the_other(spot, node.body)
+        caught = any(_suppresses(item.context_expr) for item in node.items)
+        return _first_imports(spot._replace(guarded=spot.guarded or caught), node.body)
     if isinstance(node, ast.If) and _name(node.test) == "TYPE_CHECKING":
-        return [(child, guarded) for child in node.orelse]
-    return [(child, guarded) for child in ast.iter_child_nodes(node)]
+        return _one_after_the_other(spot, node.orelse)
+    if isinstance(node, ast.Module | ast.ClassDef):
+        return _one_after_the_other(spot, list(ast.iter_child_nodes(node)))
+    return _each(spot, ast.iter_child_nodes(node), certain=not isinstance(node, _MAY_NOT_BE_RUN))
+
+
+def _tried(spot: _Spot, node: ast.Try | ast.TryStar) -> list[_Spot]:
+    caught = any(_catches(handler.type) for handler in node.handlers)
+    return [
+        *_first_imports(spot._replace(guarded=spot.guarded or caught), node.body),
+        *_each(spot, [*node.handlers, *node.orelse], certain=False),
+        *_each(spot, node.finalbody, certain=not any(map(_holds_while, node.body))),
+    ]
+
+
+def _each(spot: _Spot, nodes: Iterable[ast.AST], *, certain: bool) -> list[_Spot]:
+    return [spot._replace(node=node, certain=spot.certain and certain) for node in nodes]
+
+
+def _one_after_the_other(spot: _Spot, nodes: Sequence[ast.AST]) -> list[_Spot]:
+    """Return statements in a row. A ``while`` may be the program's main loop: what follows is run after the match."""
+    loop = next((place for place, node in enumerate(nodes) if _holds_while(node)), len(nodes))
+    return _each(spot, nodes[: loop + 1], certain=True) + _each(spot, nodes[loop + 1 :], certain=False)
+
+
+def _first_imports(spot: _Spot, nodes: Sequence[ast.AST]) -> list[_Spot]:
+    """Return statements of which any may be the last, because what goes wrong is caught.
+
+    Of imports each is told of by itself, so those at the beginning are as good as carried out.
+    """
+    first = next((place for place, node in enumerate(nodes) if not isinstance(node, _IMPORTS)), len(nodes))
+    return _each(spot, nodes[: first + 1], certain=True) + _each(spot, nodes[first + 1 :], certain=False)
+
+
+def _holds_while(tree: ast.AST) -> bool:
+    """Return whether running a node may come to a ``while``; one in a function is not run where it stands."""
+    stack = [tree]
+    while stack:
+        node = stack.pop()
+        if isinstance(node, ast.While):
+            return True
+        if isinstance(node, ast.stmt) and not isinstance(node, _FUNCTIONS):
+            stack += ast.iter_child_nodes(node)
+        elif isinstance(node, ast.ExceptHandler | ast.match_case):
+            stack += node.body
+    return False
 
 
 def _catches(caught: ast.expr | None) -> bool:
@@ -126,8 +194,12 @@ def _catches(caught: ast.expr | None) -> bool:
     return any(_name(one) in _CATCHES for one in classes)
 
 
+def _is_suppress(context: ast.expr) -> bool:
+    return isinstance(context, ast.Call) and _name(context.func) == "suppress"
+
+
 def _suppresses(context: ast.expr) -> bool:
-    return isinstance(context, ast.Call) and _name(context.func) == "suppress" and any(map(_catches, context.args))
+    return isinstance(context, ast.Call) and _is_suppress(context) and any(map(_catches, context.args))
 
 
 def _name(expression: ast.expr) -> str:

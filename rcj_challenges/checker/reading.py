@@ -28,6 +28,7 @@ class Import:
         level: how many leading dots.
         line, column: where, from 1.
         guarded: the program goes on if it fails (``try … except ImportError``).
+        certain: running the file from its beginning comes to it; not so inside a function or under ``if``.
     """
 
     module: str
@@ -36,6 +37,7 @@ class Import:
     line: int
     column: int
     guarded: bool
+    certain: bool
 
 
 @dataclass(frozen=True)

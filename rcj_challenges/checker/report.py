@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
@@ -16,8 +16,11 @@ if TYPE_CHECKING:
 
 REPORT_VERSION = 1
 SCHEMA_FILE = "check.schema.json"
-RANKS: tuple[Level, ...] = ("passed", "warning", "failure")
-"""All levels, the gravest last."""
+Verdict = Literal["passed", "warning", "failure", "unchecked"]
+"""The level of a submission, or ``unchecked``: this computer could not check it, which says nothing about it."""
+
+RANKS: tuple[Verdict, ...] = ("passed", "warning", "failure", "unchecked")
+"""All verdicts; of many, the last one is that of all."""
 
 
 class _Part(BaseModel):
@@ -77,14 +80,19 @@ class MatchReport(_Part):
     wall_s: float = _described("how long that took in s", ge=0)
     layers: list[str] = _described("layers of isolation that held the programs")
     replay: str = _described("file of the replay page, if one was asked for")
+    no_replay: str = _described("why there is no replay page although one was asked for; mostly empty", default="")
     robots: list[RobotReport] = _described("the robots of the team")
 
 
 class FileReport(_Part):
     """The check of one submission."""
 
-    file: str = _described("name of the file or folder")
-    level: Level = _described("the verdict: passed, warning (it plays, but look at what is told) or failure")
+    file: str = _described("name of the file or folder, with folders before it where another has the same name")
+    level: Verdict = _described(
+        "the verdict: passed, warning (it plays, but look at what is told), failure, "
+        "or unchecked (this computer could not check it)"
+    )
+    hindrance: str = _described("what this computer could not do, if that is why it is unchecked", default="")
     team: str = _described("name of the team, safe to show; empty if it is not known")
     digest: str = _described("SHA-256 over names and contents of its files; empty if they cannot be read")
     repaired: list[str] = _described("what --fix put right before this check")
@@ -105,6 +113,14 @@ class Summary(_Part):
     passed: int = _described("how many are in order", ge=0)
     warning: int = _described("how many play, but with warnings", ge=0)
     failure: int = _described("how many cannot be used as they are", ge=0)
+    unchecked: int = _described("how many could not be checked on this computer", ge=0)
+
+
+class LeftOut(_Part):
+    """Something that was given, or lies in a folder that was, and that was not looked at."""
+
+    file: str = _described("its path, safe to show")
+    reason: str = _described("why not, and what to do if it should be looked at")
 
 
 class CheckReport(_Part):
@@ -114,23 +130,47 @@ class CheckReport(_Part):
     scenario: str = _described("id of the scenario")
     title: str = _described("title of the scenario")
     sandbox: str = _described("how programs were isolated: auto, strict or off")
-    level: Level = _described("the gravest verdict of all")
+    level: Verdict = _described("the gravest verdict of all")
+    interrupted: bool = _described("whether somebody ended the check before all were checked", default=False)
     summary: Summary
     files: list[FileReport] = _described("the submissions, in the order in which they were given")
+    left_out: list[LeftOut] = _described("what lies beside them, or was not come to, and was not looked at", default=[])
+
+    @property
+    def lost_replays(self) -> int:
+        """How many replay pages could not be written."""
+        return sum(bool(match.no_replay) for file in self.files for match in file.matches)
 
     @property
     def exit_code(self) -> int:
-        """0: all pass, with warnings perhaps; 1: at least one does not."""
-        return int(self.level == "failure")
+        """0: all pass, with warnings perhaps; 1: at least one does not; 2: this computer could not do all of it."""
+        return 2 if self.summary.unchecked or self.lost_replays else int(self.summary.failure > 0)
 
 
-def gravest(levels: Iterable[Level]) -> Level:
-    """Return the gravest of levels; passed, if there are none."""
+def gravest(levels: Iterable[Verdict]) -> Verdict:
+    """Return the gravest of verdicts; passed, if there are none."""
     return max(levels, key=RANKS.index, default="passed")
 
 
-def check_report(scenario: str, title: str, sandbox: str, files: list[FileReport]) -> CheckReport:
-    """Put the reports of all submissions together."""
+def check_report(
+    scenario: str,
+    title: str,
+    sandbox: str,
+    files: list[FileReport],
+    left_out: Sequence[LeftOut] = (),
+    *,
+    interrupted: bool = False,
+) -> CheckReport:
+    """Put the reports of all submissions together.
+
+    Args:
+        scenario: id of the scenario.
+        title: its title.
+        sandbox: ``auto``, ``strict`` or ``off``.
+        files: of each submission that was checked.
+        left_out: what was not looked at.
+        interrupted: whether somebody ended the check.
+    """
     counts = {level: sum(file.level == level for file in files) for level in RANKS}
     return CheckReport(
         check=REPORT_VERSION,
@@ -138,8 +178,10 @@ def check_report(scenario: str, title: str, sandbox: str, files: list[FileReport
         title=title,
         sandbox=sandbox,
         level=gravest(file.level for file in files),
+        interrupted=interrupted,
         summary=Summary(files=len(files), **counts),
         files=files,
+        left_out=list(left_out),
     )
 
 
@@ -165,12 +207,13 @@ def stage_report(stage: Stage) -> StageReport:
     )
 
 
-def match_report(match: Rehearsed, replay: str, outputs: dict[str, str]) -> MatchReport:
+def match_report(match: Rehearsed, replay: str, no_replay: str, outputs: dict[str, str]) -> MatchReport:
     """Return a short match as data.
 
     Args:
         match: what was played.
         replay: file of its replay page; empty if there is none.
+        no_replay: why there is none although one was asked for.
         outputs: what programs printed, by robot, safe to show.
     """
     faults = {fault["robot"]: fault["kind"] for fault in reversed(match.faults)}
@@ -200,6 +243,7 @@ def match_report(match: Rehearsed, replay: str, outputs: dict[str, str]) -> Matc
         wall_s=round(match.wall_s, 3),
         layers=list(match.result["sandbox"].get("layers", ())),
         replay=replay,
+        no_replay=no_replay,
         robots=robots,
     )
 

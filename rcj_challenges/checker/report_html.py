@@ -10,9 +10,8 @@ from importlib.resources import files
 from pathlib import Path
 from urllib.parse import quote
 
-from rcj_challenges.checker.findings import Level
-from rcj_challenges.checker.report import CheckReport, FileReport, FindingReport, MatchReport, StageReport
-from rcj_challenges.checker.report_text import WORDS, first_finding, summary, verdict
+from rcj_challenges.checker.report import CheckReport, FileReport, FindingReport, MatchReport, StageReport, Verdict
+from rcj_challenges.checker.report_text import WORDS, first_finding, is_single, no_replay, summary, verdict
 
 _ROBOT_COLUMNS = ("way", "turned", "touches", "steps", "start", "a step", "slowest")
 
@@ -28,7 +27,7 @@ def html_page(report: CheckReport, folder: Path) -> str:
     policy = (
         f"default-src 'none'; style-src 'sha256-{_hash(style)}'; img-src data:; base-uri 'none'; form-action 'none'"
     )
-    single = len(report.files) == 1
+    single = is_single(report)
     title = f"Check for {report.title}" if not single else f"{report.files[0].file}: check for {report.title}"
     parts = [
         "<!doctype html>",
@@ -44,6 +43,7 @@ def html_page(report: CheckReport, folder: Path) -> str:
         "<body>",
         f"<h1>Check for {_shown(report.title)}</h1>",
         "" if single else f'<p class="quiet">{_text(summary(report))}</p>{_table(report)}',
+        _left_out(report),
         *(_file(file, number, folder) for number, file in enumerate(report.files, 1)),
         f'<p class="quiet">Isolation: {_text(report.sandbox)}. Times are those of the computer that checked.</p>',
         "</body>",
@@ -56,13 +56,23 @@ def _table(report: CheckReport) -> str:
     rows = []
     for number, file in enumerate(report.files, 1):
         first = first_finding(file)
-        told = "" if first is None else _where(first) + _shown(first.message)
+        told = _shown(file.hindrance) if first is None else _where(first) + _shown(first.message)
         rows.append(
             f'<tr><td><a href="#file-{number}">{_shown(file.file)}</a></td><td>{_shown(file.team)}</td>'
             f"<td>{_badge(file.level)}</td><td>{told}</td></tr>"
         )
     head = "<tr><th>file</th><th>team</th><th>verdict</th><th>first thing to do</th></tr>"
     return f'<div class="scroll"><table><thead>{head}</thead><tbody>{"".join(rows)}</tbody></table></div>'
+
+
+def _left_out(report: CheckReport) -> str:
+    """Return what was not looked at, and why."""
+    if not report.left_out:
+        return ""
+    listed = "".join(
+        f"<li><code><bdi>{_text(other.file)}</bdi></code>: {_shown(other.reason)}</li>" for other in report.left_out
+    )
+    return f"<p>Not looked at:</p><ul>{listed}</ul>"
 
 
 def _file(file: FileReport, number: int, folder: Path) -> str:
@@ -139,6 +149,8 @@ def _match(match: MatchReport, folder: Path) -> str:
 
 def _replay(match: MatchReport, folder: Path) -> str:
     """Return a link to the replay page; nothing if a page in that folder cannot lead there (another drive)."""
+    if match.no_replay:
+        return f'<p class="quiet">{_shown(no_replay(match))}</p>'
     if not match.replay:
         return ""
     try:
@@ -153,7 +165,7 @@ def _where(finding: FindingReport) -> str:
     return "" if needless else f"<code><bdi>{_text(finding.where)}</bdi></code>: "
 
 
-def _badge(level: Level) -> str:
+def _badge(level: Verdict) -> str:
     return f'<span class="badge {level}">{WORDS[level]}</span>'
 
 

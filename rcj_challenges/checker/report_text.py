@@ -9,14 +9,14 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from rcj_challenges.checker.findings import Level
-from rcj_challenges.checker.report import CheckReport, FileReport, FindingReport, MatchReport, StageReport
+from rcj_challenges.checker.report import CheckReport, FileReport, FindingReport, MatchReport, StageReport, Verdict
 from rcj_challenges.facts.shown import shown
 
-WORDS: dict[Level, str] = {"passed": "ok", "warning": "warning", "failure": "failure"}
-_STYLES: dict[Level, str] = {"passed": "green", "warning": "yellow", "failure": "bold red"}
+WORDS: dict[Verdict, str] = {"passed": "ok", "warning": "warning", "failure": "failure", "unchecked": "not checked"}
+_STYLES: dict[Verdict, str] = {"passed": "green", "warning": "yellow", "failure": "bold red", "unchecked": "bold"}
 _SKIPPED = "skipped"
-_WIDTH = max(map(len, (*WORDS.values(), _SKIPPED)))
+_WIDTH = max(map(len, ("warning", "failure", _SKIPPED)))  # no stage has the longest word
+_MOST_LEFT_OUT = 30
 _INDENT = _WIDTH + 2
 _LEAST_WIDTH = 30
 _WIDE = 160
@@ -26,12 +26,20 @@ def print_report(console: Console, report: CheckReport) -> None:
     """Print one submission in full; of several a table, and in full only those with something to tell."""
     if not console.is_terminal:
         console.width = max(console.width, _WIDE)  # a file or a pipe has no width
-    single = len(report.files) == 1
+    single = is_single(report)
     for file in report.files:
         if single or file.level != "passed":
             print_file(console, file)
     if not single:
         print_table(console, report)
+    _print_left_out(console, report)
+    if not single:
+        _say(console, Text(summary(report), style="bold"))
+
+
+def is_single(report: CheckReport) -> bool:
+    """Return whether only one submission was to be checked: it needs no table."""
+    return len(report.files) == 1 and not report.interrupted
 
 
 def print_file(console: Console, file: FileReport) -> None:
@@ -50,6 +58,8 @@ def print_file(console: Console, file: FileReport) -> None:
         _say(console, Padding(_robots(match), (0, 0, 0, _INDENT), expand=False))
         if match.replay:
             _indented(console, Text(f"watch: {shown(match.replay, 400)}"))
+        if match.no_replay:
+            _indented(console, Text(no_replay(match)))
     for match in file.matches:
         _print_outputs(console, match)
     _say(console, Text(verdict(file), style=_STYLES[file.level]))
@@ -58,6 +68,8 @@ def print_file(console: Console, file: FileReport) -> None:
 
 def verdict(file: FileReport) -> str:
     """Return the verdict as a sentence."""
+    if file.level == "unchecked":
+        return f"Not checked: {file.hindrance}. That is a matter of this computer and says nothing about the team."
     failures, warnings = file.count("failure"), file.count("warning")
     noticed = f", {_count(warnings, 'warning')}" if warnings else ""
     if failures:
@@ -71,30 +83,51 @@ def verdict(file: FileReport) -> str:
     return f"It will play{noticed}."
 
 
+def no_replay(match: MatchReport) -> str:
+    """Return why a replay is missing, as a sentence."""
+    return f"The replay could not be written on this computer: {match.no_replay}."
+
+
 def print_table(console: Console, report: CheckReport) -> None:
-    """Print one line for each submission, and how many passed."""
+    """Print one line for each submission."""
     table = Table("file", "team", "verdict", "first thing to do", title=Text(shown(report.title)), title_justify="left")
     for column in table.columns:
         column.overflow = "fold"
     for file in report.files:
         first = first_finding(file)
+        told_first = "" if first is None else told(first)
         table.add_row(
             Text(file.file),
             Text(file.team),
             Text(WORDS[file.level], style=_STYLES[file.level]),
-            Text("" if first is None else told(first)),
+            Text(file.hindrance or told_first),
         )
     _say(console, table)
-    _say(console, Text(summary(report), style="bold"))
+
+
+def _print_left_out(console: Console, report: CheckReport) -> None:
+    """Print what was not looked at, and why."""
+    if not report.left_out:
+        return
+    _say(console, Text("not looked at:"))
+    for other in report.left_out[:_MOST_LEFT_OUT]:
+        _indented(console, Text(f"{other.file}: {other.reason}"))
+    if len(report.left_out) > _MOST_LEFT_OUT:
+        _indented(console, Text(f"and {len(report.left_out) - _MOST_LEFT_OUT} more (all of them: --json or --html)"))
 
 
 def summary(report: CheckReport) -> str:
     """Return how many submissions passed, as a sentence."""
     counts = report.summary
-    return (
-        f"{_count(counts.files, 'submission')}: {counts.passed} ok, {_count(counts.warning, 'warning')}, "
-        f"{_count(counts.failure, 'failure')}"
-    )
+    parts = [f"{counts.passed} ok", _count(counts.warning, "warning"), _count(counts.failure, "failure")]
+    if counts.unchecked:
+        parts.append(f"{counts.unchecked} not checked")
+    if report.lost_replays:
+        parts.append(f"{_count(report.lost_replays, 'replay')} not written")
+    if report.left_out:
+        parts.append(f"{len(report.left_out)} not looked at")
+    interrupted = "interrupted, " if report.interrupted else ""
+    return f"{interrupted}{_count(counts.files, 'submission')}: {', '.join(parts)}"
 
 
 def first_finding(file: FileReport) -> FindingReport | None:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import platform
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from difflib import get_close_matches
+from enum import Enum
 from pathlib import PurePosixPath
 
 from rcj_challenges.checker.findings import Finding, Level, Stage
 from rcj_challenges.checker.modules import (
     INSTALLED,
+    WELL_KNOWN,
     Library,
     Module,
     is_here,
@@ -28,25 +31,34 @@ Unit = tuple[PurePosixPath, int]
 """A file that a program runs, and in how many packages it lies then: relative imports lead as far up, no further."""
 
 
+class _Weight(Enum):
+    """What becomes of a program when something that it runs fails; the gravest first."""
+
+    FATAL = "it ends, for it comes there at once"
+    CAUGHT = "it is ready for that"
+    IF_REACHED = "only running it can tell whether it comes there"
+
+
 def check_sources(team: Team) -> Stage:
     """Look at the Python files of a team without running them.
 
-    Failures are told of files that a program runs, by itself or by importing; of the others only warnings.
+    Failures are told of what a program runs for certain as soon as it is started, by itself or by importing; of all
+    else only warnings: the stages that run it decide.
     """
     stage = Stage("sources")
     files = dict(team.files)
     sources = read_sources(files)
     entries = {PurePosixPath(entry) for entry in team.entries.values()}
-    used: set[PurePosixPath] = set()
+    used: dict[PurePosixPath, bool] = {}
     found: dict[Finding, None] = {}
     for entry in sorted(entries):
         walk = _Walk(files, sources, entry)
-        used |= walk.used
+        used |= {path: used.get(path, False) or weight is _Weight.FATAL for path, weight in walk.used.items()}
         found |= dict.fromkeys(walk.findings)
     found |= dict.fromkeys(_unreadable(sources, used))
     found |= dict.fromkeys(_empty(sources, entries))
     found |= dict.fromkeys(_shadowing(files, entries))
-    stage.findings = _in_order(found)
+    stage.findings = _in_order(_gravest(found))
     if not stage.findings:
         count = len(sources)
         told = "1 Python file is" if count == 1 else f"{count} Python files are"
@@ -69,19 +81,22 @@ class _Walk:
             self._follow(entry)
 
     def _follow(self, entry: PurePosixPath) -> None:
-        self.used: set[PurePosixPath] = set()
+        self.used: dict[PurePosixPath, _Weight] = {}
         self.findings: list[Finding] = []
-        todo: list[Unit] = [(entry, 0)]
+        todo: dict[_Weight, list[Unit]] = {weight: [] for weight in _Weight}
+        todo[_Weight.FATAL].append((entry, 0))
         seen: set[Unit] = set()
-        while todo:
-            unit = todo.pop()
+        # The gravest first: a file that is imported in several ways counts as it does in the gravest of them.
+        while (weight := next((weight for weight in _Weight if todo[weight]), None)) is not None:
+            unit = todo[weight].pop()
             file, _ = unit
             if unit in seen or file not in self._sources:
                 continue
             seen.add(unit)
-            self.used.add(file)
+            self.used.setdefault(file, weight)
             for wanted in self._sources[file].imports:
-                todo += self._lead(unit, wanted)
+                counted = _counted(wanted, weight)
+                todo[_weight(counted)] += self._lead(unit, counted)
 
     def _lead(self, unit: Unit, wanted: Import) -> list[Unit]:
         """Return what an import runs; what is wrong with it becomes a finding."""
@@ -90,7 +105,7 @@ class _Walk:
         first, *rest = wanted.module.split(".")
         if first in INSTALLED[2:]:
             return []
-        module = self._library.top(first)
+        module = self._top(first, rest)
         if module is None and (is_pythons(first) or first in INSTALLED):
             self._library_module(unit, wanted, first)
             return []
@@ -99,6 +114,17 @@ class _Walk:
             self._say(unit, wanted, *self._missing(first))
             return []
         return self._through(unit, wanted, module, rest, first, 0)
+
+    def _top(self, name: str, parts: list[str]) -> Module | None:
+        """Return the module that an import begins with.
+
+        A program that changes ``sys.path`` may put any folder first: of several modules that one is taken which has
+        the parts that are asked for.
+        """
+        found = self._library.tops(name)
+        if self._library is not self._usual:
+            found.sort(key=lambda module: not self._library.has(module, parts))
+        return found[0] if found else None
 
     def _relative(self, unit: Unit, wanted: Import) -> list[Unit]:
         file, depth = unit
@@ -178,6 +204,8 @@ class _Walk:
             message = f'imports "{quoted}", but {shown(place)} is not where Python looks for it'
             return "elsewhere", message, "move the file beside the program, or import it by the name of its folder"
         message = f'imports "{quoted}", which is neither part of Python, nor numpy or scipy, nor in the submission'
+        if name in WELL_KNOWN:
+            return "missing_module", message, f"do without it: {_IN_A_MATCH}"
         near = get_close_matches(name, [*names, *INSTALLED], 1, 0.75)
         if near:
             return "missing_module", message, f'did you mean "{shown(near[0])}"?'
@@ -195,10 +223,13 @@ class _Walk:
         return "missing_part", message, "add the file to the submission, or correct the import"
 
     def _say(self, unit: Unit, wanted: Import, code: str, message: str, remedy: str) -> None:
-        """Tell of an import that fails: the end of the program, unless it is ready for that."""
-        if wanted.guarded:
+        """Tell of an import that fails: the end of the program, unless it is ready for that or never comes there."""
+        weight = _weight(wanted)
+        if weight is _Weight.CAUGHT:
             message += "; the program has a way out (try … except)"
-            self._add(unit, wanted, "warning", f"optional_{code}", message, "make sure that it plays well without")
+            self._add(unit, wanted, "warning", f"{_OPTIONAL}{code}", message, "make sure that it plays well without")
+        elif weight is _Weight.IF_REACHED:
+            self._add(unit, wanted, "warning", f"{_CONDITIONAL}{code}", message + _ONLY_IF_REACHED, remedy)
         else:
             self._add(unit, wanted, "failure", code, message, remedy)
 
@@ -207,15 +238,36 @@ class _Walk:
         self.findings.append(Finding(f"sources.{code}", level, message, remedy, where))
 
 
-def _unreadable(sources: Mapping[PurePosixPath, Source], used: set[PurePosixPath]) -> Iterable[Finding]:
+def _weight(wanted: Import) -> _Weight:
+    if wanted.guarded:
+        return _Weight.CAUGHT
+    return _Weight.FATAL if wanted.certain else _Weight.IF_REACHED
+
+
+def _counted(wanted: Import, weight: _Weight) -> Import:
+    """Return an import as it counts in a file that is run with such a weight itself."""
+    if _weight(wanted) is not _Weight.FATAL:
+        return wanted
+    return replace(wanted, guarded=weight is _Weight.CAUGHT, certain=weight is not _Weight.IF_REACHED)
+
+
+def _unreadable(sources: Mapping[PurePosixPath, Source], used: Mapping[PurePosixPath, bool]) -> Iterable[Finding]:
+    """Tell of files that are no Python.
+
+    Args:
+        sources: all files.
+        used: those that programs run, each with whether one does for certain.
+    """
     for path, source in sources.items():
         if not source.wrong:
             continue
         code, message, remedy = _wrong(source)
         where = ":".join([shown(path), *(str(number) for number in (source.line, source.column) if number)])
-        level: Level = "failure" if path in used and code != "large" else "warning"
+        level: Level = "failure" if used.get(path) and code != "large" else "warning"
         if path not in used:
             message += "; no program seems to use this file"
+        elif not used[path] and code != "large":
+            message += _RUNNING_TELLS
         yield Finding(f"sources.{code}", level, message, remedy, where)
 
 
@@ -233,6 +285,11 @@ def _wrong(source: Source) -> tuple[str, str, str]:
     return "too_deep" if deep else "syntax", f"{_PYTHON} cannot read this: {said}", remedy
 
 
+_OPTIONAL = "optional_"
+_CONDITIONAL = "conditional_"
+_ONLY_IF_REACHED = "; that ends the program only if it is reached"
+_RUNNING_TELLS = "; only running the programs can tell whether that ends one"
+_IN_A_MATCH = "in a match there are only Python's own library, numpy and scipy"
 _SAVE_AS_UTF8 = "save the file as UTF-8 text in your editor"
 _SMALLER_STEPS = "write it in several smaller steps"
 _TOO_DEEP = (
@@ -277,6 +334,17 @@ def _shadowing(files: Iterable[PurePosixPath], entries: set[PurePosixPath]) -> I
     for path in sorted(hiding):
         message = f'this file hides "{shown(path.stem)}", a module of Python or of numpy and scipy, from your programs'
         yield Finding("sources.shadows", "warning", message, "give it another name, unless you mean that", shown(path))
+
+
+def _gravest(found: Iterable[Finding]) -> list[Finding]:
+    """Leave out warnings where there is a failure of the kind: one program comes there for certain, another may not."""
+    listed = list(found)
+    fatal = {(finding.where, finding.code) for finding in listed if finding.level == "failure"}
+    return [finding for finding in listed if finding.level == "failure" or (finding.where, _kind(finding)) not in fatal]
+
+
+def _kind(finding: Finding) -> str:
+    return finding.code.replace(_OPTIONAL, "").replace(_CONDITIONAL, "")
 
 
 def _in_order(found: Iterable[Finding]) -> list[Finding]:

@@ -3,19 +3,28 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
 
 from rcj_challenges.checker.failing import fault_findings
 from rcj_challenges.checker.findings import Finding, Stage
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, rehearse
+from rcj_challenges.controllers.team import Team
+from rcj_challenges.devices.fitting import devices_of
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.scenario.load import load
+from rcj_challenges.scenario.models.robots import Device
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.resources import presets_folder
 
 _TICKS = 4
 """Enough for two answers of a program that steps 64 ms."""
 
 _SLOW_SHARE = 0.5
 _MOST_DEVICES = 10
+_PRESET_2021, _KIT_2021 = "soccersim_2021.yaml", "legacy_2021"
+_MESSAGES_2021 = "2021"
 # What `controller.Robot.getDevice` prints.
 _NO_DEVICE = re.compile(r'^Warning: "(?P<asked>.*)" device not found\. This robot has: (?P<has>.*)\.$', re.MULTILINE)
 
@@ -29,7 +38,7 @@ def check_start(rehearsal: Rehearsal) -> Stage:
     stage = Stage("start")
     started = rehearse(rehearsal, tuple(rehearsal.seats()), _TICKS * TICK_S)
     stage.findings += fault_findings("start", started)
-    stage.findings += _devices(started)
+    stage.findings += _devices(started, rehearsal)
     slow = _slow(started, rehearsal.loaded.scenario.limits.start_s)
     if slow is not None:
         stage.findings.append(slow)
@@ -58,23 +67,54 @@ def _slow(started: Rehearsed, limit_s: float) -> Finding | None:
     )
 
 
-def _devices(started: Rehearsed) -> list[Finding]:
+def _devices(started: Rehearsed, rehearsal: Rehearsal) -> list[Finding]:
     """Return a warning for each device that a program asked for in vain."""
     asked: dict[tuple[str, str], list[str]] = {}
     for robot in started.motions:
         for found in dict.fromkeys(_NO_DEVICE.findall(started.log(robot))):
             asked.setdefault(found, []).append(robot)
+    scenario = rehearsal.loaded.scenario
+    old = _devices_of_2021(rehearsal, {name for name, _ in asked}) if asked else {}
     findings = []
     for (name, has), robots in list(asked.items())[:_MOST_DEVICES]:
-        near = get_close_matches(name, has.split(", "), 1)
-        remedy = f'did you mean "{shown(near[0])}"?' if near else f"these robots have: {shown(has, 400)}"
-        findings.append(
-            Finding(
-                "start.no_device",
-                "warning",
-                f'asks for a device "{shown(name)}"; there is none',
-                remedy,
-                ", ".join(robots),
-            )
-        )
+        message = f'asks for a device "{shown(name)}"; there is none'
+        if name in old:
+            message += ": this program seems to be written for the robots of 2021"
+            remedy = _instead(scenario, robots[0], old[name], has)
+        else:
+            near = get_close_matches(name, has.split(", "), 1)
+            remedy = f'did you mean "{shown(near[0])}"?' if near else _all_of(has)
+        findings.append(Finding("start.no_device", "warning", message, remedy, ", ".join(robots)))
     return findings
+
+
+def _devices_of_2021(rehearsal: Rehearsal, asked: set[str]) -> Mapping[str, Device]:
+    """Return the devices of the robots of 2021, if programs seem to be written for those, but play others; else none.
+
+    All that they asked for in vain is of those robots then, and they mention no device that only others have.
+    """
+    scenario = rehearsal.loaded.scenario
+    if any(scenario.kits[robot.kit].messages == _MESSAGES_2021 for robot in scenario.robots.values()):
+        return {}
+    devices = load(presets_folder() / _PRESET_2021).scenario.kits[_KIT_2021].devices
+    others = {name for robot in scenario.robots for name in devices_of(scenario, robot)} - devices.keys()
+    return devices if asked <= devices.keys() and not _mentions(rehearsal.team, others) else {}
+
+
+def _mentions(team: Team, names: Iterable[str]) -> bool:
+    """Return whether any of these names stands between quotation marks in a team's programs."""
+    quoted = [mark + name.encode() + mark for name in names for mark in (b"'", b'"')]
+    programs = [content for path, content in team.files.items() if path.suffix == ".py"]
+    return any(name in program for program in programs for name in quoted)
+
+
+def _instead(scenario: Scenario, robot: str, wanted: Device, has: str) -> str:
+    """Return what a robot has in place of a device of the robots of 2021."""
+    alike = [name for name, device in devices_of(scenario, robot).items() if device.device == wanted.device]
+    if not alike or wanted.device != "supervisor_receiver":
+        return _all_of(has)
+    return f'here "{shown(alike[0])}" gets the referee\'s packets, without positions in them; {_all_of(has)}'
+
+
+def _all_of(has: str) -> str:
+    return f"these robots have: {shown(has, 400)}"

@@ -31,6 +31,7 @@ _OBJECTS_BETWEEN_COLLECTIONS = 50_000
 def main() -> None:
     """Run the command line and exit with its code."""
     _start_quickly()
+    _end_gently()
     try:
         sys.exit(_exit_code())
     finally:
@@ -41,22 +42,48 @@ def main() -> None:
 def _exit_code() -> int:
     """Run the command line; returns its exit code."""
     from rcj_challenges.cli.app import app
-    from rcj_challenges.cli.faults import report_our_fault
-    from rcj_challenges.facts.errors import RcjError
 
     try:
         code = _of_one_command(app, sys.argv[1:2])(standalone_mode=False)
-    except RcjError as error:
-        _complain(str(error))
-        return error.exit_code
-    except KeyboardInterrupt:
-        _complain("interrupted")
-        return INTERRUPTED
     except BrokenPipeError:
         return OK  # the reader of our output has seen enough
-    except Exception as error:  # noqa: BLE001 - the last line of defence: what is unexpected becomes a report
-        return _usage_error(error) or report_our_fault(error)
+    except (Exception, KeyboardInterrupt) as error:  # noqa: BLE001 - the last line of defence
+        return _told(error)
     return code if isinstance(code, int) else OK
+
+
+def _told(error: BaseException) -> int:
+    """Say what ended a command; returns its exit code. What is unexpected becomes a report."""
+    from rcj_challenges.cli.faults import report_our_fault
+    from rcj_challenges.facts.errors import RcjError, is_of_the_host, told_of
+
+    if isinstance(error, RcjError):
+        _complain(str(error))
+        return error.exit_code
+    if _is_interruption(error):
+        _complain("interrupted")
+        return INTERRUPTED
+    if is_of_the_host(error):
+        where = f": {error.filename}" if isinstance(error, OSError) and error.filename else ""
+        _complain(f"this computer cannot go on: {told_of(error)}{where}")
+        return WRONG_INPUT
+    return _usage_error(error) or report_our_fault(error)
+
+
+def _is_interruption(error: BaseException | None) -> bool:
+    """Return whether somebody interrupted us: in the middle of an import that comes out as an error of the import."""
+    return error is not None and (isinstance(error, KeyboardInterrupt) or _is_interruption(error.__context__))
+
+
+def _end_gently() -> None:
+    """Let what ends a service or a closed terminal end a command as Ctrl-C does: with its record closed."""
+    import signal
+
+    for name in ("SIGTERM", "SIGHUP"):
+        number = getattr(signal, name, None)
+        # Who starts us under nohup wants us to go on.
+        if number is not None and signal.getsignal(number) is signal.SIG_DFL:
+            signal.signal(number, signal.default_int_handler)
 
 
 def _start_quickly() -> None:
@@ -86,7 +113,7 @@ def _name_of(command: CommandInfo) -> str:
     return command.name or (command.callback.__name__.replace("_", "-") if command.callback else "")
 
 
-def _usage_error(error: Exception) -> int | None:
+def _usage_error(error: BaseException) -> int | None:
     """Show a wrong option as the command line's own words; None if the error is something else."""
     show = getattr(error, "show", None)
     code = getattr(error, "exit_code", None)

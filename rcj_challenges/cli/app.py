@@ -105,7 +105,10 @@ def run(
         run_scenario(
             RunOptions(
                 scenario=scenario,
-                teams=[*(team or ()), *(f"blue={blue}",) * bool(blue), *(f"yellow={yellow}",) * bool(yellow)],
+                teams=[
+                    *(team or ()),
+                    *(f"{seat}={path}" for seat, path in (("blue", blue), ("yellow", yellow)) if path is not None),
+                ],
                 team_names=team_name or [],
                 seed=seed,
                 match_id=match_id,

@@ -7,16 +7,23 @@ from pathlib import Path
 
 from rcj_challenges.facts.errors import RcjError
 
+_HTML = (".html", ".htm")
+
 
 class OutputError(RcjError):
     """A file that cannot be written."""
 
 
 def draw(scenario: str, out: Path | None, overrides: list[str]) -> int:
-    """Write the drawing of a scenario: PNG if the file is called ``.png``, else SVG; returns the exit code."""
+    """Write the drawing of a scenario: PNG if the file is called ``.png``, SVG if ``.svg``; returns the exit code.
+
+    Raises:
+        RcjError: wrong input; also a file that is called otherwise, or that cannot be written.
+    """
     from rcj_challenges.scenario.load import load
     from rcj_challenges.views.drawing import draw_scenario
 
+    _check_ending(out, (".svg", ".png"), "its name must end in .svg or .png")
     loaded = load(scenario, overrides)
     picture = draw_scenario(loaded.scenario, loaded.roster)
     if out is not None and out.suffix.lower() == ".png":
@@ -27,13 +34,28 @@ def draw(scenario: str, out: Path | None, overrides: list[str]) -> int:
 
 
 def sheet(scenario: str, out: Path | None, overrides: list[str]) -> int:
-    """Write the rule sheet of a scenario: HTML if the file is called ``.html``, else Markdown."""
+    """Write the rule sheet of a scenario: HTML if the file is called ``.html``, Markdown if ``.md``.
+
+    Raises:
+        RcjError: wrong input; also a file that is called otherwise, or that cannot be written.
+    """
     from rcj_challenges.scenario.load import load
     from rcj_challenges.views.sheet import sheet_html, sheet_markdown
 
+    _check_ending(out, (".md", *_HTML), "its name must end in .md or .html")
     loaded = load(scenario, overrides)
-    make = sheet_html if out is not None and out.suffix.lower() in (".html", ".htm") else sheet_markdown
+    make = sheet_html if out is not None and out.suffix.lower() in _HTML else sheet_markdown
     return _deliver(make(loaded.scenario, loaded.roster), out)
+
+
+def _check_ending(out: Path | None, endings: tuple[str, ...], told: str) -> None:
+    """Refuse a file whose name would promise something else than what is written.
+
+    Raises:
+        OutputError: it has none of these endings.
+    """
+    if out is not None and out.suffix.lower() not in endings:
+        raise OutputError(f"--out {out}: {told}")
 
 
 def _deliver(content: str | bytes, out: Path | None) -> int:

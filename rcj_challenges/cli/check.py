@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -16,14 +18,13 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from rcj_challenges.checker.check import CheckOptions
-    from rcj_challenges.checker.report import CheckReport, FileReport
+    from rcj_challenges.checker.many_given import Given
+    from rcj_challenges.checker.report import CheckReport, FileReport, LeftOut
     from rcj_challenges.scenario.load import Loaded
-
-_ARCHIVES = frozenset({".zip", ".rar", ".7z", ".tar", ".gz", ".tgz", ".bz2", ".xz"})
 
 
 class CheckUsageError(RcjError):
-    """Options that do not fit together, or a path that cannot be opened."""
+    """Options that do not fit together, or a path that cannot be opened or written."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +83,8 @@ def _check(
 ) -> None:
     """Say whether submissions will play in the tournament, and what to do if not: opens, starts and plays them.
 
-    Exit status 0: all will play; 1: some will not; 2: wrong usage, or a path that cannot be opened.
+    Exit status 0: all will play; 1: some will not; 2: wrong usage, a path that cannot be opened or written, or
+    some could not be checked on this computer.
     """
     command = CheckCommand(
         paths=paths,
@@ -101,19 +103,21 @@ def _check(
 
 
 def check_submissions(command: CheckCommand) -> int:
-    """Check them; returns 0 if all will play, else 1.
+    """Check them; returns 0 if all will play, 1 if some will not, 2 if this computer could not check all of them.
 
     Raises:
         RcjError: wrong usage.
+        KeyboardInterrupt: somebody interrupted it; what was checked before has been reported.
     """
     from rcj_challenges.controllers.isolation import active_layers
     from rcj_challenges.scenario.load import load
 
     loaded = load(command.scenario, command.overrides)
     active_layers(command.sandbox)
-    paths = submissions(command.paths)
-    if command.fix is not None and len(paths) != 1:
-        raise CheckUsageError(f"--fix repairs one submission at a time, not {len(paths)}")
+    given = submissions(command.paths)
+    if command.fix is not None and len(given.paths) != 1:
+        raise CheckUsageError(f"--fix repairs one submission at a time, not {len(given.paths)}")
+    _ensure_outputs(command)
 
     from rcj_challenges.checker.check import CheckOptions
     from rcj_challenges.checker.report import check_report
@@ -122,46 +126,93 @@ def check_submissions(command: CheckCommand) -> int:
     options = CheckOptions(
         sandbox=command.sandbox, play=command.play, replays=command.replays, show_output=command.show_output
     )
-    files = (
-        [_check_one(paths[0], loaded, options, command.fix)]
-        if len(paths) == 1
-        else _check_many(paths, loaded, options, command)
+    if len(given.paths) == 1:
+        checked = _Checked([_check_one(given.paths[0], loaded, options, command.fix)])
+    else:
+        checked = _check_many(given.paths, loaded, options, command)
+    report = check_report(
+        loaded.scenario.id,
+        loaded.scenario.title,
+        command.sandbox,
+        checked.files,
+        [*given.left_out, *_not_come_to(given.paths, checked)],
+        interrupted=checked.interrupted,
     )
-    report = check_report(loaded.scenario.id, loaded.scenario.title, command.sandbox, files)
     _publish(report, command, console_for(to_stderr=command.json))
+    if checked.interrupted:
+        raise KeyboardInterrupt
     return report.exit_code
 
 
-def submissions(given: list[Path]) -> list[Path]:
+def submissions(given: list[Path]) -> Given:
     """Return the submissions: of a folder full of archives each of them, everything else as it is.
 
     Raises:
         CheckUsageError: one cannot be opened.
     """
-    found: list[Path] = []
+    from rcj_challenges.checker.many_given import in_folders
+
     for path in given:
-        try:
+        with _or_usage_error(path, "opened"):
             path.stat()
-            if path.is_dir():
-                found += _archives_in(path) or [path]
-            elif path.is_file():
-                with path.open("rb"):
-                    found.append(path)
-            else:
+            if path.is_file():
+                path.open("rb").close()
+            elif not path.is_dir():
                 raise CheckUsageError(f"{_safe(path)}: cannot be opened: it is neither a file nor a folder")
-        except (OSError, ValueError) as error:
-            reason = getattr(error, "strerror", None) or str(error)
-            raise CheckUsageError(f"{_safe(path)}: cannot be opened: {reason}") from error
-    return list(dict.fromkeys(found))
+            else:
+                in_folders([path])
+    return in_folders(given)
 
 
-def _archives_in(folder: Path) -> list[Path]:
-    """Return the archives in a folder; none if it is a team's own, which may have an old ZIP lying about."""
-    entries = sorted(folder.iterdir())
-    archives = [entry for entry in entries if entry.suffix.lower() in _ARCHIVES and entry.is_file()]
-    programs = [entry for entry in entries if entry.suffix == ".py"]
-    programs += [inner for entry in entries if archives and entry.is_dir() for inner in entry.glob("*.py")]
-    return [] if programs else archives
+def _ensure_outputs(command: CheckCommand) -> None:
+    """Find out whether the files that are asked for can be written, before anything takes time.
+
+    Raises:
+        CheckUsageError: one cannot.
+    """
+    from rcj_challenges.checker.report_files import ensure_folder, ensure_page
+
+    if command.html is not None:
+        with _or_usage_error(command.html, "written"):
+            ensure_page(command.html)
+    if command.replays is not None and command.play:
+        with _or_usage_error(command.replays, "written"):
+            ensure_folder(command.replays)
+
+
+@contextmanager
+def _or_usage_error(path: Path, done: str) -> Iterator[None]:
+    """Make an error of the system one that says which path cannot be opened or written, and why."""
+    try:
+        yield
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise CheckUsageError(f"{_safe(path)}: cannot be {done}: {reason}") from error
+
+
+@dataclass
+class _Checked:
+    """What was checked.
+
+    Attributes:
+        files: reports, in the order of the submissions.
+        interrupted: whether somebody ended it before all were checked.
+    """
+
+    files: list[FileReport]
+    interrupted: bool = False
+
+
+def _not_come_to(paths: list[Path], checked: _Checked) -> list[LeftOut]:
+    """Return the submissions whose check was interrupted, or never begun."""
+    if not checked.interrupted:
+        return []
+    from rcj_challenges.checker.many_given import called
+    from rcj_challenges.checker.report import LeftOut
+
+    done = {file.file for file in checked.files}
+    reason = "somebody interrupted the check before it was done"
+    return [LeftOut(file=one.name, reason=reason) for one in called(paths) if one.name not in done]
 
 
 def _check_one(path: Path, loaded: Loaded, options: CheckOptions, fix: Path | None) -> FileReport:
@@ -179,21 +230,26 @@ def _check_one(path: Path, loaded: Loaded, options: CheckOptions, fix: Path | No
     return check_file(repaired.out, loaded, options, repaired_lines(repaired.done) or ["nothing: there was no need"])
 
 
-def _check_many(paths: list[Path], loaded: Loaded, options: CheckOptions, command: CheckCommand) -> list[FileReport]:
+def _check_many(paths: list[Path], loaded: Loaded, options: CheckOptions, command: CheckCommand) -> _Checked:
+    """Check several, and say of each when it is done; those that are done by then survive an interruption."""
     from rcj_challenges.checker.many import check_many
+    from rcj_challenges.checker.many_given import called
     from rcj_challenges.checker.report_text import progress_line
     from rcj_challenges.views.scoreboard import console_for
 
     console = console_for(to_stderr=True)
-    done = 0
+    done: list[FileReport] = []
 
     def on_done(file: FileReport) -> None:
-        nonlocal done
-        done += 1
+        done.append(file)
         if not command.json:
-            console.print(progress_line(done, len(paths), file), markup=False, highlight=False, soft_wrap=True)
+            console.print(progress_line(len(done), len(paths), file), markup=False, highlight=False, soft_wrap=True)
 
-    return check_many(paths, loaded, options, command.jobs or os.cpu_count() or 1, on_done)
+    try:
+        return _Checked(check_many(paths, loaded, options, command.jobs or os.cpu_count() or 1, on_done))
+    except KeyboardInterrupt:
+        order = [one.name for one in called(paths)]
+        return _Checked(sorted(done, key=lambda file: order.index(file.file)), interrupted=True)
 
 
 def _publish(report: CheckReport, command: CheckCommand, console: Console) -> None:
@@ -213,13 +269,12 @@ def _publish(report: CheckReport, command: CheckCommand, console: Console) -> No
     if command.html is None:
         return
 
+    from rcj_challenges.checker.report_files import write_page
     from rcj_challenges.checker.report_html import html_page
 
-    try:
-        command.html.parent.mkdir(parents=True, exist_ok=True)
-        command.html.write_text(html_page(report, command.html.parent), encoding="utf-8", newline="\n")
-    except OSError as error:
-        raise CheckUsageError(f"{_safe(command.html)}: cannot be written: {error.strerror or error}") from error
+    page = html_page(report, command.html.parent)
+    with _or_usage_error(command.html, "written"):
+        write_page(command.html, page)
     if not command.json:
         console.print(f"report: {_safe(command.html)}", markup=False, highlight=False, soft_wrap=True)
 

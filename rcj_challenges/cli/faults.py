@@ -19,14 +19,22 @@ def report_our_fault(error: BaseException) -> int:
         "",
         "".join(traceback.format_exception(error)),
     ]
-    with tempfile.NamedTemporaryFile(
-        "w", prefix="rcj-challenge-report-", suffix=".txt", dir=Path.cwd(), delete=False, encoding="utf-8"
-    ) as file:
-        file.write("\n".join(lines))
-    name = Path(file.name).name
+    text = "\n".join(lines)
+    try:
+        where = f"A report is in {_written(text, Path.cwd()).name}"
+    except OSError:
+        where = f"No report can be written in this folder, so here it is:\n{text}"
     print(  # noqa: T201 - this is the terminal
         f"rcj-challenge: this is our fault, not yours: {type(error).__name__}: {error}\n"
-        f"A report is in {name}; please send it to the project.",
+        f"{where}; please send it to the project.",
         file=sys.stderr,
     )
     return 3
+
+
+def _written(text: str, folder: Path) -> Path:
+    with tempfile.NamedTemporaryFile(
+        "w", prefix="rcj-challenge-report-", suffix=".txt", dir=folder, delete=False, encoding="utf-8"
+    ) as file:
+        file.write(text)
+    return Path(file.name)

@@ -89,7 +89,7 @@ def run_scenario(options: RunOptions) -> int:
     try:
         with on_air(options.live, loaded.scenario, titles, plan.logos, plan.seed, console) as show:
             outcome = play_match(plan, watcher if show is None else Together(watcher, show.watcher))
-            _tell(options, console, outcome)
+            _tell(options, console, loaded.scenario, outcome)
             if show is not None and options.live is not None:
                 show.match_over(outcome.folder)
                 stay_on_air(show, options.live, console)
@@ -99,7 +99,7 @@ def run_scenario(options: RunOptions) -> int:
     return 0
 
 
-def _tell(options: RunOptions, console: Console, outcome: PlayedMatch) -> None:
+def _tell(options: RunOptions, console: Console, scenario: Scenario, outcome: PlayedMatch) -> None:
     """Write the replay page, and say how it ended."""
     if options.replay:
         from rcj_challenges.views.replay import write_replay
@@ -109,7 +109,7 @@ def _tell(options: RunOptions, console: Console, outcome: PlayedMatch) -> None:
         sys.stdout.write(json.dumps(outcome.result, ensure_ascii=False, indent=2) + "\n")
         sys.stdout.flush()
     else:
-        _summary(console, outcome.result, outcome.folder, replay=options.replay)
+        _summary(console, scenario, outcome, replay=options.replay)
 
 
 def _open_teams(loaded: Loaded, options: RunOptions) -> dict[str, Team]:
@@ -192,13 +192,15 @@ def _known(name: str, names: Mapping[str, Any] | frozenset[str], kind: str) -> N
         raise UsageError(f"unknown {kind} {name!r}: this scenario has {', '.join(sorted(names))}{hint}")
 
 
-def _summary(console: Console, result: dict[str, Any], folder: Path, *, replay: bool) -> None:
-    """Say how it ended and where the record is."""
-    from rcj_challenges.views.scoreboard import score_line
+def _summary(console: Console, scenario: Scenario, outcome: PlayedMatch, *, replay: bool) -> None:
+    """Say how it ended, by what, and where the record is."""
+    from rcj_challenges.views.scoreboard import ranking_lines, score_line
     from rcj_challenges.views.sentences import plain
 
+    result, folder = outcome.result, outcome.folder
     names = {seat: entrant["name"] for seat, entrant in result["entrants"].items()}
     lines = [score_line(names, result["score"])]
+    lines += ranking_lines(scenario.result.rank, names, result["ranking"])
     lines += [
         f"program fault: {fault['robot']} {fault['kind']} at tick {fault['tick']}: {plain(fault['detail'])} "
         f"(logs/{fault['robot']}.log)"

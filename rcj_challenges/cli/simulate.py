@@ -17,8 +17,10 @@ from rcj_challenges.facts.errors import RcjError
 
 if TYPE_CHECKING:
     from rich.console import Console
+    from rich.table import Table
 
     from rcj_challenges.match.many import Outcome
+    from rcj_challenges.views.scoreboard import Criterion
 
 _MOST_SEEDS = 100_000
 
@@ -51,7 +53,8 @@ def simulate(options: SimulateOptions) -> int:
     from rcj_challenges.scenario.load import load
     from rcj_challenges.views.scoreboard import console_for
 
-    load(options.scenario, options.overrides)  # one clear message instead of one for each seed
+    loaded = load(options.scenario, options.overrides)  # one clear message instead of one for each seed
+    rank = loaded.scenario.result.rank
     seeds = parse_seeds(options.seeds)
     arguments = [options.scenario, "--out", str(options.out), "--no-replay", "--quiet"]
     arguments += [part for team in options.teams for part in ("--team", team)]
@@ -62,12 +65,12 @@ def simulate(options: SimulateOptions) -> int:
     try:
         outcomes = play_many(jobs, options.at_once or os.cpu_count() or 1, progress.done)
     except KeyboardInterrupt:
-        _report(summary(progress.outcomes), options)
+        _report(progress.outcomes, rank, options)
         raise
     wrong = next((outcome for outcome in outcomes if outcome.wrong_input), None)
     if wrong is not None:
         raise SeedsError(wrong.complaint)
-    _report(summary(outcomes), options)
+    _report(outcomes, rank, options)
     return 3 if any(outcome.result is None for outcome in outcomes) else 0
 
 
@@ -108,6 +111,34 @@ def summary(outcomes: Sequence[Outcome]) -> dict[str, Any]:
     }
 
 
+def rank_summary(rank: Sequence[Criterion], outcomes: Sequence[Outcome]) -> dict[str, Any]:
+    """Return the ranking by seed, how often each entrant had which place, and the spread of what was compared.
+
+    Args:
+        rank: the scenario's criteria; ``spread`` has a value for each, in their order, and so have the rankings.
+        outcomes: of all matches; those that could not be played are left out.
+    """
+    from rcj_challenges.views.scoreboard import criterion_words
+
+    matches = [(outcome.job.seed, outcome.result["ranking"]) for outcome in outcomes if outcome.result is not None]
+    by_entrant: dict[str, list[dict[str, Any]]] = {}
+    for _, ranking in matches:
+        for entry in ranking:
+            by_entrant.setdefault(entry["team"], []).append(entry)
+    return {
+        "criteria": [criterion_words(criterion) for criterion in rank],
+        "matches": [{"seed": seed, "ranking": ranking} for seed, ranking in matches],
+        "places": {
+            entrant: {str(place): count for place, count in sorted(Counter(entry["place"] for entry in own).items())}
+            for entrant, own in by_entrant.items()
+        },
+        "spread": {
+            entrant: [_spread(values) for values in zip(*(entry["values"] for entry in own), strict=True)]
+            for entrant, own in by_entrant.items()
+        },
+    }
+
+
 def _spread(scores: Sequence[float]) -> dict[str, float]:
     return {
         "least": min(scores),
@@ -133,27 +164,71 @@ class _Progress:
         left_s = (time.perf_counter() - self._began) / count * (self._total - count)
         score = "could not be played" if outcome.result is None else str(list(outcome.result["score"].values()))
         self._console.print(
-            f"{count}/{self._total}  seed {outcome.job.seed}  {score}  {left_s:.0f} s left",
+            f"{count}/{self._total}  seed {outcome.job.seed}  {score}  done in about {left_s:.0f} s",
             markup=False,
             highlight=False,
         )
 
 
-def _report(told: dict[str, Any], options: SimulateOptions) -> None:
+def _report(outcomes: Sequence[Outcome], rank: Sequence[Criterion], options: SimulateOptions) -> None:
+    from rcj_challenges.views.scoreboard import console_for, decided_by_score_alone
+
+    told = summary(outcomes)
+    if not decided_by_score_alone(rank):
+        told["ranking"] = rank_summary(rank, outcomes)
     if options.json:
         sys.stdout.write(json.dumps(told, ensure_ascii=False, indent=2) + "\n")
         return
-    from rich.table import Table
-
-    from rcj_challenges.views.scoreboard import console_for
-
     console = console_for()
-    table = Table("entrant", "least", "median", "mean", "most", title=f"{told['played']} matches")
-    for entrant, spread in told["spread"].items():
-        table.add_row(entrant, *(f"{value:g}" for value in spread.values()))
-    console.print(table)
+    console.print(_score_table(told))
+    if "ranking" in told:
+        console.print(_rank_table(told["ranking"], rank))
     for head in ("events", "faults"):
         counts = ", ".join(f"{name} {count}" for name, count in told[head].items()) or "none"
         console.print(f"{head}: {counts}", markup=False, highlight=False)
     for failure in told["failed"]:
         console.print(f"seed {failure['seed']}: {failure['message']}", markup=False, highlight=False)
+
+
+def _score_table(told: dict[str, Any]) -> Table:
+    from rich.table import Table
+
+    table = Table("entrant", "least", "median", "mean", "most", title=f"{told['played']} matches")
+    for entrant, spread in told["spread"].items():
+        table.add_row(entrant, *(f"{value:g}" for value in spread.values()))
+    return table
+
+
+def _rank_table(ranking: dict[str, Any], rank: Sequence[Criterion]) -> Table:
+    """Return a row for each entrant, a column for each place and for each criterion beside the score."""
+    from rich.table import Column, Table
+
+    from rcj_challenges.scenario.models.scenario import RankByScore
+    from rcj_challenges.views.scoreboard import criterion_words
+
+    places = sorted({place for own in ranking["places"].values() for place in own}, key=int)
+    beside = [(index, criterion) for index, criterion in enumerate(rank) if not isinstance(criterion, RankByScore)]
+    heads = [
+        "entrant",
+        *(f"place {place}" for place in places),
+        *(criterion_words(criterion) for _, criterion in beside),
+    ]
+    table = Table(*(Column(head, overflow="fold") for head in heads), title="what decides")
+    for entrant, own in ranking["places"].items():
+        table.add_row(
+            entrant,
+            *(_times(own.get(place, 0)) for place in places),
+            *(_spread_words(criterion, ranking["spread"][entrant][index]) for index, criterion in beside),
+        )
+    return table
+
+
+def _times(count: int) -> str:
+    return "once" if count == 1 else f"{count} times" if count else "never"
+
+
+def _spread_words(criterion: Criterion, spread: dict[str, float]) -> str:
+    from rcj_challenges.views.scoreboard import value_words
+
+    least, median, most = (value_words(criterion, spread[name]) for name in ("least", "median", "most"))
+    return least if least == most else f"{least} to {most}, median {median}"

@@ -208,6 +208,8 @@ def environment(folder: Path) -> dict[str, str]:
         "LC_ALL": "C.UTF-8",
         "TZ": "UTC",
         "PATH": os.defpath,
+        # Programs append folders of it to their path; there is nothing in it that they could need.
+        "WEBOTS_HOME": str(folder / "webots"),
         # Sets iterate in the same order in every run.
         "PYTHONHASHSEED": "0",
         # One core per program; without it OpenBLAS reserves 2 GB of address space on a machine of many cores.

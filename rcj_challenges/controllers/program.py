@@ -15,7 +15,7 @@ from rcj_challenges.controllers.log import ProgramLog
 from rcj_challenges.controllers.pipes import Channel, ChannelClosedError, FrameTooLongError, open_channel
 from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hello_frame, most_frame_bytes, one_line
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.errors import HostError, RcjError, is_of_the_host, told_of
 from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.streams import stream_seed
 from rcj_challenges.facts.timing import s_from_ticks
@@ -117,6 +117,7 @@ class Program:
         Raises:
             IsolationError: strict isolation cannot be had here.
             OSError: the log cannot be written.
+            HostError: this computer cannot start one more program.
         """
         layers = isolation.active_layers(self._assignment.sandbox)
         if self._assignment.debug:
@@ -127,7 +128,11 @@ class Program:
         try:
             self._start(layers, self._log.fd, place)
         except (OSError, ValueError, RcjError) as error:
-            self._fail("start", f"the program could not be started: {one_line(str(error))}")
+            if isinstance(error, HostError):
+                raise
+            if is_of_the_host(error):
+                raise HostError(f"the program of {self.name} cannot be started here: {told_of(error)}") from error
+            self._fail("start", f"the program could not be started: {one_line(told_of(error))}")
 
     def release(self, observation: Observation) -> None:
         """Let the program's ``step`` return with this. Does not wait."""

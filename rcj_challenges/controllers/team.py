@@ -20,6 +20,7 @@ from rcj_challenges.controllers.team_name import (
     safe_name,
 )
 from rcj_challenges.controllers.troubles import MOST_PATH_SHOWN, told
+from rcj_challenges.facts.errors import HostError, is_of_the_host, told_of
 from rcj_challenges.scenario.models.robots import Entrant, EntryPoints
 
 __all__ = ["MOST_NAME_LETTERS", "Opening", "Team", "TeamError", "alternatives", "look_into", "open_team", "safe_name"]
@@ -88,6 +89,7 @@ class Team:
 
         Raises:
             TeamError: this computer cannot hold them (names it does not allow).
+            HostError: it has no room for them.
         """
         try:
             for name, content in self._files.items():
@@ -95,7 +97,9 @@ class Team:
                 target.parent.mkdir(parents=True, exist_ok=True)
                 target.write_bytes(content)
         except (OSError, ValueError) as error:
-            raise TeamError(f"{self.source}: {name} cannot be written on this computer: {error}") from error
+            if is_of_the_host(error):
+                raise HostError(f"the temporary folder cannot take the team's files: {told_of(error)}") from error
+            raise TeamError(f"{self.source}: {name} cannot be written on this computer: {told_of(error)}") from error
 
     def size_bytes(self) -> int:
         """Return the size of all files together."""

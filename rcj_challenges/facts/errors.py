@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 from typing import ClassVar
 
 
@@ -13,3 +14,24 @@ class RcjError(Exception):
     """
 
     exit_code: ClassVar[int] = 2
+
+
+class HostError(RcjError):
+    """This computer cannot do what is needed: no space, too many open files. No program and no team is to blame."""
+
+
+_OF_THE_HOST = frozenset(
+    getattr(errno, name)
+    for name in ("EAGAIN", "EDQUOT", "EIO", "EMFILE", "ENFILE", "ENOMEM", "ENOSPC", "EROFS")
+    if hasattr(errno, name)  # Windows has no quotas
+)
+
+
+def is_of_the_host(error: BaseException) -> bool:
+    """Return whether an error tells of this computer's own limits."""
+    return isinstance(error, OSError) and error.errno in _OF_THE_HOST
+
+
+def told_of(error: BaseException) -> str:
+    """Return what an error says, of the system's errors without paths: they go into records that are published."""
+    return (error.strerror if isinstance(error, OSError) else None) or str(error)

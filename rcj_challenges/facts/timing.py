@@ -24,6 +24,12 @@ def ticks_from_s(duration_s: float) -> int:
     return nearest if math.isclose(exact, nearest, rel_tol=1e-9, abs_tol=1e-9) else math.ceil(exact)
 
 
+def whole_ticks_within_s(duration_s: float) -> int:
+    """Return the number of ticks that a duration has room for, rounded down (2 s = 62 ticks): "at most so long"."""
+    up = ticks_from_s(duration_s)
+    return up if math.isclose(up * TICK_S, duration_s, rel_tol=1e-9, abs_tol=1e-9) else max(0, up - 1)
+
+
 def ticks_from_ms(duration_ms: float) -> int:
     """Return the ticks that a program's ``step(ms)`` covers: at least one, rounded up."""
     return max(1, math.ceil(duration_ms / TICK_MS))

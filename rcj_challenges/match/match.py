@@ -19,7 +19,7 @@ from rcj_challenges.facts.traffic import RobotSpec
 from rcj_challenges.match.clerk import HalfClerk
 from rcj_challenges.match.half import HalfOutcome, HalfPlay
 from rcj_challenges.match.overhearing import Overhearing
-from rcj_challenges.match.ranking import ranking
+from rcj_challenges.match.ranking import Tally, ranking
 from rcj_challenges.match.seats import by_seat, by_team, teams_by_seat
 from rcj_challenges.match.watching import Silent, Waits, Watcher
 from rcj_challenges.records.logos import logo_of
@@ -100,6 +100,7 @@ class _MatchPlay:
         self._roster = plan.loaded.roster
         self._scores: dict[str, Score] = dict.fromkeys(self._scenario.entrants, 0)
         self._kept: dict[str, Any] = {}
+        self._tallies: list[Tally] = []
         self._ranking: list[dict[str, Any]] = []
         self._half_ticks = ticks_from_s(self._scenario.match.half_s)
         self._held_up_s = 0.0
@@ -160,8 +161,8 @@ class _MatchPlay:
         self._watcher.half_ended(half, tuple(_waits(driver) for driver in drivers.values()))
         self._scores = by_team(referee.scores, half.teams)
         self._kept = dict(referee.kept)
-        time_s = s_from_ticks(outcome.ticks)
-        self._ranking = ranking(scenario, self._scores, referee.counters, half.teams, time_s)
+        self._tallies.append(Tally(dict(referee.counters), half.teams, s_from_ticks(outcome.ticks)))
+        self._ranking = ranking(scenario, self._scores, self._tallies)
         return outcome
 
     def _before_tick(self, tick: int) -> None:

@@ -2,35 +2,44 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
 
 Score = int | float
-Counters = Mapping[str, Any]
 
 
-def ranking(
-    scenario: Scenario, scores: Mapping[str, Score], counters: Counters, teams: Mapping[str, str], time_s: float
-) -> list[dict[str, Any]]:
+@dataclass(frozen=True)
+class Tally:
+    """What a half that is over adds to the ranking.
+
+    Attributes:
+        counters: by name; kept per entity: by entity.
+        teams: by seat: a counter kept per robot counts for the team whose robot it was in this half.
+        time_s: simulated time in s at which it ended.
+    """
+
+    counters: Mapping[str, Any]
+    teams: Mapping[str, str]
+    time_s: float
+
+
+def ranking(scenario: Scenario, scores: Mapping[str, Score], halves: Sequence[Tally]) -> list[dict[str, Any]]:
     """Return the teams, best first; teams that no criterion tells apart share a place.
 
     Args:
         scenario: its ``result.rank`` holds the criteria; a later one breaks ties.
         scores: by team.
-        counters: of the last half, by name; kept per entity: by entity.
-        teams: of the last half, by seat: a counter kept per robot counts for the team whose robot it is.
-        time_s: simulated time in s at which the last half ended.
+        halves: all that are over: their times and counters are added up.
 
     Returns:
         ``{"place", "team", "values"}`` each; values in the order of the criteria.
     """
     criteria = scenario.result.rank
-    robots = {team: tuple(scenario.entrants[seat].robots) for seat, team in teams.items()}
     values = {
-        team: [_value(criterion, scores[team], counters, robots[team], time_s) for criterion in criteria]
-        for team in scores
+        team: [_value(criterion, team, scores[team], scenario, halves) for criterion in criteria] for team in scores
     }
     keys = {
         team: [_sign(criterion) * value for criterion, value in zip(criteria, own, strict=True)]
@@ -45,19 +54,28 @@ def ranking(
 
 def _value(
     criterion: RankByScore | RankByTime | RankByCounter,
+    team: str,
     score: Score,
-    counters: Counters,
-    robots: tuple[str, ...],
-    time_s: float,
+    scenario: Scenario,
+    halves: Sequence[Tally],
 ) -> Score:
+    def counted(counter: str) -> Score:
+        return sum(_count(half.counters, counter, _robots(scenario, half, team)) for half in halves)
+
     if isinstance(criterion, RankByScore):
         return score
     if isinstance(criterion, RankByCounter):
-        return _count(counters, criterion.counter, robots)
-    return round(time_s + sum(part.weight * _count(counters, part.counter, robots) for part in criterion.plus), 6)
+        return counted(criterion.counter)
+    time_s = sum(half.time_s for half in halves)
+    return round(time_s + sum(part.weight * counted(part.counter) for part in criterion.plus), 6)
 
 
-def _count(counters: Counters, name: str, robots: tuple[str, ...]) -> Score:
+def _robots(scenario: Scenario, half: Tally, team: str) -> tuple[str, ...]:
+    """Return the robots that a team drove in a half."""
+    return tuple(robot for seat, name in half.teams.items() if name == team for robot in scenario.entrants[seat].robots)
+
+
+def _count(counters: Mapping[str, Any], name: str, robots: tuple[str, ...]) -> Score:
     counted: Score | Mapping[str, Score] = counters[name]
     return sum(counted.get(robot, 0) for robot in robots) if isinstance(counted, Mapping) else counted
 

@@ -16,15 +16,17 @@ def sample_team(scenario: Scenario, seat: str, bases: Sequence[Scenario] = ()) -
     """Return the folder of the sample team for a seat, None if none has programs for its robots.
 
     That is the team made for this scenario; else one made for a scenario that it extends, if the seat's robots have
-    the same kits there, since a program of one kit cannot drive another; else one of the match's.
+    the same kits there, since a program of one kit cannot drive another; else one of the match's, unless the scenario
+    gives robots of the match another kit.
 
     Args:
         scenario: what is played.
         seat: one of its entrants.
         bases: the scenarios that it extends, the nearest first.
     """
-    alike = (base.id for base in bases if not other_kits(scenario, base, seat))
-    for name in (scenario.id, *alike, _OF_THE_MATCH.get(seat)):
+    alike = [base.id for base in bases if not other_kits(scenario, base, seat)]
+    of_the_match = _OF_THE_MATCH.get(seat) if len(alike) == len(bases) else None
+    for name in (scenario.id, *alike, of_the_match):
         if name is not None and _has_programs(teams_folder() / name, scenario, seat):
             return teams_folder() / name
     return None

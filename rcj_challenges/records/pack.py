@@ -77,7 +77,7 @@ def _add(
         dtype, shape, blocks = only.dtype, only.shape, iter([only])
     entry = zipfile.ZipInfo(f"{name}.npy", _FIXED_DATE)
     with archive.open(entry, "w", force_zip64=True) as file:
-        described = {"descr": np.lib.format.dtype_to_descr(dtype), "fortran_order": False, "shape": shape}
-        np.lib.format.write_array_header_1_0(file, described)
+        described = {"descr": np.lib.format.dtype_to_descr(dtype), "fortran_order": False, "shape": shape}  # type: ignore[no-untyped-call]
+        np.lib.format.write_array_header_1_0(file, described)  # type: ignore[no-untyped-call]
         for block in blocks:
             file.write(block.tobytes())

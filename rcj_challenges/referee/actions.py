@@ -34,7 +34,7 @@ def score(model: models.Score, workshop: Workshop, rule: StandingRule) -> Act:
     points = compile_points(model.points, workshop, rule.each)
 
     def act(occasion: Occasion) -> None:
-        given = points()
+        given = points(occasion)
         state.scores[entrant] = plain(state.scores[entrant] + given)
         occasion.scored[entrant] = plain(occasion.scored.get(entrant, 0) + given)
 
@@ -48,17 +48,17 @@ def count(model: models.Count, workshop: Workshop, rule: StandingRule) -> Act:
     by = 1 if model.by is None and model.to is None else model.by
     step = None if by is None else compile_amount(by, workshop, rule.each)
 
-    def changed(value: Number) -> Number:
-        value = value if to is None else to()
-        return plain(value if step is None else value + step())
+    def changed(value: Number, occasion: Occasion) -> Number:
+        value = value if to is None else to(occasion)
+        return plain(value if step is None else value + step(occasion))
 
-    def act(_occasion: Occasion) -> None:
+    def act(occasion: Occasion) -> None:
         value = counters[name]
         if isinstance(value, dict):
             for member in value if whose is None else (whose,):
-                value[member] = changed(value[member])
+                value[member] = changed(value[member], occasion)
         else:
-            counters[name] = changed(value)
+            counters[name] = changed(value, occasion)
 
     return act
 
@@ -190,7 +190,7 @@ def remove(model: models.Remove, workshop: Workshop, rule: StandingRule) -> Act:
         for entity, putting in returns.items():
             queue.ask(Job(entity, None, rule))
             if away is not None:
-                queue.ask_later(Job(entity, putting, rule, due=state.tick + away))
+                queue.ask_later(Job(entity, putting, rule, due=state.tick + away, comes_back=True))
 
     return act
 

@@ -13,7 +13,7 @@ from rcj_challenges.referee.rules import Test
 from rcj_challenges.referee.sequences import sequence_watch
 from rcj_challenges.referee.setting_down import Board
 from rcj_challenges.referee.state import Number
-from rcj_challenges.referee.values import compile_amount
+from rcj_challenges.referee.values import compile_bound
 from rcj_challenges.scenario.models import conditions as models
 
 
@@ -52,7 +52,7 @@ def _anchors(to: str | tuple[float, float], workshop: Workshop, each: str | None
 def _comparison(model: Any, workshop: Workshop, each: str | None) -> Callable[[Number], bool]:
     """Return the comparison of a model with at_least, at_most and equals; without any: is it other than 0?"""
     least, most, equals = (
-        None if bound is None else compile_amount(bound, workshop, each)
+        None if bound is None else compile_bound(bound, workshop, each)
         for bound in (model.at_least, model.at_most, model.equals)
     )
     if least is None and most is None and equals is None:
@@ -125,16 +125,36 @@ def distance(model: models.Distance, workshop: Workshop, each: str | None) -> Te
 
 
 def counter(model: models.CounterIs, workshop: Workshop, each: str | None) -> Test:
-    """The value of a counter or of a score."""
-    state, name, whose = workshop.state, model.counter, workshop.whose(model.entity, each)
+    """The value of a counter or of a score; with ``of``: of so many."""
+    state, name = workshop.state, model.counter
     holds = _comparison(model, workshop, each)
-    return lambda: holds(state.counter(name, whose))
+    return _of_kept(model, workshop, each, state.counters.get(name), lambda whose: holds(state.counter(name, whose)))
 
 
 def flag(model: models.FlagIs, workshop: Workshop, each: str | None) -> Test:
-    """Whether a flag is set."""
-    state, name, whose = workshop.state, model.flag, workshop.whose(model.entity, each)
-    return lambda: state.flag(name, whose)
+    """Whether a flag is set; with ``of``: so many."""
+    state, name = workshop.state, model.flag
+    return _of_kept(model, workshop, each, state.flags[name], lambda whose: state.flag(name, whose))
+
+
+def _of_kept(
+    model: models.CounterIs | models.FlagIs | models.TimerIs,
+    workshop: Workshop,
+    each: str | None,
+    kept: object,
+    test: Callable[[str | None], bool],
+) -> Test:
+    """Return the test of something kept per entity: of one, of all as one, or with ``of`` of so many of them."""
+    entity, of = model.entity, model.of
+    if of is not None:
+        keepers = kept if isinstance(kept, dict) else ()
+        members = tuple(keepers) if entity is None else workshop.members(entity, each)
+        return lambda: _quantified(of, (test(member) for member in members))
+    if isinstance(entity, tuple):
+        message = f"{model.condition}: several entities need 'of'"
+        raise ValueError(message)  # noqa: TRY004 - refused when the scenario is loaded
+    whose = workshop.whose(entity, each)
+    return lambda: test(whose)
 
 
 def drawn(model: models.Drawn, workshop: Workshop, _each: str | None) -> Test:
@@ -146,12 +166,17 @@ def drawn(model: models.Drawn, workshop: Workshop, _each: str | None) -> Test:
 def timer(model: models.TimerIs, workshop: Workshop, each: str | None) -> Test:
     """How long a timer has run in s (of several the longest); without a comparison: whether one is running."""
     state, clocks = workshop.state, workshop.state.timers[model.timer]
-    whose = workshop.whose(model.entity, each)
-    meant = tuple(clocks.values()) if whose is None else (clocks[whose],)
-    if model.at_least is None and model.at_most is None and model.equals is None:
-        return lambda: any(clock.running(state.tick) for clock in meant)
+    everyone = tuple(clocks.values())
+    runs = model.at_least is None and model.at_most is None and model.equals is None
     holds = _comparison(model, workshop, each)
-    return lambda: holds(s_from_ticks(max(clock.ticks(state.tick) for clock in meant)))
+
+    def test(whose: str | None) -> bool:
+        meant = everyone if whose is None else (clocks[whose],)
+        if runs:
+            return any(clock.running(state.tick) for clock in meant)
+        return holds(s_from_ticks(max(clock.ticks(state.tick) for clock in meant)))
+
+    return _of_kept(model, workshop, each, clocks, test)
 
 
 def last_touch(model: models.LastTouch, workshop: Workshop, each: str | None) -> Test:

@@ -275,7 +275,9 @@ class Referee:
         placements, failed = set_down(jobs, state, self._workshop.bodies)
         for job in failed:
             if job.putting is not None and job.putting.retry:
-                self._queue.ask_later(replace(job, due=state.tick + 1))
+                self._queue.ask_later(replace(job, due=state.tick + 1, instead_of=None))
+            elif job.instead_of is not None:
+                self._queue.ask_later(job.instead_of)
         moved = {placement.entity for placement in placements}
         if moved:
             self._all_present = all(state.present)

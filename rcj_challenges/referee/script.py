@@ -273,7 +273,7 @@ def try_expectation(loaded: HasScenario, name: str) -> Trial:
     half = half_of(scenario, expected.half, expected.seed)
     half = replace(half, scores=half.scores | {seat: plain(score) for seat, score in expected.given.score.items()})
     play = ScriptedPlay(scenario, loaded.roster, half, expected.draws)
-    last = min(ticks_from_s(expected.lasts_s), half.ticks)
+    last = ticks_from_s(expected.lasts_s)
     before = 0
     for keyframe in sorted(expected.keyframes, key=lambda keyframe: keyframe.at_s):
         at = max(1, ticks_from_s(keyframe.at_s))
@@ -307,7 +307,7 @@ def _as_given(scenario: Scenario, given: Given) -> Scenario:
 
 
 def _play_until(play: ScriptedPlay, tick: int) -> None:
-    while play.tick < tick and play.verdict.ended is None:
+    while play.tick < tick and play.verdict.ended is None and not play.referee.time_is_up:
         play.play()
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rcj_challenges.facts.play import Placement, Pose2
 from rcj_challenges.referee.outlines import Bodies
@@ -167,6 +167,8 @@ class Job:
         rule: the rule that asked; a retry waits while the rule does not live. None: the start of the half.
         due: from which tick on it is to be done.
         signs: of x and y, as the mirrors stood when it was asked for; a retry keeps them.
+        comes_back: whether it brings back what was taken off for a time: that waits for no phase.
+        instead_of: what would have brought the entity back; that goes on to wait if this finds no room and gives up.
     """
 
     entity: int
@@ -174,6 +176,8 @@ class Job:
     rule: StandingRule | None
     due: int = 0
     signs: Point = (1.0, 1.0)
+    comes_back: bool = False
+    instead_of: Job | None = None
 
 
 class Queue:
@@ -190,8 +194,10 @@ class Queue:
 
     def ask(self, job: Job) -> None:
         """Queue a placement; the last one queued for an entity wins, also over one that waits."""
-        self._asked.pop(job.entity, None)
-        self._waiting.pop(job.entity, None)
+        before = self._asked.pop(job.entity, None)
+        waited = self._waiting.pop(job.entity, before.instead_of if before is not None else None)
+        if waited is not None and waited.comes_back:
+            job = replace(job, instead_of=waited)
         self._asked[job.entity] = job
 
     def ask_later(self, job: Job) -> None:
@@ -209,7 +215,7 @@ class Queue:
             for job in self._waiting.values()
             if job.due <= state.tick
             and job.entity not in self._asked
-            and (job.rule is None or job.rule.lives_in(state.phase))
+            and (job.rule is None or job.comes_back or job.rule.lives_in(state.phase))
         ]
         for job in ready:
             del self._waiting[job.entity]

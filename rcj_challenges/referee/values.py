@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import floor
 from typing import Any
 
 from rcj_challenges.facts.timing import s_from_ticks
@@ -13,8 +14,8 @@ from rcj_challenges.scenario.models.state import (
     CounterValue,
     DrawValue,
     FlagValue,
+    NumberWord,
     PositionValue,
-    WeightedCounter,
     WordValue,
 )
 
@@ -51,30 +52,45 @@ def counter_reader(value: CounterValue, workshop: Workshop, each: str | None) ->
     return lambda: state.counter(name, whose)
 
 
-def compile_amount(amount: Number | CounterValue, workshop: Workshop, each: str | None) -> Callable[[], Number]:
-    """Return what reads a number or a counter."""
-    if isinstance(amount, CounterValue):
-        return counter_reader(amount, workshop, each)
-    number = plain(amount)
+def compile_bound(bound: Number | CounterValue, workshop: Workshop, each: str | None) -> Callable[[], Number]:
+    """Return what reads a number or a counter to compare with."""
+    if isinstance(bound, CounterValue):
+        return counter_reader(bound, workshop, each)
+    number = plain(bound)
     return lambda: number
 
 
-def compile_points(points: Any, workshop: Workshop, each: str | None) -> Callable[[], Number]:
-    """Return what reads a number of points: a number, a counter, or the sum of weighted counters and flags."""
+def compile_amount(amount: Any, workshop: Workshop, each: str | None) -> Callable[[Occasion], Number]:
+    """Return what reads a number, a counter, a flag (1 if it is set, else 0), a draw or a number of the match."""
+    if not isinstance(amount, CounterValue | FlagValue | DrawValue | NumberWord):
+        number = plain(amount)
+        return lambda _occasion: number
+    read = compile_value(amount, workshop, each)
+    if isinstance(amount, NumberWord):
+        as_number = floor if amount.word in _TIMES else _or_zero
+        return lambda occasion: as_number(read(occasion))
+    if isinstance(amount, FlagValue):
+        return lambda occasion: int(read(occasion))
+    return read
+
+
+def compile_points(points: Any, workshop: Workshop, each: str | None) -> Callable[[Occasion], Number]:
+    """Return what reads a number of points: one amount, or the sum of weighted ones."""
     if not isinstance(points, tuple):
         return compile_amount(points, workshop, each)
-    state = workshop.state
+    parts = [(compile_amount(part, workshop, each), part.weight) for part in points]
 
-    def total() -> Number:
+    def total(occasion: Occasion) -> Number:
         summed: Number = 0
-        for part in points:
-            if isinstance(part, WeightedCounter):
-                summed += state.counter(part.counter, None) * part.weight
-            elif state.flag(part.flag, None):
-                summed += part.weight
+        for read, weight in parts:
+            summed += read(occasion) * weight
         return plain(summed)
 
     return total
+
+
+def _or_zero(number: Number | None) -> Number:
+    return 0 if number is None else number
 
 
 def _position(state: State, entity: int) -> list[float] | None:
@@ -121,6 +137,9 @@ WORDS: dict[str, Callable[[State, Occasion, str | None], Any]] = {
     "seed_id": lambda state, _occasion, _of: state.seed_id(),
 }
 """The words of `WordValue`, each with what it reads."""
+
+_TIMES = frozenset({"total_match_time_s", "time_s", "time_left_s"})
+"""Words whose whole seconds count."""
 
 
 def _rounded(number: float | None) -> Number | None:

@@ -38,6 +38,10 @@ class Watch:
         """Begin anew: what is true now was true before."""
         raise NotImplementedError
 
+    def moved(self) -> None:
+        """Take note that one of its entities was put elsewhere or taken off: it begins anew."""
+        self.restart()
+
 
 class PositionWatch(Watch):
     """A watch on where one entity's centre is."""
@@ -168,7 +172,8 @@ class Lookout:
         """Begin anew all that concerns entities that were put elsewhere or taken off."""
         for watch in self._alive.all:
             if not entities.isdisjoint(watch.entities):
-                self._restart(watch)
+                watch.since = self._state.tick
+                watch.moved()
         for entity in entities:
             self._fit_cell(entity)
         self._next_due()

@@ -24,6 +24,7 @@ Each = tuple[str, ...] | None
 
 _WORDED = ("triggers", "conditions", "actions")
 _READS = (conditions.CounterIs, conditions.FlagIs, conditions.TimerIs, state.CounterValue, state.FlagValue)
+_WEIGHTED = (state.WeightedCounter, state.WeightedFlag)
 _WRITES = (actions.Count, actions.SetFlag, actions.ToggleFlag, actions.TimerAction)
 _STATE_SECTIONS = {"counter": "counters", "flag": "flags", "timer": "timers"}
 
@@ -198,13 +199,15 @@ class _Walker:
     # --- what a table cannot say ------------------------------------------------------------------------------------
 
     def _special(self, model: Any, node: Entries, path: Path, each: Each) -> None:
-        if model in _READS or model in _WRITES:
+        if model in (*_READS, *_WEIGHTED, *_WRITES):
             self._per_entity(model, node, path, each)
         elif model is actions.Place:
             layout = node.entries.get("layout")
             drawn = child(layout, "draw")
             if isinstance(drawn, Leaf) and drawn.value in self.names.names("draws"):
                 self._check_drawn(Named("layout", ("placements",)), str(drawn.value), (*path, "layout"))
+        elif model in (state.NumberDraw, state.WeightedDraw):
+            self._numbers(node.entries.get("draw"), path)
         elif model is conditions.Drawn:
             self._among_values(node.entries.get("draw"), node.entries.get("equals"), (*path, "equals"))
         elif model is actions.DrawAction:
@@ -215,6 +218,15 @@ class _Walker:
                 self._among_values(Leaf(name, value.mark), value, (*path, "draws", name))
         elif model is conditions.SequenceAt:
             self._among_steps(node, path)
+
+    def _numbers(self, draw: Node | None, user: Path) -> None:
+        """Check that all that a draw may decide are numbers, where its name stands for one."""
+        values = node_at(self.root, ("draws", str(draw.value), "values")) if isinstance(draw, Leaf) else None
+        for index, value in enumerate(values.items if isinstance(values, Items) else ()):
+            if isinstance(value, Leaf) and isinstance(value.value, (str, bool)):
+                at: Path = ("draws", str(draw.value), "values", index) if isinstance(draw, Leaf) else user
+                needed = f"(needed by {shown_path(self.root, user)})"
+                self.add(at, value.mark, f"expected a number, found {found_text(value)} {needed}")
 
     def _among_values(self, draw: Node | None, value: Node | None, path: Path) -> None:
         values = node_at(self.root, ("draws", str(draw.value), "values")) if isinstance(draw, Leaf) else None
@@ -244,21 +256,33 @@ class _Walker:
         entry = node_at(self.root, (_STATE_SECTIONS[key], name.value))
         per = child(entry, "per")
         if not isinstance(per, Leaf) or not isinstance(per.value, str):
-            if whose is not None and (entry is not None or name.value in self.names.names("entrants")):
-                message = f"{key} '{name.value}' is not kept per entity; leave 'entity' out"
-                self.add((*path, "entity"), mark_of(self.root, (*path, "entity")), message)
+            surplus = next((one for one in ("entity", "of") if one in node.entries), None)
+            if surplus is not None and (entry is not None or name.value in self.names.names("entrants")):
+                message = f"{key} '{name.value}' is not kept per entity; leave '{surplus}' out"
+                self.add((*path, surplus), mark_of(self.root, (*path, surplus)), message)
             return
+        quantified = "of" in model.model_fields and "of" in node.entries
         if whose is None:
-            if each is not None and model in _READS:
+            if each is not None and model in _READS and not quantified:
                 message = f"{key} '{name.value}' is kept per {per.value}: say whose with 'entity', such as entity: each"
                 self.add(path, name.mark, message)
             return
+        if "of" in model.model_fields and not quantified and self._is_several(whose):
+            what = "these are several" if isinstance(whose, Items) else f"'{texts(whose)[0]}' is a group"
+            message = f"{what}; name one entity, or say with 'of' how many of them: any, all, none, {{at_least: n}}"
+            self.add((*path, "entity"), whose.mark, message)
+            return
         owners = self.names.expand(per.value)
-        meant = [owner for text in texts(whose) for owner in ((each or ()) if text == EACH else (text,))]
+        meant = [o for text in texts(whose) for o in ((each or ()) if text == EACH else self.names.expand(text))]
         stranger = next((one for one in meant if one not in owners and one in self.names.kinds), None)
         if stranger is not None:
             message = f"{key} '{name.value}' is kept per {per.value}, and '{stranger}' is not among them"
             self.add((*path, "entity"), whose.mark, message)
+
+    def _is_several(self, whose: Node) -> bool:
+        return isinstance(whose, Items) or any(
+            text in self.names.groups and text not in self.names.kinds for text in texts(whose)
+        )
 
 
 def _leaves(node: Node, path: Path) -> Iterator[tuple[str, Path, Mark]]:

@@ -8,12 +8,23 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, get_args, get_origin
 
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, listing, nearest
-from rcj_challenges.scenario.shape import Shape, bare, chosen, fields, is_model, is_union, shape_at, step_into, tags
+from rcj_challenges.scenario.shape import (
+    Shape,
+    bare,
+    chosen,
+    fields,
+    is_model,
+    is_union,
+    members,
+    shape_at,
+    step_into,
+    tags,
+)
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, child, in_names, mark_of, node_at, plain
 from rcj_challenges.scenario.wording import NAME_RULE, expected, found_text, is_fixed, refusal
 
@@ -30,8 +41,8 @@ def explain(error: ValidationError, root: Entries, shape: Shape) -> list[Problem
         shape: the model of the whole tree.
     """
     explainer = _Explainer(root, shape)
-    mistakes = list(explainer.mistakes(error, shape, ()))
-    return [explainer.problem(mistake) for mistake in _without_echoes(mistakes)]
+    mistakes = list(_without_echoes(list(explainer.mistakes(error, shape, ()))))
+    return [explainer.problem(mistake) for mistake in explainer.without_strangers(mistakes)]
 
 
 @dataclass(frozen=True)
@@ -124,6 +135,32 @@ class _Explainer:
         else:
             yield _Mistake("union_type", mistake.details, mistake.path, mistake.union)
 
+    def without_strangers(self, mistakes: list[_Mistake]) -> Iterator[_Mistake]:
+        """Put one mistake for a mapping of which no member of its union knows a key: what may stand there."""
+        unknown = {mistake.path for mistake in mistakes if mistake.kind == "extra_forbidden"}
+        lacking = {mistake.path[:-1] for mistake in mistakes if mistake.kind == "missing"}
+        strangers = {path: shape for path in lacking if (shape := self._union_of_stranger(path, unknown)) is not None}
+        told: set[Path] = set()
+        for mistake in mistakes:
+            above = mistake.path[:-1]
+            if above not in strangers or mistake.kind not in {"missing", "extra_forbidden"}:
+                yield mistake
+            elif above not in told:
+                told.add(above)
+                yield _Mistake("union_type", mistake.details, above, strangers[above])
+
+    def _union_of_stranger(self, path: Path, unknown: set[Path]) -> Shape:
+        """Return the union in whose place a mapping stands of which all keys are unknown; None if it is not so."""
+        node = node_at(self.root, path)
+        if (
+            not isinstance(node, Entries)
+            or not node.entries
+            or not all((*path, key) in unknown for key in node.entries)
+        ):
+            return None
+        shape = shape_at(self.shape, self.root, path)
+        return shape if len(members(shape)) > 1 else None
+
     def problem(self, mistake: _Mistake) -> Problem:
         """Return a mistake in words."""
         above, key = mistake.path[:-1], (mistake.path or ("",))[-1]
@@ -163,7 +200,16 @@ class _Explainer:
         allowed = list(fields(model)) if model else []
         why = " (a param stands for a single value only)" if key == "param" else ""
         message = f"unknown key '{key[:64]}'; allowed are {listing(allowed, 40)}{nearest(key, allowed)}{why}"
+        message += self._as_list(above, key)
         return mark_of(self.root, (*above, key), at_key=True).problem(in_names(self.root, above), message)
+
+    def _as_list(self, above: Path, key: str) -> str:
+        """Return how a mapping with this key is written where a list of such mappings may stand as well."""
+        node, shape = node_at(self.root, above), shape_at(self.shape, self.root, above)
+        written = set(node.entries) if isinstance(node, Entries) else {key}
+        if not any(written <= fields(model).keys() for member in members(shape) for model in _entry_models(member)):
+            return ""
+        return f"; with '{key}' it stands in a list: [{{{', '.join(f'{name}: …' for name in sorted(written))}}}]"
 
     def _wrong_tag(self, mistake: _Mistake) -> Problem:
         node = node_at(self.root, mistake.path)
@@ -171,7 +217,8 @@ class _Explainer:
         words = list(tags(mistake.shape))
         if not isinstance(discriminator, str) or not isinstance(node, Entries):
             hints = (nearest(key, words) for key in node.entries) if isinstance(node, Entries) else ()
-            return self._at(mistake.path, expected(mistake.shape, node) + next(filter(None, hints), ""))
+            hint = next(filter(None, hints), "") or _instead_of_list(mistake.path, node, words)
+            return self._at(mistake.path, expected(mistake.shape, node) + hint)
         tag = child(node, discriminator)
         if tag is None:
             message = f"'{discriminator}' is missing; it is one of {listing(words, 40)}"
@@ -179,6 +226,23 @@ class _Explainer:
         written = str(tag.value) if isinstance(tag, Leaf) else found_text(tag)
         message = f"unknown {discriminator} '{written[:64]}'; there are {listing(words, 40)}{nearest(written, words)}"
         return mark_of(self.root, (*mistake.path, discriminator)).problem(in_names(self.root, mistake.path), message)
+
+
+def _entry_models(shape: Shape) -> Iterator[Any]:
+    """Yield the models of the entries of a list, if the shape is one."""
+    entries = get_args(bare(shape).kind) if get_origin(bare(shape).kind) is tuple else ()
+    models = (bare(member).kind for entry in entries[:1] for member in members(entry))
+    return (model for model in models if is_model(model))
+
+
+def _instead_of_list(path: Path, node: Node | None, words: list[str]) -> str:
+    """Return what to do about a list of conditions where one condition stands."""
+    if not isinstance(node, Items) or path[-1:] != ("condition",):
+        return ""
+    return (
+        f"; it takes a single one of {listing(words, 40)} (its opposite by negate: true); what else must hold when the "
+        "rule fires stands in its 'conditions'"
+    )
 
 
 def _is_null(node: Node | None) -> bool:

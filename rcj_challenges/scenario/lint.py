@@ -13,8 +13,15 @@ from typing import Any
 from rcj_challenges.scenario.crossrefs import shown_path
 from rcj_challenges.scenario.errors import Problem
 from rcj_challenges.scenario.lint_edges import check_edges
-from rcj_challenges.scenario.lint_flow import check_events, check_phases, check_rules, check_scoring
-from rcj_challenges.scenario.lint_ground import check_entities, check_layouts, check_places
+from rcj_challenges.scenario.lint_flow import (
+    check_contradictions,
+    check_events,
+    check_phases,
+    check_rules,
+    check_scoring,
+)
+from rcj_challenges.scenario.lint_ground import check_entities, check_layouts, check_obstacles, check_places
+from rcj_challenges.scenario.lint_says import check_sentences
 from rcj_challenges.scenario.lint_state import check_params, check_state, check_unused
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
 from rcj_challenges.scenario.lint_times import check_times
@@ -25,6 +32,8 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_phases,
     check_events,
     check_rules,
+    check_contradictions,
+    check_sentences,
     check_scoring,
     check_edges,
     check_state,
@@ -32,6 +41,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_unused,
     check_times,
     check_places,
+    check_obstacles,
     check_entities,
     check_layouts,
 )

@@ -7,10 +7,13 @@ from collections.abc import Iterator
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lives_in
 from rcj_challenges.scenario.models.actions import Emit, Score
+from rcj_challenges.scenario.models.conditions import Condition, InZone
 from rcj_challenges.scenario.models.scenario import RankByScore, Rule
 from rcj_challenges.scenario.models.state import WordValue
 from rcj_challenges.scenario.models.triggers import (
+    Enters,
     HalfStarted,
+    Leaves,
     OnEvent,
     PhaseEntered,
     SequenceBroken,
@@ -20,6 +23,7 @@ from rcj_challenges.scenario.visiting import visit
 
 _OF_EACH = frozenset({"robot_name", "entity_name", "team_name", "entrant", "score"})
 """Context words that speak of the entity for which a rule fires."""
+_RANK_OTHERWISE = "rank by a time or a counter in result:"
 
 
 def check_phases(subject: Subject) -> Iterator[Suspect]:
@@ -145,6 +149,39 @@ def _names_each(rule: Rule) -> bool:
     return False
 
 
+def check_contradictions(subject: Subject) -> Iterator[Suspect]:
+    """Triggers whose own edge denies a condition of their rule."""
+    for name, rule in subject.scenario.rules.items():
+        for index, trigger in enumerate(rule.triggers):
+            if isinstance(trigger, Enters | Leaves) and any(
+                _denies(trigger, condition, rule, subject) for condition in rule.conditions
+            ):
+                now = "in" if isinstance(trigger, Enters) else "outside"
+                yield Suspect(
+                    "rule_never_fires",
+                    ("rules", name, "triggers", index),
+                    f"when it fires the entity is {now} the zone already, and a condition asks for the opposite",
+                    "take the condition or the trigger out, or correct the zone",
+                )
+
+
+def _denies(trigger: Enters | Leaves, condition: Condition, rule: Rule, subject: Subject) -> bool:
+    """Return whether one entity that has just entered is asked to be outside, or one that left to be inside."""
+    if not isinstance(condition, InZone) or not _is_same_one(trigger, condition, rule, subject):
+        return False
+    asked_inside = (condition.of == "none") == condition.negate
+    zones, asked = subject.members(trigger.zone, rule), subject.members(condition.zone, rule)
+    if isinstance(trigger, Enters):
+        return not asked_inside and zones <= asked
+    return asked_inside and asked <= zones
+
+
+def _is_same_one(trigger: Enters | Leaves, condition: InZone, rule: Rule, subject: Subject) -> bool:
+    found = subject.members(trigger.entity, rule)
+    alone = len(found) == 1 and found == subject.members(condition.entity, rule)
+    return alone or trigger.entity == condition.entity == "each"
+
+
 def check_scoring(subject: Subject) -> Iterator[Suspect]:
     """No way to score, although scores decide."""
     rank = subject.scenario.result.rank
@@ -152,10 +189,12 @@ def check_scoring(subject: Subject) -> Iterator[Suspect]:
         return
     if any(isinstance(action, Score) for _, rule in subject.standing() for action in rule.actions):
         return
+    others = any(not isinstance(criterion, RankByScore) for criterion in rank)
     yield Suspect(
         "no_way_to_score",
         ("rules",),
-        "no rule that can fire gives points, and the score decides",
-        "add {action: score, …} to a rule, or rank by a time or a counter in result:",
+        "no rule that can fire gives points, and the score decides" + (" first" if others else ""),
+        "add {action: score, …} to a rule, or "
+        + ("leave 'score' out of result:, so that what follows it decides" if others else _RANK_OTHERWISE),
         at_key=True,
     )

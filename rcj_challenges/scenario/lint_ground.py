@@ -4,8 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from rcj_challenges.scenario.ground import Floor, obstacle_bodies
-from rcj_challenges.scenario.lint_shapes import floor_parts, on_floor, points_in, segment_has_floor, zone_has_floor
+from rcj_challenges.scenario.ground import Body, Floor, obstacle_bodies
+from rcj_challenges.scenario.lint_shapes import (
+    Corners,
+    corners_of,
+    floor_parts,
+    on_floor,
+    points_in,
+    segment_has_floor,
+    share_in,
+    zone_has_floor,
+)
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
 from rcj_challenges.scenario.models import places
 from rcj_challenges.scenario.models.actions import Place, Remove
@@ -14,6 +23,9 @@ from rcj_challenges.scenario.outlines import Disc, Outline, Point, robot_outline
 from rcj_challenges.scenario.tree import Path
 
 _LINE_SAMPLES = 65
+_INSIDE_SHARE = 0.6
+"""More than half: a post that rounds the end of a wall is half in it, and walls may cross or meet at corners."""
+_NO_SHARE = 1e-9
 
 
 def check_places(subject: Subject) -> Iterator[Suspect]:
@@ -33,6 +45,40 @@ def check_places(subject: Subject) -> Iterator[Suspect]:
 
 def _off_field(noun: str, path: Path, reason: str) -> Suspect:
     return Suspect(f"{noun}_off_the_field", path, reason, "correct its numbers, or remove it", at_key=True)
+
+
+def check_obstacles(subject: Subject) -> Iterator[Suspect]:
+    """Fixed obstacles that are wholly off the field, or for the most part inside each other."""
+    floor = floor_parts(subject.scenario.field)
+    before: list[Body] = []
+    for body in obstacle_bodies(subject.scenario):
+        if not body.fixed:
+            continue
+        if all(_share(body, part) < _NO_SHARE for part in floor):
+            yield _off_field("obstacle", body.path, f"obstacle '{body.name}' is wholly off the field: nothing meets it")
+        other = next((one for one in before if _are_one_in_the_other(one, body)), None)
+        if other is not None:
+            yield Suspect(
+                "obstacles_in_each_other",
+                body.path,
+                f"fixed obstacles '{other.name}' and '{body.name}' stand inside each other",
+                "move one of them, or remove it",
+                at_key=True,
+            )
+        before.append(body)
+
+
+def _are_one_in_the_other(first: Body, second: Body) -> bool:
+    if not first.outline.overlaps(second.outline):
+        return False
+    return any(
+        _share(one, corners_of(other.outline.parts[0])) > _INSIDE_SHARE
+        for one, other in ((first, second), (second, first))
+    )
+
+
+def _share(obstacle: Body, window: Corners) -> float:
+    return share_in(corners_of(obstacle.outline.parts[0]), window)  # an obstacle has one part
 
 
 def check_entities(subject: Subject) -> Iterator[Suspect]:
@@ -108,13 +154,13 @@ class _Room:
             if found is None or not names:
                 continue
             if 1 < len(found) < len(names) and _is_spots(placing):
-                yield _no_room(path, f"{len(names)} things cannot share {len(found)} spots")
+                yield _no_room(path, f"{len(names)} things cannot share {len(found)} spots", placing)
                 continue
             for name in names:
                 standing = [entry for entry in standing if entry[0] != name]
                 problem = self._try(name, placing, found, standing)
                 if problem is not None:
-                    yield _no_room(path, problem)
+                    yield _no_room(path, problem, placing)
                     break
                 if len(found) == 1:
                     standing.append((name, self._outline(name, found[0], placing)))
@@ -181,7 +227,8 @@ class _Room:
                 return None
         if in_wall == len(points):
             return f"'{name}' would stand in a wall or an obstacle, or off the field"
-        return f"'{name}' would stand on '{on_whom}', which this layout places before it"
+        what = "action" if isinstance(placing, Place) else "layout"
+        return f"'{name}' would stand on '{on_whom}', which this {what} places before it"
 
     def _outline(self, name: str, point: Point, placing: places.Placing | Place) -> Outline:
         """Return what a thing covers at a point; of a robot that may look anywhere what it covers in any case."""
@@ -202,10 +249,11 @@ def _is_spots(placing: places.Placing | Place) -> bool:
     return isinstance(placing.at, places.NearestFree | places.FurthestFree | places.Choice)
 
 
-def _no_room(path: Path, problem: str) -> Suspect:
+def _no_room(path: Path, problem: str, placing: places.Placing | Place) -> Suspect:
+    tried = "would be tried again on every tick" if placing.on_failure == "retry" else "would stay where it is"
     return Suspect(
         "layout_without_room",
         path,
         f"there is no room: {problem}",
-        "correct the place, or make it larger; on the field it would be tried again on every tick",
+        f"correct the place, or make it larger; on the field it {tried}",
     )

@@ -8,12 +8,14 @@ from math import cos, hypot, pi, sin
 
 from rcj_challenges.scenario.models.field import FieldModel
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
-from rcj_challenges.scenario.outlines import Point
+from rcj_challenges.scenario.outlines import Disc, Part, Point
 
 _FAR_M = 100.0
 """Stands for an open side; ten times the largest field."""
 _NOTHING_M2 = 1e-12
 _ARC_CORNERS = 180
+_DISC_CORNERS = 24
+"""Enough for an obstacle, of which only a rough share is asked for, and quick to cut."""
 
 Corners = tuple[Point, ...]
 
@@ -61,9 +63,22 @@ def _corners(zone: Zone) -> Corners:
         case PolygonZone():
             return zone.points_m
         case CircleZone():
-            (cx, cy), r = zone.centre_m, zone.radius_m
-            turns = (2 * pi * i / _ARC_CORNERS for i in range(_ARC_CORNERS))
-            return tuple((cx + r * cos(turn), cy + r * sin(turn)) for turn in turns)
+            return _ring(zone.centre_m, zone.radius_m, _ARC_CORNERS)
+
+
+def _ring(centre: Point, radius_m: float, count: int) -> Corners:
+    turns = (2 * pi * i / count for i in range(count))
+    return tuple((centre[0] + radius_m * cos(turn), centre[1] + radius_m * sin(turn)) for turn in turns)
+
+
+def corners_of(part: Part) -> Corners:
+    """Return the corners of a convex part of a body, counter-clockwise; of a round one a few of its points."""
+    return _ring(part.centre, part.radius_m, _DISC_CORNERS) if isinstance(part, Disc) else part
+
+
+def share_in(corners: Corners, window: Corners) -> float:
+    """Return which share of a convex polygon's area is in another one; both go counter-clockwise."""
+    return _area(_clipped(corners, window)) / _area(corners)
 
 
 def _clipped(subject: Corners, window: Corners) -> Corners:

@@ -38,12 +38,15 @@ def check_state(subject: Subject) -> Iterator[Suspect]:
                     _how_to_read(noun, name),
                     at_key=True,
                 )
-            elif not written and _needs_writing(section, getattr(scenario, section)[name]):
+            elif _needs_writing(section, getattr(scenario, section)[name]) and not (
+                written and _is_set_going(section, name, subject)
+            ):
                 verb, how = _WRITING[section]
+                held = ", only stopped or reset" if written else ""
                 yield Suspect(
                     f"{noun}_never_{verb}",
                     (section, name),
-                    f"{noun} '{name}' is read and never {verb}",
+                    f"{noun} '{name}' is read and never {verb}{held}",
                     f"add {{action: {how.format(name=name)}}} to a rule, or remove it",
                     at_key=True,
                 )
@@ -65,6 +68,14 @@ def _may_name(use: Use, section: str) -> bool:
 def _needs_writing(section: str, entry: Any) -> bool:
     """Draws are drawn at the start, and a timer may start by itself; a counter or flag that stays is a constant."""
     return section in _WRITING and not (section == "timers" and entry.starts)
+
+
+def _is_set_going(section: str, name: str, subject: Subject) -> bool:
+    """Return whether one of the actions that name an entry makes it change: to stop a timer does not."""
+    return section != "timers" or any(
+        isinstance(model, TimerAction) and model.timer == name and model.do in ("restart", "start")
+        for model, _ in subject.models
+    )
 
 
 def _how_to_read(noun: str, name: str) -> str:

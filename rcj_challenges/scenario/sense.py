@@ -7,7 +7,16 @@ from collections.abc import Iterator
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.models.actions import Count, Place
 from rcj_challenges.scenario.models.base import Strict
-from rcj_challenges.scenario.models.conditions import AtLeast, CounterIs, Distance, InZone, Speed, SpotFree, TimerIs
+from rcj_challenges.scenario.models.conditions import (
+    AtLeast,
+    CounterIs,
+    Distance,
+    FlagIs,
+    InZone,
+    Speed,
+    SpotFree,
+    TimerIs,
+)
 from rcj_challenges.scenario.models.robots import LidarDevice
 from rcj_challenges.scenario.models.scenario import Expectation, Scenario
 from rcj_challenges.scenario.models.state import Draw
@@ -68,10 +77,15 @@ def _comparison(model: Strict, path: Path) -> Iterator[Found]:
         yield Found((*path, "at_least"), f"nothing is at least {least:g} and at most {most:g}")
 
 
+_QUANTIFIED = InZone | Speed | Distance | SpotFree | CounterIs | FlagIs | TimerIs
+
+
 def _quantifier(model: Strict, path: Path, roster: Roster) -> Iterator[Found]:
-    if not isinstance(model, InZone | Speed | Distance | SpotFree) or not isinstance(model.of, AtLeast):
+    if not isinstance(model, _QUANTIFIED) or not isinstance(model.of, AtLeast):
         return
     names = model.spot if isinstance(model, SpotFree) else model.entity
+    if names is None:
+        return  # of all that have a counter, flag or timer of their own
     count = len(roster.expand(names))
     if model.of.at_least > count:
         yield Found((*path, "of"), f"at least {model.of.at_least} of {count} can never hold")
@@ -91,7 +105,8 @@ def _times(model: Strict, path: Path, scenario: Scenario, *, half_is_set: bool) 
             yield Found((*path, "at_s"), f"{at_s:g} s is never reached; a half lasts {half_s:g} s")
         case Expectation():
             yield from _script(model, path)
-            if model.lasts_s > half_s and not half_is_set:
+            stops = any(phase.clock == "stops" for phase in scenario.phases.values())
+            if model.lasts_s > half_s and not half_is_set and not stops:
                 yield Found((*path, "lasts_s"), f"{model.lasts_s:g} s is longer than a half, {half_s:g} s")
             if model.half > scenario.match.halves and not half_is_set:
                 yield Found((*path, "half"), f"there is no half {model.half}; {scenario.match.halves} are played")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from rich.console import Console, Group
@@ -16,7 +16,10 @@ from rich.text import Text
 from rcj_challenges.facts.play import Event, Fault, HalfInfo
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks
 from rcj_challenges.match.watching import Progress, Silent, Watcher
+from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime
 from rcj_challenges.views.sentences import clock, event_line, fault_line, plain
+
+Criterion = RankByScore | RankByTime | RankByCounter
 
 _EVENTS_SHOWN = 6
 
@@ -34,6 +37,60 @@ def score_line(names: Mapping[str, str], scores: Mapping[str, int | float]) -> s
         (first, first_score), (second, second_score) = scores.items()
         return f"{plain(names[first], 32)} {first_score:g} : {second_score:g} {plain(names[second], 32)}"
     return ", ".join(f"{plain(names[seat], 32)} {score:g}" for seat, score in scores.items())
+
+
+def decided_by_score_alone(rank: Sequence[Criterion]) -> bool:
+    """Return whether the scores say all that decides."""
+    return all(isinstance(criterion, RankByScore) for criterion in rank)
+
+
+def criterion_words(criterion: Criterion, value: str = "") -> str:
+    """Return ``score``, ``time (with touched_posts)`` or the counter's name; with a value ``time 9.2 s (with …)``."""
+    if isinstance(criterion, RankByCounter):
+        name, added = criterion.counter, ""
+    elif isinstance(criterion, RankByScore):
+        name, added = "score", ""
+    else:
+        counters = ", ".join(part.counter for part in criterion.plus)
+        name, added = "time", f" (with {counters})" if counters else ""
+    return name + (f" {value}" if value else "") + added
+
+
+def value_words(criterion: Criterion, value: float) -> str:
+    """Return a value that was compared, a time in s; nothing is rounded away that decides."""
+    number = f"{value:.6f}".rstrip("0").rstrip(".")
+    return f"{number} s" if isinstance(criterion, RankByTime) else number
+
+
+def ranking_lines(
+    rank: Sequence[Criterion], names: Mapping[str, str], ranking: Sequence[Mapping[str, Any]]
+) -> list[str]:
+    """Return ``place 1: Hanse, score 4, time 9.248 s`` for each team, best first; nothing if the score alone decides.
+
+    Args:
+        rank: the scenario's criteria.
+        names: by team.
+        ranking: as in ``result.json``.
+    """
+    if decided_by_score_alone(rank):
+        return []
+    return [
+        ", ".join(
+            [
+                f"place {entry['place']}: {plain(names[entry['team']], 32)}",
+                *(
+                    criterion_words(criterion, value_words(criterion, value))
+                    for criterion, value in zip(rank, entry["values"], strict=True)
+                ),
+            ]
+        )
+        for entry in ranking
+    ]
+
+
+def pace(progress: Progress) -> str:
+    """Return how fast it is played, and when that will be over."""
+    return f"{progress.factor:.0f} x real time, done in about {progress.remaining_s:.0f} s"
 
 
 class PlainLines(Silent):
@@ -54,10 +111,7 @@ class PlainLines(Silent):
         """Say time, score and speed."""
         if progress.tick < progress.half.ticks:
             line = score_line(progress.half.team_names, progress.scores)
-            self._say(
-                f"{clock(s_from_ticks(progress.tick)):>7}  {line}  "
-                f"({progress.factor:.0f} x real time, {progress.remaining_s:.0f} s left)"
-            )
+            self._say(f"{clock(s_from_ticks(progress.tick)):>7}  {line}  ({pace(progress)})")
 
     def event(self, event: Event, half: HalfInfo) -> None:
         """Say the event."""
@@ -125,9 +179,7 @@ class Scoreboard(Silent):
             Text(f"half {half.half} of {half.halves}", style="dim"),
             Text(progress.phase.replace("_", " "), style="dim"),
         )
-        speed = (
-            f"{progress.factor:.0f} x real time, {progress.remaining_s:.0f} s left" if progress.factor else "starting"
-        )
+        speed = pace(progress) if progress.factor else "starting"
         status = Table.grid(padding=(0, 2))
         status.add_row(ProgressBar(total=half.ticks, completed=progress.tick, width=40), Text(speed, style="dim"))
         self._live.update(Group(Text(self._title, style="dim"), grid, status, *self._events), refresh=True)

@@ -198,7 +198,118 @@ def test_a_missing_module_that_the_program_is_ready_for_is_a_warning(check, prog
 
 def test_a_try_that_catches_something_else_does_not_help(check):
     assert codes(check("try:\n    import torch\nexcept OSError:\n    pass\n"), "failure") == ["missing_module"]
-    assert codes(check("try:\n    pass\nexcept ImportError:\n    import torch\n"), "failure") == ["missing_module"]
+    assert codes(check("try:\n    pass\nexcept ImportError:\n    import torch\n")) == ["conditional_missing_module"]
+
+
+ONLY_IF_REACHED = {
+    "under if": "DEBUG = False\nif DEBUG:\n    import torch\n",
+    "under else": "import math\nif math:\n    pass\nelse:\n    import torch\n",
+    "in a function": "def show():\n    import torch\n",
+    "after a return": "def show():\n    return\n    import torch\n",
+    "in a method": "class Robot:\n    def show(self):\n        import torch\n",
+    "in a for loop": "for _ in ():\n    import torch\n",
+    "in a while loop": "while False:\n    import torch\n",
+    "after the main loop": "while True:\n    pass\nimport torch\n",
+    "after a main loop under if": "if __name__ == '__main__':\n    while True:\n        pass\nimport torch\n",
+    "when all went well": "try:\n    open('debug')\nexcept OSError:\n    pass\nelse:\n    import torch\n",
+    "when nothing went wrong before": "try:\n    open('debug')\n    import torch\nexcept OSError:\n    pass\n",
+    "under suppress": "from contextlib import suppress\nwith suppress(OSError):\n    open('debug')\n    import torch\n",
+    "in a match": "match 1:\n    case 2:\n        import torch\n",
+    "as a call": "DEBUG = False\nDEBUG and __import__('torch')\n",
+    "in a lambda": "show = lambda: __import__('torch')\n",
+}
+
+
+@pytest.mark.parametrize("program", ONLY_IF_REACHED.values(), ids=ONLY_IF_REACHED)
+def test_a_missing_module_that_is_imported_only_if_the_program_comes_there_is_a_warning(check, program):
+    found = only(check(program))
+    assert (found.code, found.level) == ("sources.conditional_missing_module", "warning")
+    assert "only if it is reached" in found.message
+
+
+CERTAIN = {
+    "in a class": "class Robot:\n    import torch\n",
+    "in a with": "import warnings\nwith warnings.catch_warnings():\n    warnings.simplefilter('ignore')\n    import torch\n",
+    "after a for loop": "import sys\nfor folder in ('a', 'b'):\n    sys.path.append(folder)\nimport torch\n",
+    "after a function with a loop": "def play():\n    while True:\n        pass\nimport torch\n",
+    "in the end": "try:\n    pass\nfinally:\n    import torch\n",
+    "not for type checkers": "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    pass\nelse:\n    import torch\n",
+    "under a suppress of something else": "from contextlib import suppress\nwith suppress(OSError):\n    import torch\n",
+    "after what may fail": "try:\n    import numba\nexcept ImportError:\n    pass\nimport torch\n",
+}
+
+
+@pytest.mark.parametrize("program", CERTAIN.values(), ids=CERTAIN)
+def test_a_missing_module_that_is_imported_at_once_fails(check, program):
+    assert codes(check(program), "failure") == ["missing_module"]
+
+
+def test_other_troubles_of_an_import_that_may_never_be_reached_are_warnings_too(check):
+    absent = "winreg" if sys.platform != "win32" else "pwd"
+    program = f"if 0:\n    import {absent}\n    import Utils\n    from . import x\n    import utils.y\n"
+    assert codes(check(program, rcj_soccer_team_blue__utils=""), "warning") == [
+        "conditional_not_on_this_computer",
+        "conditional_wrong_case",
+        "conditional_relative_import",
+        "conditional_missing_part",
+    ]
+
+
+def test_what_a_file_needs_that_may_never_be_imported_is_a_warning(check):
+    stage = check("def show():\n    import screen, broken\n", rcj_soccer_team_blue__screen="import torch\n",
+                  rcj_soccer_team_blue__broken="x = (\n")  # fmt: skip
+    assert sorted(codes(stage)) == ["conditional_missing_module", "syntax"]
+    assert stage.level == "warning"
+    assert any("only running the programs can tell" in found.message for found in stage.findings)
+
+
+def test_a_file_that_needs_a_missing_module_may_be_done_without(check):
+    stage = check("try:\n    import fast\nexcept ImportError:\n    pass\n", rcj_soccer_team_blue__fast="import torch\n")
+    assert codes(stage) == ["optional_missing_module"]
+
+
+def test_a_file_that_is_imported_for_certain_as_well_still_fails(check):
+    program = "def show():\n    import screen\ntry:\n    import screen\nexcept ImportError:\n    pass\nimport shapes\n"
+    stage = check(
+        program, rcj_soccer_team_blue__screen="import torch\n", rcj_soccer_team_blue__shapes="import screen\n"
+    )
+    assert codes(stage) == ["missing_module"]
+
+
+def test_what_fails_for_one_program_is_not_told_again_as_a_warning_for_another(check):
+    programs = {f"robot{number}/robot{number}.py": "import lib.tools\n" for number in (1, 2)}
+    last = "if 0:\n    import lib.tools\n"
+    stage = check.paths({**programs, "robot3/robot3.py": last, "lib/tools.py": "import torch\n"})
+    assert codes(stage) == ["missing_module"]
+
+
+def test_for_well_known_libraries_it_is_said_what_there_is_in_a_match(check):
+    found = only(check("import matplotlib.pyplot\n"))
+    assert "numpy and scipy" in found.remedy
+    assert "matplotlib.py" not in found.remedy
+    assert "put shapes.py beside" in only(check("import shapes\n")).remedy
+
+
+PACKAGE = {
+    f"{FOLDER}/__init__.py": "",
+    f"{FOLDER}/utils.py": "x = 1\n",
+    f"{FOLDER}/sub/helper.py": "from ..utils import x\n",
+}
+FROM_ABOVE = "import os, sys\nsys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))\n"
+
+
+def test_a_program_may_import_from_its_own_folder_by_name_if_it_looks_in_the_folder_above_first(check):
+    imports = f"from {FOLDER}.utils import x\nfrom {FOLDER} import utils\nimport {FOLDER}.sub.helper\n"
+    assert codes(check.paths({ENTRY: FROM_ABOVE + imports, **PACKAGE})) == ["ok"]
+
+
+def test_a_program_that_looks_in_its_own_folder_first_finds_itself_instead_of_its_folder(check):
+    assert codes(check.paths({ENTRY: f"import {FOLDER}.utils\n", **PACKAGE}), "failure") == ["missing_part"]
+
+
+def test_a_part_that_is_in_no_folder_of_that_name_fails_whatever_the_program_does_to_its_path(check):
+    stage = check.paths({ENTRY: FROM_ABOVE + f"import {FOLDER}.tools\n", **PACKAGE})
+    assert codes(stage, "failure") == ["missing_part"]
 
 
 def test_what_only_type_checkers_import_does_not_count(check):

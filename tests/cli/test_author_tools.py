@@ -232,6 +232,34 @@ class TestDraw:
         assert isinstance(call("draw", "match", "--out", tmp_path / "none" / "field.svg").exception, OutputError)
 
 
+class TestEndings:
+    """A file's ending says what is in it: one that is not meant is refused, and nothing is written."""
+
+    @pytest.mark.parametrize("name", ["x.pdf", "x.jpg", "x", "x.svg.md"])
+    def test_a_drawing_is_svg_or_png_and_nothing_else(self, tmp_path, name):
+        done = call("draw", "match", "--out", tmp_path / name)
+        assert isinstance(done.exception, OutputError)
+        assert done.exception.exit_code == 2
+        assert str(done.exception).endswith("its name must end in .svg or .png")
+        assert list(tmp_path.iterdir()) == []
+
+    @pytest.mark.parametrize("name", ["x.pdf", "x.txt", "x", "x.html.svg"])
+    def test_a_sheet_is_markdown_or_html_and_nothing_else(self, tmp_path, name):
+        done = call("sheet", "match", "--out", tmp_path / name)
+        assert isinstance(done.exception, OutputError)
+        assert done.exception.exit_code == 2
+        assert str(done.exception).endswith("its name must end in .md or .html")
+        assert list(tmp_path.iterdir()) == []
+
+    @pytest.mark.parametrize(
+        ("command", "name", "begins"),
+        [("draw", "x.SVG", "<svg"), ("sheet", "x.Md", "# "), ("sheet", "x.HTML", "<!"), ("sheet", "x.htm", "<!")],
+    )
+    def test_capitals_and_the_short_ending_of_html_are_understood(self, tmp_path, command, name, begins):
+        assert call(command, "match", "--out", tmp_path / name).exit_code == 0
+        assert (tmp_path / name).read_text(encoding="utf-8").startswith(begins)
+
+
 def test_the_tools_of_authors_load_no_physics(tmp_path):
     program = """
 import sys

@@ -91,7 +91,7 @@ def test_json_prints_the_report_and_nothing_else(tmp_path, good, bad):
     report = json.loads(done.stdout)
     jsonschema.validate(report, json.loads(schema_text()))
     assert [file["level"] for file in report["files"]] == ["passed", "failure"]
-    assert report["summary"] == {"files": 2, "passed": 1, "warning": 0, "failure": 1}
+    assert report["summary"] == {"files": 2, "passed": 1, "warning": 0, "failure": 1, "unchecked": 0}
 
 
 def test_several_submissions_give_a_table_and_a_summary(tmp_path, good, bad, capsys):
@@ -104,14 +104,14 @@ def test_several_submissions_give_a_table_and_a_summary(tmp_path, good, bad, cap
 def test_a_folder_full_of_archives_means_each_of_them(tmp_path, good, bad):
     (tmp_path / "notes.txt").write_text("later")
     (tmp_path / "old").mkdir()
-    assert submissions([tmp_path]) == [bad, good]
-    assert submissions([tmp_path, good]) == [bad, good]
+    assert submissions([tmp_path]).paths == [bad, good]
+    assert submissions([tmp_path, good]).paths == [bad, good]
 
 
 def test_a_folder_of_a_team_is_one_submission_even_if_an_old_archive_lies_in_it(tmp_path, good):
     (tmp_path / "rcj_soccer_team_blue").mkdir()
     (tmp_path / "rcj_soccer_team_blue" / "rcj_soccer_team_blue.py").write_text(PLAYER)
-    assert submissions([tmp_path]) == [tmp_path]
+    assert submissions([tmp_path]).paths == [tmp_path]
 
 
 def test_an_empty_folder_gets_a_verdict(tmp_path, capsys):

@@ -87,6 +87,7 @@ WRONG = {
     "no such team": (["run", "match", "--blue", "nowhere"], "nowhere"),
     "a zip that is none": (["run", "match", "--blue", "broken.zip"], "broken.zip"),
     "a folder without entry point": (["run", "match", "--blue", "empty"], "rcj_soccer_team_blue"),
+    "a path that a script left empty": (["run", "match", "--yellow", ""], "--team yellow=: expected ENTRANT=VALUE"),
     "no such entrant": (["run", "match", "--team", "bleu=x"], "did you mean 'blue'"),
     "no such robot": (["run", "match", "--show-output", "Y7"], "B1, B2, B3"),
     "no such value": (["run", "match", "--set", "half_z=3"], "half_z"),
@@ -136,11 +137,13 @@ def started(tmp_path, team, *more):
     raise AssertionError(process.stderr.read())
 
 
+# Ctrl-C; the end of a service, or of a time limit; a terminal that is closed.
 @POSIX
-def test_ctrl_c_ends_with_130_and_a_readable_record(tmp_path, team):
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
+def test_who_interrupts_a_match_gets_130_and_a_readable_record(tmp_path, team, name):
     process = started(tmp_path, team)
     pids = children_of(process.pid)
-    process.send_signal(signal.SIGINT)
+    process.send_signal(getattr(signal, name))
     _, complaint = process.communicate(timeout=30)
     assert process.returncode == 130, complaint
     assert "Traceback" not in complaint
@@ -149,6 +152,22 @@ def test_ctrl_c_ends_with_130_and_a_readable_record(tmp_path, team):
     assert not result.complete
     assert len(list(Trajectory.open(folder).halves)) == 1
     assert_gone(pids)
+
+
+@POSIX
+def test_too_few_open_files_are_no_fault_of_a_team(tmp_path, team):
+    def few_files():
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_NOFILE, (40, 40))
+
+    done = command(*short(team, "--no-replay"), cwd=tmp_path, preexec_fn=few_files)
+    assert done.returncode == 2, done.stderr
+    assert "cannot" in done.stderr
+    assert "Too many open files" in done.stderr
+    assert str(tmp_path) not in done.stderr
+    assert "Traceback" not in done.stderr
+    assert not any(read_result(folder).complete for folder in tmp_path.glob("runs/*"))
 
 
 @POSIX

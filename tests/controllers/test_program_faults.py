@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import sys
 import time
 from pathlib import Path
@@ -11,6 +12,7 @@ from fake_match import FakeMatch
 
 from rcj_challenges.controllers import processes
 from rcj_challenges.controllers.team import open_team
+from rcj_challenges.facts.errors import HostError
 from rcj_challenges.facts.play import Fault
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="POSIX only")
@@ -284,9 +286,21 @@ def test_a_process_that_cannot_be_started_is_a_fault_of_that_program_only(
     match: FakeMatch, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def refuse(*_: object, **__: object) -> None:
-        raise OSError(12, "Cannot allocate memory")
+        raise OSError(7, "Argument list too long", "/home/somebody/python")
 
     monkeypatch.setattr(processes, "start", refuse)
     fault = fault_of(match, "faults/never_steps")
     assert (fault.kind, fault.tick) == ("start", 0)
-    assert fault.detail == "the program could not be started: [Errno 12] Cannot allocate memory"
+    assert fault.detail == "the program could not be started: Argument list too long"  # and no path
+
+
+@pytest.mark.parametrize("number", [errno.ENOMEM, errno.ENOSPC, errno.EMFILE])
+def test_what_this_computer_lacks_is_no_fault_of_a_program(
+    match: FakeMatch, monkeypatch: pytest.MonkeyPatch, number: int
+) -> None:
+    def refuse(*_: object, **__: object) -> None:
+        raise OSError(number, "it is lacking")
+
+    monkeypatch.setattr(processes, "start", refuse)
+    with pytest.raises(HostError, match="the program of Y1 cannot be started here: it is lacking"):
+        fault_of(match, "faults/never_steps")

@@ -138,6 +138,36 @@ class TestConditionCounter:
             self.ring(play)
         assert (ask(of_b1), ask(total)) == (False, True)
 
+    @pytest.mark.parametrize(
+        ("of", "whom", "answers"),
+        [
+            ("any", "yellow", [False, True, True]),
+            ("all", "yellow", [False, False, True]),
+            ("none", "yellow", [True, False, False]),
+            ("{at_least: 2}", "[yellow, B1]", [False, False, True]),
+            ("{at_least: 2}", "", [False, False, True]),
+        ],
+    )
+    def test_of_a_group_so_many_each_by_its_own_counter(self, stage, ask, of, whom, answers):
+        entity = f", entity: {whom}" if whom else ""
+        play = stage(
+            """
+            counters: {falls: {per: robots}}
+            rules:
+              falls:
+                for_each: yellow
+                triggers: [{trigger: program_fault, robot: each}]
+                actions: [{action: count, counter: falls, entity: each, by: 2}]
+            """,
+            ASKING % f"{{condition: counter, counter: falls{entity}, of: {of}, at_least: 2}}",
+        )
+        found = [ask(play)]
+        for robot in ("Y1", "Y2"):
+            play.fail(robot)
+            play.play()
+            found.append(ask(play))
+        assert found == answers
+
     def test_an_entrants_name_is_its_score(self, stage, ask):
         play = stage(ASKING % "{condition: counter, counter: yellow, at_least: 2}", scores={"blue": 0, "yellow": 2})
         assert ask(play)
@@ -162,6 +192,35 @@ class TestConditionFlag:
         ]
         assert answers == [True, False, True]
 
+    @pytest.mark.parametrize(
+        ("of", "answers"),
+        [
+            ("any", [False, True, True]),
+            ("all", [False, False, True]),
+            ("none", [True, False, False]),
+            ("{at_least: 2}", [False, False, True]),
+            ("all, negate: true", [True, True, False]),
+        ],
+    )
+    def test_of_a_group_so_many(self, stage, ask, of, answers):
+        play = stage(
+            """
+            flags: {touched: {per: robots}}
+            rules:
+              touched:
+                for_each: yellow
+                triggers: [{trigger: program_fault, robot: each}]
+                actions: [{action: set_flag, flag: touched, entity: each}]
+            """,
+            ASKING % f"{{condition: flag, flag: touched, entity: yellow, of: {of}}}",
+        )
+        found = [ask(play)]
+        for robot in ("Y1", "Y2"):
+            play.fail(robot)
+            play.play()
+            found.append(ask(play))
+        assert found == answers
+
 
 class TestConditionDrawn:
     def test_it_asks_what_a_draw_decided(self, stage, ask):
@@ -184,6 +243,21 @@ class TestConditionTimer:
         play.play(18)
         assert ask(play)
         assert not ask(play)
+
+    @pytest.mark.parametrize(
+        ("of", "running", "long"),
+        [("any", True, True), ("all", False, False), ("none", False, False), ("{at_least: 1}", True, True)],
+    )
+    def test_of_a_group_so_many(self, stage, ask, of, running, long):
+        sections = (
+            "timers: {away: {lasts_s: 30, per: robots}}",
+            "rules: {away: {triggers: [{trigger: half_started}], actions: [{action: timer, timer: away, entity: Y1}]}}",
+        )
+        asked = f"{{condition: timer, timer: away, entity: [Y1, Y2], of: {of}"
+        assert ask(stage(*sections, ASKING % f"{asked}}}")) is running
+        play = stage(*sections, ASKING % f"{asked}, at_least: 0.32}}")
+        play.play(20)
+        assert ask(play) is long
 
 
 class TestConditionLastTouch:

@@ -212,6 +212,12 @@ class TestTriggerHolds:
         self.inside(play, inside=True, ticks=55)
         assert told(play) == [11, 31, 51]
 
+    def test_what_pays_by_the_second_pays_a_minute_sixty_times(self, stage):
+        play = stage(self.rules("for_s: 1, every_s: 1"))
+        self.inside(play, inside=True, ticks=1 + 60 * 1000 // 32)
+        assert told(play)[:3] == [33, 64, 95]  # 32, 63 and 94 ticks after tick 1: 1, 2 and 3 s, each rounded up
+        assert len(told(play)) == 60
+
     def test_a_short_interruption_counts_as_holding(self, stage):
         play = stage(self.rules("for_s: 0.32, grace_s: 0.064"))
         self.inside(play, inside=True, ticks=9)  # since tick 1, due at 11

@@ -38,7 +38,8 @@ phases: {pause: {lasts_s: 3, next: play}}
 
 def refers(body):
     """Whether a scenario over the world above is in order; else what is said."""
-    return [f"{p.path}: {p.message}" for p in problems_of(loaded, WORLD + body)]
+    world = WORLD.replace("draws:\n", "draws:\n  mixed: {values: [1, 2.5, three, true]}\n")
+    return [f"{p.path}: {p.message}" for p in problems_of(loaded, world + body)]
 
 
 def trigger(text, for_each=""):
@@ -91,6 +92,18 @@ GOOD = [
     (action, "score, entrant: yellow, points: [{counter: goals, weight: 2}, {flag: armed}]", ""),
     (action, "count, counter: goals, by: {counter: blue}", ""),
     (action, "count, counter: pushes", ""),
+    (action, "count, counter: goals, by: {flag: seen, entity: crate}", ""),
+    (action, "score, entrant: yellow, points: {flag: seen, entity: each}", "movers"),
+    (action, "score, entrant: yellow, points: [{word: time_left_s, weight: 2}]", ""),
+    (action, "score, entrant: yellow, points: {draw: number}", ""),
+    (action, "count, counter: goals, to: {draw: number}", ""),
+    (action, "score, entrant: yellow, points: [{draw: number, weight: 2}, {word: score, of: blue}]", ""),
+    (action, "score, entrant: yellow, points: [{counter: pushes, entity: each}, {flag: seen, entity: crate}]", "robots"),
+    (action, "score, entrant: yellow, points: [{counter: pushes}]", "robots"),
+    (condition, "flag, flag: seen, entity: [blue, crate], of: none", ""),
+    (condition, "counter, counter: pushes, entity: yellow, of: {at_least: 2}, at_least: 1", ""),
+    (condition, "counter, counter: pushes, of: all, at_least: 1", "robots"),
+    (condition, "timer, timer: own, entity: [each, B1], of: all", "robots"),
     (action, "set_flag, flag: seen, entity: each", "movers"),
     (action, "toggle_flag, flag: armed", ""),
     (action, "timer, timer: own, entity: Y3, do: stop", ""),
@@ -144,6 +157,11 @@ BAD = [
     (condition, "counter, counter: blue_pushes, entity: each, at_least: 1", "robots", ("counter 'blue_pushes' is kept per blue, and "
      "'Y1' is not among them")),
     (condition, "counter, counter: pushes, entity: blue, at_least: 1", "", "'blue' is a group; name one entity"),
+    (condition, "flag, flag: seen, entity: blue", "", ("'blue' is a group; name one entity, or say with 'of' how many of them: "
+     "any, all, none, {at_least: n}")),
+    (condition, "timer, timer: own, entity: [B1, B2]", "", "these are several; name one entity, or say with 'of' how many of them"),
+    (condition, "flag, flag: seen, entity: yellow, of: all", "", "flag 'seen' is kept per movers, and 'Y1' is not among them"),
+    (condition, "flag, flag: armed, of: all", "", "flag 'armed' is not kept per entity; leave 'of' out"),
     (condition, "flag, flag: clock", "", "unknown flag 'clock'; there are armed, seen"),
     (condition, "drawn, draw: cornr, equals: centre", "", "unknown draw 'cornr'; did you mean 'corner'?"),
     (condition, "drawn, draw: corner, equals: middle_blue", "", "'middle_blue' is never drawn; it draws from centre, corner_blue_left"),
@@ -157,6 +175,16 @@ BAD = [
     (action, "score, entrant: yellow, points: {counter: x_}", "", ("unknown counter or entrant 'x_'; there are goals, pushes, "
      "blue_pushes, blue, yellow")),
     (action, "score, entrant: yellow, points: [{flag: arm}]", "", "unknown flag 'arm'; did you mean 'armed'?"),
+    (action, "score, entrant: yellow, points: {flag: arm}", "", "unknown flag 'arm'; did you mean 'armed'?"),
+    (action, "score, entrant: yellow, points: {flag: armed, entity: B1}", "", ("flag 'armed' is not kept per entity; leave 'entity' "
+     "out")),
+    (action, "score, entrant: yellow, points: {flag: seen}", "movers", ("flag 'seen' is kept per movers: say whose with 'entity', "
+     "such as entity: each")),
+    (action, "count, counter: goals, by: {flag: seen, entity: Y1}", "", "flag 'seen' is kept per movers, and 'Y1' is not among them"),
+    (action, "score, entrant: yellow, points: {draw: numbr}", "", "unknown draw 'numbr'; did you mean 'number'?"),
+    (action, "score, entrant: yellow, points: [{counter: pushes, entity: ball}]", "", ("counter 'pushes' is kept per robots, and "
+     "'ball' is not among them")),
+    (action, "score, entrant: yellow, points: {word: score, of: B1}", "", "unknown entrant 'B1'; there are blue, yellow"),
     (action, "count, counter: yellow", "", "unknown counter 'yellow'; there are goals, pushes, blue_pushes"),
     (action, "timer, timer: clock, entity: B1", "", "timer 'clock' is not kept per entity; leave 'entity' out"),
     (action, "set_flag, flag: seen, entity: Y1", "", "flag 'seen' is kept per movers, and 'Y1' is not among them"),
@@ -186,6 +214,17 @@ def test_names_that_do_not_fit_are_refused_where_they_stand(write, text, for_eac
     word = text.partition(",")[0]
     part = {trigger: "triggers", condition: "conditions", action: "actions"}[write]
     assert line.startswith(f"rules.r.{part}[0] ({word}): {message}")
+
+
+@pytest.mark.parametrize("text", ["score, entrant: yellow, points: {draw: mixed}", "count, counter: goals, by: {draw: mixed}",
+                                  "score, entrant: yellow, points: [{draw: mixed, weight: 2}]"])  # fmt: skip
+def test_a_draw_that_gives_points_draws_numbers_only(text):
+    found = refers(rule(action=f"{{action: {text}}}"))
+    word = text.partition(",")[0]
+    assert found == [
+        f"draws.mixed.values[2]: expected a number, found 'three' (needed by rules.r.actions[0] ({word}))",
+        f"draws.mixed.values[3]: expected a number, found true (needed by rules.r.actions[0] ({word}))",
+    ]
 
 
 SECTIONS = [

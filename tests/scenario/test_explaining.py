@@ -47,6 +47,12 @@ CASES = [
     (rule("{trigger: tips_over, entity: B1, angle_rad: 4}"), "rules.r.triggers[0] (tips_over).angle_rad: must be less than 3.1416, found 4"),
     (rule("{trigger: holds, condition: {condition: speed, entity: ball, at_least: fast}}"),
      "rules.r.triggers[0] (holds).condition.at_least: expected a number or {counter: …}, found 'fast'"),
+    (rule("{trigger: holds, condition: {condition: speed, entity: ball, at_least: {timer: t}}}"),
+     "rules.r.triggers[0] (holds).condition.at_least: expected a number or {counter: …}, found a mapping with timer"),
+    (rule("{trigger: holds, condition: [{condition: flag, flag: f}, {condition: flag, flag: g}]}"),
+     ("rules.r.triggers[0] (holds).condition: expected a mapping with 'condition', found a list of 2; it takes a single one of in_zone, "
+      "speed, distance, counter, flag, drawn, timer, last_touch, spot_free, sequence_at (its opposite by negate: true); what else must "
+      "hold when the rule fires stands in its 'conditions'")),
     (rule("{trigger: event, event: Goal}"), "rules.r.triggers[0] (event).event: 'Goal' is no event's name: capitals, digits and _, such as GOAL"),
     (rule(rest="    phases: all\n"), "rules.r.phases: expected any or a list of names, found 'all'"),
     (rule(rest="    phases: [play, 3]\n"), "rules.r.phases[1]: expected a name, found 3"),
@@ -65,7 +71,14 @@ CASES = [
      "rules.r.actions[0] (place).facing.towards: expected a name or two numbers [x, y], found a list of 1"),
     (place("at: start, mirror: x"), "rules.r.actions[0] (place).mirror: expected {axis: …}, found 'x'"),
     (rule(action="{action: score, entrant: blue, points: [{weight: 2}]}"),
-     "rules.r.actions[0] (score).points[0]: expected {counter: …} or {flag: …}, found a mapping with weight"),
+     "rules.r.actions[0] (score).points[0]: expected {counter: …}, {flag: …}, {draw: …} or {word: …}, found a mapping with weight"),
+    (rule(action="{action: score, entrant: blue, points: {position_of: ball}}"), ("rules.r.actions[0] (score).points: expected a number, "
+     "{counter: …}, {flag: …}, {draw: …}, {word: …} or a list, found a mapping with position_of")),
+    (rule(action="{action: score, entrant: blue, points: {word: phase}}"), ("rules.r.actions[0] (score).points.word: expected score, halftime, "
+     "total_match_time_s, time_s, time_left_s, measured or limit, found 'phase'")),
+    (rule(action="{action: count, counter: c, by: {word: time_lft_s}}") + "counters: {c: {}}\n",
+     ("rules.r.actions[0] (count).by.word: expected score, halftime, total_match_time_s, time_s, time_left_s, measured or limit, "
+      "found 'time_lft_s'; did you mean 'time_left_s'?")),
     (rule(action="{action: emit, event: E, payload: {a: {}}}"), ("rules.r.actions[0] (emit).payload.a: expected a text, a number or "
      "true/false, {counter: …}, {flag: …}, {draw: …}, {word: …} or {position_of: …}, found an empty mapping")),
     (rule(action="{action: emit, event: E, payload: {a: {word: scor}}}"),
@@ -111,6 +124,13 @@ def test_one_mistake_gives_one_sentence(body, message):
     assert complaints(body, head=head) == [message]
 
 
+@pytest.mark.parametrize("points", ["{timer: t}", "{seconds: 3, timer: t}"])
+def test_points_that_cannot_be_read_give_one_sentence_that_says_what_can(points):
+    (message,) = complaints(rule(action=f"{{action: score, entrant: blue, points: {points}}}"))
+    assert message.startswith("rules.r.actions[0] (score).points: expected a number, {counter: …}")
+    assert ", found a mapping with" in message
+
+
 def test_two_mistakes_in_one_mapping_give_two_sentences():
     assert len(complaints(rule("{trigger: enters, entity: 3, zoen: pitch, distance: 4}"))) == 3
 
@@ -122,7 +142,7 @@ def test_two_mistakes_in_one_mapping_give_two_sentences():
         (Names, "a name or a list of names"),
         (Point, "two numbers [x, y]"),
         (Name | None, "a name"),
-        (Points, "a number, {counter: …} or a list"),
+        (Points, "a number, {counter: …}, {flag: …}, {draw: …}, {word: …} or a list"),
         (Facing, "start or keep, a number, {towards: …} or {random: …}"),
         (float, "a number"),
         (int | float, "a number"),

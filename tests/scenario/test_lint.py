@@ -149,6 +149,36 @@ class TestEventsAndRules:
         )
         assert kinds(rules=named) == []
 
+    @pytest.mark.parametrize(
+        ("trigger", "condition", "contradicts"),
+        [
+            ("leaves, entity: ball, zone: a", "entity: ball, zone: a", True),
+            ("leaves, entity: ball, zone: [a, b]", "entity: ball, zone: a", True),
+            ("leaves, entity: ball, zone: a", "entity: ball, zone: [a, b]", False),
+            ("leaves, entity: ball, zone: a", "entity: ball, zone: b", False),
+            ("leaves, entity: ball, zone: a", "entity: ball, zone: a, negate: true", False),
+            ("leaves, entity: ball, zone: a", "entity: Y1, zone: a", False),
+            ("leaves, entity: yellow, zone: a", "entity: yellow, zone: a", False),  # another one may still be in it
+            ("enters, entity: ball, zone: a", "entity: ball, zone: a, negate: true", True),
+            ("enters, entity: ball, zone: a", "entity: ball, zone: a, of: none", True),
+            ("enters, entity: ball, zone: a", "entity: ball, zone: a, of: none, negate: true", False),
+            ("enters, entity: ball, zone: a", "entity: ball, zone: [a, b], negate: true", True),
+            ("enters, entity: ball, zone: [a, b]", "entity: ball, zone: a, negate: true", False),
+            ("enters, entity: ball, zone: a", "entity: ball, zone: a", False),
+        ],
+    )
+    def test_who_has_just_left_a_zone_is_not_in_it_and_who_has_just_entered_it_is(
+        self, trigger, condition, contradicts
+    ):
+        zones = "zones: {a: {shape: rect, x_min_m: 0.2}, b: {shape: rect, x_max_m: -0.2, drawn: true}}"
+        when = f", conditions: [{{condition: in_zone, {condition}}}]"
+        assert kinds(zones, rules=rule("r", f"{{trigger: {trigger}}}", more=when)) == ["rule_never_fires"] * contradicts
+
+    def test_each_that_has_left_a_zone_is_not_in_it(self):
+        when = ", for_each: robots, conditions: [{condition: in_zone, entity: each, zone: pitch}]"
+        (finding,) = found_in(rules=rule("r", "{trigger: leaves, entity: each, zone: pitch}", more=when))
+        assert (finding.kind, finding.problem.path) == ("rule_never_fires", "rules.r.triggers[0] (leaves)")
+
     def test_a_sequence_that_ignores_wrong_steps_never_breaks(self):
         broken = rule("a", "{trigger: sequence_broken, sequence: way}")
         way = "sequences: {way: {entity: ball, steps: [pitch, blue_goal], wrong_step: %s}}"
@@ -159,6 +189,13 @@ class TestEventsAndRules:
         text = SOUND + rule("a", "{trigger: half_started}").join(("rules:\n", ""))
         assert [f.kind for f in lint(load_text(text))] == ["no_way_to_score"]
         assert lint(load_text(text + "result: {rank: [{time: ascending}]}\n")) == []
+
+    def test_without_points_the_advice_is_to_rank_by_something_else_or_by_what_follows_the_score(self):
+        text = SOUND + rule("a", "{trigger: half_started}").join(("rules:\n", ""))
+        (finding,) = lint(load_text(text))
+        assert finding.remedy.endswith("or rank by a time or a counter in result:")
+        (finding,) = lint(load_text(text + "result: {rank: [{score: descending}, {time: ascending}]}\n"))
+        assert finding.remedy.endswith("or leave 'score' out of result:, so that what follows it decides")
 
 
 class TestTwoRulesMoveOneThing:
@@ -252,6 +289,13 @@ class TestState:
             == []
         )
 
+    @pytest.mark.parametrize(("do", "starts"), [("restart", True), ("start", True), ("stop", False), ("reset", False)])
+    def test_a_timer_that_is_only_stopped_or_reset_never_starts(self, do, starts):
+        rules = rule("a", "{trigger: half_started}", f"{{action: timer, timer: t, do: {do}}}")
+        rules += rule("b", "{trigger: timer_expired, timer: t}")
+        assert kinds("timers: {t: {lasts_s: 5}}", rules=rules) == ([] if starts else ["timer_never_started"])
+        assert kinds("timers: {t: {lasts_s: 5, starts: true}}", rules=rules) == []
+
     def test_a_counter_that_only_a_test_reads_is_not_read(self):
         count = rule("a", "{trigger: half_started}", "{action: count, counter: n}")
         test = "expect: {it: {keyframes: [{at_s: 1}], lasts_s: 1, counters: {n: 1}}}"
@@ -332,6 +376,42 @@ class TestGround:
         assert kinds("spots: {s: {x_m: 0.3, y_m: 0.8}}") == ["spot_off_the_field"]
         assert kinds("spots: {s: {x_m: 0.1, y_m: 0.8}}") == []
 
+    @pytest.mark.parametrize(
+        ("obstacle", "is_off"),
+        [
+            ("shape: box, centre_m: [3, 3], size_m: [0.1, 0.1]", True),
+            ("shape: box, centre_m: [0.7, 0], size_m: [0.02, 0.1]", True),
+            ("shape: box, centre_m: [0.65, 0], size_m: [0.02, 0.1]", False),
+            ("shape: cylinder, centre_m: [0.68, 0.8], radius_m: 0.05", True),  # behind the chamfer
+            ("shape: cylinder, centre_m: [0, 0.8], radius_m: 0.02", False),  # in the goal
+            ("shape: wall, from_m: [0.7, -0.5], to_m: [0.7, 0.5]", True),
+            ("shape: wall, from_m: [0.7, -0.5], to_m: [0.5, 0.5]", False),
+        ],
+    )
+    def test_a_fixed_obstacle_wholly_off_the_field(self, obstacle, is_off):
+        assert kinds(f"obstacles: {{it: {{{obstacle}}}}}") == ["obstacle_off_the_field"] * is_off
+
+    @pytest.mark.parametrize(
+        ("one", "other", "inside"),
+        [
+            ("cylinder, centre_m: [0, 0.6], radius_m: 0.05", "cylinder, centre_m: [0.02, 0.6], radius_m: 0.05", True),
+            ("cylinder, centre_m: [0, 0.6], radius_m: 0.05", "cylinder, centre_m: [0.09, 0.6], radius_m: 0.05", False),
+            ("cylinder, centre_m: [0, 0.6], radius_m: 0.05", "box, centre_m: [0, 0.6], size_m: [0.01, 0.01]", True),
+            ("box, centre_m: [0, 0.6], size_m: [0.01, 0.01]", "cylinder, centre_m: [0, 0.6], radius_m: 0.05", True),
+            ("wall, from_m: [0, 0.5], to_m: [0, 0.7]", "wall, from_m: [-0.1, 0.6], to_m: [0.1, 0.6]", False),  # a cross
+            ("wall, from_m: [0, 0.5], to_m: [0, 0.7]", "wall, from_m: [0, 0.7], to_m: [0.1, 0.7]", False),  # a corner
+            (
+                "wall, from_m: [0, 0.5], to_m: [0, 0.7]",
+                "cylinder, centre_m: [0, 0.7], radius_m: 0.005",
+                False,
+            ),  # an end
+            ("wall, from_m: [0, 0.5], to_m: [0, 0.7]", "wall, from_m: [0, 0.55], to_m: [0, 0.72]", True),
+        ],
+    )
+    def test_two_fixed_obstacles_inside_each_other(self, one, other, inside):
+        obstacles = f"obstacles: {{one: {{shape: {one}}}, other: {{shape: {other}}}}}"
+        assert kinds(obstacles) == ["obstacles_in_each_other"] * inside
+
     def test_a_robot_that_nobody_drives(self):
         assert kinds("entrants: {yellow: {robots: {Y3: null}}}") == ["robot_without_program"]
         assert kinds("entrants: {yellow: {robots: {Y3: null}}}", "robots: {Y3: {idle: true}}") == []
@@ -367,6 +447,20 @@ class TestGround:
         (finding,) = found_in(*sections, rules=use)
         assert finding.kind == "layout_without_room"
         assert reason in finding.problem.message
+
+    def test_without_room_it_is_said_what_places_and_what_follows(self):
+        use = "{action: place, %s}"
+        at_s_1 = "{trigger: time_reached, at_s: 1}"
+        both = use % "entity: [Y1, Y2], at: {point: [0, 0]}, on_failure: stay"
+        (finding,) = found_in(rules=rule("a", at_s_1, both))
+        assert (
+            finding.problem.message == "there is no room: 'Y2' would stand on 'Y1', which this action places before it"
+        )
+        assert finding.remedy == "correct the place, or make it larger; on the field it would stay where it is"
+        layout = "placements: {l: [{entity: Y1, at: {spot: centre}}, {entity: Y2, at: {spot: centre}}]}"
+        (finding,) = found_in(layout, rules=rule("a", at_s_1, use % "layout: l"))
+        assert finding.problem.message.endswith("which this layout places before it")
+        assert finding.remedy.endswith("it would be tried again on every tick")
 
     @pytest.mark.parametrize(
         "placings",

@@ -50,6 +50,8 @@ BAD = [
     (condition("speed, entity: ball, at_least: 2, at_most: 1"), "rules.r.conditions[0] (speed): nothing is at least 2"),
     (condition("spot_free, spot: neutral_spots, of: {at_least: 8}"), "rules.r.conditions[0] (spot_free): at least 8 of 7"),
     (condition("in_zone, entity: [blue, B1], zone: pitch, of: {at_least: 4}"), "rules.r.conditions[0] (in_zone): at least 4 of 3"),
+    ("flags: {f: {per: robots}}\n" + condition("flag, flag: f, entity: yellow, of: {at_least: 4}"),
+     "rules.r.conditions[0] (flag): at least 4 of 3"),
     (rule("{trigger: time_reached, at_s: 600.1}"), "rules.r.triggers[0] (time_reached): 600.1 s is never reached"),
     (rule("{trigger: stays_in, entity: ball, zone: pitch, limit_s: 3, grace_s: 0.03}"),
      "rules.r.triggers[0] (stays_in): a duration must be 0 or at least one tick (0.032 s), found 0.03"),

@@ -121,7 +121,7 @@ def test_an_event_of_several_rules_is_explained_by_all_of_them():
 
 
 SEVERAL = re.compile(
-    r"(?P<one>(?:one|each|any|none) of )?the (?:\w+ )?(?:robots|balls|obstacles|spots|zones|circles|areas)(?: “[^”]*”)? "
+    r"(?P<one>(?:[Oo]ne|each|any|none) of )?the (?:\w+ )?(?:robots|balls|obstacles|spots|zones|circles|areas)(?: “[^”]*”)? "
     r"(?P<verb>is|has|was|leaves|enters|touches|crosses|moves|tilts|fails)\b"
 )
 
@@ -187,9 +187,7 @@ LEVELS = {
     "condition: in_zone, entity: robots, of: {at_least: 2}, zone: pitch, negate: true": (
         "fewer than 2 of the robots are in the pitch"
     ),
-    "condition: speed, entity: ball, at_least: 0.1, negate: true": (
-        "the ball does not move at a speed of at least 0.1 m/s"
-    ),
+    "condition: speed, entity: ball, at_least: 0.1, negate: true": "the ball moves slower than 0.1 m/s",
     "condition: distance, entity: ball, to: robots, at_most: 0.1": (
         "the ball is at most 0.1 m from the nearest of the robots"
     ),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
+from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s, whole_ticks_within_s
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.conditions import compile_condition, watched_entities
 from rcj_challenges.referee.rules import Listener, StandingRule, Test
@@ -34,8 +34,9 @@ class HoldWatch(TickWatch):
         self._test = test
         self._for_s = model.for_s
         self._for = ticks_from_s(model.for_s)
-        self._grace = ticks_from_s(model.grace_s)
-        self._every = None if model.every_s is None else ticks_from_s(model.every_s)
+        self._grace = whole_ticks_within_s(model.grace_s)
+        self._every_s = model.every_s
+        self._again = 0
         self._began: int | None = None
         self._lost: int | None = None
         self._next = NEVER
@@ -47,9 +48,15 @@ class HoldWatch(TickWatch):
         tick = self._state.tick
         self._lost = None
         self._began = tick if self._test() else None
-        self._next = tick + self._for
+        self._next, self._again = tick + self._for, 0
         if self._for == 0:
-            self._next = NEVER if self._every is None else tick + self._every
+            self._next = self._next_after(tick, tick)
+
+    def moved(self) -> None:
+        """Begin anew, unless it is a matter of several and held throughout: then one of them changes nothing."""
+        held = self._began is not None and self._lost is None
+        if len(self.entities) == 1 or not (held and self._test()):
+            self.restart()
 
     def look(self) -> None:
         """Report when it has held long enough."""
@@ -59,8 +66,21 @@ class HoldWatch(TickWatch):
                 self._lost = tick
             return
         if self._began is None or (self._lost is not None and tick - self._lost > self._grace):
-            self._began, self._next = tick, tick + self._for
+            self._began, self._next, self._again = tick, tick + self._for, 0
         self._lost = None
         if tick >= self._next:
-            self._next = NEVER if self._every is None else tick + self._every
+            self._next = self._next_after(tick, self._began)
             self._hits.report(self.listeners, s_from_ticks(tick - self._began), self._for_s)
+
+    def _next_after(self, tick: int, began: int) -> int:
+        """Return when it fires again.
+
+        Each time is counted from the beginning: rounded up one by one, 120 intervals of 1 s would take 122.9 s.
+        """
+        if self._every_s is None:
+            return NEVER
+        after = tick
+        while after <= tick:  # in phases in which nobody looks, times pass unheard
+            self._again += 1
+            after = began + ticks_from_s(self._for_s + self._again * self._every_s)
+        return after

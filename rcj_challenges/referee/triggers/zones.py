@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from rcj_challenges.facts.play import Pose2
-from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
+from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s, whole_ticks_within_s
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.regions import Cell, FarFrom, Region
 from rcj_challenges.referee.rules import Listener, StandingRule
@@ -148,7 +148,7 @@ class StayWatch(PositionWatch, DueWatch):
         self._region = region
         self._limit_s = model.limit_s
         self._limit = ticks_from_s(model.limit_s)
-        self._grace = ticks_from_s(model.grace_s)
+        self._grace = whole_ticks_within_s(model.grace_s)
         self._came: int | None = None
         self._left: int | None = None
         self._told = False

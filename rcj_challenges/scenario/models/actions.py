@@ -24,7 +24,9 @@ class Score(Strict):
 
     action: Literal["score"]
     entrant: Name = described(..., "who gets them (the seat as played in this half)")
-    points: Points = described(1, "how many: a number, {counter: NAME}, or a list of weighted counters and flags")
+    points: Points = described(
+        1, "how many: a number, {counter, flag, draw or word: NAME}, or a list of these with weights"
+    )
 
 
 class Count(Strict):
@@ -33,8 +35,10 @@ class Count(Strict):
     action: Literal["count"]
     counter: Name = described(..., "the counter")
     entity: Name | None = described(None, "for a counter kept per entity: whose; each; left out: all of them")
-    by: Amount | None = described(None, "what is added; 1 if neither `by` nor `to` is given")
-    to: Amount | None = described(None, "what it is set to")
+    by: Amount | None = described(
+        None, "what is added, a number or {counter, flag, draw or word: NAME}; 1 if neither `by` nor `to` is given"
+    )
+    to: Amount | None = described(None, "what it is set to, a number or {counter, flag, draw or word: NAME}")
 
 
 class SetFlag(Strict):

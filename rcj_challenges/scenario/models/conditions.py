@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from rcj_challenges.scenario.models.base import Name, Names, NotNegative, Point, Scalar, Strict, described
-from rcj_challenges.scenario.models.state import Amount
+from rcj_challenges.scenario.models.state import Bound
 
 
 class AtLeast(Strict):
@@ -25,9 +25,9 @@ class _Condition(Strict):
 
 
 class _Compared(_Condition):
-    at_least: Amount | None = described(None, "holds from this value on; a number or {counter: NAME}")
-    at_most: Amount | None = described(None, "holds up to this value; a number or {counter: NAME}")
-    equals: Amount | None = described(None, "holds at this value only; a number or {counter: NAME}")
+    at_least: Bound | None = described(None, "holds from this value on; a number or {counter: NAME}")
+    at_most: Bound | None = described(None, "holds up to this value; a number or {counter: NAME}")
+    equals: Bound | None = described(None, "holds at this value only; a number or {counter: NAME}")
 
 
 class InZone(_Condition):
@@ -61,8 +61,13 @@ class CounterIs(_Compared):
 
     condition: Literal["counter"]
     counter: Name = described(..., "a counter, or an entrant: its score")
-    entity: Name | None = described(
-        None, "for a counter kept per entity: whose; each: the current one; left out, without for_each: the sum"
+    entity: Names | None = described(
+        None,
+        "for a counter kept per entity: whose; each: the current one; left out, without for_each: the sum; "
+        "with `of` also a group or a list",
+    )
+    of: Quantifier | None = described(
+        None, "how many of a group must satisfy it; entity left out: of all that have one"
     )
 
 
@@ -71,8 +76,13 @@ class FlagIs(_Condition):
 
     condition: Literal["flag"]
     flag: Name = described(..., "a flag")
-    entity: Name | None = described(
-        None, "for a flag kept per entity: whose; each: the current one; left out, without for_each: any of them"
+    entity: Names | None = described(
+        None,
+        "for a flag kept per entity: whose; each: the current one; left out, without for_each: any of them; "
+        "with `of` also a group or a list",
+    )
+    of: Quantifier | None = described(
+        None, "how many of a group must satisfy it; entity left out: of all that have one"
     )
 
 
@@ -89,8 +99,13 @@ class TimerIs(_Compared):
 
     condition: Literal["timer"]
     timer: Name = described(..., "a timer")
-    entity: Name | None = described(
-        None, "for a timer kept per entity: whose; each: the current one; left out, without for_each: the longest"
+    entity: Names | None = described(
+        None,
+        "for a timer kept per entity: whose; each: the current one; left out, without for_each: the longest; "
+        "with `of` also a group or a list",
+    )
+    of: Quantifier | None = described(
+        None, "how many of a group must satisfy it; entity left out: of all that have one"
     )
 
 

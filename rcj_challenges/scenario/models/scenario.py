@@ -35,8 +35,8 @@ class Rule(Strict):
     )
     cooldown_s: DurationS | None = described(None, "after firing it rests this long, per entity, in s")
     max_executions: int | None = described(None, "how often it may fire in a half, per entity", ge=1)
-    says: str = described("", "the sentence for sheet, log and screen; {entity}, {team}, {measured} are filled in",
-                          max_length=500)  # fmt: skip
+    says: str = described("", "the sentence for the sheet, the referee's log and the page; {entity}, {team}, "
+                          "{measured} and {limit} are filled in", max_length=500)  # fmt: skip
 
 
 class Broadcast(Strict):
@@ -60,14 +60,14 @@ class PlusPart(Strict):
 
 
 class RankByTime(Strict):
-    """Rank by the time at which the half ended, plus penalties."""
+    """Rank by the time at which the half ended, of several halves by the sum, plus penalties."""
 
     time: Literal["ascending", "descending"] = described(..., "which is better first")
     plus: tuple[PlusPart, ...] = Field((), strict=False, description="seconds added by counters")
 
 
 class RankByCounter(Strict):
-    """Rank by a counter."""
+    """Rank by a counter: kept per entity by the sum over the team's robots, of several halves by the sum of them."""
 
     counter: Name = described(..., "a counter")
     order: Literal["ascending", "descending"] = described("descending", "which is better first")
@@ -91,7 +91,7 @@ class Limits(Strict):
         None, "processor time in a half, in s, start included; left out: start_s and 8 times half_s", gt=0, le=86_400
     )
     memory_mb: int = described(1024, "memory in MB", ge=64, le=65_536)
-    output_mb: float = described(8.0, "what it may print in a half, in MB", gt=0, le=1024)
+    output_mb: float = described(32.0, "what it may print in a half, in MB", gt=0, le=1024)
     message_kb: float = described(1024.0, "largest radio packet in kB", gt=0, le=16_384)
     scratch_mb: float = described(64.0, "what it may write into its private folder, in MB", gt=0, le=4096)
     processes: int = described(32, "threads it may start", ge=1, le=1000)

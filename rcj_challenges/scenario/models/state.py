@@ -124,46 +124,95 @@ Value = Annotated[
 ]
 
 
-class WeightedCounter(Strict):
+class NumberDraw(DrawValue):
+    """What a draw decided, for a draw whose values are all numbers."""
+
+    draw: Name = described(..., "a draw of numbers")
+
+
+class NumberWord(WordValue):
+    """A number of the match by its word; times count in whole seconds, rounded down, so that scores stay exact."""
+
+    word: Literal[
+        "score", "halftime", "total_match_time_s", "time_s", "time_left_s", "measured", "limit"
+    ] = described(..., "the word; measured and limit keep their fraction, 0 if nothing was measured")  # fmt: skip
+    of: Name | None = described(None, "for score: the entrant; left out: that of the current entity")
+
+
+class WeightedCounter(CounterValue):
     """A part of a score: the value of a counter times a weight."""
 
-    counter: Name = described(..., "a counter")
+    counter: Name = described(..., "a counter, or an entrant: its score")
+    entity: Name | None = described(
+        None, "for a counter kept per entity: whose; each: the current one; left out: the sum"
+    )
     weight: float = described(1.0, "points for each")
 
 
-class WeightedFlag(Strict):
+class WeightedFlag(FlagValue):
     """A part of a score: points if a flag is set."""
 
     flag: Name = described(..., "a flag")
+    entity: Name | None = described(
+        None, "for a flag kept per entity: whose; each: the current one; left out: any of them"
+    )
     weight: float = described(1.0, "points if it is true")
 
 
+class WeightedDraw(NumberDraw):
+    """A part of a score: the number that a draw decided times a weight."""
+
+    weight: float = described(1.0, "points for each")
+
+
+class WeightedWord(NumberWord):
+    """A part of a score: a number of the match times a weight; times in whole seconds, rounded down."""
+
+    weight: float = described(1.0, "points for each")
+
+
 def _which_part(value: Any) -> str | None:
-    if isinstance(value, dict):
-        return "counter" if "counter" in value else "flag" if "flag" in value else None
-    return "counter" if isinstance(value, WeightedCounter) else "flag"
+    which = _which_value(value)
+    return which if which in ("counter", "flag", "draw", "word") else None
 
 
 Part = Annotated[
-    Annotated[WeightedCounter, Tag("counter")] | Annotated[WeightedFlag, Tag("flag")], Discriminator(_which_part)
+    Annotated[WeightedCounter, Tag("counter")]
+    | Annotated[WeightedFlag, Tag("flag")]
+    | Annotated[WeightedDraw, Tag("draw")]
+    | Annotated[WeightedWord, Tag("word")],
+    Discriminator(_which_part),
 ]
 
 
 def _which_number(value: Any) -> str | None:
     if isinstance(value, (list, tuple)):
         return "parts"
-    if isinstance(value, (dict, CounterValue)):
-        return "counter"
-    return "number"
+    which = _which_value(value)
+    return "number" if which == "literal" else which
 
 
-Amount = Annotated[
+Bound = Annotated[
     Annotated[int | float, Tag("number")] | Annotated[CounterValue, Tag("counter")],
     Discriminator(lambda value: "counter" if isinstance(value, (dict, CounterValue)) else "number"),
 ]
+"""What is compared with."""
+Amount = Annotated[
+    Annotated[int | float, Tag("number")]
+    | Annotated[CounterValue, Tag("counter")]
+    | Annotated[FlagValue, Tag("flag")]
+    | Annotated[NumberDraw, Tag("draw")]
+    | Annotated[NumberWord, Tag("word")],
+    Discriminator(_which_number),
+]
+"""How much is counted."""
 Points = Annotated[
     Annotated[int | float, Tag("number")]
     | Annotated[CounterValue, Tag("counter")]
+    | Annotated[FlagValue, Tag("flag")]
+    | Annotated[NumberDraw, Tag("draw")]
+    | Annotated[NumberWord, Tag("word")]
     | Annotated[tuple[Part, ...], Field(strict=False), Tag("parts")],
     Discriminator(_which_number),
 ]
+"""How many points are given."""

@@ -164,7 +164,7 @@ class Holds(Strict):
     for_s: NotNegative = described(0.0, "how long it must hold, in s")
     grace_s: NotNegative = described(0.0, "an interruption of up to this time counts as holding, in s")
     every_s: DurationS | None = described(
-        None, "fires again after each of these times in s while it goes on; left out: once"
+        None, "fires again after each of these times in s while it goes on, counted from the beginning; left out: once"
     )
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from rcj_challenges.scenario.models import places
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
-from rcj_challenges.views.sheet.phrases import amount, metres, seconds, value
+from rcj_challenges.views.sheet.phrases import amount, degrees, metres, seconds, value
 
 
 def action_words(nouns: Nouns, action: Any) -> str:
@@ -23,18 +23,62 @@ def put_words(nouns: Nouns, at: Any, *, plural: bool = False) -> str:
         at: the place.
         plural: whether several are put there: ``put at their starts``, ``each put on the spot “centre”``.
     """
-    if plural and (at == "start" or isinstance(at, places.Start)):
+    if plural and _at_start(at):
         return "put at their starts"
     return f"{'each ' if plural else ''}put {PLACES[type(at)](nouns, at)}"
 
 
 def placing_words(nouns: Nouns, placing: Any) -> str:
     """Return a placement as a clause."""
-    x, y = placing.noise_m
-    noise = f" (± {metres(x)} in x, ± {metres(y)} in y)" if x or y else ""
+    noise = ", ".join(f"± {metres(wide)} in {axis}" for axis, wide in zip("xy", placing.noise_m, strict=True) if wide)
     who = nouns.all_of(placing.entity)
-    where = put_words(nouns, placing.at, plural=who.plural)
-    return f"{who.does('is', 'are')} {where}{noise}{_mirrored(nouns, placing.mirror)}"
+    parts = [
+        put_words(nouns, placing.at, plural=who.plural),
+        f" ({noise})" if noise else "",
+        _mirrored(nouns, placing.mirror),
+        _facing(nouns, placing, placing.at, plural=who.plural),
+        _clear(placing),
+    ]
+    return f"{who.does('is', 'are')} {''.join(parts)}"
+
+
+def _at_start(at: Any) -> bool:
+    return at == "start" or isinstance(at, places.Start)
+
+
+def _facing(nouns: Nouns, action: Any, at: Any, *, plural: bool) -> str:
+    """Return which way it looks afterwards, if not the way it looks at its start."""
+    facing = action.facing
+    if facing == "start":
+        return ""
+    if isinstance(facing, places.Towards):
+        way = nouns.point(facing.towards)
+    elif isinstance(facing, places.RandomFacing):
+        way = "a random way"
+    else:
+        way = "the way it did before" if facing == "keep" else f"{degrees(facing)} counter-clockwise from +x"
+    return f", {'each ' if plural and _at_start(at) else ''}facing {way}"
+
+
+def _clear(placing: Any) -> str:
+    """Return how much room it needs, and what happens if there is none."""
+    gap = f", at least {metres(placing.min_clearance_m)} from everything but the walls"
+    stay = ", or left where it is if there is no room"
+    return (gap if placing.min_clearance_m else "") + (stay if placing.on_failure == "stay" else "")
+
+
+def _beside(nouns: Nouns, at: Any) -> str:
+    """Return a place that is told by how far it is from something."""
+    who = nouns.thing(at.relative_to)
+    ways = (("to the front", "to the back"), ("to the left", "to the right"))
+    if not at.turns:
+        ways = (("towards +x", "towards -x"), ("towards +y", "towards -y"))
+    steps = [
+        f"{metres(abs(far))} {way[0] if far > 0 else way[1]}" for far, way in zip(at.offset_m, ways, strict=True) if far
+    ]
+    if not steps:
+        return f"right at {who}"
+    return f"{listed(steps, 'and')} of {who}" + (f", as {who} is turned" if at.turns else "")
 
 
 def _mirrored(nouns: Nouns, mirror: Any) -> str:
@@ -65,7 +109,8 @@ def _remove(nouns: Nouns, action: Any) -> str:
     gone = f"{who.does('is', 'are')} taken off the field"
     if not action.for_s:
         return gone
-    return f"{gone} and after {seconds(action.for_s)} {put_words(nouns, action.back_at, plural=who.plural)}"
+    back = put_words(nouns, action.back_at, plural=who.plural)
+    return f"{gone} and after {seconds(action.for_s)} {back}{_facing(nouns, action, action.back_at, plural=who.plural)}"
 
 
 def _count(nouns: Nouns, action: Any) -> str:
@@ -136,7 +181,5 @@ PLACES: dict[type, Callable[[Nouns, Any], str]] = {
     ),
     places.NearestFree: lambda n, a: _free(n, "nearest", a.nearest_free, a.choose_among, a.to),
     places.FurthestFree: lambda n, a: _free(n, "furthest", a.furthest_free, a.choose_among, a.from_),
-    places.RelativeTo: lambda n, a: (
-        f"at {n.point(a.offset_m)} from {n.thing(a.relative_to)}" + (", x forward and y to its left" if a.turns else "")
-    ),
+    places.RelativeTo: _beside,
 }

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from rcj_challenges.views.sheet.nouns import Nouns, Subject, plain, quoted
-from rcj_challenges.views.sheet.phrases import compared, metres, number, seconds
+from rcj_challenges.views.sheet.phrases import amount, compared, metres, number, seconds
 
 
 def trigger_words(nouns: Nouns, trigger: Any) -> str:
@@ -62,17 +62,28 @@ def _is(nouns: Nouns, c: Any, names: Any, what: str) -> str:
     return f"{nouns.quantified(c.of, names, negate=c.negate).does('is', 'are')} {what}"
 
 
-def _it_is(subject: str, c: Any, what: str) -> str:
-    return f"{Subject(subject, negated=c.negate).does('is', 'are')} {what}"
+def _kept(nouns: Nouns, kind: str, name: str, c: Any) -> Subject:
+    """Return whose counter, flag or timer is asked: of one, or of so many of several."""
+    if c.of is None or c.entity == "each":
+        return Subject(nouns.kept(kind, name, c.entity), negated=c.negate)
+    names = c.entity or getattr(nouns.scenario, f"{kind}s")[name].per
+    who = nouns.quantified(c.of, names, negate=c.negate)
+    return Subject(f"the {kind} {quoted(name)} of {who.text}", negated=who.negated)
 
 
 def _timer(nouns: Nouns, c: Any) -> str:
-    timer, limits = nouns.kept("timer", c.timer, c.entity), compared(nouns, c, " s")
-    return f"{timer} has{' not' if c.negate else ''} run for {limits}" if limits else _it_is(timer, c, "running")
+    timer, limits = _kept(nouns, "timer", c.timer, c), compared(nouns, c, " s")
+    if not limits:
+        return f"{timer.does('is', 'are')} running"
+    return f"{timer.text} has{' not' if timer.negated else ''} run for {limits}"
 
 
 def _speed(nouns: Nouns, c: Any) -> str:
     who = nouns.quantified(c.of, c.entity, negate=c.negate)
+    limits = [limit for limit in (c.at_least, c.at_most, c.equals) if limit is not None]
+    if who.negated and len(limits) == 1 and c.equals is None:
+        how = "slower" if c.at_most is None else "faster"
+        return f"{who.text} moves {how} than {amount(nouns, limits[0])} m/s"
     return f"{who.does('moves', 'move')} at a speed of {compared(nouns, c, ' m/s')}"
 
 
@@ -101,8 +112,8 @@ CONDITIONS: dict[str, Callable[[Nouns, Any], str]] = {
     "in_zone": lambda n, c: _is(n, c, c.entity, f"in {n.any_of(c.zone)}"),
     "speed": _speed,
     "distance": lambda n, c: _is(n, c, c.entity, f"{compared(n, c, ' m')} from {n.point(c.to)}"),
-    "counter": lambda n, c: _it_is(n.kept("counter", c.counter, c.entity), c, compared(n, c)),
-    "flag": lambda n, c: _it_is(n.kept("flag", c.flag, c.entity), c, "set"),
+    "counter": lambda n, c: f"{_kept(n, 'counter', c.counter, c).does('is', 'are')} {compared(n, c)}",
+    "flag": lambda n, c: f"{_kept(n, 'flag', c.flag, c).does('is', 'are')} set",
     "drawn": lambda _, c: f"“{plain(str(c.equals))}” was {'not ' if c.negate else ''}drawn as {quoted(c.draw)}",
     "timer": _timer,
     "last_touch": lambda n, c: (

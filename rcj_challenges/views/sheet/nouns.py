@@ -13,11 +13,12 @@ from rcj_challenges.scenario.roster import WALLS, Roster
 Names = str | tuple[str, ...]
 
 _GROUPS_OF_ALL = ("robots", "balls", "obstacles")
-_PREPOSITIONS = frozenset(
-    ("above", "all", "around", "at", "behind", "below", "beside", "between", "beyond", "in", "inside", "near", "not",
-     "on", "outside", "over", "under")
+_WITHOUT_ARTICLE = frozenset(
+    ("a", "above", "all", "an", "another", "any", "around", "at", "behind", "below", "beside", "between", "beyond",
+     "both", "each", "every", "in", "inside", "my", "near", "no", "not", "off", "on", "our", "out", "outside", "over",
+     "some", "that", "this", "under")
 )  # fmt: skip
-"""What a zone's name may begin with so that no article fits before it: ``outside_the_circle``."""
+"""What a name may begin with so that no article fits before it: ``outside_the_circle``, ``another_corner``."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +61,7 @@ def quoted(name: str) -> str:
 
 def listed(parts: Sequence[str], last: str) -> str:
     """Return parts as a list: ``Y1, Y2 or Y3``."""
-    return f" {last} ".join(part for part in (", ".join(parts[:-1]), parts[-1]) if part)
+    return f" {last} ".join(part for part in (", ".join(parts[:-1]), *parts[-1:]) if part)
 
 
 class Nouns:
@@ -83,14 +84,14 @@ class Nouns:
         if name == WALLS:
             return "a wall"
         kind = _kind(scenario, name)
-        if kind in ("ball", "obstacle", "gate", "spot") and kind not in name.lower():
+        first = name.lower().partition("_")[0]
+        bare = kind in ("ball", "obstacle", "gate", "spot") and kind not in name.lower()
+        if bare or (kind not in ("", "robot") and first in _WITHOUT_ARTICLE):
             return f"the {kind} {quoted(name)}"
         if name in scenario.draws:
             return f"what was drawn as {quoted(name)}"
         # A name with a number, as most robots have one, is said without article.
-        if kind == "zone" and name.lower().partition("_")[0] in _PREPOSITIONS:
-            return f"the zone {quoted(name)}"
-        proper = kind in ("", "robot") or any(character.isdigit() for character in name)
+        proper = kind in ("", "robot") or first == "the" or any(character.isdigit() for character in name)
         return plain(name) if proper else f"the {plain(name)}"
 
     def any_of(self, names: Names) -> str:
@@ -143,6 +144,11 @@ class Nouns:
             return self.kept(kind, name, entity)
         return f"the {kind} {quoted(name)} of {self.each_of(one.per)}"
 
+    def kinds_of(self, names: Names) -> str:
+        """Return of what kind one of several is: ``robot``, or ``robot or ball``."""
+        kinds = dict.fromkeys(_kind(self.scenario, name) for name in self.roster.expand(names))
+        return listed([kind for kind in kinds if kind], "or")
+
     def members(self, group: str) -> str:
         """Return the members of a group by name."""
         return ", ".join(map(plain, self.roster.expand(group)))
@@ -157,7 +163,10 @@ class Nouns:
     def _group(self, name: str) -> str:
         if name in self.scenario.groups:
             kind = _kind(self.scenario, self.roster.expand(name)[0])
-            return f"the {plain(name)}" if name.endswith("s") or not kind else f"the {kind}s {quoted(name)}"
+            first = name.lower().partition("_")[0]
+            said = not kind or (name.endswith("s") and first not in _WITHOUT_ARTICLE)
+            article = "" if first == "the" else "the "
+            return f"{article}{plain(name)}" if said else f"the {kind}s {quoted(name)}"
         return f"the {plain(name)}" if name in _GROUPS_OF_ALL else f"the {plain(name)} robots"
 
 

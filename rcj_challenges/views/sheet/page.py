@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import Any
+from collections.abc import Iterator
 
-from rcj_challenges.scenario.models import robots as kit_models
 from rcj_challenges.scenario.models.actions import Emit, Score
-from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Result, Rule, Scenario
+from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Result, Scenario
 from rcj_challenges.scenario.models.state import AnyStep, Draw, Phase, Sequence
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.views.drawing import draw_scenario
-from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Picture, Table, as_html, as_markdown
-from rcj_challenges.views.sheet.deeds import action_words, placing_words
-from rcj_challenges.views.sheet.edges import condition_words, trigger_words
+from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table, as_html, as_markdown
+from rcj_challenges.views.sheet.deeds import placing_words
+from rcj_challenges.views.sheet.ground import field_blocks
+from rcj_challenges.views.sheet.machines import robot_blocks
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
-from rcj_challenges.views.sheet.phrases import amount, metres, seconds, times, value
+from rcj_challenges.views.sheet.phrases import amount, seconds, value
+from rcj_challenges.views.sheet.rules import rule_blocks, when_words
+from rcj_challenges.views.sheet.spoken import spoken
 
 
 def sheet_markdown(scenario: Scenario, roster: Roster) -> str:
@@ -30,7 +30,7 @@ def sheet_html(scenario: Scenario, roster: Roster) -> str:
 
 def sheet_blocks(scenario: Scenario, roster: Roster) -> list[Block]:
     """Return all sections of the sheet, in order."""
-    sections = (_goal, _field, _robots, _course, _scoring, _rules, _places, _told, _submission)
+    sections = (_goal, field_blocks, robot_blocks, _course, _scoring, rule_blocks, _places, _told, _submission)
     nouns = Nouns(scenario, roster)
     return [block for section in sections for block in section(scenario, nouns)]
 
@@ -39,76 +39,6 @@ def _goal(scenario: Scenario, _nouns: Nouns) -> Iterator[Block]:
     yield Heading(1, scenario.title)
     if scenario.description:
         yield Paragraph(scenario.description)
-
-
-def _field(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
-    field = scenario.field
-    yield Heading(2, "Field")
-    yield Paragraph(
-        f"{field.width_m:g} m wide (x) and {field.length_m:g} m long (y) inside its walls, which are "
-        f"{metres(field.wall_height_m)} high. The origin is the centre; x grows to the right, y upwards in the drawing."
-    )
-    yield Picture(draw_scenario(scenario, nouns.roster))
-    groups = [f"{quoted(group)}: {nouns.members(group)}" for group in scenario.groups]
-    if groups:
-        yield Paragraph("These names stand for several:")
-        yield Items(tuple(groups))
-
-
-def _robots(scenario: Scenario, _nouns: Nouns) -> Iterator[Block]:
-    yield Heading(2, "Robots")
-    rows = [
-        (name, robot.colour, "none, it stands braked" if robot.idle else _driver(scenario, name), robot.kit)
-        for name, robot in scenario.robots.items()
-    ]
-    yield Table(("robot", "colour", "driven by", "kit"), tuple(rows))
-    used = {robot.kit for robot in scenario.robots.values() if not robot.idle}
-    for kit_name, kit in scenario.kits.items():
-        if kit_name not in used:
-            continue
-        yield Heading(3, f"Kit {kit_name}")
-        chassis = kit.chassis
-        top = chassis.wheel_radius_m * chassis.max_wheel_radps
-        yield Paragraph(
-            f"A cube of {metres(chassis.size_m)} on two wheels; top speed {top:g} m/s "
-            f"at {chassis.max_wheel_radps:g} rad/s. Programs take a step every {kit.control_step_ms} ms; "
-            f"messages are as in version {kit.messages}."
-        )
-        yield Table(("device", "what it is"), tuple((name, device_words(d)) for name, d in kit.devices.items()))
-    for name, robot in scenario.robots.items():
-        if robot.devices or robot.without:
-            changes = [f"“{device}”: {device_words(model)}" for device, model in robot.devices.items()]
-            changes += [f"no “{device}”" for device in robot.without]
-            yield Paragraph(f"{name} differs from its kit: {'; '.join(changes)}.")
-
-
-def _driver(scenario: Scenario, robot: str) -> str:
-    return next((f"program of {plain(seat)}" for seat, e in scenario.entrants.items() if robot in e.robots), "nobody")
-
-
-def device_words(device: kit_models.Device) -> str:
-    """Return what a device is, with its range."""
-    return _DEVICES[device.device](device)
-
-
-def _lidar(d: kit_models.LidarDevice) -> str:
-    turning = f", turning at {d.frequency_hz:g} Hz" if d.rotating else ""
-    return f"lidar, {d.points} points, {metres(d.min_range_m)} to {metres(d.max_range_m)}{turning}"
-
-
-_BLANKS = {"{team}": "its team", "{measured}": "what is measured", "{limit}": "the limit"}
-_DEVICES: dict[str, Callable[[Any], str]] = {
-    "motor": lambda d: f"motor of the {d.wheel} wheel",
-    "wheel_sensor": lambda d: f"angle of the {d.wheel} wheel",
-    "gps": lambda _: "position of the robot",
-    "compass": lambda _: "direction of north",
-    "sonar": lambda d: f"distance sensor, bearing {round(d.bearing_rad * 57.29578)}°, up to {metres(d.range_m)}",
-    "ball_receiver": lambda d: f"infra-red receiver of the ball, up to {metres(d.range_m)}",
-    "supervisor_receiver": lambda d: f"receiver of the referee's packets, channel {d.channel}",
-    "team_receiver": lambda _: "team radio, receives",
-    "team_emitter": lambda d: f"team radio, sends, {d.baud} baud",
-    "lidar": _lidar,
-}
 
 
 def _course(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
@@ -159,7 +89,7 @@ def _sequence_words(nouns: Nouns, name: str, sequence: Sequence) -> str:
 
 def _scoring(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     rows = [
-        (_spoken(rule, nouns) or _when(rule, nouns), plain(action.entrant), amount(nouns, action.points))
+        (spoken(nouns, rule) or when_words(rule, nouns), plain(action.entrant), amount(nouns, action.points))
         for rule in scenario.rules.values()
         for action in rule.actions
         if isinstance(action, Score)
@@ -188,53 +118,6 @@ def _criterion_words(nouns: Nouns, criterion: RankByScore | RankByTime | RankByC
     return f"a {'shorter' if criterion.time == 'ascending' else 'longer'} time{added}"
 
 
-def _rules(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
-    yield Heading(2, "Rules")
-    yield Paragraph(
-        "On each tick the rules are judged in this order; a name in brackets is the rule's name in the log."
-    )
-    yield Items(tuple(f"[{name}] {_sentence(rule, nouns)}" for name, rule in scenario.rules.items()), numbered=True)
-
-
-def _sentence(rule: Rule, nouns: Nouns) -> str:
-    says = f"{_spoken(rule, nouns)} " if rule.says else ""
-    extras = []
-    if rule.cooldown_s:
-        extras.append(f"at most once in {seconds(rule.cooldown_s)}")
-    if rule.max_executions:
-        extras.append(f"at most {times(rule.max_executions)} a half")
-    if rule.phases == "any":
-        extras.append("in every phase")
-    elif rule.phases != ("play",):
-        extras.append(f"in the phase {listed([quoted(phase) for phase in rule.phases], 'or')}")
-    tail = f" ({'; '.join(extras)})" if extras else ""
-    actions = ", then ".join(action_words(nouns, action) for action in rule.actions)
-    return f"{says}{_when(rule, nouns)}: {actions}{tail}."
-
-
-def _spoken(rule: Rule, nouns: Nouns) -> str:
-    """Return what a rule says, with words for what is known only when it fires."""
-    spoken = rule.says.replace("{entity}", f"the {_kind_of_each(rule, nouns.roster)}")
-    for blank, words in _BLANKS.items():
-        spoken = spoken.replace(blank, words)
-    return spoken[:1].upper() + spoken[1:]
-
-
-def _kind_of_each(rule: Rule, roster: Roster) -> str:
-    """Return of what kind a rule's current entity is; robots, if it is not said with ``for_each``."""
-    of_each = [] if rule.for_each is None else [roster.index[name] for name in roster.expand(rule.for_each)]
-    if not of_each or min(of_each) < roster.robots:
-        return "robot"
-    return "ball" if min(of_each) < roster.robots + roster.balls else "obstacle"
-
-
-def _when(rule: Rule, nouns: Nouns) -> str:
-    each = f"For {nouns.each_of(rule.for_each)}, when " if rule.for_each else "When "
-    edges = ", or when ".join(trigger_words(nouns, trigger) for trigger in rule.triggers)
-    levels = " and ".join(f"that {condition_words(nouns, condition)}" for condition in rule.conditions)
-    return f"{each}{edges}" + (f", provided {levels}" if levels else "")
-
-
 def _places(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     if scenario.placements:
         yield Heading(2, "Where things are put")
@@ -254,7 +137,7 @@ def _told(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     events: dict[str, list[str]] = {}
     for rule in scenario.rules.values():
         for event in {action.event: None for action in rule.actions if isinstance(action, Emit)}:
-            events.setdefault(event, []).append(_spoken(rule, nouns))
+            events.setdefault(event, []).append(spoken(nouns, rule))
     if events:
         yield Heading(2, "Events in the log")
         meanings = {event: " Or: ".join(filter(None, dict.fromkeys(said))) for event, said in events.items()}
@@ -264,7 +147,7 @@ def _told(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
 def _submission(scenario: Scenario, _nouns: Nouns) -> Iterator[Block]:
     yield Heading(2, "What to hand in")
     rows = [
-        (plain(seat), robot, " or ".join(entries) if isinstance(entries, tuple) else entries)
+        (plain(seat), plain(robot), " or ".join(entries) if isinstance(entries, tuple) else entries)
         for seat, entrant in scenario.entrants.items()
         for robot, entries in entrant.robots.items()
     ]

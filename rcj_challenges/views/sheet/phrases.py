@@ -24,6 +24,16 @@ def metres(value: float) -> str:
     return f"{value * 100:g} cm" if value < 0.1 else f"{value:g} m"
 
 
+def degrees(value_rad: float) -> str:
+    """Return an angle in rad as degrees: ``34°``."""
+    return f"{value_rad * 57.29578:.3g}°"
+
+
+def point(at: tuple[float, float]) -> str:
+    """Return a point of the floor: ``(0.45, 0)``."""
+    return f"({at[0]:g}, {at[1]:g})"
+
+
 def times(count: int) -> str:
     """Return how often: ``once``, ``3 times``."""
     return "once" if count == 1 else f"{count} times"
@@ -41,7 +51,7 @@ def amount(nouns: Nouns, value: Any) -> str:
         return number(value)
     if isinstance(value, tuple):
         return ", plus ".join(_part(nouns, part) for part in value)
-    return nouns.kept("counter", value.counter, value.entity)
+    return _counted(nouns, value) or nouns.kept("counter", value.counter, value.entity)
 
 
 def compared(nouns: Nouns, model: Any, unit: str = "") -> str:
@@ -54,10 +64,19 @@ def compared(nouns: Nouns, model: Any, unit: str = "") -> str:
     return " and ".join(parts)
 
 
-def _part(nouns: Nouns, part: state.WeightedCounter | state.WeightedFlag) -> str:
+def _counted(nouns: Nouns, model: Any) -> str:
+    """Return for how much a flag, a draw or a word counts; an empty text for anything else."""
+    if isinstance(model, state.FlagValue):
+        return f"1 if {nouns.kept('flag', model.flag, model.entity)} is set"
+    if isinstance(model, state.NumberWord):
+        return _word(nouns, model) + (" (rounded down)" if model.word.endswith("_s") else "")
+    return _VALUES[state.DrawValue](nouns, model) if isinstance(model, state.DrawValue) else ""
+
+
+def _part(nouns: Nouns, part: Any) -> str:
     if isinstance(part, state.WeightedFlag):
-        return f"{number(part.weight)} if {nouns.kept('flag', part.flag, None)} is set"
-    counter = nouns.kept("counter", part.counter, None)
+        return f"{number(part.weight)} if {nouns.kept('flag', part.flag, part.entity)} is set"
+    counter = _counted(nouns, part) or nouns.kept("counter", part.counter, part.entity)
     return counter if part.weight == 1 else f"{number(part.weight)} times {counter}"
 
 

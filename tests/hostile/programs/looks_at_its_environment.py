@@ -11,7 +11,7 @@ import arena
 
 arena.drive(10)
 for name, value in os.environ.items():
-    told = name if name in ("HOME", "TMPDIR", "TEMP", "TMP", "USERPROFILE", "APPDATA") else name + value
+    told = name if name in ("HOME", "TMPDIR", "TEMP", "TMP", "USERPROFILE", "APPDATA", "WEBOTS_HOME") else name + value
     if any(word in told.lower() for word in ("secret", "token", "pytest", "xdist", "virtual_env")):
         print("BROKEN:", name)
 print("nothing of interest")

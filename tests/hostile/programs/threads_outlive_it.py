@@ -1,9 +1,9 @@
 #: about = "processes and system"
 #: tries = "to live on in threads after its main program is over"
-#: holds = "the end of the program is the end of its process"
+#: holds = "threads are waited for as the interpreter does at its end, and nobody waits longer than for any step"
 #: tick = 10
-#: ends = "exit at 10"
-#: cause = "came to its end"
+#: ends = "step_timeout at 10"
+#: limits = {step_s = 1.0}
 
 import threading
 

@@ -20,9 +20,13 @@ __all__ = [
     "Device",
     "DistanceSensor",
     "Emitter",
+    "Joystick",
+    "Keyboard",
     "Lidar",
     "LidarPoint",
     "Motor",
+    "Mouse",
+    "MouseState",
     "PositionSensor",
     "Receiver",
     "Robot",
@@ -30,18 +34,23 @@ __all__ = [
     "Supervisor",
 ]
 
+_SELDOM_IMPORTED = frozenset(("Joystick", "Keyboard", "Mouse", "MouseState"))
+
 _NOT_ON_THESE_ROBOTS = frozenset(
     (
         *("Accelerometer", "Altimeter", "AnsiCodes", "Brake", "Camera", "CameraRecognitionObject", "Connector"),
-        *("Display", "Field", "Gyro", "InertialUnit", "Joystick", "Keyboard", "LED", "LightSensor", "Mouse"),
-        *("MouseState", "Node", "Pen", "Radar", "RadarTarget", "RangeFinder", "Skin", "Speaker", "TouchSensor"),
-        "VacuumGripper",
+        *("Display", "Field", "Gyro", "InertialUnit", "LED", "LightSensor", "Node", "Pen", "Radar"),
+        *("RadarTarget", "RangeFinder", "Skin", "Speaker", "TouchSensor", "VacuumGripper"),
     )
 )
 
 
 def __getattr__(name: str) -> Any:
-    """Let programs import Webots classes that no robot here has; only using one is refused."""
+    """Read what few programs import; and let all import Webots classes that no robot here has: using one is refused."""
+    if name in _SELDOM_IMPORTED:
+        from . import keyboard  # noqa: PLC0415 - each import costs every program
+
+        return getattr(keyboard, name)
     if name not in _NOT_ON_THESE_ROBOTS:
         raise AttributeError(f"module 'controller' has no attribute {name!r}")
 

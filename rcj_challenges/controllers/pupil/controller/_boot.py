@@ -9,7 +9,7 @@ import os
 import sys
 from typing import Any
 
-from . import _chance, _clock, _confine, _hub, _report
+from . import _chance, _clock, _confine, _hub, _numpy, _report
 from ._hooks import AfterImport, Patch
 from ._output import Output
 from ._wire import HELLO, Wire, fault_frame, leave
@@ -45,6 +45,7 @@ class Boot:
         reserve = bytearray(_RESERVE_BYTES)  # given back before a lack of memory is told
         try:
             self._run_entry()
+            _wait_for_threads()
         except SystemExit as left:
             self._left(left)
         except MemoryError as error:
@@ -80,6 +81,7 @@ class Boot:
         patches: dict[str, Patch] = {
             "datetime": _clock.dates_of(self._clock),
             "random": _chance.seed_random(seeds[0]),
+            "numpy": _numpy.restore_old_names,
             "numpy.random.bit_generator": _chance.seed_numpy_entropy(seeds[1]),
             "numpy.random": _chance.seed_numpy_global(seeds[2]),
             # Waiting for a lock takes real time, so its limits are measured in it.
@@ -126,6 +128,15 @@ class Boot:
                 pass
         self._wire.send(fault_frame(kind, detail, trace))
         leave(1)
+
+
+def _wait_for_threads() -> None:
+    """Wait for the threads that the program has started and left to themselves, as the interpreter does at its end."""
+    threading: Any = sys.modules.get("threading")
+    if hasattr(threading, "enumerate"):  # the library's, or a file of the team of that name
+        for thread in threading.enumerate():
+            if thread is not threading.current_thread() and not thread.daemon:
+                thread.join()
 
 
 class _Uncounted:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from ._hooks import Unbound
+
 _MASK = 2**64 - 1
 
 
@@ -67,7 +69,7 @@ def seed_numpy_global(seeds: Seeds) -> Callable[[Any], None]:
         def seed(seed: Any = None) -> None:
             real_seed(seeds.draw() & 0xFFFFFFFF if seed is None else seed)
 
-        module.seed = seed
+        module.seed = Unbound(seed, "seed")
         module.seed()
 
     return patch

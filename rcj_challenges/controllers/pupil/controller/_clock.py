@@ -1,8 +1,8 @@
 """The simulated clock: what ``time`` and ``datetime`` show to a program.
 
-The clock stands still between two steps, except that each reading by the main thread advances it by 1 µs, and that
-``time.sleep`` advances it by what was asked for. Time that passed this way beyond whole ticks is what the program
-missed: its next ``step`` says so.
+The clock stands still between two steps, except that each reading by the thread that steps advances it by 1 µs, and
+that its ``time.sleep`` advances it by what was asked for. Time that passed this way beyond whole ticks is what the
+program missed: its next ``step`` says so. Until the first ``step`` that thread is the main one.
 """
 
 from __future__ import annotations
@@ -11,6 +11,8 @@ import time
 from _thread import get_ident
 from collections.abc import Callable
 from typing import Any
+
+from ._hooks import Unbound
 
 EPOCH_NS = 1_704_067_200_000_000_000
 """Every half begins at 2024-01-01T00:00:00Z: any fixed date serves, this one is a plausible one."""
@@ -29,11 +31,11 @@ class Clock:
         self._tick_ns = tick_ns
         self._tick_began_ns = 0
         self._since_ns = 0
-        self._main = get_ident()
+        self._stepping = get_ident()
 
     def now_ns(self) -> int:
-        """Return simulated nanoseconds since the half began; the reading itself takes 1 µs of the main thread."""
-        if get_ident() == self._main:
+        """Return simulated nanoseconds since the half began; the reading itself takes 1 µs of the thread that steps."""
+        if get_ident() == self._stepping:
             self._since_ns += _READING_NS
         return self._tick_began_ns + self._since_ns
 
@@ -50,8 +52,8 @@ class Clock:
         return self.now_ns() / 1e9
 
     def sleep(self, seconds: float) -> None:
-        """Let simulated time pass for the main thread; other threads really sleep."""
-        if get_ident() != self._main:
+        """Let simulated time pass for the thread that steps; other threads really sleep."""
+        if get_ident() != self._stepping:
             _real_sleep(seconds)
             return
         _real_sleep(min(0, seconds))  # the original's errors for what is no duration
@@ -66,6 +68,7 @@ class Clock:
         began, shown = tick * self._tick_ns, self._tick_began_ns + self._since_ns
         self._tick_began_ns = began if began > shown else shown  # noqa: FURB136 - called in every tick
         self._since_ns = 0
+        self._stepping = get_ident()
 
 
 def show_simulated_time(clock: Clock) -> None:
@@ -86,8 +89,7 @@ def _with_default_now(real: Callable[[float], Any], clock: Clock) -> Callable[..
     def shown(seconds: float | None = None, /) -> Any:
         return real(clock.unix_s() if seconds is None else seconds)
 
-    shown.__name__ = real.__name__
-    return shown
+    return Unbound(shown, real.__name__)
 
 
 def _patch_of_broken_down_time(clock: Clock) -> None:
@@ -100,7 +102,7 @@ def _patch_of_broken_down_time(clock: Clock) -> None:
     def strftime(form: str, moment: Any = None, /) -> str:
         return real_strftime(form, localtime(clock.unix_s()) if moment is None else moment)
 
-    time.asctime, time.strftime = asctime, strftime
+    time.asctime, time.strftime = Unbound(asctime, "asctime"), Unbound(strftime, "strftime")
 
 
 def _patch_of_named_clocks(clock: Clock) -> None:
@@ -115,7 +117,8 @@ def _patch_of_named_clocks(clock: Clock) -> None:
     def clock_gettime(clock_id: int, /) -> float:
         return clock_gettime_ns(clock_id) / 1e9
 
-    time.clock_gettime, time.clock_gettime_ns = clock_gettime, clock_gettime_ns
+    time.clock_gettime = Unbound(clock_gettime, "clock_gettime")
+    time.clock_gettime_ns = Unbound(clock_gettime_ns, "clock_gettime_ns")
 
 
 def dates_of(clock: Clock) -> Callable[[Any], None]:

@@ -10,6 +10,20 @@ from typing import Any
 Patch = Callable[[Any], None]
 
 
+class Unbound:
+    """A function that stays one when a class has it as an attribute, as those of the ``time`` module do.
+
+    ``logging.Formatter`` keeps ``time.localtime`` that way: a plain function would be handed the formatter first.
+    """
+
+    def __init__(self, function: Callable[..., Any], name: str) -> None:
+        self._function = function
+        self.__name__ = name
+
+    def __call__(self, *given: Any, **named: Any) -> Any:
+        return self._function(*given, **named)
+
+
 class AfterImport:
     """An import hook: runs a patch on a module right after its code has run.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections import deque
+from collections.abc import Callable
 from struct import Struct
 from typing import Any
 
@@ -85,6 +86,7 @@ class Hub:
         self._message_bytes: int = hello["limits"]["message_bytes"]
         self._motors: dict[int, tuple[int, float, float]] = {}
         self._has_others = False
+        self._ramps: dict[int, Callable[[int], bool]] = {}
         self._sampling: dict[int, int] = {}
         self._channels: dict[int, int] = {}
         self._frequencies: dict[int, float] = {}
@@ -104,6 +106,11 @@ class Hub:
     def command(self, device: int, velocity_radps: float, position_rad: float) -> None:
         """Set a motor; the last setting before the step counts."""
         self._motors[device] = (device, velocity_radps, position_rad)
+
+    def ramp(self, device: int, approach: Callable[[int], bool]) -> None:
+        """Before each request call ``approach``, which commands the motor, with the step's ticks, until it is False."""
+        self._has_others = True
+        self._ramps[device] = approach
 
     def sample(self, device: int, period_ticks: int) -> None:
         """Let a sensor or receiver sample every so many ticks; 0 stops it."""
@@ -157,11 +164,13 @@ class Hub:
         return not self.over
 
     def _with_others(self, tick: int, advance_ticks: int, missed_ticks: int, printed: int, motors: Motors) -> bytes:
-        """Return a request with all that is asked for, and forget it."""
+        """Return a request with all that is asked for, and forget it. ``motors`` shows what ramps add meanwhile."""
+        if self._ramps:
+            self._ramps = {device: approach for device, approach in self._ramps.items() if approach(advance_ticks)}
         settings = self._sampling.items(), self._channels.items(), self._frequencies.items()
         others = *settings, self._emissions
         frame = request_frame(tick, advance_ticks, missed_ticks, printed, motors, *others)
-        self._has_others = False
+        self._has_others = bool(self._ramps)
         self._sampling, self._channels, self._frequencies, self._emissions = {}, {}, {}, []
         self._emitted_bytes = 0
         return frame

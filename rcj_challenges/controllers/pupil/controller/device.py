@@ -2,17 +2,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from ._hub import Hub, complain
 
 
+class ReadOnly:
+    """An attribute in snake_case that gives what a getter returns.
+
+    A program that assigns to it puts a value of its own in its place, as with any other name: that is how programs of
+    the years before these attributes use names like ``name`` and ``time``. A ``property`` would refuse it.
+    """
+
+    def __init__(self, getter: Callable[[Any], Any]) -> None:
+        self._getter = getter
+        self.__doc__ = getter.__doc__
+
+    def __get__(self, thing: Any, kind: type | None = None) -> Any:
+        return self if thing is None else self._getter(thing)
+
+
 class Device:
     """A part of the robot, as ``getDevice`` returns it."""
 
-    def __init__(self, hub: Hub, spec: dict[str, Any]) -> None:
+    def __init__(self, hub: Hub, spec: dict[str, Any], siblings: dict[str, Device]) -> None:
+        """``siblings`` are all devices of the robot by name, also those that are still to be made."""
         self._hub = hub
         self._spec = spec
+        self._siblings = siblings
         self._facts: dict[str, Any] = spec["facts"]
         self._index: int = spec["index"]
 
@@ -28,19 +46,24 @@ class Device:
         """Return 0: there are no Webots nodes here."""
         return 0
 
+    def _sibling(self, kind: str, name: str) -> Any:
+        """Return the device of this name if the robot has it and it is of this kind; else None."""
+        found = self._siblings.get(name)
+        return found if found is not None and found._spec["kind"] == kind else None  # noqa: SLF001 - its own class
+
     def __repr__(self) -> str:
         return f"<{type(self).__name__} {self.getName()!r}>"
 
-    name = property(getName)
-    model = property(getModel)
-    node_type = property(getNodeType)
+    name = ReadOnly(getName)
+    model = ReadOnly(getModel)
+    node_type = ReadOnly(getNodeType)
 
 
 class Sensor(Device):
     """A device that must be enabled before it measures."""
 
-    def __init__(self, hub: Hub, spec: dict[str, Any]) -> None:
-        super().__init__(hub, spec)
+    def __init__(self, hub: Hub, spec: dict[str, Any], siblings: dict[str, Device]) -> None:
+        super().__init__(hub, spec, siblings)
         self._period_ms = 0
         self._warned = False
         self._place = hub.place_of.get(spec["slot"], 0)
@@ -70,4 +93,4 @@ class Sensor(Device):
             complain(f"Warning: {self.getName()!r} is read but not enabled: call enable(32) before the first step.")
         return self._hub.numbers[self._place : self._end]
 
-    sampling_period = property(getSamplingPeriod)
+    sampling_period = ReadOnly(getSamplingPeriod)

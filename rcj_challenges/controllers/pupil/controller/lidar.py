@@ -7,7 +7,9 @@ from struct import Struct
 from typing import Any
 
 from ._hub import Hub, complain
-from .device import Sensor
+from .device import Device, ReadOnly, Sensor
+
+_POINT = Struct("<3fif")  # a point in a buffer: x, y, z, layer_id, time
 
 
 class LidarPoint:
@@ -31,8 +33,8 @@ class LidarPoint:
 class Lidar(Sensor):
     """Ranges all around, one layer. Index 0 looks forward, the index grows clockwise."""
 
-    def __init__(self, hub: Hub, spec: dict[str, Any]) -> None:
-        super().__init__(hub, spec)
+    def __init__(self, hub: Hub, spec: dict[str, Any], siblings: dict[str, Device]) -> None:
+        super().__init__(hub, spec, siblings)
         self._end = self._place + 1
         self._form = Struct(f"<{spec['width']}d")
         self._has_cloud = False
@@ -42,13 +44,17 @@ class Lidar(Sensor):
         packed: Any = super()._numbers()[0]
         return self._form.unpack(packed)
 
-    def getRangeImage(self, data_type: str = "list") -> list[float]:
-        """Return the ranges in m: ``inf`` beyond the range, 0.0 where the head has not been yet."""
-        return list(self._numbers())
+    def getRangeImage(self, data_type: str = "list") -> Any:
+        """Return the ranges in m: ``inf`` beyond the range, 0.0 where the head has not been yet.
+
+        ``data_type="buffer"`` gives them as a bytearray of float32.
+        """
+        ranges = self._numbers()
+        return bytearray(Struct(f"<{len(ranges)}f").pack(*ranges)) if data_type == "buffer" else list(ranges)
 
     def getLayerRangeImage(self, layer: int) -> list[float]:
         """Return the ranges of a layer; there is one, 0."""
-        return self.getRangeImage() if layer == 0 else []
+        return list(self._numbers()) if layer == 0 else []
 
     def getRangeImageArray(self) -> list[list[float]]:
         """Return the ranges as columns: ``[index][layer]``."""
@@ -66,10 +72,18 @@ class Lidar(Sensor):
         """Return whether ``getPointCloud`` answers."""
         return self._has_cloud
 
-    def getPointCloud(self, data_type: str = "list") -> list[LidarPoint]:
-        """Return the readings as points; empty unless ``enablePointCloud`` was called."""
-        if not self._has_cloud:
-            return []
+    def getPointCloud(self, data_type: str = "list") -> Any:
+        """Return the readings as a list of `LidarPoint`; empty unless ``enablePointCloud`` was called.
+
+        ``data_type="buffer"`` gives them as a bytearray: of each point x, y, z as float32, layer_id as int32 and time
+        as float32.
+        """
+        points = self._points() if self._has_cloud else []
+        if data_type != "buffer":
+            return points
+        return bytearray().join([_POINT.pack(one.x, one.y, one.z, one.layer_id, one.time) for one in points])
+
+    def _points(self) -> list[LidarPoint]:
         readings, time = self._numbers(), self._hub.time_s()
         first = float(self._facts.get("first_bearing_rad", 0.0))
         step = float(self._facts.get("bearing_step_rad", -self.getFov() / max(len(readings), 1)))
@@ -79,9 +93,11 @@ class Lidar(Sensor):
             for reading, bearing in zip(readings, bearings, strict=True)
         ]
 
-    def getLayerPointCloud(self, layer: int, data_type: str = "list") -> list[LidarPoint]:
-        """Return the points of a layer; there is one, 0."""
-        return self.getPointCloud() if layer == 0 else []
+    def getLayerPointCloud(self, layer: int, data_type: str = "list") -> Any:
+        """Return the points of a layer as `getPointCloud` does; there is one, 0."""
+        if layer == 0:
+            return self.getPointCloud(data_type)
+        return bytearray() if data_type == "buffer" else []
 
     def getHorizontalResolution(self) -> int:
         """Return how many readings a layer has."""
@@ -132,19 +148,19 @@ class Lidar(Sensor):
         """Return the fastest pace of the head in Hz."""
         return float(self._facts.get("max_frequency", 25.0))
 
-    range_image = property(getRangeImage)
-    point_cloud = property(getPointCloud)
-    point_cloud_enabled = property(isPointCloudEnabled)
-    horizontal_resolution = property(getHorizontalResolution)
-    number_of_layers = property(getNumberOfLayers)
-    number_of_points = property(getNumberOfPoints)
-    min_range = property(getMinRange)
-    max_range = property(getMaxRange)
-    fov = property(getFov)
-    vertical_fov = property(getVerticalFov)
+    range_image = ReadOnly(getRangeImage)
+    point_cloud = ReadOnly(getPointCloud)
+    point_cloud_enabled = ReadOnly(isPointCloudEnabled)
+    horizontal_resolution = ReadOnly(getHorizontalResolution)
+    number_of_layers = ReadOnly(getNumberOfLayers)
+    number_of_points = ReadOnly(getNumberOfPoints)
+    min_range = ReadOnly(getMinRange)
+    max_range = ReadOnly(getMaxRange)
+    fov = ReadOnly(getFov)
+    vertical_fov = ReadOnly(getVerticalFov)
     frequency = property(getFrequency, setFrequency)
-    min_frequency = property(getMinFrequency)
-    max_frequency = property(getMaxFrequency)
+    min_frequency = ReadOnly(getMinFrequency)
+    max_frequency = ReadOnly(getMaxFrequency)
 
 
 def _part(reading: float, share: float) -> float:

@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from ._hub import Hub, complain
-from .device import Device
+from .device import Device, ReadOnly
 
 
 class Motor(Device):
@@ -14,13 +14,16 @@ class Motor(Device):
 
     ROTATIONAL, LINEAR = 0, 1
 
-    def __init__(self, hub: Hub, spec: dict[str, Any]) -> None:
-        super().__init__(hub, spec)
+    def __init__(self, hub: Hub, spec: dict[str, Any], siblings: dict[str, Device]) -> None:
+        super().__init__(hub, spec, siblings)
         self._max_velocity = float(self._facts.get("max_velocity", hub.spec["max_velocity_radps"]))
         self._velocity = self._max_velocity
         self._position = 0.0
         self._commanded = False
         self._acceleration = -1.0
+        self._turning = 0.0  # the velocity commanded for the last step
+        self._noted_tick = -1
+        self._torque_period_ms = 0
         self._available_torque = self.getMaxTorque()
         self._warned_of_speed = False
 
@@ -50,12 +53,40 @@ class Motor(Device):
             self._command(asked, self._position)
 
     def _command(self, velocity: float, position: float) -> None:
+        if self._noted_tick != self._hub.tick:
+            self._note_turning()
         self._commanded = True
         self._velocity, self._position = velocity, position
-        self._hub.command(self._index, velocity, position)
+        if self._acceleration < 0.0 or position != math.inf:
+            self._hub.command(self._index, velocity, position)
+        else:
+            self._hub.ramp(self._index, self._approach)
+
+    def _note_turning(self) -> None:
+        """Before the first change of a step: keep how fast the motor was told to turn until now."""
+        self._noted_tick = self._hub.tick
+        if self._position != math.inf:
+            self._turning = 0.0  # it holds its angle
+        elif self._acceleration < 0.0:
+            self._turning = self._velocity
+
+    def _approach(self, ticks: int) -> bool:
+        """Command a step of so many ticks the velocity that the acceleration allows.
+
+        Returns:
+            Whether the velocity that is set is still to be reached.
+        """
+        if self._acceleration < 0.0 or self._position != math.inf:
+            return False
+        most = self._acceleration * ticks * self._hub.tick_ms / 1000
+        change = self._velocity - self._turning
+        arrives = abs(change) <= most
+        self._turning = self._velocity if arrives else self._turning + math.copysign(most, change)
+        self._hub.command(self._index, self._turning, math.inf)
+        return not arrives
 
     def getVelocity(self) -> float:
-        """Return the velocity that is set, in rad/s."""
+        """Return the velocity that is set, in rad/s, also while an acceleration lets the motor only approach it."""
         return self._velocity
 
     def getMaxVelocity(self) -> float:
@@ -75,15 +106,26 @@ class Motor(Device):
         return 0.0
 
     def setAcceleration(self, acceleration: float) -> None:
-        """Remember an acceleration in rad/s². Grip limits these robots long before their motors do."""
-        self._acceleration = float(acceleration)
+        """Let the velocity change, up and down, by at most so many rad/s in a second; -1: at once, as at first.
+
+        A motor that goes to an angle does so without regard to it.
+        """
+        asked = float(acceleration)
+        if math.isnan(asked):
+            complain(f"Error: {self.getName()!r}: setAcceleration(NaN) is refused.")
+            return
+        if self._noted_tick != self._hub.tick:
+            self._note_turning()
+        self._acceleration = asked if asked >= 0.0 else -1.0
+        if self._position == math.inf and self._turning != self._velocity:
+            self._command(self._velocity, self._position)
 
     def getAcceleration(self) -> float:
         """Return the acceleration set in rad/s²; -1: none."""
         return self._acceleration
 
     def setAvailableTorque(self, torque: float) -> None:
-        """Remember a torque in N·m. Grip limits these robots long before their motors do."""
+        """Remember a torque in N·m. It is not simulated: the motor turns as fast as it is told to."""
         self._available_torque = min(float(torque), self.getMaxTorque())
 
     def getAvailableTorque(self) -> float:
@@ -98,19 +140,41 @@ class Motor(Device):
         """Refused: these motors are driven by velocity."""
         complain(f"Error: {self.getName()!r}: setTorque is not offered by this robot; use setVelocity.")
 
+    def setControlPID(self, p: float, i: float, d: float) -> None:
+        """Accepted without effect: on its way to an angle the motor turns at the velocity set."""
+
     def enableTorqueFeedback(self, samplingPeriod: float) -> None:
-        """Accepted without effect: there is no torque sensor, as in the original's robots."""
+        """Remember a period in ms. The torque itself is not simulated."""
+        self._torque_period_ms = int(samplingPeriod) if samplingPeriod > 0 else 0
 
     def disableTorqueFeedback(self) -> None:
-        """Accepted without effect."""
+        """Forget the period."""
+        self._torque_period_ms = 0
 
     def getTorqueFeedbackSamplingPeriod(self) -> int:
-        """Return 0: there is no torque sensor."""
-        return 0
+        """Return the period in ms that was asked for; 0 if it is disabled."""
+        return self._torque_period_ms
 
     def getTorqueFeedback(self) -> float:
-        """Return NaN: there is no torque sensor."""
-        return math.nan
+        """Return 0.0 always: the torque is not simulated."""
+        return 0.0
+
+    # Webots has all of this under the names of linear motors too.
+    setAvailableForce = setAvailableTorque  # noqa: N815 - these are methods
+    getAvailableForce = getAvailableTorque  # noqa: N815
+    getMaxForce = getMaxTorque  # noqa: N815
+    setForce = setTorque  # noqa: N815
+    enableForceFeedback = enableTorqueFeedback  # noqa: N815
+    disableForceFeedback = disableTorqueFeedback  # noqa: N815
+    getForceFeedbackSamplingPeriod = getTorqueFeedbackSamplingPeriod  # noqa: N815
+    getForceFeedback = getTorqueFeedback  # noqa: N815
+
+    def getPositionSensor(self) -> Any:
+        """Return the sensor of the same wheel, by its name; None if the robot has none."""
+        return self._sibling("position_sensor", self.getName().replace("motor", "sensor"))
+
+    def getBrake(self) -> None:
+        """Return None: there are no brakes."""
 
     def getMultiplier(self) -> float:
         """Return 1: the motor turns the wheel directly."""
@@ -123,12 +187,19 @@ class Motor(Device):
     target_position = property(getTargetPosition, setPosition)
     velocity = property(getVelocity, setVelocity)
     target_velocity = property(getVelocity, setVelocity)
-    max_velocity = property(getMaxVelocity)
-    min_position = property(getMinPosition)
-    max_position = property(getMaxPosition)
+    max_velocity = ReadOnly(getMaxVelocity)
+    min_position = ReadOnly(getMinPosition)
+    max_position = ReadOnly(getMaxPosition)
     acceleration = property(getAcceleration, setAcceleration)
     available_torque = property(getAvailableTorque, setAvailableTorque)
-    max_torque = property(getMaxTorque)
-    torque_feedback = property(getTorqueFeedback)
-    multiplier = property(getMultiplier)
-    type = property(getType)
+    max_torque = ReadOnly(getMaxTorque)
+    torque_feedback = ReadOnly(getTorqueFeedback)
+    torque_feedback_sampling_period = ReadOnly(getTorqueFeedbackSamplingPeriod)
+    available_force = property(getAvailableForce, setAvailableForce)
+    max_force = ReadOnly(getMaxForce)
+    force_feedback = ReadOnly(getForceFeedback)
+    force_feedback_sampling_period = ReadOnly(getForceFeedbackSamplingPeriod)
+    position_sensor = ReadOnly(getPositionSensor)
+    brake = ReadOnly(getBrake)
+    multiplier = ReadOnly(getMultiplier)
+    type = ReadOnly(getType)

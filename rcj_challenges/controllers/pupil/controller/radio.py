@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from ._hub import Hub, Packet, complain
-from .device import Device, Sensor
+from .device import Device, ReadOnly, Sensor
 
 
 class Receiver(Sensor):
@@ -16,8 +16,8 @@ class Receiver(Sensor):
 
     CHANNEL_BROADCAST = -1
 
-    def __init__(self, hub: Hub, spec: dict[str, Any]) -> None:
-        super().__init__(hub, spec)
+    def __init__(self, hub: Hub, spec: dict[str, Any], siblings: dict[str, Device]) -> None:
+        super().__init__(hub, spec, siblings)
         self._queue = hub.queues[self._index]
         self._channel = int(self._facts.get("channel", -1))
         self._returns_text = hub.spec["getdata_returns"] == "text"
@@ -97,14 +97,14 @@ class Receiver(Sensor):
             raise RuntimeError(text)
         return self._queue.packets[0]
 
-    queue_length = property(getQueueLength)
-    data = property(getData)
-    bytes = property(getBytes)
-    string = property(getString)
-    floats = property(getFloats)
-    data_size = property(getDataSize)
-    signal_strength = property(getSignalStrength)
-    emitter_direction = property(getEmitterDirection)
+    queue_length = ReadOnly(getQueueLength)
+    data = ReadOnly(getData)
+    bytes = ReadOnly(getBytes)
+    string = ReadOnly(getString)
+    floats = ReadOnly(getFloats)
+    data_size = ReadOnly(getDataSize)
+    signal_strength = ReadOnly(getSignalStrength)
+    emitter_direction = ReadOnly(getEmitterDirection)
     channel = property(getChannel, setChannel)
 
 
@@ -113,8 +113,8 @@ class Emitter(Device):
 
     CHANNEL_BROADCAST = -1
 
-    def __init__(self, hub: Hub, spec: dict[str, Any]) -> None:
-        super().__init__(hub, spec)
+    def __init__(self, hub: Hub, spec: dict[str, Any], siblings: dict[str, Device]) -> None:
+        super().__init__(hub, spec, siblings)
         self._channel = int(self._facts.get("channel", -1))
         self._range = self.getMaxRange()
         self._warned = False
@@ -125,12 +125,7 @@ class Emitter(Device):
         Raises:
             TypeError: it is none of these.
         """
-        if isinstance(message, str):
-            data = message.encode()
-        elif isinstance(message, (bytes, bytearray, memoryview)):
-            data = bytes(message)
-        else:
-            data = struct.pack(f"{len(message)}d", *message)
+        data = _packed(message, self._spec["name"])
         if self._hub.emit(self._index, data if size is None else data[:size]):
             return 1
         if not self._warned:
@@ -151,7 +146,7 @@ class Emitter(Device):
         return self._range
 
     def setRange(self, range: float) -> None:
-        """Remember a smaller range in m; the field is smaller than any that makes sense."""
+        """Remember a smaller range in m. It is not simulated: the packets are heard as far as before."""
         self._range = min(float(range), self.getMaxRange())
 
     def getMaxRange(self) -> float:
@@ -164,8 +159,30 @@ class Emitter(Device):
 
     channel = property(getChannel, setChannel)
     range = property(getRange, setRange)
-    max_range = property(getMaxRange)
-    buffer_size = property(getBufferSize)
+    max_range = ReadOnly(getMaxRange)
+    buffer_size = ReadOnly(getBufferSize)
+
+
+def _packed(message: Any, emitter: str) -> bytes:
+    """Return the bytes of a packet.
+
+    Raises:
+        TypeError: nothing that can be sent; the text names the emitter and what was found.
+    """
+    if isinstance(message, str):
+        return message.encode()
+    if isinstance(message, (bytes, bytearray, memoryview)):
+        return bytes(message)
+    found = f"{type(message).__name__} was given"
+    if hasattr(message, "__len__") and not isinstance(message, (dict, set, frozenset)):
+        try:
+            return struct.pack(f"{len(message)}d", *message)
+        except (TypeError, struct.error):
+            found += ", and not all in it are numbers"
+    raise TypeError(
+        f"{emitter!r}: send takes bytes, a str or a list of numbers; {found}. "
+        "json.dumps makes a str of other data, struct.pack bytes."
+    )
 
 
 def _tuned(hub: Hub, spec: dict[str, Any], current: int, asked: int) -> int:

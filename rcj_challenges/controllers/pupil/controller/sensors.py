@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
-from .device import Sensor
+from .device import ReadOnly, Sensor
 
 
 class GPS(Sensor):
@@ -30,11 +31,11 @@ class GPS(Sensor):
         """Return ``GPS.LOCAL``: metres on the field."""
         return self.LOCAL
 
-    values = property(getValues)
-    value = property(getValues)
-    speed = property(getSpeed)
-    speed_vector = property(getSpeedVector)
-    coordinate_system = property(getCoordinateSystem)
+    values = ReadOnly(getValues)
+    value = ReadOnly(getValues)
+    speed = ReadOnly(getSpeed)
+    speed_vector = ReadOnly(getSpeedVector)
+    coordinate_system = ReadOnly(getCoordinateSystem)
 
 
 class Compass(Sensor):
@@ -44,8 +45,8 @@ class Compass(Sensor):
         """Return the direction of north (the world's +y axis) in the robot's frame; NaN before the first sample."""
         return list(self._numbers())
 
-    values = property(getValues)
-    value = property(getValues)
+    values = ReadOnly(getValues)
+    value = ReadOnly(getValues)
 
 
 class DistanceSensor(Sensor):
@@ -69,15 +70,20 @@ class DistanceSensor(Sensor):
         """Return 0: a single ray."""
         return 0.0
 
+    def getLookupTable(self) -> list[float]:
+        """Return distance in m, reading and noise of both ends of the range; the noise is not told, it stands as 0."""
+        return [0.0, self.getMinValue(), 0.0, self.getMaxValue() / 1000, self.getMaxValue(), 0.0]
+
     def getType(self) -> int:
         """Return ``DistanceSensor.SONAR``."""
         return self.SONAR
 
-    value = property(getValue)
-    min_value = property(getMinValue)
-    max_value = property(getMaxValue)
-    aperture = property(getAperture)
-    type = property(getType)
+    value = ReadOnly(getValue)
+    min_value = ReadOnly(getMinValue)
+    max_value = ReadOnly(getMaxValue)
+    aperture = ReadOnly(getAperture)
+    lookup_table = ReadOnly(getLookupTable)
+    type = ReadOnly(getType)
 
 
 class PositionSensor(Sensor):
@@ -93,5 +99,15 @@ class PositionSensor(Sensor):
         """Return ``PositionSensor.ROTATIONAL``."""
         return self.ROTATIONAL
 
-    value = property(getValue)
-    type = property(getType)
+    def getMotor(self) -> Any:
+        """Return the motor of the same wheel, by its name; None if the robot has none."""
+        return self._sibling("motor", self.getName().replace("sensor", "motor"))
+
+    def getBrake(self) -> None:
+        """Return None: there are no brakes."""
+
+    motor = ReadOnly(getMotor)
+    brake = ReadOnly(getBrake)
+
+    value = ReadOnly(getValue)
+    type = ReadOnly(getType)

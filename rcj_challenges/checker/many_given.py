@@ -1,0 +1,158 @@
+"""Which submissions are meant by what was given, what they are called, and what lies beside them."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from rcj_challenges.checker.report import LeftOut
+from rcj_challenges.facts.shown import shown
+
+ARCHIVES = frozenset({".zip", ".rar", ".7z", ".tar", ".gz", ".tgz", ".bz2", ".xz"})
+"""Endings of what was meant to be a submission; all but ZIPs get the verdict that they are none."""
+
+_MOST_OLD_ARCHIVES = 1
+"""Beside programs one archive is an older state of them; several are what was handed in."""
+
+
+@dataclass(frozen=True)
+class Called:
+    """What a submission is called; no two of one check are called the same.
+
+    Attributes:
+        name: its file's name, with as many folders before it as tell it from the others; safe to show.
+        slug: how the names of its replay pages begin: legal everywhere, whatever the file is called.
+    """
+
+    name: str
+    slug: str
+
+
+@dataclass(frozen=True)
+class Given:
+    """What is to be checked.
+
+    Attributes:
+        paths: the submissions, none of them twice.
+        left_out: what lies beside them and is not looked at.
+    """
+
+    paths: list[Path]
+    left_out: list[LeftOut]
+
+
+def in_folders(given: Sequence[Path]) -> Given:
+    """Return the submissions: of a folder full of archives each of them, everything else as it is.
+
+    Args:
+        given: files and folders that exist.
+
+    Raises:
+        OSError: a folder cannot be looked into.
+    """
+    paths: dict[str, Path] = {}
+    beside: dict[str, LeftOut] = {}
+    for path in given:
+        found, others = _in_folder(path) if path.is_dir() else ([path], {})
+        for submission in found:
+            paths.setdefault(_place(submission), submission)
+        for other, reason in others.items():
+            beside.setdefault(_place(other), LeftOut(file=shown(other), reason=reason))
+    return Given(list(paths.values()), [other for place, other in beside.items() if place not in paths])
+
+
+def called(paths: Sequence[Path]) -> list[Called]:
+    """Return what the submissions at these paths are called, in their order."""
+    names = _told_apart([Path(_place(path)).parts for path in paths])
+    taken: set[str] = set()
+    found = []
+    for path, name in zip(paths, names, strict=True):
+        slug = file_slug(name)
+        if slug.casefold() in taken:  # team.zip and the folder team; Team.zip where capital letters do not count
+            slug = f"{slug}-{_digest(_place(path))}"
+        taken.add(slug.casefold())
+        found.append(Called(name, slug))
+    seen: Counter[str] = Counter()
+    for index, one in enumerate(found):
+        name = shown(one.name)
+        seen[name] += 1
+        # Of very long names the middle is not shown.
+        found[index] = Called(name if seen[name] == 1 else f"{name} ({seen[name]})", one.slug)
+    return found
+
+
+def file_slug(name: str) -> str:
+    """Return a name made from a file's name that is legal everywhere and differs where the file's does."""
+    stem = name.removesuffix(".zip")
+    slug = re.sub(r"[^A-Za-z0-9_-]+", "_", stem).strip("_")[:60]
+    return slug if slug and slug == stem else f"{slug or 'team'}-{_digest(name)}"
+
+
+def _digest(name: str) -> str:
+    return hashlib.sha256(name.encode("utf-8", "surrogatepass")).hexdigest()[:8]
+
+
+def _place(path: Path) -> str:
+    """Return where something is, the same however it was given; links keep their own names."""
+    return os.path.abspath(path)  # noqa: PTH100 - `absolute` leaves ".." as it is
+
+
+def _told_apart(places: Sequence[tuple[str, ...]]) -> list[str]:
+    """Return the ends of paths, each as long as it takes to be the only one of its kind."""
+    lengths = [1] * len(places)
+    while True:
+        names = ["/".join(place[-length:]) for place, length in zip(places, lengths, strict=True)]
+        counts = Counter(names)
+        alike = [index for index, name in enumerate(names) if counts[name] > 1 and lengths[index] < len(places[index])]
+        if not alike:
+            return names
+        for index in alike:
+            lengths[index] += 1
+
+
+def _in_folder(folder: Path) -> tuple[list[Path], dict[Path, str]]:
+    """Return the submissions in a folder, or the folder if it is a team's own; and why what is left is none."""
+    entries = sorted(folder.iterdir())
+    archives = [entry for entry in entries if _is_archive(entry)]
+    program = _a_program(entries)
+    if archives and (program is None or len(archives) > _MOST_OLD_ARCHIVES):
+        return archives, {entry: _why_not(entry) for entry in entries if entry not in archives}
+    if program is None:
+        return [folder], {entry: _why_not(entry) for entry in entries if _is_archive_by_name(entry)}
+    reason = f"the folder was taken for one team's own because of {shown(program.relative_to(folder))}"
+    return [folder], dict.fromkeys(archives, f"{reason}; give the archive by its name to check it")
+
+
+def _is_archive(entry: Path) -> bool:
+    return _is_archive_by_name(entry) and not entry.name.startswith(".") and entry.is_file()
+
+
+def _is_archive_by_name(entry: Path) -> bool:
+    return entry.suffix.lower() in ARCHIVES or entry.name.lower() in ARCHIVES  # ".zip" is all name
+
+
+def _a_program(entries: Sequence[Path]) -> Path | None:
+    """Return a program at the top of a folder or one step below; None if there is none."""
+    inside = (inner for entry in entries if entry.is_dir() for inner in sorted(entry.glob("*.py")))
+    programs = (entry for entry in (*entries, *inside) if entry.suffix == ".py" and not entry.name.startswith("."))
+    return next(programs, None)
+
+
+def _why_not(entry: Path) -> str:
+    """Return why something beside archives is not looked at, and what to do if it should be."""
+    if entry.name.startswith("."):
+        return "its name begins with a dot, as of what other programs leave behind"
+    if entry.is_symlink() and not entry.exists():
+        return "it is a link that leads nowhere"
+    if entry.is_dir():
+        return "it is a folder: give it by its name if it is a submission, or if there are some in it"
+    if not entry.is_file():
+        return "it is neither a file nor a folder"
+    if entry.suffix == ".py":
+        return "it is a single program beside archives: give it by its name if it is a submission"
+    return "its name does not end as that of an archive: call it .zip if it is one"

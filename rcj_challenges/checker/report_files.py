@@ -1,0 +1,84 @@
+"""The files that a check writes: that it can is known before it begins, and an old one stays if it cannot after all."""
+
+from __future__ import annotations
+
+import errno
+import os
+import shutil
+import tempfile
+from pathlib import Path
+
+from rcj_challenges.records.folder import replaced
+
+_ROOM_BYTES = 1_000_000
+"""More than a page of some teams needs, and a replay of ten seconds."""
+
+
+def ensure_room(folder: Path) -> None:
+    """Find out whether files can be written into a folder; nothing of it stays.
+
+    Raises:
+        OSError: they cannot, or there is no room for them.
+    """
+    with tempfile.TemporaryFile(dir=folder, prefix=".rcj-check-") as file:
+        file.write(bytes(_ROOM_BYTES))
+        file.flush()
+
+
+def ensure_folder(folder: Path) -> None:
+    """Make a folder if it is not there, and find out whether files can be written into it.
+
+    Raises:
+        OSError: as of `ensure_room`, or it cannot be made: perhaps it is a file.
+    """
+    if folder.exists() and not folder.is_dir():
+        raise NotADirectoryError(errno.ENOTDIR, "it is a file, not a folder")
+    folder.mkdir(parents=True, exist_ok=True)
+    ensure_room(folder)
+
+
+def ensure_page(path: Path) -> None:
+    """Make the folder of a page if it is not there, and find out whether the page can be written.
+
+    Raises:
+        OSError: it cannot.
+    """
+    target = _target(path)
+    if target.is_dir():
+        raise IsADirectoryError(errno.EISDIR, "it is a folder, not a file")
+    target.parent.mkdir(parents=True, exist_ok=True)
+    if not _is_device(target):
+        ensure_room(target.parent)
+
+
+def write_page(path: Path, text: str) -> None:
+    """Write a page; the one that was there stays until the new one is whole.
+
+    Raises:
+        OSError: it cannot be written.
+    """
+    target = _target(path)
+    if _is_device(target):  # nothing may take the place of /dev/stdout
+        target.write_text(text, encoding="utf-8", newline="\n")
+        return
+    with replaced(target) as file:
+        file.write(text.encode("utf-8"))
+
+
+def copy_page(page: Path, target: Path) -> None:
+    """Copy a page, perhaps to another disk; the one that was there stays until the new one is whole.
+
+    Raises:
+        OSError: it cannot be written.
+    """
+    with page.open("rb") as source, replaced(target) as file:
+        shutil.copyfileobj(source, file)
+
+
+def _target(path: Path) -> Path:
+    """Return where a link leads: the link stays one."""
+    return Path(os.path.realpath(path))
+
+
+def _is_device(path: Path) -> bool:
+    return path.exists() and not path.is_file()

@@ -1,0 +1,174 @@
+"""Lint of what rules tell: blanks in sentences and words in payloads that nothing ever fills."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rcj_challenges.scenario.errors import nearest
+from rcj_challenges.scenario.lint_suspect import Subject, Suspect
+from rcj_challenges.scenario.models import triggers
+from rcj_challenges.scenario.models.conditions import Condition, Distance, InZone, LastTouch, Speed
+from rcj_challenges.scenario.models.scenario import Rule
+from rcj_challenges.scenario.models.state import WordValue
+from rcj_challenges.scenario.models.triggers import Trigger
+from rcj_challenges.scenario.tree import Path
+from rcj_challenges.scenario.visiting import visit
+from rcj_challenges.scenario.wording import quoted
+
+_BLANKS = ("entity", "team", "measured", "limit")
+"""What the referee fills in; anything else in braces stays as written."""
+_WORDS_FOR = {
+    "each": "entity",
+    "robot": "entity",
+    "robot_name": "entity",
+    "entity_name": "entity",
+    "team_name": "team",
+    "entrant": "team",
+}
+"""Words of payloads that authors write into sentences, and the blank that means the same."""
+_NEEDS = {
+    "robot_name": "robot",
+    "entity_name": "entity",
+    "team_name": "team",
+    "entrant": "team",
+    "score": "team",
+    "measured": "measured",
+    "limit": "limit",
+}
+"""Words of payloads that are known in some rules only, and what of a rule they need."""
+_IN_BRACES = re.compile(r"\{([^{}]*)\}")
+
+_OF_SEQUENCES = (triggers.SequenceCompleted, triggers.SequenceBroken)
+_WITH_LIMIT = (
+    triggers.Displaced,
+    triggers.NoProgress,
+    triggers.StaysIn,
+    triggers.TipsOver,
+    triggers.Holds,
+    triggers.TimeReached,
+    triggers.TimerExpired,
+)
+_OF_ENTITY = (
+    triggers.Enters,
+    triggers.Leaves,
+    triggers.Crosses,
+    triggers.Touches,
+    triggers.Displaced,
+    triggers.NoProgress,
+    triggers.StaysIn,
+    triggers.TipsOver,
+)
+
+_NOBODY = "no trigger of this rule is about one entity, and it has no for_each"
+_TELL_ABOUT = "use a trigger with an entity, or for_each"
+_WRITE_OUT = "write out what is meant, or leave it out"
+_MEASURE = "leave it out, or use a trigger that measures, such as stays_in"
+
+
+def check_sentences(subject: Subject) -> Iterator[Suspect]:
+    """Blanks that no rule fills or that this rule never can; payload words that stay empty."""
+    for name, rule in subject.scenario.rules.items():
+        lacks = _lacks(rule, subject)
+        for blank in dict.fromkeys(_IN_BRACES.findall(rule.says)):
+            yield from _blank(blank, ("rules", name, "says"), lacks)
+        for model, path in visit(rule, ("rules", name)):
+            if isinstance(model, WordValue):
+                yield from _word(model, path, lacks)
+
+
+@dataclass(frozen=True)
+class _Lack:
+    """Something that is never known when a rule fires.
+
+    Attributes:
+        reason: why not.
+        remedy: what would help.
+    """
+
+    reason: str
+    remedy: str
+
+
+def _blank(blank: str, path: Path, lacks: dict[str, _Lack]) -> Iterator[Suspect]:
+    shown = quoted(f"{{{blank}}}")
+    if blank not in _BLANKS:
+        word = blank.strip().casefold()
+        hint = nearest(_WORDS_FOR.get(word, word), _BLANKS)
+        yield Suspect(
+            "placeholder_unknown",
+            path,
+            f"{shown} is not filled in, it stays as written{hint}",
+            "what is filled in is {entity}, {team}, {measured} and {limit}",
+        )
+    elif blank in lacks:
+        lack = lacks[blank]
+        yield Suspect("placeholder_never_filled", path, f"{shown} stays empty: {lack.reason}", lack.remedy)
+
+
+def _word(value: WordValue, path: Path, lacks: dict[str, _Lack]) -> Iterator[Suspect]:
+    lack = lacks.get(_NEEDS.get(value.word, ""))
+    if lack is None or value.of is not None:
+        return
+    empty = "is always 0" if value.word == "score" else "stays empty"
+    takes_of = value.word in ("team_name", "score")
+    yield Suspect(
+        "word_never_filled",
+        (*path, "word"),
+        f"'{value.word}' {empty}: {lack.reason}",
+        f"say whose with 'of', or {lack.remedy}" if takes_of else lack.remedy,
+    )
+
+
+# --- what is known when a rule fires ----------------------------------------------------------------------------------
+
+
+def _lacks(rule: Rule, subject: Subject) -> dict[str, _Lack]:
+    """Return what can never be known when a rule fires, whichever of its triggers it was."""
+    scenario = subject.scenario
+    about = _about(rule, subject)
+    with_limit = any(isinstance(trigger, _WITH_LIMIT) for trigger in rule.triggers)
+    lacks = {}
+    if not about:
+        lacks = dict.fromkeys(("entity", "robot", "team"), _Lack(_NOBODY, _TELL_ABOUT))
+    elif not about & set(scenario.robots):
+        lacks = dict.fromkeys(("robot", "team"), _Lack("this rule is never about a robot", _WRITE_OUT))
+    elif not about & {robot for entrant in scenario.entrants.values() for robot in entrant.robots}:
+        lacks["team"] = _Lack("this rule is never about a robot of a team", _WRITE_OUT)
+    if not with_limit:
+        lacks["limit"] = _Lack("no trigger of this rule has a limit", _MEASURE)
+        if not any(isinstance(trigger, _OF_SEQUENCES) for trigger in rule.triggers):
+            lacks["measured"] = _Lack("no trigger of this rule measures anything", _MEASURE)
+    return lacks
+
+
+def _about(rule: Rule, subject: Subject) -> frozenset[str]:
+    """Return the entities that a firing may be about: those of ``for_each``, and those that a trigger finds."""
+    each = subject.members("each", rule) if rule.for_each is not None else frozenset()
+    return each.union(*(_found_by(trigger, rule, subject) for trigger in rule.triggers))
+
+
+def _found_by(trigger: Trigger, rule: Rule, subject: Subject) -> frozenset[str]:
+    names: str | tuple[str, ...] = ()
+    if isinstance(trigger, _OF_ENTITY):
+        names = trigger.entity
+    elif isinstance(trigger, triggers.ProgramFault):
+        names = trigger.robot
+    elif isinstance(trigger, _OF_SEQUENCES):
+        names = subject.scenario.sequences[trigger.sequence].entity
+    elif isinstance(trigger, triggers.TimerExpired):
+        names = subject.scenario.timers[trigger.timer].per or ()
+    elif isinstance(trigger, triggers.Holds):
+        return _held(trigger.condition, rule, subject)
+    return subject.members(names, rule)
+
+
+def _held(condition: Condition, rule: Rule, subject: Subject) -> frozenset[str]:
+    """Return the one entity whose place a condition reads; with several nobody knows which one it is about."""
+    if not isinstance(condition, InZone | Speed | Distance | LastTouch):
+        return frozenset()
+    found = subject.members(condition.entity, rule)
+    to = condition.to if isinstance(condition, Distance) and isinstance(condition.to, str) else ()
+    others = subject.members(to, rule) & set(subject.roster.entities)
+    return found if len(found) + len(others) == 1 else frozenset()

@@ -1,0 +1,69 @@
+"""The field of a rule sheet: its walls, corners and goals, what stands on it, and a drawing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from rcj_challenges.scenario.models import field as models
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.views.drawing import draw_scenario
+from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Picture, Table
+from rcj_challenges.views.sheet.nouns import Nouns, plain, quoted
+from rcj_challenges.views.sheet.phrases import degrees, metres, point
+
+
+def field_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
+    """Return the section about the field."""
+    field = scenario.field
+    yield Heading(2, "Field")
+    yield Paragraph(
+        f"{field.width_m:g} m wide (x) and {field.length_m:g} m long (y) inside its walls, which are "
+        f"{metres(field.wall_height_m)} high. The origin is the centre; x grows to the right, y upwards in the drawing."
+        f" {_corners(field)} {_goals(nouns, field)}"
+    )
+    yield Picture(draw_scenario(scenario, nouns.roster))
+    if scenario.obstacles:
+        yield Paragraph("Obstacles; the place is where the centre stands at the start of a half, x and y in m:")
+        rows = tuple(_obstacle_row(name, obstacle) for name, obstacle in scenario.obstacles.items())
+        yield Table(("obstacle", "place", "what it is", "height", "can be moved"), rows)
+    groups = [f"{quoted(group)}: {nouns.members(group)}" for group in scenario.groups]
+    if groups:
+        yield Paragraph("These names stand for several:")
+        yield Items(tuple(groups))
+
+
+def _corners(field: models.FieldModel) -> str:
+    if not field.corner_cut_m:
+        return "Its corners are square."
+    return f"Walls at 45° cut {metres(field.corner_cut_m)} off both sides of each corner."
+
+
+def _goals(nouns: Nouns, field: models.FieldModel) -> str:
+    if not field.goals:
+        return "There are no goals."
+    ends = {"positive_y": "+y", "negative_y": "-y"}
+    goals = "; ".join(
+        f"{nouns.thing(name) if name in nouns.scenario.zones else f'the goal {quoted(name)}'} stands at the "
+        f"{ends[goal.end]} end, {metres(goal.width_m)} wide and {metres(goal.depth_m)} deep"
+        for name, goal in field.goals.items()
+    )
+    return f"{goals[:1].upper()}{goals[1:]}."
+
+
+def _obstacle_row(name: str, obstacle: Any) -> tuple[str, ...]:
+    movable = f"yes, its mass is {obstacle.mass_kg:g} kg" if getattr(obstacle, "movable", False) else "no"
+    if isinstance(obstacle, models.Wall):
+        place = f"from {point(obstacle.from_m)} to {point(obstacle.to_m)}"
+        what = f"wall, {metres(obstacle.thickness_m)} thick"
+    else:
+        place, what = point(obstacle.centre_m), _shape(obstacle)
+    return plain(name), place, what, metres(obstacle.height_m), movable
+
+
+def _shape(obstacle: models.Box | models.Cylinder) -> str:
+    if isinstance(obstacle, models.Cylinder):
+        return f"cylinder, radius {metres(obstacle.radius_m)}"
+    x, y = obstacle.size_m
+    turned = f", turned by {degrees(obstacle.yaw_rad)}" if obstacle.yaw_rad else ""
+    return f"box, {metres(x)} along its x and {metres(y)} along its y{turned}"

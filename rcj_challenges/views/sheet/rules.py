@@ -1,0 +1,80 @@
+"""The rules of a rule sheet as sentences, in the order in which they are judged, and which of them exclude others."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph
+from rcj_challenges.views.sheet.deeds import action_words
+from rcj_challenges.views.sheet.edges import condition_words, trigger_words
+from rcj_challenges.views.sheet.nouns import Nouns, listed, quoted
+from rcj_challenges.views.sheet.phrases import seconds, times
+from rcj_challenges.views.sheet.spoken import spoken
+
+_Named = tuple[str, Rule]
+
+
+def rule_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
+    """Return the section about the rules."""
+    yield Heading(2, "Rules")
+    yield Paragraph(
+        "On each tick the rules are judged in this order; a name in brackets is the rule's name in the log."
+    )
+    rules = sorted(scenario.rules.items(), key=lambda named: named[1].priority)
+    yield Items(tuple(f"[{name}] {_sentence(rule, nouns)}" for name, rule in rules), numbered=True)
+    exclusive = tuple(_exclusive_words(rules, nouns))
+    if exclusive:
+        yield Items(exclusive)
+
+
+def when_words(rule: Rule, nouns: Nouns) -> str:
+    """Return when a rule fires: ``When the ball enters the blue goal, provided that …``."""
+    each = f"For {nouns.each_of(rule.for_each)}, when " if rule.for_each else "When "
+    edges = ", or when ".join(trigger_words(nouns, trigger) for trigger in rule.triggers)
+    levels = " and ".join(f"that {condition_words(nouns, condition)}" for condition in rule.conditions)
+    return f"{each}{edges}" + (f", provided {levels}" if levels else "")
+
+
+def _sentence(rule: Rule, nouns: Nouns) -> str:
+    says = f"{spoken(nouns, rule)} " if rule.says else ""
+    extras = []
+    if rule.cooldown_s:
+        extras.append(f"at most once in {seconds(rule.cooldown_s)}")
+    if rule.max_executions:
+        extras.append(f"at most {times(rule.max_executions)} a half")
+    if rule.phases == "any":
+        extras.append("in every phase")
+    elif rule.phases != ("play",):
+        extras.append(f"in the phase {listed([quoted(phase) for phase in rule.phases], 'or')}")
+    tail = f" ({'; '.join(extras)})" if extras else ""
+    actions = ", then ".join(action_words(nouns, action) for action in rule.actions)
+    return f"{says}{when_words(rule, nouns)}: {actions}{tail}."
+
+
+def _exclusive_words(rules: list[_Named], nouns: Nouns) -> Iterator[str]:
+    """Return a sentence for each of the sets of rules of which only one counts in a tick."""
+    for group in dict.fromkeys(rule.exclusive for _, rule in rules if rule.exclusive is not None):
+        members = [(name, rule) for name, rule in rules if rule.exclusive == group]
+        yield from _only_one([name for name, rule in members if rule.for_each is None], "")
+        meeting = _sharing([(name, rule) for name, rule in members if rule.for_each is not None], nouns)
+        kinds = nouns.kinds_of(tuple(rule.for_each for _, rule in meeting if rule.for_each is not None))
+        yield from _only_one([name for name, _ in meeting], f" for the same {kinds}")
+
+
+def _sharing(rules: list[_Named], nouns: Nouns) -> list[_Named]:
+    """Return those of the rules over each of a group that another one of them can meet: they share a member."""
+    over = {name: set(nouns.roster.expand(rule.for_each)) for name, rule in rules if rule.for_each is not None}
+    return [
+        (name, rule)
+        for name, rule in rules
+        if any(other != name and over[name] & members for other, members in over.items())
+    ]
+
+
+def _only_one(names: list[str], whom: str) -> Iterator[str]:
+    if len(names) < 2:
+        return
+    which = listed([f"[{name}]" for name in names], "and")
+    several = "both" if len(names) == 2 else "several of"
+    yield f"When {several} {which} happen{whom} in the same tick, only the first of them in the list above counts."

@@ -1,0 +1,93 @@
+"""What a rule says, with words for the blanks that are filled in only when it fires."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rcj_challenges.scenario.models.scenario import Rule
+from rcj_challenges.views.sheet.nouns import Nouns, plain
+from rcj_challenges.views.sheet.phrases import number
+
+OPEN = "…"
+"""Stands for a number that is known only when the rule fires."""
+
+_OF_ITS_PLACE = ("in_zone", "speed", "distance", "last_touch")
+"""The conditions that ``holds`` follows on behalf of an entity."""
+
+_LIMITS = {
+    "time_reached": "at_s",
+    "displaced": "distance_m",
+    "no_progress": "distance_m",
+    "stays_in": "limit_s",
+    "tips_over": "angle_rad",
+    "holds": "for_s",
+}
+"""The triggers that measure, with the limit that they measure against."""
+
+
+def spoken(nouns: Nouns, rule: Rule) -> str:
+    """Return what a rule says as a whole sentence; an empty text if it says nothing."""
+    words = rule.says.strip()
+    if not words:
+        return ""
+    filled = {
+        "{entity}": _subject(nouns, rule),
+        "{team}": _team(nouns, rule),
+        "{measured}": OPEN,
+        "{limit}": _limit(nouns, rule),
+    }
+    end = "" if words.rstrip("\"'”)").endswith((".", "!", "?", "…", ":")) else "."
+    for blank, known in filled.items():
+        words = words.replace(blank, known)
+    return f"{words[:1].upper()}{words[1:]}{end}"
+
+
+def _subject(nouns: Nouns, rule: Rule) -> str:
+    if rule.for_each is not None:
+        return f"the {nouns.kinds_of(rule.for_each)}"
+    names = _concerned(nouns, rule)
+    return nouns.any_of(names) if names else "the one concerned"
+
+
+def _team(nouns: Nouns, rule: Rule) -> str:
+    """Return the team of all that a rule can be about, if it is one and the same."""
+    names = _concerned(nouns, rule) if rule.for_each is None else (rule.for_each,)
+    entrants = nouns.scenario.entrants.items()
+    seats = {
+        next((seat for seat, entrant in entrants if member in entrant.robots), None)
+        for member in nouns.roster.expand(names)
+    }
+    only = seats.pop() if len(seats) == 1 else None
+    return "the team" if only is None else plain(only)
+
+
+def _limit(nouns: Nouns, rule: Rule) -> str:
+    limits = {_limit_of(nouns, trigger) for trigger in rule.triggers}
+    only = limits.pop() if len(limits) == 1 else None
+    return OPEN if only is None else number(round(only, 3))
+
+
+def _limit_of(nouns: Nouns, trigger: Any) -> float | None:
+    if trigger.trigger == "timer_expired":
+        return nouns.scenario.timers[trigger.timer].lasts_s
+    limit = _LIMITS.get(trigger.trigger)
+    return None if limit is None else float(getattr(trigger, limit))
+
+
+def _concerned(nouns: Nouns, rule: Rule) -> tuple[str, ...]:
+    """Return what the triggers of a rule can be about, without repeats."""
+    return tuple(dict.fromkeys(name for trigger in rule.triggers for name in _of_trigger(nouns, trigger)))
+
+
+def _of_trigger(nouns: Nouns, trigger: Any) -> tuple[str, ...]:
+    scenario, names = nouns.scenario, getattr(trigger, "entity", None)
+    match trigger.trigger:
+        case "program_fault":
+            names = trigger.robot
+        case "sequence_completed" | "sequence_broken":
+            names = scenario.sequences[trigger.sequence].entity
+        case "timer_expired":
+            names = scenario.timers[trigger.timer].per
+        case "holds" if trigger.condition.condition in _OF_ITS_PLACE:
+            names = trigger.condition.entity
+    return () if names is None else (names,) if isinstance(names, str) else names

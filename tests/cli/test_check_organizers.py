@@ -1,0 +1,172 @@
+"""``rcj-challenge check`` for an organizer: nothing is left out unsaid, nothing is lost, nothing begins in vain."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from rcj_challenges.checker import many, report_files
+from rcj_challenges.cli.check import CheckCommand, CheckUsageError, check_submissions
+
+COMMAND = [sys.executable, "-m", "rcj_challenges", "check"]
+PLAYER = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
+
+
+@pytest.fixture
+def team(tmp_path):
+    def packed(name, program=PLAYER):
+        path = tmp_path / name
+        path.parent.mkdir(exist_ok=True)
+        with zipfile.ZipFile(path, "w") as archive:
+            archive.writestr("robot.py", program)
+            archive.writestr("team_name.txt", "Hanse")
+        return path
+
+    return packed
+
+
+def check(*paths, **options):
+    given = {
+        "scenario": "match", "overrides": [], "sandbox": "auto", "jobs": None, "fix": None, "html": None, "json": False,
+        "replays": None, "show_output": False, "play": False,
+    }  # fmt: skip
+    return check_submissions(CheckCommand(paths=list(paths), **{**given, **options}))
+
+
+def never(*_, **__):
+    raise AssertionError("nothing was to be checked")
+
+
+def test_what_lies_in_the_folder_and_was_not_looked_at_is_in_every_summary(team, tmp_path, capsys):
+    team("subs/a.zip")
+    team("subs/b.zip")
+    (tmp_path / "subs" / "stray.py").write_text("x = 1\n")
+    (tmp_path / "subs" / "team c").mkdir()
+    assert check(tmp_path / "subs", html=tmp_path / "report.html") == 0
+    out = capsys.readouterr().out
+    assert "stray.py: it is a single program" in out
+    assert "2 submissions: 2 ok, 0 warnings, 0 failures, 2 not looked at" in out
+    page = (tmp_path / "report.html").read_text("utf-8")
+    assert "stray.py" in page
+    assert "team c" in page
+    assert check(tmp_path / "subs", json=True) == 0
+    left_out = json.loads(capsys.readouterr().out)["left_out"]
+    assert [Path(other["file"]).name for other in left_out] == ["stray.py", "team c"]
+
+
+def test_with_one_archive_the_rest_of_the_folder_is_named_too(team, tmp_path, capsys):
+    team("subs/a.zip")
+    (tmp_path / "subs" / ".hidden.zip").write_bytes(b"PK")
+    check(tmp_path / "subs", html=tmp_path / "report.html")
+    assert ".hidden.zip: its name begins with a dot" in capsys.readouterr().out
+    assert ".hidden.zip" in (tmp_path / "report.html").read_text("utf-8")
+
+
+def test_rows_of_the_same_file_name_are_told_apart(team, capsys):
+    check(team("a/team.zip"), team("b/team.zip"))
+    out = capsys.readouterr().out
+    assert "a/team.zip" in out
+    assert "b/team.zip" in out
+
+
+@pytest.fixture
+def nothing_is_checked(monkeypatch):
+    monkeypatch.setattr("rcj_challenges.checker.check.check_file", never)
+
+
+@pytest.mark.usefixtures("nothing_is_checked")
+def test_replays_that_cannot_be_kept_are_refused_before_anything_is_played(team, tmp_path, monkeypatch):
+    good = team("a.zip")
+    (tmp_path / "taken").write_text("a file")
+    with pytest.raises(CheckUsageError, match=r"taken: cannot be written: .* file"):
+        check(good, replays=tmp_path / "taken", play=True)
+
+    def full(*_, **__):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(report_files.tempfile, "TemporaryFile", full)
+    with pytest.raises(CheckUsageError, match="No space left on device") as told:
+        check(good, replays=tmp_path / "replays", play=True)
+    assert told.value.exit_code == 2
+
+
+@pytest.mark.usefixtures("nothing_is_checked")
+def test_a_page_that_cannot_be_written_is_refused_before_anything_is_checked(team, tmp_path):
+    good = team("a.zip")
+    with pytest.raises(CheckUsageError, match="it is a folder"):
+        check(good, html=tmp_path)
+    with pytest.raises(CheckUsageError, match="cannot be written"):
+        check(good, html=good / "report.html")
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="nothing is forbidden to root")
+@pytest.mark.usefixtures("nothing_is_checked")
+def test_a_folder_that_may_not_be_written_is_refused_before_anything_is_played(team, tmp_path):
+    good = team("a.zip")
+    (tmp_path / "locked").mkdir(mode=0o500)
+    with pytest.raises(CheckUsageError, match="cannot be written"):
+        check(good, replays=tmp_path / "locked", play=True)
+    with pytest.raises(CheckUsageError, match="cannot be written"):
+        check(good, html=tmp_path / "locked" / "report.html")
+
+
+def test_an_interruption_tells_what_was_checked_so_far(team, tmp_path, monkeypatch, capsys):
+    paths = [team("slow.zip"), team("fast.zip")]
+
+    def interrupted(given, loaded, options, jobs, on_done):
+        on_done(next(iter(checked(given[1:], loaded, options, jobs, lambda _: None))))
+        raise KeyboardInterrupt
+
+    checked = many.check_many
+    monkeypatch.setattr(many, "check_many", interrupted)
+    for as_json in (False, True):
+        page = tmp_path / f"{as_json}.html"
+        with pytest.raises(KeyboardInterrupt):
+            check(*paths, html=page, json=as_json)
+        assert "interrupted, 1 submission: 1 ok" in page.read_text("utf-8")
+        out = capsys.readouterr().out
+        if as_json:
+            told = json.loads(out)
+            assert told["interrupted"]
+            assert [file["file"] for file in told["files"]] == ["fast.zip"]
+            assert [other["file"] for other in told["left_out"]] == ["slow.zip"]
+        else:
+            assert "interrupted, 1 submission: 1 ok, 0 warnings, 0 failures, 1 not looked at" in out
+            assert "slow.zip: somebody interrupted the check" in out
+
+
+@pytest.mark.skipif(os.name != "posix", reason="there are no such signals")
+def test_ctrl_c_ends_with_130_and_leaves_no_temporary_folder(team, tmp_path):
+    paths = [
+        team("bad.zip", "x = (\n"),
+        team("slow_1.zip", "while True: pass\n"),
+        team("slow_2.zip", "while True: pass\n"),
+    ]
+    temporary = tmp_path / "temporary"
+    temporary.mkdir()
+    command = [*COMMAND, *map(str, paths), "--html", str(tmp_path / "report.html"), "--jobs", "2"]
+    with subprocess.Popen(
+        command,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        encoding="utf-8",
+        env={**os.environ, "TMPDIR": str(temporary)},
+        start_new_session=True,
+    ) as process:
+        until = time.monotonic() + 60
+        while len(list(temporary.glob("rcj-match-*"))) < 2 and time.monotonic() < until:
+            time.sleep(0.1)
+        os.killpg(process.pid, signal.SIGINT)  # as a terminal does: to all processes
+        out, err = process.communicate(timeout=60)
+    assert process.returncode == 130, err
+    assert "interrupted, 1 submission: 0 ok, 0 warnings, 1 failure" in out
+    assert "slow_1.zip" in (tmp_path / "report.html").read_text("utf-8")
+    assert list(temporary.iterdir()) == []

@@ -1,0 +1,125 @@
+"""What decides a challenge is shown after it was played: places, times, penalties and counters, not scores alone."""
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from rcj_challenges.cli.app import app
+from rcj_challenges.cli.simulate import rank_summary
+from rcj_challenges.match.many import Job, Outcome
+from rcj_challenges.scenario.models.scenario import Result
+from rcj_challenges.views.scoreboard import ranking_lines
+
+SLALOM = Path(__file__).resolve().parents[2] / "scenarios" / "examples" / "slalom.yaml"
+STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
+NAMES = {"blue": "Hanse", "yellow": "Alster"}
+BY_SCORE_THEN_COUNTER = [{"score": "descending"}, {"counter": "fouls", "order": "ascending"}]
+BY_TIME = [{"time": "ascending", "plus": [{"counter": "fouls", "weight": 3}, {"counter": "falls", "weight": 5}]}]
+
+
+def run(*arguments):
+    return app(list(map(str, arguments)), standalone_mode=False)
+
+
+def criteria(rank):
+    return Result.model_validate({"rank": rank}).rank
+
+
+def placed(*entries):
+    return [{"place": place, "team": team, "values": values} for place, team, values in entries]
+
+
+def played(seed, *entries):
+    return Outcome(Job(seed, ()), {"ranking": placed(*entries)})
+
+
+@pytest.fixture
+def still(tmp_path):
+    """Return the options of two teams that stand still, for a short half."""
+    team = tmp_path / "team.py"
+    team.write_text(STAND, "utf-8")
+    teams = ("--team", f"blue={team}", "--team", f"yellow={team}")
+    return (*teams, "--set", "match.half_s=0.5", "--set", "match.halves=1", "--out", tmp_path / "runs")
+
+
+class TestLines:
+    def test_equal_scores_are_told_apart_by_what_breaks_the_tie(self):
+        ranking = placed((1, "yellow", [2, 1]), (2, "blue", [2, 3.5]))
+        assert ranking_lines(criteria(BY_SCORE_THEN_COUNTER), NAMES, ranking) == [
+            "place 1: Alster, score 2, fouls 1",
+            "place 2: Hanse, score 2, fouls 3.5",
+        ]
+
+    def test_a_time_is_told_to_the_tick_in_seconds_with_the_name_of_each_penalty_in_it(self):
+        (line,) = ranking_lines(criteria(BY_TIME), NAMES, placed((1, "blue", [1209.248])))
+        assert line == "place 1: Hanse, time 1209.248 s (with fouls, falls)"
+
+    def test_teams_that_nothing_tells_apart_share_a_place(self):
+        lines = ranking_lines(criteria([{"time": "ascending"}]), NAMES, placed((1, "blue", [40]), (1, "yellow", [40])))
+        assert lines == ["place 1: Hanse, time 40 s", "place 1: Alster, time 40 s"]
+
+    @pytest.mark.parametrize("order", ["ascending", "descending"])
+    def test_where_the_score_alone_decides_the_score_says_it_all(self, order):
+        ranking = placed((1, "blue", [2]), (2, "yellow", [1]))
+        assert ranking_lines(criteria([{"score": order}]), NAMES, ranking) == []
+
+    def test_a_name_of_a_team_cannot_rearrange_its_line(self):
+        (line,) = ranking_lines(criteria([{"time": "ascending"}]), {"blue": "\x1b[31mA"}, placed((1, "blue", [4])))
+        assert "\x1b" not in line
+
+
+class TestManyMatches:
+    def test_places_are_counted_and_values_have_their_spread(self):
+        outcomes = [
+            played(1, (1, "yellow", [2, 1]), (2, "blue", [2, 3])),
+            played(2, (1, "blue", [5, 2]), (2, "yellow", [2, 0])),
+            played(3, (1, "blue", [4, 7]), (1, "yellow", [4, 7])),
+        ]
+        told = rank_summary(criteria(BY_SCORE_THEN_COUNTER), outcomes)
+        assert told["criteria"] == ["score", "fouls"]
+        assert told["matches"][0] == {"seed": 1, "ranking": placed((1, "yellow", [2, 1]), (2, "blue", [2, 3]))}
+        assert told["places"] == {"yellow": {"1": 2, "2": 1}, "blue": {"1": 2, "2": 1}}
+        assert told["spread"]["blue"][1] == {"least": 2, "median": 3, "mean": 4.0, "most": 7}
+
+    def test_a_match_that_could_not_be_played_has_no_place(self):
+        outcomes = [Outcome(Job(1, ()), None, "it broke"), played(2, (1, "blue", [5]), (2, "yellow", [9]))]
+        told = rank_summary(criteria([{"time": "ascending"}]), outcomes)
+        assert told["places"] == {"blue": {"1": 1}, "yellow": {"2": 1}}
+        assert [match["seed"] for match in told["matches"]] == [2]
+
+
+def test_a_run_that_time_decides_ends_with_places_and_times(tmp_path, capsys):
+    assert run("run", SLALOM, "--quiet", "--no-replay", "--out", tmp_path) == 0
+    score, place, *_ = capsys.readouterr().out.splitlines()
+    assert score == "Slalom 4"
+    assert re.fullmatch(r"place 1: Slalom, score 4, time \d+(\.\d+)? s \(with touched_posts\)", place)
+
+
+def test_simulate_shows_places_and_times_below_the_scores(tmp_path, capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    assert run("simulate", SLALOM, "--seeds", "1,2", "--quiet", "--out", tmp_path) == 0
+    lines = [line for line in capsys.readouterr().out.splitlines() if "┃" in line or "│" in line]
+    scores, row, decides, decided = (re.split(r"\s*[┃│]\s*", line)[1:-1] for line in lines)
+    assert (scores, row) == (["entrant", "least", "median", "mean", "most"], ["yellow", "4", "4", "4", "4"])
+    assert decides == ["entrant", "place 1", "time (with touched_posts)"]
+    assert decided[:2] == ["yellow", "2 times"]
+    assert re.fullmatch(r"[\d.]+ s|[\d.]+ s to [\d.]+ s, median [\d.]+ s", decided[2])
+
+
+def test_json_of_simulate_holds_what_was_compared(tmp_path, capsys, still):
+    rank = "result.rank=[{score: descending}, {counter: put_backs, order: ascending}]"
+    assert run("simulate", "match", "--seeds", "1", "--set", rank, *still, "--json") == 0
+    told = json.loads(capsys.readouterr().out)["ranking"]
+    assert told["criteria"] == ["score", "put_backs"]
+    assert told["matches"] == [{"seed": 1, "ranking": placed((1, "blue", [0, 0]), (1, "yellow", [0, 0]))}]
+
+
+def test_the_plain_match_is_told_by_its_score(capsys, still):
+    assert run("simulate", "match", "--seeds", "1", *still, "--json") == 0
+    assert "ranking" not in json.loads(capsys.readouterr().out)
+    assert run("simulate", "match", "--seeds", "1", *still, "--quiet") == 0
+    assert "place" not in capsys.readouterr().out
+    assert run("run", "match", *still, "--quiet", "--no-replay") == 0
+    assert len(capsys.readouterr().out.splitlines()) == 3

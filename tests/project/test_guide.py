@@ -1,0 +1,104 @@
+"""What the authoring guide says of presets, clocks and halves is so."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
+from rcj_challenges.match.ranking import Tally, ranking
+from rcj_challenges.referee.script import ScriptedPlay, half_of
+from rcj_challenges.scenario.load import Loaded, load, load_text
+from rcj_challenges.scenario.resources import names_in, presets_folder
+
+GUIDE = Path(__file__).parents[2] / "docs" / "authoring.md"
+HEAD = "schema_version: 1\nid: guide\ntitle: Guide\nextends: soccersim_v2\n"
+STOPPED = (
+    HEAD
+    + """match: {half_s: 10}
+phases: {pause: {lasts_s: 5, clock: stops}}
+timers: {cooking: {lasts_s: 4, starts: true}}
+rules:
+  whistle:
+    triggers: [{trigger: time_reached, at_s: 2}]
+    actions: [{action: set_phase, phase: pause}, {action: emit, event: PAUSE}]
+  on_the_clock:
+    phases: any
+    triggers: [{trigger: time_reached, at_s: 4}]
+    actions: [{action: emit, event: CLOCK, payload: {time_s: {word: time_s}, left_s: {word: time_left_s}}}]
+  cooked:
+    phases: any
+    triggers: [{trigger: timer_expired, timer: cooking}]
+    actions: [{action: emit, event: COOKED}]
+  held:
+    phases: any
+    triggers: [{trigger: holds, condition: {condition: in_zone, entity: ball, zone: pitch}, for_s: 6}]
+    actions: [{action: emit, event: HELD}]
+  lazy:
+    phases: any
+    triggers: [{trigger: no_progress, entity: ball, distance_m: 1, within_s: 6.5}]
+    actions: [{action: emit, event: LAZY}]
+"""
+)
+KEPT = HEAD + "match: {halves: 2, half_s: 5, swap_sides: true}\nflags: {done: {per: robots, keep: match}}\n"
+KEPT += "rules: {r: {triggers: [{trigger: time_reached, at_s: 1}], actions: [{action: set_flag, flag: done, entity: Y1}]}}\n"
+COUNTED = HEAD + "match: {halves: 2, half_s: 5}\ncounters: {fouls: {per: robots}, lost: {per: balls}, all: {}}\n"
+COUNTED += "result: {rank: [{counter: fouls}, {counter: lost}, {counter: all}]}\n"
+COUNTED += "rules: {r: {triggers: [{trigger: half_started}], actions: [{action: count, counter: all}]}}\n"
+
+
+def row(section: str) -> str:
+    """Return the row of a section in the guide's table."""
+    (found,) = (line for line in GUIDE.read_text("utf-8").splitlines() if line.startswith(f"| `{section}` |"))
+    return found
+
+
+def played(loaded: Loaded, lasts_s: float) -> ScriptedPlay:
+    play = ScriptedPlay(loaded.scenario, loaded.roster)
+    play.play_until(ticks_from_s(lasts_s))
+    return play
+
+
+@pytest.mark.parametrize("preset", names_in(presets_folder()))
+def test_goals_and_kits_of_the_presets_are_named(preset):
+    scenario = load(presets_folder() / f"{preset}.yaml").scenario
+    assert [name for name in scenario.field.goals if f"`{name}`" not in row("field.goals")] == []
+    assert [name for name in scenario.kits if f"`{name}`" not in row("kits")] == []
+
+
+def test_a_goal_is_taken_away_as_it_is_told():
+    lines = ("field: {goals: {blue_goal: null}}", "zones: {blue_goal: null}", "groups: {in_play: [pitch, yellow_goal]}")
+    assert all(f"`{line}`" in GUIDE.read_text("utf-8") for line in lines)
+    scenario = load_text("\n".join((HEAD, *lines, "rules: {}"))).scenario
+    assert (list(scenario.field.goals), "blue_goal" in scenario.zones) == (["yellow_goal"], False)
+
+
+def test_a_stopped_clock_stops_neither_timers_nor_holds_nor_no_progress():
+    came = {event.name: event for event in played(load_text(STOPPED), 10).events}
+    at_s = {name: s_from_ticks(event.tick) for name, event in came.items()}
+    assert at_s == pytest.approx({"PAUSE": 2, "COOKED": 4, "HELD": 6, "LAZY": 6.5, "CLOCK": 9}, abs=0.11)
+    told = came["CLOCK"].payload
+    assert [round(told[name], 1) for name in ("time_s", "left_s")] == [4.0, 6.0]
+
+
+def test_a_rule_that_lives_in_play_only_begins_anew_after_a_pause_and_misses_a_timer_of_meanwhile():
+    came = {event.name: event.tick for event in played(load_text(STOPPED.replace("    phases: any\n", "")), 15).events}
+    at_s = {name: s_from_ticks(tick) for name, tick in came.items()}
+    assert at_s == pytest.approx({"PAUSE": 2, "CLOCK": 9, "HELD": 7 + 6, "LAZY": 7 + 6.5}, abs=0.11)
+
+
+def test_a_flag_that_is_kept_stays_with_the_seat_when_the_teams_change_sides():
+    loaded = load_text(KEPT)
+    first = played(loaded, 2)
+    second = replace(half_of(loaded.scenario, 2), kept=first.referee.kept)
+    assert second.teams == {"blue": "yellow", "yellow": "blue"}
+    after = ScriptedPlay(loaded.scenario, loaded.roster, second)
+    assert [name for name, done in after.referee.flags["done"].items() if done] == ["Y1"]
+
+
+def test_counters_kept_per_robot_are_summed_by_entrant_and_others_tell_nobody_apart():
+    scenario = load_text(COUNTED).scenario
+    counted = {"fouls": {"B1": 1, "B3": 2, "Y2": 5}, "lost": {"ball": 4}, "all": 7}
+    seats = {"blue": "blue", "yellow": "yellow"}
+    told = ranking(scenario, {"blue": 0, "yellow": 0}, [Tally(counted, seats, 5.0)] * 2)
+    assert {entry["team"]: entry["values"] for entry in told} == {"yellow": [10, 0, 14], "blue": [6, 0, 14]}
