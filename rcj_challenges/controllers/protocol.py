@@ -149,6 +149,10 @@ class Codec:
             tail.must_be_empty()
             return Request(advance, missed, tuple(commands), printed_bytes=printed)
         sampling, channels, frequencies, emissions = others
+        if not (sampling or channels or frequencies):
+            sent = tuple([self._emission(tail) for _ in range(emissions)])
+            tail.must_be_empty()
+            return Request(advance, missed, tuple(commands), sent, printed_bytes=printed)
         request = Request(
             advance,
             missed,

@@ -167,12 +167,13 @@ class Hub:
         """Return a request with all that is asked for, and forget it. ``motors`` shows what ramps add meanwhile."""
         if self._ramps:
             self._ramps = {device: approach for device, approach in self._ramps.items() if approach(advance_ticks)}
-        settings = self._sampling.items(), self._channels.items(), self._frequencies.items()
-        others = *settings, self._emissions
-        frame = request_frame(tick, advance_ticks, missed_ticks, printed, motors, *others)
+        emissions, self._emissions, self._emitted_bytes = self._emissions, [], 0
         self._has_others = bool(self._ramps)
-        self._sampling, self._channels, self._frequencies, self._emissions = {}, {}, {}, []
-        self._emitted_bytes = 0
+        if not (self._sampling or self._channels or self._frequencies):  # many teams talk on every tick
+            return motors_frame(tick, advance_ticks, missed_ticks, printed, motors, emissions)
+        settings = self._sampling.items(), self._channels.items(), self._frequencies.items()
+        frame = request_frame(tick, advance_ticks, missed_ticks, printed, motors, *settings, emissions)
+        self._sampling, self._channels, self._frequencies = {}, {}, {}
         return frame
 
     def _queue(self, frame: bytes, count: int) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from _thread import allocate_lock
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from struct import Struct, error
 from typing import NoReturn
 
@@ -109,16 +109,27 @@ Motors = Iterable[tuple[int, float, float]]
 """Index, velocity in rad/s, position in rad."""
 
 
-def motors_frame(tick: int, advance_ticks: int, missed_ticks: int, printed: int, motors: Motors) -> bytes:
-    """Return a request that sets motors and nothing else. ``tick`` is that of the observation it answers."""
+def motors_frame(
+    tick: int,
+    advance_ticks: int,
+    missed_ticks: int,
+    printed: int,
+    motors: Motors,
+    emissions: Sequence[tuple[int, bytes]] = (),
+) -> bytes:
+    """Return a request that sets motors, sends packets, and nothing else. ``tick`` is the answered observation's."""
     numbers: list[float] = []
     for setting in motors:
         numbers += setting
     count = len(numbers) // 3
     if count >= len(_WITH_MOTORS):
-        return request_frame(tick, advance_ticks, missed_ticks, printed, motors, (), (), (), ())
+        return request_frame(tick, advance_ticks, missed_ticks, printed, motors, (), (), (), emissions)
     form, length = _WITH_MOTORS[count]
-    return form.pack(length, REQUEST, tick, advance_ticks, missed_ticks, printed, count, 0, 0, 0, 0, *numbers)
+    if not emissions:
+        return form.pack(length, REQUEST, tick, advance_ticks, missed_ticks, printed, count, 0, 0, 0, 0, *numbers)
+    tail = b"".join([_EMISSION.pack(device, len(data)) + data for device, data in emissions])
+    counts = count, 0, 0, 0, len(emissions)
+    return form.pack(length + len(tail), REQUEST, tick, advance_ticks, missed_ticks, printed, *counts, *numbers) + tail
 
 
 def request_frame(
