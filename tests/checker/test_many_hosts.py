@@ -6,7 +6,6 @@ import errno
 import json
 import os
 import tempfile
-import zipfile
 from dataclasses import replace
 from pathlib import Path
 
@@ -21,15 +20,10 @@ from rcj_challenges.checker.report_html import html_page
 from rcj_challenges.checker.report_text import summary, verdict
 from rcj_challenges.facts.errors import HostError
 from rcj_challenges.scenario.load import load
+from tests.checker.small_team import PLAYER, write_team
 
 MATCH = load("match", ["limits.start_s=10", "limits.step_s=1"])
 SHORT = CheckOptions(play_s=0.5)
-PLAYER = """\
-from controller import Robot
-robot = Robot()
-while robot.step(32) != -1:
-    pass
-"""
 CRASHING = PLAYER.replace("pass", "open('log', 'w').write('x') and 1 / 0")
 
 
@@ -47,12 +41,7 @@ def raising(error):
 @pytest.fixture
 def team(tmp_path):
     def packed(program=PLAYER, name="team.zip"):
-        path = tmp_path / name
-        path.parent.mkdir(exist_ok=True)
-        with zipfile.ZipFile(path, "w") as archive:
-            archive.writestr("robot.py", program)
-            archive.writestr("team_name.txt", "Hanse")
-        return path
+        return write_team(tmp_path / name, program)
 
     return packed
 

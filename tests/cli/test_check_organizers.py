@@ -8,37 +8,24 @@ import signal
 import subprocess
 import sys
 import time
-import zipfile
 from pathlib import Path
 
 import pytest
 
 from rcj_challenges.checker import many, report_files
-from rcj_challenges.cli.check import CheckCommand, CheckUsageError, check_submissions
+from rcj_challenges.cli.check import CheckUsageError
+from tests.checker.small_team import PLAYER, write_team
+from tests.cli.test_check import check
 
 COMMAND = [sys.executable, "-m", "rcj_challenges", "check"]
-PLAYER = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
 
 
 @pytest.fixture
 def team(tmp_path):
     def packed(name, program=PLAYER):
-        path = tmp_path / name
-        path.parent.mkdir(exist_ok=True)
-        with zipfile.ZipFile(path, "w") as archive:
-            archive.writestr("robot.py", program)
-            archive.writestr("team_name.txt", "Hanse")
-        return path
+        return write_team(tmp_path / name, program)
 
     return packed
-
-
-def check(*paths, **options):
-    given = {
-        "scenario": "match", "overrides": [], "sandbox": "auto", "jobs": None, "fix": None, "html": None, "json": False,
-        "replays": None, "show_output": False, "play": False,
-    }  # fmt: skip
-    return check_submissions(CheckCommand(paths=list(paths), **{**given, **options}))
 
 
 def never(*_, **__):

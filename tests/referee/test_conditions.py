@@ -29,6 +29,16 @@ def ask() -> Callable[[ScriptedPlay], bool]:
     return asked
 
 
+def as_programs_fail(play, ask):
+    """The answers before, after Y1's program has failed, and after Y2's."""
+    found = [ask(play)]
+    for robot in ("Y1", "Y2"):
+        play.fail(robot)
+        play.play()
+        found.append(ask(play))
+    return found
+
+
 class TestConditionInZone:
     def test_a_centre_is_in_or_not(self, stage, ask):
         play = stage(ASKING % "{condition: in_zone, entity: ball, zone: [left, right]}")
@@ -161,12 +171,7 @@ class TestConditionCounter:
             """,
             ASKING % f"{{condition: counter, counter: falls{entity}, of: {of}, at_least: 2}}",
         )
-        found = [ask(play)]
-        for robot in ("Y1", "Y2"):
-            play.fail(robot)
-            play.play()
-            found.append(ask(play))
-        assert found == answers
+        assert as_programs_fail(play, ask) == answers
 
     def test_an_entrants_name_is_its_score(self, stage, ask):
         play = stage(ASKING % "{condition: counter, counter: yellow, at_least: 2}", scores={"blue": 0, "yellow": 2})
@@ -214,12 +219,7 @@ class TestConditionFlag:
             """,
             ASKING % f"{{condition: flag, flag: touched, entity: yellow, of: {of}}}",
         )
-        found = [ask(play)]
-        for robot in ("Y1", "Y2"):
-            play.fail(robot)
-            play.play()
-            found.append(ask(play))
-        assert found == answers
+        assert as_programs_fail(play, ask) == answers
 
 
 class TestConditionDrawn:

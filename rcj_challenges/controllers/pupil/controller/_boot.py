@@ -9,7 +9,7 @@ import os
 import sys
 from typing import Any
 
-from . import _chance, _clock, _confine, _hub, _numpy, _report
+from . import _chance, _clock, _confine, _hub, _report
 from ._hooks import AfterImport, Patch
 from ._output import Output
 from ._wire import HELLO, Wire, fault_frame, leave
@@ -81,7 +81,7 @@ class Boot:
         patches: dict[str, Patch] = {
             "datetime": _clock.dates_of(self._clock),
             "random": _chance.seed_random(seeds[0]),
-            "numpy": _numpy.restore_old_names,
+            "numpy": _restore_old_names,
             "numpy.random.bit_generator": _chance.seed_numpy_entropy(seeds[1]),
             "numpy.random": _chance.seed_numpy_global(seeds[2]),
             # Waiting for a lock takes real time, so its limits are measured in it.
@@ -128,6 +128,13 @@ class Boot:
                 pass
         self._wire.send(fault_frame(kind, detail, trace))
         leave(1)
+
+
+def _restore_old_names(numpy: Any) -> None:
+    """Read what concerns numpy when a program imports it: most do not."""
+    from . import _numpy
+
+    _numpy.restore_old_names(numpy)
 
 
 def _wait_for_threads() -> None:
