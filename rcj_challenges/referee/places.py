@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable
-from math import atan2, cos, pi, sin, sqrt, tau
+from math import atan2, cos, pi, sin, sqrt
 from typing import Any
 
 from rcj_challenges.facts.play import Pose2
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.outlines import obstacle_outline
-from rcj_challenges.referee.regions import Polygon
+from rcj_challenges.referee.random_points import point_sampler
 from rcj_challenges.referee.setting_down import Board, Point, Putting, Request, Where
 from rcj_challenges.scenario.models import places as models
 
@@ -90,9 +90,9 @@ def at_spot(model: models.AtSpot, workshop: Workshop, _entity: int, each: str | 
 
 
 def uniform_in(model: models.UniformIn, workshop: Workshop, _entity: int, each: str | None) -> Where:
-    """A random point of a bounded zone."""
-    name = workshop.members(model.uniform_in, each)[0]
-    sample = _sampler(workshop.scenario.zones[name], name)
+    """A random point of a bounded zone, or of several taken as one."""
+    zones = {name: workshop.scenario.zones[name] for name in workshop.members(model.uniform_in, each)}
+    sample = point_sampler(zones)
     return Where(lambda request: request.mirrored(sample(request.rng)), random=True)
 
 
@@ -191,45 +191,6 @@ def _free_spot(spots: tuple[Point, ...], reference: Locate, sign: float, among: 
         return request.rng.choice(free[:among]) if free else None
 
     return Where(find, random=among > 1)
-
-
-def _sampler(zone: object, name: str) -> Callable[[random.Random], Point]:
-    """Return what draws a point of a zone, every point equally likely.
-
-    Raises:
-        ValueError: the zone has no end in some direction.
-    """
-    if getattr(zone, "inverted", False):
-        zone = None
-    match zone:
-        case models.RectZone(x_min_m=float() | int() as x_0, x_max_m=float() | int() as x_1,
-                             y_min_m=float() | int() as y_0, y_max_m=float() | int() as y_1):  # fmt: skip
-            return lambda rng: (rng.uniform(x_0, x_1), rng.uniform(y_0, y_1))
-        case models.CircleZone(centre_m=(x, y), radius_m=radius):
-
-            def in_circle(rng: random.Random) -> Point:
-                turn, far = rng.uniform(0, tau), radius * sqrt(rng.random())
-                return (x + far * cos(turn), y + far * sin(turn))
-
-            return in_circle
-        case models.PolygonZone(points_m=points):
-            return _polygon_sampler(points)
-    message = f"uniform_in: the zone {name!r} is not bounded on all sides"
-    raise ValueError(message)
-
-
-def _polygon_sampler(points: tuple[Point, ...]) -> Callable[[random.Random], Point]:
-    polygon = Polygon(points)
-    xs, ys = [x for x, _ in points], [y for _, y in points]
-
-    def in_polygon(rng: random.Random) -> Point:
-        for _ in range(10_000):  # a sliver of a ten-thousandth of its box would be drawn in vain
-            point = (rng.uniform(min(xs), max(xs)), rng.uniform(min(ys), max(ys)))
-            if polygon.contains(*point):
-                return point
-        return points[0]
-
-    return in_polygon
 
 
 # --- facing, mirroring, and all of it together ----------------------------------------------------------------------

@@ -11,6 +11,7 @@ from rcj_challenges.scenario.models.field import Box, Cylinder, FieldModel, Wall
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, UniformIn, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import Disc, Outline, Point, is_simple, rectangle, robot_outline
+from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.visiting import Found, visit
 
@@ -38,11 +39,11 @@ def _shapes(scenario: Scenario) -> Iterator[Found]:
             yield Found(("obstacles", name, "to_m"), "both ends are at one point; a wall is a segment")
         if isinstance(obstacle, Box) and min(obstacle.size_m) <= 0:
             yield Found(("obstacles", name, "size_m"), "both sizes must be greater than 0")
+    roster = Roster.of(scenario)
     for model, path in visit(scenario):
-        if isinstance(model, UniformIn) and model.uniform_in in scenario.zones:
-            zone = scenario.zones[model.uniform_in]
-            if not _is_bounded(zone):
-                message = f"zone '{model.uniform_in}' has no end in some direction; a random point needs a bounded zone"
+        for name in roster.expand(model.uniform_in) if isinstance(model, UniformIn) else ():
+            if name in scenario.zones and not _is_bounded(scenario.zones[name]):
+                message = f"zone '{name}' has no end in some direction; a random point needs a bounded zone"
                 yield Found((*path, "uniform_in"), message)
 
 

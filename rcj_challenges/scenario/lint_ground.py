@@ -191,7 +191,8 @@ class _Room:
             case places.AtSpot() if at.spot in scenario.spots:
                 found = [self._spot(at.spot)]
             case places.UniformIn():
-                found = points_in(scenario.zones[at.uniform_in])
+                zones = self._subject.roster.expand(at.uniform_in)
+                found = [point for name in zones for point in points_in(scenario.zones[name])]
             case places.OnLine():
                 (ax, ay), (bx, by) = at.on_line
                 shares = [i / (_LINE_SAMPLES - 1) for i in range(_LINE_SAMPLES)]

@@ -161,7 +161,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     # places
     (places.Gate, "anchor"): _ONE_ENTITY,
     (places.AtSpot, "spot"): Field("spot", _SPOT, drawn=True),
-    (places.UniformIn, "uniform_in"): Field("zone", _ZONE),
+    (places.UniformIn, "uniform_in"): _ZONES,
     (places.Choice, "choice"): Field("spot", _SPOT, groups=True, drawn=True),
     (places.NearestFree, "nearest_free"): _SPOTS,
     (places.NearestFree, "to"): _ANCHOR,

@@ -88,6 +88,25 @@ class TestPlaceUniformIn:
         with pytest.raises(ValueError, match="'left' is not bounded"):
             stage(placing("ball", "{uniform_in: left}"))
 
+    def test_several_zones_are_one_in_which_every_point_is_equally_likely(self, stage):
+        # Six equal parts; the fourth from the west belongs to both.
+        sections = """
+        zones:
+          west: {shape: rect, x_min_m: -0.4, x_max_m: 0, y_min_m: -0.1, y_max_m: 0.1}
+          east: {shape: polygon, points_m: [[-0.1, -0.1], [0.2, -0.1], [0.2, 0.1], [-0.1, 0.1]]}
+          north: {shape: circle, centre_m: [0.4, 0.4], radius_m: 0.1}
+        groups: {pair: [west, east]}
+        """
+        sixths = [
+            int((x + 0.4) / 0.1) for x, _ in many(stage(sections, placing("ball", "{uniform_in: pair}")), times=1200)
+        ]
+        assert set(sixths) == set(range(6))
+        assert all(150 < sixths.count(part) < 250 for part in range(6))
+        listed = many(stage(sections, placing("ball", "{uniform_in: [west, north]}")), times=400)
+        in_north = [math.hypot(x - 0.4, y - 0.4) < 0.1001 for x, y in listed]
+        assert all(there or (-0.4 < x < 0 and -0.1 < y < 0.1) for there, (x, y) in zip(in_north, listed, strict=True))
+        assert 0.2 < sum(in_north) / len(in_north) < 0.36  # 0.0314 of 0.1114 m²
+
 
 class TestPlaceOnLine:
     def test_it_is_between_both_ends(self, stage):

@@ -116,6 +116,7 @@ GOOD = [
     (action, "place, entity: ball, at: {furthest_free: centre, from: corner}", ""),
     (action, "place, entity: ball, at: {relative_to: B1}", ""),
     (action, "place, entity: ball, at: {uniform_in: pitch}", ""),
+    (action, "place, entity: ball, at: {uniform_in: in_play}", ""),
     (action, "remove, entity: [each, crate], back_at: {spot: centre}", "robots"),
     (action, "set_phase, phase: play", ""),
     (action, ("emit, event: E, payload: {a: {counter: pushes, entity: B1}, b: {word: score, of: blue}, "
@@ -193,7 +194,7 @@ BAD = [
     (action, "place, layout: wide, mirror: {axis: x, when: goals}", "", "unknown flag 'goals'; there are armed, seen"),
     (action, "place, entity: ball, at: {spot: formation}", "", None),
     (action, "place, entity: ball, at: {nearest_free: corner}", "", "unknown spot 'corner'; did you mean"),
-    (action, "place, entity: ball, at: {uniform_in: in_play}", "", "'in_play' is a group; name one zone"),
+    (action, "place, entity: ball, at: {uniform_in: [pitch, doors]}", "", "group 'doors' contains 'door', a gate; expected a zone"),
     (action, "place, entity: ball, at: {relative_to: pitch}", "", "'pitch' is a zone; expected an entity or spot"),
     (action, "place, entity: ball, at: start, facing: {towards: doors}", "", "'doors' is a group; name one entity or spot"),
     (action, "remove, entity: post", "", "'post' is a fixed obstacle; expected an entity"),

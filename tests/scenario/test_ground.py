@@ -221,6 +221,13 @@ def test_a_random_point_needs_a_bounded_zone(zone, bounded):
         assert line.startswith("rules.r.actions[0] (place): zone 'z' has no end in some direction")
 
 
+def test_of_several_zones_each_must_be_bounded_for_a_random_point():
+    zones = "zones: {a: {shape: circle, centre_m: [0, 0], radius_m: 0.1}, z: {shape: rect, x_min_m: 0}}\n"
+    groups = "groups: {both: [a, z]}\n"
+    (line,) = complaints(zones + groups + rule(action="{action: place, entity: ball, at: {uniform_in: both}}"))
+    assert line.startswith("rules.r.actions[0] (place): zone 'z' has no end in some direction")
+
+
 @pytest.mark.parametrize(
     ("text", "says"),
     [

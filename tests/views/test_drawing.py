@@ -268,6 +268,21 @@ def test_what_is_mirrored_is_drawn_where_it_is_put():
     assert f"{x:.1f} {y:.1f}" in area.get("d")
 
 
+def test_of_several_zones_each_is_drawn_as_a_place():
+    _, picture = picture_of("""\
+extends: soccersim_v2
+zones:
+  garden: {shape: rect, x_min_m: 0.2, x_max_m: 0.4, y_min_m: 0.1, y_max_m: 0.3}
+  yard: {shape: circle, centre_m: [-0.3, 0.2], radius_m: 0.1}
+groups: {outside: [garden, yard]}
+rules:
+  over: {triggers: [{trigger: half_started}], actions: [{action: place, entity: ball, at: {uniform_in: outside}}]}
+""")
+    assert {"ball: in garden", "ball: in yard"} <= set(texts(picture))
+    titles = [path.findtext(f"{SVG}title") for path in picture.iter(f"{SVG}path")]
+    assert titles.count("put ball anywhere in here") == 2
+
+
 def test_a_name_cannot_break_out_of_the_picture():
     loaded = load("match", ["title='<script>alert(1)</script>'"])
     picture = ET.fromstring(draw_scenario(loaded.scenario, loaded.roster))

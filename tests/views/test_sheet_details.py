@@ -225,6 +225,7 @@ PUT = {
     "entity: ball, at: {uniform_in: pitch}, min_clearance_m: 0.05": (
         "the ball is put anywhere in the pitch, at least 5 cm from everything but the walls"
     ),
+    "entity: ball, at: {uniform_in: [pitch, blue_goal]}": "the ball is put anywhere in the pitch or the blue goal",
     "entity: ball, at: {spot: centre}, on_failure: stay": (
         "the ball is put on the spot “centre”, or left where it is if there is no room"
     ),

@@ -87,9 +87,9 @@ class AtSpot(Strict):
 
 
 class UniformIn(Strict):
-    """A random point of a zone, every point equally likely."""
+    """A random point of a zone, or of several taken as one; every point equally likely."""
 
-    uniform_in: Name = described(..., "name of a bounded zone")
+    uniform_in: Names = described(..., "a bounded zone; with a list or group: in any of them")
 
 
 class OnLine(Strict):

@@ -10,6 +10,7 @@ from rcj_challenges.scenario.models.base import Names
 from rcj_challenges.scenario.models.places import At, AtPoint, AtSpot, Choice, Mirror, OnLine, Placing, UniformIn
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import DrawValue
+from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.drawing.labels import Point
 from rcj_challenges.views.drawing.shapes import home, point_words
 
@@ -24,35 +25,35 @@ class Area:
     """A place of the field that is no spot and no start.
 
     Attributes:
-        at: a zone or a line, every point of which is equally likely, or a point.
+        at: the name of a zone or a line, every point of which is equally likely, or a point.
         noise_m: half width of the noise around it, in x and y.
         flip: for a zone, how it is mirrored. (Lines and points are mirrored themselves.)
     """
 
-    at: UniformIn | OnLine | Point
+    at: str | OnLine | Point
     noise_m: Point
     flip: Flip = _AS_WRITTEN
 
     def words(self) -> str:
         """Return where it is: ``(0, 0.1)``, ``(-0.3, 0) to (0.3, 0)``, ``in garden``."""
         noise = f", ± {self.noise_m[0]:g}, {self.noise_m[1]:g}" if any(self.noise_m) else ""
-        if isinstance(self.at, UniformIn):
+        if isinstance(self.at, str):
             turned = [f"{axis} becomes -{axis}" for axis, turns in zip("xy", self.flip, strict=True) if turns]
             mirrored = f", mirrored ({' and '.join(turned)})" if turned else ""
-            return f"in {self.at.uniform_in}{mirrored}{noise}"
+            return f"in {self.at}{mirrored}{noise}"
         if isinstance(self.at, OnLine):
             return " to ".join(map(point_words, self.at.on_line)) + noise
         return point_words(self.at) + noise
 
 
-def placement_areas(scenario: Scenario) -> dict[Area, list[str]]:
+def placement_areas(scenario: Scenario, roster: Roster) -> dict[Area, list[str]]:
     """Return the places where layouts and rules put things, with the names of what is put there, as written.
 
     What a flag mirrors has both places.
     """
     found: dict[Area, list[str]] = {}
     for names, at, noise_m, flip in _placings(scenario):
-        for place, own in _areas(scenario, at, names, flip):
+        for place, own in _areas(scenario, roster, at, names, flip):
             who = found.setdefault(_area(place, noise_m, flip), [])
             who.extend(name for name in own if name not in who)
     return found
@@ -64,8 +65,8 @@ def flipped(point: Point, flip: Flip) -> Point:
     return (-point[0] + 0.0 if flip[0] else point[0], -point[1] + 0.0 if flip[1] else point[1])
 
 
-def _area(place: UniformIn | OnLine | Point, noise_m: Point, flip: Flip) -> Area:
-    if isinstance(place, UniformIn):
+def _area(place: str | OnLine | Point, noise_m: Point, flip: Flip) -> Area:
+    if isinstance(place, str):
         return Area(place, noise_m, flip)
     if isinstance(place, OnLine):
         start, end = (flipped(point, flip) for point in place.on_line)
@@ -121,11 +122,13 @@ def _listed(names: Names, each: str) -> tuple[str, ...]:
 
 
 def _areas(
-    scenario: Scenario, at: At | None, names: tuple[str, ...], flip: Flip
-) -> Iterator[tuple[UniformIn | OnLine | Point, tuple[str, ...]]]:
+    scenario: Scenario, roster: Roster, at: At | None, names: tuple[str, ...], flip: Flip
+) -> Iterator[tuple[str | OnLine | Point, tuple[str, ...]]]:
     """Yield the places that a word of ``at`` stands for, not yet mirrored, with what is put there."""
-    if isinstance(at, OnLine) or (isinstance(at, UniformIn) and at.uniform_in in scenario.zones):
+    if isinstance(at, OnLine):
         yield at, names
+    elif isinstance(at, UniformIn):
+        yield from ((zone, names) for zone in roster.expand(at.uniform_in) if zone in scenario.zones)
     elif isinstance(at, AtPoint):
         yield at.point, names
     elif isinstance(at, Choice):

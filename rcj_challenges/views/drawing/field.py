@@ -7,7 +7,7 @@ from textwrap import wrap
 
 from rcj_challenges.scenario.models.field import Box as BoxObstacle
 from rcj_challenges.scenario.models.field import Cylinder, Wall
-from rcj_challenges.scenario.models.places import OnLine, UniformIn
+from rcj_challenges.scenario.models.places import OnLine
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.drawing.areas import flipped, placement_areas
@@ -47,13 +47,13 @@ def draw_scenario(scenario: Scenario, roster: Roster) -> str:
     paper = Paper((-half_x, -half_y, half_x, half_y), _PX_PER_M)
     _ground(paper, scenario)
     _zones(paper, scenario)
-    _placement_areas(paper, scenario)
+    _placement_areas(paper, scenario, roster)
     _gates(paper, scenario)
     _spots(paper, scenario)
     paper.leaders_here()
     _obstacles(paper, scenario)
     _bodies(paper, scenario, roster)
-    height = _legend(paper, scenario)
+    height = _legend(paper, scenario, roster)
     return paper.svg(title=f"{scenario.title}: field", style=_STYLE, extra_width_px=_LEGEND_PX, height_px=height)
 
 
@@ -97,18 +97,18 @@ def _zones(paper: Paper, scenario: Scenario) -> None:
         paper.label(middle(outline, paper.bounds), text, area=outline, colour=_dark(colour))
 
 
-def _placement_areas(paper: Paper, scenario: Scenario) -> None:
+def _placement_areas(paper: Paper, scenario: Scenario, roster: Roster) -> None:
     """Draw where rules put things: each place once, however many rules put something there, with what is put."""
     style = 'fill="#f08c00" fill-opacity="0.18" stroke="#f08c00" stroke-width="1"'
-    for area, who in placement_areas(scenario).items():
+    for area, who in placement_areas(scenario, roster).items():
         at, colour = area.at, _dark("#f08c00")
         # What is put at its start is drawn there anyway.
         moved = [name for name in who if any(area.noise_m) or at != _start(scenario, name)]
         if not moved:
             continue
         names = f"put {', '.join(moved)}"
-        if isinstance(at, UniformIn):
-            zone = zone_outline(scenario.zones[at.uniform_in], paper.bounds)
+        if isinstance(at, str):
+            zone = zone_outline(scenario.zones[at], paper.bounds)
             outline = [flipped(point, area.flip) for point in zone]
             paper.polygon(outline, style, f"{names} anywhere in here")
             paper.label(middle(outline, paper.bounds), names, area=outline, colour=colour)
@@ -225,13 +225,13 @@ def _bodies(paper: Paper, scenario: Scenario, roster: Roster) -> None:
         paper.label(ball.start_m, name, reach_m=ball.radius_m)
 
 
-def _legend(paper: Paper, scenario: Scenario) -> float:
+def _legend(paper: Paper, scenario: Scenario, roster: Roster) -> float:
     """Write the numbers of zones, gates and spots beside the drawing; returns the height used in pixels."""
     x, y = paper.width_px + 8, 10.0
     for line in wrap(scenario.title, _TITLE_CHARACTERS):
         y += 1.3 * _LINE_PX
         paper.text_px(x, y, line, "title")
-    for head, entries in _legend_entries(scenario):
+    for head, entries in _legend_entries(scenario, roster):
         if not entries:
             continue
         y += _LINE_PX * 1.6
@@ -242,7 +242,7 @@ def _legend(paper: Paper, scenario: Scenario) -> float:
     return y + 2 * _LINE_PX
 
 
-def _legend_entries(scenario: Scenario) -> list[tuple[str, list[str]]]:
+def _legend_entries(scenario: Scenario, roster: Roster) -> list[tuple[str, list[str]]]:
     zones = [f"{name}: {zone_words(zone)}" for name, zone in scenario.zones.items()]
     gates = [
         f"{name}: {point_words(gate.from_m)} to {point_words(gate.to_m)}"
@@ -255,7 +255,7 @@ def _legend_entries(scenario: Scenario) -> list[tuple[str, list[str]]]:
         + (f", ± {r.start.noise_m[0]:g}, {r.start.noise_m[1]:g}" if any(r.start.noise_m) else "")
         for name, r in scenario.robots.items()
     ]
-    put = [f"{', '.join(who)}: {area.words()}" for area, who in placement_areas(scenario).items()]
+    put = [f"{', '.join(who)}: {area.words()}" for area, who in placement_areas(scenario, roster).items()]
     return [
         ("Zones (m)", zones), ("Gates (m)", gates), ("Spots (m)", spots), ("Robots' starts (m, rad)", starts),
         ("Put by rules (m)", put),

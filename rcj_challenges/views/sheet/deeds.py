@@ -174,7 +174,7 @@ PLACES: dict[type, Callable[[Nouns, Any], str]] = {
     places.Start: lambda _n, _a: "at its start",
     places.AtPoint: lambda n, a: f"at {n.point(a.point)}",
     places.AtSpot: lambda n, a: f"on {n.thing(a.spot)}",
-    places.UniformIn: lambda n, a: f"anywhere in {n.thing(a.uniform_in)}",
+    places.UniformIn: lambda n, a: f"anywhere in {n.any_of(a.uniform_in)}",
     places.OnLine: lambda n, a: f"anywhere on the line from {n.point(a.on_line[0])} to {n.point(a.on_line[1])}",
     places.Choice: lambda n, a: (
         f"on {listed([n.any_of(one) if isinstance(one, str) else n.point(one) for one in a.choice], 'or')}"
