@@ -76,7 +76,7 @@ class Gpses(Family[BodySensor]):
                 continue
             x, y, z = pose.x, pose.y, pose.z
             if noise is not None:
-                error_x, error_y, error_z = noise.row(tick).tolist()
+                error_x, error_y, error_z = noise.numbers(tick)
                 x, y, z = x + sigma_m * error_x, y + sigma_m * error_y, z + sigma_m * error_z
             own[slot : slot + 3] = (y, z, x) if legacy else (x, y, z)
 
@@ -102,7 +102,7 @@ class Compasses(Family[BodySensor]):
                 continue
             forward, left, up = poses.robots[robot].north()
             if noise is not None:
-                error = sigma_rad * noise.row(tick).item()
+                error = sigma_rad * noise.numbers(tick)[0]
                 cos, sin = math.cos(error), math.sin(error)
                 forward, left = forward * cos + left * sin, left * cos - forward * sin
             own[slot : slot + 3] = (left, up, forward) if legacy else (forward, left, up)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import cast
+from typing import Any, cast
 
 import mujoco
 import numpy as np
@@ -20,6 +20,7 @@ from rcj_challenges.scenario.models.robots import BallReceiverDevice
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world import contact
+from rcj_challenges.world.tables import one_by_one
 
 PAYLOADS = {"v2.1": b"\x01", "v2.2": b"x", "2021": b"\x01"}
 """What the ball sends, by the kit's messages: ``struct '?'``, or a letter. Source: reference, 4.1. (The robots of 2021
@@ -59,7 +60,7 @@ class InfraredEar:
         """Return strength and direction with this tick's errors."""
         if self.noise is None:
             return strength, direction
-        error, turn = self.noise.row(tick)[2 * ball : 2 * ball + 2].tolist()
+        error, turn = self.noise.numbers(tick)[2 * ball : 2 * ball + 2]
         cos, sin = math.cos(turn * self.direction_noise_rad), math.sin(turn * self.direction_noise_rad)
         x, y, z = direction
         return max(0.0, strength * (1 + self.strength_noise * error)), (cos * x - sin * y, sin * x + cos * y, z)
@@ -85,9 +86,11 @@ class Infrared:
         roots = ground.model.body_rootid[ground.model.geom_bodyid].tolist()
         self._robot_of_geom = [robot_of_body.get(root, -1) for root in roots]
         self._groups = as_geomgroup((contact.GROUP_FIXTURES, contact.GROUP_CUBES, contact.GROUP_WHEELS))
-        self._from = np.zeros(3)
-        self._along = np.zeros(3)
-        self._geom = np.zeros(1, np.int32)
+        self._from, self._along = np.zeros(3), np.zeros(3)
+        geom: Any = np.zeros(1, np.int32)
+        # Written and read number by number, which numpy takes longer for.
+        self._from_where, self._along_what = one_by_one(self._from), one_by_one(self._along)
+        self._geom, self._met = geom, memoryview(geom)
 
     def retune(self) -> None:
         """Find out anew who listens. To be called when a ball receiver was enabled, disabled or tuned."""
@@ -117,11 +120,11 @@ class Infrared:
         square = dx * dx + dy * dy + dz * dz
         if square > ear.range_square_m2:
             return
-        source, along = self._from, self._along
-        source[0], source[1], source[2] = centre  # item by item: numpy takes longer to unpack a tuple
+        source, along = self._from_where, self._along_what
+        source[0], source[1], source[2] = centre
         along[0], along[1], along[2] = -dx, -dy, -dz
-        mujoco.mj_ray(self._model, self._data, source, along, self._groups, 1, -1, self._geom)
-        met = self._geom.item()
+        mujoco.mj_ray(self._model, self._data, self._from, self._along, self._groups, 1, -1, self._geom)
+        met = self._met[0]
         if met >= 0 and self._robot_of_geom[met] != ear.robot:
             return
         distance = math.sqrt(square)

@@ -43,6 +43,7 @@ class Noise:
         self._draws = draws_per_tick
         self._ticks = max(1, _DRAWS_PER_BLOCK // max(1, draws_per_tick * len(devices)))
         self._block = np.empty((0, len(devices) * draws_per_tick))
+        self._listed: list[list[float]] = []
         self._first = 0
         self._scale = scale
 
@@ -53,5 +54,13 @@ class Noise:
             shape = (self._ticks, self._draws)
             block = np.concatenate([stream.standard_normal(shape) for stream in self._streams], axis=1)
             self._block = block * self._scale
+            self._listed = []
         row: NDArray[np.float64] = self._block[tick - self._first]
         return row
+
+    def numbers(self, tick: int) -> list[float]:
+        """Return the draws of a tick as numbers: for a handful of them. Ticks must not go back."""
+        if tick >= self._first + len(self._listed):
+            self.row(tick)
+            self._listed = self._block.tolist()
+        return self._listed[tick - self._first]

@@ -43,15 +43,17 @@ class RayMask:
             groups: what is to be seen, beside the floor (a robot that has tipped over may look at it).
         """
         model = ground.model
-        self._alpha: NDArray[np.float32] = model.geom_rgba[:, 3]
-        self._shown = self._alpha.copy()
+        self._colours = memoryview(model.geom_rgba).cast("B")
+        self._shown = self._colours.tobytes()
         seen = np.isin(model.geom_group, [*groups, contact.GROUP_FLOOR])
-        self._masked = np.where(seen, np.maximum(self._shown, np.float32(0.5)), np.float32(0))
+        masked = model.geom_rgba.copy()
+        masked[:, 3] = np.where(seen, np.maximum(masked[:, 3], np.float32(0.5)), np.float32(0))
+        self._masked = masked.tobytes()
 
     def hide(self) -> None:
         """Let rays see only what they may."""
-        self._alpha[:] = self._masked
+        self._colours[:] = self._masked
 
     def show(self) -> None:
         """Give everything its colour back."""
-        self._alpha[:] = self._shown
+        self._colours[:] = self._shown

@@ -118,7 +118,7 @@ class Sonars(Family[Sonar]):
         super().begin(tick)
         if self.due:
             self._measure()
-            self._echoes, self._errors = self._rays.tolist(), self._noise.row(tick).tolist()
+            self._echoes, self._errors = self._rays.tolist(), self._noise.numbers(tick)
 
     def read(self, robot: int, tick: int, poses: Poses, own: list[float]) -> None:
         """See `Family`."""

@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 import math
+import struct
+from array import array
+from operator import itemgetter
 from typing import Any
 
 import numpy as np
 
 from rcj_challenges.facts.play import Fault, Pose2, Snapshot
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK
-from rcj_challenges.world.tables import NO_THING, Numbers, WorldTables
+from rcj_challenges.world.tables import NO_THING, ROBOT_YAW, WorldTables, one_by_one
 
 Touches = tuple[tuple[int, int], ...]
+Row = tuple[float, ...]
 
 _FULL_TURN_RAD = 2 * math.pi
+_NO_YAW = struct.pack("d", 0.0)
+_POSES, _HEIGHT = struct.Struct("3f"), struct.Struct("f")
 _REMEMBERED = 4096
 """How many patterns of touching geoms are remembered. Most sub-steps repeat the pattern of the one before."""
 
@@ -23,53 +29,61 @@ class Recorder:
 
     def __init__(self, data: Any, tables: WorldTables, heights_m: tuple[float, ...]) -> None:
         self._contact = data.contact
-        self._qpos = data.qpos
-        self._numbers = len(data.qpos)
+        self._qpos = one_by_one(data.qpos)
         # One number more than qpos has: a ball has no yaw, it is 0 for ever.
-        self._rows = np.zeros((SUBSTEPS_PER_TICK, self._numbers + 1))
-        self._gathered = np.array([*_pose_addresses(tables, self._numbers), *_ball_height_addresses(tables)])
-        self._yaw_at = np.array([at for at in self._gathered[2 : 3 * len(tables.bodies) : 3] if at < self._numbers])
-        self._row_of = [row[: self._numbers] for row in self._rows]
-        self._wide = np.zeros((SUBSTEPS_PER_TICK, len(self._gathered)))
-        self._exact = np.zeros((SUBSTEPS_PER_TICK, len(self._gathered)), dtype=np.float32)
-        self._entities = len(tables.bodies)
-        self._balls = slice(tables.robots, tables.robots + tables.balls)
+        no_yaw, balls = len(data.qpos), tables.ball_range
+        self._unpack = struct.Struct(f"{no_yaw + 1}d").unpack
+        self._rows = [b""] * SUBSTEPS_PER_TICK
+        yaws_at = [no_yaw if entity in balls else at + ROBOT_YAW for entity, at in enumerate(tables.qpos_at)]
+        self._yaws_at = [at for at in yaws_at if at != no_yaw]
+        self._heights_at = [(ball, tables.qpos_at[ball] + 2) for ball in balls]
+        self._poses_of = itemgetter(
+            *(number for at, yaw_at in zip(tables.qpos_at, yaws_at, strict=True) for number in (at, at + 1, yaw_at))
+        )
+        self._in_float32 = struct.Struct(f"{3 * len(tables.bodies)}f").pack
         self._things = tables.geom_things
-        self._heights_m: list[float] = np.array(heights_m, dtype=np.float32).tolist()
-        self._uprights = [1.0] * self._entities
+        self._heights_m: list[float] = array("f", heights_m).tolist()
+        self._uprights = [1.0] * len(tables.bodies)
         self._patterns = [b""] * SUBSTEPS_PER_TICK
         self._known: dict[bytes, Touches] = {b"": ()}
 
     def note(self, substep: int) -> None:
         """Take down a sub-step that has just been made."""
-        self._row_of[substep][:] = self._qpos
+        self._rows[substep] = self._qpos.tobytes() + _NO_YAW
         self._patterns[substep] = self._contact.geom.tobytes()
 
     def snapshot(self, tick: int, faults: tuple[Fault, ...]) -> Snapshot:
         """Return the tick whose sub-steps have all been noted."""
-        exact, poses = self._exact, 3 * self._entities
-        exact[:] = self._rows.take(self._gathered, 1, out=self._wide, mode="clip")
-        numbers = exact.tolist()
-        yaws = numbers[-1][2:poses:3]
-        if max(yaws) > math.pi or min(yaws) < -math.pi:
-            exact[:, 2:poses:3] = _within_half_a_turn(self._rows[:, self._gathered[2:poses:3]])
-            numbers = exact.tolist()
-            # So that the next ticks find all yaws in order: a whole turn more or less changes nothing.
-            self._qpos[self._yaw_at] = _within_half_a_turn(self._qpos[self._yaw_at])
-        substeps: list[list[Pose2]] = []
-        for row in numbers:
-            by_three = iter(row)  # the heights at the end may make up triples of their own
-            substeps.append(list(zip(by_three, by_three, by_three, strict=False))[: self._entities])
+        rows = [self._unpack(row) for row in self._rows]
+        last = rows[-1]
+        for at in self._yaws_at:
+            if not -math.pi <= last[at] <= math.pi:
+                rows = self._turned_back(rows)
+                break
+        poses_of, in_float32 = self._poses_of, self._in_float32
+        substeps: list[list[Pose2]] = [list(_POSES.iter_unpack(in_float32(*poses_of(row)))) for row in rows]
         heights = self._heights_m.copy()
-        heights[self._balls] = numbers[-1][poses:]
+        for ball, at in self._heights_at:
+            (heights[ball],) = _HEIGHT.unpack(_HEIGHT.pack(last[at]))
         touches = tuple([self._known.get(pattern) or self._touching(pattern) for pattern in self._patterns])
         return Snapshot(tick, substeps, heights, self._uprights.copy(), touches, faults)
 
     def present(self) -> Snapshot:
         """Return the present poses as a snapshot of tick 0, in which nothing touches."""
-        self._rows[:, : self._numbers] = self._qpos
+        self._rows = [self._qpos.tobytes() + _NO_YAW] * SUBSTEPS_PER_TICK
         self._patterns = [b""] * SUBSTEPS_PER_TICK
         return self.snapshot(0, ())
+
+    def _turned_back(self, rows: list[Row]) -> list[Row]:
+        """Bring all yaws into half a turn: a whole turn more or less changes nothing."""
+        # In the world as well, so that the next ticks find them in order.
+        for at in self._yaws_at:
+            self._qpos[at] = _within_half_a_turn(self._qpos[at])
+        yaws_at = frozenset(self._yaws_at)
+        return [
+            tuple([_within_half_a_turn(number) if at in yaws_at else number for at, number in enumerate(row)])
+            for row in rows
+        ]
 
     def _touching(self, pattern: bytes) -> Touches:
         """Return which things touch, from the pairs of geoms that do."""
@@ -84,20 +98,5 @@ class Recorder:
         return touches
 
 
-def _within_half_a_turn(yaws_rad: Numbers) -> Numbers:
-    turned: Numbers = yaws_rad - _FULL_TURN_RAD * np.rint(yaws_rad / _FULL_TURN_RAD)
-    return turned
-
-
-def _pose_addresses(tables: WorldTables, zero_at: int) -> list[int]:
-    """Return where x, y and yaw of each entity stand in `qpos`, in one list."""
-    balls = tables.ball_range
-    return [
-        number
-        for entity, first in enumerate(tables.qpos_at)
-        for number in (first, first + 1, zero_at if entity in balls else first + 2)
-    ]
-
-
-def _ball_height_addresses(tables: WorldTables) -> list[int]:
-    return [tables.qpos_at[ball] + 2 for ball in tables.ball_range]
+def _within_half_a_turn(yaw_rad: float) -> float:
+    return yaw_rad - _FULL_TURN_RAD * round(yaw_rad / _FULL_TURN_RAD)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,8 @@ NO_THING = -1
 
 ROBOT_QPOS = 5
 """x, y, yaw, angle of the left wheel, of the right wheel; as many in `qvel`."""
+ROBOT_YAW = 2
+"""Which of them is the yaw; the angles of both wheels follow it."""
 BALL_QPOS = 7
 """x, y, z, quaternion; 6 in `qvel`."""
 OBSTACLE_QPOS = 3
@@ -23,6 +25,16 @@ OBSTACLE_QPOS = 3
 
 Indices = NDArray[np.intp]
 Numbers = NDArray[np.float64]
+
+
+def one_by_one(numbers: Any) -> memoryview[float]:
+    """Return numbers of MuJoCo to be read and written singly: that costs a third of what numpy takes for it.
+
+    Args:
+        numbers: an array of float64 in one dimension, whose memory stays where it is.
+    """
+    view: Any = memoryview(numbers)
+    return cast("memoryview[float]", view)
 
 
 @dataclass(frozen=True)

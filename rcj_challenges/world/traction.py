@@ -9,12 +9,10 @@ from __future__ import annotations
 import math
 from typing import Any, Literal
 
-import numpy as np
-
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, TICK_S
 from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.world import contact
-from rcj_challenges.world.tables import ROBOT_QPOS, WorldTables
+from rcj_challenges.world.tables import ROBOT_YAW, WorldTables, one_by_one
 
 Side = Literal["left", "right"]
 SIDES: dict[Side, int] = {"left": 0, "right": 1}
@@ -29,9 +27,11 @@ ARRIVED_RAD = 1e-6
 # Robots come first in the model, and so do their grip tendons: left wheel, across, right wheel.
 _TENDONS_PER_ROBOT = 3
 _COEFFICIENTS_PER_ROBOT = 10
-_TURNING = slice(2, 8)
-_PHASES_RAD = np.array([0, -math.pi / 2, math.pi / 2, 0, 0, -math.pi / 2])
-"""The coefficients that turn with the robot, as cos(yaw + phase): left wheel x, y; across x, y; right wheel x, y."""
+_FIRST_TURNING = 2
+"""Which of a robot's coefficients is the first of the six that turn with it: left wheel x, y; across x, y; right
+wheel x, y."""
+
+_QUARTER_TURN_RAD = math.pi / 2
 
 
 class Wheel:
@@ -46,16 +46,18 @@ class Wheel:
         turns_radps: how fast it turns now.
         just_reversed: whether it has begun to turn this way in this tick.
         tendon: index of its grip in the model.
+        at: where its angle stands in `qpos`, and its speed in `qvel`.
     """
 
     __slots__ = (
-        "arm_m", "brake_n", "commanded_radps", "drive_n", "just_reversed", "stopped", "target_rad", "tendon",
+        "arm_m", "at", "brake_n", "commanded_radps", "drive_n", "just_reversed", "stopped", "target_rad", "tendon",
         "turns_radps",
     )  # fmt: skip
 
-    def __init__(self, arm_m: float, grip: contact.Grip, tendon: int) -> None:
+    def __init__(self, arm_m: float, grip: contact.Grip, tendon: int, at: int) -> None:
         self.arm_m = arm_m
         self.tendon = tendon
+        self.at = at
         self.drive_n, self.brake_n = grip.drive_n, grip.brake_n
         self.commanded_radps = 0.0
         self.target_rad = 0.0
@@ -65,27 +67,31 @@ class Wheel:
 
 
 class Traction:
-    """The wheels of all robots. A wheel's index is twice its robot's, plus 1 on the right."""
+    """The wheels of all robots. A wheel's index is twice its robot's, plus 1 on the right.
+
+    MuJoCo's numbers are read and written one by one, through memory views: next to `mj_step` a handful of them takes
+    half as long as one call of numpy (ADR 10).
+    """
 
     def __init__(self, model: Any, data: Any, tables: WorldTables, chassis: list[Chassis], friction: float) -> None:
-        robots = tables.robots
-        poses = tables.by_kind(data.qpos)[0]
-        self._yaws = poses[:, 2:3]
-        self._angles = poses[:, 3:5]
-        self._velocities = data.qvel[: ROBOT_QPOS * robots].reshape(robots, ROBOT_QPOS)
-        self._speeds = self._velocities[:, 3:5]
-        self._turns = np.zeros((robots, 2))
-        coefficients = model.wrap_prm[: _COEFFICIENTS_PER_ROBOT * robots].reshape(robots, _COEFFICIENTS_PER_ROBOT)
-        self._turning = coefficients[:, _TURNING]
-        self._headings = self._turning[:, :2]
-        self._phased = np.zeros((robots, len(_PHASES_RAD)))
-        self._limits_n = model.tendon_frictionloss
+        self._qpos, self._qvel = one_by_one(data.qpos), one_by_one(data.qvel)
+        self._coefficients = one_by_one(model.wrap_prm)
+        self._limits_n = one_by_one(model.tendon_frictionloss)
         self._wheels = [
-            Wheel(way * one.wheel_track_m / 2, contact.grip_of(one, friction), _TENDONS_PER_ROBOT * robot + 1 - way)
+            Wheel(
+                way * one.wheel_track_m / 2,
+                contact.grip_of(one, friction),
+                _TENDONS_PER_ROBOT * robot + 1 - way,
+                tables.qpos_at[robot] + ROBOT_YAW + (1 if way == 1 else 2),
+            )
             for robot, one in enumerate(chassis)
             for way in (1, -1)
         ]
-        self._pairs = list(zip(self._wheels[0::2], self._wheels[1::2], strict=True))
+        # By robot: where it stands in `qpos` and `qvel`, its coefficients that turn, and its wheels.
+        self._robots = [
+            (tables.qpos_at[robot], _COEFFICIENTS_PER_ROBOT * robot + _FIRST_TURNING, pair)
+            for robot, pair in enumerate(zip(self._wheels[0::2], self._wheels[1::2], strict=True))
+        ]
         self._reversed: list[Wheel] = []
         self._chosen_n = [-1.0] * len(self._wheels)
         # What all its grip stops in this time; on ice it stops nothing.
@@ -119,30 +125,34 @@ class Traction:
 
     def angles(self) -> list[list[float]]:
         """Return [left, right] in rad by robot."""
-        angles: list[list[float]] = self._angles.tolist()
-        return angles
+        return [[self._qpos[left.at], self._qpos[right.at]] for _, _, (left, right) in self._robots]
 
     def before_tick(self) -> None:
         """Turn the wheels as commanded, with the grip that they have at the robots' present speeds.
 
         Contacts change a wheel's speed by less than a millionth within the tick.
         """
-        self._speeds[:] = self._turns
+        self._turn_all()
         self._choose_grip()
 
     def before_substep(self) -> None:
         """Let the grip follow the robots' yaw: a collision changes it by up to 0.3 rad within a tick."""
         if self._on_the_way:
             self._steer_to_targets()
-        np.add(self._yaws, _PHASES_RAD, self._phased)
-        np.cos(self._phased, self._turning)
+        qpos, coefficients, cos = self._qpos, self._coefficients, math.cos
+        for at, turning, _ in self._robots:
+            yaw = qpos[at + ROBOT_YAW]
+            ahead, aside = cos(yaw), cos(yaw - _QUARTER_TURN_RAD)
+            coefficients[turning] = coefficients[turning + 4] = coefficients[turning + 3] = ahead
+            coefficients[turning + 1] = coefficients[turning + 5] = aside
+            coefficients[turning + 2] = cos(yaw + _QUARTER_TURN_RAD)
 
     def _choose_grip(self) -> None:
         """A wheel that pushes its robot on has less grip than one that slows or holds it, see `contact.grip_of`."""
-        chosen_n, index = self._chosen_n, 0
-        states = zip(self._velocities.tolist(), self._headings.tolist(), self._pairs, strict=True)
-        for (vx, vy, spin, _, _), (cos, sin), pair in states:
-            forward_mps = cos * vx + sin * vy
+        chosen_n, qvel, coefficients, index = self._chosen_n, self._qvel, self._coefficients, 0
+        for at, turning, pair in self._robots:
+            forward_mps = coefficients[turning] * qvel[at] + coefficients[turning + 1] * qvel[at + 1]
+            spin = qvel[at + ROBOT_YAW]
             for wheel in pair:
                 turns = wheel.turns_radps
                 if turns == 0.0:
@@ -172,7 +182,7 @@ class Traction:
         return wheel.drive_n + share * (wheel.brake_n - wheel.drive_n)
 
     def _angle(self, index: int) -> float:
-        return float(self._angles[index // 2, index % 2])
+        return self._qpos[self._wheels[index].at]
 
     def _command(self, index: int, velocity_radps: float, target_rad: float) -> None:
         wheel = self._wheels[index]
@@ -191,7 +201,11 @@ class Traction:
                 wheel.just_reversed = True
                 self._reversed.append(wheel)
             wheel.turns_radps = radps
-            self._turns[index // 2, index % 2] = radps
+
+    def _turn_all(self) -> None:
+        qvel = self._qvel
+        for wheel in self._wheels:
+            qvel[wheel.at] = wheel.turns_radps
 
     def _steer_to_targets(self) -> None:
         """Turn wheels that go to an angle; set those that have arrived on it."""
@@ -199,10 +213,10 @@ class Traction:
             wheel = self._wheels[index]
             left_rad = wheel.target_rad - self._angle(index)
             if abs(left_rad) <= ARRIVED_RAD:
-                self._angles[index // 2, index % 2] = wheel.target_rad
+                self._qpos[wheel.at] = wheel.target_rad
                 self._turn(index, 0.0)
                 self._on_the_way.remove(index)
             else:
                 limit = abs(wheel.commanded_radps)
                 self._turn(index, max(-limit, min(limit, POSITION_GAIN_PS * left_rad)))
-        self._speeds[:] = self._turns
+        self._turn_all()

@@ -64,9 +64,9 @@ class World:
         self._ball_rest_m = self._settled_ball_heights()
         heights = tuple(float(self.model.body_pos[body, 2]) for body in self.tables.bodies)
         self._recorder = Recorder(self.data, self.tables, heights)
-        self._warnings = self.data.warning.number
+        self._warnings = memoryview(self.data.warning.number)
         self._no_warnings = bytes(self._warnings.nbytes)
-        self._qpos, self._qvel = self.data.qpos, self.data.qvel
+        self._qpos, self._qvel = memoryview(self.data.qpos), memoryview(self.data.qvel)
         self.reset()
 
     def reset(self) -> None:
@@ -132,8 +132,8 @@ class World:
     def state_bytes(self) -> bytes:
         """Return `qpos` and `qvel` as little-endian float64: the physics' part of the digest."""
         if sys.byteorder == "little":
-            return bytes(self._qpos.tobytes() + self._qvel.tobytes())
-        return bytes(self._qpos.astype("<f8").tobytes() + self._qvel.astype("<f8").tobytes())
+            return self._qpos.tobytes() + self._qvel.tobytes()
+        return bytes(self.data.qpos.astype("<f8").tobytes() + self.data.qvel.astype("<f8").tobytes())
 
     def _set_down(self, placement: Placement) -> None:
         entity = placement.entity
@@ -167,7 +167,7 @@ class World:
         return [float(self.data.qpos[self.tables.qpos_at[ball] + 2]) for ball in self.tables.ball_range]
 
     def _what_is_wrong(self, tick: int) -> str:
-        kinds = [str(mujoco.mjtWarning(kind).name) for kind in np.flatnonzero(self._warnings)]
+        kinds = [str(mujoco.mjtWarning(kind).name) for kind in np.flatnonzero(self.data.warning.number)]
         lost = [name for name, at in zip(self._names, self.tables.qpos_at, strict=True)
                 if not np.isfinite(self.data.qpos[at : at + 3]).all()]  # fmt: skip
         where = f"; no finite pose: {', '.join(lost)}" if lost else ""
