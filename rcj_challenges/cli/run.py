@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.timing import TICK_S
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -65,8 +66,9 @@ def run_scenario(options: RunOptions) -> int:
         _known(robot, robots, "robot")
 
     # The physics is imported while nobody waits for it yet: opening teams is quick, compiling is not.
+    from rcj_challenges.cli import INTERRUPTED
     from rcj_challenges.cli.live import on_air, stay_on_air
-    from rcj_challenges.match.match import MatchPlan, play_match
+    from rcj_challenges.match.match import MatchInterruptedError, MatchPlan, play_match
     from rcj_challenges.match.watching import Together
     from rcj_challenges.views.scoreboard import console_for, watcher_for
 
@@ -93,6 +95,9 @@ def run_scenario(options: RunOptions) -> int:
             if show is not None and options.live is not None:
                 show.match_over(outcome.folder)
                 stay_on_air(show, options.live, console)
+    except MatchInterruptedError as error:
+        _tell_of_interruption(console, loaded.scenario, error.played)
+        return INTERRUPTED
     finally:
         for team in plan.teams.values():
             team.close()
@@ -110,6 +115,23 @@ def _tell(options: RunOptions, console: Console, scenario: Scenario, outcome: Pl
         sys.stdout.flush()
     else:
         _summary(console, scenario, outcome, replay=options.replay)
+
+
+def _tell_of_interruption(console: Console, scenario: Scenario, played: PlayedMatch) -> None:
+    """Say how far the match came, and where that is."""
+    from rcj_challenges.views.scoreboard import score_line
+    from rcj_challenges.views.sentences import clock
+
+    result = played.result
+    names = {seat: entrant["name"] for seat, entrant in result["entrants"].items()}
+    lines = ["interrupted before the first tick"]
+    if result["halves"]:
+        half = result["halves"][-1]
+        where = f"half {half['half']} of {scenario.match.halves} at {clock(half['ticks'] * TICK_S)}"
+        lines = [f"interrupted in {where}: {score_line(names, result['score'])}", f"record: {played.folder}"]
+        lines.append(f"watch:  rcj-challenge view {played.folder}")
+    for line in lines:
+        console.print(line, markup=False, highlight=False, soft_wrap=True)
 
 
 def _open_teams(loaded: Loaded, options: RunOptions) -> dict[str, Team]:

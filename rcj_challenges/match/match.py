@@ -82,12 +82,24 @@ class PlayedMatch:
     result: dict[str, Any]
 
 
+class MatchInterruptedError(KeyboardInterrupt):
+    """Ctrl-C while a match was played. Its record is closed and holds all that was played.
+
+    Attributes:
+        played: as far as it went.
+    """
+
+    def __init__(self, played: PlayedMatch) -> None:
+        super().__init__(f"the record so far is in {played.folder}")
+        self.played = played
+
+
 def play_match(plan: MatchPlan, watcher: Watcher | None = None) -> PlayedMatch:
     """Play all halves of a match and record them.
 
     Raises:
         RcjError: the record's folder cannot be made, a sandbox layer is missing, the physics became unstable.
-        KeyboardInterrupt: somebody interrupted it; the record is closed, marked as not complete.
+        MatchInterruptedError: somebody interrupted it; the record is closed, marked as not complete.
     """
     return _MatchPlay(plan, watcher or Silent()).play()
 
@@ -121,14 +133,23 @@ class _MatchPlay:
             logos=plan.logos,
         )
         with RecordWriter(plan.out, header) as record:
-            for number in range(1, self._scenario.match.halves + 1):
-                if self._play_half(number, record).ends_match:
-                    break
-            wall_s = time.perf_counter() - self._began - self._held_up_s
-            start_up_s = round(self._start_up_s or 0.0, 3)
-            record.finish({"wall_s": round(wall_s, 3), "start_up_s": start_up_s, "ranking": self._ranking})
+            try:
+                for number in range(1, self._scenario.match.halves + 1):
+                    if self._play_half(number, record).ends_match:
+                        break
+            except BaseException as error:
+                record.finish({"complete": False, "digest": "", "stopped": type(error).__name__} | self._times())
+                self._watcher.finished(record.result)
+                if isinstance(error, KeyboardInterrupt):
+                    raise MatchInterruptedError(PlayedMatch(record.folder, record.result)) from error
+                raise
+            record.finish({"ranking": self._ranking} | self._times())
         self._watcher.finished(record.result)
         return PlayedMatch(record.folder, record.result)
+
+    def _times(self) -> dict[str, float]:
+        wall_s = time.perf_counter() - self._began - self._held_up_s
+        return {"wall_s": round(wall_s, 3), "start_up_s": round(self._start_up_s or 0.0, 3)}
 
     def _play_half(self, number: int, record: RecordWriter) -> HalfOutcome:
         """Play one half with a world and processes of its own; programs start while the world is compiled."""

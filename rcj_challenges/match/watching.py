@@ -90,7 +90,7 @@ class Watcher(Protocol):
         """A half is over, and its programs are gone."""
 
     def finished(self, result: dict[str, Any]) -> None:
-        """The match is over and its record is closed."""
+        """The match is over, or was broken off (the result is not ``complete``), and its record is closed."""
 
 
 class Silent:

@@ -104,7 +104,7 @@ class RunResult(_Part):
     entrants: dict[str, EntrantResult] = _described("the teams, by their seat of the first half")
     score: dict[str, Score] = _described("points by team")
     ranking: list[RankResult] = Field(default=[], description="the teams, best first; empty while it is not complete")
-    halves: list[HalfResult] = _described("the halves that are over")
+    halves: list[HalfResult] = _described("the halves that are over, and one that was broken off")
     events: list[EventResult] = _described("all events, in order")
     faults: list[FaultResult] = _described("programs that failed, in order")
     digest: str = _described("SHA-256 over inputs, states and events; empty while the run is not complete")

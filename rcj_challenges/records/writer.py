@@ -37,6 +37,7 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 
 Score = int | float
+_BROKEN_OFF = "the run was broken off"
 
 
 @dataclass(frozen=True)
@@ -170,17 +171,7 @@ class RecordWriter:
             self._say(Snapshot(ticks, [], [], [], ()), closing)
         if scores is not None:
             self._scores |= {half.teams[seat]: points for seat, points in scores.items()}
-        self._halves.append(
-            {
-                "half": half.half,
-                "sides": dict(half.teams),
-                "score": dict(self._scores),
-                "ticks": ticks,
-                "ended": ended,
-            }
-        )
-        self._track.close()
-        self._track = None
+        self._close_half(half, self._track, ended)
         self._write_result({})
 
     def finish(self, result: Mapping[str, Any] | None = None) -> Path:
@@ -190,9 +181,8 @@ class RecordWriter:
             result: fields of `RunResult` that only the caller knows (``wall_s``, ``sandbox``, ``marks``, ``score``),
                 and ``complete: False`` with ``stopped`` for a run that was not played to its end.
         """
-        if self._track is not None:
-            self._track.close()
-            self._track = None
+        if self._track is not None and self._half is not None:
+            self._close_half(self._half, self._track, _BROKEN_OFF)
         self._reflog.close()
         self._referee_log.close()
         pack_trajectory(self.folder, self._trajectory_header(), self._begun)
@@ -209,6 +199,19 @@ class RecordWriter:
             self.finish({"complete": False, "digest": "", "stopped": kind.__name__})
 
     # --- parts ------------------------------------------------------------------------------------------------------
+
+    def _close_half(self, half: HalfInfo, track: TrackWriter, ended: str | None) -> None:
+        self._halves.append(
+            {
+                "half": half.half,
+                "sides": dict(half.teams),
+                "score": dict(self._scores),
+                "ticks": track.ticks,
+                "ended": ended,
+            }
+        )
+        track.close()
+        self._track = None
 
     def _say(self, snapshot: Snapshot, verdict: Verdict) -> None:
         """Write what happened: to the reflog, the referee's log, the digest and the result to come."""

@@ -3,6 +3,7 @@
 import gc
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -144,13 +145,18 @@ def test_who_interrupts_a_match_gets_130_and_a_readable_record(tmp_path, team, n
     process = started(tmp_path, team)
     pids = children_of(process.pid)
     process.send_signal(getattr(signal, name))
-    _, complaint = process.communicate(timeout=30)
+    told, complaint = process.communicate(timeout=30)
     assert process.returncode == 130, complaint
     assert "Traceback" not in complaint
     (folder,) = (tmp_path / "runs").iterdir()
+    assert f"record: {folder.relative_to(tmp_path)}" in told
+    assert re.search(r"^interrupted in half 1 of 1 at \d:\d\d\.\d: .* 0 : 0 ", told, re.MULTILINE), told
     result = read_result(folder)
     assert not result.complete
-    assert len(list(Trajectory.open(folder).halves)) == 1
+    assert result.stopped == "KeyboardInterrupt"
+    (half,) = Trajectory.open(folder).halves
+    assert [one.ticks for one in result.halves] == [half.ticks]
+    assert result.wall_s >= result.start_up_s > 0
     assert_gone(pids)
 
 
