@@ -61,7 +61,7 @@ def add_ball(spec: mujoco.MjSpec, name: str, ball: Ball, friction: float, restit
         size=[ball.radius_m, 0, 0],
         mass=ball.mass_kg,
         contype=contact.AMONG_SOLIDS | contact.ON_FLOOR,
-        conaffinity=contact.AMONG_SOLIDS | contact.ON_FLOOR,
+        conaffinity=contact.AMONG_SOLIDS | contact.FIXED | contact.ON_FLOOR,
         group=contact.GROUP_BALLS,
         priority=contact.PRIORITY_BALL,
     )
@@ -105,7 +105,7 @@ def add_movable_obstacle(spec: mujoco.MjSpec, name: str, obstacle: Box | Cylinde
 
 def make_solid(geom: mujoco.MjsGeom, friction: float) -> None:
     """Let a geom touch all solids, but not the floor."""
-    geom.contype, geom.conaffinity = contact.AMONG_SOLIDS, contact.AMONG_SOLIDS
+    geom.contype, geom.conaffinity = contact.AMONG_SOLIDS, contact.AMONG_SOLIDS | contact.FIXED
     geom.priority = contact.PRIORITY_SOLID
     set_surface(geom, contact.SOLIDS, friction)
 

@@ -182,7 +182,7 @@ def _add_block(spec: mujoco.MjSpec, block: Block, friction: float) -> None:
 
 
 def _make_fixture(geom: mujoco.MjsGeom, friction: float) -> None:
-    geom.contype, geom.conaffinity = contact.AMONG_SOLIDS, contact.AMONG_SOLIDS
+    geom.contype, geom.conaffinity = contact.FIXED, 0
     geom.group = contact.GROUP_FIXTURES
     geom.priority = contact.PRIORITY_SOLID
     set_surface(geom, contact.SOLIDS, friction)

@@ -19,6 +19,8 @@ GRAVITY_MPS2 = 9.81
 # MuJoCo lets two geoms collide if `contype` of one shares a bit with `conaffinity` of the other.
 ON_FLOOR = 1
 AMONG_SOLIDS = 2
+FIXED = 4
+"""Of walls and fixed obstacles. What moves meets them, but for robots that are too far away (`surroundings`)."""
 
 # --- geom groups: what a ray can select -------------------------------------------------------------------------------
 GROUP_FLOOR = 0
