@@ -97,9 +97,9 @@ class Codec:
         if not packets:
             return form.pack(form.size - 4, OBSERVATION, observation.tick, flags, self._values, 0, *observation.values)
         parts: list[bytes] = []
-        for packet in packets:
-            parts.append(_PACKET.pack(packet.device, len(packet.data), packet.strength, *packet.direction))
-            parts.append(packet.data)
+        for device, data, strength, (ahead, left, up) in packets:
+            parts.append(_PACKET.pack(device, len(data), strength, ahead, left, up))
+            parts.append(data)
         tail = b"".join(parts)
         length = form.size - 4 + len(tail)
         head = form.pack(length, OBSERVATION, observation.tick, flags, self._values, len(packets), *observation.values)
@@ -144,10 +144,9 @@ class Codec:
             if device not in self._motors or not (abs(velocity) <= self._max_velocity and position > -math.inf):
                 raise ProtocolError(self._what_is_wrong(device, velocity, position))
             commands.append(MotorCommand(device, velocity, position))
-        tail = _Tail(settings, size)
-        if others == _NO_OTHERS:
-            tail.must_be_empty()
+        if others == _NO_OTHERS and len(settings) == size:
             return Request(advance, missed, tuple(commands), printed_bytes=printed)
+        tail = _Tail(settings, size)
         sampling, channels, frequencies, emissions = others
         if not (sampling or channels or frequencies):
             sent = tuple([self._emission(tail) for _ in range(emissions)])

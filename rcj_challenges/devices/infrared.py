@@ -79,6 +79,7 @@ class Infrared:
         self._ears: dict[int, list[InfraredEar]] = {}
         self._model = ground.model
         self._data = ground.data
+        self._first_ball = roster.robots
         names = roster.entities[roster.robots : roster.robots + roster.balls]
         self._emitting = [index for index, name in enumerate(names) if scenario.balls[name].emits]
         robots = roster.entities[: roster.robots]
@@ -106,7 +107,7 @@ class Infrared:
             return
         pose = poses.robots[robot]
         for ball in self._emitting:
-            if poses.ball_is_parked(ball):
+            if poses.parked[self._first_ball + ball]:
                 continue
             centre = poses.balls[ball]
             toward = centre[0] - pose.x, centre[1] - pose.y, centre[2] - pose.z

@@ -149,10 +149,6 @@ class Poses:
             for pose, gone in zip(self.robots, parked, strict=False):
                 pose.parked = gone
 
-    def ball_is_parked(self, ball: int) -> bool:
-        """Return whether a ball has been taken off the field."""
-        return self.parked[len(self.robots) + ball]
-
 
 _PLANAR_JOINTS = (
     (mujoco.mjtJoint.mjJNT_SLIDE, (1.0, 0.0, 0.0)),
