@@ -44,7 +44,7 @@ def check_sense(scenario: Scenario, *, half_is_set: bool) -> Iterator[Found]:
             yield Found((*path, "not_last"), "one value alone cannot be drawn twice running; give two different ones")
         if isinstance(model, LidarDevice) and model.min_range_m >= model.max_range_m:
             yield Found((*path, "min_range_m"), "must be less than max_range_m")
-    yield from _robots(scenario)
+    yield from _robots(scenario, roster)
     yield from _entrants(scenario)
 
 
@@ -138,7 +138,9 @@ def _script(test: Expectation, path: Path) -> Iterator[Found]:
 # --- robots and entrants ----------------------------------------------------------------------------------------------
 
 
-def _robots(scenario: Scenario) -> Iterator[Found]:
+def _robots(scenario: Scenario, roster: Roster) -> Iterator[Found]:
+    if not roster.entities:
+        yield Found(("robots",), "nothing on the field can move; give at least one robot or one ball")
     for name, robot in scenario.robots.items():
         kit = scenario.kits.get(robot.kit)
         if kit is None:
