@@ -61,7 +61,15 @@ def run_tests(paths: Sequence[str], overrides: Sequence[str], *, as_json: bool =
 
 def _unusable(path: str, error: ScenarioError) -> dict[str, Any]:
     problems = [asdict(problem) for problem in error.problems]
-    return {"file": path, "title": None, "passed": False, "problems": problems, "tests": [], "untested_rules": []}
+    return {
+        "file": path,
+        "title": None,
+        "passed": False,
+        "problems": problems,
+        "tests": [],
+        "left_out": {},
+        "untested_rules": [],
+    }
 
 
 def _play(loaded: Loaded, name: str) -> _Played:
@@ -88,6 +96,7 @@ def _report(path: str, loaded: Loaded, played: list[_Played]) -> dict[str, Any]:
             }
             for one in played
         ],
+        "left_out": {name: str(problem) for name, problem in loaded.left_out.items()},
         "untested_rules": [name for name in told_rules(loaded) if name not in fired],
     }
 
@@ -109,6 +118,8 @@ def _show(report: dict[str, Any]) -> None:
         say(f"  {'ok  ' if test['passed'] else 'FAIL'}  {test['name']} ({test['simulated_s']:g} s)", sys.stdout)
         for difference in test["differences"]:
             say(f"          {difference}", sys.stdout)
+    for name, reason in report["left_out"].items():
+        say(f"  left out: {name}, an inherited test that does not fit any more ({reason})", sys.stdout)
     if report["tests"] and report["untested_rules"]:
         say(f"  no test sets off: {', '.join(report['untested_rules'])}", sys.stdout)
 

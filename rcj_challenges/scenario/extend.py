@@ -129,17 +129,15 @@ def _refused(mark: Mark, message: str) -> ScenarioError:
 
 def _base(name: str, user: Source, mark: Mark) -> Source:
     if _PRESET.fullmatch(name):
-        presets = names_in(presets_folder())
-        if name in presets:
-            return Source.of_file(presets_folder() / f"{name}.yaml", f"{name}.yaml")
-        hint = nearest(name, presets)
-        if not hint and name in names_in(scenarios_folder()):
-            hint = f"; a scenario is extended by its relative path, such as ./{name}.yaml"
-        raise _refused(mark, f"unknown preset '{name[:64]}'; there are {listing(presets)}{hint}")
+        shipped = {name: folder for folder in (scenarios_folder(), presets_folder()) for name in names_in(folder)}
+        if name in shipped:
+            return Source.of_file(shipped[name] / f"{name}.yaml", f"{name}.yaml")
+        known = f"there are {listing(shipped)}{nearest(name, shipped)}"
+        raise _refused(mark, f"no preset or scenario '{name[:64]}' is shipped; {known}")
     parts = PurePosixPath(name).parts
     # Checked as text on every platform alike: what Windows takes for absolute must not pass on Linux either.
     if name.startswith(("/", "~")) or re.search(r"[\\:\x00-\x1f]", name) or not name.endswith((".yaml", ".yml")):
-        wanted = "a shipped preset or a relative path with / to a .yaml file"
+        wanted = "a shipped preset or scenario, or a relative path with / to a .yaml file"
         raise _refused(mark, f"'{name[:120]}' is not {wanted}")
     if user.path is None:
         raise _refused(mark, "a text has no folder for a relative path; extend a preset")

@@ -22,7 +22,7 @@ from rcj_challenges.scenario.lint_flow import (
 )
 from rcj_challenges.scenario.lint_ground import check_entities, check_layouts, check_obstacles, check_places
 from rcj_challenges.scenario.lint_says import check_sentences
-from rcj_challenges.scenario.lint_state import check_params, check_state, check_unused
+from rcj_challenges.scenario.lint_state import check_inherited_tests, check_params, check_state, check_unused
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
 from rcj_challenges.scenario.lint_times import check_times
 from rcj_challenges.scenario.load import Loaded
@@ -44,6 +44,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_obstacles,
     check_entities,
     check_layouts,
+    check_inherited_tests,
 )
 
 
@@ -94,7 +95,7 @@ def lint(loaded: Loaded) -> list[Finding]:
     if tree is None:
         message = "lint needs a scenario that was loaded from a file or a text"
         raise ValueError(message)
-    subject = Subject(loaded.scenario, loaded.roster, tree)
+    subject = Subject(loaded.scenario, loaded.roster, tree, loaded.left_out)
     findings = []
     for check in CHECKS:
         for suspect in check(subject):

@@ -140,3 +140,21 @@ def _is_named(name: str, section: str, subject: Subject) -> bool:
 def _file_of(subject: Subject, section: str, name: str) -> str:
     node = subject.tree.entries.get(section)
     return node.key_marks[name].file if isinstance(node, Entries) and name in node.key_marks else ""
+
+
+def check_inherited_tests(subject: Subject) -> Iterator[Suspect]:
+    """Tests of what the scenario extends that were left out, because they do not fit it."""
+    left_out = subject.left_out
+    if not left_out:
+        return
+    names = list(left_out)
+    first = left_out[names[0]]
+    told = f"one test of {first.file} does" if len(names) == 1 else f"{len(names)} tests of {first.file} do"
+    yield Suspect(
+        "inherited_test_left_out",
+        (),
+        f"{told} not fit this scenario and {'is' if len(names) == 1 else 'are'} left out: {', '.join(names)} "
+        f"(line {first.line}: {first.message})",
+        "remove each with 'expect: {NAME: null}', or all inherited tests with 'expect: null', "
+        "and test what you changed with tests of your own",
+    )

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
 
+from rcj_challenges.scenario.errors import Problem
 from rcj_challenges.scenario.models.actions import SetPhase
 from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
@@ -51,11 +52,13 @@ class Subject:
         scenario: the models, all references checked.
         roster: names to indices.
         tree: the scenario as it was written.
+        left_out: inherited tests that do not fit it, with what is wrong with each.
     """
 
     scenario: Scenario
     roster: Roster
     tree: Entries
+    left_out: Mapping[str, Problem] = field(default_factory=dict)
     _uses: list[Use] = field(default_factory=list)
 
     @cached_property

@@ -14,10 +14,11 @@ from typing import Any
 from pydantic import ValidationError
 
 from rcj_challenges.scenario.checks import check
-from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.errors import Problem, ScenarioError
 from rcj_challenges.scenario.explain import explain
 from rcj_challenges.scenario.extend import Source, read_chain
 from rcj_challenges.scenario.find import find_scenario
+from rcj_challenges.scenario.inherited import leave_out, unfit_tests
 from rcj_challenges.scenario.merge import Merger
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.params import apply_overrides, resolve_params
@@ -39,6 +40,7 @@ class Loaded:
             overrides applied; `load_resolved` reads it again. The digest is taken over it.
         written: the merged tree with the place of each value in its file, for lint; None if there is no such place.
         bases: the files that it extends, the nearest first; presets are not among them.
+        left_out: inherited tests that do not fit this scenario, by name, with what is wrong with each.
     """
 
     scenario: Scenario
@@ -48,6 +50,7 @@ class Loaded:
     resolved: dict[str, Any]
     written: Entries | None = field(default=None, repr=False, compare=False)
     bases: tuple[Path, ...] = field(default=(), repr=False, compare=False)
+    left_out: Mapping[str, Problem] = field(default_factory=dict, repr=False, compare=False)
 
 
 def load(source: str | Path, overrides: Sequence[str] = ()) -> Loaded:
@@ -65,7 +68,7 @@ def load(source: str | Path, overrides: Sequence[str] = ()) -> Loaded:
 
 
 def load_text(text: str, overrides: Sequence[str] = (), *, file: str = "scenario.yaml") -> Loaded:
-    """Load a scenario from a text; ``extends`` knows presets only.
+    """Load a scenario from a text; ``extends`` knows what is shipped only.
 
     Args:
         text: the YAML.
@@ -104,8 +107,26 @@ def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None
     tree.entries.pop("extends", None)
     apply_overrides(tree, overrides, merger)
     resolve_params(tree, merger)
-    scenario = _checked(tree, merger)
-    return Loaded(scenario, Roster.of(scenario), name, path, _dumped(scenario), tree, bases)
+    scenario, left_out = _checked_but_inherited_tests(tree, merger, source.shown)
+    return Loaded(scenario, Roster.of(scenario), name, path, _dumped(scenario), tree, bases, left_out)
+
+
+def _checked_but_inherited_tests(tree: Entries, merger: Merger, own: str) -> tuple[Scenario, dict[str, Problem]]:
+    """Return the scenario of a finished tree without the inherited tests that do not fit it, and those.
+
+    Raises:
+        ScenarioError: all else that is wrong.
+    """
+    left_out: dict[str, Problem] = {}
+    while True:
+        try:
+            return _checked(tree, merger), left_out
+        except ScenarioError as error:
+            unfit = unfit_tests(error, tree, own)
+            if not unfit:
+                raise
+            leave_out(tree, unfit)
+            left_out |= unfit
 
 
 def _checked(tree: Entries, merger: Merger) -> Scenario:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from rcj_challenges.scenario.errors import Problem, listing, nearest
+from rcj_challenges.scenario.inherited import TESTS
 from rcj_challenges.scenario.shape import Shape, is_named, may_be_scalar, step_into, tag_of
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, in_names
 
@@ -85,6 +86,9 @@ class Merger:
         if node.empty:
             self._add(key_mark, (*path, key), "an empty value; write one, or leave the line out")
             base.put(key, node, key_mark)  # it stays, so that it is not called missing too
+        elif not path and key == TESTS and key in base.entries:
+            # All inherited tests at once; of no other section would everything be removed on purpose.
+            base.drop(key)
         elif not is_named(shape):
             self._add(node.mark, (*path, key), "null removes named entries of the base only; leave the line out")
             base.put(key, node, key_mark)

@@ -102,3 +102,12 @@ def test_counters_kept_per_robot_are_summed_by_entrant_and_others_tell_nobody_ap
     seats = {"blue": "blue", "yellow": "yellow"}
     told = ranking(scenario, {"blue": 0, "yellow": 0}, [Tally(counted, seats, 5.0)] * 2)
     assert {entry["team"]: entry["values"] for entry in told} == {"yellow": [10, 0, 14], "blue": [6, 0, 14]}
+
+
+def test_the_example_that_extends_the_match_can_be_played_and_obeys_its_numbers():
+    block = GUIDE.read_text("utf-8").partition("```yaml\n")[2].partition("```")[0]
+    loaded = load_text("".join(line.strip() + "\n" for line in block.splitlines()))
+    assert loaded.scenario.match.half_s == 180
+    play = ScriptedPlay(loaded.scenario, loaded.roster)
+    play.play_until(ticks_from_s(9))
+    assert "LACK_OF_PROGRESS" in [event.name for event in play.events]

@@ -99,9 +99,18 @@ def test_a_text_has_no_folder_for_a_relative_path():
         load_text("extends: ./base.yaml\n")
 
 
-def test_a_shipped_scenario_is_not_a_preset_but_the_message_helps():
-    with pytest.raises(ScenarioError, match=r"extended by its relative path, such as \./fast_shooter\.yaml"):
-        load_text("extends: fast_shooter\n")
+def test_a_shipped_scenario_is_extended_by_its_name_as_a_preset_is():
+    loaded = load_text("schema_version: 1\nid: mine\ntitle: Mine\nextends: fast_shooter\nmatch: {half_s: 60}\n")
+    assert list(loaded.scenario.robots) == ["Y3"]
+    assert loaded.scenario.match.half_s == 60
+    assert [path.stem for path in loaded.bases] == ["fast_shooter"]
+
+
+def test_what_is_not_shipped_is_told_with_what_is():
+    with pytest.raises(
+        ScenarioError, match=r"no preset or scenario 'mach' is shipped; there are .*did you mean 'match'"
+    ):
+        load_text("extends: mach\n")
 
 
 def test_a_broken_base_is_reported_in_the_base(tmp_path):

@@ -169,7 +169,9 @@ class Scenario(Strict):
     id: Name = described(..., "short name, also of the records' folders")
     title: str = described(..., "what people call it", min_length=1, max_length=120)
     description: str = described("", "what it is about, for the rule sheet", max_length=4000)
-    extends: str | None = described(None, "a shipped preset (soccersim_v2, soccersim_2021) or a relative path")
+    extends: str | None = described(
+        None, "a shipped preset (soccersim_v2, soccersim_2021) or scenario (match, …), or a relative path"
+    )
     params: dict[Name, Scalar] = described({}, "named values; {param: NAME} stands for them anywhere")
     match: Match = described(Match(), "halves and their length")
     field: FieldModel = described(FieldModel(), "the field, its walls and goals")

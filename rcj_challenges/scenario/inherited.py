@@ -1,0 +1,58 @@
+"""Tests that a scenario inherits from what it extends, and that do not fit it any more.
+
+Whoever plays the match with two robots a side, or for three minutes, changes a line or two. The base's tests of what is
+gone are then no mistakes of theirs: they are left out, and lint says which.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from rcj_challenges.scenario.errors import Problem, ScenarioError
+from rcj_challenges.scenario.tree import Entries, Items, Mark, Node
+
+TESTS = "expect"
+
+
+def unfit_tests(error: ScenarioError, tree: Entries, own: str) -> dict[str, Problem]:
+    """Return the tests in which something is wrong, and of which nothing stands in the scenario's own file.
+
+    Args:
+        error: what is wrong with the scenario.
+        tree: the merged scenario.
+        own: the scenario's own file, as marks name it.
+
+    Returns:
+        By name of the test the first thing that is wrong in it.
+    """
+    tests = tree.entries.get(TESTS)
+    if not isinstance(tests, Entries):
+        return {}
+    found: dict[str, Problem] = {}
+    for problem in error.problems:
+        section, _, rest = problem.path.partition(".")
+        name = rest.partition(".")[0].partition("[")[0]
+        if section == TESTS and name in tests.entries and name not in found:
+            marks = [tests.key_marks[name], *_marks(tests.entries[name])]
+            if all(mark.file != own and mark.file.endswith((".yaml", ".yml")) for mark in marks):
+                found[name] = problem
+    return found
+
+
+def leave_out(tree: Entries, names: Iterable[str]) -> None:
+    """Take tests out of a tree."""
+    tests = tree.entries[TESTS]
+    if isinstance(tests, Entries):
+        for name in names:
+            tests.drop(name)
+
+
+def _marks(node: Node) -> Iterator[Mark]:
+    yield node.mark
+    if isinstance(node, Entries):
+        yield from node.key_marks.values()
+        for child in node.entries.values():
+            yield from _marks(child)
+    elif isinstance(node, Items):
+        for child in node.items:
+            yield from _marks(child)

@@ -1,0 +1,109 @@
+"""Who changes a line of an existing challenge does not have to repair its tests first."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from rcj_challenges.cli.expect import run_tests
+from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.load import load
+
+HEAD = "schema_version: 1\nid: mine\ntitle: Mine\n"
+BASE = """\
+zones: {corner: {shape: rect, x_max_m: -0.5, y_max_m: -0.6}}
+rules:
+  scored:
+    triggers: [{trigger: enters, entity: ball, zone: corner}]
+    actions: [{action: score, entrant: yellow, points: 1}]
+expect:
+  a_ball_in_the_corner_counts:
+    keyframes: [{at_s: 0.5, place: {ball: [-0.55, -0.65]}}]
+    lasts_s: 1
+    score: {yellow: 1}
+  a_robot_may_stand_in_the_corner:
+    keyframes: [{at_s: 0.5, place: {Y3: [-0.55, -0.65]}}]
+    lasts_s: 100
+    score: {yellow: 0}
+"""
+REASON = "a_robot_may_stand_in_the_corner"
+
+
+@pytest.fixture
+def mine(tmp_path):
+    """Return what writes a scenario beside its base and returns its path."""
+    (tmp_path / "base.yaml").write_text(f"{HEAD}extends: soccersim_v2\n{BASE}")
+
+    def write(text: str) -> str:
+        path = tmp_path / "mine.yaml"
+        path.write_text(f"{HEAD}extends: base.yaml\n{text}")
+        return str(path)
+
+    return write
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        "match: {halves: 1, half_s: 60}\n",
+        "robots: {Y3: null}\nentrants: {yellow: {robots: {Y3: null}}}\n",
+    ],
+)
+def test_inherited_tests_that_do_not_fit_are_left_out_and_the_others_stay(mine, change):
+    loaded = load(mine(change))
+    assert list(loaded.scenario.expect) == ["a_ball_in_the_corner_counts"]
+    assert list(loaded.left_out) == [REASON]
+    (finding,) = [one for one in lint(loaded) if one.kind == "inherited_test_left_out"]
+    assert REASON in finding.problem.message
+    assert "expect: null" in finding.remedy
+
+
+def test_several_of_them_are_told_in_one_finding(mine):
+    loaded = load(mine("zones: {corner: null}\nrules: {scored: null}\nballs: {ball: null}\nmatch: {half_s: 60}\n"))
+    assert not loaded.scenario.expect
+    (finding,) = [one for one in lint(loaded) if one.kind == "inherited_test_left_out"]
+    assert "2 tests of" in finding.problem.message
+
+
+def test_a_test_that_its_author_has_changed_is_no_inherited_one(mine):
+    with pytest.raises(ScenarioError, match="99 s is longer than a half"):
+        load(mine(f"match: {{half_s: 60}}\nexpect: {{{REASON}: {{lasts_s: 99}}}}\n"))
+
+
+def test_all_inherited_tests_are_removed_at_once(mine):
+    loaded = load(mine("match: {half_s: 60}\nexpect: null\n"))
+    assert not loaded.scenario.expect
+    assert not loaded.left_out
+    assert not [one for one in lint(loaded) if one.kind == "inherited_test_left_out"]
+
+
+def test_no_other_section_is_removed_as_a_whole(mine):
+    with pytest.raises(ScenarioError, match="rules: null removes named entries of the base only"):
+        load(mine("rules: null\n"))
+
+
+def test_what_is_left_out_is_told_where_tests_are_played(mine, capsys):
+    path = mine("match: {half_s: 60}\n")
+    assert run_tests([path], [], as_json=False) == 0
+    told = capsys.readouterr().out
+    assert f"left out: {REASON}" in told
+    assert "100 s is longer than a half, 60 s" in told
+    assert run_tests([path], [], as_json=True) == 0
+    assert list(json.loads(capsys.readouterr().out)["files"][0]["left_out"]) == [REASON]
+
+
+def test_two_a_side_from_the_shipped_match_needs_no_more_than_its_own_lines(tmp_path):
+    path = tmp_path / "two.yaml"
+    path.write_text(
+        f"{HEAD}extends: match\nmatch: {{half_s: 180}}\nrobots: {{B3: null, Y3: null}}\n"
+        "entrants: {blue: {robots: {B3: null}}, yellow: {robots: {Y3: null}}}\n"
+        "placements:\n"
+        "  blue_kicks_off: [{entity: [B1, B2, Y1, Y2], at: start}, {entity: ball, at: {point: [0, 0]}}]\n"
+        "  yellow_kicks_off: [{entity: [B1, B2, Y1, Y2], at: start}, {entity: ball, at: {point: [0, 0]}}]\n"
+    )
+    loaded = load(path)
+    assert list(loaded.scenario.robots) == ["B1", "B2", "Y1", "Y2"]
+    assert loaded.left_out
+    assert {one.kind for one in lint(loaded)} == {"inherited_test_left_out"}
