@@ -59,15 +59,22 @@ def show_stats(runs: Sequence[Path | None], out: Path, *, as_json: bool, explain
     from rcj_challenges.views.stats import run_stats, stats_as_json, together
 
     found, complaints = [], []
+    folders: dict[Path, Path] = {}  # what is given twice counts once
     for run in runs:
         try:
-            found.append(run_stats(find_run(run, out)))
+            folder = find_run(run, out)
+            if folders.setdefault(folder.resolve(), folder) is folder:
+                found.append(run_stats(folder))
         except RecordError as error:
             complaints.append(error)
     if not found:
         raise complaints[0]
     stats = together(found)
     stats.notes += [str(error) for error in complaints]
+    if len(found) + len(complaints) < len(runs):
+        stats.notes.append(
+            f"{len(runs) - len(found) - len(complaints)} of the runs are the same as others: counted once"
+        )
     if as_json:
         sys.stdout.write(json.dumps(stats_as_json(stats), ensure_ascii=False, indent=2) + "\n")
     else:

@@ -68,6 +68,14 @@ def test_of_several_runs_the_readable_ones_are_shown_and_the_others_named(out: P
     assert "20210618-090000-small: result.json is damaged" in text
 
 
+def test_a_run_that_is_given_twice_counts_once(out: Path) -> None:
+    code, text = stats("20210618-10", str(out / "20210618-100000-small"), "20210618-11", "--json", out=out)
+    assert code == 0
+    told = json.loads(text)
+    assert told["runs"] == ["20210618-100000-small", "20210618-110000-small"]
+    assert any("counted once" in note for note in told["notes"])
+
+
 def test_what_is_no_record_at_all_is_said_so(out: Path) -> None:
     with pytest.raises(RecordError, match=r"result\.json is damaged"):
         stats("20210618-09", out=out)
