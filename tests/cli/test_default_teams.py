@@ -42,6 +42,7 @@ def options(path: Path, out: Path) -> RunOptions:
 def test_the_team_made_for_a_challenge_plays_it(variant):
     assert chosen(load("fast_shooter")) == "fast_shooter"
     assert chosen(load("match"), "blue") == "roles_and_radio"
+    assert chosen(load("match_2021"), "blue") == chosen(load("match_2021"), "yellow") == "match_2021"
 
 
 def test_a_variant_is_played_by_the_team_of_the_challenge_that_it_extends(variant):

@@ -1,5 +1,11 @@
 """The match for programs of 2021: who is where comes in a packet, and each robot has an entry point of its own."""
 
+from pathlib import Path
+
+import pytest
+
+SAMPLE = Path(__file__).parents[2] / "examples" / "teams" / "match_2021"
+STANDS = "from controller import Robot\nrobot = Robot()\nwhile robot.step(64) != -1:\n    pass\n"
 PROGRAM = """
 import struct
 from controller import Robot
@@ -36,3 +42,16 @@ def test_programs_of_2021_play_a_match(play, team_folder):
     along_the_field, size = run.log("B1").split()[-2:]
     assert abs(float(along_the_field) - end[0][1]) < 0.03  # the packet's X is our y
     assert size == "161"
+
+
+@pytest.mark.parametrize("colour", ["blue", "yellow"])
+def test_the_sample_team_of_2021_pushes_the_ball_towards_the_other_goal(play, team_folder, colour):
+    teams = {"blue": team_folder(STANDS), "yellow": team_folder(STANDS)} | {colour: SAMPLE}
+    run = play("match.half_s=20", "match.halves=1", scenario="match_2021", **teams)
+    assert run.result["faults"] == []
+    goals = {entrant: score for entrant, score in run.result["score"].items() if score}
+    ball = run.trajectory.halves[0].substeps[:, -1, 6, 1]
+    # Blue attacks the yellow goal, at negative y.
+    assert list(goals) in ([], [colour])
+    assert max(ball * (-1 if colour == "blue" else 1)) > 0.3
+    assert max(ball * (1 if colour == "blue" else -1)) < 0.3
