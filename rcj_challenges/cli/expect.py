@@ -13,8 +13,10 @@ from rcj_challenges.cli.validate import say
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.script import Trial, try_expectation
 from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.inherited import TESTS
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.scenario.models.actions import Emit, Score
+from rcj_challenges.scenario.tree import Entries
 
 _WALL_DIGITS = 4
 
@@ -89,6 +91,7 @@ def _report(path: str, loaded: Loaded, played: list[_Played]) -> dict[str, Any]:
             {
                 "name": one.name,
                 "passed": not one.trial.differences,
+                "inherited_from": _inherited_from(loaded, one.name),
                 "differences": list(one.trial.differences),
                 "simulated_s": s_from_ticks(one.trial.ticks),
                 "wall_s": round(one.wall_s, _WALL_DIGITS),
@@ -99,6 +102,15 @@ def _report(path: str, loaded: Loaded, played: list[_Played]) -> dict[str, Any]:
         "left_out": {name: str(problem) for name, problem in loaded.left_out.items()},
         "untested_rules": [name for name in told_rules(loaded) if name not in fired],
     }
+
+
+def _inherited_from(loaded: Loaded, name: str) -> str | None:
+    """Return the file from which a test is inherited, None for one of the scenario's own."""
+    written = loaded.written
+    tests = None if written is None else written.entries.get(TESTS)
+    if written is None or not isinstance(tests, Entries) or tests.key_marks[name].file == written.mark.file:
+        return None
+    return tests.key_marks[name].file
 
 
 def told_rules(loaded: Loaded) -> list[str]:
@@ -116,6 +128,9 @@ def _show(report: dict[str, Any]) -> None:
         say("  no tests: add expect: (docs/authoring.md says how)", sys.stdout)
     for test in report["tests"]:
         say(f"  {'ok  ' if test['passed'] else 'FAIL'}  {test['name']} ({test['simulated_s']:g} s)", sys.stdout)
+        if test["inherited_from"] and not test["passed"]:
+            origin = f"inherited from {test['inherited_from']}"
+            say(f"          {origin}: replace it, or remove it by '{test['name']}: null' under expect", sys.stdout)
         for difference in test["differences"]:
             say(f"          {difference}", sys.stdout)
     for name, reason in report["left_out"].items():
@@ -130,7 +145,7 @@ def _show_sum(reports: list[dict[str, Any]]) -> None:
     simulated = sum(test["simulated_s"] for test in tests)
     wall = sum(test["wall_s"] for test in tests)
     speed = f" in {wall:.2f} s ({simulated / wall:.0f} x real time)" if wall else ""
-    verdict = f"{failed} of {len(tests)} failed" if failed else f"all {len(tests)} passed"
+    verdict = f"{failed} of {len(tests)} failed" if failed else f"all {len(tests)} passed" if tests else "no tests"
     unusable = sum(bool(report["problems"]) for report in reports)
     if unusable < len(reports):
         say(f"{verdict}; {simulated:.0f} s played{speed}", sys.stdout)

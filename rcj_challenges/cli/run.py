@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from rcj_challenges.cli.live import LiveOptions
     from rcj_challenges.controllers.team import Team
-    from rcj_challenges.match.match import PlayedMatch
+    from rcj_challenges.match.match import MatchInterruptedError, PlayedMatch
     from rcj_challenges.scenario.load import Loaded
     from rcj_challenges.scenario.models.scenario import Scenario
 
@@ -96,7 +96,7 @@ def run_scenario(options: RunOptions) -> int:
                 show.match_over(outcome.folder)
                 stay_on_air(show, options.live, console)
     except MatchInterruptedError as error:
-        _tell_of_interruption(console, loaded.scenario, error.played)
+        _tell_of_interruption(console, loaded.scenario, error)
         return INTERRUPTED
     finally:
         for team in plan.teams.values():
@@ -117,19 +117,24 @@ def _tell(options: RunOptions, console: Console, scenario: Scenario, outcome: Pl
         _summary(console, scenario, outcome, replay=options.replay)
 
 
-def _tell_of_interruption(console: Console, scenario: Scenario, played: PlayedMatch) -> None:
+def _tell_of_interruption(console: Console, scenario: Scenario, error: MatchInterruptedError) -> None:
     """Say how far the match came, and where that is."""
     from rcj_challenges.views.scoreboard import score_line
     from rcj_challenges.views.sentences import clock
 
-    result = played.result
+    result, folder = error.played.result, error.played.folder
     names = {seat: entrant["name"] for seat, entrant in result["entrants"].items()}
-    lines = ["interrupted before the first tick"]
+    where = "before the first half"
     if result["halves"]:
         half = result["halves"][-1]
-        where = f"half {half['half']} of {scenario.match.halves} at {clock(half['ticks'] * TICK_S)}"
-        lines = [f"interrupted in {where}: {score_line(names, result['score'])}", f"record: {played.folder}"]
-        lines.append(f"watch:  rcj-challenge view {played.folder}")
+        number = f"half {half['half']} of {scenario.match.halves}"
+        where = f"after {number}" if half["complete"] else f"in {number} at {clock(half['ticks'] * TICK_S)}"
+        where += f": {score_line(names, result['score'])}"
+    lines = [f"interrupted {where}", f"record: {folder}"]
+    if result["halves"]:
+        lines.append(f"watch:  rcj-challenge view {folder}")
+    if error.trouble:
+        lines.append(f"the record could not be closed: {error.trouble}")
     for line in lines:
         console.print(line, markup=False, highlight=False, soft_wrap=True)
 

@@ -13,6 +13,7 @@ from rcj_challenges.controllers.isolation import active_layers
 from rcj_challenges.controllers.program import Program
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.devices.fitting import fit, robot_specs
+from rcj_challenges.facts.errors import told_of
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.facts.traffic import RobotSpec
@@ -71,7 +72,7 @@ class MatchPlan:
 
 @dataclass(frozen=True)
 class PlayedMatch:
-    """A match that is over.
+    """A match that is over, or was interrupted.
 
     Attributes:
         folder: of its record.
@@ -87,11 +88,13 @@ class MatchInterruptedError(KeyboardInterrupt):
 
     Attributes:
         played: as far as it went.
+        trouble: why the record could not be closed as it should, empty if it was.
     """
 
-    def __init__(self, played: PlayedMatch) -> None:
+    def __init__(self, played: PlayedMatch, trouble: str) -> None:
         super().__init__(f"the record so far is in {played.folder}")
         self.played = played
+        self.trouble = trouble
 
 
 def play_match(plan: MatchPlan, watcher: Watcher | None = None) -> PlayedMatch:
@@ -137,15 +140,24 @@ class _MatchPlay:
                 for number in range(1, self._scenario.match.halves + 1):
                     if self._play_half(number, record).ends_match:
                         break
+                record.finish({"ranking": self._ranking} | self._times())
             except BaseException as error:
-                record.finish({"complete": False, "digest": "", "stopped": type(error).__name__} | self._times())
+                trouble = self._break_off(record, error)
                 self._watcher.finished(record.result)
                 if isinstance(error, KeyboardInterrupt):
-                    raise MatchInterruptedError(PlayedMatch(record.folder, record.result)) from error
+                    raise MatchInterruptedError(PlayedMatch(record.folder, record.result), trouble) from error
                 raise
-            record.finish({"ranking": self._ranking} | self._times())
         self._watcher.finished(record.result)
         return PlayedMatch(record.folder, record.result)
+
+    def _break_off(self, record: RecordWriter, error: BaseException) -> str:
+        """Close the record of a match that is not played to its end; returns why it could not be, if so."""
+        try:
+            if not record.result["complete"]:
+                record.break_off(type(error), self._times())
+        except OSError as failure:
+            return told_of(failure)
+        return ""
 
     def _times(self) -> dict[str, float]:
         wall_s = time.perf_counter() - self._began - self._held_up_s

@@ -38,15 +38,22 @@ def has_sample_team(scenario: Scenario) -> bool:
 
 
 def other_kits(scenario: Scenario, base: Scenario, seat: str) -> dict[str, str]:
-    """Return the robots of a seat that have another kit in the scenario that is extended: that kit by robot.
+    """Return the robots of a seat that have another kit, or other packets, in what is extended: that kit by robot.
 
     A robot that the base does not know has the kit "none" there.
     """
     return {
         name: base.robots[name].kit if name in base.robots else "none"
         for name in scenario.entrants[seat].robots
-        if name not in base.robots or base.robots[name].kit != scenario.robots[name].kit
+        if name not in base.robots or _hears(scenario, name) != _hears(base, name)
     }
+
+
+def _hears(scenario: Scenario, robot: str) -> tuple[str, str, tuple[str, ...], bool]:
+    """Return what a program must know of its robot's kit to understand it: its name, and how packets are laid out."""
+    name = scenario.robots[robot].kit
+    kit = scenario.kits[name]
+    return name, kit.messages, tuple(kit.packet_lists), kit.packet_has_flag
 
 
 def _has_programs(folder: Path, scenario: Scenario, seat: str) -> bool:

@@ -31,6 +31,9 @@ def pack_trajectory(folder: Path, header: Mapping[str, Any], halves: Sequence[in
     """
     parts = folder / TRAJECTORY_PARTS
     path = folder / TRAJECTORY
+    if path.exists():  # somebody interrupted us between the last two lines
+        shutil.rmtree(parts, ignore_errors=True)
+        return path
     with replaced(path) as file, zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
         _add(archive, "header", [_as_bytes({**header, "record": RECORD_VERSION, "halves": list(halves)})])
         for half in halves:

@@ -37,7 +37,6 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 
 Score = int | float
-_BROKEN_OFF = "the run was broken off"
 
 
 @dataclass(frozen=True)
@@ -171,7 +170,7 @@ class RecordWriter:
             self._say(Snapshot(ticks, [], [], [], ()), closing)
         if scores is not None:
             self._scores |= {half.teams[seat]: points for seat, points in scores.items()}
-        self._close_half(half, self._track, ended)
+        self._close_half(half, self._track, ended, complete=True)
         self._write_result({})
 
     def finish(self, result: Mapping[str, Any] | None = None) -> Path:
@@ -181,13 +180,25 @@ class RecordWriter:
             result: fields of `RunResult` that only the caller knows (``wall_s``, ``sandbox``, ``marks``, ``score``),
                 and ``complete: False`` with ``stopped`` for a run that was not played to its end.
         """
-        if self._track is not None and self._half is not None:
-            self._close_half(self._half, self._track, _BROKEN_OFF)
+        fields = {"complete": True, "digest": self._digest.hexdigest()} | dict(result or {})
         self._reflog.close()
         self._referee_log.close()
+        if self._track is not None and self._half is not None:
+            self._close_half(self._half, self._track, None, complete=False)
+        if not fields["complete"]:
+            self._write_result(fields)  # at once, should there be neither time nor room for the rest
         pack_trajectory(self.folder, self._trajectory_header(), self._begun)
-        self._write_result({"complete": True, "digest": self._digest.hexdigest()} | dict(result or {}))
+        self._write_result(fields)
         return self.folder
+
+    def break_off(self, error: type[BaseException], result: Mapping[str, Any] | None = None) -> Path:
+        """Close the record of a run that was not played to its end, as `finish` does; can be called again.
+
+        Args:
+            error: what stopped it.
+            result: as for `finish`.
+        """
+        return self.finish({"complete": False, "digest": "", "stopped": error.__name__} | dict(result or {}))
 
     def __enter__(self) -> Self:
         return self
@@ -196,20 +207,23 @@ class RecordWriter:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         if kind is not None and not self._reflog.closed:
-            self.finish({"complete": False, "digest": "", "stopped": kind.__name__})
+            self.break_off(kind)
 
     # --- parts ------------------------------------------------------------------------------------------------------
 
-    def _close_half(self, half: HalfInfo, track: TrackWriter, ended: str | None) -> None:
-        self._halves.append(
-            {
-                "half": half.half,
-                "sides": dict(half.teams),
-                "score": dict(self._scores),
-                "ticks": track.ticks,
-                "ended": ended,
-            }
-        )
+    def _close_half(self, half: HalfInfo, track: TrackWriter, ended: str | None, *, complete: bool) -> None:
+        # An interruption in here closes it a second time.
+        if half.half not in [one["half"] for one in self._halves]:
+            self._halves.append(
+                {
+                    "half": half.half,
+                    "sides": dict(half.teams),
+                    "score": dict(self._scores),
+                    "ticks": track.ticks,
+                    "ended": ended,
+                    "complete": complete,
+                }
+            )
         track.close()
         self._track = None
 

@@ -19,7 +19,7 @@ from rcj_challenges.scenario.yaml_strict import MAX_BYTES, parse_bytes, parse_te
 MAX_CHAIN = 5
 """How many base files may stand behind each other."""
 
-_PRESET = re.compile(r"[A-Za-z0-9_]+")
+_BARE_NAME = re.compile(r"[A-Za-z0-9_-]+")
 
 
 @dataclass(frozen=True)
@@ -98,7 +98,7 @@ def read_chain(source: Source) -> list[Source]:
     while (leaf := chain[-1].tree.entries.get("extends")) is not None:
         mark = leaf.mark
         if not isinstance(leaf, Leaf) or not isinstance(leaf.value, str):
-            raise _refused(mark, "expected the name of a preset, or a relative path to a .yaml file")
+            raise _refused(mark, "expected the name of a preset or shipped scenario, or a relative path to a .yaml file")
         if len(chain) > MAX_CHAIN:
             files = " → ".join(part.shown for part in chain)
             raise _refused(mark, f"too many bases behind each other, at most {MAX_CHAIN} are allowed: {files}")
@@ -127,26 +127,37 @@ def _refused(mark: Mark, message: str) -> ScenarioError:
     return ScenarioError([mark.problem("extends", message)])
 
 
+def _shipped(name: str, user: Source, mark: Mark) -> Source:
+    """Return what is extended by its bare name."""
+    shipped = {known: folder for folder in (scenarios_folder(), presets_folder()) for known in names_in(folder)}
+    if name in shipped:
+        # Whoever extends the match may call that file match.yaml: then messages must tell the two from each other.
+        shown = f"{name}.yaml" if PurePosixPath(user.shown).name != f"{name}.yaml" else f"shipped {name}.yaml"
+        return Source.of_file(shipped[name] / f"{name}.yaml", shown)
+    known = f"there are {listing(shipped)}{nearest(name.replace('-', '_'), shipped)}"
+    raise _refused(mark, f"no preset or scenario '{name[:64]}' is shipped; {known}")
+
+
 def _base(name: str, user: Source, mark: Mark) -> Source:
-    if _PRESET.fullmatch(name):
-        shipped = {name: folder for folder in (scenarios_folder(), presets_folder()) for name in names_in(folder)}
-        if name in shipped:
-            return Source.of_file(shipped[name] / f"{name}.yaml", f"{name}.yaml")
-        known = f"there are {listing(shipped)}{nearest(name, shipped)}"
-        raise _refused(mark, f"no preset or scenario '{name[:64]}' is shipped; {known}")
+    if _BARE_NAME.fullmatch(name):
+        return _shipped(name, user, mark)
     parts = PurePosixPath(name).parts
     # Checked as text on every platform alike: what Windows takes for absolute must not pass on Linux either.
     if name.startswith(("/", "~")) or re.search(r"[\\:\x00-\x1f]", name) or not name.endswith((".yaml", ".yml")):
         wanted = "a shipped preset or scenario, or a relative path with / to a .yaml file"
         raise _refused(mark, f"'{name[:120]}' is not {wanted}")
     if user.path is None:
-        raise _refused(mark, "a text has no folder for a relative path; extend a preset")
+        raise _refused(mark, "a text has no folder for a relative path; extend a preset or a shipped scenario")
     if ".." in parts[len([part for part in parts if part == ".."]) :]:
         raise _refused(mark, f"'{name[:120]}': '..' may stand at the beginning only")
     path = user.path.parent.joinpath(*parts)
     beside = sorted(found.name for found in path.parent.glob("*.y*ml")) if path.parent.is_dir() else []
     # Compared with the folder's listing: a name in other case works on some machines only.
     if path.name not in beside or not path.is_file():
-        raise _refused(mark, f"there is no file '{name[:120]}' beside {user.shown}{nearest(path.name, beside)}")
+        own = user.path.name
+        hint = nearest(path.name, [found for found in beside if found != own])
+        if path.stem in names_in(scenarios_folder()):
+            hint = f"; the shipped scenario is extended by its name alone: {path.stem}"
+        raise _refused(mark, f"there is no file '{name[:120]}' beside {user.shown}{hint}")
     folder = PurePosixPath(user.shown.replace("\\", "/")).parent
     return Source.of_file(path, os.path.normpath(folder / PurePosixPath(*parts)).replace("\\", "/"))

@@ -6,21 +6,23 @@ gone are then no mistakes of theirs: they are left out, and lint says which.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from rcj_challenges.scenario.errors import Problem, ScenarioError
 from rcj_challenges.scenario.tree import Entries, Items, Mark, Node
 
 TESTS = "expect"
+ALL_INHERITED = "inherited"
+"""With ``null``, in place of a test's name: all tests of the base."""
 
 
-def unfit_tests(error: ScenarioError, tree: Entries, own: str) -> dict[str, Problem]:
-    """Return the tests in which something is wrong, and of which nothing stands in the scenario's own file.
+def unfit_tests(error: ScenarioError, tree: Entries, bases: Collection[str]) -> dict[str, Problem]:
+    """Return the tests in which something is wrong, and that stand as a whole in what the scenario extends.
 
     Args:
         error: what is wrong with the scenario.
         tree: the merged scenario.
-        own: the scenario's own file, as marks name it.
+        bases: the files that it extends, as marks name them.
 
     Returns:
         By name of the test the first thing that is wrong in it.
@@ -34,7 +36,7 @@ def unfit_tests(error: ScenarioError, tree: Entries, own: str) -> dict[str, Prob
         name = rest.partition(".")[0].partition("[")[0]
         if section == TESTS and name in tests.entries and name not in found:
             marks = [tests.key_marks[name], *_marks(tests.entries[name])]
-            if all(mark.file != own and mark.file.endswith((".yaml", ".yml")) for mark in marks):
+            if all(mark.file in bases for mark in marks):
                 found[name] = problem
     return found
 

@@ -20,7 +20,6 @@ from pydantic import BaseModel, StringConstraints
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
-from rcj_challenges.scenario.inherited import TESTS
 from rcj_challenges.scenario.models.base import DurationS, EventName, Name, Names, Point
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.resources import schemas_folder
@@ -56,8 +55,6 @@ def scenario_schema() -> _Json:
     for section in _WITHOUT_PARAM:
         described = {"description": properties[section]["description"]}
         properties[section] = _without_param(writer.bare_schema(fields(Scenario)[section])) | described
-    properties[TESTS]["type"] = [properties[TESTS]["type"], "null"]
-    properties[TESTS]["description"] += "; null removes all that are inherited"
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "RCJ Challenges scenario",

@@ -155,6 +155,6 @@ def check_inherited_tests(subject: Subject) -> Iterator[Suspect]:
         (),
         f"{told} not fit this scenario and {'is' if len(names) == 1 else 'are'} left out: {', '.join(names)} "
         f"(line {first.line}: {first.message})",
-        "remove each with 'expect: {NAME: null}', or all inherited tests with 'expect: null', "
+        "remove each with 'NAME: null' under expect, or all inherited tests with 'inherited: null' there, "
         "and test what you changed with tests of your own",
     )

@@ -107,11 +107,13 @@ def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None
     tree.entries.pop("extends", None)
     apply_overrides(tree, overrides, merger)
     resolve_params(tree, merger)
-    scenario, left_out = _checked_but_inherited_tests(tree, merger, source.shown)
+    scenario, left_out = _checked_but_inherited_tests(tree, merger, {part.shown for part in chain[:-1]})
     return Loaded(scenario, Roster.of(scenario), name, path, _dumped(scenario), tree, bases, left_out)
 
 
-def _checked_but_inherited_tests(tree: Entries, merger: Merger, own: str) -> tuple[Scenario, dict[str, Problem]]:
+def _checked_but_inherited_tests(
+    tree: Entries, merger: Merger, bases: set[str]
+) -> tuple[Scenario, dict[str, Problem]]:
     """Return the scenario of a finished tree without the inherited tests that do not fit it, and those.
 
     Raises:
@@ -122,7 +124,7 @@ def _checked_but_inherited_tests(tree: Entries, merger: Merger, own: str) -> tup
         try:
             return _checked(tree, merger), left_out
         except ScenarioError as error:
-            unfit = unfit_tests(error, tree, own)
+            unfit = unfit_tests(error, tree, bases)
             if not unfit:
                 raise
             leave_out(tree, unfit)

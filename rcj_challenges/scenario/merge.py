@@ -11,8 +11,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from rcj_challenges.scenario.errors import Problem, listing, nearest
-from rcj_challenges.scenario.inherited import TESTS
-from rcj_challenges.scenario.shape import Shape, is_named, may_be_scalar, step_into, tag_of
+from rcj_challenges.scenario.inherited import ALL_INHERITED, TESTS
+from rcj_challenges.scenario.shape import Shape, is_list, is_named, may_be_scalar, step_into, tag_of
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, in_names
 
 
@@ -31,6 +31,9 @@ class Merger:
     def merge(self, base: Entries, over: Entries, shape: Shape, path: Path = ()) -> Entries:
         """Merge ``over`` into ``base`` (which changes) and return it."""
         base.mark = over.mark
+        if path == (TESTS,) and ALL_INHERITED in over.entries:
+            for name in list(base.entries):
+                base.drop(name)
         for key, node in over.entries.items():
             self.merge_entry(base, key, node, over.key_marks[key], shape, path)
         return base
@@ -86,11 +89,12 @@ class Merger:
         if node.empty:
             self._add(key_mark, (*path, key), "an empty value; write one, or leave the line out")
             base.put(key, node, key_mark)  # it stays, so that it is not called missing too
-        elif not path and key == TESTS and key in base.entries:
-            # All inherited tests at once; of no other section would everything be removed on purpose.
-            base.drop(key)
+        elif path == (TESTS,) and key == ALL_INHERITED:
+            pass  # they are gone already
         elif not is_named(shape):
-            self._add(node.mark, (*path, key), "null removes named entries of the base only; leave the line out")
+            whole = is_list(step_into(shape, base, key))
+            instead = "a list is replaced as a whole, write [] for none" if whole else "leave the line out"
+            self._add(node.mark, (*path, key), f"null removes named entries of the base only; {instead}")
             base.put(key, node, key_mark)
         elif key not in base.entries:
             known = f"; there are {listing(base.entries)}" if base.entries else ""

@@ -209,3 +209,9 @@ def may_be_scalar(shape: Shape) -> bool:
 def is_named(shape: Shape) -> bool:
     """Return whether a shape is a mapping whose keys are names that authors choose."""
     return get_origin(bare(shape).kind) is dict
+
+
+def is_list(shape: Shape) -> bool:
+    """Return whether a shape is a list of any length."""
+    kind = bare(shape).kind
+    return get_origin(kind) is tuple and get_args(kind)[-1] is Ellipsis

@@ -1,25 +1,23 @@
-"""Which robots are near enough to a wall or a fixed obstacle to meet it before the next tick.
+"""Which robots are near enough to a wall or a fixed obstacle to meet it.
 
 MuJoCo first compares bounding spheres, and that of a side wall covers the whole field: it would look closely at every
 wheel and that wall in every sub-step, an eighth of `mj_step` (ADR 10). A robot that is too far away does not collide
-with fixtures at all; this changes no bit of the result.
+with fixtures at all. MuJoCo collides what stands where `qpos` says before each sub-step, and that is when the map is
+asked: this changes no bit of the result, however fast a robot is.
 """
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import mujoco
 import numpy as np
 
-from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.world import contact
 from rcj_challenges.world.tables import Numbers, WorldTables, one_by_one
 
-FAST_MPS = 1.0
-"""Five times what a robot can drive. One that is faster has been hit by something, and counts as near."""
-
-_MARGIN_M = 1.25 * FAST_MPS * TICK_S
+_ROUNDING_M = 0.001
 _CELL_M = 0.02
 _MOST_CELLS = 200
 """Along each side; a larger field has larger cells."""
@@ -28,7 +26,7 @@ _FAR, _NEAR = contact.AMONG_SOLIDS, contact.AMONG_SOLIDS | contact.FIXED
 
 
 class Surroundings:
-    """A map of the floor, in cells: from where a robot can meet a fixture within a tick."""
+    """A map of the floor, in cells: from where a robot can touch a fixture."""
 
     def __init__(self, model: Any, data: Any, tables: WorldTables) -> None:
         """Draw the map.
@@ -38,49 +36,56 @@ class Surroundings:
             data: with up-to-date poses of geoms (`mj_kinematics`).
             tables: of this model.
         """
-        self._qpos, self._qvel = one_by_one(data.qpos), one_by_one(data.qvel)
+        self._qpos = one_by_one(data.qpos)
         self._bits = memoryview(model.geom_conaffinity)
-        self._robots = [
-            (tables.qpos_at[robot], (cube, *tables.wheels[robot])) for robot, cube in enumerate(tables.cubes)
-        ]
-        self._near = [True] * len(self._robots)
-        reach_m = max((_reach_m(model, data, geoms) for _, geoms in self._robots), default=0.0)
+        self._geoms = [(cube, *tables.wheels[robot]) for robot, cube in enumerate(tables.cubes)]
+        self._robots = list(enumerate(tables.qpos_at[: tables.robots]))
+        self._near = [1] * len(self._robots)
+        reach_m = max((_reach_m(model, data, geoms) for geoms in self._geoms), default=0.0)
         fixtures = [
             geom
             for geom in range(model.ngeom)
             if model.geom_bodyid[geom] == 0 and model.geom_contype[geom] & contact.FIXED
         ]
-        self._draw(model, fixtures, reach_m + _MARGIN_M)
+        self._draw(model, fixtures, reach_m + _ROUNDING_M)
 
-    def before_tick(self) -> None:
+    def before_substep(self) -> None:
         """Let the robots that are near enough collide with fixtures, and no others."""
-        qpos, qvel, near = self._qpos, self._qvel, self._near
-        cells, rows, per_m, left_m, bottom_m = self._cells, self._rows, self._per_m, self._left_m, self._bottom_m
-        most = len(cells)
-        for robot, (at, geoms) in enumerate(self._robots):
-            column, row = (qpos[at] - left_m) * per_m, (qpos[at + 1] - bottom_m) * per_m
-            # What is beyond the map, or no number, counts as near: MuJoCo then finds out by itself.
-            cell = int(column) * rows + int(row) if 0.0 <= row < rows and 0.0 <= column < most else most
-            slow = -FAST_MPS < qvel[at] < FAST_MPS and -FAST_MPS < qvel[at + 1] < FAST_MPS
-            now = not slow or cell >= most or cells[cell] != 0
-            if now is not near[robot]:
+        qpos, near, cells = self._qpos, self._near, self._cells
+        rows, per_m, left_m, bottom_m = self._rows, self._per_m, self._left_m, self._bottom_m
+        for robot, at in self._robots:
+            try:
+                # What is beyond the map is far from all fixtures, so any of its cells will do for it.
+                now = cells[int((qpos[at] - left_m) * per_m) * rows + int((qpos[at + 1] - bottom_m) * per_m)]
+            except (IndexError, ValueError, OverflowError):  # far beyond, or no number: MuJoCo finds out by itself
+                now = 1
+            if now != near[robot]:
                 near[robot] = now
-                for geom in geoms:
+                for geom in self._geoms[robot]:
                     self._bits[geom] = _NEAR if now else _FAR
 
     def _draw(self, model: Any, fixtures: list[int], near_m: float) -> None:
         bounds = np.array([_bounds(model, geom) for geom in fixtures] or [(0.0, 0.0, 0.0, 0.0)])
         (left, bottom), (right, top) = bounds[:, :2].min(axis=0).tolist(), bounds[:, 2:].max(axis=0).tolist()
         cell_m = max(_CELL_M, (right - left) / _MOST_CELLS, (top - bottom) / _MOST_CELLS)
-        columns, self._rows = int((right - left) / cell_m) + 1, int((top - bottom) / cell_m) + 1
-        self._per_m, self._left_m, self._bottom_m = 1 / cell_m, left, bottom
-        x, y = np.meshgrid(
-            left + (np.arange(columns) + 0.5) * cell_m, bottom + (np.arange(self._rows) + 0.5) * cell_m, indexing="ij"
-        )
-        near = np.zeros(x.shape, dtype=bool)
-        for geom in fixtures:
-            near |= _distances(model, geom, x, y) < near_m + cell_m * np.sqrt(0.5)
-        self._cells = near.astype(np.uint8).tobytes()
+        near_m += cell_m * math.sqrt(0.5)
+        # A cell more on each side: numbers just below 0 are rounded up to it.
+        self._left_m, self._bottom_m = left - near_m - cell_m, bottom - near_m - cell_m
+        self._per_m = 1 / cell_m
+        columns = int((right + near_m - self._left_m) * self._per_m) + 2
+        self._rows = int((top + near_m - self._bottom_m) * self._per_m) + 2
+        near = np.zeros((columns, self._rows), dtype=np.uint8)
+        for geom, (x_0, y_0, x_1, y_1) in zip(fixtures, bounds.tolist(), strict=True):
+            first_x, first_y = self._cell(x_0 - near_m, y_0 - near_m)
+            last_x, last_y = self._cell(x_1 + near_m, y_1 + near_m)
+            x = self._left_m + (np.arange(first_x, last_x + 1) + 0.5) * cell_m
+            y = self._bottom_m + (np.arange(first_y, last_y + 1) + 0.5) * cell_m
+            close = _distances(model, geom, x[:, None], y[None, :]) < near_m
+            near[first_x : last_x + 1, first_y : last_y + 1] |= close
+        self._cells = near.tobytes()
+
+    def _cell(self, x_m: float, y_m: float) -> tuple[int, int]:
+        return int((x_m - self._left_m) * self._per_m), int((y_m - self._bottom_m) * self._per_m)
 
 
 def _reach_m(model: Any, data: Any, geoms: tuple[int, ...]) -> float:

@@ -118,10 +118,11 @@ class World:
             PhysicsFault: MuJoCo warned of an unstable or overfull simulation.
         """
         model, data, traction, recorder, mj_step = self.model, self.data, self._traction, self._recorder, mujoco.mj_step
-        self._surroundings.before_tick()
+        surroundings = self._surroundings
         traction.before_tick()
         for substep in range(SUBSTEPS_PER_TICK):
             traction.before_substep()
+            surroundings.before_substep()
             mj_step(model, data)
             recorder.note(substep)
         if self._warnings.tobytes() != self._no_warnings:

@@ -2,12 +2,14 @@
 
 from dataclasses import replace
 from pathlib import Path
+from textwrap import dedent
 
 import pytest
 
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.match.ranking import Tally, ranking
-from rcj_challenges.referee.script import ScriptedPlay, half_of
+from rcj_challenges.referee.script import ScriptedPlay, half_of, try_expectation
+from rcj_challenges.scenario.lint import lint
 from rcj_challenges.scenario.load import Loaded, load, load_text
 from rcj_challenges.scenario.resources import names_in, presets_folder
 
@@ -104,10 +106,9 @@ def test_counters_kept_per_robot_are_summed_by_entrant_and_others_tell_nobody_ap
     assert {entry["team"]: entry["values"] for entry in told} == {"yellow": [10, 0, 14], "blue": [6, 0, 14]}
 
 
-def test_the_example_that_extends_the_match_can_be_played_and_obeys_its_numbers():
-    block = GUIDE.read_text("utf-8").partition("```yaml\n")[2].partition("```")[0]
-    loaded = load_text("".join(line.strip() + "\n" for line in block.splitlines()))
+def test_the_example_that_extends_the_match_passes_its_own_test_and_lint():
+    loaded = load_text(dedent(GUIDE.read_text("utf-8").partition("```yaml\n")[2].partition("```")[0]))
     assert loaded.scenario.match.half_s == 180
-    play = ScriptedPlay(loaded.scenario, loaded.roster)
-    play.play_until(ticks_from_s(9))
-    assert "LACK_OF_PROGRESS" in [event.name for event in play.events]
+    assert lint(loaded) == []
+    (name,) = loaded.scenario.expect
+    assert try_expectation(loaded, name).differences == ()

@@ -9,13 +9,14 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from datetime import UTC, datetime
 from pathlib import Path
+from pkgutil import resolve_name
 
 import jsonschema
 import pytest
 
 from rcj_challenges.facts.play import Event, Fault, Firing, Verdict
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.folder import make_run_folder
+from rcj_challenges.records.folder import TRAJECTORY_PARTS, make_run_folder
 from rcj_challenges.records.result import read_result, result_schema_text
 from rcj_challenges.records.testing import (
     half_info,
@@ -135,6 +136,50 @@ def test_a_run_that_an_error_stops_is_closed_and_says_so(tmp_path: Path) -> None
     result = read_result(writer.folder)
     assert (result.complete, result.stopped, result.digest) == (False, "KeyboardInterrupt", "")
     assert Trajectory.open(writer.folder).halves[0].ticks == 9
+    (half,) = result.halves
+    assert (half.half, half.ticks, half.ended, half.complete) == (1, 9, None, False)
+    assert result.simulated_s == 0.288
+
+
+_PLACES = {
+    "while a half is closed": "rcj_challenges.records.track.TrackWriter.close",
+    "while the trajectory is packed": "rcj_challenges.records.writer.pack_trajectory",
+    "while the packed parts are removed": "rcj_challenges.records.pack.shutil.rmtree",
+}
+
+
+@pytest.mark.parametrize("place", _PLACES.values(), ids=_PLACES)
+@pytest.mark.parametrize("after", [False, True], ids=["before it", "after it"])
+def test_an_interruption_of_the_end_counts_no_half_twice_and_loses_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, place: str, *, after: bool
+) -> None:
+    scenario = small_scenario(1, 1)
+    header = small_header(scenario)
+    owner, _, name = place.rpartition(".")
+    original, hit = resolve_name(place), []
+
+    def interrupted(*arguments: object, **named: object) -> object:
+        result = original(*arguments, **named) if after or hit else None
+        if not hit:
+            hit.append(True)
+            raise KeyboardInterrupt
+        return result
+
+    writer = RecordWriter(tmp_path, header)
+    writer.begin_half(half_info(scenario, 1, 9, header))
+    for tick in range(10):
+        writer.tick(made_up_snapshot(tick, 2), Verdict(), b"")
+    monkeypatch.setattr(resolve_name(owner), name, interrupted)
+    with pytest.raises(KeyboardInterrupt):  # noqa: PT012 - wherever it comes
+        writer.end_half(Verdict())
+        writer.finish()
+    writer.break_off(KeyboardInterrupt)
+    result = read_result(writer.folder)
+    assert (result.complete, result.stopped) == (False, "KeyboardInterrupt")
+    assert [(half.half, half.ticks) for half in result.halves] == [(1, 9)]
+    assert result.simulated_s == 0.288
+    assert Trajectory.open(writer.folder).halves[0].ticks == 9
+    assert not (writer.folder / TRAJECTORY_PARTS).exists()
 
 
 def test_the_scenario_of_the_record_reads_back_equal(run: Path) -> None:

@@ -111,6 +111,13 @@ def test_what_is_not_shipped_is_told_with_what_is():
         ScenarioError, match=r"no preset or scenario 'mach' is shipped; there are .*did you mean 'match'"
     ):
         load_text("extends: mach\n")
+    with pytest.raises(ScenarioError, match="did you mean 'fast_shooter'"):
+        load_text("extends: fast-shooter\n")
+
+
+def test_a_shipped_scenario_that_is_looked_for_as_a_file_is_told_by_its_name(tmp_path):
+    told = complaint(write(tmp_path, "mine.yaml", "extends: match.yaml\n"))
+    assert told.endswith("the shipped scenario is extended by its name alone: match")
 
 
 def test_a_broken_base_is_reported_in_the_base(tmp_path):

@@ -57,7 +57,7 @@ def test_inherited_tests_that_do_not_fit_are_left_out_and_the_others_stay(mine, 
     assert list(loaded.left_out) == [REASON]
     (finding,) = [one for one in lint(loaded) if one.kind == "inherited_test_left_out"]
     assert REASON in finding.problem.message
-    assert "expect: null" in finding.remedy
+    assert "inherited: null" in finding.remedy
 
 
 def test_several_of_them_are_told_in_one_finding(mine):
@@ -72,16 +72,26 @@ def test_a_test_that_its_author_has_changed_is_no_inherited_one(mine):
         load(mine(f"match: {{half_s: 60}}\nexpect: {{{REASON}: {{lasts_s: 99}}}}\n"))
 
 
-def test_all_inherited_tests_are_removed_at_once(mine):
-    loaded = load(mine("match: {half_s: 60}\nexpect: null\n"))
-    assert not loaded.scenario.expect
+OWN = "{keyframes: [{at_s: 0.5}], lasts_s: 1, score: {yellow: 0}}"
+
+
+@pytest.mark.parametrize("text", ["inherited: null, mine: " + OWN, "mine: " + OWN + ", inherited: null"])
+def test_all_inherited_tests_are_removed_at_once_and_own_ones_stay(mine, text):
+    loaded = load(mine(f"match: {{half_s: 60}}\nexpect: {{{text}}}\n"))
+    assert list(loaded.scenario.expect) == ["mine"]
     assert not loaded.left_out
     assert not [one for one in lint(loaded) if one.kind == "inherited_test_left_out"]
 
 
-def test_no_other_section_is_removed_as_a_whole(mine):
-    with pytest.raises(ScenarioError, match="rules: null removes named entries of the base only"):
-        load(mine("rules: null\n"))
+@pytest.mark.parametrize("section", ["rules", "expect"])
+def test_a_section_is_not_removed_as_a_whole(mine, section):
+    with pytest.raises(ScenarioError, match=f"{section}: null removes named entries of the base only"):
+        load(mine(f"{section}: null\n"))
+
+
+def test_who_wants_no_conditions_is_told_how_to_write_that(mine):
+    with pytest.raises(ScenarioError, match=r"a list is replaced as a whole, write \[\] for none"):
+        load(mine("rules: {scored: {conditions: null}}\n"))
 
 
 def test_what_is_left_out_is_told_where_tests_are_played(mine, capsys):
@@ -92,6 +102,19 @@ def test_what_is_left_out_is_told_where_tests_are_played(mine, capsys):
     assert "100 s is longer than a half, 60 s" in told
     assert run_tests([path], [], as_json=True) == 0
     assert list(json.loads(capsys.readouterr().out)["files"][0]["left_out"]) == [REASON]
+
+
+@pytest.mark.parametrize("name", ["match.yaml", "other.yaml"])
+def test_a_file_may_bear_the_name_of_what_it_extends(tmp_path, monkeypatch, name):
+    (tmp_path / name).write_text(f"{HEAD}extends: match\nmatch: {{half_s: 20}}\n")
+    monkeypatch.chdir(tmp_path)
+    assert "a_goal_in_the_last_tick_counts" in load(name).left_out
+    assert "a_goal_in_the_last_tick_counts" in load(tmp_path / name).left_out
+
+
+def test_an_inherited_test_that_is_changed_on_the_command_line_is_no_inherited_one(mine):
+    with pytest.raises(ScenarioError, match="--set expect"):
+        load(mine("match: {half_s: 200}\n"), [f"expect.{REASON}.phase=x.yaml"])
 
 
 def test_two_a_side_from_the_shipped_match_needs_no_more_than_its_own_lines(tmp_path):

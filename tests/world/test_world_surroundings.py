@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -18,7 +19,7 @@ OBSTACLES = {
 
 
 class _LooksAtAll:
-    def before_tick(self) -> None:
+    def before_substep(self) -> None:
         """Leave it as it was compiled: everything meets everything."""
 
 
@@ -49,7 +50,7 @@ def test_a_crowd_among_obstacles_plays_the_same_bits_as_if_all_were_looked_at():
 def test_in_the_middle_of_an_empty_field_a_robot_meets_no_fixture_and_at_a_wall_it_does():
     stage = Stage()
     stage.put("B1", 0.0, 0.0)
-    stage.put("B2", 0.4, -0.66)
+    stage.put("B2", 0.4, -0.7)
     stage.play()
     assert not collides_with_fixtures(stage, "B1")
     assert collides_with_fixtures(stage, "B2")
@@ -58,12 +59,41 @@ def test_in_the_middle_of_an_empty_field_a_robot_meets_no_fixture_and_at_a_wall_
     assert collides_with_fixtures(stage, "B1")
 
 
-def test_a_robot_that_flies_counts_as_near_wherever_it_is():
+def rammed(surroundings: object | None, speed: float) -> list[bytes]:
+    """Return what happens when a robot rams another, a little before a wall; the seam of the far and the near."""
     stage = Stage()
-    stage.put("B1", 0.0, 0.0)
-    stage.world.data.qvel[stage.world.tables.dofs[stage.index("B1")][0]] = 3.0
-    stage.play()
-    assert collides_with_fixtures(stage, "B1")
+    if surroundings is not None:
+        stage.world._surroundings = surroundings
+    states = []
+    for room in range(12):
+        stage.put("B1", 0.65 - 0.25 - 0.01 * room, 0.1)
+        stage.put("B2", 0.65 - 0.12 - 0.01 * room, 0.1)
+        stage.world.data.qvel[stage.world.tables.dofs[stage.index("B1")][0]] = speed
+        for _ in range(4):
+            stage.play()
+            states.append(stage.world.state_bytes())
+    return states
+
+
+@pytest.mark.parametrize("speed", [0.2, 4.0, 12.0])
+def test_a_robot_that_is_struck_within_a_tick_meets_the_wall_behind_it_all_the_same(speed):
+    assert rammed(None, speed) == rammed(_LooksAtAll(), speed)
+
+
+def test_robots_in_each_other_on_ice_fly_apart_and_meet_the_walls():
+    def flown(surroundings: object | None) -> list[bytes]:
+        stage = Stage(field={"friction": 0.02})
+        if surroundings is not None:
+            stage.world._surroundings = surroundings
+        for index, name in enumerate(("B1", "B2", "B3", "Y1", "Y2", "Y3")):
+            stage.put(name, 0.5 + 0.01 * index, 0.01 * (index % 3), 0.3 * index)
+        states = []
+        for _ in range(60):
+            stage.play()
+            states.append(stage.world.state_bytes())
+        return states
+
+    assert flown(None) == flown(_LooksAtAll())
 
 
 @settings(max_examples=40, deadline=None)

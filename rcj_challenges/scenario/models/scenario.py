@@ -199,7 +199,9 @@ class Scenario(Strict):
     broadcast: Broadcast | None = described(None, "what programs are told beyond the official packet")
     result: Result = described(Result(), "how entrants are ranked")
     limits: Limits = described(Limits(), "what a program may use")
-    expect: dict[Name, Expectation] = described({}, "tests of the rules, by a name that says what must happen")
+    expect: dict[Name, Expectation] = described(
+        {}, "tests of the rules, by a name that says what must happen; 'inherited: null' removes all of the base"
+    )
 
 
 def blank_fields() -> dict[str, Any]:

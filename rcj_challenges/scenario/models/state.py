@@ -99,7 +99,10 @@ class WordValue(Strict):
 
 
 class PositionValue(Strict):
-    """Where an entity is: [x, y, yaw] in m and rad; null while it is off the field."""
+    """Where an entity is when the rule fires: [x, y, yaw] in m and rad; null while it is off the field.
+
+    Placements are carried out after all actions of the tick: what this rule places is told where it was before.
+    """
 
     position_of: Name = described(..., "an entity")
 
