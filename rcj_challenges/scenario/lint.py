@@ -25,6 +25,13 @@ from rcj_challenges.scenario.lint_says import check_sentences
 from rcj_challenges.scenario.lint_state import check_inherited_tests, check_params, check_state, check_unused
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
 from rcj_challenges.scenario.lint_times import check_times
+from rcj_challenges.scenario.lint_variants import (
+    check_field_size,
+    check_goals,
+    check_idle_robots,
+    check_inherited_sentences,
+    check_kits,
+)
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.tree import Leaf, mark_of, node_at
 
@@ -44,6 +51,11 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_obstacles,
     check_entities,
     check_layouts,
+    check_field_size,
+    check_goals,
+    check_inherited_sentences,
+    check_kits,
+    check_idle_robots,
     check_inherited_tests,
 )
 
@@ -66,7 +78,9 @@ class Finding:
         problem = self.problem
         where = f"{problem.file}:{problem.line}:{problem.column}" if problem.line else problem.file
         reason = ": ".join(part for part in (problem.path, problem.message) if part)
-        return f"{where}: warning: {reason}; {self.remedy} [{self.kind}]"
+        # A reason may end in "did you mean 'GOAL'?"; what follows a question needs no other mark.
+        mark = "" if reason.endswith("?") else ";"
+        return f"{where}: warning: {reason}{mark} {self.remedy} [{self.kind}]"
 
     def as_json(self) -> dict[str, Any]:
         """Return it as JSON-able data."""

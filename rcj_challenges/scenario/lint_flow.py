@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lives_in
 from rcj_challenges.scenario.models.actions import Emit, Score
 from rcj_challenges.scenario.models.conditions import Condition, InZone
-from rcj_challenges.scenario.models.scenario import RankByScore, Rule
+from rcj_challenges.scenario.models.scenario import Expectation, RankByScore, Rule
 from rcj_challenges.scenario.models.state import WordValue
 from rcj_challenges.scenario.models.triggers import (
     Enters,
@@ -18,11 +18,12 @@ from rcj_challenges.scenario.models.triggers import (
     PhaseEntered,
     SequenceBroken,
 )
-from rcj_challenges.scenario.tree import Path
+from rcj_challenges.scenario.tree import Path, node_at
 from rcj_challenges.scenario.visiting import visit
 
 _OF_EACH = frozenset({"robot_name", "entity_name", "team_name", "entrant", "score"})
 """Context words that speak of the entity for which a rule fires."""
+_IGNORED_BY_DEFAULT = frozenset(Expectation.model_fields["ignore"].default)
 _RANK_OTHERWISE = "rank by a time or a counter in result:"
 
 
@@ -101,6 +102,7 @@ def check_events(subject: Subject) -> Iterator[Suspect]:
                 f"event '{model.event}' is waited for and never emitted{hint}",
                 "emit it in a rule that can fire, or correct its name",
             )
+    yield from _events_of_tests(emitted, subject)
     for name, rule in subject.scenario.rules.items():
         if rule.says:
             continue
@@ -114,6 +116,30 @@ def check_events(subject: Subject) -> Iterator[Suspect]:
                     "add says: to the rule",
                 )
                 break
+
+
+def _events_of_tests(emitted: Mapping[str, None], subject: Subject) -> Iterator[Suspect]:
+    """Events that the author's own tests expect or leave out of the comparison, and that no rule emits."""
+    for name, test in subject.scenario.expect.items():
+        expected = [(("events", index, "event"), event.event) for index, event in enumerate(test.events or ())]
+        ignored = [(("ignore", index), event) for index, event in enumerate(test.ignore)]
+        for verb, keys, event in (
+            *(("expected", keys, event) for keys, event in expected),
+            # Whoever adds to the list that holds by default writes the whole of it.
+            *(("ignored", keys, event) for keys, event in ignored if event not in _IGNORED_BY_DEFAULT),
+        ):
+            path: Path = ("expect", name, *keys)
+            node = node_at(subject.tree, path)
+            if event in emitted or node is None or node.mark.file != subject.tree.mark.file:
+                continue
+            yield Suspect(
+                "event_never_emitted",
+                path,
+                f"event '{event}' is {verb} and never emitted{nearest(event, emitted)}",
+                "correct its name, or emit it in a rule that can fire"
+                if verb == "expected"
+                else "correct its name, or leave it out",
+            )
 
 
 def check_rules(subject: Subject) -> Iterator[Suspect]:

@@ -14,14 +14,9 @@ from rcj_challenges.world.build_field import FLOOR_GEOM, OBSTACLE
 NO_THING = -1
 """In place of a thing's index: the floor, which never counts as touched."""
 
-ROBOT_QPOS = 5
-"""x, y, yaw, angle of the left wheel, of the right wheel; as many in `qvel`."""
 ROBOT_YAW = 2
-"""Which of them is the yaw; the angles of both wheels follow it."""
-BALL_QPOS = 7
-"""x, y, z, quaternion; 6 in `qvel`."""
-OBSTACLE_QPOS = 3
-"""x, y, yaw; as many in `qvel`."""
+"""Where the yaw of a robot or an obstacle stands after its first number in `qpos` and `qvel`: x, y, yaw; of robots the
+angles (speeds) of the left and the right wheel follow."""
 
 Indices = NDArray[np.intp]
 Numbers = NDArray[np.float64]
@@ -48,7 +43,8 @@ class WorldTables:
         wheels: ``[robot] -> `` geom ids of its left and right wheel.
         geom_things: ``[geom] -> `` index of the thing it belongs to, ``NO_THING`` for the floor.
         dofs: ``[entity] -> `` its degrees of freedom in `qvel`, wheels included.
-        qpos_at: ``[entity] -> `` address in `qpos` of its first number; what follows: ``ROBOT_QPOS`` and so on.
+        qpos_at: ``[entity] -> `` address in `qpos` of its first number; of a ball x, y, z and its quaternion follow,
+            else see `ROBOT_YAW`.
     """
 
     robots: int
@@ -82,18 +78,6 @@ class WorldTables:
     def ball_range(self) -> range:
         """The entities that are balls."""
         return range(self.robots, self.robots + self.balls)
-
-    def by_kind(self, qpos: Numbers) -> tuple[Numbers, Numbers, Numbers]:
-        """Return views of `qpos` (shape (…, nq)) with shapes (…, robots, 5), (…, balls, 7) and (…, obstacles, 3)."""
-        first_ball = ROBOT_QPOS * self.robots
-        first_obstacle = first_ball + BALL_QPOS * self.balls
-        obstacles = len(self.bodies) - self.robots - self.balls
-        before = qpos.shape[:-1]
-        return (
-            qpos[..., :first_ball].reshape(*before, self.robots, ROBOT_QPOS),
-            qpos[..., first_ball:first_obstacle].reshape(*before, self.balls, BALL_QPOS),
-            qpos[..., first_obstacle:].reshape(*before, obstacles, OBSTACLE_QPOS),
-        )
 
 
 def _thing_of(model: Any, roster: Roster, geom: int) -> int:

@@ -81,7 +81,7 @@ class TestUnknownBlanks:
     def test_it_stays_as_written_and_the_finding_says_where_and_what_is_filled_in(self):
         (finding,) = told(ENTERS % "Y1", "{entty} is there")
         assert str(finding) == (
-            "it.yaml:17:11: warning: rules.r.says: '{entty}' is not filled in, it stays as written; did you mean 'entity'?; "
+            "it.yaml:17:11: warning: rules.r.says: '{entty}' is not filled in, it stays as written; did you mean 'entity'? "
             "what is filled in is {entity}, {team}, {measured} and {limit} [placeholder_unknown]"
         )
 
