@@ -163,7 +163,7 @@ EDGES = {
     "trigger: touches, entity: robots, other: walls": "one of the robots touches a wall",
     "trigger: touches, entity: lone, other: obstacles": "Y1 touches the obstacle “vase”",
     "trigger: touches, entity: [Y1, blue], other: balls": "Y1 or one of the blue robots touches one of the balls",
-    "trigger: leaves, entity: ball, zone: in_play": "the ball leaves the zones “in play”",
+    "trigger: leaves, entity: ball, zone: in_play": "the ball “ball” leaves the zones “in play”",
     "trigger: enters, entity: red, zone: penalty_areas": "the ball “red” enters one of the penalty areas",
     "trigger: stays_in, entity: wings, zone: pitch, limit_s: 3": (
         "one of the wings has been in the pitch for more than 3 s"
@@ -182,18 +182,18 @@ LEVELS = {
     "condition: in_zone, entity: wings, of: all, zone: pitch": "all of the wings are in the pitch",
     "condition: in_zone, entity: wings, of: all, zone: pitch, negate: true": "not all of the wings are in the pitch",
     "condition: in_zone, entity: wings, zone: pitch, negate: true": "none of the wings is in the pitch",
-    "condition: in_zone, entity: ball, zone: pitch, negate: true": "the ball is not in the pitch",
+    "condition: in_zone, entity: ball, zone: pitch, negate: true": "the ball “ball” is not in the pitch",
     "condition: in_zone, entity: robots, of: {at_least: 2}, zone: pitch": "at least 2 of the robots are in the pitch",
     "condition: in_zone, entity: robots, of: {at_least: 2}, zone: pitch, negate: true": (
         "fewer than 2 of the robots are in the pitch"
     ),
-    "condition: speed, entity: ball, at_least: 0.1, negate: true": "the ball moves slower than 0.1 m/s",
+    "condition: speed, entity: ball, at_least: 0.1, negate: true": "the ball “ball” moves slower than 0.1 m/s",
     "condition: distance, entity: ball, to: robots, at_most: 0.1": (
-        "the ball is at most 0.1 m from the nearest of the robots"
+        "the ball “ball” is at most 0.1 m from the nearest of the robots"
     ),
     "condition: flag, flag: away, negate: true": "the flag “away” is not set",
     "condition: counter, counter: blue, at_least: 2": "the score of blue is at least 2",
-    "condition: last_touch, by: yellow, negate: true": "the last to touch the ball was not one of the yellow robots",
+    "condition: last_touch, by: yellow, negate: true": "the last to touch the ball “ball” was not one of the yellow robots",
     "condition: spot_free, spot: neutral_spots, of: none": "none of the neutral spots is free",
 }
 

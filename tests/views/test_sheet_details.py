@@ -134,7 +134,7 @@ WHO = {
     "{trigger: enters, entity: red, zone: pitch}": "The ball “red” is there.",
     "{trigger: enters, entity: Y1, zone: pitch}": "Y1 is there.",
     "{trigger: displaced, entity: blue, distance_m: 0.1}": "One of the blue robots is there.",
-    "{trigger: enters, entity: Y1, zone: pitch}, {trigger: leaves, entity: ball, zone: pitch}": "Y1 or the ball is there.",
+    "{trigger: enters, entity: Y1, zone: pitch}, {trigger: leaves, entity: ball, zone: pitch}": "Y1 or the ball “ball” is there.",
     "{trigger: touches, entity: vase, other: ball}": "The obstacle “vase” is there.",
     "{trigger: program_fault, robot: Y2}": "Y2 is there.",
     "{trigger: sequence_completed, sequence: way}": "Y3 is there.",
@@ -216,34 +216,34 @@ def test_what_a_rule_says_ends_before_the_next_sentence_begins(says, words):
 
 PUT = {
     "entity: Y1, at: start, facing: {random: true}": "Y1 is put at its start, facing a random way",
-    "entity: Y1, at: start, facing: {towards: ball}": "Y1 is put at its start, facing the ball",
+    "entity: Y1, at: start, facing: {towards: ball}": "Y1 is put at its start, facing the ball “ball”",
     "entity: Y1, at: start, facing: {towards: [0, 0]}": "Y1 is put at its start, facing (0, 0)",
     "entity: Y1, at: start, facing: keep": "Y1 is put at its start, facing the way it did before",
     "entity: yellow, at: start, facing: keep": "the yellow robots are put at their starts, each facing the way it did before",
     "entity: Y1, at: start, facing: 1.5708": "Y1 is put at its start, facing 90° counter-clockwise from +x",
     "entity: Y1, at: start, facing: start": "Y1 is put at its start",
     "entity: ball, at: {uniform_in: pitch}, min_clearance_m: 0.05": (
-        "the ball is put anywhere in the pitch, at least 5 cm from everything but the walls"
+        "the ball “ball” is put anywhere in the pitch, at least 5 cm from everything but the walls"
     ),
-    "entity: ball, at: {uniform_in: [pitch, blue_goal]}": "the ball is put anywhere in the pitch or the blue goal",
+    "entity: ball, at: {uniform_in: [pitch, blue_goal]}": "the ball “ball” is put anywhere in the pitch or the blue goal",
     "entity: ball, at: {spot: centre}, on_failure: stay": (
-        "the ball is put on the spot “centre”, or left where it is if there is no room"
+        "the ball “ball” is put on the spot “centre”, or left where it is if there is no room"
     ),
     "entity: [Y1, Y2], at: {spot: centre}, on_failure: stay": (
         "Y1 and Y2 are each put on the spot “centre”, or left where it is if there is no room"
     ),
-    "entity: ball, at: {spot: centre}, noise_m: [0.1, 0]": "the ball is put on the spot “centre” (± 0.1 m in x)",
+    "entity: ball, at: {spot: centre}, noise_m: [0.1, 0]": "the ball “ball” is put on the spot “centre” (± 0.1 m in x)",
     "entity: Y1, at: {point: [0.1, 0]}, mirror: {axis: x, when: away}, facing: {towards: ball}": (
-        "Y1 is put at (0.1, 0), mirrored (x becomes -x) if the flag “away” is set, facing the ball"
+        "Y1 is put at (0.1, 0), mirrored (x becomes -x) if the flag “away” is set, facing the ball “ball”"
     ),
-    "entity: Y1, at: {relative_to: ball, offset_m: [0, -0.2]}": "Y1 is put 0.2 m towards -y of the ball",
+    "entity: Y1, at: {relative_to: ball, offset_m: [0, -0.2]}": "Y1 is put 0.2 m towards -y of the ball “ball”",
     "entity: Y1, at: {relative_to: ball, offset_m: [0.1, -0.05]}": (
-        "Y1 is put 0.1 m towards +x and 5 cm towards -y of the ball"
+        "Y1 is put 0.1 m towards +x and 5 cm towards -y of the ball “ball”"
     ),
     "entity: ball, at: {relative_to: Y1, offset_m: [0.1, 0.05], turns: true}": (
-        "the ball is put 0.1 m to the front and 5 cm to the left of Y1, as Y1 is turned"
+        "the ball “ball” is put 0.1 m to the front and 5 cm to the left of Y1, as Y1 is turned"
     ),
-    "entity: ball, at: {relative_to: centre}": "the ball is put right at the spot “centre”",
+    "entity: ball, at: {relative_to: centre}": "the ball “ball” is put right at the spot “centre”",
 }
 
 

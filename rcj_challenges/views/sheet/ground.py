@@ -1,4 +1,4 @@
-"""The field of a rule sheet: its walls, corners and goals, what stands on it, and a drawing."""
+"""The field of a rule sheet: its walls, corners and goals, what lies and stands on it, and a drawing."""
 
 from __future__ import annotations
 
@@ -23,6 +23,7 @@ def field_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
         f" {_corners(field)} {_goals(nouns, field)}"
     )
     yield Picture(draw_scenario(scenario, nouns.roster))
+    yield from _balls(nouns)
     if scenario.obstacles:
         yield Paragraph("Obstacles; the place is where the centre stands at the start of a half, x and y in m:")
         rows = tuple(_obstacle_row(name, obstacle) for name, obstacle in scenario.obstacles.items())
@@ -49,6 +50,39 @@ def _goals(nouns: Nouns, field: models.FieldModel) -> str:
         for name, goal in field.goals.items()
     )
     return f"{goals[:1].upper()}{goals[1:]}."
+
+
+def _balls(nouns: Nouns) -> Iterator[Block]:
+    """Return what is known of the balls: of one a sentence, of several a table."""
+    balls = nouns.scenario.balls
+    if not balls:
+        yield Paragraph("There is no ball.")
+    elif len(balls) == 1:
+        ((name, ball),) = balls.items()
+        yield Paragraph(_ball_words(nouns.thing(name), ball))
+    else:
+        # A colour that nobody chose is that of every ball, and tells none of them from the others.
+        colours = any(_colour_given(ball) for ball in balls.values())
+        yield Paragraph("Balls; the start is where the centre lies if no rule puts the ball elsewhere, x and y in m:")
+        head = ("ball", "start", "diameter", "mass", *(("colour",) if colours else ()), "sends infra-red")
+        yield Table(head, tuple(_ball_row(name, ball, colours=colours) for name, ball in balls.items()))
+
+
+def _ball_words(who: str, ball: models.Ball) -> str:
+    colour = f", its colour is {ball.colour}" if _colour_given(ball) else ""
+    sends = "infra-red" if ball.emits else "no infra-red"
+    said = f"{who} measures {metres(2 * ball.radius_m)} across, its mass is {ball.mass_kg:g} kg{colour}."
+    return f"{said[:1].upper()}{said[1:]} It sends {sends}. Its start is {point(ball.start_m)}."
+
+
+def _ball_row(name: str, ball: models.Ball, *, colours: bool) -> tuple[str, ...]:
+    size, mass = metres(2 * ball.radius_m), f"{ball.mass_kg:g} kg"
+    colour = (ball.colour,) if colours else ()
+    return plain(name), point(ball.start_m), size, mass, *colour, "yes" if ball.emits else "no"
+
+
+def _colour_given(ball: models.Ball) -> bool:
+    return "colour" in ball.model_fields_set
 
 
 def _obstacle_row(name: str, obstacle: Any) -> tuple[str, ...]:

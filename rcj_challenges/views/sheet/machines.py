@@ -9,13 +9,15 @@ from rcj_challenges.devices.channels import entrant_of, team_channels
 from rcj_challenges.scenario.models import robots as models
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.sheet.blocks import Block, Heading, Paragraph, Table
-from rcj_challenges.views.sheet.nouns import Nouns, plain
+from rcj_challenges.views.sheet.nouns import Nouns, listed, plain
 from rcj_challenges.views.sheet.phrases import degrees, metres
 
 _RADIO = (models.TeamEmitterDevice, models.TeamReceiverDevice)
+_SONAR_NOISE_FULL_FROM_M = 1.0
+"""Up to here the share of a sonar's noise grows with the distance. Source: reference, 4.1."""
 
 
-def robot_blocks(scenario: Scenario, _nouns: Nouns) -> Iterator[Block]:
+def robot_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     """Return the section about the robots."""
     yield Heading(2, "Robots")
     owners = entrant_of(scenario)
@@ -27,12 +29,14 @@ def robot_blocks(scenario: Scenario, _nouns: Nouns) -> Iterator[Block]:
     used = {robot.kit for robot in scenario.robots.values() if not robot.idle}
     for kit_name, kit in scenario.kits.items():
         if kit_name in used:
-            yield from _kit(kit_name, kit)
+            yield from _kit(kit_name, kit, nouns)
     for name, robot in scenario.robots.items():
         if robot.devices or robot.without:
-            changes = [f"“{device}”: {device_words(model)}" for device, model in robot.devices.items()]
+            changes = [f"“{device}”: {device_words(model, nouns)}" for device, model in robot.devices.items()]
             changes += [f"no “{device}”" for device in robot.without]
             yield Paragraph(f"{plain(name)} differs from its kit: {'; '.join(changes)}.")
+    if sum(ball.emits for ball in scenario.balls.values()) > 1 and _any_has(scenario, models.BallReceiverDevice):
+        yield Paragraph("A packet of infra-red does not tell which of the balls sent it.")
     channels = _radio_channels(scenario, owners)
     if channels:
         told = ", ".join(f"channel {channel} for {plain(seat)}" for seat, channel in channels.items())
@@ -45,7 +49,7 @@ def _driver(robot: models.Robot, owner: str | None) -> str:
     return "nobody" if owner is None else f"program of {plain(owner)}"
 
 
-def _kit(name: str, kit: models.Kit) -> Iterator[Block]:
+def _kit(name: str, kit: models.Kit, nouns: Nouns) -> Iterator[Block]:
     yield Heading(3, f"Kit {name}")
     chassis = kit.chassis
     top = chassis.wheel_radius_m * chassis.max_wheel_radps
@@ -54,7 +58,7 @@ def _kit(name: str, kit: models.Kit) -> Iterator[Block]:
         f"at {chassis.max_wheel_radps:g} rad/s. Programs take a step every {kit.control_step_ms} ms; "
         f"messages are as in version {kit.messages}."
     )
-    yield Table(("device", "what it is"), tuple((device, device_words(d)) for device, d in kit.devices.items()))
+    yield Table(("device", "what it is"), tuple((device, device_words(d, nouns)) for device, d in kit.devices.items()))
 
 
 def _radio_channels(scenario: Scenario, owners: dict[str, str]) -> dict[str, int]:
@@ -63,17 +67,24 @@ def _radio_channels(scenario: Scenario, owners: dict[str, str]) -> dict[str, int
     return {
         owners[name]: channels[name]
         for name, robot in scenario.robots.items()
-        if name in owners and not robot.idle and _has_radio(scenario, robot)
+        if name in owners and not robot.idle and has(scenario, robot, *_RADIO)
     }
 
 
-def _has_radio(scenario: Scenario, robot: models.Robot) -> bool:
+def _any_has(scenario: Scenario, kind: type[models.Device]) -> bool:
+    return any(has(scenario, robot, kind) for robot in scenario.robots.values() if not robot.idle)
+
+
+def has(scenario: Scenario, robot: models.Robot, *kinds: type[models.Device]) -> bool:
+    """Return whether a robot has a device of one of these kinds: its kit's or its own, less what it lacks."""
     devices = {**scenario.kits[robot.kit].devices, **robot.devices}
-    return any(isinstance(device, _RADIO) for name, device in devices.items() if name not in robot.without)
+    return any(isinstance(device, kinds) for name, device in devices.items() if name not in robot.without)
 
 
-def device_words(device: models.Device) -> str:
+def device_words(device: models.Device, nouns: Nouns) -> str:
     """Return what a device is, with its range and its noise."""
+    if isinstance(device, models.BallReceiverDevice):
+        return _ball_receiver(device, nouns)
     return _DEVICES[device.device](device)
 
 
@@ -86,16 +97,25 @@ def _percent(share: float, of: str) -> str:
     return f"{100 * share:g} % of {of}" if share else ""
 
 
-def _ball_receiver(d: models.BallReceiverDevice) -> str:
+def _ball_receiver(d: models.BallReceiverDevice, nouns: Nouns) -> str:
+    balls = nouns.scenario.balls
+    heard = [nouns.thing(name) for name, ball in balls.items() if ball.emits]
+    if not heard:
+        return "infra-red receiver; it hears nothing, for no ball sends infra-red"
     direction = f"{degrees(d.direction_noise_rad)} of the direction" if d.direction_noise_rad else ""
+    whom = f"{listed(heard, 'and')} only" if len(heard) < len(balls) else "the ball" if len(balls) == 1 else "all balls"
     return (
-        f"infra-red receiver of the ball, up to {metres(d.range_m)}"
+        f"infra-red receiver of {whom}, up to {metres(d.range_m)}"
         f"{_noise(_percent(d.strength_noise, 'the strength'), direction)}"
     )
 
 
 def _sonar(d: models.SonarDevice) -> str:
     noise = _noise(_percent(d.noise, "the value from 1 m on, less when nearer"))
+    if d.noise and d.range_m < _SONAR_NOISE_FULL_FROM_M:
+        # It never measures as far as where the noise stops growing: the figure that holds is that of its own range.
+        full = _percent(d.noise * d.range_m, f"the value at {metres(d.range_m)}")
+        noise = _noise(f"{full}, less when nearer: at half the distance half that share")
     return f"distance sensor, bearing {round(d.bearing_rad * 57.29578)}°, up to {metres(d.range_m)}{noise}"
 
 
@@ -111,7 +131,6 @@ _DEVICES: dict[str, Callable[[Any], str]] = {
     "gps": lambda d: f"position of the robot{_noise(metres(d.noise_m) if d.noise_m else '')}",
     "compass": lambda d: f"direction of north{_noise(degrees(d.noise_rad) if d.noise_rad else '')}",
     "sonar": _sonar,
-    "ball_receiver": _ball_receiver,
     "supervisor_receiver": lambda d: f"receiver of the referee's packets, channel {d.channel}",
     "team_receiver": lambda d: f"team radio, receives from up to {metres(d.range_m)}",
     "team_emitter": lambda d: f"team radio, sends up to {metres(d.range_m)} far, {d.baud} baud",

@@ -86,7 +86,7 @@ class Nouns:
         kind = _kind(scenario, name)
         first = name.lower().partition("_")[0]
         bare = kind in ("ball", "obstacle", "gate", "spot") and kind not in name.lower()
-        if bare or (kind not in ("", "robot") and first in _WITHOUT_ARTICLE):
+        if bare or (kind not in ("", "robot") and first in _WITHOUT_ARTICLE) or self._one_like_others(name, kind):
             return f"the {kind} {quoted(name)}"
         if name in scenario.draws:
             return f"what was drawn as {quoted(name)}"
@@ -152,6 +152,10 @@ class Nouns:
     def members(self, group: str) -> str:
         """Return the members of a group by name."""
         return ", ".join(map(plain, self.roster.expand(group)))
+
+    def _one_like_others(self, name: str, kind: str) -> bool:
+        """Return whether a thing is called what each of several is: “the ball” alone would be any of the balls."""
+        return name.lower().removeprefix("the_") == kind and len(getattr(self.scenario, f"{kind}s")) > 1
 
     def _several(self, name: str) -> bool:
         return len(self.roster.expand(name)) > 1

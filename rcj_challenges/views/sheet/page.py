@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rcj_challenges.scenario.models.actions import Emit, Score
+from rcj_challenges.scenario.models.actions import Score
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Result, Scenario
 from rcj_challenges.scenario.models.state import AnyStep, Draw, Phase, Sequence
 from rcj_challenges.scenario.roster import Roster
@@ -13,9 +13,10 @@ from rcj_challenges.views.sheet.deeds import placing_words
 from rcj_challenges.views.sheet.ground import field_blocks
 from rcj_challenges.views.sheet.machines import robot_blocks
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
-from rcj_challenges.views.sheet.phrases import amount, seconds, value
+from rcj_challenges.views.sheet.phrases import amount, seconds
 from rcj_challenges.views.sheet.rules import rule_blocks, when_words
 from rcj_challenges.views.sheet.spoken import spoken
+from rcj_challenges.views.sheet.told import told_blocks
 
 
 def sheet_markdown(scenario: Scenario, roster: Roster) -> str:
@@ -30,7 +31,7 @@ def sheet_html(scenario: Scenario, roster: Roster) -> str:
 
 def sheet_blocks(scenario: Scenario, roster: Roster) -> list[Block]:
     """Return all sections of the sheet, in order."""
-    sections = (_goal, field_blocks, robot_blocks, _course, _scoring, rule_blocks, _places, _told, _submission)
+    sections = (_goal, field_blocks, robot_blocks, _course, _scoring, rule_blocks, _places, told_blocks, _submission)
     nouns = Nouns(scenario, roster)
     return [block for section in sections for block in section(scenario, nouns)]
 
@@ -45,7 +46,7 @@ def _course(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     match = scenario.match
     yield Heading(2, "Course")
     halves = "One half" if match.halves == 1 else f"{match.halves} halves"
-    swap = "; the teams change sides after each half" if match.swap_sides else ""
+    swap = "; the teams change sides between halves" if match.swap_sides and match.halves > 1 else ""
     first = f" A half begins in the phase {quoted(scenario.first_phase)}." if scenario.first_phase != "play" else ""
     yield Paragraph(f"{halves} of {seconds(match.half_s)}{swap}.{first} Everything is judged on every tick of 32 ms.")
     entries = [
@@ -65,7 +66,7 @@ def _course(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
 
 def _phase_words(name: str, phase: Phase) -> str:
     lasts = f"lasts {seconds(phase.lasts_s)}" if phase.lasts_s else "lasts until a rule ends it"
-    told = "; programs are told that they wait for a kick-off" if phase.waiting_for_kickoff else ""
+    told = "; meanwhile a kick-off is awaited" if phase.waiting_for_kickoff else ""
     clock = "goes on" if phase.clock == "runs" else "stands still"
     return f"The phase {quoted(name)} {lasts}, then {quoted(phase.next)} follows; the clock {clock}{told}."
 
@@ -123,25 +124,6 @@ def _places(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
         yield Heading(2, "Where things are put")
     for name, layout in scenario.placements.items():
         yield Paragraph(f"{quoted(name)}: {'; '.join(placing_words(nouns, placing) for placing in layout)}.")
-
-
-def _told(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
-    yield Heading(2, "What programs are told")
-    yield Paragraph("The referee's packet, as the kit's version has it, tells whether a kick-off is awaited.")
-    if scenario.broadcast is not None:
-        fields = tuple((key, value(nouns, entry)) for key, entry in scenario.broadcast.fields.items())
-        every = scenario.broadcast.every_ticks
-        often = "every tick" if every == 1 else f"every {every} ticks"
-        yield Paragraph(f"After it, {often}, one JSON object follows on the same channel:")
-        yield Table(("key", "value"), fields)
-    events: dict[str, list[str]] = {}
-    for rule in scenario.rules.values():
-        for event in {action.event: None for action in rule.actions if isinstance(action, Emit)}:
-            events.setdefault(event, []).append(spoken(nouns, rule))
-    if events:
-        yield Heading(2, "Events in the log")
-        meanings = {event: " Or: ".join(filter(None, dict.fromkeys(said))) for event, said in events.items()}
-        yield Table(("event", "meaning"), tuple(meanings.items()))
 
 
 def _submission(scenario: Scenario, _nouns: Nouns) -> Iterator[Block]:
