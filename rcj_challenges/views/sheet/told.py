@@ -1,0 +1,116 @@
+"""What a rule sheet says about what programs are told: the referee's packets, the broadcast, the events in the log."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterator
+
+from rcj_challenges.devices.channels import entrant_of
+from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.scenario.models.actions import Emit
+from rcj_challenges.scenario.models.robots import Kit, SupervisorReceiverDevice
+from rcj_challenges.scenario.models.scenario import Broadcast, Scenario
+from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table
+from rcj_challenges.views.sheet.machines import has
+from rcj_challenges.views.sheet.nouns import Nouns, listed, plain
+from rcj_challenges.views.sheet.phrases import value
+from rcj_challenges.views.sheet.spoken import spoken
+
+_FLAG_PACKETS = {
+    "v2.1": 'It is one byte, whether a kick-off is awaited; Python unpacks it with struct.unpack("?", packet).',
+    "v2.2": 'It is JSON text: {"waiting_for_kickoff": true} while a kick-off is awaited, otherwise false stands in it.',
+}
+"""The packets that hold nothing but the flag, by the kit's messages."""
+
+
+def told_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
+    """Return the sections about what programs are told, and what the log is told."""
+    yield Heading(2, "What programs are told")
+    kits = _kits_that_hear(scenario)
+    if not kits:
+        yield Paragraph("No robot has a receiver of the referee's packets.")
+    for name, kit in kits.items():
+        yield from _packet(name, kit, nouns)
+    if kits and scenario.broadcast is not None:
+        yield from _broadcast(scenario.broadcast, kits, nouns)
+    yield from _events(scenario, nouns)
+
+
+def _kits_that_hear(scenario: Scenario) -> dict[str, Kit]:
+    """Return the kits of the driven robots that have a receiver of the referee's packets, by name."""
+    driven = (scenario.robots[name] for name in entrant_of(scenario))
+    used = {robot.kit for robot in driven if not robot.idle and has(scenario, robot, SupervisorReceiverDevice)}
+    return {name: kit for name, kit in scenario.kits.items() if name in used}
+
+
+def _packet(name: str, kit: Kit, nouns: Nouns) -> Iterator[Block]:
+    """Return what the official packet to the robots of a kit holds."""
+    often = f"The referee sends robots of the kit {name} a packet {_every(kit.packet_every_ticks)}."
+    if kit.messages != "2021":
+        yield Paragraph(f"{often} {_FLAG_PACKETS[kit.messages]}")
+        return
+    parts = tuple(_parts_2021(kit, nouns))
+    if not parts:
+        yield Paragraph(f"{often} It is empty.")
+        return
+    yield Paragraph(f"{often} It holds, in this order:")
+    yield Items(parts, numbered=True)
+    yield Paragraph(_reading_2021(kit, len(nouns.scenario.balls)))
+
+
+def _parts_2021(kit: Kit, nouns: Nouns) -> Iterator[str]:
+    robots, balls = kit.packet_lists, tuple(nouns.scenario.balls)
+    if len(robots) > 1:
+        yield f"for each of {listed([plain(name) for name in robots], 'and')}, one after the other: X, Z, orientation"
+    elif robots:
+        yield f"of {plain(robots[0])}: X, Z, orientation"
+    if len(balls) > 1:
+        yield f"for each of {listed([nouns.thing(name) for name in balls], 'and')}, one after the other: X, Z"
+    elif balls:
+        yield f"of {nouns.thing(balls[0])}: X, Z"
+    if kit.packet_has_flag:
+        yield "True while a kick-off is awaited, False otherwise"
+
+
+def _reading_2021(kit: Kit, balls: int) -> str:
+    """Return how the numbers are meant and unpacked, whatever of them the packet has."""
+    robots = len(kit.packet_lists)
+    numbers = "X is the y of this sheet, Z is its x, both in m. " if robots or balls else ""
+    turned = (
+        "The orientation is the way the robot looks, in rad counter-clockwise from +x, from -π to π. " if robots else ""
+    )
+    off = "What is off the field is told to be far outside its walls. " if robots or balls else ""
+    counts = (f"{3 * robots}d" if robots else "", f"{2 * balls}d" if balls else "", "?" if kit.packet_has_flag else "")
+    layout = "".join(counts)
+    doubles = "Each number is a double of 8 bytes in native byte order. " if robots or balls else ""
+    flag = "" if kit.packet_has_flag else " The packet does not tell whether a kick-off is awaited."
+    return (
+        f"{numbers}{turned}{off}{doubles}Python unpacks the {struct.calcsize(layout)} bytes with "
+        f'struct.unpack("{layout}", packet).{flag}'
+    )
+
+
+def _broadcast(broadcast: Broadcast, kits: dict[str, Kit], nouns: Nouns) -> Iterator[Block]:
+    """Return when the broadcast comes and what is in it."""
+    every = broadcast.every_ticks
+    if all(every % kit.packet_every_ticks == 0 for kit in kits.values()):
+        yield Paragraph(f"After it, {_every(every)}, one JSON object follows on the same channel:")
+    else:
+        # It is made on a tick on which the official packet may be missing; then it waits, and a newer one replaces it.
+        yield Paragraph(f"One JSON object is made {_every(every)}; the newest follows the next packet, on its channel:")
+    yield Table(("key", "value"), tuple((key, value(nouns, entry)) for key, entry in broadcast.fields.items()))
+
+
+def _events(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
+    events: dict[str, list[str]] = {}
+    for rule in scenario.rules.values():
+        for event in {action.event: None for action in rule.actions if isinstance(action, Emit)}:
+            events.setdefault(event, []).append(spoken(nouns, rule))
+    if events:
+        yield Heading(2, "Events in the log")
+        meanings = {event: " Or: ".join(filter(None, dict.fromkeys(said))) for event, said in events.items()}
+        yield Table(("event", "meaning"), tuple(meanings.items()))
+
+
+def _every(ticks: int) -> str:
+    return f"every tick ({TICK_S:g} s)" if ticks == 1 else f"every {ticks} ticks ({ticks * TICK_S:g} s)"
