@@ -98,7 +98,9 @@ def read_chain(source: Source) -> list[Source]:
     while (leaf := chain[-1].tree.entries.get("extends")) is not None:
         mark = leaf.mark
         if not isinstance(leaf, Leaf) or not isinstance(leaf.value, str):
-            raise _refused(mark, "expected the name of a preset or shipped scenario, or a relative path to a .yaml file")
+            raise _refused(
+                mark, "expected the name of a preset or shipped scenario, or a relative path to a .yaml file"
+            )
         if len(chain) > MAX_CHAIN:
             files = " → ".join(part.shown for part in chain)
             raise _refused(mark, f"too many bases behind each other, at most {MAX_CHAIN} are allowed: {files}")

@@ -21,6 +21,7 @@ from rcj_challenges.scenario.find import find_scenario
 from rcj_challenges.scenario.inherited import leave_out, unfit_tests
 from rcj_challenges.scenario.merge import Merger
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.own_devices import fill_in_devices
 from rcj_challenges.scenario.params import apply_overrides, resolve_params
 from rcj_challenges.scenario.resources import presets_folder
 from rcj_challenges.scenario.roster import Roster
@@ -107,13 +108,12 @@ def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None
     tree.entries.pop("extends", None)
     apply_overrides(tree, overrides, merger)
     resolve_params(tree, merger)
+    fill_in_devices(tree)
     scenario, left_out = _checked_but_inherited_tests(tree, merger, {part.shown for part in chain[:-1]})
     return Loaded(scenario, Roster.of(scenario), name, path, _dumped(scenario), tree, bases, left_out)
 
 
-def _checked_but_inherited_tests(
-    tree: Entries, merger: Merger, bases: set[str]
-) -> tuple[Scenario, dict[str, Problem]]:
+def _checked_but_inherited_tests(tree: Entries, merger: Merger, bases: set[str]) -> tuple[Scenario, dict[str, Problem]]:
     """Return the scenario of a finished tree without the inherited tests that do not fit it, and those.
 
     Raises:

@@ -98,6 +98,8 @@ class Merger:
             base.put(key, node, key_mark)
         elif key not in base.entries:
             known = f"; there are {listing(base.entries)}" if base.entries else ""
+            if path[:1] == ("robots",) and path[2:] == ("devices",):
+                known += f"; a device of the robot's kit is taken away by 'without: [{key}]'"
             hint = nearest(key, base.entries)
             self._add(node.mark, (*path, key), f"nothing to remove: the base has no '{key}'{known}{hint}")
         else:

@@ -196,4 +196,6 @@ def _swap(scenario: Scenario) -> Iterator[Found]:
         yield Found(("match", "swap_sides"), message)
     elif len(set(counts.values())) > 1:
         sizes = " and ".join(f"'{name}' {count}" for name, count in counts.items())
-        yield Found(("match", "swap_sides"), f"entrants that change sides have equally many robots; {sizes}; or write false")
+        yield Found(
+            ("match", "swap_sides"), f"entrants that change sides have equally many robots; {sizes}; or write false"
+        )

@@ -159,7 +159,9 @@ class Robot(Strict):
     number: int = described(..., "number on its lid", ge=0, le=99)
     kit: Name = described(..., "name of its kit")
     start: StartPose = described(..., "where it starts")
-    devices: dict[DeviceName, Device] = described({}, "devices added to, or replaced in, those of its kit")
+    devices: dict[DeviceName, Device] = described(
+        {}, "devices added to those of its kit, or changed: one without 'device' is as in the kit but for what it says"
+    )
     without: tuple[DeviceName, ...] = Field((), strict=False, description="devices of the kit that it lacks")
     idle: bool = described(False, "True: no program drives it, its wheels are braked (an obstacle)")
 
