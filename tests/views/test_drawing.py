@@ -185,17 +185,17 @@ def test_a_long_name_of_a_robot_stands_beside_it():
 
 
 @given(
-    st.lists(st.tuples(st.floats(-50, 450), st.floats(-50, 350), st.integers(1, 64)), min_size=1, max_size=12),
-    st.lists(st.tuples(st.floats(0, 300), st.floats(0, 200)), max_size=4),
+    st.lists(st.tuples(st.floats(-50, 740), st.floats(-50, 920), st.integers(1, 40)), min_size=1, max_size=12),
+    st.lists(st.tuples(st.floats(0, 600), st.floats(0, 800)), max_size=4),
 )
 @settings(deadline=None, max_examples=25)
-def test_labels_find_room_side_by_side_in_a_picture_that_has_room(things, solids):
-    frame = (0.0, 0.0, 400.0, 300.0)
+def test_labels_find_room_side_by_side_in_a_picture_of_the_usual_size(things, solids):
+    frame = (0.0, 0.0, 690.0, 870.0)
     labels = [Label("x" * length, (x, y), (4.0, 4.0)) for x, y, length in things]
     around = Surroundings(frame, [(x, y, x + 30, y + 30) for x, y in solids])
     placed = place_labels(labels, around)
     assert [one.label for one in placed] == labels
-    assert all(p.box[0] >= 0 and p.box[1] >= 0 and p.box[2] <= 400 and p.box[3] <= 300 for p in placed)
+    assert all(p.box[0] >= 0 and p.box[1] >= 0 and p.box[2] <= 690 and p.box[3] <= 870 for p in placed)
     assert not any(overlap(a.box, b.box) for a, b in combinations(placed, 2))
     assert place_labels(labels, around) == placed
 
