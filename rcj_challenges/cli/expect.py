@@ -16,7 +16,7 @@ from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.inherited import TESTS
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.scenario.models.actions import Emit, Score
-from rcj_challenges.scenario.tree import Entries
+from rcj_challenges.scenario.tree import file_of
 
 _WALL_DIGITS = 4
 
@@ -107,10 +107,8 @@ def _report(path: str, loaded: Loaded, played: list[_Played]) -> dict[str, Any]:
 def _inherited_from(loaded: Loaded, name: str) -> str | None:
     """Return the file from which a test is inherited, None for one of the scenario's own."""
     written = loaded.written
-    tests = None if written is None else written.entries.get(TESTS)
-    if written is None or not isinstance(tests, Entries) or tests.key_marks[name].file == written.mark.file:
-        return None
-    return tests.key_marks[name].file
+    file = "" if written is None else file_of(written, TESTS, name)
+    return None if written is None or file == written.mark.file else file
 
 
 def told_rules(loaded: Loaded) -> list[str]:

@@ -183,7 +183,7 @@ def _why_no_sample_team(scenario: Scenario, seat: str, bases: Sequence[Scenario]
     for base in bases:
         if has_sample_team(base) and (kits := other_kits(scenario, base, seat)):
             told = ", ".join(f"{robot}: {kit}" for robot, kit in kits.items())
-            return f"The sample team of {base.id} was written for other kits ({told})"
+            return f"The sample team of {base.id} was written for other kits or packets ({told})"
     return "There is no sample team for it"
 
 

@@ -21,7 +21,7 @@ from rcj_challenges.devices.poses import Poses
 from rcj_challenges.devices.sampling import Family
 from rcj_challenges.devices.sight import RayMask, groups_at
 from rcj_challenges.facts.play import HalfInfo
-from rcj_challenges.scenario.models.robots import SonarDevice
+from rcj_challenges.scenario.models.robots import SONAR_NOISE_FULL_FROM_M, SonarDevice
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 
@@ -36,9 +36,6 @@ _WIDTH = 7
 _MM_PER_M = 1000.0
 _GRAZING = 1e-6
 """Cosine of the flattest echo there is, also where a scenario says that none is ever lost (`lost_from_rad` ≥ π / 2)."""
-
-_NOISE_FULL_FROM_M = 1.0
-"""The noise grows with the distance up to here. Source: reference, 4.1."""
 
 
 def _site_name(one: Fitted) -> str:
@@ -136,7 +133,7 @@ class Sonars(Family[Sonar]):
             echo_m = distance if facing < heard_below and distance < range_m else range_m
             if facing > 0:  # only a ray that begins inside a body pressed against the robot: an echo from no distance
                 echo_m = 0.0
-            own[slot] = echo_m * (_MM_PER_M + min(echo_m, _NOISE_FULL_FROM_M) * errors[member])
+            own[slot] = echo_m * (_MM_PER_M + min(echo_m, SONAR_NOISE_FULL_FROM_M) * errors[member])
 
     def _measure(self) -> None:
         option = self._option

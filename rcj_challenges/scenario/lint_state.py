@@ -9,7 +9,7 @@ from rcj_challenges.scenario.lint_suspect import Subject, Suspect, Use, on_field
 from rcj_challenges.scenario.models.actions import Count, DrawAction, SetFlag, TimerAction, ToggleFlag
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe
 from rcj_challenges.scenario.references import Named
-from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, file_of
 
 _TESTS = (Expectation, Given, Keyframe)
 _WRITERS: dict[str, tuple[type[Any], ...]] = {
@@ -92,7 +92,7 @@ def check_params(subject: Subject) -> Iterator[Suspect]:
     """Params of the author's own file for which nothing stands. What a base brought is not the author's to tidy up."""
     used = set(_notes(subject.tree))
     for name in subject.scenario.params:
-        if f"param '{name}'" not in used and subject.tree.mark.file == _file_of(subject, "params", name):
+        if f"param '{name}'" not in used and subject.tree.mark.file == file_of(subject.tree, "params", name):
             yield Suspect(
                 "param_never_used",
                 ("params", name),
@@ -120,7 +120,7 @@ def check_unused(subject: Subject) -> Iterator[Suspect]:
                 used = name in named or bool(getattr(entry, "drawn", False))
             else:
                 used = _is_named(name, section, subject)
-            if not used and subject.tree.mark.file == _file_of(subject, section, name):
+            if not used and subject.tree.mark.file == file_of(subject.tree, section, name):
                 yield Suspect(
                     f"{noun}_never_used",
                     (section, name),
@@ -135,11 +135,6 @@ def _is_named(name: str, section: str, subject: Subject) -> bool:
         return True
     # A layout may be one of the values of a draw.
     return section == "placements" and any(name in draw.values for draw in subject.scenario.draws.values())
-
-
-def _file_of(subject: Subject, section: str, name: str) -> str:
-    node = subject.tree.entries.get(section)
-    return node.key_marks[name].file if isinstance(node, Entries) and name in node.key_marks else ""
 
 
 def check_inherited_tests(subject: Subject) -> Iterator[Suspect]:

@@ -38,7 +38,7 @@ def _is_own(mark: Mark, subject: Subject) -> bool:
 
 def _is_inherited(mark: Mark, subject: Subject) -> bool:
     """Return whether something stands in a base; what the command line sets stands in no file at all."""
-    return not _is_own(mark, subject) and mark.file.endswith((".yaml", ".yml"))
+    return not _is_own(mark, subject) and not mark.file.startswith("--set")
 
 
 def _where_set(path: Path, subject: Subject) -> Path:

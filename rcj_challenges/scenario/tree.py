@@ -129,6 +129,12 @@ def mark_of(root: Node, path: Sequence[Step], *, at_key: bool = False) -> Mark:
     return node.mark
 
 
+def file_of(root: Entries, section: str, name: str) -> str:
+    """Return the file that wrote an entry of a section last, empty if there is none."""
+    entries = root.entries.get(section)
+    return entries.key_marks[name].file if isinstance(entries, Entries) and name in entries.key_marks else ""
+
+
 _KINDS = {"triggers": "trigger", "conditions": "condition", "actions": "action"}
 
 

@@ -58,6 +58,14 @@ def test_a_team_does_not_play_a_variant_with_robots_of_another_kit(variant):
     assert chosen(variant("robots: {Y3: {kit: v2}}")) is None
 
 
+@pytest.mark.parametrize(
+    "change", ["packet_lists: []", "packet_lists: [Y3, Y3]", "packet_has_flag: false", 'messages: "v2.2"']
+)
+def test_a_team_does_not_play_a_variant_whose_packets_it_cannot_read(variant, change):
+    assert chosen(variant(f"kits: {{legacy_2021: {{{change}}}}}")) is None
+    assert chosen(variant("kits: {legacy_2021: {chassis: {mass_kg: 0.3}}}", name="heavier")) == "fast_shooter"
+
+
 def test_a_team_without_the_programs_that_are_asked_for_does_not_play(variant):
     assert chosen(variant("entrants: {yellow: {robots: {Y3: shoot/shoot.py}}}")) is None
 
@@ -68,14 +76,14 @@ def test_a_team_without_the_programs_that_are_asked_for_does_not_play(variant):
         (
             "fast_shooter_v2",
             (
-                "who plays for 'yellow'? The sample team of fast_shooter was written for other kits (Y3: legacy_2021): "
+                "who plays for 'yellow'? The sample team of fast_shooter was written for other kits or packets (Y3: legacy_2021): "
                 "give --team yellow=PATH, a team with score_goal/score_goal.py for Y3 (kit v2)"
             ),
         ),
         (
             "pass_the_ball_v2",
             (
-                "who plays for 'yellow'? The sample team of pass_the_ball was written for other kits (Y1: legacy_2021, "
+                "who plays for 'yellow'? The sample team of pass_the_ball was written for other kits or packets (Y1: legacy_2021, "
                 "Y2: legacy_2021, B1: legacy_2021, B2: legacy_2021): give --team yellow=PATH, a team with "
                 "pass_ball_yellow/pass_ball_yellow.py for Y1 (kit v2), Y2 (kit v2) and "
                 "pass_ball_blue/pass_ball_blue.py for B1 (kit v2), B2 (kit v2)"

@@ -104,6 +104,21 @@ def test_what_is_left_out_is_told_where_tests_are_played(mine, capsys):
     assert list(json.loads(capsys.readouterr().out)["files"][0]["left_out"]) == [REASON]
 
 
+def test_a_failing_test_says_from_where_it_is_inherited_and_an_own_one_does_not(mine, capsys):
+    stricter = "rules: {scored: {actions: [{action: score, entrant: yellow, points: 2}]}}\n"
+    own = "expect: {mine: {keyframes: [{at_s: 0.5}], lasts_s: 1, score: {yellow: 7}}}\n"
+    path = mine(stricter + own)
+    assert run_tests([path], [], as_json=True) == 1
+    tests = {test["name"]: test for test in json.loads(capsys.readouterr().out)["files"][0]["tests"]}
+    assert not tests["a_ball_in_the_corner_counts"]["passed"]
+    assert tests["a_ball_in_the_corner_counts"]["inherited_from"].endswith("base.yaml")
+    assert (tests["mine"]["passed"], tests["mine"]["inherited_from"]) == (False, None)
+    assert run_tests([path], [], as_json=False) == 1
+    told = capsys.readouterr().out
+    assert told.count("replace it, or remove it by 'a_ball_in_the_corner_counts: null' under expect") == 1
+    assert told.count("inherited from") == 1
+
+
 @pytest.mark.parametrize("name", ["match.yaml", "other.yaml"])
 def test_a_file_may_bear_the_name_of_what_it_extends(tmp_path, monkeypatch, name):
     (tmp_path / name).write_text(f"{HEAD}extends: match\nmatch: {{half_s: 20}}\n")

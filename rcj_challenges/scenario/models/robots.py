@@ -51,6 +51,10 @@ class CompassDevice(Strict):
     noise_rad: NotNegative = described(0.0, "standard deviation of the heading in rad")
 
 
+SONAR_NOISE_FULL_FROM_M = 1.0
+"""Up to here the share of a sonar's noise grows with the distance. Source: reference, 4.1."""
+
+
 class SonarDevice(Strict):
     """A distance sensor: one horizontal ray. Source of the defaults: reference, section 4.1."""
 

@@ -13,8 +13,6 @@ from rcj_challenges.views.sheet.nouns import Nouns, listed, plain
 from rcj_challenges.views.sheet.phrases import degrees, metres
 
 _RADIO = (models.TeamEmitterDevice, models.TeamReceiverDevice)
-_SONAR_NOISE_FULL_FROM_M = 1.0
-"""Up to here the share of a sonar's noise grows with the distance. Source: reference, 4.1."""
 
 
 def robot_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
@@ -112,7 +110,7 @@ def _ball_receiver(d: models.BallReceiverDevice, nouns: Nouns) -> str:
 
 def _sonar(d: models.SonarDevice) -> str:
     noise = _noise(_percent(d.noise, "the value from 1 m on, less when nearer"))
-    if d.noise and d.range_m < _SONAR_NOISE_FULL_FROM_M:
+    if d.noise and d.range_m < models.SONAR_NOISE_FULL_FROM_M:
         # It never measures as far as where the noise stops growing: the figure that holds is that of its own range.
         full = _percent(d.noise * d.range_m, f"the value at {metres(d.range_m)}")
         noise = _noise(f"{full}, less when nearer: at half the distance half that share")
