@@ -31,7 +31,6 @@ _OBSERVATION = "<IBIBII"  # with its length; then the values
 _PACKET = Struct("<HI4d")
 _REQUEST = Struct("<BIIIQHHHHI")
 _REQUEST_BEGINS = Struct("<BI")
-_NO_OTHERS = [0, 0, 0, 0]
 _MOTOR = Struct("<Hdd")
 _SAMPLING = Struct("<HI")
 _CHANNEL = Struct("<Hi")
@@ -131,39 +130,37 @@ class Codec:
             raise ProtocolError(f"a request of {len(body)} bytes") from None
         if advance < 1:
             raise ProtocolError("a request to advance by no tick")
-        if max(motors, *others[:3]) > len(self._kinds) or others[3] > MOST_EMISSIONS:
-            told = f"{max(motors, *others[:3])} settings and {others[3]} packets"
+        sampling, channels, frequencies, emissions = others
+        settings = max(motors, sampling, channels, frequencies)
+        if settings > len(self._kinds) or emissions > MOST_EMISSIONS:
+            told = f"{settings} settings and {emissions} packets"
             raise ProtocolError(f"a request with too many settings or packets in one step: {told}")
-        settings = body[_REQUEST.size :]
-        size = motors * _MOTOR.size
-        if len(settings) < size:
+        at = _REQUEST.size + motors * _MOTOR.size
+        if len(body) < at:
             raise ProtocolError("a request that ends too early")
+        commands = self._commands(body[_REQUEST.size : at])
+        if not (sampling or channels or frequencies):  # as nearly always
+            return Request(advance, missed, commands, self._emissions(body, at, emissions), printed_bytes=printed)
+        tail = _Tail(body, at)
+        return Request(
+            advance,
+            missed,
+            commands,
+            sampling=tuple([self._sampling(*tail.take(_SAMPLING)) for _ in range(sampling)]),
+            channels=tuple([self._tuning(*tail.take(_CHANNEL)) for _ in range(channels)]),
+            frequencies=tuple([self._frequency(*tail.take(_FREQUENCY)) for _ in range(frequencies)]),
+            emissions=self._emissions(body, tail.at, emissions),
+            printed_bytes=printed,
+        )
+
+    def _commands(self, settings: bytes) -> tuple[MotorCommand, ...]:
         commands = []
-        for device, velocity, position in _MOTOR.iter_unpack(settings[:size]):
+        for device, velocity, position in _MOTOR.iter_unpack(settings):
             # The bounds are written so that NaN is within none.
             if device not in self._motors or not (abs(velocity) <= self._max_velocity and position > -math.inf):
                 raise ProtocolError(self._what_is_wrong(device, velocity, position))
             commands.append(MotorCommand(device, velocity, position))
-        if others == _NO_OTHERS and len(settings) == size:
-            return Request(advance, missed, tuple(commands), printed_bytes=printed)
-        tail = _Tail(settings, size)
-        sampling, channels, frequencies, emissions = others
-        if not (sampling or channels or frequencies):
-            sent = tuple([self._emission(tail) for _ in range(emissions)])
-            tail.must_be_empty()
-            return Request(advance, missed, tuple(commands), sent, printed_bytes=printed)
-        request = Request(
-            advance,
-            missed,
-            motors=tuple(commands),
-            sampling=tuple([self._sampling(*tail.take(_SAMPLING)) for _ in range(sampling)]),
-            channels=tuple([self._tuning(*tail.take(_CHANNEL)) for _ in range(channels)]),
-            frequencies=tuple([self._frequency(*tail.take(_FREQUENCY)) for _ in range(frequencies)]),
-            emissions=tuple([self._emission(tail) for _ in range(emissions)]),
-            printed_bytes=printed,
-        )
-        tail.must_be_empty()
-        return request
+        return tuple(commands)
 
     def _what_is_wrong(self, device: int, velocity: float, position: float) -> str:
         if device not in self._motors:
@@ -186,12 +183,24 @@ class Codec:
             raise ProtocolError(f"device {device}: a frequency of {frequency_hz:g} Hz")
         return device, frequency_hz
 
-    def _emission(self, tail: _Tail) -> tuple[int, bytes]:
-        device, size = tail.take(_EMISSION)
-        self._must_be(device, _EMITTING_KINDS, "an emitter")
-        if size > self._message_bytes:
-            raise ProtocolError(f"a radio packet of {size} bytes")
-        return device, tail.take_bytes(size)
+    def _emissions(self, body: bytes, at: int, count: int) -> tuple[tuple[int, bytes], ...]:
+        """Return the packets to be sent, which end a request."""
+        sent = []
+        for _ in range(count):
+            begins = at + _EMISSION.size
+            if begins > len(body):
+                raise ProtocolError("a request that ends too early")
+            device, size = _EMISSION.unpack_from(body, at)
+            self._must_be(device, _EMITTING_KINDS, "an emitter")
+            if size > self._message_bytes:
+                raise ProtocolError(f"a radio packet of {size} bytes")
+            at = begins + size
+            if at > len(body):
+                raise ProtocolError("a request that ends too early")
+            sent.append((device, body[begins:at]))
+        if at != len(body):
+            raise ProtocolError(f"a request with {len(body) - at} bytes too many")
+        return tuple(sent)
 
     def _must_be(self, device: int, kinds: frozenset[str], wanted: str) -> None:
         if self._kinds.get(device) not in kinds:
@@ -199,31 +208,23 @@ class Codec:
 
 
 class _Tail:
-    """The part of a message that has no fixed size, taken piece by piece."""
+    """The part of a message that has no fixed size, taken piece by piece.
+
+    Attributes:
+        at: how much of the message has been taken.
+    """
 
     def __init__(self, body: bytes, at: int) -> None:
         self._body = body
-        self._at = at
+        self.at = at
 
     def take(self, form: Struct) -> tuple[Any, ...]:
         try:
-            fields = form.unpack_from(self._body, self._at)
+            fields = form.unpack_from(self._body, self.at)
         except StructError:
             raise ProtocolError("a request that ends too early") from None
-        self._at += form.size
+        self.at += form.size
         return fields
-
-    def take_bytes(self, size: int) -> bytes:
-        end = self._at + size
-        if end > len(self._body):
-            raise ProtocolError("a request that ends too early")
-        data = self._body[self._at : end]
-        self._at = end
-        return data
-
-    def must_be_empty(self) -> None:
-        if self._at != len(self._body):
-            raise ProtocolError(f"a request with {len(self._body) - self._at} bytes too many")
 
 
 def _other_than_request(body: bytes, tick: int) -> Ended:

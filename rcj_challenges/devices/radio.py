@@ -113,8 +113,13 @@ class TeamRadio:
 def _spread(emitter: Emitter, arriving: list[tuple[int, bytes]], listeners: list[Receiver], poses: Poses) -> None:
     source = poses.robots[emitter.robot]
     for receiver in listeners:
+        # Every other receiver is the referee's: whether it listens at all is asked before where it is.
+        if receiver.channel == ANY_CHANNEL:
+            heard = arriving
+        else:
+            heard = [packet for packet in arriving if packet[0] == receiver.channel]
         pose = poses.robots[receiver.robot]
-        if not receiver.period_ticks or pose.parked:
+        if not heard or not receiver.period_ticks or pose.parked:
             continue
         dx, dy, dz = source.x - pose.x, source.y - pose.y, source.z - pose.z
         square = dx * dx + dy * dy + dz * dz
@@ -122,6 +127,5 @@ def _spread(emitter: Emitter, arriving: list[tuple[int, bytes]], listeners: list
             continue
         inverse = 1 / math.sqrt(square)
         direction = pose.to_frame(dx * inverse, dy * inverse, dz * inverse)
-        for channel, data in arriving:
-            if receiver.channel in (channel, ANY_CHANNEL):
-                receiver.hear(Packet(receiver.device, data, 1 / square, direction))
+        for _, data in heard:
+            receiver.hear(Packet(receiver.device, data, 1 / square, direction))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import struct
 from array import array
-from operator import itemgetter
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -18,8 +18,9 @@ Touches = tuple[tuple[int, int], ...]
 Row = tuple[float, ...]
 
 _FULL_TURN_RAD = 2 * math.pi
-_NO_YAW = struct.pack("d", 0.0)
 _POSES, _HEIGHT = struct.Struct("3f"), struct.Struct("f")
+_BYTES = 8
+"""Of one number in `qpos`."""
 _REMEMBERED = 4096
 """How many patterns of touching geoms are remembered. Most sub-steps repeat the pattern of the one before."""
 
@@ -30,17 +31,14 @@ class Recorder:
     def __init__(self, data: Any, tables: WorldTables, heights_m: tuple[float, ...]) -> None:
         self._contact = data.contact
         self._qpos = one_by_one(data.qpos)
-        # One number more than qpos has: a ball has no yaw, it is 0 for ever.
-        no_yaw, balls = len(data.qpos), tables.ball_range
-        self._unpack = struct.Struct(f"{no_yaw + 1}d").unpack
         self._rows = [b""] * SUBSTEPS_PER_TICK
-        yaws_at = [no_yaw if entity in balls else at + ROBOT_YAW for entity, at in enumerate(tables.qpos_at)]
-        self._yaws_at = [at for at in yaws_at if at != no_yaw]
+        balls = tables.ball_range
+        self._unpack, self._in_float32 = _row_of_poses(tables, len(data.qpos))
+        turning = [entity for entity in range(len(tables.qpos_at)) if entity not in balls]
+        self._yaws_at = [tables.qpos_at[entity] + ROBOT_YAW for entity in turning]
+        # In a row, in which a ball has two numbers and all else has three.
+        self._yaws_in_row = [3 * entity + 2 - sum(ball < entity for ball in balls) for entity in turning]
         self._heights_at = [(ball, tables.qpos_at[ball] + 2) for ball in balls]
-        self._poses_of = itemgetter(
-            *(number for at, yaw_at in zip(tables.qpos_at, yaws_at, strict=True) for number in (at, at + 1, yaw_at))
-        )
-        self._in_float32 = struct.Struct(f"{3 * len(tables.bodies)}f").pack
         self._things = tables.geom_things
         self._heights_m: list[float] = array("f", heights_m).tolist()
         self._uprights = [1.0] * len(tables.bodies)
@@ -49,28 +47,28 @@ class Recorder:
 
     def note(self, substep: int) -> None:
         """Take down a sub-step that has just been made."""
-        self._rows[substep] = self._qpos.tobytes() + _NO_YAW
+        self._rows[substep] = self._qpos.tobytes()
         self._patterns[substep] = self._contact.geom.tobytes()
 
     def snapshot(self, tick: int, faults: tuple[Fault, ...]) -> Snapshot:
         """Return the tick whose sub-steps have all been noted."""
         rows = [self._unpack(row) for row in self._rows]
         last = rows[-1]
-        for at in self._yaws_at:
-            if not -math.pi <= last[at] <= math.pi:
+        for yaw in self._yaws_in_row:
+            if not -math.pi <= last[yaw] <= math.pi:
                 rows = self._turned_back(rows)
                 break
-        poses_of, in_float32 = self._poses_of, self._in_float32
-        substeps: list[list[Pose2]] = [list(_POSES.iter_unpack(in_float32(*poses_of(row)))) for row in rows]
+        in_float32 = self._in_float32
+        substeps: list[list[Pose2]] = [list(_POSES.iter_unpack(in_float32(*row))) for row in rows]
         heights = self._heights_m.copy()
         for ball, at in self._heights_at:
-            (heights[ball],) = _HEIGHT.unpack(_HEIGHT.pack(last[at]))
+            (heights[ball],) = _HEIGHT.unpack(_HEIGHT.pack(self._qpos[at]))
         touches = tuple([self._known.get(pattern) or self._touching(pattern) for pattern in self._patterns])
         return Snapshot(tick, substeps, heights, self._uprights.copy(), touches, faults)
 
     def present(self) -> Snapshot:
         """Return the present poses as a snapshot of tick 0, in which nothing touches."""
-        self._rows = [self._qpos.tobytes() + _NO_YAW] * SUBSTEPS_PER_TICK
+        self._rows = [self._qpos.tobytes()] * SUBSTEPS_PER_TICK
         self._patterns = [b""] * SUBSTEPS_PER_TICK
         return self.snapshot(0, ())
 
@@ -79,9 +77,9 @@ class Recorder:
         # In the world as well, so that the next ticks find them in order.
         for at in self._yaws_at:
             self._qpos[at] = _within_half_a_turn(self._qpos[at])
-        yaws_at = frozenset(self._yaws_at)
+        yaws = frozenset(self._yaws_in_row)
         return [
-            tuple([_within_half_a_turn(number) if at in yaws_at else number for at, number in enumerate(row)])
+            tuple([_within_half_a_turn(number) if at in yaws else number for at, number in enumerate(row)])
             for row in rows
         ]
 
@@ -96,6 +94,23 @@ class Recorder:
             touches = tuple(sorted(pair for pair in pairs if pair[0] != NO_THING and pair[0] != pair[1]))
             self._known[pattern] = touches
         return touches
+
+
+def _row_of_poses(tables: WorldTables, numbers: int) -> tuple[Callable[[bytes], Row], Callable[..., bytes]]:
+    """Return what reads the numbers of all poses from `qpos`, and what packs them as x, y, yaw for each entity.
+
+    Args:
+        tables: entities stand in `qpos` in their order.
+        numbers: in `qpos`.
+    """
+    read, written, end = "", "", 0
+    for entity, at in enumerate(tables.qpos_at):
+        ball = entity in tables.ball_range
+        count = 2 if ball else 3
+        read += f"{_BYTES * (at - end)}x{count}d"
+        written += "2f4x" if ball else "3f"  # a ball has no yaw: it is 0 for ever
+        end = at + count
+    return struct.Struct(f"{read}{_BYTES * (numbers - end)}x").unpack, struct.Struct(written).pack
 
 
 def _within_half_a_turn(yaw_rad: float) -> float:
