@@ -86,6 +86,7 @@ def surroundings() -> Iterator[str]:
     ):
         secret = Path(elsewhere, "reflog.jsonl")
         secret.write_text("0 : 0", encoding="utf-8")
+        permissions = secret.stat().st_mode
         Path(sibling, "robot.py").write_text("attack = True", encoding="utf-8")
         name = f"\0rcj-test-{os.getpid()}"
         if sys.platform == "linux":
@@ -97,6 +98,7 @@ def surroundings() -> Iterator[str]:
             f"secret, elsewhere, sibling = {str(secret)!r}, {elsewhere!r}, {sibling!r}\n"
             f"parent, port, abstract = os.getppid(), {tcp.getsockname()[1]}, {name!r}\n"
         )
+        assert secret.stat().st_mode == permissions
         assert secret.read_text(encoding="utf-8") == "0 : 0"
         assert [entry.name for entry in Path(elsewhere).iterdir()] == [secret.name]
         assert [entry.name for entry in Path(sibling).iterdir()] == ["robot.py"]
@@ -185,8 +187,6 @@ CALLS = {
     "slow the match down": "os.setpriority(os.PRIO_PROCESS, parent, 5)",
     "bind the match to a processor": "os.sched_setaffinity(parent, {0})",
     "take the match's turn": "os.sched_setscheduler(parent, os.SCHED_BATCH, os.sched_param(0))",
-    "take away permissions": "os.chmod(secret, 0)",
-    "take away permissions of what is open": "os.fchmod(os.open('.', os.O_RDONLY), 0)",
     "give a file away": "os.chown(secret, os.getuid(), os.getgid())",
     "change a file's time": "os.utime(secret)",
     "mark a file": "os.setxattr(secret, 'user.mark', b'')",
@@ -208,6 +208,10 @@ CALLS = {
     "type into a terminal": "fcntl.ioctl(0, 0x5412, b'x')",
     "change attributes of a file": "fcntl.ioctl(os.open('.', os.O_RDONLY), 0x40086602, bytes(8))",
 }
+PASSED_OVER = {
+    "take away permissions": "os.chmod(secret, 0)",
+    "take away permissions of what is open": "os.fchmod(os.open('.', os.O_RDONLY), 0)",
+}
 UNKNOWN = {
     "a call in a form that cannot be judged": "syscall(435, 435, bytes(64), 64)",
     "a call that no kernel has": "syscall(4000, 4000)",
@@ -218,13 +222,20 @@ HARMLESS = ("open a socket", "take hold of the match", "send the match a signal"
 @pytest.fixture(scope="module")
 def by_system_calls(tmp_path_factory: pytest.TempPathFactory, surroundings: str) -> dict[str, str]:
     with only("system_calls"):
-        return outcomes(tmp_path_factory.mktemp("calls"), {**CALLS, **UNKNOWN}, surroundings + "import fcntl\n")
+        return outcomes(tmp_path_factory.mktemp("calls"), {**CALLS, **PASSED_OVER, **UNKNOWN}, surroundings + "import fcntl\n")
 
 
 @needs_seccomp
 @pytest.mark.parametrize("what", CALLS)
 def test_a_program_is_refused_to(by_system_calls: dict[str, str], what: str) -> None:
     assert by_system_calls[what] == "EPERM"
+
+
+@needs_seccomp
+@pytest.mark.parametrize("what", PASSED_OVER)
+def test_nothing_happens_when_a_program_tries_to(by_system_calls: dict[str, str], what: str) -> None:
+    """That the files keep their permissions is looked at when all attempts are over."""
+    assert by_system_calls[what] == "done"
 
 
 @needs_seccomp
@@ -274,7 +285,8 @@ with open("data", "wb+") as file:
     file.truncate(2048)
     fcntl.lockf(file, fcntl.LOCK_EX)
     mmap.mmap(file.fileno(), 2048)[0:4] = b"abcd"
-shutil.copyfile("data", "copy")
+shutil.copy("data", "copy")
+os.chmod("copy", 0o600)
 with zipfile.ZipFile("z.zip", "w") as archive:
     archive.write("copy")
 zipfile.ZipFile("z.zip").extractall("unpacked")

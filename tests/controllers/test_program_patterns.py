@@ -157,6 +157,24 @@ def test_a_busy_wait_for_the_clock_misses_ticks_too(match: FakeMatch) -> None:
     assert [(tick, r.missed_ticks) for tick, r in played.requests] == [(0, 0), (1, 3), (5, 3)]
 
 
+def test_a_busy_wait_of_seconds_looks_at_the_clock_some_ten_thousand_times_a_second(match: FakeMatch) -> None:
+    program = """
+from datetime import datetime, timedelta
+from controller import Robot
+robot = Robot()
+robot.step(32)
+begin, looks = datetime.now(), 0
+while datetime.now() - begin < timedelta(seconds=2):
+    looks += 1
+print(1_000 < looks < 110_000, looks)
+robot.step(32)
+robot.step(32)
+"""
+    played = match.play(program, 66)
+    assert played.said[0].startswith("True")
+    assert [(tick, r.missed_ticks) for tick, r in played.requests[:3]] == [(0, 0), (1, 62), (64, 0)]
+
+
 def test_too_high_a_speed_is_clamped_with_one_warning_and_nan_refused(match: FakeMatch) -> None:
     played = match.play("patterns/asks_for_too_much", 6)
     # A motor whose speed was never set has its full one; asking for 15 then changes nothing.

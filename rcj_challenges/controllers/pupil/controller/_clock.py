@@ -1,8 +1,9 @@
 """The simulated clock: what ``time`` and ``datetime`` show to a program.
 
-The clock stands still between two steps, except that each reading by the thread that steps advances it by 1 µs, and
-that its ``time.sleep`` advances it by what was asked for. Time that passed this way beyond whole ticks is what the
-program missed: its next ``step`` says so. Until the first ``step`` that thread is the main one.
+The clock stands still between two steps, except that each reading by the thread that steps advances it by 1 µs (by
+20 µs where it only waits for time to pass), and that its ``time.sleep`` advances it by what was asked for. Time that
+passed this way beyond whole ticks is what the program missed: its next ``step`` says so. Until the first ``step`` that
+thread is the main one.
 """
 
 from __future__ import annotations
@@ -18,6 +19,10 @@ EPOCH_NS = 1_704_067_200_000_000_000
 """Every half begins at 2024-01-01T00:00:00Z: any fixed date serves, this one is a plausible one."""
 
 _READING_NS = 1_000
+_WAITS_FROM_NS = 1_000_000
+"""Who has looked at the clock a thousand times since the last step waits for it, and need not look a million times a
+second: with ``datetime.now`` that would take longer than a step may."""
+_WAITING_NS = 20_000
 _MOST_MISSED = 2**31 - 1
 
 real_monotonic = time.monotonic
@@ -34,9 +39,9 @@ class Clock:
         self._stepping = get_ident()
 
     def now_ns(self) -> int:
-        """Return simulated nanoseconds since the half began; the reading itself takes 1 µs of the thread that steps."""
+        """Return simulated nanoseconds since the half began; the reading itself takes time of the thread that steps."""
         if get_ident() == self._stepping:
-            self._since_ns += _READING_NS
+            self._since_ns += _READING_NS if self._since_ns < _WAITS_FROM_NS else _WAITING_NS
         return self._tick_began_ns + self._since_ns
 
     def unix_ns(self) -> int:

@@ -12,7 +12,7 @@ from struct import Struct
 from typing import Any
 
 from ._native import refuse_new_privileges, system_call
-from ._syscalls import CALLS, IN_PART, UNKNOWN
+from ._syscalls import CALLS, IN_PART, PASSED_OVER, UNKNOWN
 
 MACHINES = {"x86_64": (0, 0xC000003E), "aarch64": (1, 0xC00000B7)}
 """Column of the tables, and the architecture as filters see it (linux/audit.h); both little-endian, 64 bit."""
@@ -25,6 +25,7 @@ _KEEP_SPEED = 4  # SECCOMP_FILTER_FLAG_SPEC_ALLOW: kernels before 5.16 slow filt
 ALLOW = 0x7FFF0000  # SECCOMP_RET_ALLOW
 REFUSE = 0x00050001  # SECCOMP_RET_ERRNO, EPERM
 NOT_THERE = 0x00050026  # SECCOMP_RET_ERRNO, ENOSYS
+PASS_OVER = 0x00050000  # SECCOMP_RET_ERRNO, no error
 
 # linux/bpf_common.h: load a word of the call's description; compare; mask; return.
 _LOAD, _EQUAL, _GREATER, _AT_LEAST, _MASK, _RETURN = 0x20, 0x15, 0x25, 0x35, 0x54, 0x06
@@ -91,8 +92,9 @@ def filter_for(machine: str, pid: int) -> list[Instruction]:
     """
     column, architecture = MACHINES[machine]
     filter_ = [(_LOAD, 0, 0, _MACHINE_AT), (_EQUAL, 1, 0, architecture), _answer(REFUSE), (_LOAD, 0, 0, _NUMBER_AT)]
-    for numbers in UNKNOWN.values():
-        filter_ += _for_call(numbers[column], [_answer(NOT_THERE)])
+    for table, answer in ((UNKNOWN, NOT_THERE), (PASSED_OVER, PASS_OVER)):
+        for numbers in table.values():
+            filter_ += _for_call(numbers[column], [_answer(answer)])
     for name, judged in _conditions(pid).items():
         filter_ += _for_call(IN_PART[name][column], judged)
     plain = [number for numbers in CALLS.values() if (number := numbers[column]) is not None]

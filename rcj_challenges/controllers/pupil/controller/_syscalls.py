@@ -7,10 +7,11 @@ of Linux 6.12; a number never changes its meaning. None: not on this architectur
 
 from __future__ import annotations
 
-# What is missing is missing on purpose. Not obvious are: chmod, chown, utime and setxattr in all forms, and truncate by
+# What is missing is missing on purpose. Not obvious are: chown, utime and setxattr in all forms, and truncate by
 # path: Landlock does not look at these (at truncate only since Linux 6.2) and would leave all files of this user in
-# reach; memfd_create, message queues and shared memory of System V, which hold memory that no limit counts; setpriority
-# and sched_set…, which slow others down; sync, which waits for everybody's files.
+# reach (the same holds for chmod, see `PASSED_OVER`); memfd_create, message queues and shared memory of System V,
+# which hold memory that no limit counts; setpriority and sched_set…, which slow others down; sync, which waits for
+# everybody's files.
 CALLS: dict[str, tuple[int | None, int | None]] = {
     # files and folders: Landlock decides which
     "read": (0, 63),
@@ -213,3 +214,12 @@ UNKNOWN: dict[str, tuple[int | None, int | None]] = {
 }
 """Answered as by a kernel that does not have them: their arguments are in memory, where no filter can look, and the C
 library then makes older calls that can be judged."""
+
+PASSED_OVER: dict[str, tuple[int | None, int | None]] = {
+    "chmod": (90, None),
+    "fchmod": (91, 52),
+    "fchmodat": (268, 53),
+    "fchmodat2": (452, 452),
+}
+"""Answered as if done, and not done, as on a disk without permissions: ``shutil.copy`` ends with such a call. Not
+utime: ``Path.touch`` takes its success to mean that the file is there."""
