@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import sys
 from collections import deque
 from collections.abc import Mapping, Sequence
@@ -185,10 +186,19 @@ class Scoreboard(Silent):
         self._live.update(Group(Text(self._title, style="dim"), grid, status, *self._events), refresh=True)
 
 
+class PatientConsole(Console):
+    """A console that falls silent when its reader has seen enough (``| head``): a match goes on to its end."""
+
+    def on_broken_pipe(self) -> None:
+        """Say nothing more. Rich would end the command, with exit status 1."""
+        with contextlib.suppress(SystemExit):
+            super().on_broken_pipe()
+
+
 def console_for(*, to_stderr: bool = False) -> Console:
     """Return the console for people; output that the terminal's encoding lacks is replaced, never an error."""
     stream = sys.stderr if to_stderr else sys.stdout
     reconfigure = getattr(stream, "reconfigure", None)
     if reconfigure is not None:
         reconfigure(errors="replace")
-    return Console(file=stream, soft_wrap=False)
+    return PatientConsole(file=stream, soft_wrap=False)
