@@ -304,3 +304,33 @@ def test_what_this_computer_lacks_is_no_fault_of_a_program(
     monkeypatch.setattr(processes, "start", refuse)
     with pytest.raises(HostError, match="the program of Y1 cannot be started here: it is lacking"):
         fault_of(match, "faults/never_steps")
+
+
+@pytest.mark.parametrize(
+    ("line", "meant"),
+    [
+        ("motor.setvelocity(3)", "setVelocity"),
+        ("print(velocty)", "velocity"),
+        ("import math\nmath.atan3(1, 2)", "atan"),
+        ("prnt(1)", "print"),
+    ],
+)
+def test_a_slip_of_the_pen_is_told_with_what_was_meant(match: FakeMatch, line: str, meant: str) -> None:
+    program = f"""
+from controller import Robot
+robot = Robot()
+motor, velocity = robot.getDevice("left wheel motor"), 3
+robot.step(32)
+{line}
+"""
+    fault = match.play(program, 2).fault
+    assert fault is not None
+    hint = f"Did you mean: '{meant}"
+    assert hint in fault.detail
+    assert fault.traceback.count(hint) == 1
+
+
+def test_a_name_like_no_other_is_told_as_it_is(match: FakeMatch) -> None:
+    fault = match.play("from controller import Robot\nRobot().step(32)\nxyzzy_of_no_kind()", 2).fault
+    assert fault is not None
+    assert fault.detail == "NameError: name 'xyzzy_of_no_kind' is not defined (robot.py, line 3)"

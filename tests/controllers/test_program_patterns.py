@@ -430,3 +430,17 @@ robot.step(32)
     played = match.play(program, 1)
     assert played.said[-2:] == ["0 1 1", "TypeError"]
     assert [len(data) for data in played.sent()] == [1_024_000, 2]
+
+
+def test_nothing_printed_is_lost_when_a_program_replaces_its_output(match: FakeMatch) -> None:
+    program = """
+import io, sys
+from controller import Robot
+robot = Robot()
+print("one, ", end="")
+sys.stdout = io.TextIOWrapper(sys.stdout.buffer, encoding="utf-8")
+print("two")
+while robot.step(32) != -1:
+    pass
+"""
+    assert match.play(program, 3).said == ["one, two"]

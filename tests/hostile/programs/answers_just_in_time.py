@@ -11,6 +11,7 @@ import threading
 import arena
 
 arena.drive(10)
-wait = threading.Event().wait
+lock = threading.Lock()
+lock.acquire()
 while arena.robot.step(32) != -1:
-    wait(0.15)
+    lock.acquire(timeout=0.15)

@@ -15,7 +15,9 @@ arena.drive(10)
 wire = _hub.connected()._wire
 import threading
 
+lock = threading.Lock()
+lock.acquire()
 frame = struct.pack("<I", 1000) + bytes(1000)
 for byte in frame:
     os.write(wire._write_fd, bytes([byte]))
-    threading.Event().wait(0.01)
+    lock.acquire(timeout=0.01)

@@ -3,6 +3,7 @@ import threading
 from controller import Robot
 
 robot = Robot()
-wait = threading.Event()
+wait = threading.Lock()
+wait.acquire()
 while robot.step(32) != -1:
-    wait.wait(0.05)
+    wait.acquire(timeout=0.05)

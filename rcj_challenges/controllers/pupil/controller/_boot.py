@@ -9,7 +9,7 @@ import os
 import sys
 from typing import Any
 
-from . import _chance, _clock, _confine, _hub, _report
+from . import _chance, _clock, _confine, _hub, _report, _waits
 from ._hooks import AfterImport, Patch
 from ._output import Output
 from ._wire import HELLO, Wire, fault_frame, leave
@@ -55,6 +55,7 @@ class Boot:
             self._crashed("crash", error)
         else:
             self._ended("exit", "the program came to its end while the match goes on: it has to call step in a loop")
+        _flush_output()
 
     def out_of_memory(self) -> None:
         """The program holds more memory than it may (told by the watch)."""
@@ -84,9 +85,7 @@ class Boot:
             "numpy": _restore_old_names,
             "numpy.random.bit_generator": _chance.seed_numpy_entropy(seeds[1]),
             "numpy.random": _chance.seed_numpy_global(seeds[2]),
-            # Waiting for a lock takes real time, so its limits are measured in it.
-            "threading": _give_real_clock("_time"),
-            "queue": _give_real_clock("time"),
+            **_waits.Waits(self._clock).patches(),
         }
         AfterImport(patches, self._root + os.sep).install()
         # What `site` adds; the interpreter runs without it.
@@ -121,13 +120,18 @@ class Boot:
 
     def _end(self, kind: str, detail: str, trace: str = "") -> None:
         """Tell the match why this is the end, after all output is written. Never returns."""
-        for stream in (sys.stdout, sys.stderr):
-            try:
-                stream.flush()
-            except BaseException:  # noqa: BLE001, S110 - a program may have put anything there
-                pass
+        _flush_output()
         self._wire.send(fault_frame(kind, detail, trace))
         leave(1)
+
+
+def _flush_output() -> None:
+    """Write what is printed and waits for the end of its line: first to the streams that a program has replaced."""
+    for stream in (sys.__stdout__, sys.__stderr__, sys.stdout, sys.stderr):
+        try:
+            stream.flush()  # type: ignore[union-attr]  # whatever it is
+        except BaseException:  # noqa: BLE001, S110 - a program may have put anything there
+            pass
 
 
 def _restore_old_names(numpy: Any) -> None:
@@ -150,13 +154,6 @@ class _Uncounted:
     """Output that goes to a terminal, without a limit."""
 
     printed_bytes = 0
-
-
-def _give_real_clock(name: str) -> Patch:
-    def patch(module: Any) -> None:
-        setattr(module, name, _clock.real_monotonic)
-
-    return patch
 
 
 def _print_quietly(text: str) -> None:

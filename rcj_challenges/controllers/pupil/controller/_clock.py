@@ -56,12 +56,20 @@ class Clock:
         """Return simulated seconds since the half began."""
         return self.now_ns() / 1e9
 
+    def steps_here(self) -> bool:
+        """Return whether it is the thread that steps which asks."""
+        return get_ident() == self._stepping
+
     def sleep(self, seconds: float) -> None:
         """Let simulated time pass for the thread that steps; other threads really sleep."""
-        if get_ident() != self._stepping:
+        if not self.steps_here():
             _real_sleep(seconds)
             return
         _real_sleep(min(0, seconds))  # the original's errors for what is no duration
+        self.pass_time(seconds)
+
+    def pass_time(self, seconds: float) -> None:
+        """Let simulated time pass for the thread that steps."""
         self._since_ns = min(self._since_ns + int(seconds * 1e9), _MOST_MISSED * self._tick_ns)
 
     def missed_ticks(self) -> int:

@@ -1,6 +1,6 @@
 """How a program's end is told: its own lines of the traceback, with paths as the team knows them."""
 
-# ruff: noqa: PTH120, PLC0415 - each import costs every program, so there are few, and late ones
+# ruff: noqa: PTH120, PLC0415, SIM105 - each import costs every program, so there are few, and late ones
 
 from __future__ import annotations
 
@@ -31,7 +31,12 @@ def describe(error: BaseException, team_root: str, site_folders: list[str]) -> t
 
 
 def _describe(error: BaseException, inside: str) -> tuple[str, str]:
-    traceback = _standard_traceback()
+    traceback = _standard("traceback")
+    if sys.version_info < (3, 12):  # from then on the library does it
+        try:
+            _name_what_was_meant(error)
+        except BaseException:  # noqa: BLE001, S110 - the program's own methods are asked; without the hint it is told too
+            pass
     told = traceback.TracebackException(type(error), error, error.__traceback__, compact=True)
     _keep_own_frames(told, inside)
     where = ""
@@ -57,14 +62,32 @@ def _keep_own_frames(told: Any, inside: str) -> None:
         todo += [entry.__cause__, entry.__context__, *(getattr(entry, "exceptions", None) or ())]
 
 
-def _standard_traceback() -> Any:
-    """Import ``traceback`` from the standard library, whatever the team called its own files."""
+def _name_what_was_meant(error: BaseException) -> None:
+    """Add what Python itself adds in a terminal: ``Did you mean: 'setVelocity'?``."""
+    name = getattr(error, "name", None)
+    if not isinstance(error, (AttributeError, NameError)) or not isinstance(name, str):
+        return
+    if isinstance(error, AttributeError):
+        known = dir(error.obj)
+    else:
+        last = error.__traceback__
+        while last is not None and last.tb_next is not None:
+            last = last.tb_next
+        frame = None if last is None else last.tb_frame
+        known = [] if frame is None else [*frame.f_locals, *frame.f_globals, *frame.f_builtins]
+    near = _standard("difflib").get_close_matches(name, known, n=1)
+    if near and near[0] != name:
+        error.args = (f"{error}. Did you mean: '{near[0]}'?",)
+
+
+def _standard(name: str) -> Any:
+    """Import a module of the standard library, whatever the team called its own files."""
     standard = os.path.dirname(os.__file__)
     kept = sys.path[:]
     sys.path[:] = [path for path in kept if path.startswith(standard)]
     try:
-        import traceback
+        from importlib import import_module
 
-        return traceback
+        return import_module(name)
     finally:
         sys.path[:] = kept

@@ -1,0 +1,59 @@
+"""Waits with a limit: for locks, queues and events of ``asyncio``, by the thread that steps.
+
+A wait that ends because its time is over takes that time of the simulated clock, as ``sleep`` does. Where the program
+has no other thread, nobody could have ended it: then it takes no real time. With other threads it really waits, for
+only so much time may they take.
+"""
+
+from __future__ import annotations
+
+from _thread import _count  # how many threads have been started and not ended
+from collections.abc import Callable
+from typing import Any
+
+from ._clock import Clock, real_monotonic
+from ._hooks import Patch
+
+Wait = Callable[[Any, Any], Any]
+"""A method with a limit in s, or None, that returns what is true if what was waited for came."""
+
+
+class Waits:
+    """The waits of the standard library, as one program sees them."""
+
+    def __init__(self, clock: Clock) -> None:
+        self._clock = clock
+        self._ours = _count()  # threads that the program knows nothing of
+
+    def patches(self) -> dict[str, Patch]:
+        """Return what makes them show the clock, by module."""
+        return {"threading": self._of_threading, "queue": self._of_queue, "selectors": self._of_selectors}
+
+    def _of_threading(self, module: Any) -> None:
+        module._time = self._now_s  # noqa: SLF001 - as the library calls it
+        module.Condition.wait = self._patient(module.Condition.wait)
+
+    def _of_queue(self, module: Any) -> None:
+        module.time = self._now_s
+
+    def _of_selectors(self, module: Any) -> None:
+        for kind in vars(module).values():
+            if isinstance(kind, type) and issubclass(kind, module.BaseSelector) and "select" in vars(kind):
+                setattr(kind, "select", self._patient(vars(kind)["select"]))  # noqa: B010 - of whatever class it is
+
+    def _now_s(self) -> float:
+        # Limits of other threads are measured in the time that they really wait.
+        return self._clock.now_s() if self._clock.steps_here() else real_monotonic()
+
+    def _patient(self, real: Wait) -> Wait:
+        clock, ours = self._clock, self._ours
+
+        def wait(self: Any, timeout: Any = None) -> Any:
+            if timeout is None or timeout <= 0 or not clock.steps_here():
+                return real(self, timeout)
+            came = real(self, timeout if _count() > ours else 0)
+            if not came:
+                clock.pass_time(timeout)
+            return came
+
+        return wait

@@ -1,0 +1,94 @@
+"""Programs that wait with a limit: it passes on the simulated clock, and costs real time only where others may come."""
+
+from __future__ import annotations
+
+import pytest
+from fake_match import FakeMatch
+
+ROBOT = "from controller import Robot\nrobot = Robot()\nrobot.step(32)\n"
+STEPS = "\nrobot.step(32)\nrobot.step(32)\n"
+AN_HOUR = 3600 * 1000 // 32  # ticks
+
+WAITS = {
+    "an event": "import threading\nthreading.Event().wait({s})",
+    "a condition": "import threading\ncondition = threading.Condition()\n"
+    "with condition:\n    print(condition.wait_for(lambda: False, timeout={s}))",
+    "a queue": "import queue\ntry:\n    queue.Queue().get(timeout={s})\nexcept queue.Empty:\n    print(False)",
+    "a semaphore": "import threading\nprint(threading.Semaphore(0).acquire(timeout={s}))",
+    "results": "import concurrent.futures as c\ntry:\n    list(c.as_completed([c.Future()], timeout={s}))\n"
+    "except TimeoutError:\n    print(False)",
+    "files": "import selectors\nprint(bool(selectors.DefaultSelector().select({s})))",
+    "asyncio's clock": "import asyncio\nasyncio.run(asyncio.sleep({s}))",
+    "an event of asyncio": "import asyncio\n"
+    "async def wait():\n"
+    "    try:\n        await asyncio.wait_for(asyncio.Event().wait(), {s})\n"
+    "    except asyncio.TimeoutError:\n        print(False)\n"
+    "asyncio.run(wait())",
+}
+
+
+@pytest.mark.parametrize("what", WAITS)
+def test_a_program_that_waits_in_vain_misses_ticks_as_one_that_sleeps(match: FakeMatch, what: str) -> None:
+    played = match.play(ROBOT + WAITS[what].format(s=0.2) + STEPS, 9)
+    assert played.fault is None
+    assert [(tick, r.missed_ticks) for tick, r in played.requests] == [(0, 0), (1, 6), (8, 0)]
+    assert "True" not in played.said
+
+
+@pytest.mark.parametrize("what", WAITS)
+def test_nobody_really_waits_where_no_other_thread_could_end_it(match: FakeMatch, what: str) -> None:
+    """An hour is far longer than a step may take."""
+    played = match.play(ROBOT + WAITS[what].format(s=3600) + STEPS, AN_HOUR + 3)
+    assert [r.missed_ticks for _, r in played.requests] == [0, AN_HOUR, 0]
+
+
+def test_what_another_thread_brings_in_time_costs_no_ticks(match: FakeMatch) -> None:
+    program = """
+import asyncio, queue, threading, time
+box, event = queue.Queue(), threading.Event()
+threading.Thread(target=lambda: (time.sleep(0.05), box.put("brought"), time.sleep(0.05), event.set())).start()
+print(box.get(timeout=60), event.wait(60))
+async def ask():
+    return await asyncio.wait_for(asyncio.to_thread(lambda: (time.sleep(0.05), "computed")[1]), 60)
+print(asyncio.run(ask()))
+"""
+    played = match.play(ROBOT + program + STEPS, 3)
+    assert played.said == ["brought True", "computed"]
+    assert [r.missed_ticks for _, r in played.requests] == [0, 0, 0]
+
+
+def test_another_thread_really_waits_and_takes_no_time_of_the_program(match: FakeMatch) -> None:
+    program = """
+import threading
+done = threading.Event()
+thread = threading.Thread(target=lambda: (done.wait(0.05), print("waited")))
+thread.start()
+thread.join()
+"""
+    played = match.play(ROBOT + program + STEPS, 3)
+    assert played.said == ["waited"]
+    assert [r.missed_ticks for _, r in played.requests] == [0, 0, 0]
+
+
+def test_tasks_of_asyncio_take_turns_while_the_robot_drives(match: FakeMatch) -> None:
+    program = """
+import asyncio
+from controller import Robot
+robot = Robot()
+async def look():
+    while True:
+        print("look", round(robot.getTime(), 3))
+        await asyncio.sleep(0.064)
+async def drive():
+    while robot.step(32) != -1:
+        await asyncio.sleep(0.001)
+async def main():
+    looking = asyncio.create_task(look())
+    await drive()
+    looking.cancel()
+asyncio.run(main())
+"""
+    played = match.play(program, 6)
+    assert played.fault is None
+    assert [r.missed_ticks for _, r in played.requests] == [0] * 6
+    assert len(played.said) >= 2
