@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import pytest
 from fake_match import FakeMatch
+
+from rcj_challenges.controllers.pupil.controller._clock import Clock
+from rcj_challenges.controllers.pupil.controller._waits import Waits
 
 ROBOT = "from controller import Robot\nrobot = Robot()\nrobot.step(32)\n"
 STEPS = "\nrobot.step(32)\nrobot.step(32)\n"
@@ -92,3 +97,20 @@ asyncio.run(main())
     assert played.fault is None
     assert [r.missed_ticks for _, r in played.requests] == [0] * 6
     assert len(played.said) >= 2
+
+
+def test_the_waits_of_asyncio_on_windows_pass_in_the_same_way() -> None:
+    """The module exists on Windows only: here one of the same form."""
+
+    class IocpProactor:
+        waited = 0.0
+
+        def select(self, timeout: float | None = None) -> list[object]:
+            self.waited += timeout or 0
+            return []
+
+    clock = Clock(32_000_000)
+    Waits(clock).patches()["asyncio.windows_events"](SimpleNamespace(IocpProactor=IocpProactor))
+    proactor = IocpProactor()
+    assert proactor.select(1.0) == []
+    assert (clock.missed_ticks(), proactor.waited) == (31, 0.0)

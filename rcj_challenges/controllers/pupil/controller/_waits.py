@@ -27,7 +27,12 @@ class Waits:
 
     def patches(self) -> dict[str, Patch]:
         """Return what makes them show the clock, by module."""
-        return {"threading": self._of_threading, "queue": self._of_queue, "selectors": self._of_selectors}
+        return {
+            "threading": self._of_threading,
+            "queue": self._of_queue,
+            "selectors": self._of_selectors,
+            "asyncio.windows_events": self._of_windows,
+        }
 
     def _of_threading(self, module: Any) -> None:
         module._time = self._now_s  # noqa: SLF001 - as the library calls it
@@ -40,6 +45,9 @@ class Waits:
         for kind in vars(module).values():
             if isinstance(kind, type) and issubclass(kind, module.BaseSelector) and "select" in vars(kind):
                 setattr(kind, "select", self._patient(vars(kind)["select"]))  # noqa: B010 - of whatever class it is
+
+    def _of_windows(self, module: Any) -> None:
+        module.IocpProactor.select = self._patient(module.IocpProactor.select)
 
     def _now_s(self) -> float:
         # Limits of other threads are measured in the time that they really wait.
