@@ -1,7 +1,26 @@
-"""For all tests: processes that they start can be interrupted, also where the suite itself runs in the background."""
+"""For all tests: what they start can be interrupted, and what was collected is no garbage."""
 
+import gc
 import signal
+from collections.abc import Iterator
+
+import pytest
 
 # A shell lets what it starts with `&` ignore Ctrl-C, and a process inherits what is ignored.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection(session: pytest.Session) -> Iterator[None]:
+    """Let nobody look for garbage among what stays to the end: some hundred thousand objects, again and again.
+
+    Searching them took a quarter of the time of collecting, and a tenth of that of the tests.
+    """
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.collect()
+        gc.freeze()
+        gc.enable()

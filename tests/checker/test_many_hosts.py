@@ -22,7 +22,8 @@ from rcj_challenges.facts.errors import HostError
 from rcj_challenges.scenario.load import load
 from tests.checker.small_team import PLAYER, write_team
 
-MATCH = load("match", ["limits.start_s=10", "limits.step_s=1"])
+ONE_ROBOT_EACH = [f"entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
+MATCH = load("match", ["limits.start_s=10", "limits.step_s=1", *ONE_ROBOT_EACH])
 SHORT = CheckOptions(play_s=0.5)
 CRASHING = PLAYER.replace("pass", "open('log', 'w').write('x') and 1 / 0")
 

@@ -21,6 +21,15 @@ from rcj_challenges.scenario.resources import teams_folder
 ENTRY = "rcj_soccer_team_blue/rcj_soccer_team_blue.py"
 MATCH = load("match", ["limits.start_s=10", "limits.step_s=1"])
 SHORT = CheckOptions(play_s=1.0)
+DUEL = load(
+    "match",
+    [
+        *("limits.start_s=10", "limits.step_s=1"),
+        *(f"entrants.{seat}.robots.{seat[0].upper()}{number}=null" for seat in ("blue", "yellow") for number in (2, 3)),
+    ],
+)
+"""One robot on each side has a program: of what does not depend on the others, each check starts a third as many."""
+
 BEGIN = """\
 from controller import Robot
 robot = Robot()
@@ -69,7 +78,7 @@ def test_a_sane_team_passes_and_every_robot_of_both_sides_is_told_of():
 
 def test_two_checks_of_one_file_see_the_same_match(pack):
     path = pack(BEGIN + LOOP)
-    first, second = (check_file(path, MATCH, SHORT) for _ in range(2))
+    first, second = (check_file(path, DUEL, SHORT) for _ in range(2))
     wall = {"wall_s", "start_s", "step_mean_ms", "step_slowest_ms"}
     assert without(wall, first) == without(wall, second)
 
@@ -105,13 +114,13 @@ def test_a_program_that_never_steps_is_told_so(pack):
 
 
 def test_a_program_that_ends_is_told_to_call_step_in_a_loop(pack):
-    (found,) = findings(check_file(pack(BEGIN + "robot.step(32)\n"), MATCH, SHORT), "start", "failure")
+    (found,) = findings(check_file(pack(BEGIN + "robot.step(32)\n"), DUEL, SHORT), "start", "failure")
     assert found.code == "start.exit"
     assert "loop" in found.remedy
 
 
 def test_a_device_that_no_robot_has_is_told_with_the_nearest_name(pack):
-    report = check_file(pack(BEGIN + "robot.getDevice('ball \\x1b[31mreciever')\n" + LOOP), MATCH, SHORT)
+    report = check_file(pack(BEGIN + "robot.getDevice('ball \\x1b[31mreciever')\n" + LOOP), DUEL, SHORT)
     (found,) = findings(report, "start", "warning")
     assert found.code == "start.no_device"
     assert "\\x1b[31mreciever" in found.message
@@ -133,7 +142,7 @@ def no_device(report):
 
 
 def test_a_program_for_the_robots_of_2021_is_told_so_and_what_there_is_instead(pack):
-    report = check_file(pack(FOR_2021 + "receiver.enable(64)\n" + LOOP, entry="robot.py"), MATCH, SHORT)
+    report = check_file(pack(FOR_2021 + "receiver.enable(64)\n" + LOOP, entry="robot.py"), DUEL, SHORT)
     found = no_device(report)
     assert (found.level, report.level) == ("warning", "failure")
     assert "seems to be written for the robots of 2021" in found.message
@@ -143,7 +152,7 @@ def test_a_program_for_the_robots_of_2021_is_told_so_and_what_there_is_instead(p
 
 
 def test_a_program_that_uses_what_came_after_2021_is_not_taken_for_one_of_2021(pack):
-    report = check_file(pack(FOR_2021 + "robot.getDevice('gps')\n" + LOOP), MATCH, SHORT)
+    report = check_file(pack(FOR_2021 + "robot.getDevice('gps')\n" + LOOP), DUEL, SHORT)
     assert no_device(report).message.endswith("there is none")
     assert "receiver" in no_device(report).remedy
 
@@ -174,7 +183,7 @@ if name[1] == "2":
 
 
 def test_a_missing_module_under_a_condition_is_decided_by_what_the_robots_do(pack):
-    unreached = check_file(pack(BEGIN + IMPORTS_LATER.replace("2", "9") + LOOP), MATCH, SHORT)
+    unreached = check_file(pack(BEGIN + IMPORTS_LATER.replace("2", "9") + LOOP), DUEL, SHORT)
     assert unreached.level == "warning"
     assert findings(unreached, "play", "failure") == []
     reached = check_file(pack(BEGIN + IMPORTS_LATER + LOOP), MATCH, SHORT)
@@ -221,7 +230,7 @@ def test_robots_that_stand_still_and_touch_no_ball_are_a_warning(pack):
 
 
 def test_a_call_that_the_robot_refuses_is_a_warning(pack):
-    report = check_file(pack(BEGIN + "left.setVelocity(float('nan'))\n" + LOOP), MATCH, SHORT)
+    report = check_file(pack(BEGIN + "left.setVelocity(float('nan'))\n" + LOOP), DUEL, SHORT)
     assert "play.complaint" in {finding.code for finding in findings(report, "play", "warning")}
 
 
@@ -229,7 +238,7 @@ def test_output_and_replay_are_there_on_request_and_safe(pack, tmp_path):
     program = BEGIN + "print('\\x1b[2J schön', name)\n" + LOOP
     name = "a b.zip"
     options = replace(SHORT, replays=tmp_path / "replays", show_output=True)
-    report = check_file(pack(program, name), MATCH, options)
+    report = check_file(pack(program, name), DUEL, options)
     assert "\\x1b[2J schön Y1" in report.matches[1].robots[0].output
     pages = sorted(path.name for path in (tmp_path / "replays").iterdir())
     slug = file_slug(name)
@@ -239,7 +248,7 @@ def test_output_and_replay_are_there_on_request_and_safe(pack, tmp_path):
 
 def test_without_being_asked_for_no_output_is_quoted_and_nothing_is_left(pack, tmp_path):
     path = pack(BEGIN + "print('secret')\n" + LOOP)
-    report = check_file(path, MATCH, SHORT)
+    report = check_file(path, DUEL, SHORT)
     assert "secret" not in json.dumps(report.model_dump(mode="json"))
     assert list(tmp_path.iterdir()) == [path]
 

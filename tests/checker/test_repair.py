@@ -21,7 +21,7 @@ from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.scenario import Scenario
 from tests.hostile.archives import pictures
 from tests.hostile.archives.building import Member, pack, with_folders
-from tests.hostile.archives.cases import ALL, FINE
+from tests.hostile.archives.cases import ALL, FINE, built
 from tests.hostile.archives.making import ENTRY, NAME, OF_2021, PROGRAM, SOUND, below, named, plain
 
 MENDED = [name for name, case in ALL.items() if case.repair]
@@ -65,7 +65,7 @@ def codes(inspection: Inspection, *levels: str) -> set[str]:
 @pytest.mark.parametrize("name", MENDED)
 def test_a_mechanical_defect_is_put_right(tmp_path: Path, name: str) -> None:
     case = ALL[name]
-    data = case.build()
+    data = built(name)
     result, out = repaired(tmp_path, data, case.scenario)
     after = inspect(out, scenario(case.scenario))
     assert case.code not in codes(after, "passed", "warning", "failure")
@@ -81,7 +81,7 @@ def test_a_mechanical_defect_is_put_right(tmp_path: Path, name: str) -> None:
 @pytest.mark.parametrize("name", BEYOND)
 def test_what_needs_thought_is_left_and_told(tmp_path: Path, name: str) -> None:
     case = ALL[name]
-    result, out = repaired(tmp_path, case.build(), case.scenario)
+    result, out = repaired(tmp_path, built(name), case.scenario)
     assert result.left
     assert all(line.isprintable() for line in result.left)
     if case.code.startswith("archive."):

@@ -79,8 +79,9 @@ def test_a_place_that_cannot_be_written_is_told(tmp_path):
 def test_simulate_plays_every_seed_and_tells_the_spread(tmp_path, capsys):
     team = tmp_path / "team.py"
     team.write_text("from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n", "utf-8")
+    others = (f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3))
     code = run(
-        "simulate", "match", "--seeds", "1,2", "--team", f"blue={team}", "--team", f"yellow={team}",
+        "simulate", "match", "--seeds", "1,2", "--team", f"blue={team}", "--team", f"yellow={team}", *others,
         "--set", "match.half_s=0.5", "--set", "match.halves=1", "--out", tmp_path / "runs", "--json",
     )  # fmt: skip
     told = json.loads(capsys.readouterr().out)

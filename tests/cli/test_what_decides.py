@@ -37,11 +37,12 @@ def played(seed, *entries):
 
 @pytest.fixture
 def still(tmp_path):
-    """Return the options of two teams that stand still, for a short half."""
+    """Return the options of two teams that stand still, for a short half; one robot of each has a program to do so."""
     team = tmp_path / "team.py"
     team.write_text(STAND, "utf-8")
     teams = ("--team", f"blue={team}", "--team", f"yellow={team}")
-    return (*teams, "--set", "match.half_s=0.5", "--set", "match.halves=1", "--out", tmp_path / "runs")
+    others = (f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3))
+    return (*teams, *others, "--set", "match.half_s=0.5", "--set", "match.halves=1", "--out", tmp_path / "runs")
 
 
 class TestLines:

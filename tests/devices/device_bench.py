@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -35,9 +36,15 @@ def merged(base: Any, change: Any) -> Any:
 
 def preset_data(preset: str) -> dict[str, Any]:
     """A preset with those that it extends."""
+    return copy.deepcopy(_read(preset))
+
+
+@cache
+def _read(preset: str) -> dict[str, Any]:
+    """Read it once: that takes longer than most tests on it."""
     data = yaml.safe_load((PRESETS / f"{preset}.yaml").read_text(encoding="utf-8"))
     base = data.pop("extends", None)
-    return merged(preset_data(base), data) if base else data
+    return merged(_read(base), data) if base else data
 
 
 def scenario_of(preset: str = "soccersim_v2", change: dict[str, Any] | None = None) -> Scenario:

@@ -35,9 +35,10 @@ while robot.step(32) != -1:
 """
 
 
-@pytest.fixture
-def recorded(play, team_folder):
-    return play(blue=team_folder(PRINTS_ITS_READINGS, AHEAD, STAND), record_sensors=True)
+@pytest.fixture(scope="module")
+def recorded(shared_place):
+    blue = shared_place.team_folder(PRINTS_ITS_READINGS, AHEAD, STAND)
+    return shared_place.play(blue=blue, record_sensors=True)
 
 
 def test_recorded_readings_are_what_the_program_printed_bit_for_bit(recorded) -> None:

@@ -17,10 +17,17 @@ STOPS = (
     + "for _ in range({ticks}):\n    robot.step(32)\nfor motor in motors:\n    motor.setVelocity(0)\n"
     + "while robot.step(32) != -1:\n    pass\n"
 )
+LIMITS = ("limits.step_s=0.5", "limits.output_mb=1")
 
 
 def poses(run):
     return np.array([snapshot.substeps for snapshot in run.trajectory.snapshots(1)])
+
+
+@pytest.fixture(scope="module")
+def stopped(shared_place):
+    """Return a match in which Y2 sets speed 0 at tick 40."""
+    return shared_place.play(*LIMITS, yellow=shared_place.team_folder(AHEAD, STOPS.format(ticks=40), AHEAD))
 
 
 def test_a_team_whose_programs_all_fail_plays_to_the_end(play, team_folder):
@@ -45,11 +52,9 @@ def test_a_team_whose_programs_all_fail_plays_to_the_end(play, team_folder):
                      "    except OSError:\n        pass\nrobot.step(32)\n", id="garbage"),
     ],
 )  # fmt: skip
-def test_the_poses_are_those_of_a_match_in_which_it_sets_speed_0(play, team_folder, failing):
+def test_the_poses_are_those_of_a_match_in_which_it_sets_speed_0(play, team_folder, stopped, failing):
     start = DRIVE.format(speed=10).split("while")[0] + "for _ in range(40):\n    robot.step(32)\n"
-    limits = ("limits.step_s=0.5", "limits.output_mb=1")
-    failed = play(*limits, yellow=team_folder(AHEAD, start + failing, AHEAD))
-    stopped = play(*limits, yellow=team_folder(AHEAD, STOPS.format(ticks=40), AHEAD))
+    failed = play(*LIMITS, yellow=team_folder(AHEAD, start + failing, AHEAD))
     assert [fault["robot"] for fault in failed.result["faults"]] == ["Y2"]
     assert [fault["tick"] for fault in failed.result["faults"]] == [40]
     np.testing.assert_array_equal(poses(failed), poses(stopped))

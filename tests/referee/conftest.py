@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -40,11 +42,17 @@ rules: {}
 """
 
 
+@cache
+def _read(text: str) -> dict[str, Any]:
+    """Read a YAML text once: to read the preset and the stage anew takes longer than most of these tests."""
+    return yaml.safe_load(text) or {}
+
+
 def small_scenario(*sections: str) -> Scenario:
     """Return the small stage with sections (YAML) put on top of it one after the other, key by key."""
-    tree: dict[str, Any] = yaml.safe_load(PRESET.read_text(encoding="utf-8"))
+    tree = copy.deepcopy(_read(PRESET.read_text(encoding="utf-8")))
     for layer in (_SMALL, *sections):
-        for key, value in (yaml.safe_load(layer) or {}).items():
+        for key, value in copy.deepcopy(_read(layer)).items():
             # Robots and entrants of the preset are replaced as a whole by those of the stage.
             merges = isinstance(value, dict) and not (layer is _SMALL and key in {"robots", "entrants"})
             tree[key] = {**tree.get(key, {}), **value} if merges else value

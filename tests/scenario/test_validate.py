@@ -59,6 +59,8 @@ def test_nothing_heavy_is_imported_and_it_is_quick():
         done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stderr
         times.append(float(done.stdout.splitlines()[-1]))
+        if times[-1] < 1.5:
+            break  # it can be as quick as that: once is enough
     assert min(times) < 1.5
 
 

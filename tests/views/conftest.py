@@ -18,6 +18,12 @@ def browser_stage() -> Iterator[Stage]:
 
 
 @pytest.fixture
+def without_drawing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """For tests of what a rule sheet says: its drawing takes ten times as long as all the rest."""
+    monkeypatch.setattr("rcj_challenges.views.sheet.ground.draw_scenario", lambda *_, **__: "<svg></svg>")
+
+
+@pytest.fixture
 def watch(browser_stage: Stage, request: pytest.FixtureRequest) -> Iterator[Callable[..., Any]]:
     """Opens pages by their address; afterwards none of them may have asked anybody else, or complained."""
     failed_before = request.session.testsfailed

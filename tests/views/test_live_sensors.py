@@ -263,7 +263,8 @@ def chatty(tmp_path: Path) -> Callable[..., MatchPlan]:
     (folder / "logo.png").write_bytes(logo(9))
 
     def plan(**more: Any) -> MatchPlan:
-        loaded = load("match", ["match.halves=2", "match.half_s=1.6"])
+        alone = [f"entrants.{seat}.robots.{robot}=null" for seat, robot in (("blue", "B3"), ("yellow", "Y3"))]
+        loaded = load("match", ["match.halves=2", "match.half_s=1.6", *alone])
         seats = tuple(loaded.scenario.entrants.values())
         teams = {seat: open_team(folder, *seats) for seat in loaded.scenario.entrants}
         return MatchPlan(loaded, teams, {}, seed=7, out=tmp_path / "runs", **more)

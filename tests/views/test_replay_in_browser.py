@@ -370,7 +370,7 @@ def test_on_a_phone_the_picture_and_the_keys_are_in_sight_and_nothing_is_cut_off
     until(page, "replay.place > 5")
 
 
-@pytest.mark.parametrize("size", [WIDE, NARROW], ids=["wide", "narrow"])
+@pytest.mark.parametrize("size", [WIDE, pytest.param(NARROW, marks=pytest.mark.nightly)], ids=["wide", "narrow"])
 def test_names_are_text_whatever_they_contain(size: dict[str, int], show: Callable[..., Any], tmp_path: Path) -> None:
     endless = "\u202e\u2066" + "ح" * 10_000
     folder = write_made_up_run(tmp_path, ticks=500, halves=1, names=(HOSTILE, endless))

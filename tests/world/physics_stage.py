@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import math
 import random
 from functools import cache
@@ -37,7 +36,7 @@ def scenario_with(**changes: Any) -> Scenario:
 
 
 def _merged(base: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:
-    out = copy.deepcopy(base)
+    out = dict(base)  # what is validated stays as it is, so nothing deeper needs a copy
     for key, value in changes.items():
         out[key] = _merged(out[key], value) if isinstance(value, dict) and isinstance(out.get(key), dict) else value
     return out
