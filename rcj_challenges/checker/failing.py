@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from rcj_challenges.checker.findings import Finding, StageName
-from rcj_challenges.checker.rehearsal import Rehearsed
+from rcj_challenges.checker.hints import WHEREABOUTS, Hint, hint_on
+from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
 from rcj_challenges.facts.shown import shown, shown_block
 from rcj_challenges.facts.timing import s_from_ticks
 
@@ -21,46 +24,46 @@ _REMEDIES = {
 _OTHER_REMEDY = "see the report below, if there is one, and the program's output (--show-output)"
 
 
-# What the match writes into a program's log when it had to end it.
-_WHEREABOUTS = "It was here, the innermost call first:\n"
-
-
-def fault_findings(stage: StageName, match: Rehearsed, side: str = "") -> list[Finding]:
+def fault_findings(stage: StageName, rehearsal: Rehearsal, match: Rehearsed, side: str = "") -> list[Finding]:
     """Return one finding for each kind of failure; robots that failed alike share one.
 
     Args:
         stage: in which it was found.
+        rehearsal: what was to be played.
         match: what was played.
         side: where the team played, as the message begins.
     """
-    alike: dict[tuple[str, str, str], list[str]] = {}
-    first_tick: dict[tuple[str, str, str], int] = {}
+    alike: dict[tuple[str, str, str], list[dict[str, Any]]] = {}
     for fault in match.faults:
-        key = fault["kind"], fault["detail"], fault["traceback"]
-        alike.setdefault(key, []).append(fault["robot"])
-        first_tick.setdefault(key, fault["tick"])
-    findings = []
-    for (kind, detail, traceback), robots in alike.items():
-        # Of robots that hang, each was somewhere else when its patience ended: one place is enough.
-        report = traceback or next(filter(None, (_whereabouts(match.log(robot)) for robot in robots)), "")
-        at_s = s_from_ticks(first_tick[kind, detail, traceback])
-        when = f"{side}after {at_s:.1f} s: " if stage == "play" else ""
-        findings.append(
-            Finding(
-                code=f"{stage}.{kind}",
-                level="failure",
-                message=f"{when}{shown(detail, 300) or kind}",
-                remedy=_REMEDIES.get(kind, _OTHER_REMEDY),
-                where=", ".join(robots),
-                details=shown_block(report) if report else "",
-            )
-        )
-    return findings
+        alike.setdefault((fault["kind"], fault["detail"], fault["traceback"]), []).append(fault)
+    return [_finding(stage, rehearsal, match, side, faults) for faults in alike.values()]
+
+
+def _finding(
+    stage: StageName, rehearsal: Rehearsal, match: Rehearsed, side: str, faults: list[dict[str, Any]]
+) -> Finding:
+    """Return the finding on faults that are alike."""
+    first, robots = faults[0], [fault["robot"] for fault in faults]
+    kind, detail, traceback = first["kind"], first["detail"], first["traceback"]
+    # Of robots that hang, each was somewhere else when its patience ended: one place is enough.
+    whereabouts = next(filter(None, (_whereabouts(match.log(robot)) for robot in robots)), "") if not traceback else ""
+    hint = hint_on(rehearsal.loaded.scenario, rehearsal.team, first, whereabouts)
+    hint = hint or Hint(_REMEDIES.get(kind, _OTHER_REMEDY))
+    when = f"{side}after {s_from_ticks(first['tick']):.1f} s: " if stage == "play" else ""
+    report = traceback or whereabouts
+    return Finding(
+        code=f"{stage}.{kind}",
+        level="failure",
+        message=f"{when}{shown(detail, 300) or kind}{hint.message}",
+        remedy=hint.remedy,
+        where=", ".join(robots),
+        details=shown_block(report) if report else "",
+    )
 
 
 def _whereabouts(log: str) -> str:
     """Return what stands in a log about where a program was when it was ended."""
-    _, found, rest = log.rpartition(_WHEREABOUTS)
+    _, found, rest = log.rpartition(WHEREABOUTS)
     lines = rest.splitlines() if found else []
     inside = [line for line in lines if line.startswith("  File ")]
-    return "\n".join([_WHEREABOUTS.strip(), *inside]) if inside else ""
+    return "\n".join([WHEREABOUTS.strip(), *inside]) if inside else ""

@@ -8,9 +8,10 @@ from typing import Any
 
 from rcj_challenges.checker.failing import fault_findings
 from rcj_challenges.checker.findings import Finding, Level, Stage
-from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, rehearse
+from rcj_challenges.checker.growth import Growth
+from rcj_challenges.checker.rehearsal import OWN_TEAM, Rehearsal, Rehearsed, rehearse
 from rcj_challenges.facts.shown import shown
-from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.match.watching import Waits
 from rcj_challenges.scenario.load import Loaded
 
@@ -18,7 +19,27 @@ _STANDS_M = 0.02  # the suspension of a braked robot settles by less
 _STANDS_RAD = 0.2
 _SLOW_SHARE = 0.5
 _TOO_SLOW_SHARE = 2.0  # this computer may be slower than the tournament's, and is busy with other things
+_MUCH_SHARE = 0.5
 _MOST_COMPLAINTS = 5
+_PRINT_LESS = "print less: only what changes, or in every 30th step"
+_WRITE_LESS = 'write less: in every 30th step, or begin the file anew now and then (open(…, "w"))'
+
+
+@dataclass(frozen=True)
+class _Kind:
+    """Something of which programs may take so much in a half.
+
+    Attributes:
+        does: what they do.
+        where: to what.
+        limit_mb: how much they may, in MB.
+        remedy: what to do about it.
+    """
+
+    does: str
+    where: str
+    limit_mb: float
+    remedy: str
 
 
 @dataclass
@@ -54,9 +75,10 @@ def check_play(rehearsal: Rehearsal, seconds: float) -> Played:
 
 
 def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
-    failed = fault_findings("play", match, side)
+    failed = fault_findings("play", rehearsal, match, side)
     rest = [*_standing(match, side), *_away_from_ball(rehearsal, match, side), *_slow(rehearsal, match, side)]
-    return [*failed, *rest, *_complaints(match, side), _summary(match, side)]
+    much = _much(rehearsal, match, side)
+    return [*failed, *rest, *much, *_complaints(match, side), _summary(match, side), *_others_failed(match, side)]
 
 
 def _standing(match: Rehearsed, side: str) -> list[Finding]:
@@ -120,6 +142,41 @@ def _slow(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
     return findings
 
 
+def _much(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
+    """Compare what programs printed and wrote, scaled up to a half, with what they may."""
+    limits = rehearsal.loaded.scenario.limits
+    return [
+        *_too_much(rehearsal, match, match.printed, _Kind("prints", "", limits.output_mb, _PRINT_LESS), side),
+        *_too_much(
+            rehearsal, match, match.written, _Kind("writes", " into its folder", limits.scratch_mb, _WRITE_LESS), side
+        ),
+    ]
+
+
+def _too_much(
+    rehearsal: Rehearsal, match: Rehearsed, grown: Mapping[str, Growth], kind: _Kind, side: str
+) -> list[Finding]:
+    """Return one warning for all robots whose programs come near a limit, with the numbers of the worst."""
+    half_ticks = ticks_from_s(rehearsal.loaded.scenario.match.half_s)
+    failed, limit_bytes = {fault["robot"] for fault in match.faults}, kind.limit_mb * 1e6
+    near = {
+        robot: whole_bytes
+        for robot, growth in grown.items()
+        if robot not in failed and (whole_bytes := growth.at_bytes(half_ticks)) > _MUCH_SHARE * limit_bytes
+    }
+    if not near:
+        return []
+    worst = max(near, key=lambda robot: near[robot])
+    growth = grown[worst]
+    message = (
+        f"{side}{kind.does} {growth.total_bytes / 1e6:.1f} MB{kind.where} in {growth.total_s:.1f} s of play, "
+        f"that is about {near[worst] / 1e6:.0f} MB in a half; {kind.limit_mb:g} MB are allowed"
+    )
+    if near[worst] > limit_bytes:
+        message += f": it would be ended after about {growth.reaches_s(limit_bytes):.0f} s (output_flood)"
+    return [Finding(f"play.{kind.does}_much", "warning", message, kind.remedy, ", ".join(near))]
+
+
 def _shorter(first: Mapping[str, Waits], second: Mapping[str, Waits]) -> dict[str, Waits]:
     """Return the shorter waits of two rehearsals of one match, by robot."""
     return {
@@ -154,3 +211,20 @@ def _summary(match: Rehearsed, side: str) -> Finding:
     if touches:
         told += f", {touches} of {len(match.motions)} robots touched the ball"
     return Finding("play.played", "passed", told)
+
+
+def _others_failed(match: Rehearsed, side: str) -> list[Finding]:
+    """Tell of the opponent's programs that failed: no fault of this team's, but then it played against less."""
+    if not match.faults_of_others:
+        return []
+    first = match.faults_of_others[0]
+    robots = ", ".join(dict.fromkeys(fault["robot"] for fault in match.faults_of_others))
+    names = " and ".join(map(shown, match.opponents.values()))
+    when = f"the first after {s_from_ticks(first['tick']):.1f} s"
+    told = shown(first["detail"], 120) or first["kind"]
+    message = f"{side}programs of the opponent failed ({names}: {robots}; {when}: {told}): the score says little"
+    if OWN_TEAM in match.opponents.values():
+        remedy = "these are your own programs, on the other side"
+    else:
+        remedy = "that is not your fault: they do not suit this scenario, or what --set changed in it"
+    return [Finding("play.opponent_failed", "passed", message, remedy)]

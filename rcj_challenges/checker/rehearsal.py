@@ -8,12 +8,12 @@ from __future__ import annotations
 import math
 import os
 import time
-from collections.abc import Sequence
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from rcj_challenges.checker.growth import Amounts, FollowedTeam, Growth
 from rcj_challenges.controllers.team import Team, TeamError, open_team
 from rcj_challenges.facts.play import Snapshot, Verdict
 from rcj_challenges.match.match import MatchPlan, play_match
@@ -28,7 +28,7 @@ SEED = 1
 _LEAST_PATIENCE_STEPS = 2.0
 _MOST_OVER = 4.0
 _MOST_LOG_BYTES = 100_000  # at each end
-_OWN_TEAM = "your own team"
+OWN_TEAM = "your own team"
 _NOBODY = "robots that stand still"
 _STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
 
@@ -85,8 +85,11 @@ class Rehearsed:
         folder: its record.
         result: as in ``result.json``.
         faults: of the team's robots, in order, as in the result.
+        faults_of_others: of all other robots, likewise.
         motions: by robot of the team.
         waits: by robot of the team.
+        printed: how much the programs of the team printed, by robot.
+        written: how much they wrote into their folders, by robot.
         simulated_s: what was played in s.
         wall_s: what that took in s.
     """
@@ -96,8 +99,11 @@ class Rehearsed:
     folder: Path
     result: dict[str, Any]
     faults: list[dict[str, Any]]
+    faults_of_others: list[dict[str, Any]]
     motions: dict[str, Motion]
     waits: dict[str, Waits]
+    printed: dict[str, Growth]
+    written: dict[str, Growth]
     simulated_s: float
     wall_s: float
 
@@ -130,14 +136,24 @@ def rehearse(rehearsal: Rehearsal, seats: tuple[str, ...], seconds: float) -> Re
     scenario = rehearsal.loaded.scenario
     short = shortened(rehearsal.loaded, seconds)
     began = time.perf_counter()
+    followed = FollowedTeam(rehearsal.team)
     with ExitStack() as stack:
-        cast = {seat: _player(rehearsal, seat, seats, stack) for seat in scenario.entrants}
+        cast = {
+            seat: (followed, rehearsal.name) if seat in seats else _other(rehearsal, seat, stack)
+            for seat in scenario.entrants
+        }
         teams = {seat: team for seat, (team, _) in cast.items()}
         names = {seat: name for seat, (_, name) in cast.items()}
         ours = [robot for seat in seats for robot in scenario.entrants[seat].robots]
-        observer = _Observer(short, ours)
+        observer = _Observer(short, Amounts(ours, followed, scenario.limits))
         plan = MatchPlan(
-            loaded=short, teams=teams, team_names=names, seed=SEED, out=rehearsal.out, sandbox=rehearsal.sandbox
+            loaded=short,
+            teams=teams,
+            team_names=names,
+            seed=SEED,
+            out=rehearsal.out,
+            sandbox=rehearsal.sandbox,
+            show_output=frozenset(ours),
         )
         played = play_match(plan, observer)
     return Rehearsed(
@@ -146,8 +162,11 @@ def rehearse(rehearsal: Rehearsal, seats: tuple[str, ...], seconds: float) -> Re
         folder=played.folder,
         result=played.result,
         faults=[fault for fault in played.result["faults"] if fault["robot"] in ours],
+        faults_of_others=[fault for fault in played.result["faults"] if fault["robot"] not in ours],
         motions=observer.motions,
         waits={wait.robot: wait for wait in observer.waits if wait.robot in ours},
+        printed=observer.amounts.printed,
+        written=observer.amounts.written,
         simulated_s=played.result["simulated_s"],
         wall_s=time.perf_counter() - began,
     )
@@ -172,10 +191,8 @@ def shortened(loaded: Loaded, seconds: float) -> Loaded:
     return load_resolved(resolved, loaded.name)
 
 
-def _player(rehearsal: Rehearsal, seat: str, seats: Sequence[str], stack: ExitStack) -> tuple[Team, str]:
-    """Return who plays in a seat: the team, a sample team, the team against itself, or a stand-in; and its name."""
-    if seat in seats:
-        return rehearsal.team, rehearsal.name
+def _other(rehearsal: Rehearsal, seat: str, stack: ExitStack) -> tuple[Team, str]:
+    """Return who plays in another seat: a sample team, the team against itself, or a stand-in; and its name."""
     scenario = rehearsal.loaded.scenario
     sample = sample_team(scenario, seat)
     if sample is not None:
@@ -183,17 +200,23 @@ def _player(rehearsal: Rehearsal, seat: str, seats: Sequence[str], stack: ExitSt
             opened = stack.enter_context(open_team(sample, scenario.entrants[seat]))
             return opened, opened.name
     if seat in rehearsal.seats():
-        return rehearsal.team, _OWN_TEAM
+        return rehearsal.team, OWN_TEAM
     stand_in = rehearsal.out / "stand_in.py"
     stand_in.write_text(_STAND, encoding="utf-8")
     return stack.enter_context(open_team(stand_in, scenario.entrants[seat])), _NOBODY
 
 
 class _Observer(Silent):
-    """Takes note of how robots move, what they touch, and how long their programs were waited for."""
+    """Takes note of how robots move, what they touch, and what their programs took: time, and room for what they say.
 
-    def __init__(self, loaded: Loaded, robots: list[str]) -> None:
-        roster = loaded.roster
+    Args:
+        loaded: what is played.
+        amounts: of the robots that are watched.
+    """
+
+    def __init__(self, loaded: Loaded, amounts: Amounts) -> None:
+        roster, robots = loaded.roster, list(amounts.printed)
+        self.amounts = amounts
         self.motions = {robot: Motion() for robot in robots}
         self.waits: tuple[Waits, ...] = ()
         self._watched = [(roster.index[robot], self.motions[robot]) for robot in robots]
@@ -203,6 +226,7 @@ class _Observer(Silent):
 
     def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
         """Add up what happened in a tick."""
+        self.amounts.ticked(snapshot.tick)
         for poses in snapshot.substeps:
             if self._last is not None:
                 for index, motion in self._watched:
@@ -216,6 +240,10 @@ class _Observer(Silent):
             self._last = self._last[:]
             for placement in verdict.placements:
                 self._last[placement.entity] = (placement.x_m, placement.y_m, placement.yaw_rad)
+
+    def printed(self, robot: str, text: str) -> None:
+        """Take note of how much a program printed."""
+        self.amounts.said(robot, text)
 
     def half_ended(self, half: object, waits: tuple[Waits, ...]) -> None:
         """Take note of how long programs were waited for."""

@@ -331,9 +331,19 @@ def _empty(sources: Mapping[PurePosixPath, Source], entries: set[PurePosixPath])
 def _shadowing(files: Iterable[PurePosixPath], entries: set[PurePosixPath]) -> Iterable[Finding]:
     listed = tuple(files)
     hiding = {path for entry in entries for path in Library(listed, places_of(entry)).shadows()} - entries
+    for path in sorted(_never_imported(listed, entries)):
+        message = f'"import controller" always gives the module of the match: {shown(path)} is never imported'
+        remedy = "give it another name if programs need what is in it; if it is only for your editor, all is well"
+        yield Finding("sources.passed_over", "warning", message, remedy, shown(path))
     for path in sorted(hiding):
         message = f'this file hides "{shown(path.stem)}", a module of Python or of numpy and scipy, from your programs'
         yield Finding("sources.shadows", "warning", message, "give it another name, unless you mean that", shown(path))
+
+
+def _never_imported(files: Iterable[PurePosixPath], entries: set[PurePosixPath]) -> set[PurePosixPath]:
+    """Return the files that programs would find as ``controller`` if the match did not give them its own."""
+    found = {module.file for entry in entries for module in Library(files, places_of(entry)).tops(INSTALLED[2])}
+    return {path for path in found if path is not None} - entries
 
 
 def _gravest(found: Iterable[Finding]) -> list[Finding]:

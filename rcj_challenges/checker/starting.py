@@ -37,7 +37,7 @@ def check_start(rehearsal: Rehearsal) -> Stage:
     """
     stage = Stage("start")
     started = rehearse(rehearsal, tuple(rehearsal.seats()), _TICKS * TICK_S)
-    stage.findings += fault_findings("start", started)
+    stage.findings += fault_findings("start", rehearsal, started)
     stage.findings += _devices(started, rehearsal)
     slow = _slow(started, rehearsal.loaded.scenario.limits.start_s)
     if slow is not None:

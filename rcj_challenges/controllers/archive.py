@@ -153,10 +153,9 @@ def _from_folder(folder: Path) -> Contents:
         relative = PurePosixPath(path.relative_to(folder).as_posix())
         if ignored(relative.parts):
             continue
-        if not path.resolve().is_relative_to(inside):
-            shown = told(relative)
-            message = f"{shown} is a link that leads out of the folder"
-            troubles.add(Trouble("archive.link", "failure", message, "copy the file instead", shown))
+        leads_out = not path.resolve().is_relative_to(inside)
+        if leads_out or path.is_dir():
+            troubles.add(_link(relative, leads_out=leads_out, is_folder=path.is_dir()))
             continue
         if not path.is_file():
             continue
@@ -170,15 +169,28 @@ def _from_folder(folder: Path) -> Contents:
     for trouble in itertools.chain.from_iterable(name_troubles(str(path)) for path in files):
         troubles.add(Trouble(trouble.code, "warning", trouble.message, trouble.remedy, trouble.where, trouble.repair))
     _tell_nested(files, troubles)
-    if not files:
+    if not files and not any(trouble.code == "archive.link" for trouble in troubles):
         troubles.add(_no_files())
     return Contents("folder", dict(sorted(files.items())), tuple(troubles))
 
 
+def _link(path: PurePosixPath, *, leads_out: bool, is_folder: bool) -> Trouble:
+    """Return what is wrong with a link; one to another folder inside is left out, whatever leads out is refused."""
+    shown = told(path)
+    if leads_out:
+        message = f"{shown} is a link that leads out of the folder"
+        remedy = f"copy the {'folder' if is_folder else 'file'} instead"
+        return Trouble("archive.link", "failure", message, remedy, shown)
+    message = f"{shown} is a link to a folder: it is left out"
+    return Trouble("archive.link_inside", "warning", message, "copy the folder, if programs need it there", shown)
+
+
 def _walk(folder: Path) -> Iterator[Path]:
+    """Return all files, and the links to folders: those are not followed, for they may lead in a circle."""
     for root, folders, names in os.walk(folder):
         folders[:] = sorted(name for name in folders if not ignored_folder(name))
         yield from (Path(root, name) for name in sorted(names))
+        yield from (link for name in folders if (link := Path(root, name)).is_symlink())
 
 
 def _from_zip(path: Path) -> Contents:

@@ -23,24 +23,20 @@ from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.scenario.models.scenario import Scenario
 from tests.hostile.archives import pictures
 from tests.hostile.archives.building import Member, pack, with_folders
-from tests.hostile.archives.cases import ALL, FINE, IMPORTS, SEEN, Case
+from tests.hostile.archives.cases import ALL, FINE, IMPORTS, SEEN, Case, built
 from tests.hostile.archives.making import ENTRY, NAME, OF_2021, PROGRAM, SOUND, named, plain
 
+loaded = cache(load)
 
-@cache
+
 def scenario(name: str = "match") -> Scenario:
-    return load(name).scenario
+    return loaded(name).scenario
 
 
 def inspected(folder: Path, data: bytes, name: str = "match") -> Inspection:
     path = folder / "team.zip"
     path.write_bytes(data)
     return inspect(path, scenario(name))
-
-
-@cache
-def built(name: str) -> bytes:
-    return ALL[name].build()
 
 
 def findings(inspection: Inspection) -> list[Finding]:
@@ -85,7 +81,7 @@ def test_the_check_and_a_match_agree_whether_an_archive_can_be_used(tmp_path: Pa
 def test_the_whole_check_names_each_defect_of_real_submissions(tmp_path: Path, case: Case) -> None:
     path = tmp_path / "team.zip"
     path.write_bytes(case.build())
-    report = check_file(path, load(case.scenario), CheckOptions(play=False))
+    report = check_file(path, loaded(case.scenario), CheckOptions(play=False))
     stage = next(stage for stage in report.stages if stage.name == case.code.partition(".")[0])
     found = [finding for finding in stage.findings if finding.code == case.code]
     assert [finding.level for finding in found] == [case.level] * max(1, len(found))
@@ -226,6 +222,50 @@ def test_a_folder_is_checked_as_its_archive(tmp_path: Path) -> None:
     assert from_folder.digest == inspected(tmp_path, plain(SOUND)).digest
 
 
+def team_folder(folder: Path) -> Path:
+    for name, content in SOUND.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+    return folder
+
+
+links = pytest.mark.skipif(sys.platform == "win32", reason="links are a privilege on Windows")
+
+
+@links
+def test_a_link_that_is_given_by_its_name_is_followed(tmp_path: Path) -> None:
+    team = team_folder(tmp_path / "team")
+    (tmp_path / "mine").symlink_to(team, target_is_directory=True)
+    inspection = inspect(tmp_path / "mine", scenario())
+    assert all(stage.level == "passed" for stage in inspection.stages)
+    assert inspection.digest == inspect(team, scenario()).digest
+
+
+@links
+def test_a_folder_that_is_a_link_out_of_the_submission_is_refused_by_its_name(tmp_path: Path) -> None:
+    team = team_folder(tmp_path / "team")
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "rcj_soccer_team_blue").symlink_to(team / "rcj_soccer_team_blue", target_is_directory=True)
+    archive = inspect(tmp_path / "mine", scenario()).stages[0]
+    (found,) = archive.findings
+    assert (found.code, found.level, found.where) == ("archive.link", "failure", "rcj_soccer_team_blue")
+    assert found.message == "rcj_soccer_team_blue is a link that leads out of the folder"
+    assert found.remedy == "copy the folder instead"
+    with pytest.raises(TeamError, match="rcj_soccer_team_blue is a link that leads out of the folder"):
+        open_team(tmp_path / "mine", *scenario().entrants.values())
+
+
+@links
+def test_a_link_to_another_folder_of_the_submission_is_left_out_and_told(tmp_path: Path) -> None:
+    team = team_folder(tmp_path / "team")
+    (team / "rcj_soccer_team_blue" / "again").symlink_to(team, target_is_directory=True)  # in a circle
+    inspection = inspect(team, scenario())
+    (found,) = [finding for finding in inspection.stages[0].findings if finding.level != "passed"]
+    assert (found.code, found.level, found.where) == ("archive.link_inside", "warning", "rcj_soccer_team_blue/again")
+    assert inspection.team is not None
+
+
 def test_a_single_program_can_be_checked(tmp_path: Path) -> None:
     (tmp_path / "my_bot.py").write_bytes(PROGRAM)
     inspection = inspect(tmp_path / "my_bot.py", scenario())
@@ -297,7 +337,7 @@ def test_the_page_for_teams_lists_every_message_with_its_level_and_whether_it_is
         cases[case.code] = (case.level, case.repair or cases.get(case.code, ("", False))[1])
     assert len(rows) == len(listed)
     assert {code: listed.get(code) for code in cases} == cases
-    assert listed.keys() - cases.keys() == {"layout.single_program"}
+    assert listed.keys() - cases.keys() == {"layout.single_program", "archive.link_inside"}  # no archives have these
 
 
 @pytest.mark.parametrize(

@@ -340,6 +340,25 @@ def test_a_file_that_hides_a_module_of_python_is_a_warning(check):
     assert (found.code, found.level, found.where) == ("sources.shadows", "warning", f"{FOLDER}/random.py")
 
 
+def test_a_file_that_the_match_never_lets_a_program_import_is_a_warning(check):
+    program = "from controller import Robot\n"
+    found = only(check(program, rcj_soccer_team_blue__controller="class PIDController: pass\n"))
+    assert (found.code, found.level) == ("sources.passed_over", "warning")
+    assert found.where == f"{FOLDER}/controller.py"
+    assert "never imported" in found.message
+    assert "another name" in found.remedy
+
+
+@pytest.mark.parametrize("path", ["controller.py", f"{FOLDER}/controller/__init__.py"])
+def test_a_controller_in_the_folder_above_or_as_a_folder_is_passed_over_too(check, path):
+    found = only(check.paths({ENTRY: "from controller import Robot\n", path: ""}))
+    assert (found.code, found.where) == ("sources.passed_over", path)
+
+
+def test_a_controller_where_no_program_would_find_it_by_that_name_is_none_of_ours(check):
+    assert codes(check("import shared.controller\n", shared__controller="")) == ["ok"]
+
+
 def test_a_circle_of_imports_ends(check):
     stage = check("import a\n", rcj_soccer_team_blue__a="import b\n", rcj_soccer_team_blue__b="import a\n")
     assert codes(stage) == ["ok"]

@@ -99,18 +99,22 @@ def programs_in(document: Path) -> list[str]:
 
 def test_the_programs_in_the_documents_play(play_teams, tmp_path):
     programs = [*programs_in(ROOT / "docs" / "programs.md"), *programs_in(ROOT / "docs" / "first-ten-minutes.md")]
-    assert len(programs) == 6
-    teams = []
-    for name, three in (("blue", programs[:3]), ("yellow", programs[3:])):
-        for number, program in enumerate(three, 1):
-            entry = tmp_path / name / f"robot{number}" / f"robot{number}.py"
-            entry.parent.mkdir(parents=True)
-            entry.write_text(program, encoding="utf-8")
-        teams.append(tmp_path / name)
-    played = play_teams(*teams, half_s=4, halves=1)
-    assert played.result["faults"] == []
-    assert "I am at (" in played.log("B2")
-    assert "to the left" in played.log("B3") or "I do not see the ball" in played.log("B3")
+    assert len(programs) >= 6
+    said = ""
+    for first in range(0, len(programs), 6):
+        six = [*programs[first:], *programs][:6]
+        teams = []
+        for name, three in (("blue", six[:3]), ("yellow", six[3:])):
+            for number, program in enumerate(three, 1):
+                entry = tmp_path / f"from{first}" / name / f"robot{number}" / f"robot{number}.py"
+                entry.parent.mkdir(parents=True)
+                entry.write_text(program, encoding="utf-8")
+            teams.append(tmp_path / f"from{first}" / name)
+        played = play_teams(*teams, half_s=4, halves=1)
+        assert played.result["faults"] == []
+        said += "".join(played.log(robot) for robot in ("B1", "B2", "B3", "Y1", "Y2", "Y3"))
+    assert "I am at (" in said
+    assert "to the left" in said or "I do not see the ball" in said
 
 
 @pytest.mark.nightly

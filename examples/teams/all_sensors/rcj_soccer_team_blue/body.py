@@ -4,6 +4,7 @@ In our frame the own goal is at (0, -0.75) and the other goal at (0, +0.75), whi
 the field by half a turn.
 """
 
+import json
 import math
 import struct
 
@@ -123,9 +124,12 @@ class Body:
 
     def _read_referee(self):
         while self.referee.getQueueLength() > 0:
-            packet = self.referee.getData()
+            packet = self.referee.getBytes()
             self.referee.nextPacket()
-            (self.waiting_for_kickoff,) = struct.unpack("?", packet)
+            if len(packet) == 1:  # messages v2.1: one byte, true or false
+                (self.waiting_for_kickoff,) = struct.unpack("?", packet)
+            elif b"waiting_for_kickoff" in packet:  # messages v2.2: JSON text
+                self.waiting_for_kickoff = json.loads(packet)["waiting_for_kickoff"]
 
     def _read_wheels(self):
         wheels = (self.left_wheel.getValue(), self.right_wheel.getValue())

@@ -39,7 +39,7 @@ class Team:
         for entry in self.heard.values():
             entry[0] += 1
         while self.receiver.getQueueLength() > 0:
-            message = unpack_message(self.receiver.getData())
+            message = unpack_message(self.receiver.getBytes())  # getData() is text with messages v2.2
             self.receiver.nextPacket()
             if message is not None:
                 number, place, ball = message

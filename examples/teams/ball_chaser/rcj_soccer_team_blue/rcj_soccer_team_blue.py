@@ -8,6 +8,7 @@ Every robot does the same: look for the ball, turn to it, drive. Two small rules
 Read this file from top to bottom; it is the whole program. One copy of it runs in each of the three robots.
 """
 
+import json
 import math
 import struct
 
@@ -74,11 +75,14 @@ def main():
 
     waiting_for_kickoff = False
     while robot.step(TIME_STEP) != -1:  # -1: the match is over
-        # The referee tells us once a step whether the game waits for a kick-off: one byte, true or false.
+        # The referee tells us once a step whether the game waits for a kick-off.
         while referee.getQueueLength() > 0:
-            packet = referee.getData()
+            packet = referee.getBytes()
             referee.nextPacket()
-            (waiting_for_kickoff,) = struct.unpack("?", packet)
+            if len(packet) == 1:  # messages v2.1: one byte, true or false
+                (waiting_for_kickoff,) = struct.unpack("?", packet)
+            elif b"waiting_for_kickoff" in packet:  # messages v2.2: JSON text
+                waiting_for_kickoff = json.loads(packet)["waiting_for_kickoff"]
 
         # The compass gives [sin, cos, 0] of our heading.
         sine, cosine, _ = compass.getValues()

@@ -5,6 +5,7 @@ how the yellow team sees the field; for the blue team we turn the field by half 
 never asks for the colour.
 """
 
+import json
 import math
 import struct
 
@@ -63,6 +64,9 @@ class Senses:
             self.ball_receiver.nextPacket()
 
         while self.referee.getQueueLength() > 0:
-            packet = self.referee.getData()
+            packet = self.referee.getBytes()
             self.referee.nextPacket()
-            (self.waiting_for_kickoff,) = struct.unpack("?", packet)
+            if len(packet) == 1:  # messages v2.1: one byte, true or false
+                (self.waiting_for_kickoff,) = struct.unpack("?", packet)
+            elif b"waiting_for_kickoff" in packet:  # messages v2.2: JSON text
+                self.waiting_for_kickoff = json.loads(packet)["waiting_for_kickoff"]

@@ -46,7 +46,7 @@ class TeamRadio:
         for entry in self.heard.values():
             entry[0] += 1
         while self.receiver.getQueueLength() > 0:
-            data = self.receiver.getData()
+            data = self.receiver.getBytes()  # bytes with every version of the messages; getData() may be text
             self.receiver.nextPacket()
             if len(data) != MESSAGE.size:
                 continue  # not ours: never trust the radio

@@ -1,0 +1,153 @@
+"""What is behind a fault: a program for other messages, a module that is never imported, a wait without end."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import PurePosixPath
+from typing import Any
+
+from rcj_challenges.controllers.team import Team
+from rcj_challenges.facts.shown import shown
+from rcj_challenges.scenario.models.scenario import Scenario
+
+WHEREABOUTS = "It was here, the innermost call first:\n"
+"""What the match writes into a program's log when it had to end it."""
+
+_FIRST_TICKS = 8  # who misreads the referee's packets does so with the first of them
+_MOST_CODE_LETTERS = 80
+_MOST_CODE_BYTES = 500  # of a line that is looked at: in a longer one the search could take for ever
+
+_PLACE = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>\d+)', re.MULTILINE)
+_BYTE_READ_AS_JSON = re.compile(r"JSONDecodeError: .*\(char 0\)")
+_TEXT_READ_AS_BYTES = re.compile(r"a bytes-like object is required, not 'str'|'str' object has no attribute 'decode'")
+_BYTES_READ_AS_TEXT = re.compile(r"UnicodeDecodeError: ")
+_READS_JSON, _READS_FILE = re.compile(r"\bloads\b"), re.compile(r"\b(open|read|read_text|read_bytes)\(")
+_READS_PACKET = re.compile(rb"\.(getData|getString|getBytes|data|string|bytes)\b")
+_READS_AS_TEXT = re.compile(r"\.(getData|getString)\(")
+_READS_A_FLAG = re.compile(rb"""["'][<>=!@]?\?["']""")  # the format of the byte of v2.1
+_NO_SUCH_NAME = re.compile(r"cannot import name '(?P<name>\w+)' from 'controller'")
+# Calls of Python's own library that come back only when something else happens. ``wait`` and the like stand here with
+# empty brackets or a time: what a team calls so itself, or ``", ".join(…)``, is none.
+_WAITS = re.compile(
+    r"\basyncio\.run\(|\.run_until_complete\(|\.run_forever\(|\bselect\(|\binput\("
+    r"|\.(?:wait|join|get|acquire|result|readline)\(\s*(?:timeout\s*=.*|[\d.]+\s*)?\)"
+)
+
+
+@dataclass(frozen=True)
+class Hint:
+    """What is behind a fault.
+
+    Attributes:
+        remedy: what to do.
+        message: what follows on the message of the fault; mostly empty.
+    """
+
+    remedy: str
+    message: str = ""
+
+
+def hint_on(scenario: Scenario, team: Team, fault: dict[str, Any], whereabouts: str) -> Hint | None:
+    """Return what is behind a fault, where the evidence is clear.
+
+    Args:
+        scenario: what was played.
+        team: whose program failed.
+        fault: as in the result.
+        whereabouts: where the program was when it was ended; empty if that is not known.
+    """
+    if fault["kind"] == "crash":
+        return _on_messages(scenario, team, fault) or _on_imports(team, fault["detail"])
+    if fault["kind"] in ("step_timeout", "start_timeout") and whereabouts:
+        return _on_place(team, fault["kind"], whereabouts)
+    return None
+
+
+def _on_messages(scenario: Scenario, team: Team, fault: dict[str, Any]) -> Hint | None:
+    """Tell of a program that was written for another version of the messages than is spoken here."""
+    if not 0 < fault["tick"] <= _FIRST_TICKS or not _any_mentions(team, re.compile(rb"supervisor receiver")):
+        return None
+    kit = scenario.robots[fault["robot"]].kit
+    messages, detail = scenario.kits[kit].messages, fault["detail"]
+    code = _code(team, _places(fault["traceback"]))
+    if messages == "v2.1" and _BYTE_READ_AS_JSON.search(detail) and _is_packet_read_as_json(team, code):
+        return Hint(
+            "the referee's packet here is one byte (messages v2.1), your program reads JSON (v2.2): if that is what "
+            f'your tournament uses, play with "--set kits.{kit}.messages=v2.2" (check and run); else read it with '
+            'struct.unpack("?", receiver.getData())',
+            ": this program seems to be written for messages v2.2",
+        )
+    if messages == "v2.2" and _is_text_read_as_bytes(team, detail, code):
+        return Hint(
+            "getData() gives text here and the referee's packet is JSON (messages v2.2), your program reads bytes "
+            f'(v2.1): if that is what your tournament uses, play with "--set kits.{kit}.messages=v2.1"; else read '
+            "that packet with json.loads(receiver.getData()), and bytes of your own with getBytes()",
+            ": this program seems to be written for messages v2.1",
+        )
+    return None
+
+
+def _is_packet_read_as_json(team: Team, code: str) -> bool:
+    """Return whether a line reads JSON that is no file, in programs that read packets, but no packet of v2.1."""
+    reads_json = _READS_JSON.search(code) is not None and _READS_FILE.search(code) is None
+    return reads_json and _any_mentions(team, _READS_PACKET) and not _any_mentions(team, _READS_A_FLAG)
+
+
+def _is_text_read_as_bytes(team: Team, detail: str, code: str) -> bool:
+    """Return whether a fault comes of text where bytes were meant, or of bytes on the radio that are no text."""
+    if _BYTES_READ_AS_TEXT.search(detail):
+        return _READS_AS_TEXT.search(code) is not None
+    return _TEXT_READ_AS_BYTES.search(detail) is not None and _any_mentions(team, _READS_PACKET)
+
+
+def _on_imports(team: Team, detail: str) -> Hint | None:
+    """Tell of a name that is taken from the match's own module, and of a file of that name that nobody reads."""
+    found = _NO_SUCH_NAME.search(detail)
+    if found is None:
+        return None
+    name = found["name"]
+    own = [path for path in team.files if path.name == "controller.py" or path.match("controller/__init__.py")]
+    remedy = f'"controller" is the module of the match, and has no "{shown(name)}"'
+    if own:
+        remedy += f": give {shown(own[0])} another name, and import it by that"
+    return Hint(remedy)
+
+
+def _on_place(team: Team, kind: str, whereabouts: str) -> Hint | None:
+    """Name the line in which a program was when its patience ended, and what it did there as far as it shows."""
+    place = next(_places(whereabouts), None)
+    if place is None or _any_mentions(team, re.compile(rb"\bthreading\b|\bconcurrent\b|\b_thread\b")):
+        return None  # of several threads nobody can say whose line comes first
+    code = _code(team, iter([place]))
+    where = f"line {place[1]} of {shown(place[0])}" + (f" ({shown(code, _MOST_CODE_LETTERS)})" if code else "")
+    # A call of the team's own would have a line of its own, further in.
+    if _WAITS.search(code):
+        return Hint(
+            f"the program was waiting in {where}, inside Python's own library, for what did not come: between two "
+            "steps nothing arrives, so wait with robot.step(32)"
+        )
+    if kind == "start_timeout":
+        return Hint(f"call robot.step(32) sooner: the program was in {where}; is there a loop, or long work?")
+    return Hint(f"look for a loop that never calls robot.step(32): the program was in {where}")
+
+
+def _places(report: str) -> Iterator[tuple[str, int]]:
+    """Return files of the team and lines in them, in the order in which a report names them."""
+    return ((found["file"], int(found["line"])) for found in _PLACE.finditer(report))
+
+
+def _code(team: Team, places: Iterator[tuple[str, int]]) -> str:
+    """Return the beginning of that line of a team's programs which is named last."""
+    last = next(reversed(list(places)), None)
+    content = team.files.get(PurePosixPath(last[0].replace("\\", "/"))) if last is not None else None
+    if last is None or content is None:
+        return ""
+    lines = content.splitlines()  # of bytes: at the same places as Python does
+    code = lines[last[1] - 1].strip() if 0 < last[1] <= len(lines) else b""
+    return code[:_MOST_CODE_BYTES].decode("utf-8", "replace")
+
+
+def _any_mentions(team: Team, words: re.Pattern[bytes]) -> bool:
+    return any(path.suffix == ".py" and words.search(content) for path, content in team.files.items())

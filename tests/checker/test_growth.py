@@ -1,0 +1,96 @@
+"""What programs print and write is scaled up from a short match to a half, and compared with what they may."""
+
+from __future__ import annotations
+
+import re
+import zipfile
+
+import pytest
+
+from rcj_challenges.checker.check import CheckOptions, check_file
+from rcj_challenges.checker.growth import Growth
+from rcj_challenges.scenario.load import load
+
+ENTRY = "rcj_soccer_team_blue/rcj_soccer_team_blue.py"
+ALONE = [f"entrants.{seat}.robots.{seat[0].upper()}{number}=null" for seat in ("blue", "yellow") for number in (2, 3)]
+MATCH = load("match", ALONE)
+BEGIN = """\
+from controller import Robot
+robot = Robot()
+for name in ("left wheel motor", "right wheel motor"):
+    robot.getDevice(name).setPosition(float("inf"))
+"""
+LOOP = "while robot.step(32) != -1:\n"
+
+
+@pytest.fixture
+def much(tmp_path):
+    def found(program, scenario=MATCH, play_s=4.2, **files):
+        path = tmp_path / "team.zip"
+        with zipfile.ZipFile(path, "w") as archive:
+            archive.writestr(ENTRY, program)
+            for name, content in files.items():
+                archive.writestr(name, content)
+        report = check_file(path, scenario, CheckOptions(play_s=play_s))
+        assert report.level != "failure"
+        return [finding for finding in report.stages[5].findings if finding.code.endswith("_much")]
+
+    return found
+
+
+def numbers(finding, words):
+    return [float(number) for number in re.search(words, finding.message).groups()]
+
+
+def test_a_program_that_would_fill_its_folder_before_the_half_is_over_is_warned_of_when_and_what_to_do(much):
+    told = much(BEGIN + 'file = open("log.txt", "a")\n' + LOOP + '    file.write("x" * 5000 + "\\n")\n')
+    assert [(finding.code, finding.level, finding.where) for finding in told] == [
+        ("play.writes_much", "warning", "B1"),
+        ("play.writes_much", "warning", "Y1"),
+    ]
+    assert told[0].message.startswith("as blue, writes 0.")
+    assert " MB into its folder in 4.1 s of play, that is about " in told[0].message
+    whole_mb, ended_s = numbers(told[0], r"about (\d+) MB in a half; 64 MB are allowed: .* after about (\d+) s")
+    assert (whole_mb, ended_s) == (pytest.approx(94, abs=4), pytest.approx(410, abs=20))
+    assert "every 30th step" in told[0].remedy
+
+
+def test_a_program_that_would_print_too_much_is_warned(much):
+    told = much(BEGIN + LOOP + '    print("x" * 2500)\n')
+    assert [finding.code for finding in told] == ["play.prints_much"] * 2
+    whole_mb, ended_s = numbers(told[0], r"about (\d+) MB in a half; 32 MB are allowed: .* after about (\d+) s")
+    assert (whole_mb, ended_s) == (pytest.approx(47, abs=2), pytest.approx(409, abs=20))
+    assert told[0].remedy.startswith("print less")
+
+
+def test_a_program_that_comes_near_the_limit_is_warned_and_not_told_that_it_ends(much):
+    (told, _) = much(BEGIN + LOOP + '    print("x" * 1200)\n')
+    assert numbers(told, r"about (\d+) MB in a half; 32 MB are allowed$") == [pytest.approx(23, abs=1)]
+    assert "ended" not in told.message
+
+
+def test_what_is_printed_or_written_once_at_the_start_does_not_count_again(much):
+    once = 'open("table.bin", "wb").write(bytes(5_000_000))\nprint("x" * 3_000_000)\n'
+    assert much(BEGIN + once + LOOP + '    print("ordinary", robot.getTime())\n') == []
+
+
+def test_a_teams_own_large_files_are_nothing_that_it_writes(much):
+    assert much(BEGIN + LOOP + "    pass\n", load("match", [*ALONE, "limits.scratch_mb=1"]), table=bytes(900_000)) == []
+
+
+def test_a_short_half_allows_what_a_long_one_does_not(much):
+    program = BEGIN + 'file = open("log.txt", "a")\n' + LOOP + '    file.write("x" * 5000 + "\\n")\n'
+    assert much(program, load("match", [*ALONE, "match.half_s=60"])) == []
+
+
+def test_an_amount_goes_on_as_it_grew_lately():
+    growth = Growth()
+    assert (growth.total_bytes, growth.at_bytes(1000)) == (0, 0)
+    growth.note(0, 500)
+    assert growth.at_bytes(1000) == 500
+    for tick, total in ((100, 10_000), (200, 10_100), (300, 10_200)):
+        growth.note(tick, total)
+    assert growth.at_bytes(1300) == 11_200
+    assert growth.reaches_s(11_200) == pytest.approx(1300 * 0.032)
+    growth.note(400, 0)  # it has deleted its file
+    assert growth.at_bytes(1000) == 0
