@@ -222,7 +222,9 @@ HARMLESS = ("open a socket", "take hold of the match", "send the match a signal"
 @pytest.fixture(scope="module")
 def by_system_calls(tmp_path_factory: pytest.TempPathFactory, surroundings: str) -> dict[str, str]:
     with only("system_calls"):
-        return outcomes(tmp_path_factory.mktemp("calls"), {**CALLS, **PASSED_OVER, **UNKNOWN}, surroundings + "import fcntl\n")
+        return outcomes(
+            tmp_path_factory.mktemp("calls"), {**CALLS, **PASSED_OVER, **UNKNOWN}, surroundings + "import fcntl\n"
+        )
 
 
 @needs_seccomp

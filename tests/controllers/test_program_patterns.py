@@ -257,7 +257,7 @@ def test_imports_work_by_name_and_only_what_robots_lack_is_refused_on_use(match:
     assert played.said == [
         "5.0 2.0 team 1",
         "NotImplementedError there is no Camera on these robots",
-        "PermissionError a player's program cannot be a Supervisor: use Robot",
+        "RuntimeError Only one instance of the Robot class should be created.",
         "RuntimeError Only one instance of the Robot class should be created.",
         "? no keyboard",
     ]

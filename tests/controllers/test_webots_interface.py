@@ -148,7 +148,7 @@ class Striker(Robot):
         return "no number"
 striker = Striker()
 striker.step()
-print(striker.name, striker.getTime(), striker.getModel(), striker.getDevice("gps").getName(), striker.getMotor("lidar"))
+print(striker.name, striker.getTime(), striker.getModel(), striker.getDevice("gps").getName(), striker.getLidar("lidar"))
 striker.step(32)
 """
     played = match.play(program, 2)

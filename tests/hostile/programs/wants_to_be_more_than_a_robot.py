@@ -3,7 +3,7 @@
 #: holds = "a program has one robot, and its radio has its team's channels"
 #: tick = 10
 #: ends = "plays on"
-#: said = ["refused: Supervisor PermissionError", "refused: second RuntimeError", "is not for this team"]
+#: said = ["refused: Supervisor RuntimeError", "refused: second RuntimeError", "is not for this team"]
 
 import arena
 import controller

@@ -1,60 +1,88 @@
 """The module that robot programs import: ``from controller import Robot``.
 
-Names follow the Webots Python interface: methods in camelCase, and properties in snake_case.
+Names follow the Webots Python interface: methods in camelCase, and properties in snake_case. Each class has a module of
+its own too, as in R2023a (``controller.gps``); they are read only by programs that import them.
 """
 
 from __future__ import annotations
 
+import sys
 from typing import Any
 
 from .device import Device, Sensor
-from .lidar import Lidar, LidarPoint
 from .motor import Motor
 from .radio import Emitter, Receiver
-from .robot import Robot, Supervisor
+from .robot import Robot
 from .sensors import GPS, Compass, DistanceSensor, PositionSensor
 
 __all__ = [
     "GPS",
+    "LED",
+    "Accelerometer",
+    "Altimeter",
+    "AnsiCodes",
+    "Brake",
+    "Camera",
+    "CameraRecognitionObject",
     "Compass",
+    "Connector",
+    "ContactPoint",
     "Device",
+    "Display",
     "DistanceSensor",
     "Emitter",
+    "Field",
+    "Gyro",
+    "ImageRef",
+    "InertialUnit",
     "Joystick",
     "Keyboard",
     "Lidar",
     "LidarPoint",
+    "LightSensor",
+    "Motion",
     "Motor",
     "Mouse",
     "MouseState",
+    "Node",
+    "Pen",
     "PositionSensor",
+    "Radar",
+    "RadarTarget",
+    "RangeFinder",
     "Receiver",
     "Robot",
     "Sensor",
+    "Skin",
+    "Speaker",
     "Supervisor",
+    "TouchSensor",
+    "VacuumGripper",
 ]
 
-_SELDOM_IMPORTED = frozenset(("Joystick", "Keyboard", "Mouse", "MouseState"))
-
-_NOT_ON_THESE_ROBOTS = frozenset(
-    (
-        *("Accelerometer", "Altimeter", "AnsiCodes", "Brake", "Camera", "CameraRecognitionObject", "Connector"),
-        *("Display", "Field", "Gyro", "InertialUnit", "LED", "LightSensor", "Node", "Pen", "Radar"),
-        *("RadarTarget", "RangeFinder", "Skin", "Speaker", "TouchSensor", "VacuumGripper"),
-    )
-)
+_SELDOM_IMPORTED = {
+    "AnsiCodes": "ansi_codes",
+    "ContactPoint": "node",
+    "Field": "field",
+    "Joystick": "keyboard",
+    "Keyboard": "keyboard",
+    "Lidar": "lidar",
+    "LidarPoint": "lidar",
+    "Mouse": "keyboard",
+    "MouseState": "keyboard",
+    "Node": "node",
+    "Supervisor": "supervisor",
+}
 
 
 def __getattr__(name: str) -> Any:
-    """Read what few programs import; and let all import Webots classes that no robot here has: using one is refused."""
-    if name in _SELDOM_IMPORTED:
-        from . import keyboard  # noqa: PLC0415 - each import costs every program
+    """Read what few programs import, also by ``import *``, when one does: each file costs every program."""
+    if name not in __all__:
+        raise AttributeError(f"module 'controller' has no attribute {name!r}", name=name, obj=sys.modules[__name__])
+    module = __import__(_SELDOM_IMPORTED.get(name, "_absent"), globals(), None, [name], 1)
+    globals()[name] = there = getattr(module, name)
+    return there
 
-        return getattr(keyboard, name)
-    if name not in _NOT_ON_THESE_ROBOTS:
-        raise AttributeError(f"module 'controller' has no attribute {name!r}")
 
-    def refuse(self: object, *args: object, **kwargs: object) -> None:
-        raise NotImplementedError(f"there is no {name} on these robots")
-
-    return type(name, (), {"__init__": refuse, "__doc__": f"Not on these robots: {name}."})
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sys
 from collections import deque
 from collections.abc import Callable
@@ -64,6 +65,7 @@ class Hub:
         place_of: by a device's slot, where in ``numbers`` its own begin.
         previous: the observation before, of ``previous_tick``.
         queues: unread packets by the index of the receiver.
+        devices: all devices of the robot by name, once it is made.
     """
 
     def __init__(self, wire: Wire, hello: dict[str, Any], clock: Any, output: Any) -> None:
@@ -80,6 +82,7 @@ class Hub:
         }
         self.over = False
         self.robot_made = False
+        self.devices: dict[str, Any] = {}
         self._wire = wire
         self._clock = clock
         self._output = output
@@ -94,6 +97,8 @@ class Hub:
         self._emitted_bytes = 0
         self._step_ms: float = -1.0
         self._step_ticks = 0
+        self._begun: bytes | None = None
+        self._begun_ms: float = -1.0
 
     def time_s(self) -> float:
         """Return simulated seconds at the latest observation."""
@@ -102,6 +107,10 @@ class Hub:
     def ticks_from_ms(self, duration_ms: float) -> int:
         """Return the ticks that cover a duration: at least one, rounded up."""
         return int(min(max(1, -(-duration_ms // self.tick_ms)), _MOST_TICKS))
+
+    def duration_ms(self, *given: float | None) -> float:
+        """Return the duration of a step that was given by any of its names, or else the basic one."""
+        return next((duration for duration in given if duration is not None), float(self.spec["basic_step_ms"]))
 
     def command(self, device: int, velocity_radps: float, position_rad: float) -> None:
         """Set a motor; the last setting before the step counts."""
@@ -144,7 +153,7 @@ class Hub:
         if self.over:
             return False
         if duration_ms != self._step_ms:
-            self._step_ms, self._step_ticks = duration_ms, self.ticks_from_ms(duration_ms)
+            self._step_ms, self._step_ticks = duration_ms, self._checked_ticks(duration_ms)
         clock = self._clock
         missed, printed, motors = clock.missed_ticks(), self._output.printed_bytes, self._motors.values()
         build = self._with_others if self._has_others else motors_frame
@@ -163,8 +172,35 @@ class Hub:
             self.over = True
         return not self.over
 
+    def _checked_ticks(self, duration_ms: Any) -> int:
+        return self.ticks_from_ms(number(duration_ms, "step takes a number of ms, such as 32"))
+
+    def begin(self, duration_ms: float) -> None:
+        """Keep what was asked for until now as the request of a step that `end` takes."""
+        if self._begun is not None:
+            raise RuntimeError("stepBegin was called again before stepEnd")
+        ticks = self._checked_ticks(duration_ms)
+        missed, printed = self._clock.missed_ticks(), self._output.printed_bytes
+        self._begun = self._with_others(self.tick, ticks, missed, printed, self._motors.values())
+        self._begun_ms = duration_ms
+        self._motors.clear()
+        self._has_others = True  # the exchange is to look here for its request
+
+    def end(self) -> bool:
+        """Take the step that `begin` began. What was set since then acts in the next one. Returns False at the end."""
+        if self._begun is None:
+            raise RuntimeError("stepEnd was called without stepBegin before it")
+        later = self._motors.copy()
+        goes_on = self.exchange(self._begun_ms)
+        self._begun = None
+        self._motors.update(later)
+        return goes_on
+
     def _with_others(self, tick: int, advance_ticks: int, missed_ticks: int, printed: int, motors: Motors) -> bytes:
         """Return a request with all that is asked for, and forget it. ``motors`` shows what ramps add meanwhile."""
+        if self._begun is not None:
+            frame, self._begun = self._begun, None
+            return frame
         if self._ramps:
             self._ramps = {device: approach for device, approach in self._ramps.items() if approach(advance_ticks)}
         emissions, self._emissions, self._emitted_bytes = self._emissions, [], 0
@@ -222,3 +258,21 @@ def connected() -> Hub:
 def complain(text: str) -> None:
     """Tell the program's author something, on standard error."""
     print(text, file=sys.stderr)
+
+
+def number(given: Any, wanted: str) -> float:
+    """Return a number that a program gave.
+
+    Raises:
+        TypeError: it is none; the text says what was wanted, and what was found.
+    """
+    try:
+        math.isnan(given)  # takes whatever has a value as a number, and no text
+    except TypeError:
+        raise TypeError(f"{wanted}; {told(given)} was given") from None
+    return given if isinstance(given, int) else float(given)
+
+
+def told(given: object) -> str:
+    """Return what a program gave, for a message: ``'32' (str)``."""
+    return f"{repr(given)[:60]} ({type(given).__name__})"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from ._hub import Hub, complain
+from ._hub import Hub, complain, connected, number
 
 
 class ReadOnly:
@@ -24,32 +24,61 @@ class ReadOnly:
 
 
 class Device:
-    """A part of the robot, as ``getDevice`` returns it."""
+    """A part of the robot, as ``getDevice`` returns it, or made by its class: ``Motor("left wheel motor")``.
 
-    def __init__(self, hub: Hub, spec: dict[str, Any], siblings: dict[str, Device]) -> None:
-        """``siblings`` are all devices of the robot by name, also those that are still to be made."""
-        self._hub = hub
-        self._spec = spec
-        self._siblings = siblings
-        self._facts: dict[str, Any] = spec["facts"]
-        self._index: int = spec["index"]
+    A team's class may be a device. For its sake, what a device keeps to itself has names that begin with ``_rcj_``.
+    """
+
+    def __init__(self, name: str) -> None:
+        """Stand for the robot's device of that name: all objects that do have all attributes in common.
+
+        If the robot has none of that name and class, it is told as by ``getDevice``, and using this object is an error.
+        """
+        hub = connected()
+        if not hub.robot_made:
+            raise RuntimeError(f"{type(self).__name__}({name!r}): make the robot first: robot = Robot()")
+        ours = next(kind for kind in type(self).__mro__ if kind.__module__.startswith(f"{__package__}."))
+        there = device_of(hub, name, ours.__name__)
+        if there is None:
+            self.__class__ = type(type(self).__name__, (type(self),), {"__getattr__": _of_no_device})
+            return
+        shared = vars(there)
+        shared.update(vars(self))
+        self.__dict__ = shared
+
+    @classmethod
+    def _rcj_made(cls, hub: Hub, spec: dict[str, Any]) -> Device:
+        """Return a new device, as the match describes it."""
+        device = cls.__new__(cls)
+        device._rcj_set_up(hub, spec)  # noqa: SLF001 - its own class
+        return device
+
+    def _rcj_set_up(self, hub: Hub, spec: dict[str, Any]) -> None:
+        self._rcj_hub = hub
+        self._rcj_spec = spec
+        self._rcj_name = str(spec["name"])
+        self._rcj_facts: dict[str, Any] = spec["facts"]
+        self._rcj_index: int = spec["index"]
 
     def getName(self) -> str:
         """Return its name."""
-        return str(self._spec["name"])
+        return self._rcj_name
 
     def getModel(self) -> str:
         """Return its model: none of these devices has one."""
         return ""
 
     def getNodeType(self) -> int:
-        """Return 0: there are no Webots nodes here."""
-        return 0
+        """Return its kind, as ``Node`` numbers them: ``Node.GPS``."""
+        from .node import Node  # noqa: PLC0415 - each import costs every program
 
-    def _sibling(self, kind: str, name: str) -> Any:
+        kind: str = self._rcj_spec["kind"]
+        return int(getattr(Node, "ROTATIONAL_MOTOR" if kind == "motor" else kind.upper()))
+
+    def _rcj_sibling(self, kind: str, name: str) -> Any:
         """Return the device of this name if the robot has it and it is of this kind; else None."""
-        found = self._siblings.get(name)
-        return found if found is not None and found._spec["kind"] == kind else None  # noqa: SLF001 - its own class
+        there = self._rcj_hub.devices.get(name)
+        return there if there is not None and there._rcj_spec["kind"] == kind else None  # noqa: SLF001 - its own class
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} {self.getName()!r}>"
@@ -59,38 +88,74 @@ class Device:
     node_type = ReadOnly(getNodeType)
 
 
+def device_of(hub: Hub, name: str, kind: str) -> Any:
+    """Return the robot's device of that name and class; None, and a message, if the robot has none."""
+    there = hub.devices.get(name)
+    if there is None:
+        complain(f'Warning: "{name}" device not found. This robot has: {", ".join(hub.devices)}.')
+    elif kind not in [base.__name__ for base in type(there).__mro__]:
+        complain(f'Warning: "{name}" is a {type(there).__name__}, not a {kind}.')
+        return None
+    return there
+
+
+def _of_no_device(self: object, attribute: str) -> Any:
+    text = f"this {type(self).__name__} is no device of the robot, as the warning above says"
+    raise AttributeError(text, name=attribute, obj=self)
+
+
 class Sensor(Device):
     """A device that must be enabled before it measures."""
 
-    def __init__(self, hub: Hub, spec: dict[str, Any], siblings: dict[str, Device]) -> None:
-        super().__init__(hub, spec, siblings)
-        self._period_ms = 0
-        self._warned = False
-        self._place = hub.place_of.get(spec["slot"], 0)
-        self._end = self._place + int(spec["width"])
+    def __init__(self, name: str, sampling_period: float | None = None) -> None:
+        """Stand for the robot's sensor of that name, and enable it if a period in ms is given."""
+        super().__init__(name)
+        if sampling_period is not None:
+            self.enable(sampling_period)
 
-    def enable(self, samplingPeriod: float) -> None:
-        """Measure every ``samplingPeriod`` ms, rounded up to whole ticks. The first value is there a period later."""
-        if not samplingPeriod > 0:
-            self.disable()
+    def _rcj_set_up(self, hub: Hub, spec: dict[str, Any]) -> None:
+        super()._rcj_set_up(hub, spec)
+        self._rcj_period_ms = 0
+        self._rcj_warned = False
+        self._rcj_place = hub.place_of.get(spec["slot"], 0)
+        self._rcj_end = self._rcj_place + int(spec["width"])
+
+    def enable(self, samplingPeriod: float | None = None, *, sampling_period: float | None = None) -> None:
+        """Measure every ``samplingPeriod`` ms, rounded up to whole ticks. The first value is there a period later.
+
+        ``sampling_period`` is what R2023a calls it.
+
+        Raises:
+            TypeError: no number was given.
+        """
+        given = samplingPeriod if sampling_period is None else sampling_period
+        period_ms = number(given, f"{self._rcj_name!r}: enable takes a number of ms, such as 32")
+        if not period_ms > 0:
+            self._rcj_stop()
             return
-        self._period_ms = int(samplingPeriod)
-        self._hub.sample(self._index, self._hub.ticks_from_ms(samplingPeriod))
+        self._rcj_period_ms = int(period_ms)
+        self._rcj_hub.sample(self._rcj_index, self._rcj_hub.ticks_from_ms(period_ms))
 
     def disable(self) -> None:
         """Stop measuring."""
-        self._period_ms = 0
-        self._hub.sample(self._index, 0)
+        self._rcj_stop()
+
+    def _rcj_stop(self) -> None:
+        self._rcj_period_ms = 0
+        self._rcj_hub.sample(self._rcj_index, 0)
 
     def getSamplingPeriod(self) -> int:
         """Return the period in ms that was asked for; 0 if it is disabled."""
-        return self._period_ms
+        return self._rcj_period_ms
 
-    def _numbers(self) -> tuple[float, ...]:
+    def _rcj_numbers(self) -> tuple[float, ...]:
         """Return its numbers in the latest observation; NaN before the first sample."""
-        if not self._period_ms and not self._warned:
-            self._warned = True
-            complain(f"Warning: {self.getName()!r} is read but not enabled: call enable(32) before the first step.")
-        return self._hub.numbers[self._place : self._end]
+        if not self._rcj_period_ms and not self._rcj_warned:
+            self._rcj_warn()
+        return self._rcj_hub.numbers[self._rcj_place : self._rcj_end]
 
-    sampling_period = ReadOnly(getSamplingPeriod)
+    def _rcj_warn(self) -> None:
+        self._rcj_warned = True
+        complain(f"Warning: {self._rcj_name!r} is read but not enabled: call enable(32) before the first step.")
+
+    sampling_period = property(getSamplingPeriod, enable)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 
+from ._hub import number
 from .device import ReadOnly
 
 
@@ -16,9 +17,11 @@ class _Input:
     def __init__(self) -> None:
         self._period_ms = 0
 
-    def enable(self, samplingPeriod: float) -> None:
+    def enable(self, samplingPeriod: float | None = None, *, sampling_period: float | None = None) -> None:
         """Remember a period in ms."""
-        self._period_ms = int(samplingPeriod) if samplingPeriod > 0 else 0
+        given = samplingPeriod if sampling_period is None else sampling_period
+        period_ms = number(given, f"{type(self).__name__}: enable takes a number of ms, such as 32")
+        self._period_ms = int(period_ms) if period_ms > 0 else 0
 
     def disable(self) -> None:
         """Forget the period."""
@@ -28,7 +31,7 @@ class _Input:
         """Return the period in ms that was asked for; 0 if it is disabled."""
         return self._period_ms
 
-    sampling_period = ReadOnly(getSamplingPeriod)
+    sampling_period = property(getSamplingPeriod, enable)
 
 
 class Keyboard(_Input):

@@ -7,7 +7,7 @@ from struct import Struct
 from typing import Any
 
 from ._hub import Hub, complain
-from .device import Device, ReadOnly, Sensor
+from .device import ReadOnly, Sensor
 
 _POINT = Struct("<3fif")  # a point in a buffer: x, y, z, layer_id, time
 
@@ -33,44 +33,44 @@ class LidarPoint:
 class Lidar(Sensor):
     """Ranges all around, one layer. Index 0 looks forward, the index grows clockwise."""
 
-    def __init__(self, hub: Hub, spec: dict[str, Any], siblings: dict[str, Device]) -> None:
-        super().__init__(hub, spec, siblings)
-        self._end = self._place + 1
-        self._form = Struct(f"<{spec['width']}d")
-        self._has_cloud = False
-        self._frequency = float(self._facts.get("frequency", 10.0))
+    def _rcj_set_up(self, hub: Hub, spec: dict[str, Any]) -> None:
+        super()._rcj_set_up(hub, spec)
+        self._rcj_end = self._rcj_place + 1
+        self._rcj_form = Struct(f"<{spec['width']}d")
+        self._rcj_has_cloud = False
+        self._rcj_frequency = float(self._rcj_facts.get("frequency", 10.0))
 
-    def _numbers(self) -> tuple[float, ...]:
-        packed: Any = super()._numbers()[0]
-        return self._form.unpack(packed)
+    def _rcj_numbers(self) -> tuple[float, ...]:
+        packed: Any = super()._rcj_numbers()[0]
+        return self._rcj_form.unpack(packed)
 
     def getRangeImage(self, data_type: str = "list") -> Any:
         """Return the ranges in m: ``inf`` beyond the range, 0.0 where the head has not been yet.
 
         ``data_type="buffer"`` gives them as a bytearray of float32.
         """
-        ranges = self._numbers()
+        ranges = self._rcj_numbers()
         return bytearray(Struct(f"<{len(ranges)}f").pack(*ranges)) if data_type == "buffer" else list(ranges)
 
     def getLayerRangeImage(self, layer: int) -> list[float]:
         """Return the ranges of a layer; there is one, 0."""
-        return list(self._numbers()) if layer == 0 else []
+        return list(self._rcj_numbers()) if layer == 0 else []
 
     def getRangeImageArray(self) -> list[list[float]]:
         """Return the ranges as columns: ``[index][layer]``."""
-        return [[reading] for reading in self._numbers()]
+        return [[reading] for reading in self._rcj_numbers()]
 
     def enablePointCloud(self) -> None:
         """Let ``getPointCloud`` answer."""
-        self._has_cloud = True
+        self._rcj_has_cloud = True
 
     def disablePointCloud(self) -> None:
         """Let ``getPointCloud`` give nothing."""
-        self._has_cloud = False
+        self._rcj_has_cloud = False
 
     def isPointCloudEnabled(self) -> bool:
         """Return whether ``getPointCloud`` answers."""
-        return self._has_cloud
+        return self._rcj_has_cloud
 
     def getPointCloud(self, data_type: str = "list") -> Any:
         """Return the readings as a list of `LidarPoint`; empty unless ``enablePointCloud`` was called.
@@ -78,15 +78,15 @@ class Lidar(Sensor):
         ``data_type="buffer"`` gives them as a bytearray: of each point x, y, z as float32, layer_id as int32 and time
         as float32.
         """
-        points = self._points() if self._has_cloud else []
+        points = self._rcj_points() if self._rcj_has_cloud else []
         if data_type != "buffer":
             return points
         return bytearray().join([_POINT.pack(one.x, one.y, one.z, one.layer_id, one.time) for one in points])
 
-    def _points(self) -> list[LidarPoint]:
-        readings, time = self._numbers(), self._hub.time_s()
-        first = float(self._facts.get("first_bearing_rad", 0.0))
-        step = float(self._facts.get("bearing_step_rad", -self.getFov() / max(len(readings), 1)))
+    def _rcj_points(self) -> list[LidarPoint]:
+        readings, time = self._rcj_numbers(), self._rcj_hub.time_s()
+        first = float(self._rcj_facts.get("first_bearing_rad", 0.0))
+        step = float(self._rcj_facts.get("bearing_step_rad", -self.getFov() / max(len(readings), 1)))
         bearings = [first + step * index for index in range(len(readings))]
         return [
             LidarPoint(_part(reading, math.cos(bearing)), _part(reading, math.sin(bearing)), 0.0, 0, time)
@@ -101,7 +101,7 @@ class Lidar(Sensor):
 
     def getHorizontalResolution(self) -> int:
         """Return how many readings a layer has."""
-        return int(self._spec["width"])
+        return int(self._rcj_spec["width"])
 
     def getNumberOfLayers(self) -> int:
         """Return 1."""
@@ -113,15 +113,15 @@ class Lidar(Sensor):
 
     def getMinRange(self) -> float:
         """Return the smallest range in m."""
-        return float(self._facts.get("min_range", 0.01))
+        return float(self._rcj_facts.get("min_range", 0.01))
 
     def getMaxRange(self) -> float:
         """Return the largest range in m."""
-        return float(self._facts.get("max_range", 3.0))
+        return float(self._rcj_facts.get("max_range", 3.0))
 
     def getFov(self) -> float:
         """Return the angle that the readings cover, in rad."""
-        return float(self._facts.get("fov", math.tau))
+        return float(self._rcj_facts.get("fov", math.tau))
 
     def getVerticalFov(self) -> float:
         """Return 0: one flat layer."""
@@ -129,7 +129,7 @@ class Lidar(Sensor):
 
     def getFrequency(self) -> float:
         """Return the turns per second of the head."""
-        return self._frequency
+        return self._rcj_frequency
 
     def setFrequency(self, frequency: float) -> None:
         """Let the head turn at this pace in Hz, within its bounds."""
@@ -137,16 +137,16 @@ class Lidar(Sensor):
         if math.isnan(asked):
             complain(f"Error: {self.getName()!r}: setFrequency(NaN) is refused.")
             return
-        self._frequency = min(max(asked, self.getMinFrequency()), self.getMaxFrequency())
-        self._hub.spin(self._index, self._frequency)
+        self._rcj_frequency = min(max(asked, self.getMinFrequency()), self.getMaxFrequency())
+        self._rcj_hub.spin(self._rcj_index, self._rcj_frequency)
 
     def getMinFrequency(self) -> float:
         """Return the slowest pace of the head in Hz."""
-        return float(self._facts.get("min_frequency", 1.0))
+        return float(self._rcj_facts.get("min_frequency", 1.0))
 
     def getMaxFrequency(self) -> float:
         """Return the fastest pace of the head in Hz."""
-        return float(self._facts.get("max_frequency", 25.0))
+        return float(self._rcj_facts.get("max_frequency", 25.0))
 
     range_image = ReadOnly(getRangeImage)
     point_cloud = ReadOnly(getPointCloud)

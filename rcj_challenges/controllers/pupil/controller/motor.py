@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from ._hub import Hub, complain
+from ._hub import Hub, complain, number
 from .device import Device, ReadOnly
 
 
@@ -14,88 +14,106 @@ class Motor(Device):
 
     ROTATIONAL, LINEAR = 0, 1
 
-    def __init__(self, hub: Hub, spec: dict[str, Any], siblings: dict[str, Device]) -> None:
-        super().__init__(hub, spec, siblings)
-        self._max_velocity = float(self._facts.get("max_velocity", hub.spec["max_velocity_radps"]))
-        self._velocity = self._max_velocity
-        self._position = 0.0
-        self._commanded = False
-        self._acceleration = -1.0
-        self._turning = 0.0  # the velocity commanded for the last step
-        self._noted_tick = -1
-        self._torque_period_ms = 0
-        self._available_torque = self.getMaxTorque()
-        self._warned_of_speed = False
+    def _rcj_set_up(self, hub: Hub, spec: dict[str, Any]) -> None:
+        super()._rcj_set_up(hub, spec)
+        self._rcj_max_velocity = float(self._rcj_facts.get("max_velocity", hub.spec["max_velocity_radps"]))
+        self._rcj_velocity = self._rcj_max_velocity
+        self._rcj_position = 0.0
+        self._rcj_commanded = False
+        self._rcj_acceleration = -1.0
+        self._rcj_turning = 0.0  # the velocity commanded for the last step
+        self._rcj_noted_tick = -1
+        self._rcj_torque_period_ms = 0
+        self._rcj_max_torque = float(self._rcj_facts.get("max_torque", 10.0))
+        self._rcj_available_torque = self._rcj_max_torque
+        self._rcj_warned_of_speed = False
 
     def setPosition(self, position: float) -> None:
-        """Turn to an angle in rad and hold it; ``inf`` turns for ever, at the velocity set."""
-        asked = float(position)
-        if math.isnan(asked):
-            complain(f"Error: {self.getName()!r}: setPosition(NaN) is refused.")
+        """Turn to an angle in rad and hold it; ``inf`` turns for ever, at the velocity set.
+
+        Raises:
+            TypeError: no number was given.
+        """
+        try:
+            asked = float(position)
+        except (TypeError, ValueError):
+            asked = math.nan
+        if asked != asked or (asked is not position and type(position) is str):  # type: ignore[comparison-overlap]  # noqa: PLR0124
+            number(position, f"{self._rcj_name!r}: setPosition takes a number of rad, such as float('inf')")
+            complain(f"Error: {self._rcj_name!r}: setPosition(NaN) is refused.")
             return
-        self._command(self._velocity, math.inf if math.isinf(asked) else asked)
+        self._rcj_command(self._rcj_velocity, math.inf if math.isinf(asked) else asked)
 
     def setVelocity(self, velocity: float) -> None:
-        """Set the velocity in rad/s; beyond the maximum it is clamped."""
-        asked = float(velocity)
-        if math.isnan(asked):
-            complain(f"Error: {self.getName()!r}: setVelocity(NaN) is refused.")
+        """Set the velocity in rad/s; beyond the maximum it is clamped.
+
+        Raises:
+            TypeError: no number was given.
+        """
+        try:
+            asked = float(velocity)
+        except (TypeError, ValueError):
+            asked = math.nan
+        # Called in every tick. NaN is what differs from itself; and float gives back a float itself, but reads texts.
+        if asked != asked or (asked is not velocity and type(velocity) is str):  # type: ignore[comparison-overlap]  # noqa: PLR0124
+            number(velocity, f"{self._rcj_name!r}: setVelocity takes a number of rad/s, such as 5.0")
+            complain(f"Error: {self._rcj_name!r}: setVelocity(NaN) is refused.")
             return
-        if abs(asked) > self._max_velocity:
-            if not self._warned_of_speed:
-                self._warned_of_speed = True
+        if abs(asked) > self._rcj_max_velocity:
+            if not self._rcj_warned_of_speed:
+                self._rcj_warned_of_speed = True
                 complain(
-                    f"Warning: {self.getName()!r}: the velocity {asked:g} is beyond the maximum of "
-                    f"{self._max_velocity:g} rad/s, which is taken instead."
+                    f"Warning: {self._rcj_name!r}: the velocity {asked:g} is beyond the maximum of "
+                    f"{self._rcj_max_velocity:g} rad/s, which is taken instead."
                 )
-            asked = math.copysign(self._max_velocity, asked)
-        if asked != self._velocity or not self._commanded:
-            self._command(asked, self._position)
+            asked = math.copysign(self._rcj_max_velocity, asked)
+        if asked != self._rcj_velocity or not self._rcj_commanded:
+            self._rcj_command(asked, self._rcj_position)
 
-    def _command(self, velocity: float, position: float) -> None:
-        if self._noted_tick != self._hub.tick:
-            self._note_turning()
-        self._commanded = True
-        self._velocity, self._position = velocity, position
-        if self._acceleration < 0.0 or position != math.inf:
-            self._hub.command(self._index, velocity, position)
+    def _rcj_command(self, velocity: float, position: float) -> None:
+        if self._rcj_noted_tick != self._rcj_hub.tick:
+            self._rcj_note_turning()
+        self._rcj_commanded = True
+        self._rcj_velocity, self._rcj_position = velocity, position
+        if self._rcj_acceleration < 0.0 or position != math.inf:
+            self._rcj_hub.command(self._rcj_index, velocity, position)
         else:
-            self._hub.ramp(self._index, self._approach)
+            self._rcj_hub.ramp(self._rcj_index, self._rcj_approach)
 
-    def _note_turning(self) -> None:
+    def _rcj_note_turning(self) -> None:
         """Before the first change of a step: keep how fast the motor was told to turn until now."""
-        self._noted_tick = self._hub.tick
-        if self._position != math.inf:
-            self._turning = 0.0  # it holds its angle
-        elif self._acceleration < 0.0:
-            self._turning = self._velocity
+        self._rcj_noted_tick = self._rcj_hub.tick
+        if self._rcj_position != math.inf:
+            self._rcj_turning = 0.0  # it holds its angle
+        elif self._rcj_acceleration < 0.0:
+            self._rcj_turning = self._rcj_velocity
 
-    def _approach(self, ticks: int) -> bool:
+    def _rcj_approach(self, ticks: int) -> bool:
         """Command a step of so many ticks the velocity that the acceleration allows.
 
         Returns:
             Whether the velocity that is set is still to be reached.
         """
-        if self._acceleration < 0.0 or self._position != math.inf:
+        if self._rcj_acceleration < 0.0 or self._rcj_position != math.inf:
             return False
-        most = self._acceleration * ticks * self._hub.tick_ms / 1000
-        change = self._velocity - self._turning
+        most = self._rcj_acceleration * ticks * self._rcj_hub.tick_ms / 1000
+        change = self._rcj_velocity - self._rcj_turning
         arrives = abs(change) <= most
-        self._turning = self._velocity if arrives else self._turning + math.copysign(most, change)
-        self._hub.command(self._index, self._turning, math.inf)
+        self._rcj_turning = self._rcj_velocity if arrives else self._rcj_turning + math.copysign(most, change)
+        self._rcj_hub.command(self._rcj_index, self._rcj_turning, math.inf)
         return not arrives
 
     def getVelocity(self) -> float:
         """Return the velocity that is set, in rad/s, also while an acceleration lets the motor only approach it."""
-        return self._velocity
+        return self._rcj_velocity
 
     def getMaxVelocity(self) -> float:
         """Return the largest velocity in rad/s."""
-        return self._max_velocity
+        return self._rcj_max_velocity
 
     def getTargetPosition(self) -> float:
         """Return the angle that is set, in rad."""
-        return self._position
+        return self._rcj_position
 
     def getMinPosition(self) -> float:
         """Return 0: no limit."""
@@ -110,50 +128,50 @@ class Motor(Device):
 
         A motor that goes to an angle does so without regard to it.
         """
-        asked = float(acceleration)
+        asked = float(number(acceleration, f"{self._rcj_name!r}: setAcceleration takes a number of rad/s²"))
         if math.isnan(asked):
-            complain(f"Error: {self.getName()!r}: setAcceleration(NaN) is refused.")
+            complain(f"Error: {self._rcj_name!r}: setAcceleration(NaN) is refused.")
             return
-        if self._noted_tick != self._hub.tick:
-            self._note_turning()
-        self._acceleration = asked if asked >= 0.0 else -1.0
-        if self._position == math.inf and self._turning != self._velocity:
-            self._command(self._velocity, self._position)
+        if self._rcj_noted_tick != self._rcj_hub.tick:
+            self._rcj_note_turning()
+        self._rcj_acceleration = asked if asked >= 0.0 else -1.0
+        if self._rcj_position == math.inf and self._rcj_turning != self._rcj_velocity:
+            self._rcj_command(self._rcj_velocity, self._rcj_position)
 
     def getAcceleration(self) -> float:
         """Return the acceleration set in rad/s²; -1: none."""
-        return self._acceleration
+        return self._rcj_acceleration
 
     def setAvailableTorque(self, torque: float) -> None:
         """Remember a torque in N·m. It is not simulated: the motor turns as fast as it is told to."""
-        self._available_torque = min(float(torque), self.getMaxTorque())
+        self._rcj_available_torque = min(float(torque), self._rcj_max_torque)
 
     def getAvailableTorque(self) -> float:
         """Return the torque set in N·m."""
-        return self._available_torque
+        return self._rcj_available_torque
 
     def getMaxTorque(self) -> float:
         """Return the largest torque in N·m (10 in the original's robots)."""
-        return float(self._facts.get("max_torque", 10.0))
+        return self._rcj_max_torque
 
     def setTorque(self, torque: float) -> None:
         """Refused: these motors are driven by velocity."""
-        complain(f"Error: {self.getName()!r}: setTorque is not offered by this robot; use setVelocity.")
+        complain(f"Error: {self._rcj_name!r}: setTorque is not offered by this robot; use setVelocity.")
 
     def setControlPID(self, p: float, i: float, d: float) -> None:
         """Accepted without effect: on its way to an angle the motor turns at the velocity set."""
 
     def enableTorqueFeedback(self, samplingPeriod: float) -> None:
         """Remember a period in ms. The torque itself is not simulated."""
-        self._torque_period_ms = int(samplingPeriod) if samplingPeriod > 0 else 0
+        self._rcj_torque_period_ms = int(samplingPeriod) if samplingPeriod > 0 else 0
 
     def disableTorqueFeedback(self) -> None:
         """Forget the period."""
-        self._torque_period_ms = 0
+        self._rcj_torque_period_ms = 0
 
     def getTorqueFeedbackSamplingPeriod(self) -> int:
         """Return the period in ms that was asked for; 0 if it is disabled."""
-        return self._torque_period_ms
+        return self._rcj_torque_period_ms
 
     def getTorqueFeedback(self) -> float:
         """Return 0.0 always: the torque is not simulated."""
@@ -171,7 +189,7 @@ class Motor(Device):
 
     def getPositionSensor(self) -> Any:
         """Return the sensor of the same wheel, by its name; None if the robot has none."""
-        return self._sibling("position_sensor", self.getName().replace("motor", "sensor"))
+        return self._rcj_sibling("position_sensor", self._rcj_name.replace("motor", "sensor"))
 
     def getBrake(self) -> None:
         """Return None: there are no brakes."""

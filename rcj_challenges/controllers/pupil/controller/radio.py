@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 import struct
+from collections import deque
 from collections.abc import Sequence
 from typing import Any
 
-from ._hub import Hub, Packet, complain
+from ._hub import Hub, Packet, complain, told
 from .device import Device, ReadOnly, Sensor
 
 
@@ -16,20 +17,25 @@ class Receiver(Sensor):
 
     CHANNEL_BROADCAST = -1
 
-    def __init__(self, hub: Hub, spec: dict[str, Any], siblings: dict[str, Device]) -> None:
-        super().__init__(hub, spec, siblings)
-        self._queue = hub.queues[self._index]
-        self._channel = int(self._facts.get("channel", -1))
-        self._returns_text = hub.spec["getdata_returns"] == "text"
+    def _rcj_set_up(self, hub: Hub, spec: dict[str, Any]) -> None:
+        super()._rcj_set_up(hub, spec)
+        self._rcj_queue: Any = _NotListening(self)
+        self._rcj_channel = int(self._rcj_facts.get("channel", -1))
+        self._rcj_returns_text = hub.spec["getdata_returns"] == "text"
+
+    def enable(self, samplingPeriod: float | None = None, *, sampling_period: float | None = None) -> None:
+        """Listen, every ``samplingPeriod`` ms (``sampling_period`` in R2023a)."""
+        super().enable(samplingPeriod, sampling_period=sampling_period)
+        self._rcj_queue = self._rcj_hub.queues[self._rcj_index]
 
     def getQueueLength(self) -> int:
         """Return how many packets wait."""
-        return len(self._queue.packets)
+        return len(self._rcj_queue.packets)
 
     def nextPacket(self) -> None:
         """Forget the first packet; without one nothing happens."""
-        if self._queue.packets:
-            self._queue.drop()
+        if self._rcj_queue.packets:
+            self._rcj_queue.drop()
 
     def getData(self) -> Any:
         """Return the first packet: bytes up to v2.1, text from v2.2.
@@ -37,7 +43,8 @@ class Receiver(Sensor):
         Raises:
             RuntimeError: the queue is empty.
         """
-        return self.getString() if self._returns_text else self._first("getData")[0]
+        data = self._rcj_first("getData")[0]
+        return _text(data) if self._rcj_returns_text else data
 
     def getBytes(self) -> bytes:
         """Return the first packet as bytes.
@@ -45,7 +52,7 @@ class Receiver(Sensor):
         Raises:
             RuntimeError: the queue is empty.
         """
-        return self._first("getBytes")[0]
+        return self._rcj_first("getBytes")[0]
 
     def getString(self) -> str:
         """Return the first packet as text, up to its first zero byte.
@@ -54,7 +61,7 @@ class Receiver(Sensor):
             RuntimeError: the queue is empty.
             UnicodeDecodeError: it is not UTF-8.
         """
-        return self._first("getString")[0].split(b"\0", 1)[0].decode()
+        return _text(self._rcj_first("getString")[0])
 
     def getFloats(self) -> list[float]:
         """Return the first packet as a list of doubles.
@@ -63,16 +70,32 @@ class Receiver(Sensor):
             RuntimeError: the queue is empty.
             struct.error: its size is not that of whole doubles.
         """
-        data = self._first("getFloats")[0]
-        return list(struct.unpack(f"{len(data) / 8:g}d", data))
+        return self._rcj_unpacked("getFloats", "d", "doubles")
+
+    def getInts(self) -> list[int]:
+        """Return the first packet as a list of whole numbers of 4 bytes.
+
+        Raises:
+            RuntimeError: the queue is empty.
+            struct.error: its size is not that of such numbers.
+        """
+        return self._rcj_unpacked("getInts", "i", "ints")
+
+    def getBools(self) -> list[bool]:
+        """Return the first packet as a list of bools, one of each byte.
+
+        Raises:
+            RuntimeError: the queue is empty.
+        """
+        return self._rcj_unpacked("getBools", "?", "bools")
 
     def getDataSize(self) -> int:
         """Return the first packet's size in bytes; -1 without one."""
-        return len(self._queue.packets[0][0]) if self._queue.packets else -1
+        return len(self._rcj_queue.packets[0][0]) if self._rcj_queue.packets else -1
 
     def getSignalStrength(self) -> float:
         """Return 1 / r² of the first packet, r in m; NaN without one."""
-        return self._queue.packets[0][1] if self._queue.packets else math.nan
+        return self._rcj_queue.packets[0][1] if self._rcj_queue.packets else math.nan
 
     def getEmitterDirection(self) -> list[float]:
         """Return the unit vector to the emitter of the first packet: x forward, y left, z up.
@@ -80,32 +103,66 @@ class Receiver(Sensor):
         Raises:
             RuntimeError: the queue is empty.
         """
-        return list(self._first("getEmitterDirection")[2:])
+        return list(self._rcj_first("getEmitterDirection")[2:])
 
     def getChannel(self) -> int:
         """Return the channel it listens to."""
-        return self._channel
+        return self._rcj_channel
 
     def setChannel(self, channel: int) -> None:
         """Listen to another channel; those of the other team stay silent."""
-        self._channel = _tuned(self._hub, self._spec, self._channel, int(channel))
+        self._rcj_channel = _tuned(self._rcj_hub, self._rcj_spec, self._rcj_channel, int(channel))
 
-    def _first(self, method: str) -> Packet:
-        if not self._queue.packets:
-            text = f"{self.getName()!r}: {method} was called with an empty queue; ask getQueueLength() first."
-            complain(f"Error: {text}")
-            raise RuntimeError(text)
-        return self._queue.packets[0]
+    def _rcj_first(self, method: str) -> Packet:
+        packets: deque[Packet] = self._rcj_queue.packets
+        if not packets:
+            raise self._rcj_emptiness(method)
+        return packets[0]
+
+    def _rcj_emptiness(self, method: str) -> RuntimeError:
+        """Return why there is no packet, after telling it."""
+        reason = "with an empty queue; ask getQueueLength() first."
+        if type(self._rcj_queue) is _NotListening:
+            reason = "but the receiver is not enabled: call enable(32) before the first step."
+        text = f"{self._rcj_name!r}: {method} was called {reason}"
+        complain(f"Error: {text}")
+        return RuntimeError(text)
+
+    def _rcj_unpacked(self, method: str, letter: str, kind: str) -> list[Any]:
+        data = self._rcj_first(method)[0]
+        size = struct.calcsize(letter)
+        if len(data) % size:
+            raise struct.error(
+                f"{self._rcj_name!r}: {method} reads packets of {kind}, {size} bytes each; this packet has "
+                f"{len(data)} bytes. struct.unpack reads others."
+            )
+        return list(struct.unpack(f"{len(data) // size}{letter}", data))
 
     queue_length = ReadOnly(getQueueLength)
     data = ReadOnly(getData)
     bytes = ReadOnly(getBytes)
     string = ReadOnly(getString)
     floats = ReadOnly(getFloats)
+    ints = ReadOnly(getInts)
+    bools = ReadOnly(getBools)
     data_size = ReadOnly(getDataSize)
     signal_strength = ReadOnly(getSignalStrength)
     emitter_direction = ReadOnly(getEmitterDirection)
     channel = property(getChannel, setChannel)
+
+
+class _NotListening:
+    """What stands for the queue of a receiver until it is enabled: empty, and who looks into it is told once."""
+
+    def __init__(self, receiver: Receiver) -> None:
+        self._receiver = receiver
+
+    @property
+    def packets(self) -> deque[Packet]:
+        """No packets."""
+        if not self._receiver._rcj_warned:  # noqa: SLF001 - a part of it
+            self._receiver._rcj_warn()  # noqa: SLF001
+        return deque()
 
 
 class Emitter(Device):
@@ -113,45 +170,45 @@ class Emitter(Device):
 
     CHANNEL_BROADCAST = -1
 
-    def __init__(self, hub: Hub, spec: dict[str, Any], siblings: dict[str, Device]) -> None:
-        super().__init__(hub, spec, siblings)
-        self._channel = int(self._facts.get("channel", -1))
-        self._range = self.getMaxRange()
-        self._warned = False
+    def _rcj_set_up(self, hub: Hub, spec: dict[str, Any]) -> None:
+        super()._rcj_set_up(hub, spec)
+        self._rcj_channel = int(self._rcj_facts.get("channel", -1))
+        self._rcj_range = self.getMaxRange()
+        self._rcj_warned = False
 
     def send(self, message: str | bytes | bytearray | memoryview | Sequence[float], size: int | None = None) -> int:
         """Send bytes, text (as UTF-8) or a list of floats (as doubles). Returns 1, or 0 if it is too large.
 
         Raises:
-            TypeError: it is none of these.
+            TypeError: it is none of these, or the size is no whole number.
         """
-        data = _packed(message, self._spec["name"])
-        if self._hub.emit(self._index, data if size is None else data[:size]):
+        data = _packed(message, self._rcj_name)
+        if self._rcj_hub.emit(self._rcj_index, data if size is None else _cut(data, size, self._rcj_name)):
             return 1
-        if not self._warned:
-            self._warned = True
-            complain(f"Warning: {self.getName()!r}: the packet is dropped: too much is sent in one step.")
+        if not self._rcj_warned:
+            self._rcj_warned = True
+            complain(f"Warning: {self._rcj_name!r}: the packet is dropped: too much is sent in one step.")
         return 0
 
     def getChannel(self) -> int:
         """Return the channel it sends on."""
-        return self._channel
+        return self._rcj_channel
 
     def setChannel(self, channel: int) -> None:
         """Send on another channel; those of the other team carry nothing."""
-        self._channel = _tuned(self._hub, self._spec, self._channel, int(channel))
+        self._rcj_channel = _tuned(self._rcj_hub, self._rcj_spec, self._rcj_channel, int(channel))
 
     def getRange(self) -> float:
         """Return how far it sends, in m."""
-        return self._range
+        return self._rcj_range
 
     def setRange(self, range: float) -> None:
         """Remember a smaller range in m. It is not simulated: the packets are heard as far as before."""
-        self._range = min(float(range), self.getMaxRange())
+        self._rcj_range = min(float(range), self.getMaxRange())
 
     def getMaxRange(self) -> float:
         """Return the largest range in m."""
-        return float(self._facts.get("range", 10.0))
+        return float(self._rcj_facts.get("range", 10.0))
 
     def getBufferSize(self) -> int:
         """Return -1: unlimited."""
@@ -183,6 +240,23 @@ def _packed(message: Any, emitter: str) -> bytes:
         f"{emitter!r}: send takes bytes, a str or a list of numbers; {found}. "
         "json.dumps makes a str of other data, struct.pack bytes."
     )
+
+
+def _cut(data: bytes, size: Any, emitter: str) -> bytes:
+    """Return as many bytes of a packet as are asked for.
+
+    Raises:
+        TypeError: this is no whole number.
+    """
+    try:
+        return data[:size]
+    except TypeError:
+        text = "send takes one message, and then how many of its bytes to send"
+        raise TypeError(f"{emitter!r}: {text}; {told(size)} was given as this number.") from None
+
+
+def _text(data: bytes) -> str:
+    return data.split(b"\0", 1)[0].decode()
 
 
 def _tuned(hub: Hub, spec: dict[str, Any], current: int, asked: int) -> int:

@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NoReturn, Self, cast
 
-from ._hub import complain, connected
-from .device import Device, ReadOnly
-from .lidar import Lidar
+from ._hub import Hub, complain, connected
+from .device import Device, ReadOnly, device_of
 from .motor import Motor
 from .radio import Emitter, Receiver
 from .sensors import GPS, Compass, DistanceSensor, PositionSensor
@@ -22,8 +21,15 @@ _CLASSES: dict[str, type[Device]] = {
     "distance_sensor": DistanceSensor,
     "receiver": Receiver,
     "emitter": Emitter,
-    "lidar": Lidar,
 }
+
+
+def _class_of(kind: str) -> type[Device]:
+    if kind == "lidar":
+        from .lidar import Lidar  # noqa: PLC0415 - few robots have one, and each import costs every program
+
+        return Lidar
+    return _CLASSES[kind]
 
 
 class Robot:
@@ -34,8 +40,26 @@ class Robot:
     """
 
     MODE_SIMULATION, MODE_CROSS_COMPILATION, MODE_REMOTE_CONTROL = range(3)
+    EVENT_QUIT, EVENT_NO_EVENT, EVENT_MOUSE_CLICK, EVENT_MOUSE_MOVE = -1, 0, 1, 2
+    EVENT_KEYBOARD, EVENT_JOYSTICK_BUTTON, EVENT_JOYSTICK_AXIS, EVENT_JOYSTICK_POV = 4, 8, 16, 32
 
     created: Robot | None = None
+
+    _rcj_hub: Hub
+    _rcj_told_of: set[str]
+    _rcj_inputs: dict[str, Any]
+    _rcj_custom_data: str
+    _rcj_battery_period_ms: int
+
+    def __new__(cls, *_: object, **__: object) -> Self:
+        """Make a robot that complains until ``__init__``, which a class of a team's own may forget, has run."""
+        robot = super().__new__(cls)
+        robot._rcj_hub = cast("Hub", _NotBegun(cls.__name__))
+        robot._rcj_told_of = set()
+        robot._rcj_inputs = {}
+        robot._rcj_custom_data = ""
+        robot._rcj_battery_period_ms = 0
+        return robot
 
     def __init__(self) -> None:
         hub = connected()
@@ -43,19 +67,34 @@ class Robot:
             raise RuntimeError("Only one instance of the Robot class should be created.")
         hub.robot_made = True
         self._rcj_hub = hub
-        self._rcj_devices: dict[str, Device] = {}
         for spec in hub.spec["devices"]:
-            self._rcj_devices[spec["name"]] = _CLASSES[spec["kind"]](hub, spec, self._rcj_devices)
-        self._rcj_told_of: set[str] = set()
-        self._rcj_inputs: dict[str, Any] = {}
-        self._rcj_custom_data = ""
-        self._rcj_battery_period_ms = 0
+            hub.devices[spec["name"]] = _class_of(spec["kind"])._rcj_made(hub, spec)  # noqa: SLF001 - for this alone
         Robot.created = self
 
-    def step(self, timeStep: float | None = None) -> int:
-        """Let ``timeStep`` ms pass, rounded up to whole ticks of 32 ms. Returns 0, or -1 when the match is over."""
+    def step(self, time_step: float | None = None, timeStep: float | None = None, duration: float | None = None) -> int:
+        """Let ``time_step`` ms pass, rounded up to whole ticks of 32 ms. Returns 0, or -1 when the match is over.
+
+        ``timeStep`` and ``duration`` are its names of other years; Python calls slower what has keyword-only arguments.
+
+        Raises:
+            TypeError: no number was given.
+        """
         hub = self._rcj_hub
-        return 0 if hub.exchange(hub.spec["basic_step_ms"] if timeStep is None else timeStep) else -1
+        if time_step is None:
+            time_step = hub.duration_ms(timeStep, duration)
+        return 0 if hub.exchange(time_step) else -1
+
+    def stepBegin(self, time_step: float | None = None) -> None:
+        """Begin a step of ``time_step`` ms. What is set from now on until ``stepEnd`` acts in the next one."""
+        self._rcj_hub.begin(self._rcj_hub.duration_ms(time_step))
+
+    def stepEnd(self) -> int:
+        """Take the step that ``stepBegin`` began. Returns 0, or -1 when the match is over."""
+        return 0 if self._rcj_hub.end() else -1
+
+    def waitForUserInputEvent(self, event_type: int, timeout: float = 0) -> int:
+        """Return ``Robot.EVENT_NO_EVENT`` at once: nobody presses or moves anything."""
+        return Robot.EVENT_NO_EVENT
 
     def getName(self) -> str:
         """Return the robot's name: colour and number, ``Y1``."""
@@ -71,15 +110,20 @@ class Robot:
 
     def getDevice(self, name: str) -> Any:
         """Return the device of that name; None, and a message, if the robot has none."""
-        return self._rcj_device(name)
+        return self._rcj_hub.devices.get(name) or device_of(self._rcj_hub, name, "Device")
 
     def getDeviceByIndex(self, index: int) -> Device | None:
         """Return a device by its number; None if there is none."""
-        return list(self._rcj_devices.values())[index] if 0 <= index < len(self._rcj_devices) else None
+        devices = list(self._rcj_hub.devices.values())
+        return devices[index] if 0 <= index < len(devices) else None
 
     def getNumberOfDevices(self) -> int:
         """Return how many devices the robot has."""
-        return len(self._rcj_devices)
+        return len(self._rcj_hub.devices)
+
+    def _rcj_devices(self) -> dict[str, Device]:
+        """Return all devices by name."""
+        return dict(self._rcj_hub.devices)
 
     def getModel(self) -> str:
         """Return the robot's model: none."""
@@ -151,11 +195,9 @@ class Robot:
         """Return nothing: there is no robot window."""
         return ""
 
-    def _rcj_device(self, name: str) -> Any:
-        found = self._rcj_devices.get(name)
-        if found is None:
-            complain(f'Warning: "{name}" device not found. This robot has: {", ".join(self._rcj_devices)}.')
-        return found
+    # Older names.
+    wwiSend = wwiSendText  # noqa: N815 - these are methods
+    wwiReceive = wwiReceiveText  # noqa: N815
 
     def _rcj_input(self, kind: str) -> Any:
         if kind not in self._rcj_inputs:
@@ -164,17 +206,11 @@ class Robot:
             self._rcj_inputs[kind] = getattr(keyboard, kind)()
         return self._rcj_inputs[kind]
 
-    def _rcj_legacy(self, method: str, name: str) -> Any:
-        if method not in self._rcj_told_of:
-            self._rcj_told_of.add(method)
-            complain(f"DEPRECATION: Robot.{method} is deprecated, please use Robot.getDevice instead.")
-        return self._rcj_device(name)
-
-    def __getattr__(self, attribute: str) -> Callable[[str], Any]:
-        """``getMotor``, ``getReceiver`` … of the years before 2020: as ``getDevice``, after a line of deprecation."""
-        if attribute in _LEGACY:
-            return lambda name: self._rcj_legacy(attribute, name)
-        raise AttributeError(f"{type(self).__name__!r} object has no attribute {attribute!r}")
+    def _rcj_legacy(self, kind: str, name: str) -> Any:
+        if kind not in self._rcj_told_of:
+            self._rcj_told_of.add(kind)
+            complain(f"DEPRECATION: Robot.get{kind} is deprecated, please use Robot.getDevice instead.")
+        return device_of(self._rcj_hub, name, "Motor" if kind == "Servo" else kind)
 
     name = ReadOnly(getName)
     time = ReadOnly(getTime)
@@ -185,6 +221,7 @@ class Robot:
     synchronization = ReadOnly(getSynchronization)
     mode = ReadOnly(getMode)
     number_of_devices = ReadOnly(getNumberOfDevices)
+    devices = ReadOnly(_rcj_devices)
     project_path = ReadOnly(getProjectPath)
     world_path = ReadOnly(getWorldPath)
     keyboard = ReadOnly(getKeyboard)
@@ -192,18 +229,30 @@ class Robot:
     joystick = ReadOnly(getJoystick)
 
 
-_LEGACY = frozenset(
-    "get" + kind
-    for kind in (
-        *("Accelerometer", "Brake", "Camera", "Compass", "Connector", "Display", "DistanceSensor", "Emitter", "GPS"),
-        *("Gyro", "InertialUnit", "LED", "Lidar", "LightSensor", "Motor", "Pen", "PositionSensor", "Radar"),
-        *("RangeFinder", "Receiver", "Servo", "Speaker", "TouchSensor"),
-    )
-)
+class _NotBegun:
+    """What stands for the hub until ``Robot.__init__`` has run."""
+
+    def __init__(self, kind: str) -> None:
+        self._kind = kind
+
+    def __getattr__(self, attribute: str) -> NoReturn:
+        raise RuntimeError(f"{self._kind}.__init__ has to call super().__init__() first: until then it is no robot")
 
 
-class Supervisor(Robot):
-    """What only referees may be."""
+def _getter_of_old(kind: str) -> Callable[[Robot, str], Any]:
+    """Return ``getMotor``, ``getReceiver`` … of the years before 2020."""
 
-    def __init__(self) -> None:
-        raise PermissionError("a player's program cannot be a Supervisor: use Robot")
+    def get(self: Robot, name: str) -> Any:
+        return self._rcj_legacy(kind, name)
+
+    get.__name__ = f"get{kind}"
+    get.__doc__ = f"Return the {kind} of that name, after a line of deprecation; None, and a message, if there is none."
+    return get
+
+
+for _kind in (
+    *("Accelerometer", "Brake", "Camera", "Compass", "Connector", "Display", "DistanceSensor", "Emitter", "GPS"),
+    *("Gyro", "InertialUnit", "LED", "Lidar", "LightSensor", "Motor", "Pen", "PositionSensor", "Radar"),
+    *("RangeFinder", "Receiver", "Servo", "Speaker", "TouchSensor"),
+):
+    setattr(Robot, f"get{_kind}", _getter_of_old(_kind))

@@ -15,12 +15,12 @@ class GPS(Sensor):
 
     def getValues(self) -> list[float]:
         """Return [x, y, z] of the robot's centre in m; NaN before the first sample."""
-        return list(self._numbers())
+        return list(self._rcj_numbers())
 
     def getSpeedVector(self) -> list[float]:
         """Return the velocity in m/s between the last two observations; NaN before there were two."""
-        now, before = self._numbers(), self._hub.previous[self._place : self._end]
-        passed_s = (self._hub.tick - self._hub.previous_tick) * self._hub.tick_ms / 1000
+        now, before = self._rcj_numbers(), self._rcj_hub.previous[self._rcj_place : self._rcj_end]
+        passed_s = (self._rcj_hub.tick - self._rcj_hub.previous_tick) * self._rcj_hub.tick_ms / 1000
         return [(new - old) / passed_s if passed_s else math.nan for new, old in zip(now, before, strict=True)]
 
     def getSpeed(self) -> float:
@@ -43,10 +43,15 @@ class Compass(Sensor):
 
     def getValues(self) -> list[float]:
         """Return the direction of north (the world's +y axis) in the robot's frame; NaN before the first sample."""
-        return list(self._numbers())
+        return list(self._rcj_numbers())
+
+    def getLookupTable(self) -> list[float]:
+        """Return an empty table: the direction is given as it is."""
+        return []
 
     values = ReadOnly(getValues)
     value = ReadOnly(getValues)
+    lookup_table = ReadOnly(getLookupTable)
 
 
 class DistanceSensor(Sensor):
@@ -56,15 +61,15 @@ class DistanceSensor(Sensor):
 
     def getValue(self) -> float:
         """Return the reading: 1000 per metre; NaN before the first sample."""
-        return self._numbers()[0]
+        return self._rcj_numbers()[0]
 
     def getMinValue(self) -> float:
         """Return the smallest reading."""
-        return float(self._facts.get("min_value", 0.0))
+        return float(self._rcj_facts.get("min_value", 0.0))
 
     def getMaxValue(self) -> float:
         """Return the reading without noise when nothing is near."""
-        return float(self._facts.get("max_value", 1000.0))
+        return float(self._rcj_facts.get("max_value", 1000.0))
 
     def getAperture(self) -> float:
         """Return 0: a single ray."""
@@ -93,7 +98,7 @@ class PositionSensor(Sensor):
 
     def getValue(self) -> float:
         """Return the wheel's angle in rad; NaN before the first sample."""
-        return self._numbers()[0]
+        return self._rcj_numbers()[0]
 
     def getType(self) -> int:
         """Return ``PositionSensor.ROTATIONAL``."""
@@ -101,7 +106,7 @@ class PositionSensor(Sensor):
 
     def getMotor(self) -> Any:
         """Return the motor of the same wheel, by its name; None if the robot has none."""
-        return self._sibling("motor", self.getName().replace("sensor", "motor"))
+        return self._rcj_sibling("motor", self._rcj_name.replace("sensor", "motor"))
 
     def getBrake(self) -> None:
         """Return None: there are no brakes."""

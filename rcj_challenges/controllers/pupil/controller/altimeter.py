@@ -1,0 +1,5 @@
+"""``controller.altimeter`` of R2023a."""
+
+from ._absent import Altimeter
+
+__all__ = ["Altimeter"]

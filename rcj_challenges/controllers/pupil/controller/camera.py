@@ -1,0 +1,5 @@
+"""``controller.camera`` of R2023a."""
+
+from ._absent import Camera, CameraRecognitionObject
+
+__all__ = ["Camera", "CameraRecognitionObject"]

@@ -1,0 +1,5 @@
+"""``controller.compass`` of R2023a."""
+
+from .sensors import Compass
+
+__all__ = ["Compass"]

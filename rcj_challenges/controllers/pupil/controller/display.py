@@ -1,0 +1,5 @@
+"""``controller.display`` of R2023a."""
+
+from ._absent import Display, ImageRef
+
+__all__ = ["Display", "ImageRef"]

@@ -1,0 +1,5 @@
+"""``controller.gps`` of R2023a."""
+
+from .sensors import GPS
+
+__all__ = ["GPS"]

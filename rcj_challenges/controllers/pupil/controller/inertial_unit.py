@@ -1,0 +1,5 @@
+"""``controller.inertial_unit`` of R2023a."""
+
+from ._absent import InertialUnit
+
+__all__ = ["InertialUnit"]

@@ -1,0 +1,5 @@
+"""``controller.mouse`` of R2023a."""
+
+from .keyboard import Mouse, MouseState
+
+__all__ = ["Mouse", "MouseState"]

@@ -1,0 +1,5 @@
+"""``controller.position_sensor`` of R2023a."""
+
+from .sensors import PositionSensor
+
+__all__ = ["PositionSensor"]

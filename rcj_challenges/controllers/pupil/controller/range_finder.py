@@ -1,0 +1,5 @@
+"""``controller.range_finder`` of R2023a."""
+
+from ._absent import RangeFinder
+
+__all__ = ["RangeFinder"]

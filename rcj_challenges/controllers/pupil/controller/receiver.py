@@ -1,0 +1,5 @@
+"""``controller.receiver`` of R2023a."""
+
+from .radio import Receiver
+
+__all__ = ["Receiver"]

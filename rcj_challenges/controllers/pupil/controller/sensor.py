@@ -1,0 +1,5 @@
+"""``controller.sensor`` of R2023a."""
+
+from .device import Sensor
+
+__all__ = ["Sensor"]

@@ -1,0 +1,5 @@
+"""``controller.skin`` of R2023a."""
+
+from ._absent import Skin
+
+__all__ = ["Skin"]

@@ -1,0 +1,270 @@
+"""Devices as programs get, make and read them."""
+
+from __future__ import annotations
+
+from fake_match import INDEX, FakeMatch, Played, packet
+
+LEFT = INDEX["left wheel motor"]
+
+_HEAD = """
+from controller import *
+robot = Robot()
+def caught(what):
+    try:
+        return what()
+    except Exception as error:
+        print(type(error).__name__ + ":", error)
+"""
+
+
+def _play(match: FakeMatch, lines: str, ticks: int = 2, **given: object) -> Played:
+    played = match.play(_HEAD + lines + "\nwhile robot.step(32) != -1: pass\n", ticks, **given)  # type: ignore[arg-type]
+    assert played.fault is None, played.log
+    return played
+
+
+def _sampled(played: Played) -> list[tuple[int, int]]:
+    return [setting for _, request in played.requests for setting in request.sampling]
+
+
+def test_a_device_made_by_its_class_is_the_robots_device_of_that_name(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "motor, gps = Motor('left wheel motor'), GPS('gps')\n"
+        "motor.setPosition(float('inf')); motor.setVelocity(3)\n"
+        "gps.enable(32); robot.step(32)\n"
+        "there = robot.getDevice('left wheel motor')\n"
+        "print(motor.getName(), there.getVelocity(), gps.getValues(), robot.getDevice('gps').getSamplingPeriod())\n"
+        "there.setVelocity(4); print(motor.getVelocity(), isinstance(motor, Motor))\n",
+    )
+    assert played.said == ["left wheel motor 3.0 [1.0, 0.5, 0.0375] 32", "4.0 True"]
+    assert [(device, speed) for device, speed, _ in played.motors()] == [(LEFT, 3.0), (LEFT, 4.0)]
+
+
+def test_a_second_argument_enables_a_sensor(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "sonar = DistanceSensor('distancesensor left', 32)\n"
+        "compass = Compass('compass', sampling_period=64)\n"
+        "receiver = Receiver('team receiver', 32)\n"
+        "lidar = Lidar('lidar')\n"
+        "print(sonar.getSamplingPeriod(), compass.sampling_period, lidar.getSamplingPeriod())\n"
+        "robot.step(32); print(sonar.getValue(), receiver.getQueueLength())\n",
+        air=lambda _: [packet("team receiver", b"x")],
+    )
+    assert played.said == ["32 64 0", "1000.0 1"]
+    assert _sampled(played) == [(INDEX["distancesensor left"], 1), (INDEX["compass"], 2), (INDEX["team receiver"], 1)]
+
+
+def test_a_class_of_the_teams_own_may_be_a_device_with_attributes_and_methods_of_its_own(match: FakeMatch) -> None:
+    program = """
+class Wheel(Motor):
+    def __init__(self, side):
+        self.side = side
+        super().__init__(side + " wheel motor")
+        self.setPosition(float("inf"))
+        self._velocity = self._position = self._hub = self._index = self.speed = "mine"
+    def setVelocity(self, velocity):
+        self.asked = velocity
+        super().setVelocity(2 * velocity)
+    def _command(self):
+        return "mine"
+class Ears(Receiver):
+    def __init__(self):
+        super().__init__("team receiver", 32)
+    def getString(self):
+        return "*" + self.getData().decode()
+wheel, ears = Wheel("left"), Ears()
+wheel.setVelocity(2)
+robot.step(32)
+print(wheel.side, wheel.asked, wheel.getVelocity(), wheel._velocity, wheel._command(), wheel.getName(), type(wheel).__name__)
+print(ears.getString(), robot.getDevice("team receiver").getQueueLength(), robot.getDevice("left wheel motor").velocity)
+print(wheel.getPositionSensor() is robot.getDevice("left wheel sensor"))
+"""
+    played = _play(match, program, air=lambda _: [packet("team receiver", b"hi")])
+    assert played.said == ["left 2 4.0 mine mine left wheel motor Wheel", "*hi 1 4.0", "True"]
+    assert played.motors()[-1][:2] == (LEFT, 4.0)
+
+
+def test_a_name_that_the_robot_lacks_is_told_as_by_get_device_and_using_it_is_an_error(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "motor, gps = Motor('kicker'), GPS('left wheel motor')\n"
+        "print(isinstance(motor, Motor))\n"
+        "caught(lambda: motor.setVelocity(3)); caught(lambda: gps.getValues()); caught(lambda: gps.getName())\n"
+        "caught(lambda: GPS('gsp', 32))\n",
+    )
+    assert played.said[0].startswith('Warning: "kicker" device not found. This robot has: left wheel motor, ')
+    assert played.said[1:3] == ['Warning: "left wheel motor" is a Motor, not a GPS.', "True"]
+    raised = "AttributeError: this {} is no device of the robot, as the warning above says"
+    assert played.said[3:6] == [raised.format("Motor"), *[raised.format("GPS")] * 2]
+    assert played.said[6].startswith('Warning: "gsp" device not found.')
+    assert played.said[7] == raised.format("GPS")
+
+
+def test_devices_are_made_after_the_robot(match: FakeMatch) -> None:
+    played = match.play(
+        "from controller import Robot, Motor\ntry:\n    Motor('left wheel motor')\n"
+        "except RuntimeError as error:\n    print(error)\nrobot = Robot()\nrobot.step(32)\nrobot.step(32)\n",
+        1,
+    )
+    assert played.said == ["Motor('left wheel motor'): make the robot first: robot = Robot()"]
+
+
+def test_the_getters_of_old_give_only_devices_of_their_class(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "print(robot.getReceiver('gps'), robot.getServo('left wheel motor').getName(), robot.getLED('gps'))\n"
+        "print(robot.getGPS('gps').getName(), robot.getCamera('camera'))\n",
+    )
+    told = [line for line in played.said if not line.startswith("DEPRECATION")]
+    assert told[:3] == [
+        'Warning: "gps" is a GPS, not a Receiver.',
+        'Warning: "gps" is a GPS, not a LED.',
+        "None left wheel motor None",
+    ]
+    assert told[3].startswith('Warning: "camera" device not found.')
+    assert told[4] == "gps None"
+
+
+def test_all_devices_stand_in_one_dict_by_name(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "print(list(robot.devices)[:2], robot.devices['gps'] is robot.getDevice('gps'))\n"
+        "robot.devices.clear(); print(len(robot.devices))\n"
+        "robot.devices = 'mine'; print(robot.devices)\n",
+    )
+    assert played.said == ["['left wheel motor', 'right wheel motor'] True", str(len(INDEX)), "mine"]
+
+
+def test_a_receiver_that_was_never_enabled_says_so_once_when_it_is_read(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "receiver, other = robot.getDevice('team receiver'), robot.getDevice('ball receiver')\n"
+        "for tick in range(3):\n"
+        "    print(receiver.getQueueLength(), receiver.getSignalStrength(), receiver.getDataSize())\n"
+        "    receiver.nextPacket(); robot.step(32)\n"
+        "other.nextPacket()\n",
+        5,
+    )
+    told = "Warning: {!r} is read but not enabled: call enable(32) before the first step."
+    assert played.said == [told.format("team receiver"), *["0 nan -1"] * 3, told.format("ball receiver")]
+
+
+def test_reading_a_packet_of_a_receiver_that_was_never_enabled_tells_that_enable_is_missing(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "receiver = robot.getDevice('team receiver')\n"
+        "caught(receiver.getData); caught(receiver.getEmitterDirection)\n"
+        "receiver.enable(32)\n"
+        "caught(receiver.getData)\n"
+        "receiver.disable()\n"
+        "caught(receiver.getData)\n",
+    )
+    raised = [line for line in played.said if line.startswith("RuntimeError")]
+    missing = "but the receiver is not enabled: call enable(32) before the first step."
+    empty = "RuntimeError: 'team receiver': getData was called with an empty queue; ask getQueueLength() first."
+    assert raised == [
+        f"RuntimeError: 'team receiver': getData was called {missing}",
+        f"RuntimeError: 'team receiver': getEmitterDirection was called {missing}",
+        empty,
+        empty,
+    ]
+
+
+def test_packets_stay_when_a_receiver_is_disabled(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "receiver = robot.getDevice('team receiver'); receiver.enable(32)\n"
+        "robot.step(32); receiver.disable(); print(receiver.getQueueLength(), receiver.getData())\n",
+        air=lambda tick: [packet("team receiver", b"x")] if tick == 1 else [],
+    )
+    assert played.said == ["1 b'x'"]
+
+
+def test_packets_of_numbers_are_read_as_floats_ints_and_bools(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "import struct\nreceiver = robot.getDevice('team receiver'); receiver.enable(32); robot.step(32)\n"
+        "print(receiver.getFloats(), receiver.floats, receiver.getInts(), receiver.ints, receiver.bools == receiver.getBools())\n"
+        "receiver.nextPacket()\nprint(receiver.getBools())\n",
+        air=lambda tick: [packet("team receiver", bytes(8)), packet("team receiver", b"\0\1\0")] if tick == 1 else [],
+    )
+    assert played.said == ["[0.0] [0.0] [0, 0] [0, 0] True", "[False, True, False]"]
+
+
+def test_a_packet_of_another_length_is_told_with_what_was_found_and_what_is_wanted(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "receiver = robot.getDevice('team receiver'); receiver.enable(32); robot.step(32)\n"
+        "caught(receiver.getFloats); caught(receiver.getInts)\n",
+        air=lambda tick: [packet("team receiver", bytes(9))] if tick == 1 else [],
+    )
+    head, tail = "error: 'team receiver': ", "this packet has 9 bytes. struct.unpack reads others."
+    assert played.said == [
+        f"{head}getFloats reads packets of doubles, 8 bytes each; {tail}",
+        f"{head}getInts reads packets of ints, 4 bytes each; {tail}",
+    ]
+
+
+def test_periods_and_steps_are_given_by_the_names_of_all_years(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "gps, sonar = robot.getDevice('gps'), robot.getDevice('distancesensor left')\n"
+        "gps.enable(sampling_period=32); sonar.enable(samplingPeriod=64); robot.getDevice('compass').sampling_period = 96\n"
+        "keyboard = Keyboard(); keyboard.enable(sampling_period=64); print(keyboard.getSamplingPeriod())\n"
+        "robot.step(time_step=32); print(robot.getTime())\n"
+        "robot.step(timeStep=64); print(robot.getTime())\n"
+        "robot.step(duration=32); print(robot.getTime())\n"
+        "robot.step(); print(robot.getTime())\n",
+        8,
+    )
+    assert played.said == ["64", "0.032", "0.096", "0.128", "0.16"]
+    assert _sampled(played) == [(INDEX["gps"], 1), (INDEX["distancesensor left"], 2), (INDEX["compass"], 3)]
+
+
+def test_what_is_set_between_the_begin_and_the_end_of_a_step_acts_in_the_next_one(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "motor, emitter = robot.getDevice('left wheel motor'), robot.getDevice('team emitter')\n"
+        "motor.setPosition(float('inf'))\n"
+        "for speed in (1, 2, 3):\n"
+        "    motor.setVelocity(speed)\n"
+        "    robot.stepBegin(32)\n"
+        "    if speed == 2: motor.setVelocity(5); emitter.send('late')\n"
+        "    print(robot.stepEnd(), robot.getTime())\n"
+        "    if speed == 2: robot.step(64)\n"
+        "caught(robot.stepEnd)\n"
+        "robot.stepBegin(); caught(lambda: robot.stepBegin(32)); robot.stepEnd()\n",
+        10,
+    )
+    assert played.said == [
+        "0 0.032",
+        "0 0.064",
+        "0 0.16",
+        "RuntimeError: stepEnd was called without stepBegin before it",
+        "RuntimeError: stepBegin was called again before stepEnd",
+    ]
+    told = [(tick, [m.velocity_radps for m in r.motors], [d for _, d in r.emissions]) for tick, r in played.requests]
+    assert told[:4] == [(0, [1.0], []), (1, [2.0], []), (2, [5.0], [b"late"]), (4, [3.0], [])]
+
+
+def test_a_step_that_was_begun_tells_the_end_of_the_match(match: FakeMatch) -> None:
+    played = match.play(
+        "from controller import Robot\nrobot = Robot()\nwhile True:\n    robot.stepBegin(32)\n"
+        "    if robot.stepEnd() == -1:\n        break\n"
+        "robot.stepBegin(32); print('over', robot.stepEnd(), robot.getTime())\n",
+        3,
+    )
+    assert played.fault is None
+    assert played.said == ["over -1 0.096"]
+
+
+def test_seldom_used_calls_of_webots_are_there(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "compass = robot.getDevice('compass')\n"
+        "print(compass.getLookupTable(), compass.lookup_table, [robot.wwiReceive()])\n"
+        "print(robot.waitForUserInputEvent(Robot.EVENT_KEYBOARD, 1000) == Robot.EVENT_NO_EVENT, robot.getTime())\n",
+    )
+    assert played.said == ["[] [] ['']", "True 0.0"]

@@ -1,0 +1,238 @@
+"""What can be imported from ``controller``, and which constants are there."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from fake_match import INDEX, FakeMatch, Played, robot_spec
+
+CLASSES = (
+    *("Accelerometer", "Altimeter", "AnsiCodes", "Brake", "Camera", "CameraRecognitionObject", "Compass", "Connector"),
+    *("ContactPoint", "Device", "Display", "DistanceSensor", "Emitter", "Field", "GPS", "Gyro", "ImageRef"),
+    *("InertialUnit", "Joystick", "Keyboard", "LED", "Lidar", "LidarPoint", "LightSensor", "Motion", "Motor", "Mouse"),
+    *("MouseState", "Node", "Pen", "PositionSensor", "Radar", "RadarTarget", "RangeFinder", "Receiver", "Robot"),
+    *("Sensor", "Skin", "Speaker", "Supervisor", "TouchSensor", "VacuumGripper"),
+)
+
+MODULES = {
+    "accelerometer": "Accelerometer",
+    "altimeter": "Altimeter",
+    "ansi_codes": "AnsiCodes",
+    "brake": "Brake",
+    "camera": "Camera, CameraRecognitionObject",
+    "compass": "Compass",
+    "connector": "Connector",
+    "device": "Device",
+    "display": "Display, ImageRef",
+    "distance_sensor": "DistanceSensor",
+    "emitter": "Emitter",
+    "field": "Field",
+    "gps": "GPS",
+    "gyro": "Gyro",
+    "inertial_unit": "InertialUnit",
+    "joystick": "Joystick",
+    "keyboard": "Keyboard",
+    "led": "LED",
+    "lidar": "Lidar",
+    "lidar_point": "LidarPoint",
+    "light_sensor": "LightSensor",
+    "motion": "Motion",
+    "motor": "Motor",
+    "mouse": "Mouse, MouseState",
+    "node": "Node, ContactPoint",
+    "pen": "Pen",
+    "position_sensor": "PositionSensor",
+    "radar": "Radar",
+    "radar_target": "RadarTarget",
+    "range_finder": "RangeFinder",
+    "receiver": "Receiver",
+    "robot": "Robot",
+    "sensor": "Sensor",
+    "skin": "Skin",
+    "speaker": "Speaker",
+    "supervisor": "Supervisor",
+    "touch_sensor": "TouchSensor",
+    "vacuum_gripper": "VacuumGripper",
+}
+
+
+def _play(match: FakeMatch, program: str) -> Played:
+    played = match.play(program + "\nrobot.step(32)\nrobot.step(32)\n", 1)
+    assert played.fault is None, played.log
+    return played
+
+
+@pytest.mark.parametrize(
+    "imports", ["from controller import *", "from controller import " + ", ".join(CLASSES), "import controller"]
+)
+def test_every_class_of_webots_can_be_named(match: FakeMatch, imports: str) -> None:
+    where = "controller." if imports == "import controller" else ""
+    program = f"{imports}\nrobot = {where}Robot()\n" + "".join(f"assert {where}{name}\n" for name in CLASSES)
+    _play(match, program)
+
+
+def test_an_annotation_with_a_class_that_no_robot_has_does_no_harm(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "from controller import *\n"
+        "robot = Robot()\n"
+        "camera: Camera = robot.getDevice('camera')\n"
+        "def show(display: Display, led: LED) -> Motion: pass\n"
+        "print(isinstance(robot.getDevice('gps'), Camera), Camera is Camera)\n",
+    )
+    assert played.said[-1] == "False True"
+
+
+def test_making_a_device_that_no_robot_has_is_refused_also_as_a_class_of_the_teams_own(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "from controller import Robot, Camera, Node\n"
+        "class Eye(Camera): pass\n"
+        "robot = Robot()\n"
+        "for kind in (Camera, Eye, Node):\n"
+        "    try:\n        kind('x')\n"
+        "    except NotImplementedError as error:\n        print(error)\n",
+    )
+    assert played.said == [
+        "there is no Camera on these robots",
+        "there is no Camera on these robots",
+        "there is no Node on these robots",
+    ]
+
+
+def test_each_class_has_a_module_of_its_own_as_in_r2023a(match: FakeMatch) -> None:
+    program = "import controller\nfrom controller.robot import Robot\nrobot = Robot()\n"
+    for module, names in MODULES.items():
+        program += f"from controller.{module} import {names}\n"
+        program += "".join(f"assert {name} is controller.{name}\n" for name in names.split(", "))
+    _play(match, program)
+
+
+def test_what_a_program_does_not_import_is_not_read(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "import sys\nfrom controller import Robot, Motor, GPS, Receiver\nrobot = Robot()\n"
+        "print(sorted(name for name in sys.modules if name.startswith('controller.') and '._' not in name))\n",
+    )
+    read = ["device", "lidar", "motor", "radio", "robot", "sensors"]
+    assert played.said == [str([f"controller.{name}" for name in read])]
+
+
+def test_a_robot_without_a_lidar_does_not_read_what_is_known_of_lidars(match: FakeMatch) -> None:
+    spec = robot_spec()
+    others = (one if one.kind != "lidar" else replace(one, kind="gps") for one in spec.devices)
+    spec = replace(spec, devices=tuple(others))
+    program = """
+import sys
+from controller import Robot, Motor
+robot = Robot()
+print("controller.lidar" in sys.modules)
+from controller import Lidar, LidarPoint
+print(Lidar.__name__, robot.getLidar("gps"))
+robot.step(32)
+robot.step(32)
+"""
+    said = match.play(program, 1, spec=spec).said
+    assert [said[0], said[-1]] == ["False", "Lidar None"]
+
+
+def test_a_name_that_webots_does_not_have_is_an_import_error(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "import controller\nfrom controller import Robot\nrobot = Robot()\n"
+        "try:\n    from controller import Ball\nexcept ImportError as error:\n    print(error.name)\n"
+        "try:\n    controller.Moter\nexcept AttributeError as error:\n    print(error, error.name, error.obj is controller)\n"
+        "print({'AnsiCodes', 'Motor'} <= set(dir(controller)))\n",
+    )
+    assert played.said == ["controller", "module 'controller' has no attribute 'Moter' Moter True", "True"]
+
+
+def test_ansi_codes_are_texts_and_the_log_keeps_them(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "from controller import Robot, AnsiCodes\nrobot = Robot()\n"
+        "print(AnsiCodes.RED_FOREGROUND + AnsiCodes.BOLD + 'goal' + AnsiCodes.RESET)\n"
+        "colours = ('BLACK', 'RED', 'GREEN', 'YELLOW', 'BLUE', 'MAGENTA', 'CYAN', 'WHITE')\n"
+        "for place, first in (('FOREGROUND', 30), ('BACKGROUND', 40)):\n"
+        "    for number, colour in enumerate(colours, first):\n"
+        "        assert getattr(AnsiCodes, f'{colour}_{place}') == f'\\x1b[{number}m'\n"
+        "print(repr(AnsiCodes.UNDERLINE + AnsiCodes.CLEAR_SCREEN))\n",
+    )
+    assert played.said == ["\x1b[31m\x1b[1mgoal\x1b[0m", r"'\x1b[4m\x1b[2J'"]
+
+
+def test_each_device_tells_its_kind_as_the_constants_of_node_do(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "from controller import Robot, Node\nrobot = Robot()\n"
+        "kinds = {number: kind for kind, number in vars(Node).items() if type(number) is int}\n"
+        "assert len(kinds) == sum(type(number) is int for number in vars(Node).values())\n"
+        "for number in range(robot.getNumberOfDevices()):\n"
+        "    device = robot.getDeviceByIndex(number)\n"
+        "    assert device.node_type == device.getNodeType()\n"
+        "    print(device.getName(), kinds[device.getNodeType()])\n",
+    )
+    kinds = ("ROTATIONAL_MOTOR", "POSITION_SENSOR", "GPS", "COMPASS", "DISTANCE_SENSOR", "RECEIVER", "EMITTER", "LIDAR")
+    kind_of = dict(line.rsplit(" ", 1) for line in played.said)
+    assert kind_of.keys() == INDEX.keys()
+    assert kind_of["left wheel motor"] == "ROTATIONAL_MOTOR"
+    assert kind_of["ball receiver"] == "RECEIVER"
+    assert set(kind_of.values()) == set(kinds)
+
+
+def test_kinds_of_fields_are_numbers_that_differ(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "from controller import Robot, Field\nrobot = Robot()\n"
+        "numbers = [number for number in vars(Field).values() if type(number) is int]\n"
+        "print(len(numbers) == len(set(numbers)), Field.SF_VEC3F != Field.MF_VEC3F)\n",
+    )
+    assert played.said == ["True True"]
+
+
+def test_a_supervisor_is_a_robot_whose_further_calls_do_nothing_and_say_so_once(match: FakeMatch) -> None:
+    program = """
+from controller import Supervisor
+robot = Supervisor()
+ball = robot.getFromDef("BALL")
+print(ball, robot.getRoot(), robot.getSelf(), robot.getFromDef("Y1"), robot.simulationReset(), robot.setLabel(0, "x", size=1))
+print(robot.getSupervisor(), robot.getName(), robot.getDevice("gps").getName(), Supervisor.SIMULATION_MODE_PAUSE)
+try:
+    robot.fly()
+except AttributeError as error:
+    print(error, error.name, error.obj is robot)
+robot.getDevice("left wheel motor").setVelocity(3)
+"""
+    played = _play(match, program)
+    ignored = [line.split()[1] for line in played.said if line.startswith("Warning: ")]
+    assert ignored == ["getFromDef", "getRoot", "getSelf", "simulationReset", "setLabel"]
+    assert [line for line in played.said if not line.startswith("Warning: ")] == [
+        "None None None None None None",
+        "False Y1 gps 0",
+        "'Supervisor' object has no attribute 'fly' fly True",
+    ]
+    assert [speed for _, speed, _ in played.motors()] == [3.0]
+
+
+def test_a_class_of_the_teams_own_may_be_a_supervisor_and_there_is_still_only_one_robot(match: FakeMatch) -> None:
+    program = """
+from controller import Robot, Supervisor
+class Coach(Supervisor):
+    def __init__(self):
+        super().__init__()
+        self.ball = self.getFromDef("BALL")
+robot = Coach()
+for kind in (Supervisor, Robot):
+    try:
+        kind()
+    except RuntimeError as error:
+        print(error)
+print(robot.ball)
+"""
+    assert _play(match, program).said[1:] == ["Only one instance of the Robot class should be created."] * 2 + ["None"]
+
+
+def test_a_robot_that_is_no_supervisor_has_none_of_its_calls(match: FakeMatch) -> None:
+    played = _play(match, "from controller import Robot\nrobot = Robot()\nprint(hasattr(robot, 'getFromDef'))\n")
+    assert played.said == ["False"]
