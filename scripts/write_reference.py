@@ -166,7 +166,7 @@ CHAPTERS = (
     Chapter(
         "Placements",
         "Section `placements`: layouts by name, each a list of these, carried out in order.",
-        (Word("placements", places.Placing), Word("mirror", places.Mirror), Word("facing", places.Towards)),
+        (Word("placements", places.Placing), Word("mirror", places.Mirror), Word("facing", places.Towards), Word("kick", places.Kick)),
         "places",
     ),
     Chapter("Where things go", "What `at:` may be, besides the word `start`.", _tagged(places.At), "places"),
@@ -314,6 +314,7 @@ _NAMED: tuple[tuple[Any, str], ...] = (
     (places.At, "[where](#where-things-go)"),
     (places.Facing, "`start`, `keep`, yaw in rad, {towards: …}, or {random: true}"),
     (triggers.Trigger, "[trigger](#triggers)"), (conditions.Condition, "[condition](#conditions)"),
+    (conditions.Single, "[condition](#conditions)"),
     (actions.Action, "[action](#actions)"), (robots.Device, "[device](#devices)"), (places.Zone, "[zone](#zones)"),
     (field.Obstacle, "[obstacle](#obstacles)"), (places.Layout, "list of [placements](#placements)"),
     (robots.EntryPoints, "path, or list of paths"),

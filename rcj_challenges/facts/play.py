@@ -64,12 +64,13 @@ class Snapshot(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Placement:
-    """Where an entity is put after the referee's verdict: standing, at rest, contact memory cleared.
+    """Where an entity is put after the referee's verdict: standing, contact memory cleared, at rest but for a kick.
 
     Attributes:
         entity: index of the entity.
         x_m, y_m, yaw_rad: the pose; z follows from the body.
         parked: True takes it off the field instead (its pose is then the world's parking place).
+        vx_mps, vy_mps: the velocity with which a ball sets off, rolling without slipping; 0 for anything else.
     """
 
     entity: int
@@ -77,6 +78,8 @@ class Placement:
     y_m: float
     yaw_rad: float
     parked: bool = False
+    vx_mps: float = 0.0
+    vy_mps: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +103,8 @@ class Firing:
         measured: what was measured (m, s, m/s or a count; None where the word measures nothing).
         limit: the limit it was held against, in the same unit.
         scored: points by entrant that this firing gave.
-        suppressed: None if its actions ran, else why not (``exclusive``, ``cooldown``, ``max_executions``, ``phase``).
+        suppressed: None if its actions ran, else why not (``exclusive``, ``cooldown``, ``max_executions``, ``phase``,
+            or ``no_room``: what was to be placed waits).
         says: the sentence for screen and log, with names filled in.
     """
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
 
 Score = int | float
@@ -60,7 +61,7 @@ def _value(
     halves: Sequence[Tally],
 ) -> Score:
     def counted(counter: str) -> Score:
-        return sum(_count(half.counters, counter, _robots(scenario, half, team)) for half in halves)
+        return on_paper(sum(_count(half.counters, counter, _robots(scenario, half, team)) for half in halves))
 
     if isinstance(criterion, RankByScore):
         return score

@@ -122,4 +122,7 @@ def _write_all(file: Any, data: bytearray) -> None:
 
 
 def _placement_list(placement: Placement) -> list[Any]:
-    return [placement.entity, placement.x_m, placement.y_m, placement.yaw_rad, placement.parked]
+    """Return a placement as it is written; what lies still as it was written when nothing rolled yet."""
+    at = [placement.entity, placement.x_m, placement.y_m, placement.yaw_rad, placement.parked]
+    velocity = [placement.vx_mps, placement.vy_mps]
+    return [*at, *velocity] if any(velocity) else at

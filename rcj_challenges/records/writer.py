@@ -9,6 +9,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
+from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.facts.play import Fault, Firing, HalfInfo, Snapshot, Verdict
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.records.digest import Digest
@@ -259,7 +260,8 @@ class RecordWriter:
     def _add_points(self, firing: Firing, half: HalfInfo) -> None:
         if firing.suppressed is None:
             for seat, points in firing.scored.items():
-                self._scores[half.teams[seat]] += points
+                team = half.teams[seat]
+                self._scores[team] = on_paper(self._scores[team] + points)
 
     def _fault(self, fault: Fault, half: HalfInfo) -> dict[str, Any]:
         entrants = self._header.scenario.entrants

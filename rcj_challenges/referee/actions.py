@@ -9,12 +9,14 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
+from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.facts.timing import ticks_from_s
-from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.compiling import EACH, Workshop
 from rcj_challenges.referee.places import compile_putting
 from rcj_challenges.referee.rules import Occasion, StandingRule
+from rcj_challenges.referee.sequences import sequence_watch
 from rcj_challenges.referee.setting_down import Job
-from rcj_challenges.referee.state import Clock, Number, plain
+from rcj_challenges.referee.state import Clock, Number
 from rcj_challenges.referee.values import compile_amount, compile_points, compile_value
 from rcj_challenges.scenario.models import actions as models
 from rcj_challenges.scenario.models.places import Mirror
@@ -28,15 +30,36 @@ def compile_action(model: models.Action, workshop: Workshop, rule: StandingRule)
     return ACTIONS[model.action](model, workshop, rule)
 
 
+def _receiver(entrant: str | models.LastToucher, workshop: Workshop, each: str | None) -> Callable[[], str | None]:
+    """Return what tells whose the points are: the named entrant's, or those of whoever drives a robot."""
+    drivers = workshop.state.entrant_of
+    if isinstance(entrant, models.LastToucher):
+        touched = workshop.entity(entrant.last_touch, each)
+        contacts, names = workshop.contacts, workshop.roster.entities
+        contacts.follow_last(touched)
+
+        def driver_of_the_last() -> str | None:
+            robot = contacts.last(touched)
+            return None if robot is None else drivers.get(names[robot])
+
+        return driver_of_the_last
+    named = entrant != EACH or EACH in workshop.scenario.entrants
+    whose = entrant if named or each is None else drivers.get(each)
+    return lambda: whose
+
+
 def score(model: models.Score, workshop: Workshop, rule: StandingRule) -> Act:
-    """Give points to an entrant."""
-    state, entrant = workshop.state, model.entrant
+    """Give points to an entrant; to nobody if nobody touched what they are given for."""
+    state, receiver = workshop.state, _receiver(model.entrant, workshop, rule.each)
     points = compile_points(model.points, workshop, rule.each)
 
     def act(occasion: Occasion) -> None:
+        entrant = receiver()
+        if entrant is None:
+            return
         given = points(occasion)
-        state.scores[entrant] = plain(state.scores[entrant] + given)
-        occasion.scored[entrant] = plain(occasion.scored.get(entrant, 0) + given)
+        state.scores[entrant] = on_paper(state.scores[entrant] + given)
+        occasion.scored[entrant] = on_paper(occasion.scored.get(entrant, 0) + given)
 
     return act
 
@@ -50,7 +73,7 @@ def count(model: models.Count, workshop: Workshop, rule: StandingRule) -> Act:
 
     def changed(value: Number, occasion: Occasion) -> Number:
         value = value if to is None else to(occasion)
-        return plain(value if step is None else value + step(occasion))
+        return on_paper(value if step is None else value + step(occasion))
 
     def act(occasion: Occasion) -> None:
         value = counters[name]
@@ -113,6 +136,12 @@ def timer(model: models.TimerAction, workshop: Workshop, rule: StandingRule) -> 
         workshop.timers_changed()
 
     return act
+
+
+def sequence(model: models.SequenceAction, workshop: Workshop, _rule: StandingRule) -> Act:
+    """Begin a sequence anew."""
+    watch = sequence_watch(workshop, model.sequence)
+    return lambda _occasion: workshop.lookout.restart(watch)
 
 
 def draw(model: models.DrawAction, workshop: Workshop, _rule: StandingRule) -> Act:
@@ -226,6 +255,7 @@ ACTIONS: dict[str, Callable[[Any, Workshop, StandingRule], Act]] = {
     "set_flag": set_flag,
     "toggle_flag": toggle_flag,
     "timer": timer,
+    "sequence": sequence,
     "draw": draw,
     "place": place,
     "remove": remove,

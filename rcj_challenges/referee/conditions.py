@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from math import sqrt
+from math import atan2, cos, sin, sqrt
 from typing import Any
 
+from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.places import spots_of
@@ -33,6 +34,12 @@ def watched_entities(model: models.Condition, workshop: Workshop, each: str | No
         case models.Distance():
             found = workshop.entities(model.entity, each)
             return (*found, *_anchors(model.to, workshop, each))
+        case models.Looks():
+            found = workshop.entities(model.entity, each)
+            return (*found, *(() if model.towards is None else _anchors(model.towards, workshop, each)))
+        case models.AnyOf():
+            several = (watched_entities(one, workshop, each) for one in model.conditions)
+            return tuple(dict.fromkeys(entity for one in several for entity in one))
         case _:
             return ()
 
@@ -49,8 +56,17 @@ def _anchors(to: str | tuple[float, float], workshop: Workshop, each: str | None
 # --- comparing and counting -----------------------------------------------------------------------------------------
 
 
-def _comparison(model: Any, workshop: Workshop, each: str | None) -> Callable[[Number], bool]:
-    """Return the comparison of a model with at_least, at_most and equals; without any: is it other than 0?"""
+def _as_it_is(number: Number) -> Number:
+    return number
+
+
+def _comparison(
+    model: Any, workshop: Workshop, each: str | None, rounded: Callable[[Number], Number] = _as_it_is
+) -> Callable[[Number], bool]:
+    """Return the comparison of a model with at_least, at_most and equals; without any: is it other than 0?
+
+    Bounds are rounded as asked: as what is compared with them is.
+    """
     least, most, equals = (
         None if bound is None else compile_bound(bound, workshop, each)
         for bound in (model.at_least, model.at_most, model.equals)
@@ -60,9 +76,9 @@ def _comparison(model: Any, workshop: Workshop, each: str | None) -> Callable[[N
 
     def holds(value: Number) -> bool:
         return (
-            (least is None or value >= least())
-            and (most is None or value <= most())
-            and (equals is None or value == equals())
+            (least is None or value >= rounded(least()))
+            and (most is None or value <= rounded(most()))
+            and (equals is None or value == rounded(equals()))
         )
 
     return holds
@@ -124,10 +140,49 @@ def distance(model: models.Distance, workshop: Workshop, each: str | None) -> Te
     return lambda: _quantified(of, results())
 
 
+def looks(model: models.Looks, workshop: Workshop, each: str | None) -> Test:
+    """Whether robots look towards something or in a direction: their front points there within an angle."""
+    state, of, within, heading = workshop.state, model.of, model.within_rad, model.heading_rad
+    entities = workshop.entities(model.entity, each)
+    target = _target(model.towards, workshop, each)
+
+    def looks_there(entity: int) -> bool:
+        x, y, yaw = state.poses[entity]
+        wanted = heading
+        if wanted is None:
+            at = target()
+            if at is None:
+                return False
+            wanted = atan2(at[1] - y, at[0] - x)
+        off = wanted - yaw
+        return abs(atan2(sin(off), cos(off))) <= within
+
+    return lambda: _quantified(of, (looks_there(entity) for entity in entities if state.present[entity]))
+
+
+def _target(
+    towards: str | tuple[float, float] | None, workshop: Workshop, each: str | None
+) -> Callable[[], tuple[float, float] | None]:
+    """Return what tells where that is which is looked at; None while it is off the field."""
+    if towards is None or isinstance(towards, tuple):
+        return lambda: towards
+    anchors, state = _anchors(towards, workshop, each), workshop.state
+    if not anchors:
+        (spot,) = spots_of(workshop, towards, each)
+        return lambda: spot
+    return lambda: state.poses[anchors[0]][:2] if state.present[anchors[0]] else None
+
+
+def any_of(model: models.AnyOf, workshop: Workshop, each: str | None) -> Test:
+    """Whether at least one of several conditions holds."""
+    tests = tuple(compile_condition(one, workshop, each) for one in model.conditions)
+    return lambda: any(test() for test in tests)
+
+
 def counter(model: models.CounterIs, workshop: Workshop, each: str | None) -> Test:
     """The value of a counter or of a score; with ``of``: of so many."""
     state, name = workshop.state, model.counter
-    holds = _comparison(model, workshop, each)
+    holds = _comparison(model, workshop, each, on_paper)
     return _of_kept(model, workshop, each, state.counters.get(name), lambda whose: holds(state.counter(name, whose)))
 
 
@@ -210,6 +265,8 @@ CONDITIONS: dict[str, Callable[[Any, Workshop, str | None], Test]] = {
     "in_zone": in_zone,
     "speed": speed,
     "distance": distance,
+    "looks": looks,
+    "any_of": any_of,
     "counter": counter,
     "flag": flag,
     "drawn": drawn,

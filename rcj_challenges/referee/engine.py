@@ -14,6 +14,7 @@ from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement,
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.referee.assembling import assemble
 from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.no_room import no_room_sentence
 from rcj_challenges.referee.places import compile_putting, start_pose
 from rcj_challenges.referee.rules import Hit, Occasion, StandingRule
 from rcj_challenges.referee.setting_down import Job, set_down
@@ -274,8 +275,9 @@ class Referee:
             return ()
         placements, failed = set_down(jobs, state, self._workshop.bodies)
         for job in failed:
+            self._tell_no_room(job)
             if job.putting is not None and job.putting.retry:
-                self._queue.ask_later(replace(job, due=state.tick + 1, instead_of=None))
+                self._queue.ask_later(replace(job, due=state.tick + 1, instead_of=None, told=True))
             elif job.instead_of is not None:
                 self._queue.ask_later(job.instead_of)
         moved = {placement.entity for placement in placements}
@@ -284,6 +286,15 @@ class Referee:
             self._contacts.forget(moved)
             self._lookout.begin_anew(moved)
         return tuple(placements)
+
+    def _tell_no_room(self, job: Job) -> None:
+        """Note in the log, once, that what a rule placed found no room: its event and its sentence have been told."""
+        state = self._state
+        if job.told or job.rule is None or job.putting is None:
+            return
+        says = no_room_sentence(job, job.putting, state, self._workshop.bodies)
+        name = state.roster.entities[job.entity]
+        self._firings.append(Firing(state.tick, job.rule.name, name, "place", suppressed="no_room", says=says))
 
     # --- answering --------------------------------------------------------------------------------------------------
 

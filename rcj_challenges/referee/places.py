@@ -11,7 +11,7 @@ from rcj_challenges.facts.play import Pose2
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.outlines import obstacle_outline
 from rcj_challenges.referee.random_points import point_sampler
-from rcj_challenges.referee.setting_down import Board, Point, Putting, Request, Where
+from rcj_challenges.referee.setting_down import Board, Kick, Point, Putting, Request, Where
 from rcj_challenges.scenario.models import places as models
 
 Locate = Callable[[Board], Point]
@@ -222,6 +222,13 @@ def _compile_facing(
             return lambda _board, _entity, _point, _rng: yaw
 
 
+def _compile_kick(kick: models.Kick | None, workshop: Workshop, entity: int, each: str | None) -> Kick | None:
+    if kick is None:
+        return None
+    speeds = kick.speed_mps if isinstance(kick.speed_mps, tuple) else (kick.speed_mps, kick.speed_mps)
+    return Kick(compile_place(kick.towards, workshop, entity, each), speeds)
+
+
 def compile_mirror(mirror: models.Mirror, workshop: Workshop) -> Callable[[], Point]:
     """Return what tells the signs of x and y now."""
     flipped = (-1.0 if mirror.axis in {"x", "both"} else 1.0, -1.0 if mirror.axis in {"y", "both"} else 1.0)
@@ -257,4 +264,5 @@ def compile_putting(
         attempts=model.max_attempts,
         retry=model.on_failure == "retry",
         stream=stream,
+        kick=_compile_kick(model.kick, workshop, entity, each),
     )

@@ -12,11 +12,12 @@ from itertools import zip_longest
 from math import hypot, isclose
 from typing import Any, Protocol
 
+from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, Snapshot, Verdict
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, s_from_ticks, ticks_from_s
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.outlines import obstacle_outline
-from rcj_challenges.referee.state import Number, float32, plain
+from rcj_challenges.referee.state import Number, float32
 from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.scenario import Expectation, ExpectedEvent, Given, Keyframe, Scenario
 from rcj_challenges.scenario.roster import Roster
@@ -236,7 +237,7 @@ class Trial:
     """What came of one ``expect`` block.
 
     Attributes:
-        differences: what came out differently, one line each; empty if all is as expected.
+        differences: what came out differently, one line each, then what found no room; empty if all is as expected.
         ticks: how many ticks were judged.
         fired: the rules that fired, in the order of their first time.
     """
@@ -271,7 +272,7 @@ def try_expectation(loaded: HasScenario, name: str) -> Trial:
     expected = loaded.scenario.expect[name]
     scenario = _as_given(loaded.scenario, expected.given)
     half = half_of(scenario, expected.half, expected.seed)
-    half = replace(half, scores=half.scores | {seat: plain(score) for seat, score in expected.given.score.items()})
+    half = replace(half, scores=half.scores | {seat: on_paper(score) for seat, score in expected.given.score.items()})
     play = ScriptedPlay(scenario, loaded.roster, half, expected.draws)
     last = ticks_from_s(expected.lasts_s)
     before = 0
@@ -289,7 +290,15 @@ def try_expectation(loaded: HasScenario, name: str) -> Trial:
     if play.verdict.ended is not None or play.referee.time_is_up:
         play.finish()
     fired = dict.fromkeys(firing.rule for firing in play.firings if firing.suppressed is None)
-    return Trial(tuple(_differences(play, expected)), play.tick, tuple(fired))
+    differences = list(_differences(play, expected))
+    return Trial((*differences, *(_no_room(play) if differences else ())), play.tick, tuple(fired))
+
+
+def _no_room(play: ScriptedPlay) -> Iterable[str]:
+    """Return what found no room: often the reason why something is not where a test expects it."""
+    first = {(f.rule, f.says): f for f in reversed(play.firings) if f.suppressed == "no_room"}
+    for firing in sorted(first.values(), key=lambda firing: firing.tick):
+        yield f"note: from {s_from_ticks(firing.tick):g} s on {firing.says} (rule {firing.rule})"
 
 
 def _as_given(scenario: Scenario, given: Given) -> Scenario:
@@ -346,7 +355,7 @@ def _differences(play: ScriptedPlay, expected: Expectation) -> Iterable[str]:
 
 def _number(referee: Referee, name: str) -> Number | None:
     value = referee.counters.get(name, referee.scores.get(name))
-    return sum(value.values()) if isinstance(value, dict) else value
+    return on_paper(sum(value.values())) if isinstance(value, dict) else value
 
 
 def _difference(what: str, expected: Scalar, found: Scalar | None) -> Iterable[str]:

@@ -199,4 +199,5 @@ def _phases_of(scenario: Scenario, name: str) -> frozenset[str] | None:
 
 def _mentions(rule: Rule, name: str) -> bool:
     conditions = (*rule.conditions, *(getattr(trigger, "condition", None) for trigger in rule.triggers))
-    return any(getattr(word, "sequence", None) == name for word in (*rule.triggers, *conditions))
+    inner = (one for condition in conditions for one in getattr(condition, "conditions", ()))
+    return any(getattr(word, "sequence", None) == name for word in (*rule.triggers, *conditions, *inner))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from math import sqrt
 
 from rcj_challenges.facts.play import Placement, Pose2
 from rcj_challenges.referee.outlines import Bodies
@@ -12,6 +13,10 @@ from rcj_challenges.referee.rules import StandingRule
 from rcj_challenges.referee.state import State, float32
 
 Point = tuple[float, float]
+Velocity = tuple[float, float]
+"""Of x and y, in m/s."""
+
+_AT_REST: Velocity = (0.0, 0.0)
 
 
 class Board:
@@ -94,6 +99,31 @@ class Where:
 
 
 @dataclass(frozen=True)
+class Kick:
+    """How a ball rolls away from where it is put.
+
+    Attributes:
+        towards: the compiled place that it is aimed at.
+        speeds_mps: the least and the most; every speed between is equally likely.
+    """
+
+    towards: Where
+    speeds_mps: tuple[float, float]
+
+    def velocity(self, request: Request, here: Point) -> Velocity | None:
+        """Return the velocity at a point; None if there is nothing to aim at (no free spot)."""
+        aim = self.towards.find(request)
+        if aim is None:
+            return None
+        least, most = self.speeds_mps
+        speed = least if least == most else request.rng.uniform(least, most)
+        dx, dy = aim[0] - here[0], aim[1] - here[1]
+        far = sqrt(dx * dx + dy * dy)
+        # Put where it is aimed at it has no way to go.
+        return (float32(speed * dx / far), float32(speed * dy / far)) if far else _AT_REST
+
+
+@dataclass(frozen=True)
 class Putting:
     """How one entity is put somewhere.
 
@@ -108,6 +138,7 @@ class Putting:
         attempts: how often a random place is drawn.
         retry: whether it is tried again on every tick while there is no room.
         stream: name of the random stream.
+        kick: how it rolls away from there; None: it lies still.
     """
 
     entity: int
@@ -120,6 +151,7 @@ class Putting:
     attempts: int
     retry: bool
     stream: str
+    kick: Kick | None = None
 
     def signs(self) -> Point:
         """Return the signs of x and y with all mirrors as they are now."""
@@ -129,30 +161,52 @@ class Putting:
             sign_x, sign_y = sign_x * flip_x, sign_y * flip_y
         return sign_x, sign_y
 
-    def propose(self, board: Board, rng: random.Random, signs: Point) -> Pose2 | None:
-        """Return a pose at which the entity can stand, or None if there is none."""
+    @property
+    def _noises(self) -> list[Point]:
+        return [noise for noise in (self.where.noise_m, self.noise_m) if noise != (0.0, 0.0)]
+
+    @property
+    def is_random(self) -> bool:
+        """Whether another attempt can give another pose."""
+        return self.where.random or self.spins or bool(self._noises)
+
+    def request(self, board: Board, rng: random.Random, signs: Point) -> Request:
+        """Return with what a place for the entity is looked for."""
         sign_x, sign_y = signs
 
         def mirrored(point: Point) -> Point:
             return (point[0] * sign_x, point[1] * sign_y)
 
         def fits(point: Point) -> bool:
-            return board.fits(self.entity, self._pose(board, point, rng), self.clearance_m)
+            return board.fits(self.entity, self.pose_at(board, point, rng), self.clearance_m)
 
-        request = Request(board, self.entity, mirrored, rng, fits)
-        noises = [noise for noise in (self.where.noise_m, self.noise_m) if noise != (0.0, 0.0)]
-        for _ in range(self.attempts if self.where.random or self.spins or noises else 1):
+        return Request(board, self.entity, mirrored, rng, fits)
+
+    def propose(self, board: Board, rng: random.Random, signs: Point) -> Pose2 | None:
+        """Return a pose at which the entity can stand, or None if there is none."""
+        request, noises = self.request(board, rng, signs), self._noises
+        for _ in range(self.attempts if self.is_random else 1):
             point = self.where.find(request)
             if point is None:
                 return None
             for noise_x, noise_y in noises:
                 point = (point[0] + rng.uniform(-noise_x, noise_x), point[1] + rng.uniform(-noise_y, noise_y))
-            pose = self._pose(board, point, rng)
+            pose = self.pose_at(board, point, rng)
             if board.fits(self.entity, pose, self.clearance_m):
                 return pose
         return None
 
-    def _pose(self, board: Board, point: Point, rng: random.Random) -> Pose2:
+    def set_off(self, board: Board, state: State, signs: Point) -> Velocity | None:
+        """Return with which velocity it leaves the place where the board has it; None if it finds nothing to aim at."""
+        if self.kick is None:
+            return _AT_REST
+        # A stream of its own: with or without a kick, chance puts things at the same places.
+        request = self.request(board, state.stream(f"{self.stream}/kick"), signs)
+        x, y, _ = board.poses[self.entity]
+        return self.kick.velocity(replace(request, fits=lambda _point: True), (x, y))
+
+    def pose_at(self, board: Board, point: Point, rng: random.Random) -> Pose2:
+        """Return the pose that the entity has at a point."""
         yaw = self.facing(board, self.entity, point, rng)
         return (float32(point[0]), float32(point[1]), float32(yaw))
 
@@ -169,6 +223,7 @@ class Job:
         signs: of x and y, as the mirrors stood when it was asked for; a retry keeps them.
         comes_back: whether it brings back what was taken off for a time: that waits for no phase.
         instead_of: what would have brought the entity back; that goes on to wait if this finds no room and gives up.
+        told: whether the log says already that it found no room.
     """
 
     entity: int
@@ -178,6 +233,7 @@ class Job:
     signs: Point = (1.0, 1.0)
     comes_back: bool = False
     instead_of: Job | None = None
+    told: bool = False
 
 
 class Queue:
@@ -239,25 +295,32 @@ def set_down(jobs: list[Job], state: State, bodies: Bodies) -> tuple[list[Placem
         failed.append(without_room)
 
 
-def _try(jobs: list[Job], state: State, bodies: Bodies) -> tuple[list[tuple[int, Pose2 | None]], Job | None]:
+_Done = tuple[int, Pose2 | None, Velocity]
+"""An entity, where it is now (None: off the field), and how it moves on from there."""
+
+
+def _try(jobs: list[Job], state: State, bodies: Bodies) -> tuple[list[_Done], Job | None]:
     board = Board(state, bodies, {job.entity for job in jobs})
-    done: list[tuple[int, Pose2 | None]] = []
+    done: list[_Done] = []
     for job in jobs:
         if job.putting is None:
-            done.append((job.entity, None))
+            done.append((job.entity, None, _AT_REST))
             continue
         pose = job.putting.propose(board, state.stream(job.putting.stream), job.signs)
         if pose is None:
             return [], job
         board.put(job.entity, pose)
-        done.append((job.entity, pose))
+        velocity = job.putting.set_off(board, state, job.signs)
+        if velocity is None:
+            return [], job
+        done.append((job.entity, pose, velocity))
     return done, None
 
 
-def _apply(done: list[tuple[int, Pose2 | None]], state: State) -> list[Placement]:
+def _apply(done: list[_Done], state: State) -> list[Placement]:
     poses, uprights = list(state.poses), list(state.uprights)
     placements = []
-    for entity, pose in done:
+    for entity, pose, (vx_mps, vy_mps) in done:
         if pose is None:
             state.present[entity] = False
             placements.append(Placement(entity, *poses[entity], parked=True))
@@ -266,6 +329,6 @@ def _apply(done: list[tuple[int, Pose2 | None]], state: State) -> list[Placement
         state.put_at[entity] = (pose[0], pose[1])
         poses[entity] = pose
         uprights[entity] = 1.0
-        placements.append(Placement(entity, *pose))
+        placements.append(Placement(entity, *pose, vx_mps=vx_mps, vy_mps=vy_mps))
     state.poses, state.uprights = poses, uprights
     return placements

@@ -6,6 +6,7 @@ import random
 import struct
 from dataclasses import dataclass
 
+from rcj_challenges.facts.amounts import on_paper, plain
 from rcj_challenges.facts.play import HalfInfo, Pose2
 from rcj_challenges.facts.streams import random_stream, stream_seed
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
@@ -22,11 +23,6 @@ _FLOAT32 = struct.Struct("<f")
 def float32(value: float) -> float:
     """Return the value as the world and the trajectory keep it, so that a placed pose is exactly the pose judged."""
     return float(_FLOAT32.unpack(_FLOAT32.pack(value))[0])
-
-
-def plain(value: Number) -> Number:
-    """Return whole numbers as integers: scores and payloads show 3, not 3.0."""
-    return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
 @dataclass(slots=True)
@@ -98,7 +94,7 @@ class State:
     def _fill(self) -> None:
         kept_flags = self.half.kept.get("flags", {})
         for name, counter in self.scenario.counters.items():
-            first = plain(counter.initial)
+            first = on_paper(counter.initial)
             self.counters[name] = first if counter.per is None else dict.fromkeys(self._members(counter.per), first)
         for name, flag in self.scenario.flags.items():
             if flag.keep == "match" and name in kept_flags:
@@ -168,7 +164,7 @@ class State:
         if value is None:
             return self.scores[name]
         if isinstance(value, dict):
-            return value[entity] if entity is not None else sum(value.values())
+            return value[entity] if entity is not None else on_paper(sum(value.values()))
         return value
 
     def flag(self, name: str, entity: str | None) -> bool:

@@ -6,10 +6,11 @@ from collections.abc import Callable
 from math import floor
 from typing import Any
 
+from rcj_challenges.facts.amounts import on_paper, plain
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.rules import Occasion
-from rcj_challenges.referee.state import Number, State, plain
+from rcj_challenges.referee.state import Number, State
 from rcj_challenges.scenario.models.state import (
     CounterValue,
     DrawValue,
@@ -84,7 +85,7 @@ def compile_points(points: Any, workshop: Workshop, each: str | None) -> Callabl
         summed: Number = 0
         for read, weight in parts:
             summed += read(occasion) * weight
-        return plain(summed)
+        return on_paper(summed)
 
     return total
 

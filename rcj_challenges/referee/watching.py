@@ -184,6 +184,12 @@ class Lookout:
             watch.reckon()
         self._next_due()
 
+    def restart(self, watch: Watch) -> None:
+        """Begin one watch anew, because a rule says so."""
+        self._restart(watch)
+        for entity in watch.entities:
+            self._fit_cell(entity)
+
     def _restart(self, watch: Watch) -> None:
         watch.since = self._state.tick
         watch.restart()

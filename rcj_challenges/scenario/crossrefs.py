@@ -11,7 +11,7 @@ from typing import Any
 
 from rcj_challenges.scenario.catalogue import EACH, Catalogue, texts
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, known_text, listing, nearest
-from rcj_challenges.scenario.models import actions, conditions, state
+from rcj_challenges.scenario.models import actions, conditions, places, state
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
 from rcj_challenges.scenario.references import REFERENCES, Field, Named, Reference
@@ -91,6 +91,10 @@ class _Walker:
             elif isinstance(info.default, str):
                 self._check(reference, info.default, path, mark_of(self.root, path), each)
         self._special(model, node, path, each)
+        if model is actions.Score:
+            self._receiver(node.entries.get("entrant"), (*path, "entrant"), each)
+        if model in (actions.Place, places.Placing) and "kick" in node.entries:
+            self._only_balls(node.entries.get("entity"), (*path, "kick"), each)
         return each
 
     def _each_of(self, rule: Entries) -> Each:
@@ -116,7 +120,7 @@ class _Walker:
         if isinstance(reference, Named):
             known = [*(known for section in reference.sections for known in self.names.names(section))]
             if name not in known:
-                words = [*(reference.words - {"any"}), *known]
+                words = [*(reference.words - {"any", EACH}), *known]
                 self._unknown(reference.noun, name, words, reference.sections, path, mark)
         elif name == EACH:
             self._check_each(reference, path, mark, each)
@@ -139,7 +143,8 @@ class _Walker:
         kind = names.kinds.get(name)
         if kind is not None and (kind in reference.kinds or name not in names.groups):
             if kind not in reference.kinds:
-                self.add(path, mark, f"'{name}' is {_a(kind)}; expected {_a(reference.noun)}")
+                wanted = f"{_a(reference.noun)}{_way_out(kind, reference)}"
+                self.add(path, mark, f"'{name}' is {_a(kind)}; expected {wanted}")
         elif name in names.groups:
             self._check_group(reference, name, path, mark)
         elif reference.drawn and name in names.names("draws"):
@@ -167,7 +172,7 @@ class _Walker:
         elif stranger is not None:
             kind = self.names.kinds[stranger]
             what = f"'{name}' is" if name == stranger else f"group '{name}' contains '{stranger}',"
-            self.add(path, mark, f"{what} {_a(kind)}; expected {_a(reference.noun)}")
+            self.add(path, mark, f"{what} {_a(kind)}; expected {_a(reference.noun)}{_way_out(kind, reference)}")
 
     def _check_drawn(self, reference: Reference, draw: str, user: Path) -> None:
         """Check that all that a draw may decide can stand where its name is used."""
@@ -191,7 +196,7 @@ class _Walker:
         removal = next((self.removed[section, name] for section in sections if (section, name) in self.removed), None)
         if removal is not None:
             where = f"{removal.file}:{removal.line}" if removal.line else removal.file
-            self.add(path, mark, f"unknown {noun} '{name}': it was removed in {where}")
+            self.add(path, mark, f"unknown {noun} '{name}': it was removed in {where}{_without(name, path)}")
             return
         hint = nearest(name, known) or known_text(known, noun)
         self.add(path, mark, f"unknown {noun} '{name[:64]}'{hint}")
@@ -218,6 +223,36 @@ class _Walker:
                 self._among_values(Leaf(name, value.mark), value, (*path, "draws", name))
         elif model is conditions.SequenceAt:
             self._among_steps(node, path)
+
+    def _receiver(self, entrant: Node | None, path: Path, each: Each) -> None:
+        """Check that ``each`` stands for robots that somebody drives, where points are given to it."""
+        if not isinstance(entrant, Leaf) or entrant.value != EACH or EACH in self.names.names("entrants"):
+            return
+        if each is None:
+            self.add(path, entrant.mark, "'each' is known only in a rule with for_each")
+            return
+        stranger = next((name for name in each if self.names.kinds.get(name, "robot") != "robot"), None)
+        if stranger is not None:
+            message = f"'each' stands for '{stranger}', {_a(self.names.kinds[stranger])}, which no entrant drives"
+            self.add(path, entrant.mark, message)
+            return
+        driven = {
+            robot
+            for name in self.names.names("entrants")
+            if isinstance(robots := node_at(self.root, ("entrants", name, "robots")), Entries)
+            for robot in robots.entries
+        }
+        idle = next((name for name in each if name in self.names.kinds and name not in driven), None)
+        if idle is not None:
+            self.add(path, entrant.mark, f"'each' stands for '{idle}' too, which no entrant drives")
+
+    def _only_balls(self, entity: Node | None, path: Path, each: Each) -> None:
+        """Check that only balls are kicked."""
+        meant = [one for text in texts(entity) for one in ((each or ()) if text == EACH else self.names.expand(text))]
+        other = next((one for one in meant if self.names.kinds.get(one, "ball") != "ball"), None)
+        if other is not None:
+            message = f"only balls roll: '{other}' is {_a(self.names.kinds[other])}"
+            self.add(path, mark_of(self.root, path), message)
 
     def _numbers(self, draw: Node | None, user: Path) -> None:
         """Check that all that a draw may decide are numbers, where its name stands for one."""
@@ -291,6 +326,22 @@ def _leaves(node: Node, path: Path) -> Iterator[tuple[str, Path, Mark]]:
     elif isinstance(node, Items):
         for index, item in enumerate(node.items):
             yield from _leaves(item, (*path, index))
+
+
+def _way_out(kind: str, reference: Field) -> str:
+    """Return what to write where a fixed obstacle is taken for something that moves."""
+    if kind != "fixed obstacle" or "obstacle" not in reference.kinds:
+        return ""
+    if "spot" in reference.kinds:
+        return ": with movable: true it is an entity, and a spot of the same place can stand for it"
+    return ": with movable: true it is one"
+
+
+def _without(name: str, path: Path) -> str:
+    """Return what to do about a place that still names something removed."""
+    if path[-1] == name:
+        return f"; write '{name}: null' here too"
+    return f"; write {path[0]}.{path[1]} anew without it" if len(path) > 2 else ""
 
 
 def _a(noun: str) -> str:

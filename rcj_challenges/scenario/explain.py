@@ -13,6 +13,9 @@ from typing import Any, get_args, get_origin
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, listing, nearest
+from rcj_challenges.scenario.models.actions import Action
+from rcj_challenges.scenario.models.conditions import Condition
+from rcj_challenges.scenario.models.triggers import Trigger
 from rcj_challenges.scenario.shape import (
     Shape,
     bare,
@@ -224,8 +227,25 @@ class _Explainer:
             message = f"'{discriminator}' is missing; it is one of {listing(words, 40)}"
             return self._at(mistake.path, message)
         written = str(tag.value) if isinstance(tag, Leaf) else found_text(tag)
-        message = f"unknown {discriminator} '{written[:64]}'; there are {listing(words, 40)}{nearest(written, words)}"
+        message = f"unknown {discriminator} '{written[:64]}'; there are {listing(words, 40)}"
+        message += _of_another_list(written, discriminator) or nearest(written, words)
         return mark_of(self.root, (*mistake.path, discriminator)).problem(in_names(self.root, mistake.path), message)
+
+
+_WORDS: tuple[tuple[str, Any], ...] = (("trigger", Trigger), ("condition", Condition), ("action", Action))
+
+
+def _of_another_list(word: str, where: str) -> str:
+    """Return where a trigger, condition or action belongs that was written for another of them."""
+    if where not in dict(_WORDS):
+        return ""
+    kind = next((kind for kind, shape in _WORDS if word in tags(shape)), None)
+    if kind == "condition" and where == "trigger":
+        return f"; '{word}' is a condition: {{trigger: holds, condition: {{condition: {word}, …}}}} waits for it"
+    if kind == where:
+        return f"; '{word}' cannot stand within another {kind}"
+    article = "an" if kind == "action" else "a"
+    return f"; '{word}' is {article} {kind}: it stands in '{kind}s'" if kind else ""
 
 
 def _entry_models(shape: Shape) -> Iterator[Any]:

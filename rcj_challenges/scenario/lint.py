@@ -12,7 +12,7 @@ from typing import Any
 
 from rcj_challenges.scenario.crossrefs import shown_path
 from rcj_challenges.scenario.errors import Problem
-from rcj_challenges.scenario.lint_edges import check_edges
+from rcj_challenges.scenario.lint_edges import check_edges, check_exclusive_groups
 from rcj_challenges.scenario.lint_flow import (
     check_contradictions,
     check_events,
@@ -21,7 +21,9 @@ from rcj_challenges.scenario.lint_flow import (
     check_scoring,
 )
 from rcj_challenges.scenario.lint_ground import check_entities, check_layouts, check_obstacles, check_places
-from rcj_challenges.scenario.lint_says import check_sentences
+from rcj_challenges.scenario.lint_kicks import check_kicks
+from rcj_challenges.scenario.lint_result import check_ranking
+from rcj_challenges.scenario.lint_says import check_broadcast, check_sentences
 from rcj_challenges.scenario.lint_state import check_inherited_tests, check_params, check_state, check_unused
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
 from rcj_challenges.scenario.lint_times import check_times
@@ -30,6 +32,7 @@ from rcj_challenges.scenario.lint_variants import (
     check_goals,
     check_idle_robots,
     check_inherited_sentences,
+    check_inherited_texts,
     check_kits,
 )
 from rcj_challenges.scenario.load import Loaded
@@ -41,8 +44,11 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_rules,
     check_contradictions,
     check_sentences,
+    check_broadcast,
     check_scoring,
+    check_ranking,
     check_edges,
+    check_exclusive_groups,
     check_state,
     check_params,
     check_unused,
@@ -51,9 +57,11 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_obstacles,
     check_entities,
     check_layouts,
+    check_kicks,
     check_field_size,
     check_goals,
     check_inherited_sentences,
+    check_inherited_texts,
     check_kits,
     check_idle_robots,
     check_inherited_tests,
@@ -109,7 +117,7 @@ def lint(loaded: Loaded) -> list[Finding]:
     if tree is None:
         message = "lint needs a scenario that was loaded from a file or a text"
         raise ValueError(message)
-    subject = Subject(loaded.scenario, loaded.roster, tree, loaded.left_out)
+    subject = Subject(loaded.scenario, loaded.roster, tree, loaded.left_out, loaded.removed)
     findings = []
     for check in CHECKS:
         for suspect in check(subject):

@@ -1,4 +1,4 @@
-"""Lint of rules against each other: two that move one thing on one edge."""
+"""Lint of rules against each other: two that move one thing on one edge, exclusive groups whose rules never meet."""
 
 from __future__ import annotations
 
@@ -43,6 +43,52 @@ def check_edges(subject: Subject) -> Iterator[Suspect]:
                     "give both the same exclusive:, or conditions of which only one can hold",
                     at_key=True,
                 )
+
+
+def check_exclusive_groups(subject: Subject) -> Iterator[Suspect]:
+    """Rules of one exclusive group that never exclude each other, since it counts per ``for_each`` entity."""
+    groups: dict[str, list[str]] = {}
+    for name, rule in subject.standing():
+        if rule.exclusive is not None:
+            groups.setdefault(rule.exclusive, []).append(name)
+    for names in groups.values():
+        pair = _strangers(names, subject)
+        if pair is not None:
+            first, second = pair
+            yield Suspect(
+                "exclusive_never_meets",
+                ("rules", second, "exclusive"),
+                f"exclusive counts per entity: this rule {_for_whom(second, subject)}, rule '{first}' of the same "
+                f"group {_for_whom(first, subject)}, and neither ever stops the other",
+                "give both the same for_each, or neither, or conditions of which only one can hold",
+            )
+
+
+def _strangers(names: list[str], subject: Subject) -> tuple[str, str] | None:
+    """Return two rules of a group that never meet: one with ``for_each`` and one without, or one that meets nobody."""
+    owners = {name: _owners(subject.scenario.rules[name], subject) for name in names}
+    for first, second in combinations(names, 2):
+        if (owners[first] is None) != (owners[second] is None):
+            return first, second
+    for name in reversed(names):
+        others = [other for other in names if other != name]
+        if others and all(not _meet(owners[name], owners[other]) for other in others):
+            first, second = sorted((others[0], name), key=names.index)
+            return first, second
+    return None
+
+
+def _owners(rule: Rule, subject: Subject) -> frozenset[str] | None:
+    return None if rule.for_each is None else subject.members("each", rule)
+
+
+def _meet(one: frozenset[str] | None, other: frozenset[str] | None) -> bool:
+    return one is None or other is None or bool(one & other)
+
+
+def _for_whom(name: str, subject: Subject) -> str:
+    for_each = subject.scenario.rules[name].for_each
+    return "has no for_each" if for_each is None else f"is for each of '{for_each}'"
 
 
 def _word(edge: Hashable) -> str:

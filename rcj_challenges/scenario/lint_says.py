@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from rcj_challenges.scenario.errors import nearest
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
 from rcj_challenges.scenario.models import triggers
-from rcj_challenges.scenario.models.conditions import Condition, Distance, InZone, LastTouch, Speed
+from rcj_challenges.scenario.models.conditions import AnyOf, Condition, Distance, InZone, LastTouch, Looks, Speed
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import WordValue
 from rcj_challenges.scenario.models.triggers import Trigger
@@ -78,6 +78,13 @@ def check_sentences(subject: Subject) -> Iterator[Suspect]:
                 yield from _word(model, path, lacks)
 
 
+def check_broadcast(subject: Subject) -> Iterator[Suspect]:
+    """Words of the broadcast that speak of what a rule is about: it is told on every tick, whether one fires or not."""
+    for model, path in visit(subject.scenario.broadcast, ("broadcast",)):
+        if isinstance(model, WordValue):
+            yield from _word(model, path, _LACKS_OF_BROADCAST)
+
+
 @dataclass(frozen=True)
 class _Lack:
     """Something that is never known when a rule fires.
@@ -89,6 +96,16 @@ class _Lack:
 
     reason: str
     remedy: str
+
+
+_NOBODY_TOLD = _Lack("a broadcast is about no single entity", "leave it out")
+_NOTHING_MEASURED = _Lack(
+    "a broadcast is about no rule that fires", "let the rule that measures set a counter to it, and tell the counter"
+)
+_LACKS_OF_BROADCAST = {
+    **dict.fromkeys(("entity", "robot", "team"), _NOBODY_TOLD),
+    **dict.fromkeys(("measured", "limit"), _NOTHING_MEASURED),
+}
 
 
 def _blank(blank: str, path: Path, lacks: dict[str, _Lack]) -> Iterator[Suspect]:
@@ -109,10 +126,10 @@ def _blank(blank: str, path: Path, lacks: dict[str, _Lack]) -> Iterator[Suspect]
 
 def _word(value: WordValue, path: Path, lacks: dict[str, _Lack]) -> Iterator[Suspect]:
     lack = lacks.get(_NEEDS.get(value.word, ""))
-    if lack is None or value.of is not None:
+    takes_of = value.word in ("team_name", "score")
+    if lack is None or (takes_of and value.of is not None):
         return
     empty = "is always 0" if value.word == "score" else "stays empty"
-    takes_of = value.word in ("team_name", "score")
     yield Suspect(
         "word_never_filled",
         (*path, "word"),
@@ -166,9 +183,17 @@ def _found_by(trigger: Trigger, rule: Rule, subject: Subject) -> frozenset[str]:
 
 def _held(condition: Condition, rule: Rule, subject: Subject) -> frozenset[str]:
     """Return the one entity whose place a condition reads; with several nobody knows which one it is about."""
-    if not isinstance(condition, InZone | Speed | Distance | LastTouch):
-        return frozenset()
-    found = subject.members(condition.entity, rule)
-    to = condition.to if isinstance(condition, Distance) and isinstance(condition.to, str) else ()
-    others = subject.members(to, rule) & set(subject.roster.entities)
-    return found if len(found) + len(others) == 1 else frozenset()
+    read = _read(condition, rule, subject)
+    return frozenset(read) if len(read) == 1 else frozenset()
+
+
+def _read(condition: Condition, rule: Rule, subject: Subject) -> list[str]:
+    """Return the entities whose place a condition reads."""
+    if isinstance(condition, AnyOf):
+        return list(dict.fromkeys(name for one in condition.conditions for name in _read(one, rule, subject)))
+    if not isinstance(condition, InZone | Speed | Distance | Looks | LastTouch):
+        return []
+    other = condition.to if isinstance(condition, Distance) else None
+    other = condition.towards if isinstance(condition, Looks) else other
+    others = subject.members(other, rule) & set(subject.roster.entities) if isinstance(other, str) else ()
+    return [*subject.members(condition.entity, rule), *others]

@@ -6,7 +6,14 @@ from collections.abc import Iterator
 from typing import Any
 
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, Use, on_field
-from rcj_challenges.scenario.models.actions import Count, DrawAction, SetFlag, TimerAction, ToggleFlag
+from rcj_challenges.scenario.models.actions import (
+    Count,
+    DrawAction,
+    SequenceAction,
+    SetFlag,
+    TimerAction,
+    ToggleFlag,
+)
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe
 from rcj_challenges.scenario.references import Named
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, file_of
@@ -131,7 +138,9 @@ def check_unused(subject: Subject) -> Iterator[Suspect]:
 
 
 def _is_named(name: str, section: str, subject: Subject) -> bool:
-    if any(use.name == name and _may_name(use, section) for use in subject.uses):
+    # To begin a sequence anew is no use of it if nothing asks how far it is.
+    uses = (use for use in subject.uses if use.model is not SequenceAction)
+    if any(use.name == name and _may_name(use, section) for use in uses):
         return True
     # A layout may be one of the values of a draw.
     return section == "placements" and any(name in draw.values for draw in subject.scenario.draws.values())

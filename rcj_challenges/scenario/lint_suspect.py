@@ -13,7 +13,7 @@ from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.references import REFERENCES, Field, Reference
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.tree import Entries, Path
+from rcj_challenges.scenario.tree import Entries, Mark, Path
 from rcj_challenges.scenario.visiting import visit
 
 
@@ -53,12 +53,14 @@ class Subject:
         roster: names to indices.
         tree: the scenario as it was written.
         left_out: inherited tests that do not fit it, with what is wrong with each.
+        removed: where entries of a base were removed.
     """
 
     scenario: Scenario
     roster: Roster
     tree: Entries
     left_out: Mapping[str, Problem] = field(default_factory=dict)
+    removed: Mapping[Path, Mark] = field(default_factory=dict)
     _uses: list[Use] = field(default_factory=list)
 
     @cached_property

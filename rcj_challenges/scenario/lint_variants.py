@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, on_field
+from rcj_challenges.scenario.models.actions import Emit
 from rcj_challenges.scenario.models.field import Goal
 from rcj_challenges.scenario.models.places import RectZone
 from rcj_challenges.scenario.models.scenario import Rule
@@ -21,6 +22,7 @@ _ON_AXIS = (("x_min_m", "x_max_m", "x_m"), ("y_min_m", "y_max_m", "y_m"))
 """Keys of zones and spots whose number lies on an axis."""
 _POINTS = ("centre_m", "through_m", "from_m", "to_m")
 """Keys of zones and gates that hold a point."""
+_ENTITIES = ("robots", "balls", "obstacles")
 
 _BESIDE_OPENING_M = 0.01
 """How far a zone's side may be from the goal's: less than a ball's radius, so that it decides nothing."""
@@ -205,6 +207,38 @@ def check_inherited_sentences(subject: Subject) -> Iterator[Suspect]:
                 "write its says: anew, even if it stays the same",
                 at_key=True,
             )
+
+
+def check_inherited_texts(subject: Subject) -> Iterator[Suspect]:
+    """Things that the own file took away, and of which the events of inherited rules still tell."""
+    scenario = subject.scenario
+    gone = {
+        str(path[1])
+        for path, mark in subject.removed.items()
+        if len(path) == 2 and path[0] in _ENTITIES and _is_own(mark, subject)
+    } - {name for section in _ENTITIES for name in getattr(scenario, section)}
+    told: dict[str, list[str]] = {}
+    for name, rule in scenario.rules.items() if gone else ():
+        for text, mark in _texts_of_events(name, rule, subject):
+            if text in gone and _is_inherited(mark, subject):
+                told.setdefault(text, []).append(f"{name} ({mark.file}:{mark.line})")
+    for entity, rules in told.items():
+        section = next(section for section in _ENTITIES if (section, entity) in subject.removed)
+        yield Suspect(
+            "text_names_what_is_gone",
+            (section,),
+            f"'{entity}' is gone, and events of inherited rules still tell of it: {_some(rules)}",
+            "write the actions of these rules anew, or name in their payload what is there",
+            at_key=True,
+        )
+
+
+def _texts_of_events(name: str, rule: Rule, subject: Subject) -> Iterator[tuple[str, Mark]]:
+    """Yield the texts that a rule writes into its events, each with its place."""
+    for index, action in enumerate(rule.actions):
+        for key, value in action.payload.items() if isinstance(action, Emit) else ():
+            if isinstance(value, str):
+                yield value, mark_of(subject.tree, ("rules", name, "actions", index, "payload", key))
 
 
 def _is_written_here(path: Path, subject: Subject) -> bool:

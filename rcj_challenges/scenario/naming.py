@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rcj_challenges.facts.colours import CSS_COLOURS, hex_colour
 from rcj_challenges.scenario.catalogue import ALWAYS, EACH, FAMILIES, Catalogue, texts
 from rcj_challenges.scenario.errors import Problem, listing, nearest
 from rcj_challenges.scenario.models.scenario import MAX_MEMBERS
@@ -45,6 +46,9 @@ def _namespace(catalogue: Catalogue) -> Iterator[Problem]:
         if isinstance(colour, str) and (colour in (*ALWAYS, EACH) or colour.casefold() in seen):
             where = "reserved" if colour in (*ALWAYS, EACH) else f"a name in {seen[colour.casefold()][1]} already"
             message = f"colour '{colour}' is {where}; a colour is a group of its robots"
+            yield _problem(catalogue, ("robots", robot, "colour"), message)
+        elif isinstance(colour, str) and hex_colour(colour) is None:
+            message = f"'{colour[:64]}' is no colour: a CSS colour name{nearest(colour, CSS_COLOURS)}"
             yield _problem(catalogue, ("robots", robot, "colour"), message)
 
 

@@ -79,6 +79,7 @@ _PHASES = Named("phase", ("phases",), words=frozenset({"play", "any"}))
 _SEQUENCE = Named("sequence", ("sequences",))
 _LAYOUT = Named("layout", ("placements",))
 _ENTRANT = Named("entrant", ("entrants",))
+_RECEIVER = Named("entrant", ("entrants",), words=frozenset({"each"}))
 
 REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     # triggers
@@ -107,6 +108,8 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (conditions.Speed, "entity"): _ENTITIES,
     (conditions.Distance, "entity"): _ENTITIES,
     (conditions.Distance, "to"): Field("entity or spot", _MOVING | _SPOT, groups=True, each=True),
+    (conditions.Looks, "entity"): _ROBOTS,
+    (conditions.Looks, "towards"): Field("entity or spot", _MOVING | _SPOT, each=True),
     (conditions.CounterIs, "counter"): _READABLE,
     (conditions.CounterIs, "entity"): _ENTITIES,
     (conditions.FlagIs, "flag"): _FLAG,
@@ -120,7 +123,8 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (conditions.SequenceAt, "sequence"): _SEQUENCE,
     (conditions.SequenceAt, "step"): _MADE_STEP,
     # actions
-    (actions.Score, "entrant"): _ENTRANT,
+    (actions.Score, "entrant"): _RECEIVER,
+    (actions.LastToucher, "last_touch"): _ENTITY,
     (actions.Count, "counter"): _COUNTER,
     (actions.Count, "entity"): _WHOSE,
     (actions.SetFlag, "flag"): _FLAG,
@@ -129,6 +133,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (actions.ToggleFlag, "entity"): _WHOSE,
     (actions.TimerAction, "timer"): _TIMER,
     (actions.TimerAction, "entity"): _WHOSE,
+    (actions.SequenceAction, "sequence"): _SEQUENCE,
     (actions.DrawAction, "draw"): _DRAW,
     (actions.Place, "layout"): _LAYOUT,
     (actions.Place, "entity"): _ENTITIES,

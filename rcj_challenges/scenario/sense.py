@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import count
 
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.models.actions import Count, Place
@@ -13,10 +14,12 @@ from rcj_challenges.scenario.models.conditions import (
     Distance,
     FlagIs,
     InZone,
+    Looks,
     Speed,
     SpotFree,
     TimerIs,
 )
+from rcj_challenges.scenario.models.places import Kick
 from rcj_challenges.scenario.models.robots import LidarDevice
 from rcj_challenges.scenario.models.scenario import Expectation, Scenario
 from rcj_challenges.scenario.models.state import Draw
@@ -60,8 +63,18 @@ def _place(model: Strict, path: Path) -> Iterator[Found]:
             given = [key for key in ("entity", "at") if getattr(model, key) is not None]
             if given:
                 yield Found((*path, given[0]), "place needs either a layout, or entity and at, not both")
+            elif model.kick is not None:
+                yield Found(
+                    (*path, "kick"), "a layout says of each of its placements whether it kicks; write kick there"
+                )
         case Count(by=by, to=to) if by is not None and to is not None:
             yield Found((*path, "by"), "count needs either 'by' or 'to', not both")
+        case Kick(speed_mps=(least, most)) if least > most:
+            yield Found((*path, "speed_mps"), f"no speed is at least {least:g} and at most {most:g}")
+        case Looks(towards=None, heading_rad=None):
+            yield Found(path, "nothing to look at; give either 'towards' or 'heading_rad'")
+        case Looks(towards=towards, heading_rad=heading) if towards is not None and heading is not None:
+            yield Found((*path, "heading_rad"), "looks needs either 'towards' or 'heading_rad', not both")
 
 
 def _comparison(model: Strict, path: Path) -> Iterator[Found]:
@@ -77,7 +90,7 @@ def _comparison(model: Strict, path: Path) -> Iterator[Found]:
         yield Found((*path, "at_least"), f"nothing is at least {least:g} and at most {most:g}")
 
 
-_QUANTIFIED = InZone | Speed | Distance | SpotFree | CounterIs | FlagIs | TimerIs
+_QUANTIFIED = InZone | Speed | Distance | Looks | SpotFree | CounterIs | FlagIs | TimerIs
 
 
 def _quantifier(model: Strict, path: Path, roster: Roster) -> Iterator[Found]:
@@ -174,7 +187,12 @@ def _entrants(scenario: Scenario) -> Iterator[Found]:
             yield from _entry_points(entry_points, at)
         if entrant.radio_channel in channels:
             other = channels[entrant.radio_channel]
-            message = f"channel {entrant.radio_channel} is that of '{other}'; they would hear each other"
+            taken = {one.radio_channel for one in scenario.entrants.values()}
+            free = next(channel for channel in count(2) if channel not in taken)
+            message = (
+                f"channel {entrant.radio_channel} is that of '{other}'; they would hear each other: write another "
+                f"radio_channel, such as {free}"
+            )
             yield Found((*path, "radio_channel"), message)
         channels.setdefault(entrant.radio_channel, name)
     yield from _swap(scenario)

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Any, Literal, get_args, get_origin
 
+from rcj_challenges.facts.colours import CSS_COLOURS
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.models.base import Colour, EventName, Name, Names, Point
@@ -157,8 +158,8 @@ def refusal(kind: str, details: Mapping[str, Any], shape: Shape, node: Node | No
         if context.get("ge") == TICK_S:
             return f"a duration must be at least one tick ({TICK_S} s), found {shown}"
         return f"{_BOUNDS[kind](context)}, found {shown}"
-    if kind == "string_pattern_mismatch":
-        return _wrong_form(shape, shown)
+    if kind in ("string_pattern_mismatch", "unknown_colour"):
+        return _wrong_form(shape, node)
     if kind in _LENGTHS and not is_fixed(shape):
         bound, key, unit = _LENGTHS[kind]
         count = context[key]
@@ -175,12 +176,14 @@ def is_fixed(shape: Shape) -> bool:
     return get_origin(kind) is tuple and Ellipsis not in get_args(kind)
 
 
-def _wrong_form(shape: Shape, shown: str) -> str:
-    shape = without_none(shape)
+def _wrong_form(shape: Shape, node: Node | None) -> str:
+    shape, shown = without_none(shape), found_text(node)
     if shape == EventName:
         return f"{shown} is no event's name: capitals, digits and _, such as GOAL"
     if shape == Colour:
-        return f"{shown} is no colour: a CSS colour name or #rrggbb"
+        word = str(node.value) if isinstance(node, Leaf) else ""
+        hint = nearest(word, CSS_COLOURS) if word.isalpha() else ""
+        return f"{shown} is no colour: a CSS colour name or #rrggbb{hint}"
     if shape == EntryPoint:
         return f"{shown} is no entry point: a relative path with / to a .py file"
     if shape == Name:

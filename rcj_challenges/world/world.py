@@ -80,8 +80,9 @@ class World:
         self.place(self._starts)
 
     def place(self, placements: Sequence[Placement]) -> None:
-        """Lift all that is to be moved, then set it down in order: standing, at rest, contact memory cleared.
+        """Lift all that is to be moved, then set it down in order: standing, contact memory cleared, at rest.
 
+        A ball that is placed with a velocity rolls off with it, without slipping.
         Wheels keep their angles and their commands. A parked entity is far away, with its wheels stopped, until it is
         placed again. An entity that is placed twice stands where the last placement put it.
         """
@@ -159,6 +160,22 @@ class World:
         dofs = self.tables.dofs[entity]
         self.data.qvel[dofs] = 0.0
         self.data.qacc_warmstart[dofs] = 0.0
+        if placement.vx_mps or placement.vy_mps:
+            self._roll(placement)
+
+    def _roll(self, placement: Placement) -> None:
+        """Set a ball rolling: its lowest point stands still on the floor.
+
+        Raises:
+            ValueError: it is no ball.
+        """
+        entity, vx, vy = placement.entity, placement.vx_mps, placement.vy_mps
+        if entity not in self.tables.ball_range:
+            message = f"only balls roll: {self._names[entity]!r}"
+            raise ValueError(message)
+        above_floor_m = self._ball_rest_m[entity - self.tables.robots]
+        # x, y, z, then the turning about the ball's own axes: it was just set down unturned, so they are the field's.
+        self.data.qvel[self.tables.dofs[entity]] = (vx, vy, 0.0, -vy / above_floor_m, vx / above_floor_m, 0.0)
 
     def _settled_ball_heights(self) -> list[float]:
         """Return how high each ball's centre is at rest: measured, because contacts give way a little."""

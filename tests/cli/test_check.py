@@ -199,7 +199,7 @@ def test_fix_repairs_one_at_a_time(tmp_path, good, bad):
 GOOD = archive()
 
 
-@settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(
     st.binary(max_size=300)
     | st.tuples(st.integers(0, len(GOOD) - 1), st.binary(max_size=8)).map(

@@ -32,7 +32,11 @@ _fault = st.builds(
     Fault, st.sampled_from(["B1", "Y1"]), st.just("crash"), st.integers(0, 9), st.just(1), st.text(), st.text()
 )
 _placement = st.builds(
-    Placement, st.integers(0, 2), *[st.floats(allow_nan=False, allow_infinity=False)] * 3, st.booleans()
+    Placement,
+    st.integers(0, 2),
+    *[st.floats(allow_nan=False, allow_infinity=False)] * 3,
+    st.booleans(),
+    *[st.just(0.0) | st.floats(-3, 3)] * 2,
 )
 
 
@@ -85,6 +89,18 @@ def test_every_snapshot_is_read_back_equal_while_running_and_afterwards(
     assert _read_back(writer.folder) == played
     assert Trajectory.open(writer.folder).finished
     shutil.rmtree(writer.folder)
+
+
+def test_what_lies_still_is_written_as_before_balls_could_be_kicked(tmp_path: Path) -> None:
+    writer = _begun(tmp_path)
+    placed = (Placement(2, 0.1, 0.2, 0.0), Placement(2, 0.1, 0.2, 0.0, vx_mps=0.6))
+    writer.tick(made_up_snapshot(0, 2), Verdict(placements=placed), b"")
+    writer.end_half(Verdict())
+    (notes,) = writer.folder.rglob("half-1.notes.jsonl")
+    (line,) = [json.loads(text) for text in notes.read_text("utf-8").splitlines() if "placements" in text]
+    assert line["placements"] == [[2, 0.1, 0.2, 0.0, False], [2, 0.1, 0.2, 0.0, False, 0.6, 0.0]]
+    writer.finish()
+    assert Trajectory.open(writer.folder).halves[0].placements[0] == placed
 
 
 def test_a_run_that_stopped_loses_less_than_a_second(tmp_path: Path) -> None:

@@ -429,7 +429,7 @@ class TestLine7:
             once(5, "{action: place, entity: ball, at: {point: [0.4, 0.2]}}"),
         )
         play.play(30)
-        assert (told(play, "STUCK"), told(play, "STAYS")) == ([16], [15])
+        assert (told(play, "STUCK"), told(play, "STAYS")) == ([16], [16])
 
 
 class TestLine8:

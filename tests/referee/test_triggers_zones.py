@@ -119,19 +119,19 @@ class TestTriggerStaysIn:
       long:
         triggers: [{trigger: stays_in, entity: ball, zone: right, limit_s: 1.6, grace_s: 0.32}]
         actions: [{action: emit, event: LONG, payload: {measured: {word: measured}, limit: {word: limit}}}]
-    """  # 50 ticks, grace 10 ticks
+    """  # 50 ticks, grace 10 ticks; the 51st is more than that
 
-    def test_it_fires_once_after_the_limit(self, stage):
+    def test_it_fires_once_when_the_stay_is_longer_than_the_limit(self, stage):
         play = stage(self.RULES)
         play.play(9)
         play.place("ball", 0.3, 0.0)
         play.play(200)  # in from tick 10 on
-        assert [(event.tick, event.payload) for event in play.events] == [(60, {"measured": 1.6, "limit": 1.6})]
+        assert [(event.tick, event.payload) for event in play.events] == [(61, {"measured": 1.632, "limit": 1.6})]
 
     def test_a_short_absence_counts_as_inside_and_it_fires_only_inside(self, stage):
         play = stage(self.RULES)
         play.place("ball", 0.3, 0.0)
-        play.play(45)  # in from tick 1 on; the limit is reached at 51
+        play.play(45)  # in from tick 1 on; at 52 it is longer than the limit
         play.place("ball", 0.0, 0.0)
         play.play(10)
         assert play.names() == []
@@ -146,20 +146,20 @@ class TestTriggerStaysIn:
         play.place("ball", 0.0, 0.0)
         play.play(11)
         play.place("ball", 0.3, 0.0)
-        play.play(49)
+        play.play(50)
         assert play.names() == []
         play.play(2)
-        assert [event.tick for event in play.events] == [107]
+        assert [event.tick for event in play.events] == [108]
 
     def test_without_grace_one_sub_step_outside_begins_a_new_stay(self, stage):
         play = stage(self.RULES.replace(", grace_s: 0.32", ""))
         play.place("ball", 0.3, 0.0)
         play.play(30)
         feed(play, (0.3, 0.0), (0.05, 0.0), (0.3, 0.0), (0.3, 0.0))
-        play.play(49)
+        play.play(50)
         assert play.names() == []
         play.play(1)
-        assert [event.tick for event in play.events] == [81]
+        assert [event.tick for event in play.events] == [82]
 
     def test_a_stay_that_goes_on_when_the_rule_comes_to_life_counts_from_then(self, stage):
         play = stage(
@@ -171,7 +171,13 @@ class TestTriggerStaysIn:
         )
         play.place("ball", 0.3, 0.0)
         play.play(100)
-        assert [event.tick for event in play.events] == [70]
+        assert [event.tick for event in play.events] == [71]
+
+    def test_a_limit_that_ends_within_a_tick_is_passed_at_the_end_of_that_tick(self, stage):
+        play = stage(self.RULES.replace("limit_s: 1.6", "limit_s: 1.59"))
+        play.place("ball", 0.3, 0.0)
+        play.play(60)  # in from tick 1 on
+        assert [(event.tick, event.payload["measured"]) for event in play.events] == [(51, 1.6)]
 
 
 class TestTriggerDisplaced:

@@ -287,7 +287,9 @@ def test_a_default_that_names_something_is_checked_too():
     body = "balls: {ball: null, puck: {start_m: [0, 0]}}\n" + rule(
         rest="    conditions: [{condition: last_touch, by: B1}]\n"
     )
-    assert complaints(body) == ["rules.r.conditions[0] (last_touch): unknown entity 'ball': it was removed in a.yaml:5"]
+    assert complaints(body) == [
+        "rules.r.conditions[0] (last_touch): unknown entity 'ball': it was removed in a.yaml:5; write rules.r anew without it"
+    ]
 
 
 def test_a_kit_that_nobody_uses_may_list_robots_that_are_not_there():

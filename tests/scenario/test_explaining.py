@@ -51,7 +51,7 @@ CASES = [
      "rules.r.triggers[0] (holds).condition.at_least: expected a number or {counter: …}, found a mapping with timer"),
     (rule("{trigger: holds, condition: [{condition: flag, flag: f}, {condition: flag, flag: g}]}"),
      ("rules.r.triggers[0] (holds).condition: expected a mapping with 'condition', found a list of 2; it takes a single one of in_zone, "
-      "speed, distance, counter, flag, drawn, timer, last_touch, spot_free, sequence_at (its opposite by negate: true); what else must "
+      "speed, distance, looks, counter, flag, drawn, timer, last_touch, spot_free, sequence_at, any_of (its opposite by negate: true); what else must "
       "hold when the rule fires stands in its 'conditions'")),
     (rule("{trigger: event, event: Goal}"), "rules.r.triggers[0] (event).event: 'Goal' is no event's name: capitals, digits and _, such as GOAL"),
     (rule(rest="    phases: all\n"), "rules.r.phases: expected any or a list of names, found 'all'"),

@@ -144,4 +144,4 @@ def test_two_a_side_from_the_shipped_match_needs_no_more_than_its_own_lines(tmp_
     loaded = load(path)
     assert list(loaded.scenario.robots) == ["B1", "B2", "Y1", "Y2"]
     assert loaded.left_out
-    assert {one.kind for one in lint(loaded)} == {"inherited_test_left_out"}
+    assert {one.kind for one in lint(loaded)} == {"inherited_test_left_out", "text_names_what_is_gone"}

@@ -239,7 +239,7 @@ class TestTwoRulesMoveOneThing:
         put = "{action: place, entity: robots, at: start}"
         one = rule("a", "{trigger: leaves, entity: each, zone: in_play}", put, ", for_each: robots, exclusive: moves")
         other = rule("b", "{trigger: leaves, entity: Y1, zone: in_play}", put, ", exclusive: moves")
-        assert kinds(rules=one + other) == ["two_rules_move_one_thing"]
+        assert kinds(rules=one + other) == ["two_rules_move_one_thing", "exclusive_never_meets"]
 
     def test_layouts_and_drawn_layouts_move_what_is_in_them(self):
         layouts = (
@@ -282,7 +282,7 @@ class TestState:
         assert (
             kinds(
                 "timers: {it: {lasts_s: 5, starts: true}}",
-                "counters: {n: {}}",
+                "counters: {n: {per: robots}}",
                 "result: {rank: [{counter: n}]}",
                 rules=expired,
             )

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 import pytest
 
 from rcj_challenges.referee.script import ScriptedPlay, half_of
@@ -36,6 +39,7 @@ def told(trigger: str, says: str = "", payload: str = "", more: str = "") -> lis
 KINDS = {"placeholder_unknown", "placeholder_never_filled", "word_never_filled"}
 
 ENTERS = "{trigger: enters, entity: %s, zone: a}"
+IN_A = "{condition: in_zone, entity: %s, zone: a}"
 HOLDS = "{trigger: holds, condition: {condition: %s}, for_s: 1}"
 FOR_EACH = "    for_each: robots\n"
 
@@ -53,6 +57,11 @@ ABOUT = [
     (HOLDS % "distance, entity: Y1, to: [0, 0], at_most: 1", True),
     (HOLDS % "distance, entity: Y1, to: centre, at_most: 1", True),
     (HOLDS % "distance, entity: Y1, to: ball, at_most: 1", False),
+    (HOLDS % "looks, entity: Y1, towards: centre, within_rad: 3.1", True),
+    (HOLDS % "looks, entity: Y1, heading_rad: 1.57", True),
+    (HOLDS % "looks, entity: Y1, towards: ball, within_rad: 3.1", False),
+    (HOLDS % f"any_of, conditions: [{IN_A % 'Y1'}, {IN_A % 'Y1'}]", True),
+    (HOLDS % f"any_of, conditions: [{IN_A % 'Y1'}, {IN_A % 'Y2'}]", False),
     (HOLDS % "counter, counter: n, at_most: 1", False),
     ("{trigger: half_started}", False),
     ("{trigger: half_ended}", False),
@@ -190,3 +199,17 @@ def test_what_lint_calls_empty_is_what_the_referee_leaves_empty(trigger):
     (sentence, *_) = (firing.says for firing in play.firings if firing.rule == "r")
     empty = {f"'{{{blank}}}'" for blank, text in zip(BLANKS, sentence.split("|"), strict=True) if not text}
     assert {f.problem.message.partition(" ")[0] for f in lint(loaded) if f.kind in KINDS} == empty
+
+
+def test_the_table_of_measures_names_each_trigger_that_measures_and_no_other():
+    page = (Path(__file__).resolve().parents[2] / "docs" / "authoring.md").read_text(encoding="utf-8")
+    table = page.partition("### What a trigger measures")[2].partition("\n## ")[0]
+    rows = [line.split("|")[1:4] for line in table.splitlines() if line.startswith("| `")]
+    known = {word: limit.strip() != "none" for words, _, limit in rows for word in re.findall(r"`(\w+)`", words)}
+    measures = {
+        word: known_too == "both"
+        for trigger, known_too in MEASURES
+        if known_too != "neither"
+        for word in re.findall(r"trigger: (\w+)", trigger)
+    }
+    assert known == measures

@@ -34,9 +34,14 @@ ALL = [
 PAPER = (-1.0, -1.0, 1.0, 1.0)
 
 
-def drawn(name: str, *overrides: str) -> ET.Element:
+@cache
+def _svg(name: str, *overrides: str) -> str:
     loaded = load(name, overrides)
-    return ET.fromstring(draw_scenario(loaded.scenario, loaded.roster))
+    return draw_scenario(loaded.scenario, loaded.roster)
+
+
+def drawn(name: str, *overrides: str) -> ET.Element:
+    return ET.fromstring(_svg(name, *overrides))
 
 
 def texts(picture: ET.Element) -> list[str]:

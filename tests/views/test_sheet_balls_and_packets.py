@@ -10,6 +10,8 @@ from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.views.sheet import sheet_markdown
 from tests.devices.device_bench import Bench
 
+pytestmark = pytest.mark.usefixtures("without_drawing")
+
 ROOT = Path(__file__).resolve().parents[2]
 SHIPPED = [pytest.param(path, id=path.stem) for path in sorted((ROOT / "scenarios").rglob("*.yaml"))]
 END = "actions: [{action: end}]"

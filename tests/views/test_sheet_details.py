@@ -7,6 +7,8 @@ import pytest
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.views.sheet import sheet_markdown
 
+pytestmark = pytest.mark.usefixtures("without_drawing")
+
 HEAD = """
 schema_version: 1
 id: details

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from rcj_challenges.facts.play import Pose2
-from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s, whole_ticks_within_s
+from rcj_challenges.facts.timing import s_from_ticks, whole_ticks_within_s
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.regions import Cell, FarFrom, Region
 from rcj_challenges.referee.rules import Listener, StandingRule
@@ -147,7 +147,7 @@ class StayWatch(PositionWatch, DueWatch):
         self.listeners: list[Listener] = []
         self._region = region
         self._limit_s = model.limit_s
-        self._limit = ticks_from_s(model.limit_s)
+        self._longer = whole_ticks_within_s(model.limit_s) + 1  # the first tick at which it is longer than the limit
         self._grace = whole_ticks_within_s(model.grace_s)
         self._came: int | None = None
         self._left: int | None = None
@@ -164,7 +164,7 @@ class StayWatch(PositionWatch, DueWatch):
 
     def _begin(self, tick: int | None) -> None:
         self._came, self._told = tick, False
-        self.due = NEVER if tick is None else tick + self._limit
+        self.due = NEVER if tick is None else tick + self._longer
 
     def cell(self, x_m: float, y_m: float) -> Cell:
         """Return the region's cell."""
@@ -184,10 +184,10 @@ class StayWatch(PositionWatch, DueWatch):
         if self._came is None or absent > self._grace or (self._grace == 0 and not all(inside)):
             self._begin(tick)
         elif not self._told:
-            self.due = self._came + self._limit
+            self.due = self._came + self._longer
 
     def look(self) -> None:
-        """Report a stay that has reached the limit, once."""
+        """Report a stay that is longer than the limit, once."""
         if self._came is None:
             self.due = NEVER
             return

@@ -15,15 +15,26 @@ from rcj_challenges.scenario.models.base import (
     Strict,
     described,
 )
-from rcj_challenges.scenario.models.places import At, Facing, Mirror
+from rcj_challenges.scenario.models.places import At, Facing, Kick, MayKick, Mirror
 from rcj_challenges.scenario.models.state import Amount, DrawValue, Points, Value
+
+
+class LastToucher(Strict):
+    """The entrant of the robot that touched something last, since it was put where it is."""
+
+    last_touch: Name = described(..., "what was touched: an entity, or each")
 
 
 class Score(Strict):
     """Give points to an entrant."""
 
     action: Literal["score"]
-    entrant: Name = described(..., "who gets them (the seat as played in this half)")
+    entrant: Name | LastToucher = described(
+        ...,
+        "who gets them (the seat as played in this half); each: who drives the robot of for_each; "
+        "{last_touch: ball}: who drives the robot that touched it last, and nobody if none did",
+        union_mode="left_to_right",
+    )
     points: Points = described(
         1, "how many: a number, {counter, flag, draw or word: NAME}, or a list of these with weights"
     )
@@ -69,6 +80,14 @@ class TimerAction(Strict):
     )
 
 
+class SequenceAction(Strict):
+    """Begin a sequence anew: the steps made so far are forgotten."""
+
+    action: Literal["sequence"]
+    sequence: Name = described(..., "the sequence")
+    do: Literal["reset"] = described("reset", "reset: it stands before its first step, or at it if the entity is in it")
+
+
 class DrawAction(Strict):
     """Draw anew, or set a draw to a value."""
 
@@ -77,7 +96,7 @@ class DrawAction(Strict):
     as_: Scalar | None = Field(None, alias="as", description="set it to this value instead of drawing")
 
 
-class Place(Strict):
+class Place(MayKick):
     """Put entities somewhere: either one placement, or a layout by its name."""
 
     action: Literal["place"]
@@ -87,11 +106,14 @@ class Place(Strict):
     facing: Facing = described("start", "which way it looks afterwards")
     noise_m: Annotated[Point, Field(description="half width of uniform noise on x and y, in m")] = (0.0, 0.0)
     mirror: Mirror | None = described(None, "mirror the place; with a layout: all its places")
-    min_clearance_m: NotNegative = described(0.0, "smallest gap to any other body's outline, in m")
+    min_clearance_m: NotNegative = described(
+        0.0, "smallest gap to the outline of any other body, in m; the field's walls are none"
+    )
     max_attempts: int = described(100, "how often a random place is drawn before giving up", ge=1, le=10_000)
     on_failure: Literal["retry", "stay"] = described(
-        "retry", "no room: retry on every tick without repeating events, or stay where it is"
+        "retry", "no room: retry on every tick without repeating events, or stay where it is; the log says which"
     )
+    kick: Kick | None = described(None, "only balls: it rolls away from there; left out: it lies still")
 
 
 class Remove(Strict):
@@ -128,6 +150,17 @@ class End(Strict):
 
 
 Action = Annotated[
-    Score | Count | SetFlag | ToggleFlag | TimerAction | DrawAction | Place | Remove | SetPhase | Emit | End,
+    Score
+    | Count
+    | SetFlag
+    | ToggleFlag
+    | TimerAction
+    | SequenceAction
+    | DrawAction
+    | Place
+    | Remove
+    | SetPhase
+    | Emit
+    | End,
     Field(discriminator="action"),
 ]

@@ -6,8 +6,10 @@ annotations anew at every start, which is a seventh of the time that ``validate`
 
 from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, Field, StringConstraints
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints
+from pydantic_core import PydanticCustomError
 
+from rcj_challenges.facts.colours import hex_colour
 from rcj_challenges.facts.timing import TICK_S
 
 
@@ -34,9 +36,19 @@ EventName = Annotated[
     Field(description="an event's name, in capitals: GOAL"),
 ]
 DeviceName = Annotated[str, StringConstraints(min_length=1, max_length=64)]
+
+
+def _known_colour(colour: str) -> str:
+    """Return a colour as it is written; what no renderer could paint is refused."""
+    if hex_colour(colour) is None:
+        raise PydanticCustomError("unknown_colour", "no colour")
+    return colour
+
+
 Colour = Annotated[
     str,
     StringConstraints(pattern=r"^(#[0-9a-fA-F]{6}|[A-Za-z]{3,32})$"),
+    AfterValidator(_known_colour),
     Field(description="a colour: a CSS colour name or #rrggbb"),
 ]
 Scalar = str | int | float | bool

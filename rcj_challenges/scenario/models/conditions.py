@@ -1,5 +1,6 @@
 """Conditions: levels, what must hold when a trigger fires."""
 
+from math import pi
 from typing import Annotated, Literal
 
 from pydantic import Field
@@ -54,6 +55,19 @@ class Distance(_Compared):
     entity: Names = described(..., "an entity, each, or a group with `of`")
     to: Name | Point = described(..., "an entity, each, a spot, a group (the nearest of it), or [x, y] in m")
     of: Quantifier = described("any", "how many of a group must satisfy it")
+
+
+class Looks(_Condition):
+    """Whether a robot looks towards something, or in a direction; off the field nobody looks or is looked at."""
+
+    condition: Literal["looks"]
+    entity: Names = described(..., "a robot, each, or a group with `of`")
+    towards: Name | Point | None = described(None, "an entity, each, a spot, or [x, y] in m")
+    heading_rad: float | None = described(
+        None, "instead of towards: a direction of the field in rad, counter-clockwise from +x"
+    )
+    within_rad: float = described(0.2, "how far its front may point past it, to either side, in rad", gt=0, le=pi)
+    of: Quantifier = described("any", "how many of a group must do so")
 
 
 class CounterIs(_Compared):
@@ -134,7 +148,16 @@ class SequenceAt(_Condition):
     step: Name = described(..., "the zone or gate reached last")
 
 
-Condition = Annotated[
-    InZone | Speed | Distance | CounterIs | FlagIs | Drawn | TimerIs | LastTouch | SpotFree | SequenceAt,
-    Field(discriminator="condition"),
-]
+Single = InZone | Speed | Distance | Looks | CounterIs | FlagIs | Drawn | TimerIs | LastTouch | SpotFree | SequenceAt
+
+
+class AnyOf(_Condition):
+    """Whether at least one of several conditions holds."""
+
+    condition: Literal["any_of"]
+    conditions: tuple[Annotated[Single, Field(discriminator="condition")], ...] = Field(
+        ..., strict=False, min_length=1, description="the conditions, each as in a rule; any_of itself is none of them"
+    )
+
+
+Condition = Annotated[Single | AnyOf, Field(discriminator="condition")]

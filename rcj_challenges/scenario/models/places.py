@@ -2,7 +2,7 @@
 
 from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Discriminator, Field, SerializerFunctionWrapHandler, Tag, model_serializer
 
 from rcj_challenges.scenario.models.base import Name, Names, NotNegative, Point, Positive, Strict, described
 
@@ -190,7 +190,32 @@ class Mirror(Strict):
     when: Name | None = described(None, "a flag; mirrored only while it is true. Left out: always")
 
 
-class Placing(Strict):
+_KickSpeed = Annotated[float, Field(gt=0, le=3)]
+"""Up to what the walls are known to hold, with a margin (ADR 2)."""
+
+
+class Kick(Strict):
+    """A ball rolls away from where it is put; tests have no physics, in them it stays there."""
+
+    towards: At = described(..., "where it rolls to: any word of `at`; chance decides anew each time")
+    speed_mps: _KickSpeed | Annotated[tuple[_KickSpeed, _KickSpeed], Field(strict=False)] = described(
+        ..., "how fast it sets off, in m/s, up to 3; or [least, most]: every speed between equally likely",
+        union_mode="left_to_right",
+    )  # fmt: skip
+
+
+class MayKick(Strict):
+    """What may set a ball rolling. Where it does not, its data is that of the time before there were kicks."""
+
+    @model_serializer(mode="wrap")
+    def _without_no_kick(self, dump: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        data: dict[str, Any] = dump(self)
+        if data.get("kick", ...) is None:
+            del data["kick"]
+        return data
+
+
+class Placing(MayKick):
     """How one or more entities are put somewhere."""
 
     entity: Names = described(..., "what is put there: entities or groups; several are put one after the other")
@@ -198,11 +223,14 @@ class Placing(Strict):
     facing: Facing = described("start", "which way it looks afterwards")
     noise_m: Annotated[Point, Field(description="half width of uniform noise on x and y, in m")] = (0.0, 0.0)
     mirror: Mirror | None = described(None, "mirror the place")
-    min_clearance_m: NotNegative = described(0.0, "smallest gap between its outline and that of any other body, in m")
+    min_clearance_m: NotNegative = described(
+        0.0, "smallest gap to the outline of any other body, in m; the field's walls are none"
+    )
     max_attempts: int = described(100, "how often a random place is drawn before giving up", ge=1, le=10_000)
     on_failure: Literal["retry", "stay"] = described(
-        "retry", "no room: retry on every tick without repeating events, or stay where it is"
+        "retry", "no room: retry on every tick without repeating events, or stay where it is; the log says which"
     )
+    kick: Kick | None = described(None, "only balls: it rolls away from there; left out: it lies still")
 
 
 Layout = Annotated[

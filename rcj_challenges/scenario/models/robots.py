@@ -159,7 +159,7 @@ class StartPose(Strict):
 class Robot(Strict):
     """One robot: its colour, its kit, where it starts, and how its devices differ from the kit."""
 
-    colour: Name = described(..., "its team colour, also a group of robots: blue, yellow")
+    colour: Name = described(..., "its team colour, a CSS colour name; also a group of its robots: blue, yellow")
     number: int = described(..., "number on its lid", ge=0, le=99)
     kit: Name = described(..., "name of its kit")
     start: StartPose = described(..., "where it starts")

@@ -31,7 +31,9 @@ class Rule(Strict):
     )
     priority: int = described(0, "lower fires first; equal ones in the order of the file", ge=-1000, le=1000)
     exclusive: Name | None = described(
-        None, "of the rules of one such group only the first fires in a tick, per entity"
+        None,
+        "of the rules of one such group only the first fires in a tick, per entity: one with for_each and one without "
+        "never meet",
     )
     cooldown_s: DurationS | None = described(None, "after firing it rests this long, per entity, in s")
     max_executions: int | None = described(None, "how often it may fire in a half, per entity", ge=1)
@@ -105,7 +107,9 @@ class Keyframe(Strict):
         {}, "entity -> [x, y] or [x, y, yaw] in m and rad"
     )
     move: dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]] = described(
-        {}, "entity -> [x, y] or [x, y, yaw]: it glides there in a straight line from where it was a keyframe before"
+        {},
+        "entity -> [x, y] or [x, y, yaw]: it glides there in a straight line from where it was a keyframe before; "
+        "where a rule places it meanwhile it stays",
     )
     touch: tuple[Annotated[tuple[Name, Name], Field(strict=False)], ...] = Field(
         (), strict=False, description="pairs that touch in this tick"

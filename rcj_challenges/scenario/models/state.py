@@ -16,7 +16,10 @@ class Draw(Strict):
 
 
 class Counter(Strict):
-    """A number that rules count up and down. Scores are readable like counters, under the entrant's name."""
+    """A number that rules count up and down. Scores are readable like counters, under the entrant's name.
+
+    Both are exact to 9 decimals, as on paper: three times 0.1 is 0.3.
+    """
 
     initial: float = described(0.0, "value at the start of a half")
     per: Name | None = described(None, "a group: one counter for each of its members")
@@ -45,12 +48,19 @@ class AnyStep(Strict):
 
 
 class Sequence(Strict):
-    """Steps to be made in order over zones or gates."""
+    """Steps to be made in order: zones are entered, gates are crossed forward.
+
+    It begins anew when a rule puts its entity somewhere or takes it off the field.
+    """
 
     entity: Name = described(..., "whose way is followed")
     steps: tuple[Name | AnyStep, ...] = Field(..., strict=False, min_length=2, description="zones or gates in order")
     cyclic: bool = described(False, "True: complete on re-entering the first step, and begins again there")
-    wrong_step: Literal["break", "ignore"] = described("ignore", "what entering another of its steps does")
+    wrong_step: Literal["break", "ignore"] = described(
+        "ignore",
+        "what another of its steps does that is neither the last reached nor the next: ignore: nothing; "
+        "break: after the first step, the sequence begins anew",
+    )
 
 
 class Phase(Strict):
@@ -94,7 +104,7 @@ class WordValue(Strict):
     word: Literal[
         "robot_name", "entity_name", "team_name", "entrant", "score", "halftime", "match_id", "total_match_time_s",
         "time_s", "time_left_s", "measured", "limit", "phase", "seed_id",
-    ] = described(..., "the word")  # fmt: skip
+    ] = described(..., "the word; measured and limit are those of the trigger (of holds: in s)")  # fmt: skip
     of: Name | None = described(None, "for team_name and score: the entrant; left out: that of the current entity")
 
 

@@ -17,7 +17,7 @@ from rcj_challenges.scenario.models.base import (
 )
 from rcj_challenges.scenario.models.conditions import Condition
 
-_ENTITY = "whose: an entity, a group (any of them), or each"
+_ENTITY = "whose: an entity (a robot, a ball or a movable obstacle), a group (any of them), or each"
 
 
 class HalfStarted(Strict):
@@ -116,7 +116,7 @@ class StaysIn(Strict):
     trigger: Literal["stays_in"]
     entity: Names = described(..., _ENTITY)
     zone: Names = described(..., "a zone; with a list or group: in any of them")
-    limit_s: DurationS = described(..., "fires after this time, in s")
+    limit_s: DurationS = described(..., "fires as soon as the stay is longer than this, in s")
     grace_s: NotNegative = described(0.0, "an absence of up to this time counts as inside, in s")
 
 
@@ -136,7 +136,10 @@ class SequenceCompleted(Strict):
 
 
 class SequenceBroken(Strict):
-    """Fires when a wrong step is made in a sequence with ``wrong_step: break``."""
+    """Fires when a wrong step is made in a sequence with ``wrong_step: break``: it begins anew.
+
+    Before the first step, none is wrong; afterwards all are but the last reached and the next.
+    """
 
     trigger: Literal["sequence_broken"]
     sequence: Name = described(..., "the sequence")

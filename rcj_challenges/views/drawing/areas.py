@@ -1,4 +1,4 @@
-"""Where rules put things by chance or at a point: each place once, with all that is put there."""
+"""Where rules put things by chance or at a point, and where they roll balls to: each place once, with all of them."""
 
 from __future__ import annotations
 
@@ -28,14 +28,20 @@ class Area:
         at: the name of a zone or a line, every point of which is equally likely, or a point.
         noise_m: half width of the noise around it, in x and y.
         flip: for a zone, how it is mirrored. (Lines and points are mirrored themselves.)
+        aim: whether things are not put there, but roll there from where they are put.
     """
 
     at: str | OnLine | Point
     noise_m: Point
     flip: Flip = _AS_WRITTEN
+    aim: bool = False
 
     def words(self) -> str:
-        """Return where it is: ``(0, 0.1)``, ``(-0.3, 0) to (0.3, 0)``, ``in garden``."""
+        """Return where it is: ``(0, 0.1)``, ``(-0.3, 0) to (0.3, 0)``, ``in garden``, ``rolls towards (0, 0.1)``."""
+        where = self._where()
+        return f"rolls towards {where.removeprefix('in ')}" if self.aim else where
+
+    def _where(self) -> str:
         noise = f", ± {self.noise_m[0]:g}, {self.noise_m[1]:g}" if any(self.noise_m) else ""
         if isinstance(self.at, str):
             turned = [f"{axis} becomes -{axis}" for axis, turns in zip("xy", self.flip, strict=True) if turns]
@@ -52,9 +58,9 @@ def placement_areas(scenario: Scenario, roster: Roster) -> dict[Area, list[str]]
     What a flag mirrors has both places.
     """
     found: dict[Area, list[str]] = {}
-    for names, at, noise_m, flip in _placings(scenario):
+    for names, at, noise_m, flip, aim in _placings(scenario):
         for place, own in _areas(scenario, roster, at, names, flip):
-            who = found.setdefault(_area(place, noise_m, flip), [])
+            who = found.setdefault(_area(place, noise_m, flip, aim=aim), [])
             who.extend(name for name in own if name not in who)
     return found
 
@@ -65,17 +71,21 @@ def flipped(point: Point, flip: Flip) -> Point:
     return (-point[0] + 0.0 if flip[0] else point[0], -point[1] + 0.0 if flip[1] else point[1])
 
 
-def _area(place: str | OnLine | Point, noise_m: Point, flip: Flip) -> Area:
+def _area(place: str | OnLine | Point, noise_m: Point, flip: Flip, *, aim: bool) -> Area:
     if isinstance(place, str):
-        return Area(place, noise_m, flip)
+        return Area(place, noise_m, flip, aim=aim)
     if isinstance(place, OnLine):
         start, end = (flipped(point, flip) for point in place.on_line)
-        return Area(OnLine(on_line=(start, end)), noise_m)
-    return Area(flipped(place, flip), noise_m)
+        return Area(OnLine(on_line=(start, end)), noise_m, aim=aim)
+    return Area(flipped(place, flip), noise_m, aim=aim)
 
 
-def _placings(scenario: Scenario) -> Iterator[tuple[tuple[str, ...], At | None, Point, Flip]]:
-    """Yield what is put where by every rule and layout, and how that is mirrored."""
+_Put = tuple[tuple[str, ...], At | None, Point, Flip, bool]
+"""What is put where, with what noise, how it is mirrored, and whether it only rolls there."""
+
+
+def _placings(scenario: Scenario) -> Iterator[_Put]:
+    """Yield what is put where by every rule and layout, and where it rolls to from there."""
     places = [(rule, action) for rule in scenario.rules.values() for action in rule.actions]
     for name, layout in scenario.placements.items():
         mirrors = [
@@ -83,13 +93,19 @@ def _placings(scenario: Scenario) -> Iterator[tuple[tuple[str, ...], At | None, 
         ]
         for placing in layout:
             for flip in _flips(placing, mirrors or [None]):
-                yield _listed(placing.entity, ""), placing.at, placing.noise_m, flip
+                yield from _puts(placing, _listed(placing.entity, ""), flip)
     for rule, action in places:
         if isinstance(action, Place) and action.entity is not None:
             for flip in _flips(action, [None]):
-                yield _listed(action.entity, rule.for_each or ""), action.at, action.noise_m, flip
+                yield from _puts(action, _listed(action.entity, rule.for_each or ""), flip)
         elif isinstance(action, Remove) and action.for_s is not None:
-            yield _listed(action.entity, rule.for_each or ""), action.back_at, (0.0, 0.0), _AS_WRITTEN
+            yield _listed(action.entity, rule.for_each or ""), action.back_at, (0.0, 0.0), _AS_WRITTEN, False
+
+
+def _puts(placing: Placing | Place, names: tuple[str, ...], flip: Flip) -> Iterator[_Put]:
+    yield names, placing.at, placing.noise_m, flip, False
+    if placing.kick is not None:
+        yield names, placing.kick.towards, (0.0, 0.0), flip, True
 
 
 def _layouts(scenario: Scenario, action: Place) -> list[str]:

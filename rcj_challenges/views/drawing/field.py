@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from textwrap import wrap
 
+from rcj_challenges.facts.colours import hex_colour
 from rcj_challenges.scenario.models.field import Box as BoxObstacle
 from rcj_challenges.scenario.models.field import Cylinder, Wall
 from rcj_challenges.scenario.models.places import OnLine
@@ -13,7 +14,16 @@ from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.drawing.areas import flipped, placement_areas
 from rcj_challenges.views.drawing.labels import Point
 from rcj_challenges.views.drawing.paper import Paper
-from rcj_challenges.views.drawing.shapes import box, home, middle, point_words, turned, zone_outline, zone_words
+from rcj_challenges.views.drawing.shapes import (
+    box,
+    home,
+    home_yaw_rad,
+    middle,
+    point_words,
+    turned,
+    zone_outline,
+    zone_words,
+)
 
 _PX_PER_M = 460.0
 _MARGIN_M = 0.1
@@ -25,10 +35,11 @@ _THICK = 3.0  # what it costs a label to cover a pixel of a wall, of an obstacle
 _DOT_M = 0.006  # half the side of the square that marks a place without noise
 _IN_A_ROBOT = 4  # characters of a name that fit into its body
 _ZONE_COLOURS = ("#7048e8", "#1098ad", "#d6336c", "#5c940d", "#e67700", "#4263eb", "#0b7285", "#a61e4d")
+_WHITE, _BLACK = "#ffffff", "#161c24"
 _STYLE = (
     "text{font-family:system-ui,-apple-system,'Segoe UI',sans-serif;fill:#1f2937}"
     ".label{font-size:11px;paint-order:stroke;stroke:#ffffff;stroke-width:3px;stroke-linejoin:round}"
-    ".number{font-size:13px;font-weight:700;fill:#ffffff;text-anchor:middle}"
+    f".number{{font-size:13px;font-weight:700;fill:{_WHITE};text-anchor:middle}}.dark{{fill:{_BLACK}}}"
     ".leader{stroke:#495057;stroke-width:1;stroke-opacity:.8}.end{fill:#495057}"
     ".axis{font-size:10px;fill:#6b7280}.title{font-size:16px;font-weight:700}.head{font-size:12px;font-weight:700}"
     ".entry{font-size:11px}"
@@ -73,7 +84,9 @@ def _ground(paper: Paper, scenario: Scenario) -> None:
         for start, end in zip(corners[1:], [*corners[2:], corners[0]], strict=True):
             paper.line(start, end, f'stroke="{_colour(goal.colour)}" stroke-width="4"')
         paper.line((-g, near), (g, near), 'stroke="#ffffff" stroke-width="3"')
-    paper.line((-w, 0), (w, 0), 'stroke="#adb5bd" stroke-dasharray="2 6"', "halfway line, y = 0", in_the_way=0)
+    # As on the replay page, the halfway line is one between two goals; without them it is but the axis.
+    middle_words = "halfway line, y = 0" if field.goals else "y = 0"
+    paper.line((-w, 0), (w, 0), 'stroke="#adb5bd" stroke-dasharray="2 6"', middle_words, in_the_way=0)
     paper.line((0, -h), (0, h), 'stroke="#adb5bd" stroke-dasharray="2 6"', "x = 0", in_the_way=0)
     for x in (-w, 0.0, w):
         paper.note_px(paper.px((x, 0))[0] - 10, paper.height_px - 5, f"x {x:g}", "axis")
@@ -84,17 +97,21 @@ def _ground(paper: Paper, scenario: Scenario) -> None:
 def _zones(paper: Paper, scenario: Scenario) -> None:
     for k, (name, zone) in enumerate(scenario.zones.items()):
         colour = _ZONE_COLOURS[k % len(_ZONE_COLOURS)]
+        left, bottom, right, top = paper.bounds
+        whole_paper = [(left, bottom), (right, bottom), (right, top), (left, top)]
         outline = zone_outline(zone, paper.bounds)
+        if not outline and not zone.inverted:
+            continue  # it lies beside the paper: the legend has its numbers
         dash = "" if zone.drawn else ' stroke-dasharray="6 4"'
         style = f'fill="{colour}" fill-opacity="0.06" stroke="{colour}" stroke-width="1.5"{dash}'
         if zone.inverted:
-            left, bottom, right, top = paper.bounds
-            everything = paper.outline([(left, bottom), (right, bottom), (right, top), (left, top)])
-            paper.path(f"{everything} {paper.outline(outline)}", f'{style} fill-rule="evenodd"', f"all but {name}")
+            hole = paper.outline(outline) if outline else ""
+            paper.path(f"{paper.outline(whole_paper)} {hole}", f'{style} fill-rule="evenodd"', f"all but {name}")
         else:
             paper.polygon(outline, style, name)
-        text = f"not {name}" if zone.inverted else name
-        paper.label(middle(outline, paper.bounds), text, area=outline, colour=_dark(colour))
+        text = f"not {name}" if zone.inverted and outline else name
+        area = outline or whole_paper
+        paper.label(middle(area, paper.bounds), text, area=area, colour=_dark(colour))
 
 
 def _placement_areas(paper: Paper, scenario: Scenario, roster: Roster) -> None:
@@ -103,13 +120,15 @@ def _placement_areas(paper: Paper, scenario: Scenario, roster: Roster) -> None:
     for area, who in placement_areas(scenario, roster).items():
         at, colour = area.at, _dark("#f08c00")
         # What is put at its start is drawn there anyway.
-        moved = [name for name in who if any(area.noise_m) or at != _start(scenario, name)]
+        moved = [name for name in who if area.aim or any(area.noise_m) or at != _start(scenario, name)]
         if not moved:
             continue
-        names = f"put {', '.join(moved)}"
+        names = f"{'roll' if area.aim else 'put'} {', '.join(moved)}"
         if isinstance(at, str):
             zone = zone_outline(scenario.zones[at], paper.bounds)
             outline = [flipped(point, area.flip) for point in zone]
+            if not outline:
+                continue
             paper.polygon(outline, style, f"{names} anywhere in here")
             paper.label(middle(outline, paper.bounds), names, area=outline, colour=colour)
         elif isinstance(at, OnLine):
@@ -132,7 +151,7 @@ def _gates(paper: Paper, scenario: Scenario) -> None:
     for name, gate in scenario.gates.items():
         start, end = gate.from_m, gate.to_m
         if gate.anchor is not None:
-            start, end = (_shifted(point, home(scenario, gate.anchor)) for point in (start, end))
+            start, end = turned([start, end], home(scenario, gate.anchor), home_yaw_rad(scenario, gate.anchor))
         paper.line(start, end, 'stroke="#c92a2a" stroke-width="3"', name, in_the_way=_THICK)
         for post in (start, end):
             paper.circle(post, 0.008, 'fill="#c92a2a"')
@@ -183,7 +202,7 @@ def _wall(wall: Wall) -> tuple[Point, list[Point]]:
 def _bodies(paper: Paper, scenario: Scenario, roster: Roster) -> None:
     for name, robot in scenario.robots.items():
         kit = scenario.kits[robot.kit]
-        start, chassis = robot.start, kit.chassis
+        start, chassis, body = robot.start, kit.chassis, _team_colour(robot.colour)
         at = (start.x_m, start.y_m)
         if any(start.noise_m):
             area = [_shifted(at, corner) for corner in box(2 * start.noise_m[0], 2 * start.noise_m[1])]
@@ -196,7 +215,7 @@ def _bodies(paper: Paper, scenario: Scenario, roster: Roster) -> None:
             paper.polygon(turned(wheel, at, start.yaw_rad), 'fill="#212529"')
         paper.polygon(
             turned(box(chassis.size_m, chassis.size_m), at, start.yaw_rad),
-            f'fill="{_team_colour(robot.colour)}" stroke="#212529"',
+            f'fill="{body}" stroke="#212529"',
             f"{name} at its start",
         )
         front = 1 if kit.looks_along == "+x" else -1
@@ -206,11 +225,11 @@ def _bodies(paper: Paper, scenario: Scenario, roster: Roster) -> None:
             (reach * 0.55, chassis.size_m * 0.16),
             (reach * 0.55, -chassis.size_m * 0.16),
         ]
-        paper.polygon(turned(nose, at, start.yaw_rad), 'fill="#ffffff"', "its front")
+        paper.polygon(turned(nose, at, start.yaw_rad), f'fill="{_ink_on(body)}"', "its front")
         paper.reserve(at, chassis.size_m * 0.7)
         if len(name) <= _IN_A_ROBOT:
             x, y = paper.px(at)
-            paper.text_px(x, y + 5, name, "number")
+            paper.text_px(x, y + 5, name, "number" if _ink_on(body) == _WHITE else "number dark")
         else:
             paper.label(at, name, reach_m=chassis.size_m * 0.7)
     for name in roster.groups["balls"]:
@@ -246,7 +265,7 @@ def _legend_entries(scenario: Scenario, roster: Roster) -> list[tuple[str, list[
     zones = [f"{name}: {zone_words(zone)}" for name, zone in scenario.zones.items()]
     gates = [
         f"{name}: {point_words(gate.from_m)} to {point_words(gate.to_m)}"
-        + (f", with {gate.anchor}" if gate.anchor else "")
+        + (f", moving with {gate.anchor}{_axes_words(scenario, gate.anchor)}" if gate.anchor else "")
         for name, gate in scenario.gates.items()
     ]
     spots = [f"{name}: {spot.x_m:g}, {spot.y_m:g}" for name, spot in scenario.spots.items()]
@@ -257,9 +276,12 @@ def _legend_entries(scenario: Scenario, roster: Roster) -> list[tuple[str, list[
     ]
     put = [f"{', '.join(who)}: {area.words()}" for area, who in placement_areas(scenario, roster).items()]
     return [
-        ("Zones (m)", zones), ("Gates (m)", gates), ("Spots (m)", spots), ("Robots' starts (m, rad)", starts),
+        ("Zones (m)", zones),
+        ("Gates (m; the short mark points forward)", gates),
+        ("Spots (m)", spots),
+        ("Robots' starts (m, rad)", starts),
         ("Put by rules (m)", put),
-    ]  # fmt: skip
+    ]
 
 
 def _shifted(point: Point, by: Point) -> Point:
@@ -271,10 +293,26 @@ def _dark(colour: str) -> str:
     return "#" + "".join(f"{round(int(colour[k : k + 2], 16) * 0.65):02x}" for k in (1, 3, 5))
 
 
+def _axes_words(scenario: Scenario, anchor: str) -> str:
+    """Return how the axes of something that turns lie on it; nothing of what has no front."""
+    robot = scenario.robots.get(anchor)
+    if robot is None:
+        return ""
+    ahead = scenario.kits[robot.kit].looks_along == "+x"
+    return f" ({'x forward, y left' if ahead else 'x backward, y right'})"
+
+
 def _team_colour(colour: str) -> str:
-    return {"blue": "#2563eb", "yellow": "#ca8a04"}.get(colour, "#495057")
+    """Return a team's colour; blue and yellow are those on which white letters can be read."""
+    return {"blue": "#2563eb", "yellow": "#ca8a04"}.get(colour) or _colour(colour)
+
+
+def _ink_on(colour: str) -> str:
+    """Return black or white, whichever can be read on a colour #rrggbb (luma of ITU-R BT.601)."""
+    red, green, blue = (int(colour[k : k + 2], 16) for k in (1, 3, 5))
+    return _BLACK if 0.299 * red + 0.587 * green + 0.114 * blue > 150 else _WHITE
 
 
 def _colour(colour: str) -> str:
-    """Return a colour that cannot break out of its attribute."""
-    return "".join(c for c in colour if c.isalnum() or c == "#") or "#868e96"
+    """Return a colour as a number: programs that render SVG do not know all of CSS's names."""
+    return hex_colour(colour) or "#868e96"

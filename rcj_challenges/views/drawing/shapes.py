@@ -4,16 +4,35 @@ from __future__ import annotations
 
 import math
 
-from rcj_challenges.scenario.models.field import Wall
-from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
+from rcj_challenges.scenario.models.field import Box as BoxObstacle
+from rcj_challenges.scenario.models.field import FieldModel, Wall
+from rcj_challenges.scenario.models.places import CircleZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.drawing.labels import Box, Point
 
 
 def zone_outline(zone: Zone, bounds: Box) -> list[Point]:
-    """Return a zone's outline in m (``inverted`` not regarded); open sides end at the bounds."""
+    """Return a zone's outline in m (``inverted`` not regarded), cut at the bounds; empty if it lies beyond them."""
+    left, bottom, right, top = bounds
+    outline = _whole_outline(zone, bounds)
+    for through, normal in (((left, 0), (1, 0)), ((right, 0), (-1, 0)), ((0, bottom), (0, 1)), ((0, top), (0, -1))):
+        outline = _beyond(outline, through, normal)
+    return outline
+
+
+def floor_outline(zone: Zone, field: FieldModel) -> list[Point]:
+    """Return the outline of the part of a zone that lies on the floor; empty if none of it does."""
+    w, h = field.width_m / 2, field.length_m / 2
+    outline = zone_outline(zone, (-w, -h, w, h))
+    for x, y in ((1, 1), (1, -1), (-1, 1), (-1, -1)) if field.corner_cut_m else ():
+        outline = _beyond(outline, (x * (w - field.corner_cut_m), y * h), (-x, -y))
+    return outline
+
+
+def _whole_outline(zone: Zone, bounds: Box) -> list[Point]:
+    """Return a zone's outline as far as it reaches; open sides end at the bounds."""
+    left, bottom, right, top = bounds
     if isinstance(zone, RectZone):
-        left, bottom, right, top = bounds
         x0 = left if zone.x_min_m is None else zone.x_min_m
         x1 = right if zone.x_max_m is None else zone.x_max_m
         y0 = bottom if zone.y_min_m is None else zone.y_min_m
@@ -31,19 +50,18 @@ def zone_outline(zone: Zone, bounds: Box) -> list[Point]:
         ]
     if isinstance(zone, PolygonZone):
         return list(zone.points_m)
-    return _half_plane(zone, bounds)
+    return _beyond([(left, bottom), (right, bottom), (right, top), (left, top)], zone.through_m, zone.normal)
 
 
-def _half_plane(zone: HalfPlaneZone, bounds: Box) -> list[Point]:
-    """Return the part of the paper on the normal's side of the line."""
-    left, bottom, right, top = bounds
-    corners = [(left, bottom), (right, bottom), (right, top), (left, top)]
-    px, py = zone.through_m
-    nx, ny = zone.normal
+def _beyond(corners: list[Point], through: Point, normal: Point) -> list[Point]:
+    """Return the part of a polygon on the normal's side of a line."""
+    px, py = through
+    nx, ny = normal
     depths = [(x - px) * nx + (y - py) * ny for x, y in corners]
     outline: list[Point] = []
     for k, corner in enumerate(corners):
-        following, depth, next_depth = corners[(k + 1) % 4], depths[k], depths[(k + 1) % 4]
+        after = (k + 1) % len(corners)
+        following, depth, next_depth = corners[after], depths[k], depths[after]
         if depth >= 0:
             outline.append(corner)
         if (depth < 0) != (next_depth < 0):
@@ -113,3 +131,11 @@ def home(scenario: Scenario, entity: str) -> Point:
         return scenario.balls[entity].start_m
     obstacle = scenario.obstacles[entity]
     return obstacle.from_m if isinstance(obstacle, Wall) else obstacle.centre_m
+
+
+def home_yaw_rad(scenario: Scenario, entity: str) -> float:
+    """Return how an entity is turned at the start."""
+    if entity in scenario.robots:
+        return scenario.robots[entity].start.yaw_rad
+    obstacle = scenario.obstacles.get(entity)
+    return obstacle.yaw_rad if isinstance(obstacle, BoxObstacle) else 0.0

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.facts.play import Fault, HalfInfo, Snapshot, Verdict
 from rcj_challenges.facts.timing import TICK_S, ticks_from_s
 from rcj_challenges.match.watching import Silent
@@ -193,7 +194,8 @@ class LiveWatcher(Silent):
         scored = [firing for firing in verdict.firings if firing.suppressed is None and firing.scored]
         for firing in scored:
             for seat, points in firing.scored.items():
-                self._scores[half.teams[seat]] += points
+                team = half.teams[seat]
+                self._scores[team] = on_paper(self._scores[team] + points)
         return bool(scored)
 
     def _half_facts(self, half: HalfInfo) -> dict[str, Any]:

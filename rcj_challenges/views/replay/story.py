@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.records.refereelog import read_referee_log
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.result import RunResult
@@ -76,7 +77,7 @@ def _follow_the_score(story: Story, half: HalfTrack, firings: list[dict[str, Any
         if firing["scored"]:
             for seat, points in firing["scored"].items():
                 if teams.get(seat) in scores:
-                    scores[teams[seat]] += points
+                    scores[teams[seat]] = on_paper(scores[teams[seat]] + points)
             changes.append([firing["tick"], dict(scores)])
     story.score_changes[half.info.half] = changes
 

@@ -6,8 +6,9 @@ from collections.abc import Callable
 from typing import Any
 
 from rcj_challenges.scenario.models import places
+from rcj_challenges.scenario.models.actions import LastToucher
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
-from rcj_challenges.views.sheet.phrases import amount, degrees, metres, seconds, value
+from rcj_challenges.views.sheet.phrases import amount, degrees, metres, number, seconds, value
 
 
 def action_words(nouns: Nouns, action: Any) -> str:
@@ -38,6 +39,7 @@ def placing_words(nouns: Nouns, placing: Any) -> str:
         _mirrored(nouns, placing.mirror),
         _facing(nouns, placing, placing.at, plural=who.plural),
         _clear(placing),
+        _kicked(nouns, placing.kick, several=who.plural),
     ]
     return f"{who.does('is', 'are')} {''.join(parts)}"
 
@@ -67,6 +69,16 @@ def _clear(placing: Any) -> str:
     return (gap if placing.min_clearance_m else "") + (stay if placing.on_failure == "stay" else "")
 
 
+def _kicked(nouns: Nouns, kick: Any, *, several: bool) -> str:
+    """Return how fast it rolls off, and where to."""
+    if kick is None:
+        return ""
+    speeds = kick.speed_mps if isinstance(kick.speed_mps, tuple) else (kick.speed_mps,)
+    fast = " to ".join(dict.fromkeys(map(number, speeds)))
+    aim = AIMS[type(kick.towards)](nouns, kick.towards)
+    return f", and {'each rolls' if several else 'rolls'} at {fast} m/s towards {aim}"
+
+
 def _beside(nouns: Nouns, at: Any) -> str:
     """Return a place that is told by how far it is from something."""
     who = nouns.thing(at.relative_to)
@@ -86,6 +98,15 @@ def _mirrored(nouns: Nouns, mirror: Any) -> str:
         return ""
     turned = listed([f"{axis} becomes -{axis}" for axis in ("x", "y") if mirror.axis in (axis, "both")], "and")
     return f", mirrored ({turned})" + (f" if {nouns.kept('flag', mirror.when, None)} is set" if mirror.when else "")
+
+
+def _aim_beside(nouns: Nouns, at: Any) -> str:
+    where = _beside(nouns, at)
+    return f"the point {where}" if any(at.offset_m) else nouns.thing(at.relative_to)
+
+
+def _aim_on(nouns: Nouns, at: Any) -> str:
+    return PLACES[type(at)](nouns, at).removeprefix("on ")
 
 
 def _free(nouns: Nouns, how: str, spots: Any, among: int, of: Any) -> str:
@@ -138,13 +159,24 @@ def _draw(nouns: Nouns, action: Any) -> str:
     return f"{quoted(action.draw)} becomes “{plain(value(nouns, action.as_))}”"
 
 
+def _sequence(_nouns: Nouns, action: Any) -> str:
+    return f"the sequence {quoted(action.sequence)} begins anew"
+
+
 def _emit(nouns: Nouns, action: Any) -> str:
     told = ", ".join(f"{key}: {value(nouns, entry)}" for key, entry in action.payload.items())
     return f"{action.event} is announced" + (f" ({told})" if told else "")
 
 
+def receiver_words(nouns: Nouns, entrant: Any) -> str:
+    """Return who gets points: ``yellow``, or ``the team of the last to touch the ball``."""
+    if isinstance(entrant, LastToucher):
+        return f"the team of the last to touch {nouns.thing(entrant.last_touch)}"
+    return "its team" if entrant == "each" and entrant not in nouns.scenario.entrants else plain(entrant)
+
+
 def _points(nouns: Nouns, action: Any) -> str:
-    who, points = plain(action.entrant), action.points
+    who, points = receiver_words(nouns, action.entrant), action.points
     if not isinstance(points, (int, float)):
         return f"{who} gets points: {amount(nouns, points)}"
     number = amount(nouns, abs(points))
@@ -161,6 +193,7 @@ ACTIONS: dict[str, Callable[[Nouns, Any], str]] = {
     "set_flag": lambda n, a: f"{_flag(n, a)} is {'set' if a.to else 'cleared'}",
     "toggle_flag": lambda n, a: f"{_flag(n, a)} is turned over",
     "timer": _timer,
+    "sequence": _sequence,
     "draw": _draw,
     "place": _place,
     "remove": _remove,
@@ -183,3 +216,17 @@ PLACES: dict[type, Callable[[Nouns, Any], str]] = {
     places.FurthestFree: lambda n, a: _free(n, "furthest", a.furthest_free, a.choose_among, a.from_),
     places.RelativeTo: _beside,
 }
+
+AIMS: dict[type, Callable[[Nouns, Any], str]] = {
+    str: lambda _n, _a: "its start",
+    places.Start: lambda _n, _a: "its start",
+    places.AtPoint: lambda n, a: n.point(a.point),
+    places.AtSpot: lambda n, a: n.thing(a.spot),
+    places.UniformIn: lambda n, a: f"a random point of {n.any_of(a.uniform_in)}",
+    places.OnLine: lambda n, a: f"a random point of the line from {n.point(a.on_line[0])} to {n.point(a.on_line[1])}",
+    places.Choice: _aim_on,
+    places.NearestFree: _aim_on,
+    places.FurthestFree: _aim_on,
+    places.RelativeTo: _aim_beside,
+}
+"""The same places as what a kick is aimed at."""

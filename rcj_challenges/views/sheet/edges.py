@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from rcj_challenges.views.sheet.nouns import Nouns, Subject, plain, quoted
-from rcj_challenges.views.sheet.phrases import amount, compared, metres, number, seconds
+from rcj_challenges.views.sheet.phrases import amount, compared, degrees, metres, number, seconds, value
 
 
 def trigger_words(nouns: Nouns, trigger: Any) -> str:
@@ -64,10 +64,11 @@ def _is(nouns: Nouns, c: Any, names: Any, what: str) -> str:
 
 def _kept(nouns: Nouns, kind: str, name: str, c: Any) -> Subject:
     """Return whose counter, flag or timer is asked: of one, or of so many of several."""
-    if c.of is None or c.entity == "each":
+    together = c.of is None and c.entity is None and kind != "counter" and nouns.owners(kind, name) is not None
+    if (c.of is None and not together) or c.entity == "each":
         return Subject(nouns.kept(kind, name, c.entity), negated=c.negate)
     names = c.entity or getattr(nouns.scenario, f"{kind}s")[name].per
-    who = nouns.quantified(c.of, names, negate=c.negate)
+    who = nouns.quantified(c.of or "any", names, negate=c.negate)
     return Subject(f"the {kind} {quoted(name)} of {who.text}", negated=who.negated)
 
 
@@ -75,6 +76,10 @@ def _timer(nouns: Nouns, c: Any) -> str:
     timer, limits = _kept(nouns, "timer", c.timer, c), compared(nouns, c, " s")
     if not limits:
         return f"{timer.does('is', 'are')} running"
+    owners = nouns.owners("timer", c.timer)
+    if c.of is None and c.entity is None and owners is not None:
+        longest = f"the longest running timer {quoted(c.timer)} of {nouns.all_of(owners).text}"
+        timer = Subject(longest, negated=c.negate)
     return f"{timer.text} has{' not' if timer.negated else ''} run for {limits}"
 
 
@@ -85,6 +90,24 @@ def _speed(nouns: Nouns, c: Any) -> str:
         how = "slower" if c.at_most is None else "faster"
         return f"{who.text} moves {how} than {amount(nouns, limits[0])} m/s"
     return f"{who.does('moves', 'move')} at a speed of {compared(nouns, c, ' m/s')}"
+
+
+def _looks(nouns: Nouns, c: Any) -> str:
+    who = nouns.quantified(c.of, c.entity, negate=c.negate).does("looks", "look")
+    way = (
+        f"{degrees(c.heading_rad)} counter-clockwise from +x"
+        if c.towards is None
+        else f"towards {nouns.point(c.towards)}"
+    )
+    return f"{who} {way} (to within {degrees(c.within_rad)})"
+
+
+def _any_of(nouns: Nouns, c: Any) -> str:
+    inner = [condition_words(nouns, one) for one in c.conditions]
+    if len(inner) == 1:
+        return f"it is not so that {inner[0]}" if c.negate else inner[0]
+    first, last = ("neither ", " nor ") if c.negate else ("either ", " or ")
+    return first + last.join(inner)
 
 
 TRIGGERS: dict[str, Callable[[Nouns, Any], str]] = {
@@ -112,9 +135,11 @@ CONDITIONS: dict[str, Callable[[Nouns, Any], str]] = {
     "in_zone": lambda n, c: _is(n, c, c.entity, f"in {n.any_of(c.zone)}"),
     "speed": _speed,
     "distance": lambda n, c: _is(n, c, c.entity, f"{compared(n, c, ' m')} from {n.point(c.to)}"),
+    "looks": _looks,
+    "any_of": _any_of,
     "counter": lambda n, c: f"{_kept(n, 'counter', c.counter, c).does('is', 'are')} {compared(n, c)}",
     "flag": lambda n, c: f"{_kept(n, 'flag', c.flag, c).does('is', 'are')} set",
-    "drawn": lambda _, c: f"“{plain(str(c.equals))}” was {'not ' if c.negate else ''}drawn as {quoted(c.draw)}",
+    "drawn": lambda n, c: f"“{plain(value(n, c.equals))}” was {'not ' if c.negate else ''}drawn as {quoted(c.draw)}",
     "timer": _timer,
     "last_touch": lambda n, c: (
         f"the last to touch {n.thing(c.entity)} was {'not ' if c.negate else ''}{n.any_of(c.by)}"

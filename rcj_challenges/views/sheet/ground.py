@@ -23,11 +23,16 @@ def field_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
         f" {_corners(field)} {_goals(nouns, field)}"
     )
     yield Picture(draw_scenario(scenario, nouns.roster))
+    if scenario.gates:
+        yield Paragraph("A gate is crossed forward towards the side to which its short mark in the drawing points.")
     yield from _balls(nouns)
     if scenario.obstacles:
         yield Paragraph("Obstacles; the place is where the centre stands at the start of a half, x and y in m:")
-        rows = tuple(_obstacle_row(name, obstacle) for name, obstacle in scenario.obstacles.items())
-        yield Table(("obstacle", "place", "what it is", "height", "can be moved"), rows)
+        colours = any(map(_colour_given, scenario.obstacles.values()))
+        rows = tuple(_obstacle_row(name, obstacle, colours=colours) for name, obstacle in scenario.obstacles.items())
+        yield Table(
+            ("obstacle", "place", "what it is", "height", *(("colour",) if colours else ()), "can be moved"), rows
+        )
     groups = [f"{quoted(group)}: {nouns.members(group)}" for group in scenario.groups]
     if groups:
         yield Paragraph("These names stand for several:")
@@ -81,18 +86,19 @@ def _ball_row(name: str, ball: models.Ball, *, colours: bool) -> tuple[str, ...]
     return plain(name), point(ball.start_m), size, mass, *colour, "yes" if ball.emits else "no"
 
 
-def _colour_given(ball: models.Ball) -> bool:
-    return "colour" in ball.model_fields_set
+def _colour_given(thing: models.Ball | models.Obstacle) -> bool:
+    return "colour" in thing.model_fields_set
 
 
-def _obstacle_row(name: str, obstacle: Any) -> tuple[str, ...]:
+def _obstacle_row(name: str, obstacle: Any, *, colours: bool) -> tuple[str, ...]:
+    colour = (obstacle.colour,) if colours else ()
     movable = f"yes, its mass is {obstacle.mass_kg:g} kg" if getattr(obstacle, "movable", False) else "no"
     if isinstance(obstacle, models.Wall):
         place = f"from {point(obstacle.from_m)} to {point(obstacle.to_m)}"
         what = f"wall, {metres(obstacle.thickness_m)} thick"
     else:
         place, what = point(obstacle.centre_m), _shape(obstacle)
-    return plain(name), place, what, metres(obstacle.height_m), movable
+    return plain(name), place, what, metres(obstacle.height_m), *colour, movable
 
 
 def _shape(obstacle: models.Box | models.Cylinder) -> str:

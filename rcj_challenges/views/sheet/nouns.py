@@ -86,6 +86,7 @@ class Nouns:
         kind = _kind(scenario, name)
         first = name.lower().partition("_")[0]
         bare = kind in ("ball", "obstacle", "gate", "spot") and kind not in name.lower()
+        bare = bare or (len(name) == 1 and kind not in ("", "robot"))
         if bare or (kind not in ("", "robot") and first in _WITHOUT_ARTICLE) or self._one_like_others(name, kind):
             return f"the {kind} {quoted(name)}"
         if name in scenario.draws:
@@ -115,9 +116,18 @@ class Nouns:
         several = self.all_of(names).text
         if isinstance(of, AtLeast):
             return Subject(f"{'fewer than' if negate else 'at least'} {of.at_least} of {several}", plural=True)
+        if isinstance(names, tuple) and len(names) == 2 and not any(map(self._several, names)):
+            return self._of_two(of, names, negate=negate)
         if of == "all":
             return Subject(f"{'not all' if negate else 'all'} of {several}", plural=True)
         return Subject(f"{'any' if (of == 'any') != negate else 'none'} of {several}")
+
+    def _of_two(self, of: str, names: Names, *, negate: bool) -> Subject:
+        """Return how many of two single things must do something: ``both the ball and Y1``, ``neither Y1 nor Y2``."""
+        first, second = map(self._one, names)
+        if of == "all":
+            return Subject(f"{'not ' if negate else ''}both {first} and {second}", plural=True)
+        return Subject(f"{first} or {second}" if (of == "any") != negate else f"neither {first} nor {second}")
 
     def point(self, at: Any) -> str:
         """Return a named thing or a point ``(x, y)``; of a group the nearest of it is meant."""
@@ -130,12 +140,28 @@ class Nouns:
         return f"its {what}" if names == "each" else f"the {what} of {self.any_of(names)}"
 
     def kept(self, kind: str, name: str, entity: str | None) -> str:
-        """Return a counter, flag or timer, with whose it is: ``the counter “laps” of Y1``, ``its flag “out”``."""
+        """Return a counter, flag or timer, with whose it is: ``the counter “laps” of Y1``, ``its flag “out”``.
+
+        Without an entity, what is kept for each of several is read as one: counters as their sum, flags as any of them.
+        """
         if name in self.scenario.entrants:
             return f"the score of {plain(name)}"
         if entity == "each":
             return f"its {kind} {quoted(name)}"
+        owners = None if entity else self.owners(kind, name)
+        if owners is not None:
+            of = self.all_of(owners).text
+            return (
+                f"the sum of the counters {quoted(name)} of {of}"
+                if kind == "counter"
+                else (f"the {kind} {quoted(name)} of any of {of}")
+            )
         return f"the {kind} {quoted(name)}" + (f" of {self.thing(entity)}" if entity else "")
+
+    def owners(self, kind: str, name: str) -> str | None:
+        """Return the group of which each has a counter, flag or timer of its own; None for a single one."""
+        one = getattr(self.scenario, f"{kind}s").get(name)
+        return one.per if one is not None and one.per is not None and self._several(one.per) else None
 
     def every_kept(self, kind: str, name: str, entity: str | None) -> str:
         """Return the same for an action, where no entity means all of them."""

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rcj_challenges.scenario.models.actions import Score
-from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Result, Scenario
+from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Result, Rule, Scenario
 from rcj_challenges.scenario.models.state import AnyStep, Draw, Phase, Sequence
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table, as_html, as_markdown
-from rcj_challenges.views.sheet.deeds import placing_words
+from rcj_challenges.views.sheet.deeds import placing_words, receiver_words
 from rcj_challenges.views.sheet.ground import field_blocks
 from rcj_challenges.views.sheet.machines import robot_blocks
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
-from rcj_challenges.views.sheet.phrases import amount, seconds
+from rcj_challenges.views.sheet.phrases import amount, number, seconds, value
 from rcj_challenges.views.sheet.rules import rule_blocks, when_words
 from rcj_challenges.views.sheet.spoken import spoken
 from rcj_challenges.views.sheet.told import told_blocks
@@ -57,7 +57,8 @@ def _course(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
             + ("; it starts with the half." if timer.starts else ".")
             for name, timer in scenario.timers.items()
         ),
-        *(_draw_words(name, draw) for name, draw in scenario.draws.items()),
+        *_beginnings(scenario, nouns),
+        *(_draw_words(nouns, name, draw) for name, draw in scenario.draws.items()),
         *(_sequence_words(nouns, name, sequence) for name, sequence in scenario.sequences.items()),
     ]
     if entries:
@@ -65,32 +66,92 @@ def _course(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
 
 
 def _phase_words(name: str, phase: Phase) -> str:
-    lasts = f"lasts {seconds(phase.lasts_s)}" if phase.lasts_s else "lasts until a rule ends it"
+    lasts = (
+        f"lasts {seconds(phase.lasts_s)}, then {quoted(phase.next)} follows"
+        if phase.lasts_s
+        else ("lasts until a rule begins another")
+    )
     told = "; meanwhile a kick-off is awaited" if phase.waiting_for_kickoff else ""
     clock = "goes on" if phase.clock == "runs" else "stands still"
-    return f"The phase {quoted(name)} {lasts}, then {quoted(phase.next)} follows; the clock {clock}{told}."
+    return f"The phase {quoted(name)} {lasts}; the clock {clock}{told}."
 
 
-def _draw_words(name: str, draw: Draw) -> str:
-    values = listed([plain(str(entry)) for entry in draw.values], "or")
+def _beginnings(scenario: Scenario, nouns: Nouns) -> Iterator[str]:
+    """Return what counters and flags begin at, where that is not 0 or unset, and which of them outlive a half.
+
+    Whose they are, the sentences that name them tell.
+    """
+    for name, counter in scenario.counters.items():
+        if counter.initial:
+            yield f"{_kept_words(nouns, 'counter', name)} {number(counter.initial)} when a half starts."
+    for name, flag in scenario.flags.items():
+        stays = flag.keep == "match" and scenario.match.halves > 1
+        if flag.initial or stays:
+            what = "set" if flag.initial else "not set"
+            when = "the match starts; it stays as it is from half to half" if stays else "a half starts"
+            yield f"{_kept_words(nouns, 'flag', name)} {what} when {when}."
+
+
+def _kept_words(nouns: Nouns, kind: str, name: str) -> str:
+    owners = nouns.owners(kind, name)
+    if owners is None:
+        return f"The {kind} {quoted(name)} is"
+    return f"There is a {kind} {quoted(name)} for {nouns.each_of(owners)}; it is"
+
+
+def _draw_words(nouns: Nouns, name: str, draw: Draw) -> str:
+    values = listed([plain(value(nouns, entry)) for entry in draw.values], "or")
     again = ", never the same twice running" if draw.not_last else ""
     keep = "once a match" if draw.keep == "match" else "when a half starts"
     return f"Chance decides {quoted(name)} {keep}: {values}{again}."
 
 
 def _sequence_words(nouns: Nouns, name: str, sequence: Sequence) -> str:
-    steps = [nouns.any_of(step.any_of if isinstance(step, AnyStep) else step) for step in sequence.steps]
-    back = " and back to the first" if sequence.cyclic else ""
-    wrong = "breaks it" if sequence.wrong_step == "break" else "changes nothing"
-    way = ", then ".join(steps)
-    return (
-        f"The sequence {quoted(name)} is the way of {nouns.thing(sequence.entity)}: {way}{back}; a wrong step {wrong}."
-    )
+    places = [step.any_of if isinstance(step, AnyStep) else (step,) for step in sequence.steps]
+    way = ", then ".join(map(nouns.any_of, places)) + (" and back to the first" if sequence.cyclic else "")
+    who, made = nouns.thing(sequence.entity), _step_words(nouns, [name for step in places for name in step])
+    if sequence.wrong_step == "break":
+        wrong = f"after the first step, {made} which is neither the last reached nor the next breaks it: it begins anew"
+        when = "also when"
+    else:
+        wrong, when = f"{made} out of turn changes nothing", "when"
+    again = f"It begins anew {when} a rule puts {who} somewhere or takes it off the field."
+    return f"The sequence {quoted(name)} is the way of {who}: {way}; {wrong}. {again}{_followed_words(nouns, name)}"
+
+
+def _followed_words(nouns: Nouns, name: str) -> str:
+    """Return in which phases a sequence is followed, if not in all: those of the rules that name it."""
+    everywhere = dict.fromkeys(("play", *nouns.scenario.phases))
+    rules = [rule for rule in nouns.scenario.rules.values() if name in _sequences_of(rule)]
+    lives = {phase for rule in rules for phase in (everywhere if rule.phases == "any" else rule.phases)}
+    if not lives or lives.issuperset(everywhere):
+        return ""
+    where = listed([quoted(phase) for phase in everywhere if phase in lives], "or")
+    return f" It is followed in the phase {where} only, and begins anew after every other phase."
+
+
+def _sequences_of(rule: Rule) -> set[str]:
+    """Return the sequences that a rule hears or asks."""
+    asked = [*rule.conditions, *(getattr(trigger, "condition", None) for trigger in rule.triggers)]
+    words = [*rule.triggers, *asked, *(inner for one in asked for inner in getattr(one, "conditions", ()))]
+    return {name for word in words if (name := getattr(word, "sequence", None)) is not None}
+
+
+def _step_words(nouns: Nouns, names: list[str]) -> str:
+    """Return what makes a step: zones are entered, gates are crossed forward."""
+    gates = {place in nouns.scenario.gates for place in nouns.roster.expand(tuple(names))}
+    if gates == {True}:
+        return "crossing one of these forward"
+    return "entering one of these or crossing it forward" if True in gates else "entering one of these"
 
 
 def _scoring(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     rows = [
-        (spoken(nouns, rule) or when_words(rule, nouns), plain(action.entrant), amount(nouns, action.points))
+        (
+            spoken(nouns, rule) or when_words(rule, nouns),
+            receiver_words(nouns, action.entrant),
+            amount(nouns, action.points),
+        )
         for rule in scenario.rules.values()
         for action in rule.actions
         if isinstance(action, Score)
@@ -111,12 +172,20 @@ def _criterion_words(nouns: Nouns, criterion: RankByScore | RankByTime | RankByC
         return "more points" if criterion.score == "descending" else "fewer points"
     if isinstance(criterion, RankByCounter):
         larger = "larger" if criterion.order == "descending" else "smaller"
-        return f"a {larger} value of {nouns.kept('counter', criterion.counter, None)}"
+        return f"a {larger} value of {_own_counter(nouns, criterion.counter)}"
     added = "".join(
-        f", with {seconds(part.weight)} added for each count of {nouns.kept('counter', part.counter, None)}"
+        f", with {seconds(part.weight)} added for each count of {_own_counter(nouns, part.counter)}"
         for part in criterion.plus
     )
     return f"a {'shorter' if criterion.time == 'ascending' else 'longer'} time{added}"
+
+
+def _own_counter(nouns: Nouns, name: str) -> str:
+    """Return what of a counter counts for one who competes: of one kept per robot, the sum of those of its robots."""
+    owners = nouns.owners("counter", name)
+    if owners is None or not set(nouns.scenario.robots) & set(nouns.roster.expand(owners)):
+        return nouns.kept("counter", name, None)
+    return f"the sum of the counters {quoted(name)} of its own robots"
 
 
 def _places(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:

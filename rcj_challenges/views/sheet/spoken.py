@@ -11,7 +11,7 @@ from rcj_challenges.views.sheet.phrases import number
 OPEN = "…"
 """Stands for a number that is known only when the rule fires."""
 
-_OF_ITS_PLACE = ("in_zone", "speed", "distance", "last_touch")
+_OF_ITS_PLACE = ("in_zone", "speed", "distance", "looks", "last_touch")
 """The conditions that ``holds`` follows on behalf of an entity."""
 
 _LIMITS = {

@@ -26,10 +26,21 @@ def attacked_ends(scenario: Scenario, roster: Roster) -> dict[str, frozenset[int
         ends = _ends_entered(rule, scenario, roster)
         for action in rule.actions:
             if isinstance(action, Score) and not (isinstance(action.points, int | float) and action.points <= 0):
-                found.setdefault(action.entrant, set()).update(ends)
+                for seat in _receivers(action, rule, scenario, roster):
+                    found[seat].update(ends)
     if not any(found.values()):
         found = _by_start(scenario)
     return {seat: frozenset(ends) for seat, ends in found.items()}
+
+
+def _receivers(action: Score, rule: Rule, scenario: Scenario, roster: Roster) -> list[str]:
+    """Return the seats that may get the points; of those of the last to touch it nothing is known beforehand."""
+    if not isinstance(action.entrant, str):
+        return []
+    if action.entrant in scenario.entrants:
+        return [action.entrant]
+    robots = set(roster.expand(rule.for_each or ()))
+    return [seat for seat, entrant in scenario.entrants.items() if robots & set(entrant.robots)]
 
 
 def own_end(ends: frozenset[int]) -> int | None:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from PIL import Image, ImageDraw
 
 from rcj_challenges.scenario.models.field import Box, Cylinder
-from rcj_challenges.views.drawing.shapes import box, turned, zone_outline
+from rcj_challenges.views.drawing.shapes import box, floor_outline, turned
 from rcj_challenges.views.video.camera import WALL_M, ends_of_field
 from rcj_challenges.views.video.colours import EDGE, GRASS, LINE, OUTSIDE, WALL, Rgb, mixed, rgb
 from rcj_challenges.views.video.footage import Footage
@@ -67,19 +67,20 @@ def paint_ground(footage: Footage, size: tuple[int, int], view: Projection) -> I
         paper.polygon(inside, mixed(rgb(goal["colour"]), EDGE, 0.45))
         paper.line([inside[0], inside[1]], LINE)
     paper.line([*inner, inner[0]], LINE)
-    paper.line([(-w, 0.0), (w, 0.0)], LINE)
-    _zones(paper, footage, w, h)
+    if goals:  # the halfway line is one between goals
+        paper.line([(-w, 0.0), (w, 0.0)], LINE)
+    _zones(paper, footage)
     for spot in footage.scenario.spots.values():
         paper.disc((spot.x_m, spot.y_m), 0.006, LINE)
     _obstacles(paper, footage)
     return paper.finished()
 
 
-def _zones(paper: _Paper, footage: Footage, w: float, h: float) -> None:
+def _zones(paper: _Paper, footage: Footage) -> None:
     """Draw the zones that are lines on the field, up to its walls."""
     for zone in footage.scenario.zones.values():
-        if zone.drawn:
-            outline = zone_outline(zone, (-w, -h, w, h))
+        outline = floor_outline(zone, footage.scenario.field) if zone.drawn else []
+        if outline:
             paper.line([*outline, outline[0]], LINE)
 
 

@@ -16,7 +16,7 @@ import numpy as np
 from PIL import Image
 
 from rcj_challenges.scenario.models.field import Box, Cylinder
-from rcj_challenges.views.drawing.shapes import zone_outline
+from rcj_challenges.views.drawing.shapes import floor_outline
 from rcj_challenges.views.video.camera import WALL_M
 from rcj_challenges.views.video.colours import EDGE, GRASS, LINE, OUTSIDE, WALL, WHEEL, WHITE, Rgb, mixed, rgb, text_on
 from rcj_challenges.views.video.footage import Footage
@@ -134,11 +134,12 @@ def _add_field(builder: _Builder, footage: Footage) -> None:
     for stripe in range(_STRIPES):
         low, high = (-h + 2 * h * k / _STRIPES for k in (stripe, stripe + 1))
         builder.slab(f"grass{stripe}", _grass((w, h, cut), low, high), GRASS[stripe % 2])
-    builder.paint((-w, 0.0), (w, 0.0))
+    if field["goals"]:  # the halfway line is one between goals
+        builder.paint((-w, 0.0), (w, 0.0))
     for zone in footage.scenario.zones.values():
         if zone.drawn:
-            outline = zone_outline(zone, (-w, -h, w, h))
-            for start, end in zip(outline, [*outline[1:], outline[0]], strict=True):
+            outline = floor_outline(zone, footage.scenario.field)
+            for start, end in zip(outline, [*outline[1:], *outline[:1]], strict=True):
                 builder.paint(start, end)
     edge = [(w - cut, h), (w, h - cut), (w, -h + cut), (w - cut, -h),
             (-w + cut, -h), (-w, -h + cut), (-w, h - cut), (-w + cut, h)]  # fmt: skip

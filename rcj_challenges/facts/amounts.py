@@ -1,0 +1,19 @@
+"""Scores, counters and their sums as numbers that people write: whole ones without a point, decimal ones exact."""
+
+from __future__ import annotations
+
+_DECIMALS = 9
+
+
+def plain(value: float) -> int | float:
+    """Return whole numbers as integers: scores and payloads show 3, not 3.0."""
+    return int(value) if isinstance(value, float) and value.is_integer() else value
+
+
+def on_paper(value: float) -> int | float:
+    """Return a score or counter as it would be on paper: three times 0.1 is 0.3, not 0.30000000000000004.
+
+    Every score, counter and sum of them comes through here after each change, so that conditions, events, records and
+    the ranking see the same number.
+    """
+    return plain(round(value, _DECIMALS))

@@ -1,0 +1,44 @@
+"""Lint of ``result``: counters that are the same number for every entrant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rcj_challenges.scenario.lint_suspect import Subject, Suspect
+from rcj_challenges.scenario.models.scenario import RankByCounter, RankByTime
+from rcj_challenges.scenario.tree import Path
+
+
+def check_ranking(subject: Subject) -> Iterator[Suspect]:
+    """Criteria that can tell no entrants apart: a ranking adds up what was counted for the robots of each."""
+    for counter, path in _ranked_by(subject):
+        reason = _why_equal(counter, subject)
+        if reason:
+            yield Suspect(
+                "criterion_always_equal",
+                path,
+                f"counter '{counter}' {reason}",
+                "keep it {per: robots} and count it for the robot that it is about, or leave it out",
+            )
+
+
+def _ranked_by(subject: Subject) -> Iterator[tuple[str, Path]]:
+    for index, criterion in enumerate(subject.scenario.result.rank):
+        path: Path = ("result", "rank", index)
+        if isinstance(criterion, RankByCounter):
+            yield criterion.counter, (*path, "counter")
+        elif isinstance(criterion, RankByTime):
+            for number, part in enumerate(criterion.plus):
+                yield part.counter, (*path, "plus", number, "counter")
+
+
+def _why_equal(counter: str, subject: Subject) -> str:
+    """Return why a counter is the same for every entrant, or an empty text if it need not be."""
+    entrants, per = subject.scenario.entrants, subject.scenario.counters[counter].per
+    if per is None:
+        # A single entrant has nobody to be told apart from: its runs are compared with those of others.
+        return "is one for all: it is the same number for every entrant" if len(entrants) > 1 else ""
+    driven = {robot for entrant in entrants.values() for robot in entrant.robots}
+    if driven.isdisjoint(subject.roster.expand(per)):
+        return f"is kept per {per}, which nobody drives: it is 0 for every entrant"
+    return ""

@@ -1,0 +1,159 @@
+"""Decimal amounts behave as on paper: three times 0.1 is 0.3, in conditions, events, broadcasts and the ranking."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from rcj_challenges.match.ranking import Tally, ranking
+
+TENTHS = """
+counters: {third: {}, per_robot: {per: robots}}
+rules:
+  tenth:
+    triggers: [{trigger: time_reached, at_s: 0.32}, {trigger: time_reached, at_s: 0.64}, {trigger: time_reached, at_s: 0.96}]
+    actions:
+      - {action: score, entrant: yellow, points: 0.1}
+      - {action: count, counter: third, by: 0.7}
+      - {action: count, counter: per_robot, entity: B1, by: 0.1}
+      - {action: emit, event: TENTH, payload: {score: {word: score, of: yellow}, third: {counter: third}}}
+  equal:
+    triggers: [{trigger: holds, condition: {condition: counter, counter: third, equals: 2.1}}]
+    actions: [{action: emit, event: EQUAL}]
+"""
+
+
+def test_three_times_a_tenth_of_a_point_is_exactly_three_tenths(stage):
+    play = stage(TENTHS)
+    play.play(31)
+    assert play.referee.scores["yellow"] == 0.3
+    assert play.events_named("TENTH")[-1].payload == {"score": 0.3, "third": 2.1}
+
+
+def test_a_condition_that_asks_for_a_decimal_number_holds_when_it_is_reached_on_paper(stage):
+    play = stage(TENTHS)
+    play.play(31)
+    assert play.names()[-1] == "EQUAL"
+
+
+def test_eight_times_a_tenth_is_at_least_eight_tenths(stage):
+    play = stage(
+        """
+rules:
+  tenth:
+    triggers: [{trigger: holds, condition: {condition: speed, entity: Y1, at_most: 1}, for_s: 0.32, every_s: 0.32}]
+    actions: [{action: score, entrant: yellow, points: 0.1}]
+  eight:
+    triggers: [{trigger: holds, condition: {condition: counter, counter: yellow, at_least: 0.8}}]
+    actions: [{action: emit, event: EIGHT}]
+"""
+    )
+    play.play(82)
+    assert [event.tick for event in play.events] == [81]
+
+
+def test_the_sum_of_a_counter_kept_per_robot_is_that_on_paper(stage):
+    play = stage(
+        """
+counters: {each_one: {per: robots}}
+rules:
+  tenths:
+    triggers: [{trigger: time_reached, at_s: 0.32}]
+    actions:
+      - {action: count, counter: each_one, by: 0.1}
+      - {action: count, counter: each_one, entity: B1, by: -0.1}
+      - {action: emit, event: SUM, payload: {sum: {counter: each_one}}}
+"""
+    )
+    play.play(10)
+    assert play.events[0].payload == {"sum": 0.3}
+
+
+def test_weighted_points_are_those_on_paper_in_the_score_and_in_the_record(stage):
+    play = stage(
+        """
+counters: {n: {initial: 3}}
+rules:
+  weighted:
+    triggers: [{trigger: time_reached, at_s: 0.32}]
+    actions: [{action: score, entrant: yellow, points: [{counter: n, weight: 0.1}]}]
+"""
+    )
+    play.play(10)
+    assert play.referee.scores["yellow"] == 0.3
+    assert play.firings[0].scored == {"yellow": 0.3}
+
+
+def test_what_programs_are_told_of_a_decimal_score_is_the_number_on_paper(stage):
+    play = stage(TENTHS, "broadcast: {fields: {score: {word: score, of: yellow}}}")
+    play.play(30)
+    assert json.dumps(play.verdict.broadcast) == '{"score": 0.3}'
+
+
+def test_a_whole_score_stays_a_whole_number(stage):
+    play = stage(
+        """
+rules:
+  half:
+    triggers: [{trigger: time_reached, at_s: 0.32}, {trigger: time_reached, at_s: 0.64}]
+    actions: [{action: score, entrant: yellow, points: 0.5}]
+"""
+    )
+    play.play(20)
+    assert repr(play.referee.scores["yellow"]) == "1"
+
+
+def test_a_bound_with_more_decimals_than_are_kept_is_met_by_the_counter_that_was_set_to_it(stage):
+    play = stage(
+        """
+counters: {n: {}}
+rules:
+  set:
+    triggers: [{trigger: time_reached, at_s: 0.32}]
+    actions: [{action: count, counter: n, to: 0.3333333333333333}]
+  there:
+    triggers: [{trigger: holds, condition: {condition: counter, counter: n, equals: 0.3333333333333333}}]
+    actions: [{action: emit, event: THERE}]
+"""
+    )
+    play.play(12)
+    assert play.names() == ["THERE"]
+
+
+RANKED = "counters: {fouls: {per: robots}}\nresult: {rank: [{score: descending}, {counter: fouls, order: ascending}]}"
+
+
+def test_teams_with_equal_decimal_scores_are_told_apart_by_the_next_criterion(small):
+    halves = [
+        Tally(
+            {"fouls": dict.fromkeys(("B1", "B2", "Y1", "Y2"), 0) | {"Y1": 1}}, {"blue": "blue", "yellow": "yellow"}, 60
+        )
+    ]
+    places = ranking(small(RANKED), {"blue": 0.3, "yellow": 0.3}, halves)
+    assert [entry["team"] for entry in places] == ["blue", "yellow"]
+
+
+def test_decimal_counters_of_several_robots_and_halves_are_added_up_as_on_paper(small):
+    scenario = small(RANKED)
+    seats = {"blue": "blue", "yellow": "yellow"}
+    halves = [
+        Tally({"fouls": {"B1": 0.1, "B2": 0.1, "Y1": 0.3, "Y2": 0}}, seats, 60),
+        Tally({"fouls": {"B1": 0.1, "B2": 0, "Y1": 0, "Y2": 0}}, seats, 60),
+    ]
+    places = ranking(scenario, {"blue": 1, "yellow": 1}, halves)
+    assert [(entry["place"], entry["values"]) for entry in places] == [(1, [1, 0.3]), (1, [1, 0.3])]
+
+
+@pytest.mark.parametrize("points", [0.1, 0.7, 2.5])
+def test_what_was_given_is_in_the_record_as_it_was_written(stage, points):
+    play = stage(
+        f"""
+rules:
+  given:
+    triggers: [{{trigger: time_reached, at_s: 0.32}}]
+    actions: [{{action: score, entrant: blue, points: {points}}}, {{action: score, entrant: blue, points: {points}}}]
+"""
+    )
+    play.play(10)
+    assert play.firings[0].scored == {"blue": round(2 * points, 9)}

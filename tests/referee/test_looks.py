@@ -1,0 +1,164 @@
+"""Conditions that ask which way a robot looks, and those that ask for one of several."""
+
+import math
+from collections.abc import Callable
+
+import pytest
+
+from rcj_challenges.referee.script import ScriptedPlay
+from tests.referee.test_conditions import ASKING
+
+
+@pytest.fixture(scope="session")
+def ask() -> Callable[[ScriptedPlay], bool]:
+    """Return what asks whether the condition holds in the next tick."""
+
+    def asked(play: ScriptedPlay) -> bool:
+        before = len(play.events_named("TRUE_NOW"))
+        play.fail("B1")
+        play.play()
+        return len(play.events_named("TRUE_NOW")) > before
+
+    return asked
+
+
+class TestConditionLooks:
+    @pytest.mark.parametrize(("yaw", "holds"), [(0.0, True), (0.19, True), (-0.19, True), (0.21, False), (3.1, False)])
+    def test_towards_an_entity_it_may_be_off_by_so_much(self, stage, ask, yaw, holds):
+        play = stage(ASKING % "{condition: looks, entity: Y1, towards: ball}")
+        play.place("Y1", -0.4, 0.0, yaw)
+        assert ask(play) is holds
+
+    @pytest.mark.parametrize("towards", ["B2", "middle_blue", "[0, 0.5]"])
+    def test_towards_a_robot_a_spot_or_a_point(self, stage, ask, towards):
+        play = stage(ASKING % f"{{condition: looks, entity: Y1, towards: {towards}, within_rad: 0.1}}")
+        play.place("Y1", 0.0, -0.2, math.pi / 2)
+        play.place("B2", 0.0, 0.4)
+        assert ask(play)
+        play.place("Y1", 0.0, -0.2, -math.pi / 2)
+        assert not ask(play)
+
+    @pytest.mark.parametrize(("yaw", "holds"), [(3.1, True), (-3.1, True), (2.9, False), (0.0, False)])
+    def test_in_a_direction_also_where_angles_turn_over(self, stage, ask, yaw, holds):
+        play = stage(ASKING % "{condition: looks, entity: Y1, heading_rad: 3.14159, within_rad: 0.2}")
+        play.place("Y1", 0.0, 0.0, yaw)
+        assert ask(play) is holds
+
+    def test_a_heading_beyond_a_full_turn_is_the_same_direction(self, stage, ask):
+        play = stage(ASKING % "{condition: looks, entity: Y1, heading_rad: 7.85398}")
+        assert ask(play)  # Y1 looks at +y
+
+    @pytest.mark.parametrize(
+        ("of", "answers"),
+        [("any", [False, True, True]), ("all", [False, False, True]), ("none", [True, False, False])],
+    )
+    def test_of_a_group_so_many(self, stage, ask, of, answers):
+        play = stage(ASKING % f"{{condition: looks, entity: yellow, heading_rad: 0, of: {of}}}")
+        found = [ask(play)]
+        for robot in ("Y1", "Y2"):
+            play.place(robot, *play.pose(robot)[:2], 0.0)
+            found.append(ask(play))
+        assert found == answers
+
+    def test_negated_it_is_the_opposite(self, stage, ask):
+        assert not ask(stage(ASKING % "{condition: looks, entity: Y1, heading_rad: 1.57, negate: true}"))
+
+    def test_in_a_rule_for_each_it_is_the_current_one(self, stage):
+        play = stage("""
+        rules:
+          watches:
+            for_each: yellow
+            triggers: [{trigger: program_fault, robot: B1}]
+            conditions: [{condition: looks, entity: each, towards: ball}]
+            actions: [{action: emit, event: WATCHES, payload: {who: {word: robot_name}}}]
+        """)
+        play.place("Y2", 0.4, 0.0, math.pi)
+        play.fail("B1")
+        play.play()
+        assert [event.payload for event in play.events] == [{"who": "Y2"}]
+
+    def test_off_the_field_nobody_looks_or_is_looked_at(self, stage, ask):
+        gone = "  gone: {triggers: [{trigger: program_fault, robot: B2}], actions: [{action: remove, entity: %s}]}\n"
+        for off in ("Y1", "ball"):
+            play = stage(ASKING % "{condition: looks, entity: Y1, towards: ball}" + gone % off)
+            play.place("Y1", -0.4, 0.0, 0.0)
+            assert ask(play)
+            play.fail("B2")
+            play.play()
+            assert not ask(play)
+
+    def test_held_for_a_time_it_is_about_the_robot_and_begins_anew_where_that_is_put_elsewhere(self, stage):
+        play = stage("""
+        rules:
+          stares:
+            triggers: [{trigger: holds, condition: {condition: looks, entity: Y1, heading_rad: 1.57}, for_s: 0.32}]
+            actions: [{action: emit, event: STARES, payload: {who: {word: robot_name}}}]
+          put:
+            triggers: [{trigger: program_fault, robot: B1}]
+            actions: [{action: place, entity: Y1, at: {point: [-0.4, -0.4]}}]
+        """)
+        play.play_until(5)
+        play.fail("B1")
+        play.play_until(14)
+        assert play.events == []
+        play.play_until(17)
+        assert [event.payload for event in play.events] == [{"who": "Y1"}]
+
+
+class TestConditionAnyOf:
+    TWO = (
+        "{condition: any_of, %s conditions: [{condition: in_zone, entity: ball, zone: left}, "
+        "{condition: in_zone, entity: Y1, zone: right}]}"
+    )
+
+    @pytest.mark.parametrize(
+        ("ball", "robot", "holds"), [(0.0, -0.4, False), (-0.3, -0.4, True), (0.0, 0.4, True), (-0.3, 0.4, True)]
+    )
+    def test_one_of_them_is_enough(self, stage, ask, ball, robot, holds):
+        for negated in (False, True):
+            play = stage(ASKING % (self.TWO % ("negate: true," if negated else "")))
+            play.place("ball", ball, 0.0)
+            play.place("Y1", robot, -0.4)
+            assert ask(play) is (holds is not negated)
+
+    def test_each_of_them_can_be_negated_by_itself(self, stage, ask):
+        play = stage(
+            ASKING % "{condition: any_of, conditions: [{condition: in_zone, entity: ball, zone: left, negate: true}]}"
+        )
+        assert ask(play)
+        play.place("ball", -0.3, 0.0)
+        assert not ask(play)
+
+    def test_the_other_conditions_of_the_rule_must_hold_as_well(self, stage, ask):
+        play = stage(ASKING % f"{self.TWO % ''}, {{condition: in_zone, entity: B2, zone: right}}")
+        play.place("ball", -0.3, 0.0)
+        assert not ask(play)
+        play.place("B2", 0.4, 0.4)
+        assert ask(play)
+
+    def test_a_sequence_that_only_it_asks_for_is_followed(self, stage, ask):
+        play = stage(
+            "sequences: {way: {entity: ball, steps: [left, right]}}",
+            ASKING % "{condition: any_of, conditions: [{condition: sequence_at, sequence: way, step: left}]}",
+        )
+        assert not ask(play)
+        play.place("ball", -0.3, 0.0)
+        play.play()
+        assert ask(play)
+
+    def test_held_for_a_time_it_is_about_the_one_that_all_of_them_ask_for(self, stage):
+        play = stage("""
+        rules:
+          aside:
+            triggers:
+              - trigger: holds
+                for_s: 0.32
+                condition:
+                  condition: any_of
+                  conditions:
+                    - {condition: in_zone, entity: Y1, zone: left}
+                    - {condition: in_zone, entity: Y1, zone: right}
+            actions: [{action: emit, event: ASIDE, payload: {who: {word: robot_name}}}]
+        """)
+        play.play_until(12)
+        assert [event.payload for event in play.events] == [{"who": "Y1"}]

@@ -1,0 +1,147 @@
+"""What finds no room is said once, in the referee's own log and beside a test that fails; the reflog stays as it is."""
+
+from __future__ import annotations
+
+import pytest
+
+from rcj_challenges.referee.engine import Referee
+from rcj_challenges.referee.script import run_expectation
+from rcj_challenges.scenario.load import load_text
+
+
+def put(where: str, more: str = "", entity: str = "Y1") -> str:
+    """Return rules that put something somewhere at 0.32 s and say so."""
+    return f"""
+rules:
+  put:
+    triggers: [{{trigger: time_reached, at_s: 0.32}}]
+    actions: [{{action: place, entity: {entity}, at: {{{where}}}{more}}}, {{action: emit, event: PUT}}]
+    says: It is put there.
+"""
+
+
+def notes(play) -> list[str]:
+    """Return what the log says of things without room."""
+    return [firing.says for firing in play.firings if firing.suppressed == "no_room"]
+
+
+def test_what_waits_for_room_is_in_the_log_once_with_what_is_in_the_way(stage):
+    play = stage(put("point: [0, 0]"))
+    play.play(100)
+    (line,) = [firing for firing in play.firings if firing.suppressed is not None]
+    assert (line.tick, line.rule, line.entity, line.trigger, line.suppressed) == (10, "put", "Y1", "place", "no_room")
+    assert line.says == "Y1 waits for room: ball is there"
+    assert line.scored == {}
+    assert play.names() == ["PUT"]
+
+
+def test_it_is_put_as_soon_as_there_is_room(stage):
+    play = stage(put("point: [0, 0]"))
+    play.play(20)
+    play.place("ball", 0.5, 0)
+    play.play(2)
+    assert play.pose("Y1")[:2] == (0, 0)
+    assert len(notes(play)) == 1
+
+
+def test_what_does_not_wait_stays_where_it_is(stage):
+    play = stage(put("point: [0, 0]", ", on_failure: stay"))
+    play.play(20)
+    assert notes(play) == ["Y1 stays where it is for want of room: ball is there"]
+
+
+def test_a_wall_in_the_way_is_called_a_wall(stage):
+    play = stage(put("point: [0.64, 0]"))
+    play.play(20)
+    assert notes(play) == ["Y1 waits for room: a wall or a fixed obstacle is there"]
+
+
+def test_all_that_is_in_the_way_is_named(stage):
+    play = stage(put("point: [0, 0]", ", min_clearance_m: 0.02"))
+    play.place("B1", 0, 0.09)
+    play.play(20)
+    assert notes(play) == ["Y1 waits for room: B1 and ball are nearer than 0.02 m"]
+
+
+def test_without_a_free_spot_that_is_said(stage):
+    play = stage("spots: {here: {x_m: 0, y_m: 0.2}}", put("nearest_free: [here]"))
+    play.place("ball", 0, 0.2)
+    play.play(20)
+    assert notes(play) == ["Y1 waits for room: no spot is free"]
+
+
+def test_where_chance_looked_in_vain_that_is_said(stage):
+    play = stage("zones: {hole: {shape: circle, centre_m: [0, 0], radius_m: 0.01}}", put("uniform_in: hole"))
+    play.play(20)
+    assert notes(play) == ["Y1 waits for room: chance found none in 100 attempts"]
+
+
+def test_of_two_put_to_one_place_the_second_waits_for_the_first(stage):
+    play = stage(put("point: [0.3, 0]", entity="[Y1, Y2]"))
+    play.play(20)
+    assert notes(play) == ["Y2 waits for room: Y1 is there"]
+
+
+def test_a_kick_without_an_aim_is_said(stage):
+    kick = ", kick: {towards: {nearest_free: [here]}, speed_mps: 1}"
+    play = stage("spots: {here: {x_m: 0, y_m: 0.2}}", put("point: [0.2, 0]", kick, entity="ball"))
+    play.place("Y1", 0, 0.2)
+    play.play(20)
+    assert notes(play) == ["ball waits for room: its kick finds nothing to aim at"]
+
+
+def test_what_comes_back_and_finds_no_room_is_said_too(stage):
+    play = stage(
+        """
+rules:
+  away:
+    triggers: [{trigger: time_reached, at_s: 0.32}]
+    actions: [{action: remove, entity: Y1, for_s: 0.32, back_at: {point: [0, 0]}}]
+"""
+    )
+    play.play(15)
+    assert notes(play) == []
+    play.play(20)
+    assert notes(play) == ["Y1 waits for room: ball is there"]
+
+
+def test_to_look_for_the_reason_takes_nothing_from_chance(stage, monkeypatch):
+    narrow = "zones: {strip: {shape: rect, x_min_m: -0.05, x_max_m: 0.05, y_min_m: -0.01, y_max_m: 0.01}}"
+
+    def placed(play):
+        play.play(20)
+        assert play.placements == []
+        play.place("ball", 0.5, 0.5)
+        play.play(2)
+        return play.pose("Y1")
+
+    told = placed(stage(narrow, put("uniform_in: strip", ", facing: {random: true}")))
+    monkeypatch.setattr(Referee, "_tell_no_room", lambda _referee, _job: None)
+    assert told == placed(stage(narrow, put("uniform_in: strip", ", facing: {random: true}")))
+
+
+FILE = """schema_version: 1
+id: it
+title: It
+extends: soccersim_v2
+match: {half_s: 5}
+rules:
+  put:
+    triggers: [{trigger: time_reached, at_s: 1}]
+    actions: [{action: place, entity: Y1, at: {point: [0, 0]}}, {action: emit, event: PUT}]
+    says: Y1 is put on the centre.
+expect:
+  it: {keyframes: [{at_s: 0.5}], lasts_s: 2, events: [{event: PUT}]%s}
+"""
+
+
+def test_a_test_that_fails_says_what_waits_for_room():
+    differences = run_expectation(load_text(FILE % ", poses: {Y1: [0, 0]}"), "it")
+    assert len(differences) == 2
+    assert differences[0].startswith("Y1: expected at (0, 0)")
+    assert differences[1] == "note: from 1.024 s on Y1 waits for room: ball is there (rule put)"
+
+
+@pytest.mark.parametrize("more", ["", ", score: {yellow: 0}"])
+def test_a_test_that_passes_says_nothing(more):
+    assert run_expectation(load_text(FILE % more), "it") == []

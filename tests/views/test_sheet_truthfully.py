@@ -1,0 +1,228 @@
+"""The rule sheet tells what teams cannot guess: what counters begin at, whose they are, what breaks a sequence."""
+
+import re
+
+import pytest
+
+from rcj_challenges.scenario.load import load_text
+from rcj_challenges.views.sheet import sheet_markdown
+
+pytestmark = pytest.mark.usefixtures("without_drawing")
+
+HEAD = "schema_version: 1\nid: truth\ntitle: Truth\nextends: soccersim_v2\n"
+DOES = "actions: [{action: end}]"
+
+
+def sheet(text: str) -> str:
+    """Return the sheet of a scenario, without the marks that keep Markdown from reading names as something else."""
+    loaded = load_text(HEAD + text)
+    return sheet_markdown(loaded.scenario, loaded.roster).replace("\\", "")
+
+
+def sentence(rule: str, more: str = "") -> str:
+    """Return the sentence of a rule that is written in YAML on one line."""
+    text = sheet(f"{more}\nrules:\n  it: {{{rule}}}\n")
+    return next(line for line in text.splitlines() if line.startswith("1. [it] ")).removeprefix("1. [it] ")
+
+
+def condition(written: str, more: str = "") -> str:
+    """Return a condition in words."""
+    said = sentence(f"triggers: [{{trigger: half_started}}], conditions: [{{{written}}}], {DOES}", more)
+    return said.removeprefix("When a half starts, provided that ").removesuffix(": the half ends.")
+
+
+# --- what counters and flags begin at -----------------------------------------------------------------------------------
+
+BEGINNINGS = {
+    "counters: {missed: {initial: 4}}": "- The counter “missed” is 4 when a half starts.",
+    "counters: {lives: {initial: 3, per: robots}}": (
+        "- There is a counter “lives” for each of the robots; it is 3 when a half starts."
+    ),
+    "flags: {open: {initial: true}}": "- The flag “open” is set when a half starts.",
+    "flags: {handed_over: {keep: match}}": "- The flag “handed over” is not set when the match starts; it stays as it is from half to half.",
+    "flags: {fresh: {per: yellow, initial: true}}": (
+        "- There is a flag “fresh” for each of the yellow robots; it is set when a half starts."
+    ),
+}
+
+
+@pytest.mark.parametrize(("written", "words"), BEGINNINGS.items(), ids=list(BEGINNINGS.values()))
+def test_the_course_tells_what_a_counter_or_flag_begins_at(written, words):
+    assert words in sheet(f"match: {{halves: 2}}\n{written}\n").splitlines()
+
+
+def test_in_a_match_of_one_half_nothing_is_said_about_the_next():
+    text = sheet("match: {halves: 1}\nflags: {open: {initial: true, keep: match}}\n")
+    assert "The flag “open” is set when a half starts." in text
+    assert "half to half" not in text
+
+
+def test_a_counter_that_begins_at_0_and_a_flag_that_begins_unset_need_no_line():
+    text = sheet(
+        "match: {halves: 2}\ncounters: {goals: {}, laps: {per: robots}}\nflags: {away: {}, tired: {per: yellow}}\n"
+    )
+    assert not re.search("“(goals|laps|away|tired)”", text)
+
+
+# --- phases and draws -------------------------------------------------------------------------------------------------
+
+
+def test_a_phase_that_a_rule_ends_promises_nothing_about_what_follows():
+    text = sheet("phases: {first_task: {}}\nfirst_phase: first_task\n")
+    assert "- The phase “first task” lasts until a rule begins another; the clock goes on." in text.splitlines()
+
+
+def test_a_phase_with_a_length_says_what_follows():
+    text = sheet("phases: {pause: {lasts_s: 5, clock: stops}}\n")
+    assert "- The phase “pause” lasts 5 s, then “play” follows; the clock stands still." in text.splitlines()
+
+
+def test_yes_or_no_by_chance_is_written_as_in_the_scenario():
+    text = sheet("draws: {doubled: {values: [true, false]}}\n")
+    assert "Chance decides “doubled” when a half starts: true or false." in text
+    drawn = condition("condition: drawn, draw: doubled, equals: true", "draws: {doubled: {values: [true, false]}}")
+    assert drawn == "“true” was drawn as “doubled”"
+
+
+# --- what is kept per entity and read as one ----------------------------------------------------------------------------
+
+KEPT = "counters: {tries: {per: robots}, all: {}}\nflags: {armed: {per: yellow}}\ntimers: {rest: {lasts_s: 3, per: robots}}"
+
+
+def test_a_broadcast_says_that_it_sums_and_that_any_is_enough():
+    text = sheet(f"{KEPT}\nbroadcast: {{fields: {{n: {{counter: tries}}, f: {{flag: armed}}, a: {{counter: all}}}}}}\n")
+    assert "| n | the sum of the counters “tries” of the robots |" in text
+    assert "| f | whether the flag “armed” of any of the yellow robots is set |" in text
+    assert "| a | the counter “all” |" in text
+
+
+def test_points_say_that_they_sum():
+    points = "[{counter: tries, weight: -1}, {flag: armed, weight: 2}]"
+    said = sentence(
+        f"triggers: [{{trigger: half_started}}], actions: [{{action: score, entrant: blue, points: {points}}}]", KEPT
+    )
+    assert "-1 times the sum of the counters “tries” of the robots" in said
+    assert "2 if the flag “armed” of any of the yellow robots is set" in said
+
+
+@pytest.mark.parametrize(
+    ("written", "words"),
+    [
+        ("condition: counter, counter: tries, at_least: 2", "the sum of the counters “tries” of the robots is at least 2"),
+        ("condition: flag, flag: armed", "the flag “armed” of any of the yellow robots is set"),
+        ("condition: flag, flag: armed, negate: true", "the flag “armed” of none of the yellow robots is set"),
+        ("condition: timer, timer: rest", "the timer “rest” of any of the robots is running"),
+        ("condition: timer, timer: rest, negate: true", "the timer “rest” of none of the robots is running"),
+        ("condition: timer, timer: rest, at_least: 2", "the longest running timer “rest” of the robots has run for at least 2 s"),
+        ("condition: counter, counter: tries, entity: Y1, at_least: 2", "the counter “tries” of Y1 is at least 2"),
+    ],
+)  # fmt: skip
+def test_a_condition_says_whether_it_sums_or_asks_for_any(written, words):
+    assert condition(written, KEPT) == words
+
+
+def test_a_rank_by_a_counter_kept_per_robot_says_that_it_sums_those_of_ones_own_robots():
+    text = sheet(f"{KEPT}\nresult: {{rank: [{{counter: tries, order: ascending}}]}}\n")
+    assert "a smaller value of the sum of the counters “tries” of its own robots" in text
+    text = sheet(f"{KEPT}\nresult: {{rank: [{{time: ascending, plus: [{{counter: tries, weight: 3}}]}}]}}\n")
+    assert "with 3 s added for each count of the sum of the counters “tries” of its own robots" in text
+
+
+# --- sequences --------------------------------------------------------------------------------------------------------
+
+WAY = "zones: {a: {shape: circle, centre_m: [0, 0], radius_m: 0.1}, b: {shape: circle, centre_m: [0, 0.3], radius_m: 0.1}, end: {shape: circle, centre_m: [0, -0.3], radius_m: 0.1}}\n"
+
+
+def way(more: str) -> str:
+    text = sheet(f"{WAY}sequences: {{abc: {{entity: Y1, steps: [a, b, end]{more}}}}}\n")
+    return next(line for line in text.splitlines() if line.startswith("- The sequence "))
+
+
+def test_a_sequence_that_breaks_says_what_breaks_it_and_what_follows():
+    assert way(", wrong_step: break") == (
+        "- The sequence “abc” is the way of Y1: the zone “a”, then the zone “b”, then the end; after the first step, "
+        "entering one of these which is neither the last reached nor the next breaks it: it begins anew. "
+        "It begins anew also when a rule puts Y1 somewhere or takes it off the field."
+    )
+
+
+def test_a_sequence_that_ignores_says_that_nothing_is_lost():
+    assert way("") == (
+        "- The sequence “abc” is the way of Y1: the zone “a”, then the zone “b”, then the end; entering one of these out "
+        "of turn changes nothing. It begins anew when a rule puts Y1 somewhere or takes it off the field."
+    )
+
+
+def test_a_sequence_says_in_which_phases_it_is_followed_unless_it_is_in_all():
+    heard = "triggers: [{trigger: sequence_completed, sequence: abc}], " + DOES
+    text = (
+        WAY + "phases: {pause: {lasts_s: 5}}\nsequences: {abc: {entity: Y1, steps: [a, b, end]}}\nrules: {it: {%s}}\n"
+    )
+    told = "It is followed in the phase “play” only, and begins anew after every other phase."
+    assert told in sheet(text % heard)
+    assert told not in sheet(text % f"phases: any, {heard}")
+
+
+def test_a_sequence_over_gates_says_which_way_counts():
+    gates = "gates: {gate_1: {from_m: [-0.5, 0], to_m: [0.5, 0]}, gate_2: {from_m: [-0.5, 0.2], to_m: [0.5, 0.2]}}\n"
+    text = sheet(f"{gates}sequences: {{way: {{entity: ball, steps: [gate_1, gate_2], wrong_step: break}}}}\n")
+    assert "crossing one of these forward which is neither the last reached nor the next breaks it" in text
+    mixed = sheet(f"{gates}sequences: {{way: {{entity: ball, steps: [gate_1, blue_goal]}}}}\n")
+    assert "entering one of these or crossing it forward out of turn changes nothing" in mixed
+
+
+# --- gates ------------------------------------------------------------------------------------------------------------
+
+
+def test_the_sheet_says_what_forward_means_for_a_gate():
+    text = sheet("gates: {line: {from_m: [-0.5, 0], to_m: [0.5, 0]}}\n")
+    assert "A gate is crossed forward towards the side to which its short mark in the drawing points." in text
+    assert "crossed forward" not in sheet("")
+
+
+# --- language ---------------------------------------------------------------------------------------------------------
+
+PAIRS = {
+    "of: all": "both the ball and Y2 are in the pitch",
+    "of: all, negate: true": "not both the ball and Y2 are in the pitch",
+    "of: any": "the ball or Y2 is in the pitch",
+    "of: any, negate: true": "neither the ball nor Y2 is in the pitch",
+    "of: none": "neither the ball nor Y2 is in the pitch",
+    "of: none, negate: true": "the ball or Y2 is in the pitch",
+}
+
+
+@pytest.mark.parametrize(("of", "words"), PAIRS.items(), ids=list(PAIRS))
+def test_two_single_things_are_both_or_neither(of, words):
+    assert condition(f"condition: in_zone, entity: [ball, Y2], zone: pitch, {of}") == words
+
+
+def test_a_group_with_a_name_of_two_letters_is_no_pair():
+    assert condition("condition: in_zone, entity: lr, zone: pitch, of: all", "groups: {lr: [B1, B2]}") == (
+        "all of the robots “lr” are in the pitch"
+    )
+
+
+def test_of_three_things_it_is_all_of_them():
+    said = condition("condition: in_zone, entity: [ball, Y1, Y2], zone: pitch, of: all")
+    assert said == "all of the ball, Y1 and Y2 are in the pitch"
+
+
+def test_a_name_of_one_letter_says_of_what_kind_it_is():
+    said = sentence(f"triggers: [{{trigger: enters, entity: ball, zone: b}}], {DOES}", WAY)
+    assert said == "When the ball enters the zone “b”: the half ends."
+
+
+OBSTACLES = """
+obstacles:
+  post: {shape: cylinder, centre_m: [0.45, 0], radius_m: 0.03, colour: red}
+  fence: {shape: wall, from_m: [-0.6, 0.2], to_m: [-0.3, 0.55]}
+"""
+
+
+def test_colours_of_obstacles_stand_on_the_sheet_if_somebody_chose_one():
+    text = sheet(OBSTACLES)
+    assert "| obstacle | place | what it is | height | colour | can be moved |" in text
+    assert "| post | (0.45, 0) | cylinder, radius 3 cm | 9 cm | red | no |" in text
+    plain = sheet(OBSTACLES.replace(", colour: red", ""))
+    assert "| obstacle | place | what it is | height | can be moved |" in plain
