@@ -166,7 +166,12 @@ CHAPTERS = (
     Chapter(
         "Placements",
         "Section `placements`: layouts by name, each a list of these, carried out in order.",
-        (Word("placements", places.Placing), Word("mirror", places.Mirror), Word("facing", places.Towards), Word("kick", places.Kick)),
+        (
+            Word("placements", places.Placing),
+            Word("mirror", places.Mirror),
+            Word("facing", places.Towards),
+            Word("kick", places.Kick),
+        ),
         "places",
     ),
     Chapter("Where things go", "What `at:` may be, besides the word `start`.", _tagged(places.At), "places"),
