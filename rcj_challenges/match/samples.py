@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 
 from rcj_challenges.controllers.team import TeamError, open_team
@@ -10,6 +10,7 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.resources import teams_folder
 
 _OF_THE_MATCH = {"blue": "roles_and_radio", "yellow": "all_sensors"}
+"""They understand the messages v2.1 and v2.2."""
 
 
 def sample_team(scenario: Scenario, seat: str, bases: Sequence[Scenario] = ()) -> Path | None:
@@ -25,7 +26,8 @@ def sample_team(scenario: Scenario, seat: str, bases: Sequence[Scenario] = ()) -
         bases: the scenarios that it extends, the nearest first.
     """
     alike = [base.id for base in bases if not other_kits(scenario, base, seat)]
-    of_the_match = _OF_THE_MATCH.get(seat) if len(alike) == len(bases) else None
+    fits = all(not other_kits(scenario, base, seat, either_message=True) for base in bases)
+    of_the_match = _OF_THE_MATCH.get(seat) if fits else None
     for name in (scenario.id, *alike, of_the_match):
         if name is not None and _has_programs(teams_folder() / name, scenario, seat):
             return teams_folder() / name
@@ -37,23 +39,33 @@ def has_sample_team(scenario: Scenario) -> bool:
     return (teams_folder() / scenario.id).is_dir()
 
 
-def other_kits(scenario: Scenario, base: Scenario, seat: str) -> dict[str, str]:
+def other_kits(scenario: Scenario, base: Scenario, seat: str, *, either_message: bool = False) -> dict[str, str]:
     """Return the robots of a seat that have another kit, or other packets, in what is extended: that kit by robot.
 
     A robot that the base does not know has the kit "none" there.
+
+    Args:
+        scenario: what is played.
+        base: what it extends.
+        seat: one of its entrants.
+        either_message: whether the messages v2.1 and v2.2 count as the same.
     """
+    alike = {"v2.1", "v2.2"} if either_message else set()
     return {
         name: base.robots[name].kit if name in base.robots else "none"
         for name in scenario.entrants[seat].robots
-        if name not in base.robots or _hears(scenario, name) != _hears(base, name)
+        if name not in base.robots or _hears(scenario, name, alike) != _hears(base, name, alike)
     }
 
 
-def _hears(scenario: Scenario, robot: str) -> tuple[str, str, tuple[str, ...], bool]:
-    """Return what a program must know of its robot's kit to understand it: its name, and how packets are laid out."""
+def _hears(scenario: Scenario, robot: str, alike: Collection[str]) -> tuple[str, str, tuple[str, ...], bool]:
+    """Return what a program must know of its robot's kit to understand it: its name, and how packets are laid out.
+
+    Versions of messages that are ``alike`` are told as the same.
+    """
     name = scenario.robots[robot].kit
     kit = scenario.kits[name]
-    return name, kit.messages, tuple(kit.packet_lists), kit.packet_has_flag
+    return name, "alike" if kit.messages in alike else kit.messages, tuple(kit.packet_lists), kit.packet_has_flag
 
 
 def _has_programs(folder: Path, scenario: Scenario, seat: str) -> bool:

@@ -66,6 +66,15 @@ def test_a_team_does_not_play_a_variant_whose_packets_it_cannot_read(variant, ch
     assert chosen(variant("kits: {legacy_2021: {chassis: {mass_kg: 0.3}}}", name="heavier")) == "fast_shooter"
 
 
+def test_the_teams_of_the_match_play_it_with_either_version_of_the_messages(tmp_path):
+    path = tmp_path / "mine.yaml"
+    head = "schema_version: 1\nid: mine\ntitle: Mine\nextends: match\n"
+    path.write_text(head + "kits: {v2: {messages: v2.2}}\n", encoding="utf-8")
+    assert (chosen(load(path), "blue"), chosen(load(path))) == ("roles_and_radio", "all_sensors")
+    path.write_text(head + "robots: {Y1: {kit: other}}\nkits: {other: {messages: '2021'}}\n", encoding="utf-8")
+    assert chosen(load(path)) is None
+
+
 def test_a_team_without_the_programs_that_are_asked_for_does_not_play(variant):
     assert chosen(variant("entrants: {yellow: {robots: {Y3: shoot/shoot.py}}}")) is None
 
