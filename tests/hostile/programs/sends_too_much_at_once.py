@@ -13,7 +13,7 @@ from controller import _hub
 arena.drive(10)
 wire = _hub.connected()._wire
 emission = struct.pack("<HI", 0, 0)
-emitter = arena.robot.getDevice("team emitter")._index
+emitter = arena.robot.getDevice("team emitter")._rcj_index
 emission = struct.pack("<HI", emitter, 0)
 count = 300_000
 body = struct.pack("<BIIIQHHHHI", 0x52, 10, 1, 0, 0, 0, 0, 0, 0, count) + emission * count
