@@ -19,14 +19,15 @@ _FIRST_TICKS = 8  # who misreads the referee's packets does so with the first of
 _MOST_CODE_LETTERS = 80
 _MOST_CODE_BYTES = 500  # of a line that is looked at: in a longer one the search could take for ever
 
-_PLACE = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>\d+)', re.MULTILINE)
+_PLACE = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>[0-9]{1,7})\b', re.MULTILINE)
 _BYTE_READ_AS_JSON = re.compile(r"JSONDecodeError: .*\(char 0\)")
 _TEXT_READ_AS_BYTES = re.compile(r"a bytes-like object is required, not 'str'|'str' object has no attribute 'decode'")
 _BYTES_READ_AS_TEXT = re.compile(r"UnicodeDecodeError: ")
 _READS_JSON, _READS_FILE = re.compile(r"\bloads\b"), re.compile(r"\b(open|read|read_text|read_bytes)\(")
 _READS_PACKET = re.compile(rb"\.(getData|getString|getBytes|data|string|bytes)\b")
 _READS_AS_TEXT = re.compile(r"\.(getData|getString)\(")
-_READS_A_FLAG = re.compile(rb"""["'][<>=!@]?\?["']""")  # the format of the byte of v2.1
+# The byte of v2.1: by its format, or as the first of the packet.
+_READS_A_FLAG = re.compile(rb"""["'][<>=!@]?[?bBc]["']|\.(?:getData|getBytes|data|bytes)(?:\(\))?\s*\[0\]""")
 _NO_SUCH_NAME = re.compile(r"cannot import name '(?P<name>\w+)' from 'controller'")
 # Calls of Python's own library that come back only when something else happens. ``wait`` and the like stand here with
 # empty brackets or a time: what a team calls so itself, or ``", ".join(…)``, is none.

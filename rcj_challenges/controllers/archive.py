@@ -153,7 +153,7 @@ def _from_folder(folder: Path) -> Contents:
         relative = PurePosixPath(path.relative_to(folder).as_posix())
         if ignored(relative.parts):
             continue
-        leads_out = not path.resolve().is_relative_to(inside)
+        leads_out = _leads_out(path, inside)
         if leads_out or path.is_dir():
             troubles.add(_link(relative, leads_out=leads_out, is_folder=path.is_dir()))
             continue
@@ -172,6 +172,13 @@ def _from_folder(folder: Path) -> Contents:
     if not files and not any(trouble.code == "archive.link" for trouble in troubles):
         troubles.add(_no_files())
     return Contents("folder", dict(sorted(files.items())), tuple(troubles))
+
+
+def _leads_out(path: Path, inside: Path) -> bool:
+    try:
+        return not path.resolve().is_relative_to(inside)
+    except (OSError, RuntimeError):  # links in a circle lead nowhere
+        return True
 
 
 def _link(path: PurePosixPath, *, leads_out: bool, is_folder: bool) -> Trouble:

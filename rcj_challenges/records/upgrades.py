@@ -18,6 +18,7 @@ from pydantic import ValidationError
 
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import RECORD_VERSION, SCENARIO
+from rcj_challenges.scenario.models.base import AS_RECORDED
 from rcj_challenges.scenario.models.scenario import Scenario
 
 Change = Callable[[dict[str, Any]], dict[str, Any]]
@@ -85,7 +86,8 @@ def read_scenario(folder: Path, record: int = RECORD_VERSION) -> Scenario:
         data = json.loads((folder / SCENARIO).read_bytes())
         if not isinstance(data, dict):
             raise TypeError("no object")
-        return Scenario.model_validate_json(json.dumps(upgraded("scenario", data, record, folder)))
+        text = json.dumps(upgraded("scenario", data, record, folder))
+        return Scenario.model_validate_json(text, context=AS_RECORDED)
     except FileNotFoundError:
         raise RecordError(f"{folder.name}: {SCENARIO} is missing") from None
     except (OSError, TypeError, ValueError, ValidationError) as error:

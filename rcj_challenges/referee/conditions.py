@@ -124,18 +124,21 @@ def speed(model: models.Speed, workshop: Workshop, each: str | None) -> Test:
 
 
 def distance(model: models.Distance, workshop: Workshop, each: str | None) -> Test:
-    """How far centres are from an entity (the nearest of a group), a spot or a point, in m."""
+    """How far centres are from another entity (the nearest of a group), a spot or a point, in m."""
     state, of, to = workshop.state, model.of, model.to
     entities, holds = workshop.entities(model.entity, each), _comparison(model, workshop, each)
     anchors = _anchors(to, workshop, each)
     fixed = () if anchors else (to,) if isinstance(to, tuple) else spots_of(workshop, to, each)
+    # Nothing is measured from itself.
+    others = {entity: tuple(anchor for anchor in anchors if anchor != entity) for entity in entities}
 
     def results() -> Iterable[bool]:
-        points = [state.poses[anchor][:2] for anchor in anchors if state.present[anchor]] if anchors else fixed
         for entity in entities:
-            if state.present[entity] and points:
+            if state.present[entity]:
                 x, y, _ = state.poses[entity]
-                yield holds(min(sqrt((x - px) ** 2 + (y - py) ** 2) for px, py in points))
+                points = fixed or [state.poses[anchor][:2] for anchor in others[entity] if state.present[anchor]]
+                if points:
+                    yield holds(min(sqrt((x - px) ** 2 + (y - py) ** 2) for px, py in points))
 
     return lambda: _quantified(of, results())
 
@@ -143,7 +146,8 @@ def distance(model: models.Distance, workshop: Workshop, each: str | None) -> Te
 def looks(model: models.Looks, workshop: Workshop, each: str | None) -> Test:
     """Whether robots look towards something or in a direction: their front points there within an angle."""
     state, of, within, heading = workshop.state, model.of, model.within_rad, model.heading_rad
-    entities = workshop.entities(model.entity, each)
+    itself = () if model.towards is None else _anchors(model.towards, workshop, each)
+    entities = tuple(entity for entity in workshop.entities(model.entity, each) if entity not in itself)
     target = _target(model.towards, workshop, each)
 
     def looks_there(entity: int) -> bool:

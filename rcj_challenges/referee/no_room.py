@@ -31,6 +31,8 @@ def _reason(job: Job, putting: Putting, board: Board, state: State, bodies: Bodi
     point = putting.where.find(putting.request(board, rng, job.signs))
     if point is None:
         return "no spot is free"
+    if job.aimless:
+        return "its kick finds nothing to aim at"
     if putting.is_random:
         return f"chance found none in {putting.attempts} attempts"
     pose = putting.pose_at(board, point, rng)
@@ -38,7 +40,7 @@ def _reason(job: Job, putting: Putting, board: Board, state: State, bodies: Bodi
         return "a wall or a fixed obstacle is there"
     found = _in_the_way(job.entity, pose, putting.clearance_m, board, bodies)
     if not found:
-        return "there was none when it was put" if putting.kick is None else "its kick finds nothing to aim at"
+        return "there was none when it was put"
     names = [state.roster.entities[entity] for entity in found]
     are = "is" if len(names) == 1 else "are"
     where = f"nearer than {putting.clearance_m:g} m" if putting.clearance_m else "there"

@@ -117,9 +117,9 @@ class Kick:
             return None
         least, most = self.speeds_mps
         speed = least if least == most else request.rng.uniform(least, most)
-        dx, dy = aim[0] - here[0], aim[1] - here[1]
+        # Places are float32 numbers: put where it is aimed at, it has no way to go.
+        dx, dy = float32(aim[0]) - here[0], float32(aim[1]) - here[1]
         far = sqrt(dx * dx + dy * dy)
-        # Put where it is aimed at it has no way to go.
         return (float32(speed * dx / far), float32(speed * dy / far)) if far else _AT_REST
 
 
@@ -224,6 +224,7 @@ class Job:
         comes_back: whether it brings back what was taken off for a time: that waits for no phase.
         instead_of: what would have brought the entity back; that goes on to wait if this finds no room and gives up.
         told: whether the log says already that it found no room.
+        aimless: whether it failed for want of something to kick it at.
     """
 
     entity: int
@@ -234,6 +235,7 @@ class Job:
     comes_back: bool = False
     instead_of: Job | None = None
     told: bool = False
+    aimless: bool = False
 
 
 class Queue:
@@ -288,7 +290,8 @@ def set_down(jobs: list[Job], state: State, bodies: Bodies) -> tuple[list[Placem
     """
     failed: list[Job] = []
     while True:
-        tried = [job for job in jobs if job not in failed]
+        without = {job.entity for job in failed}
+        tried = [job for job in jobs if job.entity not in without]
         done, without_room = _try(tried, state, bodies)
         if without_room is None:
             return _apply(done, state), failed
@@ -312,7 +315,7 @@ def _try(jobs: list[Job], state: State, bodies: Bodies) -> tuple[list[_Done], Jo
         board.put(job.entity, pose)
         velocity = job.putting.set_off(board, state, job.signs)
         if velocity is None:
-            return [], job
+            return [], replace(job, aimless=True)
         done.append((job.entity, pose, velocity))
     return done, None
 

@@ -257,6 +257,18 @@ def test_a_folder_that_is_a_link_out_of_the_submission_is_refused_by_its_name(tm
 
 
 @links
+def test_links_in_a_circle_are_refused_by_their_names(tmp_path: Path) -> None:
+    team = team_folder(tmp_path / "team")
+    (team / "first").symlink_to("second")
+    (team / "second").symlink_to("first")
+    archive = inspect(team, scenario()).stages[0]
+    assert {(found.code, found.where) for found in archive.findings if found.level == "failure"} == {
+        ("archive.link", "first"),
+        ("archive.link", "second"),
+    }
+
+
+@links
 def test_a_link_to_another_folder_of_the_submission_is_left_out_and_told(tmp_path: Path) -> None:
     team = team_folder(tmp_path / "team")
     (team / "rcj_soccer_team_blue" / "again").symlink_to(team, target_is_directory=True)  # in a circle

@@ -117,6 +117,19 @@ def test_a_packet_of_later_steps_that_is_no_json_says_nothing_about_messages(che
     assert "messages" not in told[0].remedy
 
 
+def test_text_of_the_teams_own_radio_says_nothing_about_messages(check):
+    loop = LOOP.replace("READ", "receiver.getBytes()[0] == 1") + '    json.loads("")\n'
+    assert "messages" not in failure(check(BEGIN + loop)).remedy
+
+
+def test_a_place_that_nobody_could_look_up_is_no_reason_to_stumble(check):
+    lines = "9" * 5000
+    loop = (
+        LOOP.replace("READ", "receiver.getData()") + f"    raise ValueError('a\\n  File \"robot.py\", line {lines}')\n"
+    )
+    assert failure(check(BEGIN + loop)).code == "start.crash"
+
+
 def test_a_name_that_only_the_teams_own_controller_has_is_told_with_the_file_to_rename(check):
     found = failure(check("from controller import Robot, PIDController\n", controller="class PIDController: pass\n"))
     assert '"PIDController"' in found.remedy

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -114,3 +115,24 @@ def test_the_waits_of_asyncio_on_windows_pass_in_the_same_way() -> None:
     proactor = IocpProactor()
     assert proactor.select(1.0) == []
     assert (clock.missed_ticks(), proactor.waited) == (31, 0.0)
+
+
+WAITS_BESIDE_A_THREAD = """
+import asyncio, threading
+threading.Thread(target=threading.Event().wait, daemon=True).start()
+asyncio.run(asyncio.sleep(0.2))
+"""
+
+
+@pytest.mark.parametrize("wait", ["import asyncio\nasyncio.run(asyncio.sleep(0.2))", WAITS_BESIDE_A_THREAD])
+def test_a_wait_takes_its_time_once_with_other_threads_and_without(either_match: FakeMatch, wait: str) -> None:
+    """Also where a thread of ours watches over the process."""
+    played = either_match.play(ROBOT + wait + STEPS, 9)
+    assert [(tick, r.missed_ticks) for tick, r in played.requests] == [(0, 0), (1, 6), (8, 0)]
+
+
+def test_a_thread_of_ours_is_none_that_could_end_a_wait(tmp_path: Path) -> None:
+    """An hour of waiting is over at once, as without that thread."""
+    program = "import threading\nthreading.Event().wait(3600)"
+    played = FakeMatch(tmp_path, portable=True).play(ROBOT + program + STEPS, AN_HOUR + 3)
+    assert [r.missed_ticks for _, r in played.requests] == [0, AN_HOUR, 0]

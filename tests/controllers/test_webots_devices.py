@@ -268,3 +268,33 @@ def test_seldom_used_calls_of_webots_are_there(match: FakeMatch) -> None:
         "print(robot.waitForUserInputEvent(Robot.EVENT_KEYBOARD, 1000) == Robot.EVENT_NO_EVENT, robot.getTime())\n",
     )
     assert played.said == ["[] [] ['']", "True 0.0"]
+
+
+def test_a_receiver_listens_when_its_period_is_assigned(match: FakeMatch) -> None:
+    lines = (
+        'receiver = robot.getDevice("team receiver")\nreceiver.sampling_period = 32\n'
+        "robot.step(32)\nprint(receiver.getQueueLength(), receiver.sampling_period)\n"
+    )
+    told = [packet("team receiver", b"hello", 1.0, (1.0, 0.0, 0.0))]
+    assert _play(match, lines, 3, air=lambda tick: told if tick == 1 else []).said == ["1 32"]
+
+
+def test_what_passes_between_the_beginning_and_the_end_of_a_step_is_missed(match: FakeMatch) -> None:
+    played = _play(match, "import time\nrobot.stepBegin(32)\ntime.sleep(0.1)\nrobot.stepEnd()\n", 7)
+    assert [r.missed_ticks for _, r in played.requests][:2] == [3, 0]
+
+
+def test_a_step_within_a_step_is_refused(match: FakeMatch) -> None:
+    lines = "robot.stepBegin(32)\ncaught(lambda: robot.step(96))\nrobot.stepEnd()\n"
+    assert _play(match, lines, 4).said == ["RuntimeError: step was called between stepBegin and stepEnd"]
+
+
+def test_a_first_step_of_no_time_and_a_period_without_end_are_taken_as_a_tick_and_for_ever(match: FakeMatch) -> None:
+    played = _play(match, 'robot.getDevice("gps").enable(float("inf"))\nrobot.step(-1)\n', 4)
+    assert [r.advance_ticks for _, r in played.requests] == [1] * len(played.requests)
+
+
+def test_a_device_that_is_none_suggests_nothing(match: FakeMatch) -> None:
+    lines = 'motor = Motor("nope")\ncaught(motor.getName)\n'
+    said = _play(match, lines).said
+    assert said[-1] == "AttributeError: this Motor is no device of the robot, as the warning above says"

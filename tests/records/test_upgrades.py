@@ -50,6 +50,14 @@ def test_a_record_of_version_1_is_read_whole(old: Path) -> None:
     assert read_sensors(old)[2].robots["Y1"].values.shape == (94, 12)
 
 
+def test_a_colour_that_was_once_taken_is_read(old: Path) -> None:
+    path = old / names.SCENARIO
+    scenario = json.loads(path.read_text("utf-8"))
+    scenario["field"]["goals"]["blue_goal"]["colour"] = "transparent"
+    path.write_text(json.dumps(scenario), encoding="utf-8")
+    assert read_scenario(old).field.goals["blue_goal"].colour == "transparent"
+
+
 def test_a_record_of_version_1_has_a_page_and_figures(old: Path) -> None:
     page = write_replay(old).read_text("utf-8")
     facts = json.loads(page.split('<script type="application/json" id="facts">')[1].split("</script>")[0])

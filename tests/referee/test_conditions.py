@@ -120,6 +120,12 @@ class TestConditionDistance:
         play.place("ball", 0.4, 0.4)
         assert ask(play)
 
+    def test_nothing_is_near_itself(self, stage, ask):
+        play = stage(ASKING % "{condition: distance, entity: yellow, to: yellow, at_most: 0.15}")
+        assert not ask(play)
+        play.place("Y2", play.pose("Y1")[0] + 0.1, play.pose("Y1")[1])
+        assert ask(play)
+
 
 class TestConditionCounter:
     COUNTERS = """

@@ -47,6 +47,10 @@ class TestKick:
         length = math.hypot(*way)
         assert (vx, vy) == pytest.approx((0.5 * way[0] / length, 0.5 * way[1] / length), abs=1e-6)
 
+    @pytest.mark.parametrize("towards", ["{point: [0.3, -0.4]}", "{relative_to: ball}"])
+    def test_a_ball_that_is_where_it_is_aimed_at_lies_still(self, stage, towards):
+        assert kick(stage(kicking("{point: [0.3, -0.4]}", f"{{towards: {towards}, speed_mps: 0.5}}"))) == (0.0, 0.0)
+
     def test_a_random_aim_is_drawn_anew_each_time_and_lies_on_its_line(self, stage):
         play = stage(kicking("{point: [0, 0]}", "{towards: {on_line: [[-0.3, 0.6], [0.3, 0.6]]}, speed_mps: 1}"))
         aims = [0.6 * vx / vy for vx, vy in (kick(play) for _ in range(60))]

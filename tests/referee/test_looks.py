@@ -60,6 +60,12 @@ class TestConditionLooks:
             found.append(ask(play))
         assert found == answers
 
+    def test_no_robot_looks_at_itself(self, stage, ask):
+        for robots in ("Y1", "yellow"):
+            play = stage(ASKING % f"{{condition: looks, entity: {robots}, towards: Y1}}")
+            play.place("Y1", -0.4, 0.0, 0.0)
+            assert not ask(play)
+
     def test_negated_it_is_the_opposite(self, stage, ask):
         assert not ask(stage(ASKING % "{condition: looks, entity: Y1, heading_rad: 1.57, negate: true}"))
 

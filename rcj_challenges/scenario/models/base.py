@@ -6,7 +6,7 @@ annotations anew at every start, which is a seventh of the time that ``validate`
 
 from typing import Annotated, Any
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, ValidationInfo
 from pydantic_core import PydanticCustomError
 
 from rcj_challenges.facts.colours import hex_colour
@@ -38,9 +38,13 @@ EventName = Annotated[
 DeviceName = Annotated[str, StringConstraints(min_length=1, max_length=64)]
 
 
-def _known_colour(colour: str) -> str:
-    """Return a colour as it is written; what no renderer could paint is refused."""
-    if hex_colour(colour) is None:
+AS_RECORDED = {"recorded": True}
+"""Context for reading the scenario of a record: what was once taken is taken."""
+
+
+def _known_colour(colour: str, info: ValidationInfo) -> str:
+    """Return a colour as it is written; what no renderer could paint is refused, but for records of before."""
+    if hex_colour(colour) is None and info.context != AS_RECORDED:
         raise PydanticCustomError("unknown_colour", "no colour")
     return colour
 

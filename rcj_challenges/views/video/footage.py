@@ -19,6 +19,7 @@ from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SCENARIO
 from rcj_challenges.records.result import RunResult, read_result
 from rcj_challenges.records.trajectory import HalfTrack, Trajectory
+from rcj_challenges.scenario.models.base import AS_RECORDED
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.replay.story import Story, tell
@@ -223,7 +224,7 @@ def _start(track: HalfTrack) -> tuple[npt.NDArray[np.float32], npt.NDArray[np.fl
 
 def _read_scenario(folder: Path) -> Scenario:
     try:
-        return Scenario.model_validate_json((folder / SCENARIO).read_bytes())
+        return Scenario.model_validate_json((folder / SCENARIO).read_bytes(), context=AS_RECORDED)
     except FileNotFoundError:
         raise RecordError(f"{folder.name}: {SCENARIO} is missing: without it nobody knows the field") from None
     except (OSError, ValidationError) as error:

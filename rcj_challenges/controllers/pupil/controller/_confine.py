@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 import sys
-from _thread import start_new_thread
+from _thread import allocate_lock, start_new_thread
 from collections.abc import Callable
 from typing import Any
 
@@ -117,6 +117,7 @@ def watch(lifeline_fd: int, memory_bytes: int, on_memory: Callable[[], None]) ->
     """
 
     def guard() -> None:
+        begun.release()
         while memory_bytes and not _readable(lifeline_fd, 0.25):
             if _resident_bytes() > memory_bytes:
                 on_memory()
@@ -125,7 +126,12 @@ def watch(lifeline_fd: int, memory_bytes: int, on_memory: Callable[[], None]) ->
         finally:
             leave(1)
 
+    begun = allocate_lock()
+    begun.acquire()
     start_new_thread(guard, ())
+    # From now on it is counted among the threads, and nobody takes it for one of the program's.
+    with begun:
+        pass
 
 
 def _readable(fd: int, seconds: float) -> bool:

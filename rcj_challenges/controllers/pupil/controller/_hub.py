@@ -21,6 +21,7 @@ from ._wire import (
     leave,
     motors_frame,
     request_frame,
+    with_missed_ticks,
 )
 
 Packet = tuple[bytes, float, float, float, float]
@@ -95,10 +96,11 @@ class Hub:
         self._frequencies: dict[int, float] = {}
         self._emissions: list[tuple[int, bytes]] = []
         self._emitted_bytes = 0
-        self._step_ms: float = -1.0
+        self._step_ms: float | None = None
         self._step_ticks = 0
         self._begun: bytes | None = None
         self._begun_ms: float = -1.0
+        self._ending = False
 
     def time_s(self) -> float:
         """Return simulated seconds at the latest observation."""
@@ -179,9 +181,8 @@ class Hub:
         """Keep what was asked for until now as the request of a step that `end` takes."""
         if self._begun is not None:
             raise RuntimeError("stepBegin was called again before stepEnd")
-        ticks = self._checked_ticks(duration_ms)
-        missed, printed = self._clock.missed_ticks(), self._output.printed_bytes
-        self._begun = self._with_others(self.tick, ticks, missed, printed, self._motors.values())
+        ticks, printed = self._checked_ticks(duration_ms), self._output.printed_bytes
+        self._begun = self._with_others(self.tick, ticks, 0, printed, self._motors.values())
         self._begun_ms = duration_ms
         self._motors.clear()
         self._has_others = True  # the exchange is to look here for its request
@@ -191,16 +192,19 @@ class Hub:
         if self._begun is None:
             raise RuntimeError("stepEnd was called without stepBegin before it")
         later = self._motors.copy()
-        goes_on = self.exchange(self._begun_ms)
-        self._begun = None
-        self._motors.update(later)
-        return goes_on
+        self._ending = True
+        try:
+            return self.exchange(self._begun_ms)
+        finally:
+            self._ending, self._begun = False, None
+            self._motors.update(later)
 
     def _with_others(self, tick: int, advance_ticks: int, missed_ticks: int, printed: int, motors: Motors) -> bytes:
         """Return a request with all that is asked for, and forget it. ``motors`` shows what ramps add meanwhile."""
         if self._begun is not None:
-            frame, self._begun = self._begun, None
-            return frame
+            if not self._ending:
+                raise RuntimeError("step was called between stepBegin and stepEnd")
+            return with_missed_ticks(self._begun, missed_ticks)
         if self._ramps:
             self._ramps = {device: approach for device, approach in self._ramps.items() if approach(advance_ticks)}
         emissions, self._emissions, self._emitted_bytes = self._emissions, [], 0

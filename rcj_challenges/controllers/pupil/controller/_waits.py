@@ -42,8 +42,10 @@ class Waits:
         module.time = self._now_s
 
     def _of_selectors(self, module: Any) -> None:
-        for kind in vars(module).values():
-            if isinstance(kind, type) and issubclass(kind, module.BaseSelector) and "select" in vars(kind):
+        # One of them has two names: DefaultSelector is the best of the others.
+        kinds = {kind for kind in vars(module).values() if isinstance(kind, type)}
+        for kind in kinds:
+            if issubclass(kind, module.BaseSelector) and "select" in vars(kind):
                 setattr(kind, "select", self._patient(vars(kind)["select"]))  # noqa: B010 - of whatever class it is
 
     def _of_windows(self, module: Any) -> None:

@@ -17,6 +17,7 @@ HEAD_FIELDS = 6
 PACKET = Struct("<HI4d")
 _LENGTH = Struct("<I")
 _REQUEST_HEAD = "<IBIIIQHHHHI"  # length, type, tick, advance, missed, printed, five counts; then the settings
+_MISSED_AT, _MISSED = 13, Struct("<I")
 _MOTOR = "Hdd"
 _MOTOR_FORM = Struct("<" + _MOTOR)
 _SAMPLING = Struct("<HI")
@@ -155,6 +156,11 @@ def request_frame(
     head, length = _WITH_MOTORS[0]
     counts = map(len, settings)
     return head.pack(length + len(tail), REQUEST, tick, advance_ticks, missed_ticks, printed, *counts) + tail
+
+
+def with_missed_ticks(request: bytes, missed_ticks: int) -> bytes:
+    """Return a request as it would be if so many ticks were missed."""
+    return request[:_MISSED_AT] + _MISSED.pack(missed_ticks) + request[_MISSED_AT + _MISSED.size :]
 
 
 def fault_frame(kind: str, detail: str, traceback: str = "") -> bytes:

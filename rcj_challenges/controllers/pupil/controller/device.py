@@ -7,6 +7,8 @@ from typing import Any
 
 from ._hub import Hub, complain, connected, number
 
+_LONGEST_MS = 2**31 - 1
+
 
 class ReadOnly:
     """An attribute in snake_case that gives what a getter returns.
@@ -99,9 +101,9 @@ def device_of(hub: Hub, name: str, kind: str) -> Any:
     return there
 
 
-def _of_no_device(self: object, attribute: str) -> Any:
+def _of_no_device(self: object, _attribute: str) -> Any:
     text = f"this {type(self).__name__} is no device of the robot, as the warning above says"
-    raise AttributeError(text, name=attribute, obj=self)
+    raise AttributeError(text)  # without its name, so that nothing is suggested instead
 
 
 class Sensor(Device):
@@ -133,7 +135,7 @@ class Sensor(Device):
         if not period_ms > 0:
             self._rcj_stop()
             return
-        self._rcj_period_ms = int(period_ms)
+        self._rcj_period_ms = int(min(period_ms, _LONGEST_MS))
         self._rcj_hub.sample(self._rcj_index, self._rcj_hub.ticks_from_ms(period_ms))
 
     def disable(self) -> None:
@@ -158,4 +160,4 @@ class Sensor(Device):
         self._rcj_warned = True
         complain(f"Warning: {self._rcj_name!r} is read but not enabled: call enable(32) before the first step.")
 
-    sampling_period = property(getSamplingPeriod, enable)
+    sampling_period = property(getSamplingPeriod, lambda self, period_ms: self.enable(period_ms))
