@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lives_in
 from rcj_challenges.scenario.models.actions import Emit, Score
-from rcj_challenges.scenario.models.conditions import Condition, InZone
+from rcj_challenges.scenario.models.conditions import AnyOf, Condition, InZone
 from rcj_challenges.scenario.models.scenario import Expectation, RankByScore, Rule
 from rcj_challenges.scenario.models.state import WordValue
 from rcj_challenges.scenario.models.triggers import (
@@ -193,6 +193,12 @@ def check_contradictions(subject: Subject) -> Iterator[Suspect]:
 
 def _denies(trigger: Enters | Leaves, condition: Condition, rule: Rule, subject: Subject) -> bool:
     """Return whether one entity that has just entered is asked to be outside, or one that left to be inside."""
+    if isinstance(condition, AnyOf):
+        if not condition.negate:
+            return all(_denies(trigger, one, rule, subject) for one in condition.conditions)
+        # None of them may hold: of each the opposite is asked.
+        opposites = [one.model_copy(update={"negate": not one.negate}) for one in condition.conditions]
+        return any(_denies(trigger, one, rule, subject) for one in opposites)
     if not isinstance(condition, InZone) or not _is_same_one(trigger, condition, rule, subject):
         return False
     asked_inside = (condition.of == "none") == condition.negate

@@ -128,18 +128,23 @@ def check_unused(subject: Subject) -> Iterator[Suspect]:
             else:
                 used = _is_named(name, section, subject)
             if not used and subject.tree.mark.file == file_of(subject.tree, section, name):
-                yield Suspect(
-                    f"{noun}_never_used",
-                    (section, name),
-                    f"{noun} '{name}' is never used",
-                    "name it in a rule, or remove it",
-                    at_key=True,
-                )
+                reason, remedy = f"{noun} '{name}' is never used", "name it in a rule, or remove it"
+                if section == "sequences" and any(use.name == name for use in subject.uses if _resets(use)):
+                    reason = f"sequence '{name}' only begins anew: its steps decide nothing"
+                    remedy = (
+                        f"wait for {{trigger: sequence_completed, sequence: {name}}}, or remove it together with "
+                        "the action that names it"
+                    )
+                yield Suspect(f"{noun}_never_used", (section, name), reason, remedy, at_key=True)
+
+
+def _resets(use: Use) -> bool:
+    return use.model is SequenceAction
 
 
 def _is_named(name: str, section: str, subject: Subject) -> bool:
     # To begin a sequence anew is no use of it if nothing asks how far it is.
-    uses = (use for use in subject.uses if use.model is not SequenceAction)
+    uses = (use for use in subject.uses if not _resets(use))
     if any(use.name == name and _may_name(use, section) for use in uses):
         return True
     # A layout may be one of the values of a draw.

@@ -142,14 +142,15 @@ def test_a_sequence_that_breaks_says_what_breaks_it_and_what_follows():
     assert way(", wrong_step: break") == (
         "- The sequence “abc” is the way of Y1: the zone “a”, then the zone “b”, then the end; after the first step, "
         "entering one of these which is neither the last reached nor the next breaks it: it begins anew. "
-        "It begins anew also when a rule puts Y1 somewhere or takes it off the field."
+        "It begins anew also when it is complete, and when a rule puts Y1 somewhere or takes it off the field."
     )
 
 
 def test_a_sequence_that_ignores_says_that_nothing_is_lost():
     assert way("") == (
         "- The sequence “abc” is the way of Y1: the zone “a”, then the zone “b”, then the end; entering one of these out "
-        "of turn changes nothing. It begins anew when a rule puts Y1 somewhere or takes it off the field."
+        "of turn changes nothing. It begins anew when it is complete, and when a rule puts Y1 somewhere or takes it off "
+        "the field."
     )
 
 

@@ -32,7 +32,7 @@ class Score(Strict):
     entrant: Name | LastToucher = described(
         ...,
         "who gets them (the seat as played in this half); each: who drives the robot of for_each; "
-        "{last_touch: ball}: who drives the robot that touched it last, and nobody if none did",
+        "{last_touch: ball}: who drives the robot that touched it last since it was put where it is, else nobody",
         union_mode="left_to_right",
     )
     points: Points = described(
@@ -105,7 +105,9 @@ class Place(MayKick):
     at: At | None = described(None, "where")
     facing: Facing = described("start", "which way it looks afterwards")
     noise_m: Annotated[Point, Field(description="half width of uniform noise on x and y, in m")] = (0.0, 0.0)
-    mirror: Mirror | None = described(None, "mirror the place; with a layout: all its places")
+    mirror: Mirror | None = described(
+        None, "mirror the place, and what a kick is aimed at; with a layout: all its places and aims"
+    )
     min_clearance_m: NotNegative = described(
         0.0, "smallest gap to the outline of any other body, in m; the field's walls are none"
     )

@@ -130,8 +130,10 @@ class RelativeTo(Strict):
     """Beside another entity or spot."""
 
     relative_to: Name = described(..., "an entity or spot")
-    offset_m: Point = described((0.0, 0.0), "[x, y] from it in m")
-    turns: bool = described(False, "True: the offset is in the entity's own frame, x forward")
+    offset_m: Point = described(
+        (0.0, 0.0), "[x, y] from it in m; a mirror mirrors a spot with its offset, of an entity the offset only"
+    )
+    turns: bool = described(False, "True: the offset is in the entity's own frame, x forward, and no mirror changes it")
 
 
 _AT_KEYS = (
@@ -184,7 +186,7 @@ Facing = Annotated[
 
 
 class Mirror(Strict):
-    """Mirror the place, always or while a flag is set: formations that change ends."""
+    """Mirror place and aim (not the facing), always or while a flag is set: formations that change ends."""
 
     axis: Literal["x", "y", "both"] = described(..., "x: x becomes -x; y: y becomes -y; both")
     when: Name | None = described(None, "a flag; mirrored only while it is true. Left out: always")
@@ -195,11 +197,11 @@ _KickSpeed = Annotated[float, Field(gt=0, le=3)]
 
 
 class Kick(Strict):
-    """A ball rolls away from where it is put; tests have no physics, in them it stays there."""
+    """A ball rolls away from where it is put; what mirrors its place mirrors its aim too. In tests it stays there."""
 
     towards: At = described(..., "where it rolls to: any word of `at`; chance decides anew each time")
     speed_mps: _KickSpeed | Annotated[tuple[_KickSpeed, _KickSpeed], Field(strict=False)] = described(
-        ..., "how fast it sets off, in m/s, up to 3; or [least, most]: every speed between equally likely",
+        ..., "how fast it sets off, in m/s, over 0 and up to 3; or [least, most]: every speed between equally likely",
         union_mode="left_to_right",
     )  # fmt: skip
 
@@ -222,7 +224,7 @@ class Placing(MayKick):
     at: At = described(..., "where")
     facing: Facing = described("start", "which way it looks afterwards")
     noise_m: Annotated[Point, Field(description="half width of uniform noise on x and y, in m")] = (0.0, 0.0)
-    mirror: Mirror | None = described(None, "mirror the place")
+    mirror: Mirror | None = described(None, "mirror the place, and what a kick is aimed at")
     min_clearance_m: NotNegative = described(
         0.0, "smallest gap to the outline of any other body, in m; the field's walls are none"
     )

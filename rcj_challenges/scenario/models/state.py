@@ -50,7 +50,8 @@ class AnyStep(Strict):
 class Sequence(Strict):
     """Steps to be made in order: zones are entered, gates are crossed forward.
 
-    It begins anew when a rule puts its entity somewhere or takes it off the field.
+    It begins anew when it is complete (a cyclic one goes on), when the action `sequence` says so, and when a rule puts
+    its entity somewhere or takes it off the field.
     """
 
     entity: Name = described(..., "whose way is followed")

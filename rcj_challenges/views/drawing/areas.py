@@ -7,7 +7,20 @@ from dataclasses import dataclass
 
 from rcj_challenges.scenario.models.actions import Place, Remove
 from rcj_challenges.scenario.models.base import Names
-from rcj_challenges.scenario.models.places import At, AtPoint, AtSpot, Choice, Mirror, OnLine, Placing, UniformIn
+from rcj_challenges.scenario.models.places import (
+    At,
+    AtPoint,
+    AtSpot,
+    Choice,
+    FurthestFree,
+    Mirror,
+    NearestFree,
+    OnLine,
+    Placing,
+    RelativeTo,
+    Start,
+    UniformIn,
+)
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import DrawValue
 from rcj_challenges.scenario.roster import Roster
@@ -59,7 +72,7 @@ def placement_areas(scenario: Scenario, roster: Roster) -> dict[Area, list[str]]
     """
     found: dict[Area, list[str]] = {}
     for names, at, noise_m, flip, aim in _placings(scenario):
-        for place, own in _areas(scenario, roster, at, names, flip):
+        for place, own in _areas(scenario, roster, at, names, marked=aim or flip != _AS_WRITTEN):
             who = found.setdefault(_area(place, noise_m, flip, aim=aim), [])
             who.extend(name for name in own if name not in who)
     return found
@@ -138,29 +151,61 @@ def _listed(names: Names, each: str) -> tuple[str, ...]:
 
 
 def _areas(
-    scenario: Scenario, roster: Roster, at: At | None, names: tuple[str, ...], flip: Flip
+    scenario: Scenario, roster: Roster, at: At | None, names: tuple[str, ...], *, marked: bool
 ) -> Iterator[tuple[str | OnLine | Point, tuple[str, ...]]]:
-    """Yield the places that a word of ``at`` stands for, not yet mirrored, with what is put there."""
+    """Yield the places that a word of ``at`` stands for, not yet mirrored, with what is put there.
+
+    Args:
+        scenario: the scenario.
+        roster: its roster.
+        at: the word.
+        names: what is put there.
+        marked: whether spots and starts, which are drawn anyway, are marked too: where mirrored, and as an aim.
+    """
     if isinstance(at, OnLine):
         yield at, names
     elif isinstance(at, UniformIn):
         yield from ((zone, names) for zone in roster.expand(at.uniform_in) if zone in scenario.zones)
     elif isinstance(at, AtPoint):
         yield at.point, names
-    elif isinstance(at, Choice):
-        yield from ((one, names) for one in at.choice if not isinstance(one, str))
-    if flip != _AS_WRITTEN:
-        yield from _drawn_anyway(scenario, at, names)
-
-
-def _drawn_anyway(scenario: Scenario, at: At | None, names: tuple[str, ...]) -> Iterator[tuple[Point, tuple[str, ...]]]:
-    """Yield the spots and starts that a word of ``at`` stands for: places of their own only where mirrored."""
-    options = at.choice if isinstance(at, Choice) else (at.spot,) if isinstance(at, AtSpot) else ()
-    yield from (
-        ((spot.x_m, spot.y_m), names)
-        for one in options
-        if isinstance(one, str) and (spot := scenario.spots.get(one)) is not None
-    )
-    if at == "start":
+    elif at == "start" or isinstance(at, Start):
         things = {**scenario.robots, **scenario.balls, **scenario.obstacles}
-        yield from ((home(scenario, name), (name,)) for name in names if name in things)
+        own = [name for name in roster.expand(names) if name in things] if marked else []
+        yield from ((home(scenario, name), (name,)) for name in own)
+    elif at is not None:
+        yield from ((point, names) for point in _points(scenario, roster, at, marked=marked))
+
+
+def _points(scenario: Scenario, roster: Roster, at: At, *, marked: bool) -> Iterator[Point]:
+    """Yield the points that a word of ``at`` chooses from."""
+    if isinstance(at, RelativeTo):
+        dx, dy = at.offset_m
+        if marked or any(at.offset_m):
+            yield from ((x + dx, y + dy) for x, y in _spots(scenario, roster, at.relative_to))
+        return
+    for option in _options(at):
+        if not isinstance(option, str):
+            yield option
+        elif marked:
+            yield from _spots(scenario, roster, option)
+
+
+def _options(at: At) -> tuple[str | Point, ...]:
+    """Return what is chosen from: points, spots, groups of spots, and draws that decide among spots."""
+    match at:
+        case Choice():
+            return at.choice
+        case AtSpot():
+            return (at.spot,)
+        case NearestFree():
+            return (at.nearest_free,) if isinstance(at.nearest_free, str) else at.nearest_free
+        case FurthestFree():
+            return (at.furthest_free,) if isinstance(at.furthest_free, str) else at.furthest_free
+    return ()
+
+
+def _spots(scenario: Scenario, roster: Roster, name: str) -> list[Point]:
+    """Return the points of a spot, of a group of spots, or of all spots that a draw can decide; of an entity none."""
+    draw = None if name in scenario.spots else scenario.draws.get(name)
+    spots = roster.expand(name) if draw is None else tuple(map(str, draw.values))
+    return [(spot.x_m, spot.y_m) for one in spots if (spot := scenario.spots.get(one)) is not None]

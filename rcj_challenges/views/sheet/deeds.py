@@ -7,8 +7,9 @@ from typing import Any
 
 from rcj_challenges.scenario.models import places
 from rcj_challenges.scenario.models.actions import LastToucher
+from rcj_challenges.views.sheet.mirrored import mirrored_aim_words, mirrored_layout_words, mirrored_words
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
-from rcj_challenges.views.sheet.phrases import amount, degrees, metres, number, seconds, value
+from rcj_challenges.views.sheet.phrases import amount, heading, metres, number, seconds, value
 
 
 def action_words(nouns: Nouns, action: Any) -> str:
@@ -36,10 +37,10 @@ def placing_words(nouns: Nouns, placing: Any) -> str:
     parts = [
         put_words(nouns, placing.at, plural=who.plural),
         f" ({noise})" if noise else "",
-        _mirrored(nouns, placing.mirror),
+        mirrored_words(nouns, placing.mirror, placing.at),
         _facing(nouns, placing, placing.at, plural=who.plural),
         _clear(placing),
-        _kicked(nouns, placing.kick, several=who.plural),
+        _kicked(nouns, placing, several=who.plural),
     ]
     return f"{who.does('is', 'are')} {''.join(parts)}"
 
@@ -58,7 +59,7 @@ def _facing(nouns: Nouns, action: Any, at: Any, *, plural: bool) -> str:
     elif isinstance(facing, places.RandomFacing):
         way = "a random way"
     else:
-        way = "the way it did before" if facing == "keep" else f"{degrees(facing)} counter-clockwise from +x"
+        way = "the way it did before" if facing == "keep" else heading(facing)
     return f", {'each ' if plural and _at_start(at) else ''}facing {way}"
 
 
@@ -69,14 +70,16 @@ def _clear(placing: Any) -> str:
     return (gap if placing.min_clearance_m else "") + (stay if placing.on_failure == "stay" else "")
 
 
-def _kicked(nouns: Nouns, kick: Any, *, several: bool) -> str:
+def _kicked(nouns: Nouns, placing: Any, *, several: bool) -> str:
     """Return how fast it rolls off, and where to."""
+    kick = placing.kick
     if kick is None:
         return ""
     speeds = kick.speed_mps if isinstance(kick.speed_mps, tuple) else (kick.speed_mps,)
     fast = " to ".join(dict.fromkeys(map(number, speeds)))
     aim = AIMS[type(kick.towards)](nouns, kick.towards)
-    return f", and {'each rolls' if several else 'rolls'} at {fast} m/s towards {aim}"
+    rolls = "each rolls" if several else "rolls"
+    return f", and {rolls} at {fast} m/s towards {aim}{mirrored_aim_words(nouns, placing)}"
 
 
 def _beside(nouns: Nouns, at: Any) -> str:
@@ -91,13 +94,6 @@ def _beside(nouns: Nouns, at: Any) -> str:
     if not steps:
         return f"right at {who}"
     return f"{listed(steps, 'and')} of {who}" + (f", as {who} is turned" if at.turns else "")
-
-
-def _mirrored(nouns: Nouns, mirror: Any) -> str:
-    if mirror is None:
-        return ""
-    turned = listed([f"{axis} becomes -{axis}" for axis in ("x", "y") if mirror.axis in (axis, "both")], "and")
-    return f", mirrored ({turned})" + (f" if {nouns.kept('flag', mirror.when, None)} is set" if mirror.when else "")
 
 
 def _aim_beside(nouns: Nouns, at: Any) -> str:
@@ -122,7 +118,7 @@ def _place(nouns: Nouns, action: Any) -> str:
         return placing_words(nouns, action)
     layout = action.layout
     which = quoted(layout) if isinstance(layout, str) else f"the layout drawn as {quoted(layout.draw)}"
-    return f"things are put as in {which}{_mirrored(nouns, action.mirror)}"
+    return f"things are put as in {which}{mirrored_layout_words(nouns, action)}"
 
 
 def _remove(nouns: Nouns, action: Any) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from rcj_challenges.views.sheet.nouns import Nouns, Subject, plain, quoted
-from rcj_challenges.views.sheet.phrases import amount, compared, degrees, metres, number, seconds, value
+from rcj_challenges.views.sheet.phrases import amount, compared, degrees, heading, metres, number, seconds, value
 
 
 def trigger_words(nouns: Nouns, trigger: Any) -> str:
@@ -51,10 +51,14 @@ def _crosses(nouns: Nouns, t: Any) -> str:
 
 
 def _holds(nouns: Nouns, t: Any) -> str:
-    for_s = f" for {seconds(t.for_s)}" if t.for_s else ""
+    for_s = f"for {seconds(t.for_s)}" if t.for_s else ""
+    held = condition_words(nouns, t.condition)
     grace = f" (interruptions of up to {seconds(t.grace_s)} do not count)" if t.grace_s else ""
     again = f", and again every {seconds(t.every_s)} while that lasts" if t.every_s else ""
-    return f"{condition_words(nouns, t.condition)}{for_s}{grace}{again}"
+    # Behind several it would read as if only the last of them had to last.
+    several = len(getattr(t.condition, "conditions", ())) > 1
+    lasting = " ".join(filter(None, (for_s, held) if several else (held, for_s)))
+    return f"{lasting}{grace}{again}"
 
 
 def _is(nouns: Nouns, c: Any, names: Any, what: str) -> str:
@@ -94,20 +98,26 @@ def _speed(nouns: Nouns, c: Any) -> str:
 
 def _looks(nouns: Nouns, c: Any) -> str:
     who = nouns.quantified(c.of, c.entity, negate=c.negate).does("looks", "look")
-    way = (
-        f"{degrees(c.heading_rad)} counter-clockwise from +x"
-        if c.towards is None
-        else f"towards {nouns.point(c.towards)}"
-    )
+    way = heading(c.heading_rad) if c.towards is None else f"towards {nouns.point(c.towards)}"
     return f"{who} {way} (to within {degrees(c.within_rad)})"
 
 
 def _any_of(nouns: Nouns, c: Any) -> str:
-    inner = [condition_words(nouns, one) for one in c.conditions]
+    parts = c.conditions
+    if c.negate and (len(parts) == 1 or any(map(_is_negative, parts))):
+        # None of them holds: of each the opposite does.
+        opposites = [one.model_copy(update={"negate": not one.negate}) for one in parts]
+        return " and ".join(condition_words(nouns, one) for one in opposites)
+    inner = [condition_words(nouns, one) for one in parts]
     if len(inner) == 1:
-        return f"it is not so that {inner[0]}" if c.negate else inner[0]
+        return inner[0]
     first, last = ("neither ", " nor ") if c.negate else ("either ", " or ")
     return first + last.join(inner)
+
+
+def _is_negative(condition: Any) -> bool:
+    """Return whether a condition says that something is not so: ``neither`` before it would deny that again."""
+    return bool(condition.negate) or getattr(condition, "of", None) == "none"
 
 
 TRIGGERS: dict[str, Callable[[Nouns, Any], str]] = {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rcj_challenges.scenario.models.actions import Score
+from rcj_challenges.scenario.models.actions import Score, SequenceAction
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Result, Rule, Scenario
 from rcj_challenges.scenario.models.state import AnyStep, Draw, Phase, Sequence
 from rcj_challenges.scenario.roster import Roster
@@ -112,11 +112,26 @@ def _sequence_words(nouns: Nouns, name: str, sequence: Sequence) -> str:
     who, made = nouns.thing(sequence.entity), _step_words(nouns, [name for step in places for name in step])
     if sequence.wrong_step == "break":
         wrong = f"after the first step, {made} which is neither the last reached nor the next breaks it: it begins anew"
-        when = "also when"
+        also = "also "
     else:
-        wrong, when = f"{made} out of turn changes nothing", "when"
-    again = f"It begins anew {when} a rule puts {who} somewhere or takes it off the field."
+        wrong, also = f"{made} out of turn changes nothing", ""
+    causes = [] if sequence.cyclic else ["when it is complete"]
+    causes += _resets(nouns, name)
+    causes.append(f"{'and ' if causes else ''}when a rule puts {who} somewhere or takes it off the field")
+    # The end of a round is the first step of the next one: nothing is lost there.
+    rounds = "Back at the first step it is complete, and the next round has begun. " if sequence.cyclic else ""
+    again = f"{rounds}It begins anew {also}{', '.join(causes)}."
     return f"The sequence {quoted(name)} is the way of {who}: {way}; {wrong}. {again}{_followed_words(nouns, name)}"
+
+
+def _resets(nouns: Nouns, name: str) -> list[str]:
+    """Return when rules make a sequence begin anew, if any do."""
+    rules = [
+        f"[{rule_name}]"
+        for rule_name, rule in nouns.scenario.rules.items()
+        if any(isinstance(action, SequenceAction) and action.sequence == name for action in rule.actions)
+    ]
+    return [f"when the rule {listed(rules, 'or')} says so"] if rules else []
 
 
 def _followed_words(nouns: Nouns, name: str) -> str:

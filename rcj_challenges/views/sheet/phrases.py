@@ -29,6 +29,11 @@ def degrees(value_rad: float) -> str:
     return f"{value_rad * 57.29578:.3g}°"
 
 
+def heading(yaw_rad: float) -> str:
+    """Return a direction on the floor: ``90° counter-clockwise from +x``."""
+    return f"{degrees(abs(yaw_rad))} {'clockwise' if yaw_rad < 0 else 'counter-clockwise'} from +x"
+
+
 def point(at: tuple[float, float]) -> str:
     """Return a point of the floor: ``(0.45, 0)``."""
     return f"({at[0]:g}, {at[1]:g})"

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rcj_challenges.scenario.models.actions import LastToucher
+from rcj_challenges.scenario.models.conditions import LastTouch
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.visiting import visit
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph
 from rcj_challenges.views.sheet.deeds import action_words
 from rcj_challenges.views.sheet.edges import condition_words, trigger_words
@@ -26,6 +29,7 @@ def rule_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     exclusive = tuple(_exclusive_words(rules, nouns))
     if exclusive:
         yield Items(exclusive)
+    yield from _last_touch(scenario)
 
 
 def when_words(rule: Rule, nouns: Nouns) -> str:
@@ -60,6 +64,17 @@ def _exclusive_words(rules: list[_Named], nouns: Nouns) -> Iterator[str]:
         meeting = _sharing([(name, rule) for name, rule in members if rule.for_each is not None], nouns)
         kinds = nouns.kinds_of(tuple(rule.for_each for _, rule in meeting if rule.for_each is not None))
         yield from _only_one([name for name, _ in meeting], f" for the same {kinds}")
+
+
+def _last_touch(scenario: Scenario) -> Iterator[Block]:
+    """Return a sentence about the last to touch something, if a rule asks who it was or gives its team points."""
+    words = {type(model) for rule in scenario.rules.values() for model, _ in visit(rule)}
+    if words & {LastTouch, LastToucher}:
+        nobody = ", and its team's points go to nobody" if LastToucher in words else ""
+        yield Paragraph(
+            "The last to touch something is who touched it last since a rule put it where it is; if nobody has, "
+            f"there is none{nobody}."
+        )
 
 
 def _sharing(rules: list[_Named], nouns: Nouns) -> list[_Named]:
