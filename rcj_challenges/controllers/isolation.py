@@ -214,6 +214,8 @@ def environment(folder: Path) -> dict[str, str]:
         "PYTHONHASHSEED": "0",
         # One core per program; without it OpenBLAS reserves 2 GB of address space on a machine of many cores.
         "OPENBLAS_NUM_THREADS": "1",
+        # Else glibc reserves 64 MB of address space for each thread, which counts as memory.
+        "MALLOC_ARENA_MAX": "1",
         "OMP_NUM_THREADS": "1",
         "MKL_NUM_THREADS": "1",
         "VECLIB_MAXIMUM_THREADS": "1",

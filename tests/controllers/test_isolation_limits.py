@@ -175,3 +175,20 @@ def test_programs_see_neither_home_nor_the_temporary_folder_nor_the_current_one(
     hidden = sight._protected()
     assert str(Path.cwd()) in hidden
     assert not [path for path in sight.readable() if sight.is_too_wide(path, hidden)]
+
+
+@needs_linux
+def test_threads_that_wait_take_no_memory_worth_speaking_of(tmp_path: Path) -> None:
+    program = """
+import threading
+from controller import Robot
+robot = Robot()
+for _ in range(30):
+    threading.Thread(target=threading.Event().wait, daemon=True).start()
+print(len(bytearray(400 << 20)) >> 20, threading.active_count())
+while robot.step(32) != -1:
+    pass
+"""
+    played = FakeMatch(tmp_path).play(program, 3)
+    assert played.fault is None
+    assert played.said == ["400 31"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -136,3 +137,27 @@ def test_a_thread_of_ours_is_none_that_could_end_a_wait(tmp_path: Path) -> None:
     program = "import threading\nthreading.Event().wait(3600)"
     played = FakeMatch(tmp_path, portable=True).play(ROBOT + program + STEPS, AN_HOUR + 3)
     assert [r.missed_ticks for _, r in played.requests] == [0, AN_HOUR, 0]
+
+
+BESIDE = """
+import queue, threading
+work, answers = queue.Queue(), queue.Queue()
+def worker():
+    while True:
+        answers.put(sum(range(work.get())))
+threading.Thread(target=worker, daemon=True).start()
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="the processor time of a process is not told finely enough")
+def test_short_waits_beside_a_thread_that_waits_itself_do_not_use_up_the_half(tmp_path: Path) -> None:
+    """Ten thousandths of a second in each of 700 steps would be seven seconds."""
+    program = BESIDE + "while robot.step(32) != -1:\n    try: answers.get(timeout=0.01)\n    except queue.Empty: pass\n"
+    played = FakeMatch(tmp_path, half_s=5).play(ROBOT + program, 700)
+    assert played.fault is None
+    assert [r.missed_ticks for _, r in played.requests] == [0] * 700
+
+
+def test_a_short_wait_goes_on_while_another_thread_computes(match: FakeMatch) -> None:
+    program = BESIDE + "work.put(100_000)\nprint(answers.get(timeout=0.031))\n"
+    assert match.play(ROBOT + program + STEPS, 3).said == ["4999950000"]

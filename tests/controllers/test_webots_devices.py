@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import sys
+import time
+
+import pytest
 from fake_match import INDEX, FakeMatch, Played, packet
 
 LEFT = INDEX["left wheel motor"]
@@ -298,3 +302,30 @@ def test_a_device_that_is_none_suggests_nothing(match: FakeMatch) -> None:
     lines = 'motor = Motor("nope")\ncaught(motor.getName)\n'
     said = _play(match, lines).said
     assert said[-1] == "AttributeError: this Motor is no device of the robot, as the warning above says"
+
+
+def test_a_copy_of_a_device_or_robot_is_the_thing_itself(match: FakeMatch) -> None:
+    lines = (
+        "import copy, dataclasses\n"
+        "@dataclasses.dataclass\nclass Wheels:\n    left: object\n"
+        'motor = robot.getDevice("left wheel motor")\n'
+        "kept = dataclasses.asdict(Wheels(motor))\n"
+        "print(copy.copy(motor) is motor, kept['left'] is motor, copy.deepcopy([robot])[0] is robot)\n"
+    )
+    assert _play(match, lines).said == ["True True True"]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals as POSIX has them")
+def test_a_step_that_a_signal_of_the_programs_own_breaks_off_is_taken_all_the_same(match: FakeMatch) -> None:
+    lines = (
+        "import signal\n"
+        "def alarm(*_): raise TimeoutError\n"
+        "signal.signal(signal.SIGALRM, alarm)\nbroken = 0\n"
+        "for _ in range(20):\n"
+        "    signal.setitimer(signal.ITIMER_REAL, 0.001)\n"
+        "    try: robot.step(32)\n"
+        "    except TimeoutError: broken += 1\n"
+        "    signal.setitimer(signal.ITIMER_REAL, 0)\n"
+        "print(broken > 0, robot.getTime())\n"
+    )
+    assert _play(match, lines, 25, air=lambda _: time.sleep(0.003) or []).said == ["True 0.64"]

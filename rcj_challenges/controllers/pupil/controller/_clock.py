@@ -26,6 +26,7 @@ _WAITING_NS = 20_000
 _MOST_MISSED = 2**31 - 1
 
 real_monotonic = time.monotonic
+real_process_time = time.process_time
 _real_sleep = time.sleep
 
 

@@ -159,7 +159,19 @@ class Hub:
         clock = self._clock
         missed, printed, motors = clock.missed_ticks(), self._output.printed_bytes, self._motors.values()
         build = self._with_others if self._has_others else motors_frame
-        frame = self._wire.exchange(build(self.tick, self._step_ticks, missed, printed, motors))
+        try:
+            frame = self._wire.exchange(build(self.tick, self._step_ticks, missed, printed, motors))
+        except BaseException:
+            # The step is taken all the same, as in the original, where nothing can break it off.
+            interrupted = self._wire.take_interrupted()
+            if interrupted:
+                self._take_in(interrupted)
+            raise
+        self._take_in(frame)
+        return not self.over
+
+    def _take_in(self, frame: bytes) -> None:
+        """Take in what came when a step was over."""
         self._motors.clear()
         self.previous, self.previous_tick = self.numbers, self.tick
         self.numbers = numbers = self._form.unpack_from(frame)
@@ -169,10 +181,9 @@ class Hub:
         if packets:
             self._queue(frame, packets)
         self.tick = tick
-        clock.tick_began(tick)
+        self._clock.tick_began(tick)
         if flags == OVER:
             self.over = True
-        return not self.over
 
     def _checked_ticks(self, duration_ms: Any) -> int:
         return self.ticks_from_ms(number(duration_ms, "step takes a number of ms, such as 32"))

@@ -7,15 +7,21 @@ only so much time may they take.
 
 from __future__ import annotations
 
+import sys
 from _thread import _count  # how many threads have been started and not ended
 from collections.abc import Callable
 from typing import Any
 
-from ._clock import Clock, real_monotonic
+from ._clock import Clock, real_monotonic, real_process_time
 from ._hooks import Patch
 
 Wait = Callable[[Any, Any], Any]
 """A method with a limit in s, or None, that returns what is true if what was waited for came."""
+
+
+_SHORT_S = 0.032
+_SLICE_S = 0.001
+_IDLE_SHARE = 0.2
 
 
 class Waits:
@@ -61,9 +67,26 @@ class Waits:
         def wait(self: Any, timeout: Any = None) -> Any:
             if timeout is None or timeout <= 0 or not clock.steps_here():
                 return real(self, timeout)
-            came = real(self, timeout if _count() > ours else 0)
+            came = _for_others(real, self, timeout) if _count() > ours else real(self, 0)
             if not came:
                 clock.pass_time(timeout)
             return came
 
         return wait
+
+
+def _for_others(real: Wait, waiting: Any, timeout: float) -> Any:
+    """Really wait for other threads.
+
+    Who waits for less than a tick in every step, beside threads that themselves wait for work, would use up a half's
+    time for nothing: such a wait is over when nobody computes.
+    """
+    if timeout > _SHORT_S or sys.platform == "win32":  # there what was computed is told every 16 ms only
+        return real(waiting, timeout)
+    end_s = real_monotonic() + timeout
+    while True:
+        began_s, computed_s = real_monotonic(), real_process_time()
+        came = real(waiting, min(_SLICE_S, timeout))
+        now_s = real_monotonic()
+        if came or now_s >= end_s or real_process_time() - computed_s < _IDLE_SHARE * (now_s - began_s):
+            return came

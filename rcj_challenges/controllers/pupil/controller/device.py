@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Self
 
 from ._hub import Hub, complain, connected, number
 
@@ -61,6 +61,14 @@ class Device:
         self._rcj_name = str(spec["name"])
         self._rcj_facts: dict[str, Any] = spec["facts"]
         self._rcj_index: int = spec["index"]
+
+    def __copy__(self) -> Self:
+        """Return the device itself: there is only one."""
+        return self
+
+    def __deepcopy__(self, _memo: object) -> Self:
+        """Return the device itself: there is only one."""
+        return self
 
     def getName(self) -> str:
         """Return its name."""

@@ -71,6 +71,14 @@ class Robot:
             hub.devices[spec["name"]] = _class_of(spec["kind"])._rcj_made(hub, spec)  # noqa: SLF001 - for this alone
         Robot.created = self
 
+    def __copy__(self) -> Self:
+        """Return the robot itself: there is only one."""
+        return self
+
+    def __deepcopy__(self, _memo: object) -> Self:
+        """Return the robot itself: there is only one."""
+        return self
+
     def step(self, time_step: float | None = None, timeStep: float | None = None, duration: float | None = None) -> int:
         """Let ``time_step`` ms pass, rounded up to whole ticks of 32 ms. Returns 0, or -1 when the match is over.
 
