@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
-import os
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -15,8 +13,6 @@ from rcj_challenges.scenario.models.scenario import Limits
 
 EVERY_TICKS = 32
 """How often amounts are noted: walking through a folder is slow."""
-
-_ENTRY_BYTES = 4096  # what an entry of a folder counts at least, as in a match
 
 
 @dataclass
@@ -88,7 +84,10 @@ class FollowedTeam(Team):
         folders = [folder for folder in self._folders if folder.name.startswith(f"rcj-{robot}-")]
         own_bytes = self.size_bytes()
         limit_bytes = limits.scratch_mb * 1_000_000 + own_bytes
-        return max(0, _bytes_in(folders[-1], limit_bytes) - own_bytes) if folders else 0
+        if not folders:
+            return 0
+        # What cannot be looked at is the match's to judge: it ends such a program.
+        return max(0, int(min(scratch.bytes_below(folders[-1], limit_bytes), limit_bytes)) - own_bytes)
 
 
 class Amounts:
@@ -117,27 +116,3 @@ class Amounts:
         for robot, so_far_bytes in self._so_far.items():
             self.printed[robot].note(tick, so_far_bytes)
             self.written[robot].note(tick, self._team.written_bytes(robot, self._limits))
-
-
-def _bytes_in(folder: Path, limit_bytes: float) -> int:
-    """Return what all files below a folder take; counting ends where a limit is exceeded.
-
-    What cannot be looked at counts nothing here: the match itself ends a program that hides something.
-    """
-    total = 0
-    todo = [] if folder.is_symlink() else [str(folder)]
-    while todo:
-        with contextlib.suppress(OSError), os.scandir(todo.pop()) as entries:
-            for entry in entries:
-                if scratch.is_folder(entry):
-                    todo.append(entry.path)
-                total += _entry_bytes(entry)
-                if total > limit_bytes:  # entries that come and go could be listed without end
-                    return total
-    return total
-
-
-def _entry_bytes(entry: os.DirEntry[str]) -> int:
-    with contextlib.suppress(OSError):
-        return max(entry.stat(follow_symlinks=False).st_size, _ENTRY_BYTES)
-    return _ENTRY_BYTES

@@ -7,6 +7,7 @@ deep as somebody else made them, or trusts that a file which was listed is still
 from __future__ import annotations
 
 import contextlib
+import math
 import os
 import stat
 import sys
@@ -20,34 +21,39 @@ _LONGEST_PATH = 512
 
 
 def has_more_than(folder: Path, limit_bytes: float) -> bool:
-    """Return whether all files below a folder take more than a limit, or something in it cannot be looked at.
+    """Return whether all files below a folder take more than a limit, or something in it cannot be looked at."""
+    return bytes_below(folder, limit_bytes) > limit_bytes
+
+
+def bytes_below(folder: Path, enough_bytes: float) -> float:
+    """Return what all files below a folder take; infinite if something in it cannot be looked at.
 
     Args:
         folder: it may change meanwhile.
-        limit_bytes: counting ends where it is exceeded.
+        enough_bytes: counting ends where there are more.
     """
     total = 0
     longest = len(str(folder)) + _LONGEST_PATH
     todo = [str(folder)]
     if folder.is_symlink():
-        return True
+        return math.inf
     while todo:
         here = todo.pop()
         if len(here) > longest:
-            return True
+            return math.inf
         try:
             with os.scandir(here) as entries:
                 for entry in entries:
                     if is_folder(entry):
                         todo.append(entry.path)
                     total += _entry_bytes(entry)
-                    if total > limit_bytes:
-                        return True
+                    if total > enough_bytes:
+                        return total
         except PermissionError:
-            return True  # a folder that its owner may not read hides something
+            return math.inf  # a folder that its owner may not read hides something
         except OSError:
             continue
-    return total > limit_bytes
+    return total
 
 
 def _entry_bytes(entry: os.DirEntry[str]) -> int:

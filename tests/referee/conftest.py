@@ -108,3 +108,16 @@ def match_play(match: Callable[..., Loaded]) -> Stage:
         return ScriptedPlay(played.scenario, played.roster, info, draws)
 
     return begin
+
+
+@pytest.fixture(scope="session")
+def ask() -> Callable[[ScriptedPlay], bool]:
+    """Return what asks whether the condition holds in the next tick."""
+
+    def asked(play: ScriptedPlay) -> bool:
+        before = len(play.events_named("TRUE_NOW"))
+        play.fail("B1")
+        play.play()
+        return len(play.events_named("TRUE_NOW")) > before
+
+    return asked

@@ -1,7 +1,5 @@
 """Conditions: each word asked at every tick by a rule that fires whenever told to."""
 
-from collections.abc import Callable
-
 import pytest
 
 from rcj_challenges.referee.script import ScriptedPlay
@@ -14,19 +12,6 @@ rules:
     conditions: [%s]
     actions: [{action: emit, event: TRUE_NOW}]
 """
-
-
-@pytest.fixture(scope="session")
-def ask() -> Callable[[ScriptedPlay], bool]:
-    """Return what asks whether the condition holds in the next tick."""
-
-    def asked(play: ScriptedPlay) -> bool:
-        before = len(play.events_named("TRUE_NOW"))
-        play.fail("B1")
-        play.play()
-        return len(play.events_named("TRUE_NOW")) > before
-
-    return asked
 
 
 def as_programs_fail(play, ask):

@@ -1,25 +1,10 @@
 """Conditions that ask which way a robot looks, and those that ask for one of several."""
 
 import math
-from collections.abc import Callable
 
 import pytest
 
-from rcj_challenges.referee.script import ScriptedPlay
 from tests.referee.test_conditions import ASKING
-
-
-@pytest.fixture(scope="session")
-def ask() -> Callable[[ScriptedPlay], bool]:
-    """Return what asks whether the condition holds in the next tick."""
-
-    def asked(play: ScriptedPlay) -> bool:
-        before = len(play.events_named("TRUE_NOW"))
-        play.fail("B1")
-        play.play()
-        return len(play.events_named("TRUE_NOW")) > before
-
-    return asked
 
 
 class TestConditionLooks:

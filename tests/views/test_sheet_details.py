@@ -4,30 +4,9 @@ import re
 
 import pytest
 
-from rcj_challenges.scenario.load import load_text
-from rcj_challenges.views.sheet import sheet_markdown
+from tests.views.sheets import sentence, sheet
 
 pytestmark = pytest.mark.usefixtures("without_drawing")
-
-HEAD = """
-schema_version: 1
-id: details
-title: Details
-extends: soccersim_v2
-"""
-
-
-def sheet(text: str) -> str:
-    """Return the sheet of a scenario, without the marks that keep Markdown from reading names as something else."""
-    loaded = load_text(HEAD + text)
-    return sheet_markdown(loaded.scenario, loaded.roster).replace("\\", "")
-
-
-def sentence(rule: str, more: str = "") -> str:
-    """Return the sentence of a rule that is written in YAML on one line."""
-    text = sheet(f"{more}\nrules:\n  it: {{{rule}}}\n")
-    return next(line for line in text.splitlines() if line.startswith("1. [it] ")).removeprefix("1. [it] ")
-
 
 # --- which rule goes first ------------------------------------------------------------------------------------------
 

@@ -492,8 +492,7 @@ ALL = SEEN | HOSTILE
 
 
 @cache
-def built(name: str) -> bytes:
-    """Return one of all, built once: bombs take longer to pack than to look through."""
+def built(name: str) -> bytes:  # once: bombs take longer to pack than to look through
     return ALL[name].build()
 
 

@@ -34,12 +34,8 @@ class Motor(Device):
         Raises:
             TypeError: no number was given.
         """
-        try:
-            asked = float(position)
-        except (TypeError, ValueError):
-            asked = math.nan
-        if asked != asked or (asked is not position and type(position) is str):  # type: ignore[comparison-overlap]  # noqa: PLR0124
-            number(position, f"{self._rcj_name!r}: setPosition takes a number of rad, such as float('inf')")
+        asked = float(number(position, f"{self._rcj_name!r}: setPosition takes a number of rad, such as float('inf')"))
+        if math.isnan(asked):
             complain(f"Error: {self._rcj_name!r}: setPosition(NaN) is refused.")
             return
         self._rcj_command(self._rcj_velocity, math.inf if math.isinf(asked) else asked)
