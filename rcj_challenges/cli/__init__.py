@@ -14,6 +14,8 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
+from rcj_challenges.facts.letters import READABLE
+
 if TYPE_CHECKING:
     from typer import Typer
     from typer.models import CommandInfo
@@ -130,5 +132,5 @@ def _complain(message: str) -> None:
     for stream in (sys.stdout, sys.stderr):
         reconfigure = getattr(stream, "reconfigure", None)
         if reconfigure is not None:
-            reconfigure(errors="replace")
+            reconfigure(errors=READABLE)
     print(message, file=sys.stderr)  # noqa: T201 - this is the terminal

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
+from rcj_challenges.facts.letters import READABLE
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.lint import lint
 from rcj_challenges.scenario.load import Loaded, load
@@ -78,4 +79,4 @@ def say(text: str, stream: object) -> None:
     # A terminal that cannot show a character must not hide the whole message.
     write = getattr(stream, "write")  # noqa: B009 - sys.stdout may be replaced by anything that writes
     encoding = getattr(stream, "encoding", None) or "utf-8"
-    write(text.encode(encoding, "replace").decode(encoding) + "\n")
+    write(text.encode(encoding, READABLE).decode(encoding) + "\n")

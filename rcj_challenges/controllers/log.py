@@ -113,9 +113,10 @@ class ProgramLog:
         if at < 0:
             return ""
         os.ftruncate(self._log_fd, size - len(tail) + at)
-        inside = str(folder) + os.sep
+        before = f'  File "{folder}{os.sep}'
         lines = tail[at:].decode("utf-8", "replace").splitlines()
-        return "".join(line.replace(inside, "") + "\n" for line in lines if line.startswith(f'  File "{inside}'))
+        own = (line.removeprefix(before).partition('"') for line in lines if line.startswith(before))
+        return "".join(f'  File "{path.replace(os.sep, "/")}"{place}\n' for path, _, place in own)
 
     def close(self) -> None:
         """Take over what is left, and close it."""

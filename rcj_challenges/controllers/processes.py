@@ -41,7 +41,8 @@ class Ends:
     Attributes:
         read_fd: what the process says.
         write_fd: what it is told.
-        lifeline_fd: never written to; the process notices when it closes. None where the kernel does that.
+        lifeline_fd: the process notices when it closes, and tells where it is when it is written to. None where the
+            kernel does the one and a signal asks for the other.
     """
 
     read_fd: int
@@ -90,8 +91,16 @@ class Process:
         """Return what it holds in files that it has deleted but not closed; 0 where that cannot be told."""
         return scratch.nameless_bytes(self._innermost_pid(), output_fd)
 
-    def say_where_it_is(self) -> None:
-        """Let it write its present traceback to its log and end (POSIX; it may refuse, so `kill` afterwards)."""
+    def say_where_it_is(self, lifeline_fd: int | None) -> None:
+        """Let it write its present traceback to its log and end. It may refuse, so `kill` afterwards.
+
+        Args:
+            lifeline_fd: the parent's end of its lifeline, by which its watch is asked; None: by a signal (POSIX).
+        """
+        if lifeline_fd is not None:
+            with contextlib.suppress(OSError):
+                os.write(lifeline_fd, b"?")
+            self.exit_status(_DUMP_S)
         if sys.platform != "win32" and not self.has_ended():
             with contextlib.suppress(ProcessLookupError):
                 os.kill(self._innermost_pid(), signal.SIGABRT)

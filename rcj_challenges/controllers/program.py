@@ -328,7 +328,7 @@ class Program:
         else:
             kind, detail = "step_timeout", f"the program did not call step for {limits.step_s:g} s"
         if self._process is not None:
-            self._process.say_where_it_is()
+            self._process.say_where_it_is(self._lifeline_fd)
         return self._fail(kind, detail)
 
     def _gone(self) -> Fault:

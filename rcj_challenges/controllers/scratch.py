@@ -35,7 +35,7 @@ def bytes_below(folder: Path, enough_bytes: float) -> float:
     total = 0
     longest = len(str(folder)) + _LONGEST_PATH
     todo = [str(folder)]
-    if folder.is_symlink():
+    if _leads_elsewhere(folder):
         return math.inf
     while todo:
         here = todo.pop()
@@ -89,7 +89,7 @@ def _identity(status: os.stat_result) -> tuple[int, int]:
 
 def remove(folder: Path) -> None:
     """Remove a folder with all that is in it, whatever a program did to it. Its processes must have ended."""
-    if folder.is_symlink():
+    if _leads_elsewhere(folder):
         with contextlib.suppress(OSError):
             folder.unlink()
         return
@@ -124,6 +124,13 @@ def _brought_up(path: str, place: str) -> str:
     except OSError:
         return path
     return place
+
+
+def _leads_elsewhere(folder: Path) -> bool:
+    if sys.platform == "win32":
+        with contextlib.suppress(OSError):
+            return folder.lstat().st_reparse_tag in (stat.IO_REPARSE_TAG_SYMLINK, stat.IO_REPARSE_TAG_MOUNT_POINT)
+    return folder.is_symlink()
 
 
 def is_folder(entry: os.DirEntry[str]) -> bool:

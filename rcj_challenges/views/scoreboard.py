@@ -14,6 +14,7 @@ from rich.progress_bar import ProgressBar
 from rich.table import Table
 from rich.text import Text
 
+from rcj_challenges.facts.letters import READABLE
 from rcj_challenges.facts.play import Event, Fault, HalfInfo
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks
 from rcj_challenges.match.watching import Progress, Silent, Watcher
@@ -200,5 +201,5 @@ def console_for(*, to_stderr: bool = False) -> Console:
     stream = sys.stderr if to_stderr else sys.stdout
     reconfigure = getattr(stream, "reconfigure", None)
     if reconfigure is not None:
-        reconfigure(errors="replace")
+        reconfigure(errors=READABLE)
     return PatientConsole(file=stream, soft_wrap=False)

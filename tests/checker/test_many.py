@@ -17,7 +17,7 @@ UNPLAYED = CheckOptions(play=False)
 # Stands before what a worker runs.
 DIES = "import os, sys, json; told = sys.stdin.buffer.read(); 'boom' in json.loads(told)['path'] and os.abort(); "
 GOES_ON = "import io; sys.stdin = io.TextIOWrapper(io.BytesIO(told)); "
-SLEEPS = "import time; time.sleep(600)"
+SLEEPS = "import sys, time; sys.stdin.buffer.read(); time.sleep(600)"
 
 
 @pytest.fixture

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import zipfile
 from pathlib import Path
 
@@ -18,7 +19,8 @@ def folder(tmp_path):
     (tmp_path / "folder.zip").mkdir()
     (tmp_path / "team").mkdir()
     (tmp_path / "team" / "robot.py").write_text("x = 1\n")
-    (tmp_path / "gone.zip").symlink_to("nowhere.zip")
+    if sys.platform != "win32":  # where only administrators make links
+        (tmp_path / "gone.zip").symlink_to("nowhere.zip")
     return tmp_path
 
 
@@ -26,11 +28,12 @@ def test_what_lies_beside_archives_is_named_with_the_reason_why_it_is_not_looked
     given = in_folders([folder])
     assert [path.name for path in given.paths] == ["A.ZIP", "b.rar"]
     reasons = {Path(other.file).name: other.reason for other in given.left_out}
+    if sys.platform != "win32":
+        assert "leads nowhere" in reasons.pop("gone.zip")
     assert reasons.keys() == {
-        ".hidden.zip", "._A.ZIP", "no_ending", "notes.txt", "stray.py", "folder.zip", "team", "gone.zip"
+        ".hidden.zip", "._A.ZIP", "no_ending", "notes.txt", "stray.py", "folder.zip", "team"
     }  # fmt: skip
     assert "dot" in reasons[".hidden.zip"]
-    assert "leads nowhere" in reasons["gone.zip"]
     assert "folder" in reasons["folder.zip"]
     assert "folder" in reasons["team"]
     assert ".zip" in reasons["no_ending"]

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import errno
+import signal
 import sys
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from fake_match import FakeMatch
@@ -87,7 +89,7 @@ except ImportError as error:
     raise RuntimeError(f"{os.getcwd()} {os.environ['HOME']} {error}")
 """
     fault = fault_of(match, program)
-    assert fault.detail.startswith(
+    assert fault.detail.replace("\\", "/").startswith(
         "RuntimeError: . ~ cannot import name 'no_such_thing' from 'numpy' (site-packages/numpy/__init__.py)"
     )
 
@@ -128,10 +130,29 @@ def test_a_program_that_hangs_is_stopped_at_the_limit_and_its_log_shows_where(tm
     assert played.fault.detail == "the program did not call step for 0.4 s"
     assert time.perf_counter() - began < 10
     assert "now it hangs" in played.log
-    if sys.platform != "win32":
-        where = played.log.split("It was here, the innermost call first:\n")[1].splitlines()
-        assert where[0].startswith('  File "hangs_in_play.py", line ')
-        assert where[1].startswith("[step_timeout] Y1 at tick 2 (0.064 s): ")
+    where = played.log.split("It was here, the innermost call first:\n")[1].splitlines()
+    assert where[0].startswith('  File "hangs_in_play.py", line ')
+    assert where[1].startswith("[step_timeout] Y1 at tick 2 (0.064 s): ")
+
+
+@posix
+def test_where_no_signal_can_ask_for_it_a_watch_tells_where_a_program_hangs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(processes, "signal", SimpleNamespace(SIGABRT=0, SIGCONT=0, SIGKILL=signal.SIGKILL))
+    (tmp_path / "t" / "robot1").mkdir(parents=True)
+    (tmp_path / "t" / "robot1" / "robot1.py").write_text("import turns\n", encoding="utf-8")
+    (tmp_path / "t" / "robot1" / "turns.py").write_text("def turn():\n    while True: pass\nturn()\n", encoding="utf-8")
+    match = FakeMatch(tmp_path, portable=True, start_s=0.7)
+    played = match.play(open_team(tmp_path / "t"), entry="robot1/robot1.py")
+    assert played.fault is not None
+    assert played.fault.kind == "start_timeout"
+    where = played.log.split("It was here, the innermost call first:\n")[1].splitlines()
+    assert where[:3] == [
+        '  File "robot1/turns.py", line 2 in turn',
+        '  File "robot1/turns.py", line 3 in <module>',
+        '  File "robot1/robot1.py", line 1 in <module>',
+    ]
 
 
 def test_a_program_that_is_slow_on_every_step_is_stopped_by_the_sum(tmp_path: Path) -> None:

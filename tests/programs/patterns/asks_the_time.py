@@ -12,7 +12,8 @@ then = datetime.now()
 time.sleep(3)
 passed = datetime.now() - then
 print(round(passed.total_seconds(), 3), isinstance(then, datetime), type(then - timedelta(1)) is datetime, isinstance(then, date))
-print(f"{time.monotonic():.3f} {time.perf_counter():.3f} {time.process_time():.3f} {time.clock_gettime(time.CLOCK_MONOTONIC):.3f}")
+uptime = time.clock_gettime(time.CLOCK_MONOTONIC) if hasattr(time, "clock_gettime") else time.monotonic()  # Windows has none
+print(f"{time.monotonic():.3f} {time.perf_counter():.3f} {time.process_time():.3f} {uptime:.3f}")
 for wrong in (-1, "long"):
     try:
         time.sleep(wrong)

@@ -7,6 +7,7 @@ Which of them apply is the parent's decision (``rcj_challenges/controllers/isola
 
 from __future__ import annotations
 
+import faulthandler
 import os
 import sys
 from _thread import allocate_lock, start_new_thread
@@ -16,6 +17,7 @@ from typing import Any
 from ._wire import leave
 
 _SIGKILL = 9
+_DUMP_BEGINS = b"Fatal Python error: Aborted\n\n"  # as where a signal asks for it
 
 
 class ConfinementError(OSError):
@@ -110,8 +112,10 @@ def confine(layers: list[str], settings: dict[str, Any]) -> None:
 def watch(lifeline_fd: int, memory_bytes: int, on_memory: Callable[[], None]) -> None:
     """Watch from a thread, where the kernel does not: end with the parent, report too much memory (macOS).
 
+    Where the parent cannot ask by a signal (Windows), the thread tells where the program is.
+
     Args:
-        lifeline_fd: read end of a pipe that ends when the parent does.
+        lifeline_fd: read end of a pipe that ends when the parent does; a byte in it asks for a traceback, and the end.
         memory_bytes: the limit; 0: somebody else watches it.
         on_memory: called when it is exceeded.
     """
@@ -122,7 +126,9 @@ def watch(lifeline_fd: int, memory_bytes: int, on_memory: Callable[[], None]) ->
             if _resident_bytes() > memory_bytes:
                 on_memory()
         try:
-            os.read(lifeline_fd, 1)
+            if os.read(lifeline_fd, 1):
+                os.write(2, _DUMP_BEGINS)
+                faulthandler.dump_traceback(2, all_threads=True)
         finally:
             leave(1)
 

@@ -33,7 +33,8 @@ class Output:
     def _stream(self, fd: int) -> io.TextIOWrapper:
         # Straight onto the file, as `python -u` does: a line is in the log as soon as it is printed, whatever follows.
         raw: Any = _CountedFile(fd, self)
-        return io.TextIOWrapper(raw, encoding="utf-8", errors="backslashreplace", line_buffering=True)
+        # A line ends alike on all systems, so that a program is stopped for its output at the same tick on each.
+        return io.TextIOWrapper(raw, encoding="utf-8", errors="backslashreplace", newline="\n", line_buffering=True)
 
 
 class _CountedFile(io.FileIO):

@@ -19,7 +19,8 @@ def describe(error: BaseException, team_root: str, site_folders: list[str]) -> t
         team_root: the folder of its files; paths are told relative to it.
         site_folders: where numpy and scipy are; no path of this computer is told.
     """
-    shown = [(team_root + os.sep, ""), (team_root, "."), (os.path.dirname(team_root), "~")]
+    slashed = team_root.replace(os.sep, "/")
+    shown = [(team_root + os.sep, ""), (slashed + "/", ""), (team_root, "."), (os.path.dirname(team_root), "~")]
     shown += [(folder, "site-packages") for folder in site_folders] + [(os.path.dirname(os.__file__), "python")]
     try:
         told = _describe(error, team_root + os.sep)
@@ -41,12 +42,18 @@ def _describe(error: BaseException, inside: str) -> tuple[str, str]:
     _keep_own_frames(told, inside)
     where = ""
     if isinstance(error, SyntaxError) and error.filename:
-        where = f" ({error.filename}, line {error.lineno})"
+        told.filename = _slashed(error.filename, inside)
+        where = f" ({told.filename}, line {error.lineno})"
     elif told.stack:
         where = f" ({told.stack[-1].filename}, line {told.stack[-1].lineno})"
     last = list(told.format_exception_only())[-1].strip()
     summary = f"{type(error).__name__}: {error.msg}" if isinstance(error, SyntaxError) else " ".join(last.split())
     return summary[:1_000] + where, "".join(told.format())
+
+
+def _slashed(filename: str, inside: str) -> str:
+    """Tell a file of the program as everybody does, on Windows too: ``robot1/tools.py``."""
+    return filename.replace(os.sep, "/") if filename.startswith(inside) else filename
 
 
 def _keep_own_frames(told: Any, inside: str) -> None:
@@ -59,6 +66,8 @@ def _keep_own_frames(told: Any, inside: str) -> None:
             continue
         seen.add(id(entry))
         entry.stack[:] = [frame for frame in entry.stack if frame.filename.startswith((inside, "<string>"))]
+        for frame in entry.stack:
+            frame.filename = _slashed(frame.filename, inside)
         todo += [entry.__cause__, entry.__context__, *(getattr(entry, "exceptions", None) or ())]
 
 
