@@ -30,6 +30,7 @@ _LOG_LOOKED_AT_EVERY = 16  # requests
 _FOLDER_LOOKED_AT_EVERY = 256  # ticks; walking through a folder is slow
 _OUTPUT_SLACK_BYTES = 65_536  # what the interpreter and the match itself add to a log
 _FAREWELL_S = 1.0
+_LAST_WORDS_S = 1.0  # a thread reads them where pipes cannot be polled
 
 
 @dataclass(frozen=True)
@@ -302,9 +303,9 @@ class Program:
             left_s = self._patience_s(began) - (time.perf_counter() - began)
             if left_s <= 0 or self._trespass(look_at_folder=True) is not None:
                 return None
-            # Something that it started may hold its pipes open after it ended.
+            # What it started may hold its pipes open after it ended. Its last words may still be on their way.
             ended = self.has_ended()
-            body = channel.receive(0.0 if ended else min(left_s, _SLICE_S))
+            body = channel.receive(min(left_s, _LAST_WORDS_S if ended else _SLICE_S))
             if body is not None:
                 return body
             if ended:

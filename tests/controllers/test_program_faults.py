@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import os
 import signal
 import sys
 import time
@@ -12,7 +13,7 @@ from types import SimpleNamespace
 import pytest
 from fake_match import FakeMatch
 
-from rcj_challenges.controllers import processes
+from rcj_challenges.controllers import pipes, processes
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.facts.errors import HostError
 from rcj_challenges.facts.play import Fault
@@ -285,6 +286,20 @@ def test_a_program_of_a_folder_is_told_by_its_path_in_the_folder(match: FakeMatc
     assert played.fault.detail == (
         "FileNotFoundError: [Errno 2] No such file or directory: 'missing.txt' (robot1/tools.py, line 1)"
     )
+
+
+def test_what_a_program_said_last_counts_though_it_arrives_after_its_end(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def late(fd: int, size: int) -> bytes:
+        data = os.read(fd, size)
+        time.sleep(0.4)  # longer than the program is waited for at a time
+        return data
+
+    monkeypatch.setattr(pipes, "os", SimpleNamespace(read=late, write=os.write, close=os.close))
+    fault = fault_of(FakeMatch(tmp_path, portable=True), "import no_such_thing\n")
+    assert (fault.kind, fault.tick) == ("crash", 0)
+    assert fault.detail.startswith("ModuleNotFoundError: No module named 'no_such_thing'")
 
 
 def test_a_dead_program_does_not_end_the_others(match: FakeMatch) -> None:
