@@ -288,6 +288,29 @@ def test_a_program_of_a_folder_is_told_by_its_path_in_the_folder(match: FakeMatc
     )
 
 
+@pytest.mark.parametrize("name", ["token", "tokenize", "linecache", "textwrap", "traceback"])
+def test_a_crash_is_told_whatever_the_team_called_its_files(match: FakeMatch, tmp_path: Path, name: str) -> None:
+    (tmp_path / "t").mkdir()
+    (tmp_path / "t" / f"{name}.py").write_text("SPEED = 5\n", encoding="utf-8")
+    program = (
+        f"import {name}\nfrom controller import Robot\nRobot().getDevice('left wheel motor').setVelocty({name}.SPEED)\n"
+    )
+    (tmp_path / "t" / "robot.py").write_text(program, encoding="utf-8")
+    played = match.play(open_team(tmp_path / "t"), 2)
+    assert played.fault is not None
+    assert played.fault.detail == (
+        "AttributeError: 'Motor' object has no attribute 'setVelocty'. Did you mean: 'setVelocity'? (robot.py, line 3)"
+    )
+    assert "line 3, in <module>" in played.fault.traceback
+
+
+def test_a_crash_is_told_in_short_where_the_program_has_broken_what_tells_it(match: FakeMatch) -> None:
+    program = "import traceback\ntraceback.TracebackException = None\nraise ValueError('too fast')\n"
+    played = match.play(program, 2)
+    assert played.fault is not None
+    assert played.fault.detail == "ValueError: too fast (robot.py, line 3)"
+
+
 def test_what_a_program_said_last_counts_though_it_arrives_after_its_end(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from fake_match import FakeMatch
+
+from rcj_challenges.controllers.team import open_team
 
 STEPS = """
 from controller import Robot
@@ -41,6 +45,64 @@ print([np.float64(1.5)])
 robot.step(32)
 """
     assert match.play(STEPS + program, 1).said == ["inf -inf nan 3.0 4 6 2 [2 4]", "[1.5]"]
+
+
+def test_numpys_star_gives_the_old_names_and_leaves_pythons_own_alone(match: FakeMatch) -> None:
+    program = """
+from numpy import *
+print(Inf, NaN, product([2, 3]), mat([[1, 2]]).T.shape, type(int(2.5)) is type(1), float is type(1.5))
+robot.step(32)
+"""
+    assert match.play(STEPS + program, 1).said == ["inf nan 6 (2, 1) True True"]
+
+
+def test_packets_are_made_and_read_by_numpy_as_it_was_done_then(match: FakeMatch) -> None:
+    program = """
+import numpy as np
+packet = np.array([0.5, 2.0], dtype=np.float32).tostring()
+read = np.fromstring(packet, dtype=np.float32)
+read[0] += 1  # what is read may be changed
+print(len(packet), read, np.fromstring("1 2", sep=" "), np.array([3, 8]).ptp(), np.asfarray([1]), np.VisibleDeprecationWarning.__name__)
+robot.step(32)
+"""
+    assert match.play(STEPS + program, 1).said == ["8 [1.5 2. ] [1. 2.] 5 [1.] VisibleDeprecationWarning"]
+
+
+def test_names_that_scipy_had_in_those_years_are_there(match: FakeMatch) -> None:
+    program = """
+import warnings
+warnings.simplefilter("ignore")
+from scipy.misc import derivative
+from scipy.integrate import cumtrapz, simps
+from scipy.signal import gaussian
+print(round(derivative(lambda x: x**3, 2.0, dx=1e-3), 3), round(derivative(lambda x: x**4, 1.0, dx=1e-2, n=2, order=5), 3))
+print(simps([0, 1, 4]), cumtrapz([0, 2, 4]), gaussian(3, 1.0).round(3))
+robot.step(32)
+"""
+    said = match.play(STEPS + program, 1).said
+    assert said == ["12.0 12.0", "2.6666666666666665 [1. 4.] [0.607 1.    0.607]"]
+
+
+def test_names_that_python_had_in_those_years_are_there(match: FakeMatch) -> None:
+    program = """
+import base64, collections, fractions, inspect, random, threading
+print(isinstance([], collections.Sequence), issubclass(dict, collections.Mapping), collections.OrderedDict.__name__)
+print(sorted(random.sample({1, 2, 3}, 3)), len(random.sample(range(9), 2)), fractions.gcd(12, 18))
+print(inspect.getargspec(lambda a, b=1: 0).args, base64.encodestring(b"x"), threading.Thread().isAlive())
+robot.step(32)
+"""
+    said = match.play(STEPS + program, 1).said
+    assert said == ["True True OrderedDict", "[1, 2, 3] 2 6", "['a', 'b'] b'eA==\\n' False"]
+
+
+def test_a_file_of_the_team_may_be_called_like_a_module_that_the_match_itself_has_used(
+    match: FakeMatch, tmp_path: Path
+) -> None:
+    (tmp_path / "t").mkdir()
+    (tmp_path / "t" / "resource.py").write_text("SPEED = 5\n", encoding="utf-8")
+    program = STEPS + "from resource import SPEED\nprint(SPEED)\nrobot.step(32)\n"
+    (tmp_path / "t" / "robot.py").write_text(program, encoding="utf-8")
+    assert match.play(open_team(tmp_path / "t"), 1).said == ["5"]
 
 
 def test_an_array_of_one_number_is_a_number(match: FakeMatch) -> None:

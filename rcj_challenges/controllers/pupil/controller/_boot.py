@@ -9,7 +9,7 @@ import os
 import sys
 from typing import Any
 
-from . import _chance, _clock, _confine, _hub, _report, _waits
+from . import _chance, _clock, _confine, _hub, _older, _report, _waits
 from ._hooks import AfterImport, Patch
 from ._output import Output
 from ._wire import HELLO, Wire, fault_frame, leave
@@ -37,6 +37,7 @@ class Boot:
             _confine.confine(self._hello["layers"], self._limits)
         except OSError as error:
             self._end("start", f"the program could not be isolated: {error}")
+        sys.modules.pop("resource", None)  # a team may have a file of that name, and gets its own
 
     def run(self) -> None:
         """Run the program and tell the match how it ended, unless the match ended it."""
@@ -82,11 +83,16 @@ class Boot:
         patches: dict[str, Patch] = {
             "datetime": _clock.dates_of(self._clock),
             "random": _chance.seed_random(seeds[0]),
-            "numpy": _restore_old_names,
+            "numpy": _for_numpy("restore_old_names"),
+            "scipy.integrate": _for_numpy("restore_integrals"),
+            "scipy.misc": _for_numpy("restore_derivative"),
+            "scipy.signal": _for_numpy("restore_windows"),
             "numpy.random.bit_generator": _chance.seed_numpy_entropy(seeds[1]),
             "numpy.random": _chance.seed_numpy_global(seeds[2]),
             **_waits.Waits(self._clock).patches(),
         }
+        for module, patch in _older.PATCHES.items():
+            patches[module] = _in_turn(patches[module], patch) if module in patches else patch
         AfterImport(patches, self._root + os.sep).install()
         # What `site` adds; the interpreter runs without it.
         import _sitebuiltins
@@ -134,17 +140,31 @@ def _flush_output() -> None:
             pass
 
 
-def _restore_old_names(numpy: Any) -> None:
-    """Read what concerns numpy when a program imports it: most do not."""
-    from . import _numpy
+def _for_numpy(name: str) -> Patch:
+    """Return a patch that is read when a program imports numpy or scipy: most do not."""
 
-    _numpy.restore_old_names(numpy)
+    def patch(module: Any) -> None:
+        from . import _numpy
+
+        getattr(_numpy, name)(module)
+
+    return patch
+
+
+def _in_turn(first: Patch, then: Patch) -> Patch:
+    def patch(module: Any) -> None:
+        first(module)
+        then(module)
+
+    return patch
 
 
 def _wait_for_threads() -> None:
     """Wait for the threads that the program has started and left to themselves, as the interpreter does at its end."""
     threading: Any = sys.modules.get("threading")
     if hasattr(threading, "enumerate"):  # the library's, or a file of the team of that name
+        for call in reversed(getattr(threading, "_threading_atexits", ())):
+            call()  # tells the workers of pools to go
         for thread in threading.enumerate():
             if thread is not threading.current_thread() and not thread.daemon:
                 thread.join()

@@ -3,13 +3,16 @@
 The clock stands still between two steps, except that each reading by the thread that steps advances it by 1 µs (by
 20 µs where it only waits for time to pass), and that its ``time.sleep`` advances it by what was asked for. Time that
 passed this way beyond whole ticks is what the program missed: its next ``step`` says so. Until the first ``step`` that
-thread is the main one.
+thread is the main one, if it is the only one.
+
+Other threads wait for simulated time to come. While no tick begins, because the thread that steps computes or waits for
+them, the real one counts for them instead: nobody waits for ever.
 """
 
 from __future__ import annotations
 
 import time
-from _thread import get_ident
+from _thread import LockType, _count, allocate_lock, get_ident
 from collections.abc import Callable
 from typing import Any
 
@@ -24,6 +27,10 @@ _WAITS_FROM_NS = 1_000_000
 second: with ``datetime.now`` that would take longer than a step may."""
 _WAITING_NS = 20_000
 _MOST_MISSED = 2**31 - 1
+_STANDSTILL_S = 0.1
+"""Where no tick has begun for so long, real time counts for the threads that do not step. In a match that is played at
+the pace of the clock on the wall, one begins every 0.032 s."""
+_LONGEST_WAIT_S = 1e6
 
 real_monotonic = time.monotonic
 real_process_time = time.process_time
@@ -38,6 +45,19 @@ class Clock:
         self._tick_began_ns = 0
         self._since_ns = 0
         self._stepping = get_ident()
+        self._has_stepped = False
+        self._our_threads = _count()
+        self._sleepers: list[tuple[float, LockType]] = []
+        self._tick_seen_s: float | None = None  # when a tick began last, in real time; None: nobody has asked yet
+        self._stood_still_s = 0.0
+
+    def count_our_threads(self) -> None:
+        """Take note of the threads that there are: the program has started none of them."""
+        self._our_threads = _count()
+
+    def has_other_threads(self) -> bool:
+        """Return whether the program has started threads that have not ended."""
+        return _count() > self._our_threads
 
     def now_ns(self) -> int:
         """Return simulated nanoseconds since the half began; the reading itself takes time of the thread that steps."""
@@ -58,16 +78,35 @@ class Clock:
         return self.now_ns() / 1e9
 
     def steps_here(self) -> bool:
-        """Return whether it is the thread that steps which asks."""
-        return get_ident() == self._stepping
+        """Return whether it is the thread that steps which asks: no other, and none that may only look on."""
+        return get_ident() == self._stepping and (self._has_stepped or not self.has_other_threads())
+
+    def others_s(self) -> float:
+        """Return what threads that do not step measure waits by: simulated seconds, real ones at a standstill."""
+        now_s = real_monotonic()
+        if self._tick_seen_s is None:
+            self._tick_seen_s = now_s
+        standing_s = max(0.0, now_s - self._tick_seen_s - _STANDSTILL_S)
+        return (self._tick_began_ns + self._since_ns) / 1e9 + self._stood_still_s + standing_s
 
     def sleep(self, seconds: float) -> None:
-        """Let simulated time pass for the thread that steps; other threads really sleep."""
-        if not self.steps_here():
-            _real_sleep(seconds)
-            return
+        """Let simulated time pass for the thread that steps; other threads wait until it has."""
         _real_sleep(min(0, seconds))  # the original's errors for what is no duration
-        self.pass_time(seconds)
+        if self.steps_here():
+            self.pass_time(seconds)
+        elif seconds > 0:
+            self._sleep_beside(seconds)
+
+    def _sleep_beside(self, seconds: float) -> None:
+        due_s, alarm = self.others_s() + seconds, allocate_lock()
+        alarm.acquire()
+        sleeper = (due_s, alarm)
+        self._sleepers.append(sleeper)
+        try:
+            while (left_s := due_s - self.others_s()) > 0:
+                alarm.acquire(timeout=min(left_s + _STANDSTILL_S, _LONGEST_WAIT_S))
+        finally:
+            self._sleepers.remove(sleeper)
 
     def pass_time(self, seconds: float) -> None:
         """Let simulated time pass for the thread that steps."""
@@ -83,6 +122,19 @@ class Clock:
         self._tick_began_ns = began if began > shown else shown  # noqa: FURB136 - called in every tick
         self._since_ns = 0
         self._stepping = get_ident()
+        self._has_stepped = True
+        if self._tick_seen_s is not None:
+            self._wake_sleepers(self._tick_seen_s)
+
+    def _wake_sleepers(self, seen_s: float) -> None:
+        """Wake those whose time has come."""
+        now_s = real_monotonic()
+        self._stood_still_s += max(0.0, now_s - seen_s - _STANDSTILL_S)
+        self._tick_seen_s = now_s
+        reached_s = self.others_s()
+        for due_s, alarm in self._sleepers[:]:
+            if due_s <= reached_s and alarm.locked():
+                alarm.release()
 
 
 def show_simulated_time(clock: Clock) -> None:

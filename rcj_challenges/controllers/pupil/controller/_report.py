@@ -27,8 +27,24 @@ def describe(error: BaseException, team_root: str, site_folders: list[str]) -> t
         for path, short in shown:
             told = told[0].replace(path, short), told[1].replace(path, short)
     except BaseException:  # noqa: BLE001 - a program may break everything that is used here; the fault must be told
-        return _real_name(type(error)), ""
+        return _plainly(error, team_root + os.sep), ""
     return told
+
+
+def _plainly(error: BaseException, inside: str) -> str:
+    """Return what can be told of an error with nothing but the interpreter's own means."""
+    told: str = _real_name(type(error))
+    place = ""
+    given = BaseException.args.__get__(error)  # type: ignore[attr-defined]  # whatever its class calls so
+    if given and type(given[0]) is str:
+        told += f": {given[0][:1_000]}"
+    step = BaseException.__traceback__.__get__(error)  # type: ignore[union-attr]
+    while step is not None:
+        code = step.tb_frame.f_code
+        if code.co_filename.startswith(inside):
+            place = f" ({code.co_filename.removeprefix(inside).replace(os.sep, '/')}, line {step.tb_lineno})"
+        step = step.tb_next
+    return told + place
 
 
 def _describe(error: BaseException, inside: str) -> tuple[str, str]:
@@ -94,9 +110,19 @@ def _standard(name: str) -> Any:
     standard = os.path.dirname(os.__file__)
     kept = sys.path[:]
     sys.path[:] = [path for path in kept if path.startswith(standard)]
+    theirs = {key: sys.modules.pop(key) for key in [*sys.modules] if _is_in_the_way(key, standard)}
     try:
         from importlib import import_module
 
         return import_module(name)
     finally:
         sys.path[:] = kept
+        sys.modules.update(theirs)
+
+
+def _is_in_the_way(name: str, standard: str) -> bool:
+    """Return whether a file of the team stands in the place of a module of the standard library."""
+    if name.partition(".")[0] not in sys.stdlib_module_names:
+        return False
+    file = getattr(sys.modules[name], "__file__", None)
+    return isinstance(file, str) and not file.startswith(standard)

@@ -1,14 +1,13 @@
-"""Waits with a limit: for locks, queues and events of ``asyncio``, by the thread that steps.
+"""Waits with a limit: for locks, queues and events of ``asyncio``.
 
-A wait that ends because its time is over takes that time of the simulated clock, as ``sleep`` does. Where the program
-has no other thread, nobody could have ended it: then it takes no real time. With other threads it really waits, for
-only so much time may they take.
+A wait of the thread that steps which ends because its time is over takes that time of the simulated clock, as ``sleep``
+does. Where the program has no other thread, nobody could have ended it: then it takes no real time. With other threads
+it really waits, for only so much time may they take. Those measure their own limits by the match (`Clock.others_s`).
 """
 
 from __future__ import annotations
 
 import sys
-from _thread import _count  # how many threads have been started and not ended
 from collections.abc import Callable
 from typing import Any
 
@@ -21,6 +20,7 @@ Wait = Callable[[Any, Any], Any]
 
 _SHORT_S = 0.032
 _SLICE_S = 0.001
+_SLICE_BESIDE_S = 0.002
 _IDLE_SHARE = 0.2
 
 
@@ -29,7 +29,7 @@ class Waits:
 
     def __init__(self, clock: Clock) -> None:
         self._clock = clock
-        self._ours = _count()  # threads that the program knows nothing of
+        clock.count_our_threads()
 
     def patches(self) -> dict[str, Patch]:
         """Return what makes them show the clock, by module."""
@@ -58,21 +58,32 @@ class Waits:
         module.IocpProactor.select = self._patient(module.IocpProactor.select)
 
     def _now_s(self) -> float:
-        # Limits of other threads are measured in the time that they really wait.
-        return self._clock.now_s() if self._clock.steps_here() else real_monotonic()
+        return self._clock.now_s() if self._clock.steps_here() else self._clock.others_s()
 
     def _patient(self, real: Wait) -> Wait:
-        clock, ours = self._clock, self._ours
+        clock = self._clock
 
         def wait(self: Any, timeout: Any = None) -> Any:
-            if timeout is None or timeout <= 0 or not clock.steps_here():
+            if timeout is None or timeout <= 0:
                 return real(self, timeout)
-            came = _for_others(real, self, timeout) if _count() > ours else real(self, 0)
-            if not came:
+            if not clock.steps_here():
+                return _beside(clock, real, self, timeout)
+            came = _for_others(real, self, timeout) if clock.has_other_threads() else real(self, 0)
+            if not came and clock.steps_here():  # another thread may have begun to step
                 clock.pass_time(timeout)
             return came
 
         return wait
+
+
+def _beside(clock: Clock, real: Wait, waiting: Any, timeout: float) -> Any:
+    """Wait in a thread that does not step, until so much time of the match has passed."""
+    due_s = clock.others_s() + timeout
+    while True:
+        left_s = due_s - clock.others_s()
+        came = real(waiting, max(0.0, min(left_s, _SLICE_BESIDE_S)))
+        if came or left_s <= 0:
+            return came
 
 
 def _for_others(real: Wait, waiting: Any, timeout: float) -> Any:

@@ -1,0 +1,117 @@
+"""Programs with threads of their own: their waits follow the match, and the one that steps may be any of them."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+from fake_match import FakeMatch, Played
+
+SECOND = 1000 // 32  # ticks
+
+
+def numbers_of(played: Played) -> list[float]:
+    """What the program printed last, one number each."""
+    assert played.fault is None
+    return [float(word) for word in played.said[-1].split()]
+
+
+BESIDE = """
+import threading, time
+from controller import Robot
+robot = Robot()
+seen = []
+def look():
+    while True:
+        {wait}
+        seen.append(robot.getTime())
+{start}
+while robot.step(32) != -1:
+    sum(range(20_000))  # a robot thinks
+print(*seen)
+"""
+
+
+@pytest.mark.parametrize("wait", ["time.sleep(0.32)", "threading.Event().wait(0.32)"])
+def test_a_thread_beside_the_one_that_steps_waits_for_the_time_of_the_match(match: FakeMatch, wait: str) -> None:
+    """Ten seconds of the match take a fraction of a second here: a thread that really waited would not come round."""
+    start = "threading.Thread(target=look, daemon=True).start()"
+    seen = numbers_of(match.play(BESIDE.format(wait=wait, start=start), 10 * SECOND))
+    assert 15 <= len(seen) <= 31
+    assert seen[0] >= 0.32
+
+
+def test_a_timer_fires_when_the_match_has_come_so_far(match: FakeMatch) -> None:
+    start = "timer = threading.Timer(2.0, lambda: seen.append(robot.getTime()))\ntimer.daemon = True\ntimer.start()"
+    (fired_s,) = numbers_of(match.play(BESIDE.format(wait="pass", start=start), 10 * SECOND))
+    assert 2.0 <= fired_s < 4.0
+
+
+def test_waits_beside_a_standstill_pass_in_real_time(match: FakeMatch) -> None:
+    """The robot waits for its thread, so no tick begins; the thread goes on all the same."""
+    program = """
+import threading, time
+from controller import Robot
+robot = Robot()
+robot.step(32)
+def prepare():
+    for _ in range(3): time.sleep(0.05)
+thread = threading.Thread(target=prepare)
+thread.start()
+thread.join()
+print("prepared")
+robot.step(32)
+"""
+    played = match.play(program, 2)
+    assert played.said == ["prepared"]
+    assert [r.missed_ticks for _, r in played.requests] == [0, 0]
+
+
+DRIVEN_BY_A_THREAD = """
+import threading, time
+from controller import Robot
+running = True
+def drive():
+    global running
+    sum(range(5_000_000))  # it prepares something first
+    robot = Robot()
+    while robot.step(32) != -1: pass
+    running = False
+threading.Thread(target=drive).start()
+while running:
+    {wait}
+"""
+
+
+@pytest.mark.parametrize("wait", ["time.sleep(0.1)", "threading.Event().wait(0.1)"])
+def test_while_a_thread_prepares_to_drive_the_main_one_may_sleep_and_misses_nothing(
+    match: FakeMatch, wait: str
+) -> None:
+    played = match.play(DRIVEN_BY_A_THREAD.format(wait=wait), 20)
+    assert played.fault is None
+    assert [(tick, r.missed_ticks) for tick, r in played.requests] == [(tick, 0) for tick in range(20)]
+
+
+def test_what_sleeps_without_threads_before_its_first_step_misses_the_beginning(match: FakeMatch) -> None:
+    program = (
+        "import time\nfrom controller import Robot\nrobot = Robot()\ntime.sleep(0.2)\nrobot.step(32)\nrobot.step(32)\n"
+    )
+    played = match.play(program, 9)
+    assert [(tick, r.missed_ticks) for tick, r in played.requests] == [(0, 6), (7, 0)]
+
+
+def test_a_pool_of_threads_that_nobody_shuts_down_does_not_keep_a_program_from_its_end(match: FakeMatch) -> None:
+    program = """
+from concurrent.futures import ThreadPoolExecutor
+from controller import Robot
+robot = Robot()
+pool = ThreadPoolExecutor(2)
+for n in range(3):
+    assert pool.submit(lambda: n).result() == n
+    robot.step(32)
+"""
+    began_s = time.perf_counter()
+    played = match.play(program, 10)
+    assert played.fault is not None
+    assert (played.fault.kind, played.fault.tick) == ("exit", 3)
+    assert time.perf_counter() - began_s < match.limits.step_s
