@@ -204,6 +204,9 @@ def environment(folder: Path) -> dict[str, str]:
     told = {
         "HOME": place,
         "TMPDIR": place,
+        # Where nobody is known by a number: `getpass.getuser` looks here first.
+        "USER": "robot",
+        "LOGNAME": "robot",
         "LANG": "C.UTF-8",
         "LC_ALL": "C.UTF-8",
         "TZ": "UTC",
@@ -223,5 +226,6 @@ def environment(folder: Path) -> dict[str, str]:
     if sys.platform == "win32":
         # Without these, Windows starts no program and finds no temporary folder.
         told |= {"SYSTEMROOT": os.environ.get("SYSTEMROOT", r"C:\Windows"), "TEMP": place, "TMP": place}
+        told |= {"USERPROFILE": place, "USERNAME": "robot"}
         told |= {"USERPROFILE": place, "APPDATA": place}
     return told

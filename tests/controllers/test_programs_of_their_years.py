@@ -95,6 +95,16 @@ robot.step(32)
     assert said == ["True True OrderedDict", "[1, 2, 3] 2 6", "['a', 'b'] b'eA==\\n' False"]
 
 
+def test_a_program_has_a_user_and_a_home(match: FakeMatch) -> None:
+    program = """
+import getpass, os, tempfile
+from pathlib import Path
+print(getpass.getuser(), Path.home() == Path(os.environ["HOME"]), Path(tempfile.gettempdir()) == Path.home())
+robot.step(32)
+"""
+    assert match.play(STEPS + program, 1).said == ["robot True True"]
+
+
 def test_a_file_of_the_team_may_be_called_like_a_module_that_the_match_itself_has_used(
     match: FakeMatch, tmp_path: Path
 ) -> None:
