@@ -316,6 +316,15 @@ def test_a_copy_of_a_device_or_robot_is_the_thing_itself(match: FakeMatch) -> No
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals as POSIX has them")
+def test_a_program_finds_its_own_handlers_of_signals(match: FakeMatch) -> None:
+    lines = (
+        "import signal\ndef alarm(*_): pass\n"
+        "print(signal.signal(signal.SIGALRM, alarm) is signal.SIG_DFL, signal.getsignal(signal.SIGALRM) is alarm)\n"
+        "print(signal.signal(signal.SIGALRM, signal.SIG_IGN) is alarm, signal.getsignal(signal.SIGALRM) is signal.SIG_IGN)\n"
+    )
+    assert _play(match, lines).said == ["True True", "True True"]
+
+
 def test_a_step_that_a_signal_of_the_programs_own_breaks_off_is_taken_all_the_same(match: FakeMatch) -> None:
     lines = (
         "import signal\n"

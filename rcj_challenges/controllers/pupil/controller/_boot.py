@@ -89,6 +89,7 @@ class Boot:
             "scipy.signal": _for_numpy("restore_windows"),
             "numpy.random.bit_generator": _chance.seed_numpy_entropy(seeds[1]),
             "numpy.random": _chance.seed_numpy_global(seeds[2]),
+            "signal": self._hold_handlers,
             **_waits.Waits(self._clock).patches(),
         }
         for module, patch in _older.PATCHES.items():
@@ -99,6 +100,11 @@ class Boot:
 
         for name in ("exit", "quit"):
             setattr(builtins, name, _sitebuiltins.Quitter(name, "Ctrl-D (i.e. EOF)"))
+
+    def _hold_handlers(self, signal: Any) -> None:
+        from . import _signals
+
+        _signals.make_patient(signal, self._hub)
 
     def _left(self, left: SystemExit) -> None:
         code = left.code

@@ -87,6 +87,7 @@ class Hub:
         self._wire = wire
         self._clock = clock
         self._output = output
+        self.raised: BaseException | None = None  # by the program's handler of a signal, in the middle of an exchange
         self._message_bytes: int = hello["limits"]["message_bytes"]
         self._motors: dict[int, tuple[int, float, float]] = {}
         self._has_others = False
@@ -168,6 +169,9 @@ class Hub:
                 self._take_in(interrupted)
             raise
         self._take_in(frame)
+        if self.raised is not None:
+            raised, self.raised = self.raised, None
+            raise raised
         return not self.over
 
     def _take_in(self, frame: bytes) -> None:

@@ -34,17 +34,24 @@ def describe(error: BaseException, team_root: str, site_folders: list[str]) -> t
 def _plainly(error: BaseException, inside: str) -> str:
     """Return what can be told of an error with nothing but the interpreter's own means."""
     told: str = _real_name(type(error))
+    try:
+        given = BaseException.args.__get__(error)  # type: ignore[attr-defined]  # whatever its class calls so
+        if given and type(given[0]) is str:
+            told += f": {given[0][:1_000]}"
+        return told + _place(error, inside)
+    except BaseException:  # noqa: BLE001 - an audit hook of the program's sees even this
+        return told
+
+
+def _place(error: BaseException, inside: str) -> str:
     place = ""
-    given = BaseException.args.__get__(error)  # type: ignore[attr-defined]  # whatever its class calls so
-    if given and type(given[0]) is str:
-        told += f": {given[0][:1_000]}"
     step = BaseException.__traceback__.__get__(error)  # type: ignore[union-attr]
     while step is not None:
         code = step.tb_frame.f_code
         if code.co_filename.startswith(inside):
             place = f" ({code.co_filename.removeprefix(inside).replace(os.sep, '/')}, line {step.tb_lineno})"
         step = step.tb_next
-    return told + place
+    return place
 
 
 def _describe(error: BaseException, inside: str) -> tuple[str, str]:

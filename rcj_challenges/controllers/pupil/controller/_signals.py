@@ -1,0 +1,59 @@
+"""Handlers of signals that a program sets: what one raises while a step is exchanged waits until the step is over.
+
+A handler may run between any two instructions. One that raised between sending a request and keeping the answer would
+lose the answer, and program and match would no longer speak of the same tick.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ._hub import Hub
+
+_EXCHANGE = Hub.exchange.__code__
+
+
+class Patient:
+    """A program's handler; what it raises in the middle of an exchange is raised at its end."""
+
+    def __init__(self, handler: Any, hub: Hub) -> None:
+        self.handler = handler
+        self._hub = hub
+
+    def __call__(self, number: int, frame: Any) -> None:
+        """Handle the signal, as the interpreter asks for."""
+        if not _is_exchanging(frame):
+            self.handler(number, frame)
+            return
+        try:
+            self.handler(number, frame)
+        except BaseException as error:  # noqa: BLE001 - whatever it is
+            self._hub.raised = error
+
+
+def _is_exchanging(frame: Any) -> bool:
+    while frame is not None:
+        if frame.f_code is _EXCHANGE:
+            return True
+        frame = frame.f_back
+    return False
+
+
+def make_patient(module: Any, hub: Hub) -> None:
+    """Let ``signal.signal`` keep handlers in this form; a program sees its own."""
+    real_signal, real_getsignal = module.signal, module.getsignal
+
+    def shown(handler: Any) -> Any:
+        return handler.handler if isinstance(handler, Patient) else handler
+
+    def signal(signalnum: int, handler: Any) -> Any:
+        return shown(real_signal(signalnum, Patient(handler, hub) if _is_ours_to_hold(handler, module) else handler))
+
+    def getsignal(signalnum: int) -> Any:
+        return shown(real_getsignal(signalnum))
+
+    module.signal, module.getsignal = signal, getsignal
+
+
+def _is_ours_to_hold(handler: Any, module: Any) -> bool:
+    return callable(handler) and handler not in (module.SIG_DFL, module.SIG_IGN)
