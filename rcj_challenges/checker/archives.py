@@ -8,12 +8,13 @@ from pathlib import Path
 from rcj_challenges.checker.findings import Finding, Stage
 from rcj_challenges.checker.identity import find_logo, finding_of, name_findings
 from rcj_challenges.checker.layout import layout_findings
+from rcj_challenges.checker.others import others_that_fit, seats_of
 from rcj_challenges.controllers.archive import Contents
 from rcj_challenges.controllers.team import Opening, Team, TeamError, look_into
 from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.scenario.models.scenario import Scenario
 
-__all__ = ["Inspection", "TeamError", "inspect", "seats_of"]
+__all__ = ["Inspection", "TeamError", "inspect"]
 
 
 @dataclass(frozen=True)
@@ -53,7 +54,8 @@ def inspect(path: Path, scenario: Scenario) -> Inspection:
     stages = [_archive(opening.contents), Stage("layout"), Stage("identity")]
     logo = None
     if opening.contents.complete:
-        stages[1].findings += layout_findings(opening, seats)
+        others = others_that_fit(opening.contents.files, scenario) if opening.missing else []
+        stages[1].findings += layout_findings(opening, seats, others)
         found = find_logo(opening.files)
         stages[2].findings += [*name_findings(opening), *found.findings]
         logo = found.shown
@@ -62,14 +64,6 @@ def inspect(path: Path, scenario: Scenario) -> Inspection:
             stage.skipped = "the archive could not be read"
     team = opening.team
     return Inspection(stages, team, opening.name.text, logo, team.digest if team else "", seats, opening)
-
-
-def seats_of(scenario: Scenario) -> list[tuple[Entrant, ...]]:
-    """Return what a submission may be asked for: all seats, or, where teams keep their sides, any one of them."""
-    entrants = tuple(scenario.entrants.values())
-    if scenario.match.swap_sides or len(entrants) == 1:
-        return [entrants]
-    return [entrants, *((entrant,) for entrant in entrants)]
 
 
 def _opened(path: Path, scenario: Scenario) -> tuple[tuple[Entrant, ...], Opening]:

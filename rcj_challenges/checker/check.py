@@ -183,7 +183,7 @@ def _examined(
     """
     name = inspection.display_name or team.name
     with team:
-        _carried_out(found, "sources", lambda: check_sources(team))
+        _carried_out(found, "sources", lambda: check_sources(team, options.sandbox))
         _run(found, options, named, lambda scratch: _rehearsal(loaded, team, name, options.sandbox, scratch))
 
 

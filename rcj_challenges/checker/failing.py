@@ -47,7 +47,7 @@ def _finding(
     kind, detail, traceback = first["kind"], first["detail"], first["traceback"]
     # Of robots that hang, each was somewhere else when its patience ended: one place is enough.
     whereabouts = next(filter(None, (_whereabouts(match.log(robot)) for robot in robots)), "") if not traceback else ""
-    hint = hint_on(rehearsal.loaded.scenario, rehearsal.team, first, whereabouts)
+    hint = hint_on(rehearsal.loaded.scenario, rehearsal.team, first, whereabouts, rehearsal.sandbox)
     hint = hint or Hint(_REMEDIES.get(kind, _OTHER_REMEDY))
     when = f"{side}after {s_from_ticks(first['tick']):.1f} s: " if stage == "play" else ""
     report = traceback or whereabouts

@@ -1,13 +1,17 @@
-"""What is behind a fault: a program for other messages, a module that is never imported, a wait without end."""
+"""What is behind a fault: a program for other messages or of older days, a file never read, a wait without end."""
 
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 from typing import Any
 
+from rcj_challenges.checker.modules import Library, places_of
+from rcj_challenges.checker.old_names import on_old_name
+from rcj_challenges.checker.preloaded import never_read
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -28,7 +32,9 @@ _READS_PACKET = re.compile(rb"\.(getData|getString|getBytes|data|string|bytes)\b
 _READS_AS_TEXT = re.compile(r"\.(getData|getString)\(")
 # The byte of v2.1: by its format, or as the first of the packet.
 _READS_A_FLAG = re.compile(rb"""["'][<>=!@]?[?bBc]["']|\.(?:getData|getBytes|data|bytes)(?:\(\))?\s*\[0\]""")
-_NO_SUCH_NAME = re.compile(r"cannot import name '(?P<name>\w+)' from 'controller'")
+_NO_SUCH_NAME = re.compile(r"cannot import name '(?P<name>\w+)' from (partially initialized module )?'(?P<module>\w+)'")
+_NO_SUCH_ATTRIBUTE = re.compile(r"module '(?P<module>\w+)' has no attribute '(?P<name>\w+)'")
+_NOBODY_TYPES = "EOFError: EOF when reading a line"
 # Calls of Python's own library that come back only when something else happens. ``wait`` and the like stand here with
 # empty brackets or a time: what a team calls so itself, or ``", ".join(…)``, is none.
 _WAITS = re.compile(
@@ -50,7 +56,9 @@ class Hint:
     message: str = ""
 
 
-def hint_on(scenario: Scenario, team: Team, fault: dict[str, Any], whereabouts: str) -> Hint | None:
+def hint_on(
+    scenario: Scenario, team: Team, fault: dict[str, Any], whereabouts: str, sandbox: str = "auto"
+) -> Hint | None:
     """Return what is behind a fault, where the evidence is clear.
 
     Args:
@@ -58,9 +66,10 @@ def hint_on(scenario: Scenario, team: Team, fault: dict[str, Any], whereabouts: 
         team: whose program failed.
         fault: as in the result.
         whereabouts: where the program was when it was ended; empty if that is not known.
+        sandbox: ``auto``, ``strict`` or ``off``, as it was started.
     """
     if fault["kind"] == "crash":
-        return _on_messages(scenario, team, fault) or _on_imports(team, fault["detail"])
+        return _on_messages(scenario, team, fault) or _on_names(team, fault, sandbox) or _on_typing(fault["detail"])
     if fault["kind"] in ("step_timeout", "start_timeout") and whereabouts:
         return _on_place(team, fault["kind"], whereabouts)
     return None
@@ -103,17 +112,50 @@ def _is_text_read_as_bytes(team: Team, detail: str, code: str) -> bool:
     return _TEXT_READ_AS_BYTES.search(detail) is not None and _any_mentions(team, _READS_PACKET)
 
 
-def _on_imports(team: Team, detail: str) -> Hint | None:
-    """Tell of a name that is taken from the match's own module, and of a file of that name that nobody reads."""
-    found = _NO_SUCH_NAME.search(detail)
-    if found is None:
-        return None
-    name = found["name"]
-    own = [path for path in team.files if path.name == "controller.py" or path.match("controller/__init__.py")]
+def _on_names(team: Team, fault: dict[str, Any], sandbox: str) -> Hint | None:
+    """Tell of a name that a module does not have: the match's own, one that a file of the team hides, an older one."""
+    detail = fault["detail"]
+    found = _NO_SUCH_NAME.search(detail) or _NO_SUCH_ATTRIBUTE.search(detail)
+    module = found["module"] if found is not None else ""
+    if found is not None and module == "controller":
+        return _on_controller(team, found["name"])
+    if module in sys.stdlib_module_names and _own(team, module):
+        return _on_own_file(team, module, PurePosixPath(team.entries[fault["robot"]]), sandbox)
+    remedy = on_old_name(detail, lambda words: _any_mentions(team, words))
+    return Hint(remedy) if remedy else None
+
+
+def _on_controller(team: Team, name: str) -> Hint:
+    own = _own(team, "controller")
     remedy = f'"controller" is the module of the match, and has no "{shown(name)}"'
     if own:
         remedy += f": give {shown(own[0])} another name, and import it by that"
     return Hint(remedy)
+
+
+def _on_own_file(team: Team, module: str, entry: PurePosixPath, sandbox: str) -> Hint | None:
+    """Tell of a file that is called like a module of Python: it is never read, or it hides that module."""
+    unread = never_read(team.files, entry, sandbox).get(module)
+    if unread is not None:
+        return Hint(
+            f"{shown(unread)} is never read, for Python has a module of that name loaded before: give it another name, "
+            "and import it by that"
+        )
+    hiding = [path for path in Library(team.files, places_of(entry)).shadows() if path.stem == module]
+    if not hiding:
+        return None
+    return Hint(f'{shown(hiding[0])} hides the module "{module}" of Python from your programs: give it another name')
+
+
+def _own(team: Team, module: str) -> list[PurePosixPath]:
+    """Return the files of a team that are called like a module."""
+    return [path for path in team.files if path.name == f"{module}.py" or path.match(f"{module}/__init__.py")]
+
+
+def _on_typing(detail: str) -> Hint | None:
+    if not detail.startswith(_NOBODY_TYPES):
+        return None
+    return Hint("nobody types in a match: do without input(), and write into the program what it asks for")
 
 
 def _on_place(team: Team, kind: str, whereabouts: str) -> Hint | None:

@@ -2,25 +2,23 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from difflib import SequenceMatcher
 from pathlib import PurePosixPath
 
 from rcj_challenges.checker.findings import Finding
+from rcj_challenges.checker.left_over import never_started
+from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned
+from rcj_challenges.checker.others import looks_like
 from rcj_challenges.controllers.archive import Files
 from rcj_challenges.controllers.team import Opening, alternatives, missing_programs
 from rcj_challenges.controllers.troubles import told
 from rcj_challenges.scenario.models.robots import Entrant
 
-_LEAST_LIKENESS = 0.75
-_LEAST_LETTERS = 5
 _MOST_DEPTH = 3
 _MOST_FOLDERS = 20
 _MOST_PROGRAMS = 200  # among more files nobody can say which was meant
 _MOST_EMPTY = 10
-_BLANK = b" \t\r\n\f\v\xef\xbb\xbf"
 
 
 @dataclass(frozen=True)
@@ -73,16 +71,22 @@ class Empty:
     spare: bool
 
 
-def layout_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
+def layout_findings(opening: Opening, seats: Sequence[Entrant], others: Sequence[str] = ()) -> list[Finding]:
     """Tell what is odd about the places of a submission's files.
 
     Args:
         opening: what came of opening it.
         seats: the entrants for which it was opened.
+        others: the shipped scenarios that it fits, if it does not fit this one.
     """
     if opening.missing:
-        return [*_surroundings(opening), *_missing(opening, seats)]
-    return [*_surroundings(opening), *_empties(opening, seats), *_served(opening, seats)]
+        return [*_surroundings(opening), *_missing(opening, seats, others)]
+    return [
+        *_surroundings(opening),
+        *_empties(opening, seats),
+        *_served(opening, seats),
+        *_left_over(opening, seats),
+    ]
 
 
 def entries_of(files: Mapping[PurePosixPath, bytes], seats: Iterable[Entrant]) -> dict[str, PurePosixPath | None]:
@@ -100,15 +104,15 @@ def empty_programs(files: Mapping[PurePosixPath, bytes], seats: Sequence[Entrant
     asked = _asked(seats)
     found: list[Empty] = []
     for path, content in files.items():
-        if path.suffix != ".py" or content.strip(_BLANK) or not (path in asked or _like_an_entry(path)):
+        if path.suffix != ".py" or content.strip(BLANK) or not (path in asked or like_an_entry(path)):
             continue
         if len(found) == _MOST_EMPTY:
             break
         started = tuple(robot for robot, entry in chosen.items() if entry == path)
         without = {other: data for other, data in files.items() if other != path}
         instead = entries_of(without, seats)
-        served = all((entry := instead[robot]) is not None and without[entry].strip(_BLANK) for robot in started)
-        found.append(Empty(path, started, spare=served and not _mentioned(files, [path.stem])))
+        served = all((entry := instead[robot]) is not None and without[entry].strip(BLANK) for robot in started)
+        found.append(Empty(path, started, spare=served and not mentioned(files, [path.stem])))
     return found
 
 
@@ -149,7 +153,7 @@ def _surroundings(opening: Opening) -> list[Finding]:
     return found
 
 
-def _missing(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
+def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) -> list[Finding]:
     plan = plan_moves(opening, seats)
     message = missing_programs(opening.contents.files, opening.missing, hint=plan is None)
     nested = [trouble for trouble in opening.contents.troubles if trouble.code == "archive.nested"]
@@ -158,11 +162,23 @@ def _missing(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
         return [Finding("layout.missing", "failure", message, remedy)]
     if plan is None:
         wanted = next(iter(opening.missing.values()))
-        return [Finding("layout.missing", "failure", message, f"call the program {' or '.join(wanted)}")]
-    remedy = ", ".join(map(str, plan.moves))
+        remedy = f"{_elsewhere(others)}call the program {' or '.join(wanted)}"
+        return [Finding("layout.missing", "failure", message, remedy)]
+    remedy = _elsewhere(others) + ", ".join(map(str, plan.moves))
     if plan.mentioned:
         remedy += f"; the programs mention {told(plan.mentioned)}: change that as well"
     return [Finding("layout.misnamed", "failure", message, remedy, told(plan.moves[0].old), not plan.mentioned)]
+
+
+def _elsewhere(others: Sequence[str]) -> str:
+    return f"{looks_like(others)}; if it is for this scenario, " if others else ""
+
+
+def _left_over(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
+    if opening.contents.kind == "program":
+        return []
+    entries = [entry for entry in entries_of(opening.files, seats).values() if entry is not None]
+    return never_started(opening.files, entries, _asked(seats))
 
 
 def _empties(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
@@ -194,10 +210,6 @@ def _served(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
 
 def _asked(seats: Iterable[Entrant]) -> set[PurePosixPath]:
     return {PurePosixPath(entry) for seat in seats for wanted in seat.robots.values() for entry in alternatives(wanted)}
-
-
-def _like_an_entry(path: PurePosixPath) -> bool:
-    return len(path.parts) == 2 and path.parts[0] == path.stem
 
 
 def _complete(files: Files, seats: Sequence[Entrant]) -> bool:
@@ -239,7 +251,7 @@ def _by_renaming(files: Files, seats: Sequence[Entrant]) -> Plan | None:
         result = None if moves is None or len(pairs) < len(wanted) else moved(files, moves)
         if moves and result is not None and _complete(result, seats):
             old_names = [move.old.stem if move.old.suffix == ".py" else move.old.name for move in moves]
-            return Plan(tuple(moves), result, _mentioned(files, old_names))
+            return Plan(tuple(moves), result, mentioned(files, old_names))
     return None
 
 
@@ -248,7 +260,7 @@ def _meant_to_be(entry: PurePosixPath, files: Files, seats: Sequence[Entrant]) -
     programs = [path for path in files if path.suffix.casefold() == ".py" and len(path.parts) == len(entry.parts)]
     ranks: dict[int, list[PurePosixPath]] = {}
     for path in programs:
-        if path not in asked and files[path].strip(_BLANK):
+        if path not in asked and files[path].strip(BLANK):
             alone = sum(other.parent == path.parent for other in programs) == 1
             ranks.setdefault(_likeness(path, entry, alone=alone), []).append(path)
     best = ranks[max(ranks)] if ranks else []
@@ -257,25 +269,13 @@ def _meant_to_be(entry: PurePosixPath, files: Files, seats: Sequence[Entrant]) -
 
 def _likeness(path: PurePosixPath, entry: PurePosixPath, *, alone: bool) -> int:
     """Return how much speaks for a file being meant as an entry point; 0 if too little does."""
-    same, likely = path.name == entry.name, _alike(path.stem, entry.stem)
+    same, likely = path.name == entry.name, alike(path.stem, entry.stem)
     if len(entry.parts) == 1:
         return int(likely)
-    in_its_folder = _alike(str(path.parent), str(entry.parent))
+    in_its_folder = alike(str(path.parent), str(entry.parent))
     if in_its_folder and (same or likely):
         return 3
     return 2 if same else int(in_its_folder and alone)
-
-
-def _alike(name: str, wanted: str) -> bool:
-    """Whether a name was meant to be another one: spelled otherwise, or with something added; never another number."""
-    one, other = (re.sub(r"[\W_]", "", text.casefold()) for text in (name, wanted))
-    if one == other:
-        return True
-    if re.findall(r"\d+", one) != re.findall(r"\d+", other):
-        return False
-    if min(len(one), len(other)) >= _LEAST_LETTERS and (one in other or other in one):
-        return True
-    return SequenceMatcher(None, one, other).ratio() >= _LEAST_LIKENESS
 
 
 def _moves(pairs: Iterable[tuple[PurePosixPath, PurePosixPath]]) -> list[Move] | None:
@@ -302,13 +302,3 @@ def moved(files: Files, moves: Iterable[Move]) -> Files | None:
             result[new] = content
         current = result
     return dict(sorted(current.items()))
-
-
-def _mentioned(files: Mapping[PurePosixPath, bytes], names: Iterable[str]) -> str:
-    """Return the first of some names that a program mentions."""
-    for name in names:
-        raw = name.encode("utf-8", "surrogateescape")
-        word = re.compile(rb"(?<!\w)" + re.escape(raw) + rb"(?!\w)")
-        if any(path.suffix == ".py" and raw in content and word.search(content) for path, content in files.items()):
-            return name
-    return ""

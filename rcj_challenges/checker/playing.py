@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -17,6 +17,7 @@ from rcj_challenges.scenario.load import Loaded
 
 _STANDS_M = 0.02  # the suspension of a braked robot settles by less
 _STANDS_RAD = 0.2
+_ABSENT_SHARE = 0.05  # a program that steps 640 ms at a time takes part in as many ticks
 _SLOW_SHARE = 0.5
 _TOO_SLOW_SHARE = 2.0  # this computer may be slower than the tournament's, and is busy with other things
 _MUCH_SHARE = 0.5
@@ -76,18 +77,57 @@ def check_play(rehearsal: Rehearsal, seconds: float) -> Played:
 
 def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
     failed = fault_findings("play", rehearsal, match, side)
-    rest = [*_standing(match, side), *_away_from_ball(rehearsal, match, side), *_slow(rehearsal, match, side)]
+    absent = _absent(match)
+    rest = [
+        *_told_absent(match, absent, side),
+        *_standing(match, absent, side),
+        *_away_from_ball(rehearsal, match, side),
+        *_slow(rehearsal, match, side),
+    ]
     much = _much(rehearsal, match, side)
     return [*failed, *rest, *much, *_complaints(match, side), _summary(match, side), *_others_failed(match, side)]
 
 
-def _standing(match: Rehearsed, side: str) -> list[Finding]:
-    """Return a warning if robots did not move: those that failed have been told of already."""
+def _absent(match: Rehearsed) -> dict[str, int]:
+    """Return the robots whose programs did not fail, but hardly ever called ``step``, and how often they did."""
     failed = {fault["robot"] for fault in match.faults}
+    ticks = ticks_from_s(match.simulated_s)
+    return {
+        robot: wait.steps
+        for robot, wait in match.waits.items()
+        if robot not in failed and wait.steps < _ABSENT_SHARE * ticks
+    }
+
+
+def _told_absent(match: Rehearsed, absent: Mapping[str, int], side: str) -> list[Finding]:
+    """Return one warning for all robots that took part in equally many ticks."""
+    alike: dict[int, list[str]] = {}
+    for robot, steps in absent.items():
+        alike.setdefault(steps, []).append(robot)
+    ticks = ticks_from_s(match.simulated_s)
+    remedy = (
+        "look for time.sleep, a wait, or a step of many seconds: meanwhile the robot goes on as it was told last, and "
+        "sees nothing; in a loop call robot.step(32) instead, and compare robot.getTime()"
+    )
+    return [
+        Finding(
+            "play.absent",
+            "warning",
+            f"{side}took part in {steps} of {ticks} ticks; it slept or waited through the rest",
+            remedy,
+            ", ".join(robots),
+        )
+        for steps, robots in alike.items()
+    ]
+
+
+def _standing(match: Rehearsed, absent: Collection[str], side: str) -> list[Finding]:
+    """Return a warning if robots did not move: those that failed or were absent have been told of already."""
+    told = {*absent, *(fault["robot"] for fault in match.faults)}
     standing = [
         robot
         for robot, motion in match.motions.items()
-        if motion.path_m < _STANDS_M and motion.turned_rad < _STANDS_RAD and robot not in failed
+        if motion.path_m < _STANDS_M and motion.turned_rad < _STANDS_RAD and robot not in told
     ]
     if not standing:
         return []

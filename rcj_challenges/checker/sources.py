@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import platform
-from collections.abc import Iterable, Mapping
+import re
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
 from enum import Enum
@@ -20,6 +21,7 @@ from rcj_challenges.checker.modules import (
     places_of,
     refused_use,
 )
+from rcj_challenges.checker.preloaded import never_read
 from rcj_challenges.checker.reading import MOST_BYTES, Import, Source, read_sources
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.shown import shown
@@ -39,11 +41,15 @@ class _Weight(Enum):
     IF_REACHED = "only running it can tell whether it comes there"
 
 
-def check_sources(team: Team) -> Stage:
+def check_sources(team: Team, sandbox: str = "auto") -> Stage:
     """Look at the Python files of a team without running them.
 
     Failures are told of what a program runs for certain as soon as it is started, by itself or by importing; of all
     else only warnings: the stages that run it decide.
+
+    Args:
+        team: whose files.
+        sandbox: ``auto``, ``strict`` or ``off``, as programs will be started.
     """
     stage = Stage("sources")
     files = dict(team.files)
@@ -51,13 +57,16 @@ def check_sources(team: Team) -> Stage:
     entries = {PurePosixPath(entry) for entry in team.entries.values()}
     used: dict[PurePosixPath, bool] = {}
     found: dict[Finding, None] = {}
+    unread: dict[PurePosixPath, str] = {}
     for entry in sorted(entries):
-        walk = _Walk(files, sources, entry)
+        passed_over = never_read(files, entry, sandbox)
+        unread |= {path: name for name, path in passed_over.items() if path not in entries}
+        walk = _Walk(files, sources, entry, passed_over)
         used |= {path: used.get(path, False) or weight is _Weight.FATAL for path, weight in walk.used.items()}
         found |= dict.fromkeys(walk.findings)
-    found |= dict.fromkeys(_unreadable(sources, used))
+    found |= dict.fromkeys(_unreadable(files, sources, used))
     found |= dict.fromkeys(_empty(sources, entries))
-    found |= dict.fromkeys(_shadowing(files, entries))
+    found |= dict.fromkeys(_shadowing(files, entries, unread))
     stage.findings = _in_order(_gravest(found))
     if not stage.findings:
         count = len(sources)
@@ -70,9 +79,14 @@ class _Walk:
     """Follows the imports of one program through the submission."""
 
     def __init__(
-        self, files: Mapping[PurePosixPath, bytes], sources: Mapping[PurePosixPath, Source], entry: PurePosixPath
+        self,
+        files: Mapping[PurePosixPath, bytes],
+        sources: Mapping[PurePosixPath, Source],
+        entry: PurePosixPath,
+        unread: Collection[str],
     ) -> None:
         self._sources = sources
+        self._unread = unread
         self._usual = Library(files, places_of(entry))
         self._library = self._usual
         self._follow(entry)
@@ -105,7 +119,7 @@ class _Walk:
         first, *rest = wanted.module.split(".")
         if first in INSTALLED[2:]:
             return []
-        module = self._top(first, rest)
+        module = self._top(first, rest) if first not in self._unread else None
         if module is None and (is_pythons(first) or first in INSTALLED):
             self._library_module(unit, wanted, first)
             return []
@@ -251,17 +265,20 @@ def _counted(wanted: Import, weight: _Weight) -> Import:
     return replace(wanted, guarded=weight is _Weight.CAUGHT, certain=weight is not _Weight.IF_REACHED)
 
 
-def _unreadable(sources: Mapping[PurePosixPath, Source], used: Mapping[PurePosixPath, bool]) -> Iterable[Finding]:
+def _unreadable(
+    files: Mapping[PurePosixPath, bytes], sources: Mapping[PurePosixPath, Source], used: Mapping[PurePosixPath, bool]
+) -> Iterable[Finding]:
     """Tell of files that are no Python.
 
     Args:
-        sources: all files.
+        files: contents by path.
+        sources: what is in them.
         used: those that programs run, each with whether one does for certain.
     """
     for path, source in sources.items():
         if not source.wrong:
             continue
-        code, message, remedy = _wrong(source)
+        code, message, remedy = _wrong(source, _line(files[path], source.line))
         where = ":".join([shown(path), *(str(number) for number in (source.line, source.column) if number)])
         level: Level = "failure" if used.get(path) and code != "large" else "warning"
         if path not in used:
@@ -271,8 +288,14 @@ def _unreadable(sources: Mapping[PurePosixPath, Source], used: Mapping[PurePosix
         yield Finding(f"sources.{code}", level, message, remedy, where)
 
 
-def _wrong(source: Source) -> tuple[str, str, str]:
-    """Return code, message and remedy of a file that is no Python."""
+def _line(content: bytes, number: int) -> str:
+    """Return the beginning of a line, from 1; nothing if there is none."""
+    lines = content.splitlines()  # of bytes: at the same places as Python does
+    return lines[number - 1][:_MOST_LINE_BYTES].decode("utf-8", "replace") if 0 < number <= len(lines) else ""
+
+
+def _wrong(source: Source, line: str) -> tuple[str, str, str]:
+    """Return code, message and remedy of a file that is no Python, and the line where that shows."""
     if source.wrong in _WITHOUT_WORDS:
         return _WITHOUT_WORDS[source.wrong]
     said = shown(source.said)
@@ -281,7 +304,7 @@ def _wrong(source: Source) -> tuple[str, str, str]:
     if any(words in said for words in ("codec can't decode", "encoding", "Non-UTF-8")):
         return "encoding", f"the letters of the file cannot be read ({said})", _SAVE_AS_UTF8
     deep = any(words in said for words in ("too many nested", "too many statically nested"))
-    remedy = _SMALLER_STEPS if deep else _syntax_remedy(source)
+    remedy = _SMALLER_STEPS if deep else _syntax_remedy(source, line)
     return "too_deep" if deep else "syntax", f"{_PYTHON} cannot read this: {said}", remedy
 
 
@@ -310,15 +333,39 @@ _WITHOUT_WORDS = {
 }
 
 
-def _syntax_remedy(source: Source) -> str:
+def _syntax_remedy(source: Source, line: str) -> str:
     said = source.said
-    if "Missing parentheses in call to 'print'" in said:
-        return "this was written for Python 2: write print(…)"
+    instead = _instead_of_python_2(said, line)
+    if instead:
+        return f"this was written for Python 2: write {instead}"
+    if _PARENTHESES in said and (several := _SEVERAL_ERRORS.match(line)):
+        return f"write except ({shown(several['errors'], 200)}):"
     if "tabs and spaces" in said or source.wrong == "TabError":
         return "indent with spaces only"
     if source.wrong == "IndentationError":
         return "correct how far this line is indented"
     return f"correct this line or the one before it; {_PYTHON} is used here, so newer words of Python do not exist yet"
+
+
+def _instead_of_python_2(said: str, line: str) -> str:
+    """Return what is written today where a line is as only Python 2 could read it; else nothing."""
+    call = _CALL.search(said)
+    if call is not None:
+        return f"{call['name']}(…)"
+    if _PARENTHESES in said and (caught := _ERROR_WITH_A_NAME.match(line)):
+        errors = "(…)" if caught["several"] else "…"
+        return f"except {errors} as {shown(caught['name'], 40)}"
+    raised = _RAISED.match(line)
+    return f"raise {shown(raised['error'], 80)}(…)" if raised is not None else ""
+
+
+_MOST_LINE_BYTES = 500
+_PARENTHESES = "exception types must be parenthesized"
+_CALL = re.compile(r"Missing parentheses in call to '(?P<name>print|exec)'")
+# A name of its own for what was caught begins with a small letter, an error with a capital one.
+_ERROR_WITH_A_NAME = re.compile(r"\s*except\s*(?P<several>\()?[^:#]*,\s*(?P<name>[a-z_]\w*)\s*:")
+_SEVERAL_ERRORS = re.compile(r"\s*except\s+(?P<errors>[\w.]+(?:\s*,\s*[\w.]+)+)\s*:")
+_RAISED = re.compile(r"\s*raise\s+(?P<error>[A-Za-z_][\w.]*)\s*,")
 
 
 def _empty(sources: Mapping[PurePosixPath, Source], entries: set[PurePosixPath]) -> Iterable[Finding]:
@@ -328,14 +375,29 @@ def _empty(sources: Mapping[PurePosixPath, Source], entries: set[PurePosixPath])
             yield Finding("sources.empty", "failure", message, "put your program into this file", shown(entry))
 
 
-def _shadowing(files: Iterable[PurePosixPath], entries: set[PurePosixPath]) -> Iterable[Finding]:
+def _shadowing(
+    files: Iterable[PurePosixPath], entries: set[PurePosixPath], unread: Mapping[PurePosixPath, str]
+) -> Iterable[Finding]:
+    """Tell of files that a program gets in place of what it means, and of those that it never gets.
+
+    Args:
+        files: all files.
+        entries: the programs.
+        unread: the files in whose place Python always gives a module of its own, with its name.
+    """
     listed = tuple(files)
     hiding = {path for entry in entries for path in Library(listed, places_of(entry)).shadows()} - entries
     for path in sorted(_never_imported(listed, entries)):
         message = f'"import controller" always gives the module of the match: {shown(path)} is never imported'
         remedy = "give it another name if programs need what is in it; if it is only for your editor, all is well"
         yield Finding("sources.passed_over", "warning", message, remedy, shown(path))
-    for path in sorted(hiding):
+    for path, name in sorted(unread.items()):
+        message = (
+            f'"import {name}" always gives the module of Python, loaded before any program: {shown(path)} is never read'
+        )
+        remedy = "give it another name, and import it by that; as it is, no program gets what is in it"
+        yield Finding("sources.passed_over", "warning", message, remedy, shown(path))
+    for path in sorted(hiding - unread.keys()):
         message = f'this file hides "{shown(path.stem)}", a module of Python or of numpy and scipy, from your programs'
         yield Finding("sources.shadows", "warning", message, "give it another name, unless you mean that", shown(path))
 

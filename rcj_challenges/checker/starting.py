@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from difflib import get_close_matches
 
 from rcj_challenges.checker.failing import fault_findings
 from rcj_challenges.checker.findings import Finding, Stage
+from rcj_challenges.checker.others import looks_like, others_that_fit
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, rehearse
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.devices.fitting import devices_of
@@ -26,6 +28,10 @@ _MOST_DEVICES = 10
 _PRESET_2021, _KIT_2021 = "soccersim_2021.yaml", "legacy_2021"
 _MESSAGES_2021 = "2021"
 # What `controller.Robot.getDevice` prints.
+_Asked = dict[tuple[str, str], list[str]]
+"""Robots by the name that they asked for in vain, and by what they have."""
+
+_NOTHING = "'NoneType' object has no attribute"
 _NO_DEVICE = re.compile(r'^Warning: "(?P<asked>.*)" device not found\. This robot has: (?P<has>.*)\.$', re.MULTILINE)
 
 
@@ -37,8 +43,10 @@ def check_start(rehearsal: Rehearsal) -> Stage:
     """
     stage = Stage("start")
     started = rehearse(rehearsal, tuple(rehearsal.seats()), _TICKS * TICK_S)
-    stage.findings += fault_findings("start", rehearsal, started)
-    stage.findings += _devices(started, rehearsal)
+    asked = _asked_in_vain(started)
+    stage.findings += _devices(asked, rehearsal)  # before what follows from it
+    for finding in fault_findings("start", rehearsal, started):
+        stage.findings.append(_because_of(asked, finding))
     slow = _slow(started, rehearsal.loaded.scenario.limits.start_s)
     if slow is not None:
         stage.findings.append(slow)
@@ -67,12 +75,27 @@ def _slow(started: Rehearsed, limit_s: float) -> Finding | None:
     )
 
 
-def _devices(started: Rehearsed, rehearsal: Rehearsal) -> list[Finding]:
-    """Return a warning for each device that a program asked for in vain."""
-    asked: dict[tuple[str, str], list[str]] = {}
+def _asked_in_vain(started: Rehearsed) -> _Asked:
+    asked: _Asked = {}
     for robot in started.motions:
         for found in dict.fromkeys(_NO_DEVICE.findall(started.log(robot))):
             asked.setdefault(found, []).append(robot)
+    return asked
+
+
+def _because_of(asked: _Asked, crash: Finding) -> Finding:
+    """Return the finding on a crash, with the device that the program was not given if that may be the reason."""
+    robots = set(crash.where.split(", "))
+    missing = [name for (name, _), those in asked.items() if robots & set(those)]
+    if _NOTHING not in crash.message or not missing:
+        return crash
+    return replace(
+        crash, remedy=f'getDevice("{shown(missing[-1])}") gave None, see above: ask for a device that there is'
+    )
+
+
+def _devices(asked: _Asked, rehearsal: Rehearsal) -> list[Finding]:
+    """Return a warning for each device that a program asked for in vain."""
     scenario = rehearsal.loaded.scenario
     old = _devices_of_2021(rehearsal, {name for name, _ in asked}) if asked else {}
     findings = []
@@ -80,7 +103,7 @@ def _devices(started: Rehearsed, rehearsal: Rehearsal) -> list[Finding]:
         message = f'asks for a device "{shown(name)}"; there is none'
         if name in old:
             message += ": this program seems to be written for the robots of 2021"
-            remedy = _instead(scenario, robots[0], old[name], has)
+            remedy = _for_2021(rehearsal) + _instead(scenario, robots[0], old[name], has)
         else:
             near = get_close_matches(name, has.split(", "), 1)
             remedy = f'did you mean "{shown(near[0])}"?' if near else _all_of(has)
@@ -94,11 +117,21 @@ def _devices_of_2021(rehearsal: Rehearsal, asked: set[str]) -> Mapping[str, Devi
     All that they asked for in vain is of those robots then, and they mention no device that only others have.
     """
     scenario = rehearsal.loaded.scenario
-    if any(scenario.kits[robot.kit].messages == _MESSAGES_2021 for robot in scenario.robots.values()):
+    if _plays_2021(scenario):
         return {}
     devices = load(presets_folder() / _PRESET_2021).scenario.kits[_KIT_2021].devices
     others = {name for robot in scenario.robots for name in devices_of(scenario, robot)} - devices.keys()
     return devices if asked <= devices.keys() and not _mentions(rehearsal.team, others) else {}
+
+
+def _plays_2021(scenario: Scenario) -> bool:
+    return any(scenario.kits[robot.kit].messages == _MESSAGES_2021 for robot in scenario.robots.values())
+
+
+def _for_2021(rehearsal: Rehearsal) -> str:
+    """Return where programs of such a layout meet robots of 2021, as the beginning of a remedy."""
+    names = others_that_fit(rehearsal.team.files, rehearsal.loaded.scenario, _plays_2021)
+    return f"{looks_like(names)}; " if names else ""
 
 
 def _mentions(team: Team, names: Iterable[str]) -> bool:

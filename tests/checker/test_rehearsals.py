@@ -229,6 +229,27 @@ def test_robots_that_stand_still_and_touch_no_ball_are_a_warning(pack):
     assert report.level == "warning"
 
 
+def test_a_robot_that_sleeps_the_match_away_is_told_so_and_not_to_look_for_its_motors(pack):
+    program = BEGIN.replace("8)", "0)") + "import time\nrobot.step(32)\ntime.sleep(500)\n" + LOOP
+    report = check_file(pack(program), DUEL, replace(SHORT, play_s=3.0))
+    told = [finding for finding in findings(report, "play", "warning") if finding.code != "play.no_touch"]
+    assert [(finding.code, finding.where) for finding in told] == [("play.absent", "B1"), ("play.absent", "Y1")]
+    assert "took part in 2 of 94 ticks; it slept or waited through the rest" in told[0].message
+    assert "sleep" in told[0].remedy
+    assert "setPosition" not in told[0].remedy
+
+
+@pytest.mark.parametrize("step_ms", [32, 64, 128])
+def test_a_robot_that_steps_in_its_own_time_takes_part(pack, step_ms):
+    report = check_file(pack(BEGIN + LOOP.replace("32", str(step_ms))), DUEL, SHORT)
+    assert "play.absent" not in {finding.code for finding in findings(report, "play")}
+
+
+def test_a_robot_whose_program_failed_is_not_told_to_be_absent_as_well(pack):
+    report = check_file(pack(BEGIN + "for _ in range(5):\n    robot.step(32)\n1 / 0\n"), DUEL, SHORT)
+    assert "play.absent" not in {finding.code for finding in findings(report, "play")}
+
+
 def test_a_call_that_the_robot_refuses_is_a_warning(pack):
     report = check_file(pack(BEGIN + "left.setVelocity(float('nan'))\n" + LOOP), DUEL, SHORT)
     assert "play.complaint" in {finding.code for finding in findings(report, "play", "warning")}

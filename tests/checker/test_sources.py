@@ -392,3 +392,23 @@ WORDS = st.sampled_from(
 def test_any_words_of_python_are_read_to_an_end(text):
     said = read_source(text.encode(), "robot.py")
     assert all(found["line"] >= 1 for found in said.get("imports", ()))
+
+
+PYTHON_2 = {
+    "several errors with a name": ("try:\n    x = 1\nexcept (KeyError, ValueError), e:\n    pass\n", "except (…) as e"),
+    "one error with a name": ("try:\n    x = 1\nexcept KeyError, error:  # what\n    pass\n", "except … as error"),
+    "exec": ("exec 'x = 1'\n", "exec(…)"),
+    "raise": ("raise ValueError, 'no'\n", "raise ValueError(…)"),
+}
+
+
+@pytest.mark.parametrize(("program", "instead"), PYTHON_2.values(), ids=PYTHON_2)
+def test_what_only_python_2_could_read_is_told_with_what_to_write_now(check, program, instead):
+    found = only(check(program))
+    assert found.code == "sources.syntax"
+    assert found.remedy == f"this was written for Python 2: write {instead}"
+
+
+def test_several_errors_without_brackets_are_not_taken_for_python_2(check):
+    found = only(check("try:\n    x = 1\nexcept KeyError, ValueError:\n    pass\n"))
+    assert "write except (KeyError, ValueError):" in found.remedy

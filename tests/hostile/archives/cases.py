@@ -151,6 +151,14 @@ SEEN: dict[str, Case] = {
         lambda: sound_with(**{"rcj_soccer_team_yellow/rcj_soccer_team_yellow.py": b""}),
         "layout.empty_program", "warning", "is empty, and this scenario does not ask for it", repair=True,
     ),
+    "a_program_for_the_other_colour": Case(
+        lambda: sound_with(**{"rcj_soccer_team_yellow/rcj_soccer_team_yellow.py": b"x = 1\n"}),
+        "layout.never_started", "warning", "is never started",
+    ),
+    "the_same_program_for_the_other_colour": Case(
+        lambda: plain({ENTRY: b"x = 1\n", "rcj_soccer_team_yellow/rcj_soccer_team_yellow.py": b"x = 1\n"} | NAME),
+        "layout.same_program", "passed", "the same as in rcj_soccer_team_blue",
+    ),
     "empty_first_entry": Case(
         lambda: plain(OF_2021 | {ENTRY: b""}), "layout.empty_entry", says="B1, B2, B3", repair=True
     ),

@@ -1,0 +1,41 @@
+"""Names of folders and files that were meant to be another one, and names that programs mention."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from difflib import SequenceMatcher
+from pathlib import PurePosixPath
+
+BLANK = b" \t\r\n\f\v\xef\xbb\xbf"
+"""What an empty file may consist of."""
+
+_LEAST_LIKENESS = 0.75
+_LEAST_LETTERS = 5
+
+
+def like_an_entry(path: PurePosixPath) -> bool:
+    """Return whether a file lies in a folder of its own name, as programs do."""
+    return len(path.parts) == 2 and path.suffix == ".py" and path.parts[0] == path.stem
+
+
+def alike(name: str, wanted: str) -> bool:
+    """Whether a name was meant to be another one: spelled otherwise, or with something added; never another number."""
+    one, other = (re.sub(r"[\W_]", "", text.casefold()) for text in (name, wanted))
+    if one == other:
+        return True
+    if re.findall(r"\d+", one) != re.findall(r"\d+", other):
+        return False
+    if min(len(one), len(other)) >= _LEAST_LETTERS and (one in other or other in one):
+        return True
+    return SequenceMatcher(None, one, other).ratio() >= _LEAST_LIKENESS
+
+
+def mentioned(files: Mapping[PurePosixPath, bytes], names: Iterable[str]) -> str:
+    """Return the first of some names that a program mentions."""
+    for name in names:
+        raw = name.encode("utf-8", "surrogateescape")
+        word = re.compile(rb"(?<!\w)" + re.escape(raw) + rb"(?!\w)")
+        if any(path.suffix == ".py" and raw in content and word.search(content) for path, content in files.items()):
+            return name
+    return ""

@@ -1,0 +1,56 @@
+"""Which shipped scenario a submission seems to be made for, if not for the one that it is checked for."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import PurePosixPath
+
+from rcj_challenges.controllers.archive import Contents
+from rcj_challenges.controllers.team import opening_of
+from rcj_challenges.scenario.load import load
+from rcj_challenges.scenario.models.robots import Entrant
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.resources import names_in, scenarios_folder
+
+
+def seats_of(scenario: Scenario) -> list[tuple[Entrant, ...]]:
+    """Return what a submission may be asked for: all seats, or, where teams keep their sides, any one of them."""
+    entrants = tuple(scenario.entrants.values())
+    if scenario.match.swap_sides or len(entrants) == 1:
+        return [entrants]
+    return [entrants, *((entrant,) for entrant in entrants)]
+
+
+def others_that_fit(
+    files: Mapping[PurePosixPath, bytes], asked: Scenario, suits: Callable[[Scenario], bool] = lambda _: True
+) -> list[str]:
+    """Return the names of shipped scenarios whose programs are all in a submission.
+
+    Args:
+        files: of the submission.
+        asked: the scenario that it is checked for, which is never among them.
+        suits: which scenarios come into question.
+    """
+    contents = Contents("folder", dict(files))
+    return [
+        name
+        for name, scenario in _shipped().items()
+        if scenario.id != asked.id and suits(scenario) and _fits(contents, scenario)
+    ]
+
+
+def looks_like(names: Sequence[str]) -> str:
+    """Return how to check a submission for another scenario, as the beginning of a remedy."""
+    return f"it looks like one for {' or '.join(names)}: rcj-challenge check … --scenario {names[0]}"
+
+
+def _fits(contents: Contents, scenario: Scenario) -> bool:
+    # Where a submission came from matters only for the name of its team.
+    return any(not opening_of(scenarios_folder(), contents, *seats).missing for seats in seats_of(scenario))
+
+
+@functools.cache
+def _shipped() -> dict[str, Scenario]:
+    folder = scenarios_folder()
+    return {name: load(folder / f"{name}.yaml").scenario for name in names_in(folder)}

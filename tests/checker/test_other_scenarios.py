@@ -1,0 +1,151 @@
+"""A submission for another scenario than it is checked for: which one fits is told by its files and its devices."""
+
+from __future__ import annotations
+
+import pytest
+
+from rcj_challenges.checker.archives import inspect
+from rcj_challenges.checker.check import CheckOptions, check_file
+from rcj_challenges.scenario.load import load, load_text
+
+BLUE = "rcj_soccer_team_blue/rcj_soccer_team_blue.py"
+PROGRAM = "x = 1\n"
+MATCH = load("match")
+QUICK = load("match", ["limits.start_s=10", "limits.step_s=2"])
+
+
+@pytest.fixture
+def submission(tmp_path):
+    def written(*paths, program=PROGRAM, **files):
+        for name, text in {**dict.fromkeys(paths, program), **files, "team_name.txt": "Hanse"}.items():
+            path = tmp_path / "team" / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        return tmp_path / "team"
+
+    return written
+
+
+def layout(path, scenario=MATCH):
+    return inspect(path, scenario.scenario).stages[1].findings
+
+
+def test_programs_for_a_shipped_challenge_are_told_which_one_fits_before_any_renaming(submission):
+    (found,) = layout(submission("pass_ball_yellow/pass_ball_yellow.py", "pass_ball_blue/pass_ball_blue.py"))
+    assert (found.code, found.level) == ("layout.missing", "failure")
+    assert found.remedy.startswith("it looks like one for pass_the_ball: rcj-challenge check ")
+    assert found.remedy.index("--scenario pass_the_ball") < found.remedy.index("call the program")
+
+
+def test_where_several_fit_all_are_named(submission):
+    (found,) = layout(submission("score_goal/score_goal.py"))
+    assert "it looks like one for fast_shooter or precision_lidar: " in found.remedy
+    assert "--scenario fast_shooter" in found.remedy
+
+
+def test_programs_for_the_match_are_told_so_where_a_challenge_was_asked_for(submission):
+    (found,) = layout(submission(BLUE), load("fast_shooter"))
+    assert "it looks like one for match" in found.remedy
+
+
+def test_programs_that_fit_no_shipped_scenario_are_told_only_how_to_be_called(submission):
+    (found,) = layout(submission("players/everything.py"))
+    assert "looks like one for" not in found.remedy
+    assert found.remedy.startswith("call the program ")
+
+
+OWN = """\
+schema_version: 1
+id: match
+title: A match of another kind
+extends: soccersim_v2
+entrants:
+  blue: {robots: {B1: player.py, B2: player.py, B3: player.py}}
+  yellow: {robots: {Y1: player.py, Y2: player.py, Y3: player.py}}
+"""
+
+
+def test_the_scenario_that_was_asked_for_is_not_proposed_once_more(submission):
+    (found,) = layout(submission(BLUE), load_text(OWN))
+    assert "for match:" not in found.remedy
+    assert "for match or" not in found.remedy
+
+
+FOR_2021 = """\
+from controller import Robot
+robot = Robot()
+receiver = robot.getReceiver("receiver")
+receiver.enable(64)
+while robot.step(64) != -1:
+    pass
+"""
+
+
+def test_a_program_of_2021_is_told_the_scenario_of_its_robots_before_what_follows_from_it(submission):
+    paths = [f"robot{number}/robot{number}.py" for number in (1, 2, 3)]
+    findings = check_file(submission(*paths, program=FOR_2021), QUICK, CheckOptions()).stages[4].findings
+    assert [finding.code for finding in findings] == ["start.no_device", *["start.crash"] * (len(findings) - 1)]
+    assert "--scenario match_2021" in findings[0].remedy
+    assert all('getDevice("receiver")' in crash.remedy for crash in findings[1:])
+
+
+def test_a_program_of_2021_that_fits_no_scenario_of_its_year_is_told_of_none(submission):
+    path = submission("player.py", program=FOR_2021)
+    found = check_file(path, load_text(OWN), CheckOptions(play_s=0.5)).stages[4].findings[0]
+    assert found.code == "start.no_device"
+    assert "--scenario" not in found.remedy
+
+
+def test_a_none_of_another_kind_is_not_put_down_to_a_device(submission):
+    program = FOR_2021.replace('robot.getReceiver("receiver")', "None")
+    (found,) = check_file(submission(BLUE, program=program), QUICK, CheckOptions()).stages[4].findings
+    assert "getDevice" not in found.remedy
+
+
+YELLOW = "rcj_soccer_team_yellow/rcj_soccer_team_yellow.py"
+
+
+def never_started(path, scenario=MATCH):
+    return [finding for finding in layout(path, scenario) if finding.code == "layout.never_started"]
+
+
+def test_a_folder_for_the_other_colour_is_told_as_never_started(submission):
+    (found,) = never_started(submission(BLUE, **{YELLOW: "x = 2\n"}))
+    assert (found.level, found.where) == ("warning", YELLOW)
+    assert f"{YELLOW} is never started: {BLUE} " in found.message
+    assert "getName" in found.remedy
+
+
+def test_one_that_is_the_same_for_both_colours_does_no_harm(submission):
+    same = submission(BLUE, YELLOW)
+    assert never_started(same) == []
+    assert [(found.level, found.where) for found in layout(same) if found.code == "layout.same_program"] == [
+        ("passed", YELLOW)
+    ]
+
+
+def test_what_differs_beside_the_program_counts_too(submission):
+    (found,) = never_started(submission(BLUE, YELLOW, **{"rcj_soccer_team_yellow/utils.py": "y = 1\n"}))
+    assert found.level == "warning"
+
+
+def test_the_other_layout_beside_the_one_that_is_taken_is_never_started(submission):
+    others = {f"robot{number}/robot{number}.py": f"x = {number + 1}\n" for number in (1, 2, 3)}
+    assert [found.where for found in never_started(submission(BLUE, **others))] == list(others)
+
+
+@pytest.mark.parametrize(
+    "program", ["import sys\nsys.path.append('../rcj_soccer_team_yellow')\n", "from rcj_soccer_team_yellow import x\n"]
+)
+def test_a_folder_that_a_program_mentions_is_in_use(submission, program):
+    assert never_started(submission(BLUE, program=program, **{YELLOW: "x = 2\n"})) == []
+
+
+@pytest.mark.parametrize("other", ["utils/utils.py", "rcj_soccer_team_yellow/main.py", "shared/helper.py"])
+def test_a_library_is_no_program_of_its_own(submission, other):
+    assert never_started(submission(BLUE, **{other: "x = 2\n"})) == []
+
+
+def test_where_both_programs_are_asked_for_none_is_left_over(submission):
+    both = submission("pass_ball_yellow/pass_ball_yellow.py", **{"pass_ball_blue/pass_ball_blue.py": "x = 2\n"})
+    assert never_started(both, load("pass_the_ball")) == []
