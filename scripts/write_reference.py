@@ -204,17 +204,23 @@ CHAPTERS = (
     Chapter(
         "Values",
         "What may stand in a payload or a broadcast, besides a literal; in `points:` and `count` too: `counter`, "
-        "`flag`, and `draw` and `word` if they are numbers; in `points:` also a list of weighted parts.",
+        "`flag`, `timer` (whole seconds, rounded down), `distance` (0 while it is null), and `draw` and `word` if they "
+        "are numbers; in `points:` also a list of which all is added: numbers, and these with weights.",
         (
             Word("counter", state.CounterValue, example="counter_value"),
             Word("flag", state.FlagValue, example="flag_value"),
             Word("draw", state.DrawValue, example="draw_value"),
             Word("word", state.WordValue),
             Word("position_of", state.PositionValue),
+            Word("distance", state.DistanceValue, example="distance_value"),
+            Word("timer", state.TimerValue, example="timer_value"),
+            Word("last_touch", state.LastTouchValue, example="last_touch_value"),
             Word("weighted_counter", state.WeightedCounter, own_example=False),
             Word("weighted_flag", state.WeightedFlag, own_example=False),
             Word("weighted_draw", state.WeightedDraw, own_example=False),
             Word("weighted_word", state.WeightedWord, own_example=False),
+            Word("weighted_distance", state.WeightedDistance, own_example=False),
+            Word("weighted_timer", state.WeightedTimer, own_example=False),
         ),
         "rules",
     ),
@@ -314,12 +320,14 @@ def _table(model: type[BaseModel], tag: str) -> Iterator[str]:
 _NAMED: tuple[tuple[Any, str], ...] = (
     (Names, "name, or list of names"), (Name, "name"), (EventName, "event"), (DurationS, "duration in s"),
     (Point, "[x, y] in m"), (Colour, "colour"), (state.Value, "value"), (state.Bound, "number, or {counter: NAME}"),
-    (state.Amount, "number, or {counter, flag, draw or word: NAME}"),
-    (state.Points, "number, {counter, flag, draw or word: NAME}, or list of weighted parts"),
+    (state.Lasts, "duration in s, or {draw: NAME}"),
+    (state.Amount, "number, {counter, flag, draw, timer or word: NAME}, or {distance: [A, B]}"),
+    (state.Points, "number, {counter, flag, draw, timer or word: NAME}, {distance: [A, B]}, or list of weighted parts"),
     (places.At, "[where](#where-things-go)"),
     (places.Facing, "`start`, `keep`, yaw in rad, {towards: …}, or {random: true}"),
     (triggers.Trigger, "[trigger](#triggers)"), (conditions.Condition, "[condition](#conditions)"),
-    (conditions.Single, "[condition](#conditions)"),
+    *((get_args(fields(one)["conditions"])[0], "[condition](#conditions)")
+      for one in (conditions.AnyOf, conditions.AllOf)),
     (actions.Action, "[action](#actions)"), (robots.Device, "[device](#devices)"), (places.Zone, "[zone](#zones)"),
     (field.Obstacle, "[obstacle](#obstacles)"), (places.Layout, "list of [placements](#placements)"),
     (robots.EntryPoints, "path, or list of paths"),

@@ -158,7 +158,8 @@ class HalfInfo:
         teams: by entrant (the side played now): which entrant that team was in the first half. Identity in half 1,
             exchanged in half 2 of a match with ``swap_sides``.
         scores: points by entrant (side played now) at the start of the half.
-        kept: draws and flags marked ``keep: match``, as the previous half left them.
+        kept: draws and flags marked ``keep: match``, as the previous half left them, and what is left to be drawn of
+            draws marked ``not_again: match``.
     """
 
     half: int

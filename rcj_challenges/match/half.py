@@ -35,7 +35,7 @@ class HalfOutcome:
 
     Attributes:
         ticks: how many were judged.
-        ended: None if the time was up, else the reason of the rule that ended it.
+        ended: None if the time was up, else the reason of the rule that ended it, or the match when it was over.
         ends_match: whether that rule ended the whole match.
         closing: what the rules of ``half_ended`` said after the last tick.
     """
@@ -105,10 +105,11 @@ class HalfPlay:
                 before_tick(self.tick + 1)
             verdict = self._one_tick(self.tick + 1)
         closing = self._stage.referee.finish()
-        ended = verdict.ended
+        # A half that is over cannot be ended once more, the match can.
+        ended = closing.ended if closing.ends_match else verdict.ended
         if ended is None and not self._stage.referee.time_is_up:
             ended = f"the clock of the half stood still for too long: {self.tick} ticks were played"
-        return HalfOutcome(self.tick, ended, verdict.ends_match, closing)
+        return HalfOutcome(self.tick, ended, closing.ends_match, closing)
 
     def _goes_on(self, verdict: Verdict) -> bool:
         """Return whether another tick follows: the clock of the half decides, which a phase may stop."""

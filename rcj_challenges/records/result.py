@@ -44,7 +44,9 @@ class HalfResult(_Part):
     sides: dict[str, str] = _described("by seat: the team that played there")
     score: dict[str, Score] = _described("by team: points of the match when this half was over")
     ticks: int = _described("ticks that were judged", ge=0)
-    ended: str | None = _described("the reason of the rule that ended it; null: its time was up, or it is not complete")
+    ended: str | None = _described(
+        "the reason of the rule that ended it, or the match with it; null: its time was up, or it is not complete"
+    )
     complete: bool = Field(default=True, description="whether it was played to its end, and not broken off")
 
 

@@ -162,7 +162,7 @@ class RecordWriter:
         Args:
             closing: what the rules of ``half_ended`` said.
             scores: points by seat; left out: the sum of what the firings scored.
-            ended: the reason of the rule that ended it, None if the time was up.
+            ended: the reason of the rule that ended it, or the match with it; None if the time was up.
         """
         if self._track is None or self._half is None:
             raise ValueError("no half to end: call begin_half first")

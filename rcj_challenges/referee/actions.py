@@ -118,11 +118,12 @@ def timer(model: models.TimerAction, workshop: Workshop, rule: StandingRule) -> 
     state, do = workshop.state, model.do
     clocks, whose = state.timers[model.timer], workshop.whose(model.entity, rule.each)
     meant = tuple(clocks.values()) if whose is None else (clocks[whose],)
+    lasts_s = workshop.scenario.timers[model.timer].lasts_s
 
     def change(clock: Clock) -> None:
         elapsed = clock.ticks(state.tick)
-        if do == "restart":
-            clock.elapsed, clock.since = 0, state.tick
+        if do == "restart" or (do == "start" and clock.since is None and elapsed == 0):
+            clock.length, clock.elapsed, clock.since = state.lasting_ticks(lasts_s), 0, state.tick
         elif do == "reset":
             clock.elapsed, clock.since = 0, None
         elif do == "stop":
@@ -151,7 +152,7 @@ def draw(model: models.DrawAction, workshop: Workshop, _rule: StandingRule) -> A
 
     def act(_occasion: Occasion) -> None:
         if fixed is not None:
-            state.draws[name] = fixed
+            state.set_draw(name, fixed)
         else:
             state.draw_anew(name, drawn)
 
@@ -238,13 +239,16 @@ def emit(model: models.Emit, workshop: Workshop, rule: StandingRule) -> Act:
 
 
 def end(model: models.End, workshop: Workshop, rule: StandingRule) -> Act:
-    """End the half, or the match, after the last firing of this tick."""
-    state, reason = workshop.state, model.reason or rule.name
+    """End the half, or the match, after the last firing of this tick.
+
+    The first reason stands, but one for the end of the match goes before one for the end of the half.
+    """
+    state, reason, match = workshop.state, model.reason or rule.name, model.what == "match"
 
     def act(_occasion: Occasion) -> None:
-        if state.ended is None:
+        if state.ended is None or (match and not state.match_over):
             state.ended = reason
-        state.match_over = state.match_over or model.what == "match"
+        state.match_over = state.match_over or match
 
     return act
 

@@ -8,6 +8,7 @@ from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.conditions import compile_condition
 from rcj_challenges.referee.rules import StandingRule
 from rcj_challenges.referee.triggers import TRIGGERS
+from rcj_challenges.scenario.blanks import partly_filled
 from rcj_challenges.scenario.models.scenario import Rule
 
 
@@ -15,7 +16,7 @@ def assemble(workshop: Workshop) -> list[StandingRule]:
     """Compile all rules of the workshop's scenario: lower priority first, then file order, then entity order."""
     rules = workshop.scenario.rules
     standing = [
-        (rule.priority, number, place, _standing(name, rule, each))
+        (rule.priority, number, place, _standing(name, rule, each, workshop))
         for number, (name, rule) in enumerate(rules.items())
         for place, each in enumerate(_members(rule, workshop))
     ]
@@ -35,7 +36,7 @@ def _members(rule: Rule, workshop: Workshop) -> tuple[str | None, ...]:
     return tuple(sorted(workshop.members(rule.for_each, None), key=lambda name: index.get(name, 0)))
 
 
-def _standing(name: str, rule: Rule, each: str | None) -> StandingRule:
+def _standing(name: str, rule: Rule, each: str | None, workshop: Workshop) -> StandingRule:
     return StandingRule(
         name=name,
         each=each,
@@ -43,7 +44,7 @@ def _standing(name: str, rule: Rule, each: str | None) -> StandingRule:
         exclusive=None if rule.exclusive is None else (rule.exclusive, each),
         cooldown=0 if rule.cooldown_s is None else ticks_from_s(rule.cooldown_s),
         max_executions=rule.max_executions,
-        says=rule.says,
+        says=partly_filled(rule, workshop.scenario.params),
     )
 
 

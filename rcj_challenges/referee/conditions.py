@@ -37,7 +37,7 @@ def watched_entities(model: models.Condition, workshop: Workshop, each: str | No
         case models.Looks():
             found = workshop.entities(model.entity, each)
             return (*found, *(() if model.towards is None else _anchors(model.towards, workshop, each)))
-        case models.AnyOf():
+        case models.AnyOf() | models.AllOf():
             several = (watched_entities(one, workshop, each) for one in model.conditions)
             return tuple(dict.fromkeys(entity for one in several for entity in one))
         case _:
@@ -183,6 +183,12 @@ def any_of(model: models.AnyOf, workshop: Workshop, each: str | None) -> Test:
     return lambda: any(test() for test in tests)
 
 
+def all_of(model: models.AllOf, workshop: Workshop, each: str | None) -> Test:
+    """Whether all of several conditions hold."""
+    tests = tuple(compile_condition(one, workshop, each) for one in model.conditions)
+    return lambda: all(test() for test in tests)
+
+
 def counter(model: models.CounterIs, workshop: Workshop, each: str | None) -> Test:
     """The value of a counter or of a score; with ``of``: of so many."""
     state, name = workshop.state, model.counter
@@ -265,12 +271,19 @@ def sequence_at(model: models.SequenceAt, workshop: Workshop, _each: str | None)
     return lambda: watch.reached == step
 
 
+def half(model: models.HalfIs, workshop: Workshop, each: str | None) -> Test:
+    """Which half is played."""
+    now = _comparison(model, workshop, each)(workshop.state.half.half)
+    return lambda: now
+
+
 CONDITIONS: dict[str, Callable[[Any, Workshop, str | None], Test]] = {
     "in_zone": in_zone,
     "speed": speed,
     "distance": distance,
     "looks": looks,
     "any_of": any_of,
+    "all_of": all_of,
     "counter": counter,
     "flag": flag,
     "drawn": drawn,
@@ -278,5 +291,6 @@ CONDITIONS: dict[str, Callable[[Any, Workshop, str | None], Test]] = {
     "last_touch": last_touch,
     "spot_free": spot_free,
     "sequence_at": sequence_at,
+    "half": half,
 }
 """Every word of a condition, with what compiles it."""

@@ -11,7 +11,6 @@ from dataclasses import replace
 from typing import Any
 
 from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Snapshot, Verdict
-from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.referee.assembling import assemble
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.no_room import no_room_sentence
@@ -96,7 +95,7 @@ class Referee:
 
     @property
     def kept(self) -> dict[str, Any]:
-        """Draws and flags marked ``keep: match``, as the next half's `HalfInfo.kept`."""
+        """What lives on in the next half, as its `HalfInfo.kept`."""
         return self._state.kept()
 
     @property
@@ -155,7 +154,7 @@ class Referee:
         return self._quiet_verdict()
 
     def finish(self) -> Verdict:
-        """Run the ``half_ended`` rules after the last tick."""
+        """Run the ``half_ended`` rules after the last tick; one of them may still end the match."""
         self._hits.report(self._moments.half_ended)
         self._fire()
         return self._verdict()
@@ -255,7 +254,9 @@ class Referee:
         model = self._state.phase_model(phase)
         self._clock_runs = model.clock == "runs"
         self._waiting = model.waiting_for_kickoff
-        self._phase_ends = NEVER if model.lasts_s is None else self._state.tick + ticks_from_s(model.lasts_s)
+        self._phase_ends = NEVER
+        if model.lasts_s is not None:
+            self._phase_ends = self._state.tick + self._state.lasting_ticks(model.lasts_s)
 
     # --- placements -------------------------------------------------------------------------------------------------
 

@@ -22,7 +22,7 @@ class StandingRule:
         exclusive: the group of which only one fires a tick, per entity.
         cooldown: ticks it rests after firing.
         max_executions: how often it may fire in the half.
-        says: the sentence, names not filled in yet.
+        says: the sentence; what is known only when it fires is not filled in yet.
         rank: place in the order of firing, over all standing rules.
         tests: compiled conditions.
         actions: compiled actions.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 import struct
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from rcj_challenges.facts.amounts import on_paper, plain
@@ -12,7 +13,7 @@ from rcj_challenges.facts.streams import random_stream, stream_seed
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.models.state import Draw, Phase
+from rcj_challenges.scenario.models.state import Draw, DrawnDuration, Phase
 from rcj_challenges.scenario.roster import Roster
 
 Number = int | float
@@ -85,6 +86,7 @@ class State:
         self.flags: dict[str, bool | dict[str, bool]] = {}
         self.timers: dict[str, dict[str | None, Clock]] = {}
         self.draws: dict[str, Scalar] = {}
+        self._undrawn: dict[str, list[Scalar]] = {}
         self.ended: str | None = None
         self.match_over = False
         self.entrant_of = {robot: name for name, entrant in scenario.entrants.items() for robot in entrant.robots}
@@ -106,8 +108,9 @@ class State:
                 self.flags[name] = dict.fromkeys(self._members(flag.per), flag.initial)
         for name, timer in self.scenario.timers.items():
             members = (None,) if timer.per is None else self._members(timer.per)
-            length, since = ticks_from_s(timer.lasts_s), 0 if timer.starts else None
-            self.timers[name] = {member: Clock(length, since=since) for member in members}
+            since = 0 if timer.starts else None
+            # How long they are is known when everything is drawn.
+            self.timers[name] = {member: Clock(0, since=since) for member in members}
 
     def _members(self, group: str) -> tuple[str, ...]:
         return self.roster.expand(group)
@@ -123,6 +126,8 @@ class State:
     def decide_draws(self, decided: dict[str, Scalar]) -> None:
         """Draw everything at the start of the half, but for what is decided beforehand or kept from the last half.
 
+        Timers get their length then.
+
         Raises:
             ValueError: a value is decided that the draw cannot have, or for a draw that does not exist.
         """
@@ -130,28 +135,57 @@ class State:
             if name not in self.scenario.draws or value not in self.scenario.draws[name].values:
                 message = f"draws.{name}: {value!r} is not one of its values"
                 raise ValueError(message)
-        kept = self.half.kept.get("draws", {})
+        kept, undrawn = self.half.kept.get("draws", {}), self.half.kept.get("undrawn", {})
         for name, draw in self.scenario.draws.items():
+            if draw.not_again is not None:
+                self._undrawn[name] = list(undrawn.get(name, draw.values))
             if name in decided:
-                self.draws[name] = decided[name]
+                self.set_draw(name, decided[name])
             elif draw.keep == "match" and name in kept:
                 self.draws[name] = kept[name]
+                if name not in undrawn:  # else it was taken out when it was drawn
+                    self.set_draw(name, kept[name])
             else:
                 self.draw_anew(name, draw)
+        for name, timer in self.scenario.timers.items():
+            for clock in self.timers[name].values():
+                clock.length = self.lasting_ticks(timer.lasts_s)
+
+    def lasting_ticks(self, lasts_s: float | DrawnDuration) -> int:
+        """Return a duration in ticks, as its draw has decided by now."""
+        return ticks_from_s(float(self.draws[lasts_s.draw]) if isinstance(lasts_s, DrawnDuration) else lasts_s)
+
+    def set_draw(self, name: str, value: Scalar) -> None:
+        """Let a draw have a value, which has been drawn then."""
+        self.draws[name] = value
+        undrawn = self._undrawn.get(name, [])
+        if value in undrawn:
+            undrawn.remove(value)
 
     def draw_anew(self, name: str, draw: Draw) -> None:
-        """Draw a value, equally likely each; with ``not_last`` never the one it has."""
-        values = draw.values
-        if draw.not_last and name in self.draws:
-            values = tuple(value for value in values if value != self.draws[name]) or values
-        self.draws[name] = self.stream(f"draw/{name}").choice(values)
+        """Draw a value, equally likely each: with ``not_last`` never the one it has, with ``not_again`` one left."""
+        values = self._without_last(name, draw, self._undrawn.get(name, draw.values))
+        if not values:
+            if draw.not_again is not None:
+                self._undrawn[name] = list(draw.values)
+            values = self._without_last(name, draw, draw.values) or draw.values
+        self.set_draw(name, self.stream(f"draw/{name}").choice(values))
+
+    def _without_last(self, name: str, draw: Draw, values: Sequence[Scalar]) -> Sequence[Scalar]:
+        if not draw.not_last or name not in self.draws:
+            return values
+        return tuple(value for value in values if value != self.draws[name])
 
     def kept(self) -> dict[str, dict[str, object]]:
-        """Return the draws and flags marked ``keep: match``, for the next half's `HalfInfo.kept`."""
+        """Return what lives on of draws and flags, for the next half's `HalfInfo.kept`."""
+        undrawn: dict[str, object] = {
+            name: list(left) for name, left in self._undrawn.items() if self.scenario.draws[name].not_again == "match"
+        }
         return {
             "draws": {name: self.draws[name] for name, draw in self.scenario.draws.items()
                       if draw.keep == "match" and name in self.draws},
             "flags": {name: self.flags[name] for name, flag in self.scenario.flags.items() if flag.keep == "match"},
+            **({"undrawn": undrawn} if undrawn else {}),
         }  # fmt: skip
 
     def phase_model(self, name: str) -> Phase:

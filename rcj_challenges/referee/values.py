@@ -1,4 +1,4 @@
-"""Values that rules can name: literals, counters, flags, draws, words of the match, positions; and points."""
+"""Values that rules can name: literals, what is remembered, measured or a word of the match; points; sentences."""
 
 from __future__ import annotations
 
@@ -9,14 +9,18 @@ from typing import Any
 from rcj_challenges.facts.amounts import on_paper, plain
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.measuring import distance_reader, timer_reader
 from rcj_challenges.referee.rules import Occasion
 from rcj_challenges.referee.state import Number, State
 from rcj_challenges.scenario.models.state import (
     CounterValue,
+    DistanceValue,
     DrawValue,
     FlagValue,
+    LastTouchValue,
     NumberWord,
     PositionValue,
+    TimerValue,
     WordValue,
 )
 
@@ -27,10 +31,10 @@ Reader = Callable[[Occasion], Any]
 def compile_value(value: Any, workshop: Workshop, each: str | None) -> Reader:
     """Return the reader of a value of an event's payload or of the broadcast."""
     state = workshop.state
+    read_now = _reader_of_now(value, workshop, each)
+    if read_now is not None:
+        return lambda _occasion: read_now()
     match value:
-        case CounterValue():
-            counter = counter_reader(value, workshop, each)
-            return lambda _occasion: counter()
         case FlagValue():
             flag, flag_of = value.flag, workshop.whose(value.entity, each)
             return lambda _occasion: state.flag(flag, flag_of)
@@ -45,6 +49,33 @@ def compile_value(value: Any, workshop: Workshop, each: str | None) -> Reader:
             return lambda _occasion: _position(state, entity)
         case _:
             return lambda _occasion: value
+
+
+def _reader_of_now(value: Any, workshop: Workshop, each: str | None) -> Callable[[], Any] | None:
+    """Return the reader of a value that is the same whichever rule fires; None for any other."""
+    match value:
+        case CounterValue():
+            return counter_reader(value, workshop, each)
+        case DistanceValue():
+            return distance_reader(value, workshop, each)
+        case TimerValue():
+            return timer_reader(value, workshop, each)
+        case LastTouchValue():
+            return _last_toucher(value, workshop, each)
+        case _:
+            return None
+
+
+def _last_toucher(value: LastTouchValue, workshop: Workshop, each: str | None) -> Callable[[], str | None]:
+    """Return what tells the name of the robot that touched something last; None if none has."""
+    contacts, touched = workshop.contacts, workshop.entity(value.last_touch, each)
+    contacts.follow_last(touched)
+
+    def read() -> str | None:
+        robot = contacts.last(touched)
+        return None if robot is None else workshop.roster.entities[robot]
+
+    return read
 
 
 def counter_reader(value: CounterValue, workshop: Workshop, each: str | None) -> Callable[[], Number]:
@@ -62,24 +93,29 @@ def compile_bound(bound: Number | CounterValue, workshop: Workshop, each: str | 
 
 
 def compile_amount(amount: Any, workshop: Workshop, each: str | None) -> Callable[[Occasion], Number]:
-    """Return what reads a number, a counter, a flag (1 if it is set, else 0), a draw or a number of the match."""
-    if not isinstance(amount, CounterValue | FlagValue | DrawValue | NumberWord):
+    """Return what reads a number, a counter, a flag (1 if it is set, else 0), a draw, or a number of the match."""
+    if isinstance(amount, int | float):
         number = plain(amount)
         return lambda _occasion: number
     read = compile_value(amount, workshop, each)
-    if isinstance(amount, NumberWord):
-        as_number = floor if amount.word in _TIMES else _or_zero
-        return lambda occasion: as_number(read(occasion))
+    counted = _counted(amount)
+    return read if counted is None else lambda occasion: counted(read(occasion))
+
+
+def _counted(amount: Any) -> Callable[[Any], Number] | None:
+    """Return what makes a number to be counted of what is told; None if it is one."""
+    if isinstance(amount, TimerValue) or (isinstance(amount, NumberWord) and amount.word in _TIMES):
+        return floor
     if isinstance(amount, FlagValue):
-        return lambda occasion: int(read(occasion))
-    return read
+        return int
+    return _or_zero if isinstance(amount, NumberWord | DistanceValue) else None
 
 
 def compile_points(points: Any, workshop: Workshop, each: str | None) -> Callable[[Occasion], Number]:
-    """Return what reads a number of points: one amount, or the sum of weighted ones."""
+    """Return what reads a number of points: one amount, or the sum of numbers and weighted ones."""
     if not isinstance(points, tuple):
         return compile_amount(points, workshop, each)
-    parts = [(compile_amount(part, workshop, each), part.weight) for part in points]
+    parts = [(compile_amount(part, workshop, each), getattr(part, "weight", 1)) for part in points]
 
     def total(occasion: Occasion) -> Number:
         summed: Number = 0
@@ -148,7 +184,7 @@ def _rounded(number: float | None) -> Number | None:
 
 
 def spoken(says: str, state: State, occasion: Occasion) -> str:
-    """Return the sentence with {entity}, {team}, {measured} and {limit} filled in; anything else stays as written."""
+    """Return the sentence with {entity}, {team}, {measured}, {limit} and {points} filled in; all else stays."""
     if "{" not in says:
         return says
     filled = {
@@ -156,6 +192,7 @@ def spoken(says: str, state: State, occasion: Occasion) -> str:
         "{team}": _team_name(state, occasion, None),
         "{measured}": _said(occasion.measured),
         "{limit}": _said(occasion.limit),
+        "{points}": str(on_paper(sum(occasion.scored.values()))),
     }
     # One pass from left to right, so that a team called "{limit}" stays just that.
     parts, rest = [], says

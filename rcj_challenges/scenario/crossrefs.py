@@ -5,13 +5,15 @@ Walks the tree beside the shapes of the models, so that unknown names come in on
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
+from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.catalogue import EACH, Catalogue, texts
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, known_text, listing, nearest
 from rcj_challenges.scenario.models import actions, conditions, places, state
+from rcj_challenges.scenario.models.base import LONGEST_S
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
 from rcj_challenges.scenario.references import REFERENCES, Field, Named, Reference
@@ -23,8 +25,9 @@ Each = tuple[str, ...] | None
 """What ``each`` stands for: the members of the rule's ``for_each``; None outside of such a rule."""
 
 _WORDED = ("triggers", "conditions", "actions")
-_READS = (conditions.CounterIs, conditions.FlagIs, conditions.TimerIs, state.CounterValue, state.FlagValue)
-_WEIGHTED = (state.WeightedCounter, state.WeightedFlag)
+_READS = (conditions.CounterIs, conditions.FlagIs, conditions.TimerIs, state.CounterValue, state.FlagValue,
+          state.TimerValue)  # fmt: skip
+_WEIGHTED = (state.WeightedCounter, state.WeightedFlag, state.WeightedTimer)
 _WRITES = (actions.Count, actions.SetFlag, actions.ToggleFlag, actions.TimerAction)
 _STATE_SECTIONS = {"counter": "counters", "flag": "flags", "timer": "timers"}
 
@@ -53,6 +56,7 @@ class _Walker:
         self.root = catalogue.root
         self.removed = removed
         self.problems: list[Problem] = []
+        self.told: set[Path] = set()
         self.kits_in_use = {catalogue.leaf("robots", robot, "kit") for robot in catalogue.names("robots")}
 
     def walk(self, node: Node, shape: Shape, path: Path, each: Each) -> None:
@@ -72,6 +76,12 @@ class _Walker:
 
     def add(self, path: Path, mark: Mark, message: str) -> None:
         self.problems.append(mark.problem(shown_path(self.root, path), message))
+
+    def _add_once(self, where: Path, path: Path, mark: Mark, message: str, needed: str = "") -> None:
+        """Add a problem, unless the same has been said of ``where``, which has it for several reasons."""
+        if (*where, message) not in self.told:
+            self.told.add((*where, message))
+            self.add(path, mark, message + needed)
 
     # --- one mapping ------------------------------------------------------------------------------------------------
 
@@ -171,8 +181,13 @@ class _Walker:
             self.add(path, mark, f"'{name}' is a group; name one {reference.noun}")
         elif stranger is not None:
             kind = self.names.kinds[stranger]
+            alike = sum(self.names.kinds.get(one) == kind for one in self.names.groups[name])
+            way_out = _way_out(kind, reference)
+            more = f", and {alike - 1} more of them" if way_out and alike > 1 else ""
             what = f"'{name}' is" if name == stranger else f"group '{name}' contains '{stranger}',"
-            self.add(path, mark, f"{what} {_a(kind)}; expected {_a(reference.noun)}{_way_out(kind, reference)}")
+            wanted = f"{_a(reference.noun)}{way_out}"
+            # The group is what is wrong: once for each rule that names it is enough.
+            self._add_once(path[:2], path, mark, f"{what} {_a(kind)}{more}; expected {wanted}")
 
     def _check_drawn(self, reference: Reference, draw: str, user: Path) -> None:
         """Check that all that a draw may decide can stand where its name is used."""
@@ -186,7 +201,12 @@ class _Walker:
             else:
                 self.add(at, value.mark, f"expected {_a(reference.noun)}, found {found_text(value)}")
         needed = f" (needed by {shown_path(self.root, user)})"
-        self.problems[before:] = [replace(p, message=p.message + needed) for p in self.problems[before:]]
+        found, self.problems[before:] = self.problems[before:], []
+        for problem in found:
+            known: Path = (problem.path, problem.message)
+            if known not in self.told:
+                self.told.add(known)
+                self.problems.append(replace(problem, message=problem.message + needed))
 
     def _unknown(
         self, noun: str, name: str, known: list[str], sections: tuple[str, ...], path: Path, mark: Mark
@@ -211,8 +231,8 @@ class _Walker:
             drawn = child(layout, "draw")
             if isinstance(drawn, Leaf) and drawn.value in self.names.names("draws"):
                 self._check_drawn(Named("layout", ("placements",)), str(drawn.value), (*path, "layout"))
-        elif model in (state.NumberDraw, state.WeightedDraw):
-            self._numbers(node.entries.get("draw"), path)
+        elif model in _DRAWN_NUMBERS:
+            self._values(node.entries.get("draw"), path, _DRAWN_NUMBERS[model])
         elif model is conditions.Drawn:
             self._among_values(node.entries.get("draw"), node.entries.get("equals"), (*path, "equals"))
         elif model is actions.DrawAction:
@@ -254,14 +274,14 @@ class _Walker:
             message = f"only balls roll: '{other}' is {_a(self.names.kinds[other])}"
             self.add(path, mark_of(self.root, path), message)
 
-    def _numbers(self, draw: Node | None, user: Path) -> None:
-        """Check that all that a draw may decide are numbers, where its name stands for one."""
+    def _values(self, draw: Node | None, user: Path, wrong: Callable[[Leaf], str]) -> None:
+        """Check that nothing is wrong with what a draw may decide, where its name stands for a number."""
         values = node_at(self.root, ("draws", str(draw.value), "values")) if isinstance(draw, Leaf) else None
         for index, value in enumerate(values.items if isinstance(values, Items) else ()):
-            if isinstance(value, Leaf) and isinstance(value.value, (str, bool)):
+            message = wrong(value) if isinstance(value, Leaf) else ""
+            if message:
                 at: Path = ("draws", str(draw.value), "values", index) if isinstance(draw, Leaf) else user
-                needed = f"(needed by {shown_path(self.root, user)})"
-                self.add(at, value.mark, f"expected a number, found {found_text(value)} {needed}")
+                self._add_once(at, at, value.mark, message, f" (needed by {shown_path(self.root, user)})")
 
     def _among_values(self, draw: Node | None, value: Node | None, path: Path) -> None:
         values = node_at(self.root, ("draws", str(draw.value), "values")) if isinstance(draw, Leaf) else None
@@ -326,6 +346,27 @@ def _leaves(node: Node, path: Path) -> Iterator[tuple[str, Path, Mark]]:
     elif isinstance(node, Items):
         for index, item in enumerate(node.items):
             yield from _leaves(item, (*path, index))
+
+
+def _no_number(value: Leaf) -> str:
+    return f"expected a number, found {found_text(value)}" if isinstance(value.value, (str, bool)) else ""
+
+
+def _no_duration(value: Leaf) -> str:
+    if isinstance(value.value, int | float) and not isinstance(value.value, bool):
+        if value.value < TICK_S:
+            return f"a duration must be at least one tick ({TICK_S} s), found {found_text(value)}"
+        if value.value > LONGEST_S:
+            return f"must be at most {LONGEST_S}, found {found_text(value)}"
+    return _no_number(value)
+
+
+_DRAWN_NUMBERS: dict[Any, Callable[[Leaf], str]] = {
+    state.NumberDraw: _no_number,
+    state.WeightedDraw: _no_number,
+    state.DrawnDuration: _no_duration,
+}
+"""What is wrong with a value of a draw, where its name stands for a number."""
 
 
 def _way_out(kind: str, reference: Field) -> str:

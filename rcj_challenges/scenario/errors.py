@@ -62,17 +62,33 @@ class ScenarioError(RcjError):
         return "\n".join(lines)
 
 
-def nearest(word: str, known: Iterable[str]) -> str:
-    """Return ``; did you mean 'x'?`` for the known word that is most like ``word``, or an empty text."""
+_CONTRARY = (frozenset({"any", "all", "none"}), frozenset({"min", "most"}), frozenset({"max", "least"}))
+"""Parts of words that turn their meaning over: who writes one does not mean a word with another of them."""
+
+
+def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str:
+    """Return ``; did you mean 'x'?`` for the known word that is most like ``word``, or an empty text.
+
+    Args:
+        word: as it was written.
+        known: the words that there are.
+        likeness: how like it a word must be, from 0 to 1.
+    """
     by_folded: dict[str, str] = {}
     for name in islice(known, _COMPARED):
-        by_folded.setdefault(name.casefold(), name)
+        if not _is_contrary(word, name):
+            by_folded.setdefault(name.casefold(), name)
     for folded, name in by_folded.items():
         if folded.startswith(f"{word.casefold()}_"):  # the unit was forgotten
             return f"; did you mean {name!r}?"
     # A long word would make the comparison slow, and is no typing mistake.
-    found = get_close_matches(word.casefold()[:100], by_folded, 1, 0.6)
+    found = get_close_matches(word.casefold()[:100], by_folded, 1, likeness)
     return f"; did you mean {by_folded[found[0]]!r}?" if found else ""
+
+
+def _is_contrary(word: str, name: str) -> bool:
+    written, meant = set(word.casefold().split("_")), set(name.casefold().split("_"))
+    return any(written & words and meant & words and not written & meant & words for words in _CONTRARY)
 
 
 def known_text(names: Iterable[str], noun: str) -> str:

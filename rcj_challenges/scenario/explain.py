@@ -228,8 +228,38 @@ class _Explainer:
             return self._at(mistake.path, message)
         written = str(tag.value) if isinstance(tag, Leaf) else found_text(tag)
         message = f"unknown {discriminator} '{written[:64]}'; there are {listing(words, 40)}"
-        message += _of_another_list(written, discriminator) or nearest(written, words)
+        message += (
+            self._in_itself(mistake.path, written)
+            or _of_another_list(written, discriminator)
+            or _usual(written, discriminator)
+            or nearest(written, words, _LIKE)
+        )
         return mark_of(self.root, (*mistake.path, discriminator)).problem(in_names(self.root, mistake.path), message)
+
+    def _in_itself(self, path: Path, word: str) -> str:
+        """Return what to do about an any_of within an any_of, or an all_of within an all_of."""
+        around = child(node_at(self.root, path[:-2]), "condition") if path[-2:-1] == ("conditions",) else None
+        if not isinstance(around, Leaf) or around.value != word:
+            return ""
+        return f"; '{word}' cannot stand in itself: write all conditions into one list"
+
+
+_LIKE = 0.65
+"""A word of the language is taken for another only if it is more like it than a name need be."""
+_USUAL = {
+    "and": "all_of",
+    "or": "any_of",
+    "not": "the condition itself, with negate: true",
+    "none_of": "any_of, with negate: true",
+    "halftime": "half",
+}
+"""What others call a condition, and how it is written here."""
+
+
+def _usual(written: str, discriminator: str) -> str:
+    """Return how a condition is written that goes by another name elsewhere."""
+    meant = _USUAL.get(written.casefold()) if discriminator == "condition" else None
+    return f"; write {meant}" if meant else ""
 
 
 _WORDS: tuple[tuple[str, Any], ...] = (("trigger", Trigger), ("condition", Condition), ("action", Action))
@@ -260,8 +290,8 @@ def _instead_of_list(path: Path, node: Node | None, words: list[str]) -> str:
     if not isinstance(node, Items) or path[-1:] != ("condition",):
         return ""
     return (
-        f"; it takes a single one of {listing(words, 40)} (its opposite by negate: true); what else must hold when the "
-        "rule fires stands in its 'conditions'"
+        f"; it takes a single one of {listing(words, 40)} (its opposite by negate: true); for several write "
+        "{condition: all_of, conditions: […]}; what else must hold when the rule fires stands in its 'conditions'"
     )
 
 

@@ -12,9 +12,9 @@ from typing import Any
 
 from rcj_challenges.scenario.crossrefs import shown_path
 from rcj_challenges.scenario.errors import Problem
+from rcj_challenges.scenario.lint_denied import check_contradictions
 from rcj_challenges.scenario.lint_edges import check_edges, check_exclusive_groups
 from rcj_challenges.scenario.lint_flow import (
-    check_contradictions,
     check_events,
     check_phases,
     check_rules,
@@ -22,11 +22,20 @@ from rcj_challenges.scenario.lint_flow import (
 )
 from rcj_challenges.scenario.lint_ground import check_entities, check_layouts, check_obstacles, check_places
 from rcj_challenges.scenario.lint_kicks import check_kicks
+from rcj_challenges.scenario.lint_moments import check_moments
+from rcj_challenges.scenario.lint_numbers import check_numbers
 from rcj_challenges.scenario.lint_result import check_ranking
 from rcj_challenges.scenario.lint_says import check_broadcast, check_sentences
-from rcj_challenges.scenario.lint_state import check_inherited_tests, check_params, check_state, check_unused
+from rcj_challenges.scenario.lint_state import (
+    check_draws,
+    check_inherited_tests,
+    check_params,
+    check_state,
+    check_unused,
+)
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
-from rcj_challenges.scenario.lint_times import check_times
+from rcj_challenges.scenario.lint_times import check_halves, check_times
+from rcj_challenges.scenario.lint_units import check_units
 from rcj_challenges.scenario.lint_variants import (
     check_field_size,
     check_goals,
@@ -35,6 +44,7 @@ from rcj_challenges.scenario.lint_variants import (
     check_inherited_texts,
     check_kits,
 )
+from rcj_challenges.scenario.lint_walled import check_walled_zones
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.tree import Leaf, mark_of, node_at
 
@@ -43,16 +53,20 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_events,
     check_rules,
     check_contradictions,
+    check_moments,
     check_sentences,
+    check_units,
     check_broadcast,
     check_scoring,
     check_ranking,
     check_edges,
     check_exclusive_groups,
     check_state,
+    check_draws,
     check_params,
     check_unused,
     check_times,
+    check_halves,
     check_places,
     check_obstacles,
     check_entities,
@@ -60,7 +74,9 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_kicks,
     check_field_size,
     check_goals,
+    check_walled_zones,
     check_inherited_sentences,
+    check_numbers,
     check_inherited_texts,
     check_kits,
     check_idle_robots,
@@ -117,7 +133,7 @@ def lint(loaded: Loaded) -> list[Finding]:
     if tree is None:
         message = "lint needs a scenario that was loaded from a file or a text"
         raise ValueError(message)
-    subject = Subject(loaded.scenario, loaded.roster, tree, loaded.left_out, loaded.removed)
+    subject = Subject(loaded.scenario, loaded.roster, tree, loaded.left_out, loaded.removed, loaded.replaced)
     findings = []
     for check in CHECKS:
         for suspect in check(subject):

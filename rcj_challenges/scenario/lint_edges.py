@@ -2,47 +2,82 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator
+from collections.abc import Iterator
 from itertools import combinations, product
+from typing import Any, NamedTuple
 
 from rcj_challenges.scenario.errors import listing
+from rcj_challenges.scenario.lint_logic import Way, exclude, ways_to_hold, with_each
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lives_in
 from rcj_challenges.scenario.models.actions import Place, Remove, SetPhase
-from rcj_challenges.scenario.models.conditions import Condition, CounterIs, Drawn
+from rcj_challenges.scenario.models.conditions import InZone
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import DrawValue
 from rcj_challenges.scenario.models.triggers import Crosses, PhaseEntered, Trigger
 
 _NAMES = ("entity", "zone", "gate", "other", "robot")
+_WHERE = ("enters", "leaves")
+"""Edges that say where their entity is."""
+
+_Edge = tuple[Any, ...]
+"""A trigger's word, what else it says, and then pairs of what is named and its name."""
+
+
+class _Mover(NamedTuple):
+    """A rule that moves something on an edge.
+
+    Attributes:
+        rule: the rule.
+        each: for whom it fires, if the edge tells.
+    """
+
+    rule: Rule
+    each: str | None = None
 
 
 def check_edges(subject: Subject) -> Iterator[Suspect]:
     """Rules that fire at one moment and put one thing to two places: the one that fires last wins."""
-    by_edge: dict[Hashable, list[str]] = {}
     rules = subject.scenario.rules
     order = {name: (rule.priority, number) for number, (name, rule) in enumerate(rules.items())}
-    moves = {name: _moved(rule, subject) for name, rule in subject.standing()}
-    for name, moved in moves.items():
-        if not moved:
-            continue
-        for trigger in rules[name].triggers:
-            for edge in _edges(trigger, rules[name], subject):
-                by_edge.setdefault(edge, []).append(name)
     reported: set[tuple[str, str]] = set()
-    for edge, names in by_edge.items():
-        for pair in combinations(sorted(set(names), key=order.__getitem__), 2):
-            first, second = pair
-            both = moves[first] & moves[second]
-            if pair not in reported and both and _can_both_fire(rules[first], rules[second], subject):
-                reported.add(pair)
+    for edge, found in _movers(subject).items():
+        for first, second in combinations(sorted(found, key=order.__getitem__), 2):
+            one, other = found[first], found[second]
+            both = _moved(one, subject) & _moved(other, subject)
+            if (first, second) not in reported and both and _can_both_fire(one, other, edge, subject):
+                reported.add((first, second))
                 yield Suspect(
                     "two_rules_move_one_thing",
                     ("rules", second),
-                    f"it moves {listing(sorted(both))} on the same edge ({_word(edge)}) as rule '{first}'; of two "
+                    f"it moves {listing(sorted(both))} on the same edge ({edge[0]}) as rule '{first}'; of two "
                     "placements in one tick the later one wins",
-                    "give both the same exclusive:, or conditions of which only one can hold",
+                    _how_to_part(rules[first], rules[second], subject),
                     at_key=True,
                 )
+
+
+def _movers(subject: Subject) -> dict[_Edge, dict[str, _Mover]]:
+    """Return the rules that move something, by the edges on which they do."""
+    found: dict[_Edge, dict[str, _Mover]] = {}
+    for name, rule in subject.standing():
+        if not _moved(_Mover(rule), subject):
+            continue
+        for trigger in rule.triggers:
+            for edge in _edges(trigger, rule, subject):
+                each = dict(edge[2:]).get("entity") if getattr(trigger, "entity", None) == "each" else None
+                found.setdefault(edge, {}).setdefault(name, _Mover(rule, each))
+    return found
+
+
+def _how_to_part(first: Rule, second: Rule, subject: Subject) -> str:
+    if _share_exclusive(first, second, subject):
+        return "give both the same exclusive:, or conditions of which only one can hold"
+    if first.for_each is not None is not second.for_each:
+        return "give them conditions of which only one can hold; exclusive: counts per entity, and theirs differ"
+    return (
+        "give them conditions of which only one can hold, or a for_each to both (one entity will do), since exclusive: "
+        "counts per entity, and then the same exclusive:"
+    )
 
 
 def check_exclusive_groups(subject: Subject) -> Iterator[Suspect]:
@@ -60,7 +95,7 @@ def check_exclusive_groups(subject: Subject) -> Iterator[Suspect]:
                 ("rules", second, "exclusive"),
                 f"exclusive counts per entity: this rule {_for_whom(second, subject)}, rule '{first}' of the same "
                 f"group {_for_whom(first, subject)}, and neither ever stops the other",
-                "give both the same for_each, or neither, or conditions of which only one can hold",
+                "give both a for_each (one entity will do), or neither, or conditions of which only one can hold",
             )
 
 
@@ -91,12 +126,10 @@ def _for_whom(name: str, subject: Subject) -> str:
     return "has no for_each" if for_each is None else f"is for each of '{for_each}'"
 
 
-def _word(edge: Hashable) -> str:
-    return str(edge[0]) if isinstance(edge, tuple) else ""
-
-
-def _moved(rule: Rule, subject: Subject) -> frozenset[str]:
+def _moved(mover: _Mover, subject: Subject) -> frozenset[str]:
     """Return the entities that a rule may put elsewhere or take off."""
+    # Where it is known for whom the rule fires, `each` is that one and no other.
+    rule = mover.rule if mover.each is None else mover.rule.model_copy(update={"for_each": mover.each})
     moved: set[str] = set()
     for action in rule.actions:
         if isinstance(action, Place | Remove) and action.entity is not None:
@@ -115,7 +148,7 @@ def _layouts(layout: str | DrawValue, subject: Subject) -> tuple[str, ...]:
     return tuple(str(value) for value in draw.values) if draw is not None else ()
 
 
-def _edges(trigger: Trigger, rule: Rule, subject: Subject) -> Iterator[Hashable]:
+def _edges(trigger: Trigger, rule: Rule, subject: Subject) -> Iterator[_Edge]:
     """Yield the single edges that a trigger waits for, so that equal ones are equal."""
     data = {key: value for key, value in trigger if key != "trigger"}
     axes = [[(key, name) for name in sorted(subject.members(data.pop(key), rule))] for key in _NAMES if key in data]
@@ -135,37 +168,39 @@ def _edges(trigger: Trigger, rule: Rule, subject: Subject) -> Iterator[Hashable]
     yield from ((trigger.trigger, rest, *combination) for combination in product(*axes))
 
 
-def _can_both_fire(first: Rule, second: Rule, subject: Subject) -> bool:
+def _can_both_fire(one: _Mover, other: _Mover, edge: _Edge, subject: Subject) -> bool:
+    first, second = one.rule, other.rule
     if not any(lives_in(first, phase) and lives_in(second, phase) for phase in subject.reached):
         return False
     if first.exclusive is not None and first.exclusive == second.exclusive:
-        # Exclusive groups count per `for_each` entity.
-        return (first.for_each is None) != (second.for_each is None)
+        return not _share_exclusive(first, second, subject)
     if any(isinstance(action, SetPhase) and not lives_in(second, action.phase) for action in first.actions):
         return False  # the second is suppressed by the phase that the first one enters
-    return not any(_exclude(one, other) for one, other in product(first.conditions, second.conditions))
-
-
-def _exclude(one: Condition, other: Condition) -> bool:
-    """Return whether two conditions can never hold together."""
-    if type(one) is type(other) and one == other.model_copy(update={"negate": not other.negate}):
+    ways, other_ways = _ways(one, edge), _ways(other, edge)
+    if ways is None or other_ways is None:
         return True
-    if one.negate or other.negate:
+    return any(_can_hold(way, other_way, (first, second), subject) for way, other_way in product(ways, other_ways))
+
+
+def _share_exclusive(first: Rule, second: Rule, subject: Subject) -> bool:
+    """Return whether one exclusive group for both would help: it counts per ``for_each`` entity."""
+    if (first.for_each is None) != (second.for_each is None):
         return False
-    if isinstance(one, Drawn) and isinstance(other, Drawn):
-        return one.draw == other.draw and one.equals != other.equals
-    if isinstance(one, CounterIs) and isinstance(other, CounterIs):
-        (low, high), (lower, higher) = _range(one), _range(other)
-        return (one.counter, one.entity) == (other.counter, other.entity) and (high < lower or higher < low)
-    return False
+    return _meet(_owners(first, subject), _owners(second, subject))
 
 
-def _range(condition: CounterIs) -> tuple[float, float]:
-    """Return between which numbers a counter must be, as far as they stand in the file."""
-    low, high = condition.at_least, condition.at_most
-    if isinstance(condition.equals, int | float):
-        return condition.equals, condition.equals
-    return (
-        low if isinstance(low, int | float) else float("-inf"),
-        high if isinstance(high, int | float) else float("inf"),
-    )
+def _ways(mover: _Mover, edge: _Edge) -> list[Way] | None:
+    """Return the ways in which a rule's conditions can hold on an edge, with what the edge itself says."""
+    ways = ways_to_hold(mover.rule.conditions)
+    if ways is None:
+        return None
+    told: Way = ()
+    if edge[0] in _WHERE:
+        named = dict(edge[2:])
+        told = (InZone(condition="in_zone", entity=named["entity"], zone=named["zone"], negate=edge[0] == "leaves"),)
+    return [(*told, *(with_each(condition, mover.each) for condition in way)) for way in ways]
+
+
+def _can_hold(way: Way, other: Way, rules: tuple[Rule, Rule], subject: Subject) -> bool:
+    both = [*((condition, rules[0]) for condition in way), *((condition, rules[1]) for condition in other)]
+    return not any(exclude(a, b, (rule_a, rule_b), subject) for (a, rule_a), (b, rule_b) in combinations(both, 2))

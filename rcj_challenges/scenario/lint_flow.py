@@ -7,13 +7,10 @@ from collections.abc import Iterator, Mapping
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lives_in
 from rcj_challenges.scenario.models.actions import Emit, Score
-from rcj_challenges.scenario.models.conditions import AnyOf, Condition, InZone
 from rcj_challenges.scenario.models.scenario import Expectation, RankByScore, Rule
 from rcj_challenges.scenario.models.state import WordValue
 from rcj_challenges.scenario.models.triggers import (
-    Enters,
     HalfStarted,
-    Leaves,
     OnEvent,
     PhaseEntered,
     SequenceBroken,
@@ -173,45 +170,6 @@ def _names_each(rule: Rule) -> bool:
             if value == "each" or (isinstance(value, tuple) and "each" in value):
                 return True
     return False
-
-
-def check_contradictions(subject: Subject) -> Iterator[Suspect]:
-    """Triggers whose own edge denies a condition of their rule."""
-    for name, rule in subject.scenario.rules.items():
-        for index, trigger in enumerate(rule.triggers):
-            if isinstance(trigger, Enters | Leaves) and any(
-                _denies(trigger, condition, rule, subject) for condition in rule.conditions
-            ):
-                now = "in" if isinstance(trigger, Enters) else "outside"
-                yield Suspect(
-                    "rule_never_fires",
-                    ("rules", name, "triggers", index),
-                    f"when it fires the entity is {now} the zone already, and a condition asks for the opposite",
-                    "take the condition or the trigger out, or correct the zone",
-                )
-
-
-def _denies(trigger: Enters | Leaves, condition: Condition, rule: Rule, subject: Subject) -> bool:
-    """Return whether one entity that has just entered is asked to be outside, or one that left to be inside."""
-    if isinstance(condition, AnyOf):
-        if not condition.negate:
-            return all(_denies(trigger, one, rule, subject) for one in condition.conditions)
-        # None of them may hold: of each the opposite is asked.
-        opposites = [one.model_copy(update={"negate": not one.negate}) for one in condition.conditions]
-        return any(_denies(trigger, one, rule, subject) for one in opposites)
-    if not isinstance(condition, InZone) or not _is_same_one(trigger, condition, rule, subject):
-        return False
-    asked_inside = (condition.of == "none") == condition.negate
-    zones, asked = subject.members(trigger.zone, rule), subject.members(condition.zone, rule)
-    if isinstance(trigger, Enters):
-        return not asked_inside and zones <= asked
-    return asked_inside and asked <= zones
-
-
-def _is_same_one(trigger: Enters | Leaves, condition: InZone, rule: Rule, subject: Subject) -> bool:
-    found = subject.members(trigger.entity, rule)
-    alone = len(found) == 1 and found == subject.members(condition.entity, rule)
-    return alone or trigger.entity == condition.entity == "each"
 
 
 def check_scoring(subject: Subject) -> Iterator[Suspect]:

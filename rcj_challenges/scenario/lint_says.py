@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from rcj_challenges.scenario.errors import nearest
+from rcj_challenges.scenario.blanks import BLANKS, in_braces, points_of
+from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
 from rcj_challenges.scenario.models import triggers
-from rcj_challenges.scenario.models.conditions import AnyOf, Condition, Distance, InZone, LastTouch, Looks, Speed
+from rcj_challenges.scenario.models.conditions import AllOf, AnyOf, Condition, Distance, InZone, LastTouch, Looks, Speed
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import WordValue
 from rcj_challenges.scenario.models.triggers import Trigger
@@ -17,8 +17,6 @@ from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.visiting import visit
 from rcj_challenges.scenario.wording import quoted
 
-_BLANKS = ("entity", "team", "measured", "limit")
-"""What the referee fills in; anything else in braces stays as written."""
 _WORDS_FOR = {
     "each": "entity",
     "robot": "entity",
@@ -38,7 +36,6 @@ _NEEDS = {
     "limit": "limit",
 }
 """Words of payloads that are known in some rules only, and what of a rule they need."""
-_IN_BRACES = re.compile(r"\{([^{}]*)\}")
 
 _OF_SEQUENCES = (triggers.SequenceCompleted, triggers.SequenceBroken)
 _WITH_LIMIT = (
@@ -71,8 +68,9 @@ def check_sentences(subject: Subject) -> Iterator[Suspect]:
     """Blanks that no rule fills or that this rule never can; payload words that stay empty."""
     for name, rule in subject.scenario.rules.items():
         lacks = _lacks(rule, subject)
-        for blank in dict.fromkeys(_IN_BRACES.findall(rule.says)):
-            yield from _blank(blank, ("rules", name, "says"), lacks)
+        for blank in in_braces(rule.says):
+            if blank in BLANKS or blank not in subject.scenario.params:
+                yield from _blank(blank, ("rules", name, "says"), lacks, tuple(subject.scenario.params))
         for model, path in visit(rule, ("rules", name)):
             if isinstance(model, WordValue):
                 yield from _word(model, path, lacks)
@@ -108,20 +106,22 @@ _LACKS_OF_BROADCAST = {
 }
 
 
-def _blank(blank: str, path: Path, lacks: dict[str, _Lack]) -> Iterator[Suspect]:
+def _blank(blank: str, path: Path, lacks: dict[str, _Lack], params: tuple[str, ...]) -> Iterator[Suspect]:
     shown = quoted(f"{{{blank}}}")
-    if blank not in _BLANKS:
+    if blank not in BLANKS:
         word = blank.strip().casefold()
-        hint = nearest(_WORDS_FOR.get(word, word), _BLANKS)
+        hint = nearest(_WORDS_FOR.get(word, word), (*BLANKS, *params))
+        known = listing([f"{{{name}}}" for name in (*BLANKS, *params)], len(BLANKS) + 12)
         yield Suspect(
             "placeholder_unknown",
             path,
             f"{shown} is not filled in, it stays as written{hint}",
-            "what is filled in is {entity}, {team}, {measured} and {limit}",
+            f"what is filled in is {known}{'' if params else ', and params by their names'}",
         )
     elif blank in lacks:
         lack = lacks[blank]
-        yield Suspect("placeholder_never_filled", path, f"{shown} stays empty: {lack.reason}", lack.remedy)
+        empty = "is no single number" if blank == "points" else "stays empty"
+        yield Suspect("placeholder_never_filled", path, f"{shown} {empty}: {lack.reason}", lack.remedy)
 
 
 def _word(value: WordValue, path: Path, lacks: dict[str, _Lack]) -> Iterator[Suspect]:
@@ -157,6 +157,11 @@ def _lacks(rule: Rule, subject: Subject) -> dict[str, _Lack]:
         lacks["limit"] = _Lack("no trigger of this rule has a limit", _MEASURE)
         if not any(isinstance(trigger, _OF_SEQUENCES) for trigger in rule.triggers):
             lacks["measured"] = _Lack("no trigger of this rule measures anything", _MEASURE)
+    given = points_of(rule)
+    if not given:
+        lacks["points"] = _Lack("this rule gives no points", "add {action: score, …}, or leave it out")
+    elif len(given) > 1:
+        lacks["points"] = _Lack("this rule gives points more than once, and not as many", _WRITE_OUT)
     return lacks
 
 
@@ -189,7 +194,7 @@ def _held(condition: Condition, rule: Rule, subject: Subject) -> frozenset[str]:
 
 def _read(condition: Condition, rule: Rule, subject: Subject) -> list[str]:
     """Return the entities whose place a condition reads."""
-    if isinstance(condition, AnyOf):
+    if isinstance(condition, AnyOf | AllOf):
         return list(dict.fromkeys(name for one in condition.conditions for name in _read(one, rule, subject)))
     if not isinstance(condition, InZone | Speed | Distance | Looks | LastTouch):
         return []

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from rcj_challenges.scenario.blanks import BLANKS, in_braces
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, Use, on_field
 from rcj_challenges.scenario.models.actions import (
     Count,
@@ -59,6 +60,22 @@ def check_state(subject: Subject) -> Iterator[Suspect]:
                 )
 
 
+def check_draws(subject: Subject) -> Iterator[Suspect]:
+    """Draws without repetition that are drawn only once."""
+    scenario = subject.scenario
+    again = {model.draw for model, _ in subject.models if isinstance(model, DrawAction) and model.as_ is None}
+    for name, draw in scenario.draws.items():
+        # Otherwise each half draws, and a match may have several.
+        once = draw.not_again == "half" or draw.keep == "match" or scenario.match.halves == 1
+        if draw.not_again is not None and once and name not in again:
+            yield Suspect(
+                "draw_never_repeated",
+                ("draws", name, "not_again"),
+                f"it is drawn once in a {draw.not_again}: nothing can come again",
+                f"add {{action: draw, draw: {name}}} to a rule, or leave not_again out",
+            )
+
+
 _WRITING = {
     "counters": ("counted", "count, counter: {name}"),
     "flags": ("set", "set_flag, flag: {name}"),
@@ -89,7 +106,7 @@ def _how_to_read(noun: str, name: str) -> str:
     read = {
         "counter": f"read it in a condition, in points:, in broadcast: or in result:, or remove '{name}'",
         "flag": f"read it in {{condition: flag, flag: {name}}}, in points: or in mirror:, or remove it",
-        "timer": f"wait for {{trigger: timer_expired, timer: {name}}}, or remove it",
+        "timer": f"wait for {{trigger: timer_expired, timer: {name}}}, read it in a condition, or remove it",
         "draw": f"read it as {{draw: {name}}} or in {{condition: drawn}}, or remove it",
     }
     return read[noun]
@@ -98,8 +115,11 @@ def _how_to_read(noun: str, name: str) -> str:
 def check_params(subject: Subject) -> Iterator[Suspect]:
     """Params of the author's own file for which nothing stands. What a base brought is not the author's to tidy up."""
     used = set(_notes(subject.tree))
+    told = {name for rule in subject.scenario.rules.values() for name in in_braces(rule.says)} - set(BLANKS)
     for name in subject.scenario.params:
-        if f"param '{name}'" not in used and subject.tree.mark.file == file_of(subject.tree, "params", name):
+        if name in told or f"param '{name}'" in used:
+            continue
+        if subject.tree.mark.file == file_of(subject.tree, "params", name):
             yield Suspect(
                 "param_never_used",
                 ("params", name),

@@ -11,9 +11,10 @@ from rcj_challenges.scenario.errors import Problem
 from rcj_challenges.scenario.models.actions import SetPhase
 from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.models.state import DrawnDuration
 from rcj_challenges.scenario.references import REFERENCES, Field, Reference
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.tree import Entries, Mark, Path
+from rcj_challenges.scenario.tree import Entries, Leaf, Mark, Path
 from rcj_challenges.scenario.visiting import visit
 
 
@@ -54,6 +55,7 @@ class Subject:
         tree: the scenario as it was written.
         left_out: inherited tests that do not fit it, with what is wrong with each.
         removed: where entries of a base were removed.
+        replaced: what params that are set anew were in the base.
     """
 
     scenario: Scenario
@@ -61,6 +63,7 @@ class Subject:
     tree: Entries
     left_out: Mapping[str, Problem] = field(default_factory=dict)
     removed: Mapping[Path, Mark] = field(default_factory=dict)
+    replaced: Mapping[str, Leaf] = field(default_factory=dict)
     _uses: list[Use] = field(default_factory=list)
 
     @cached_property
@@ -127,6 +130,13 @@ class Subject:
 def lives_in(rule: Rule, phase: str) -> bool:
     """Return whether a rule lives in a phase."""
     return rule.phases == "any" or phase in rule.phases
+
+
+def lengths_s(lasts_s: float | DrawnDuration, scenario: Scenario) -> tuple[float, ...]:
+    """Return how long something may last, in s: one duration, or all that a draw may decide."""
+    if isinstance(lasts_s, DrawnDuration):
+        return tuple(float(value) for value in scenario.draws[lasts_s.draw].values)
+    return (lasts_s,)
 
 
 def _names(value: Any, reference: Reference) -> Iterator[str]:

@@ -26,7 +26,7 @@ _ENTITIES = ("robots", "balls", "obstacles")
 
 _BESIDE_OPENING_M = 0.01
 """How far a zone's side may be from the goal's: less than a ball's radius, so that it decides nothing."""
-_BEFORE_END_M = 0.05
+BEFORE_END_M = 0.05
 """How far before or behind the end of the field a goal's zone may begin; the preset's begins 5 mm before it."""
 _ROUNDING_M = 1e-9
 
@@ -183,7 +183,7 @@ def _before_end(goal: Goal, zone: RectZone, length_m: float) -> Iterator[str]:
     y_m, end_m = (zone.y_min_m, length_m / 2) if goal.end == "positive_y" else (zone.y_max_m, -length_m / 2)
     if y_m is None:
         yield f"the zone has no side towards the field, which ends at y {end_m:g}"
-    elif abs(y_m - end_m) > _BEFORE_END_M + _ROUNDING_M:
+    elif abs(y_m - end_m) > BEFORE_END_M + _ROUNDING_M:
         yield f"the zone begins at y {y_m:g}, the field ends at {end_m:g}"
 
 

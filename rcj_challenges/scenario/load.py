@@ -25,7 +25,7 @@ from rcj_challenges.scenario.own_devices import fill_in_devices
 from rcj_challenges.scenario.params import apply_overrides, resolve_params
 from rcj_challenges.scenario.resources import presets_folder
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.tree import RESOLVED, Entries, Mark, Step, plain
+from rcj_challenges.scenario.tree import RESOLVED, Entries, Leaf, Mark, Step, plain
 
 
 @dataclass(frozen=True)
@@ -43,6 +43,7 @@ class Loaded:
         bases: the files that it extends, the nearest first; presets are not among them.
         left_out: inherited tests that do not fit this scenario, by name, with what is wrong with each.
         removed: where entries of a base were removed, for lint.
+        replaced: what params that are set anew were in the base, for lint.
     """
 
     scenario: Scenario
@@ -54,6 +55,7 @@ class Loaded:
     bases: tuple[Path, ...] = field(default=(), repr=False, compare=False)
     left_out: Mapping[str, Problem] = field(default_factory=dict, repr=False, compare=False)
     removed: Mapping[tuple[Step, ...], Mark] = field(default_factory=dict, repr=False, compare=False)
+    replaced: Mapping[str, Leaf] = field(default_factory=dict, repr=False, compare=False)
 
 
 def load(source: str | Path, overrides: Sequence[str] = ()) -> Loaded:
@@ -112,7 +114,8 @@ def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None
     resolve_params(tree, merger)
     fill_in_devices(tree)
     scenario, left_out = _checked_but_inherited_tests(tree, merger, {part.shown for part in chain[:-1]})
-    return Loaded(scenario, Roster.of(scenario), name, path, _dumped(scenario), tree, bases, left_out, merger.removed)
+    changes = merger.removed, merger.replaced
+    return Loaded(scenario, Roster.of(scenario), name, path, _dumped(scenario), tree, bases, left_out, *changes)
 
 
 def _checked_but_inherited_tests(tree: Entries, merger: Merger, bases: set[str]) -> tuple[Scenario, dict[str, Problem]]:

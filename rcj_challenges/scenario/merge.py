@@ -23,10 +23,12 @@ class Merger:
     Attributes:
         problems: what was found.
         removed: where each entry was removed, by section and name path.
+        replaced: the value that a param had in the base, by its name.
     """
 
     problems: list[Problem] = field(default_factory=list)
     removed: dict[Path, Mark] = field(default_factory=dict)
+    replaced: dict[str, Leaf] = field(default_factory=dict)
 
     def merge(self, base: Entries, over: Entries, shape: Shape, path: Path = ()) -> Entries:
         """Merge ``over`` into ``base`` (which changes) and return it."""
@@ -49,6 +51,8 @@ class Merger:
             # The base does not say yet which member of a union this is; the file itself may.
             inner = step_into(shape, Entries({key: node}, key_mark), key)
         before = base.entries.get(key)
+        if path == ("params",) and isinstance(before, Leaf):
+            self.replaced[key] = before
         if isinstance(before, Entries) and isinstance(node, Entries) and self._same_kind(before, node, inner):
             base.put(key, self.merge(before, node, inner, here), key_mark)
         else:

@@ -13,6 +13,7 @@ from rcj_challenges.scenario.models.conditions import (
     CounterIs,
     Distance,
     FlagIs,
+    HalfIs,
     InZone,
     Looks,
     Speed,
@@ -43,8 +44,7 @@ def check_sense(scenario: Scenario, *, half_is_set: bool) -> Iterator[Found]:
         yield from _comparison(model, path)
         yield from _quantifier(model, path, roster)
         yield from _times(model, path, scenario, half_is_set=half_is_set)
-        if isinstance(model, Draw) and model.not_last and len(set(map(repr, model.values))) < 2:
-            yield Found((*path, "not_last"), "one value alone cannot be drawn twice running; give two different ones")
+        yield from _draw(model, path)
         if isinstance(model, LidarDevice) and model.min_range_m >= model.max_range_m:
             yield Found((*path, "min_range_m"), "must be less than max_range_m")
     yield from _robots(scenario, roster)
@@ -52,6 +52,15 @@ def check_sense(scenario: Scenario, *, half_is_set: bool) -> Iterator[Found]:
 
 
 # --- rules ------------------------------------------------------------------------------------------------------------
+
+
+def _draw(model: Strict, path: Path) -> Iterator[Found]:
+    if not isinstance(model, Draw) or len(set(map(repr, model.values))) > 1:
+        return
+    if model.not_last:
+        yield Found((*path, "not_last"), "one value alone cannot be drawn twice running; give two different ones")
+    if model.not_again is not None:
+        yield Found((*path, "not_again"), "one value alone comes again every time; give two different ones")
 
 
 def _place(model: Strict, path: Path) -> Iterator[Found]:
@@ -78,7 +87,7 @@ def _place(model: Strict, path: Path) -> Iterator[Found]:
 
 
 def _comparison(model: Strict, path: Path) -> Iterator[Found]:
-    if not isinstance(model, Speed | Distance | CounterIs | TimerIs):
+    if not isinstance(model, Speed | Distance | CounterIs | TimerIs | HalfIs):
         return
     least, most, equals = model.at_least, model.at_most, model.equals
     if least is None and most is None and equals is None:

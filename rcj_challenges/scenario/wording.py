@@ -40,7 +40,7 @@ def expected(shape: Shape, node: Node | None) -> str:
 
 def _hint(shape: Shape, text: str) -> str:
     """Return a hint for the usual ways to write a value that YAML takes for a text."""
-    kinds = [bare(member).kind for member in members(shape)]
+    kinds = [bare(inner).kind for member in members(shape) for inner in members(member)]
     if without_none(shape) == At:
         return f"; a spot is written {{spot: {text}}}" if text.isidentifier() else ""
     if bool in kinds and text.lower() in _YES | _NO:

@@ -24,7 +24,7 @@ def clock(seconds: float) -> str:
 
 def event_line(event: Event) -> str:
     """Return one line for an event: match time, name, payload."""
-    told = ", ".join(f"{key} {plain(value)}" for key, value in event.payload.items())
+    told = ", ".join(f"{key} {'none' if value is None else plain(value)}" for key, value in event.payload.items())
     return f"{clock(s_from_ticks(event.tick)):>7}  {event.name}" + (f"  {told}" if told else "")
 
 

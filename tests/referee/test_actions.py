@@ -280,6 +280,77 @@ class TestActionDraw:
         assert all(one != other for one, other in pairwise(values))
         assert set(values) == {"a", "b", "c"}
 
+    def drawn_one_after_the_other(self, stage, draw, more, **facts):
+        """Return the value at the start and those of so many draws, and the referee."""
+        play = stage(
+            f"draws: {{gate: {draw}}}",
+            "rules: {again: {triggers: [{trigger: program_fault}], actions: [{action: draw, draw: gate}]}}",
+            **facts,
+        )
+        values = [play.referee.draws["gate"]]
+        for _ in range(more):
+            play.fail("B1")
+            play.play()
+            values.append(play.referee.draws["gate"])
+        return values, play.referee
+
+    @pytest.mark.parametrize("seed", range(1, 11))
+    def test_without_repetition_all_come_once_in_a_drawn_order_before_any_comes_again(self, stage, seed):
+        draw = "{values: [a, b, c, d], not_again: half}"
+        values, _ = self.drawn_one_after_the_other(stage, draw, 11, seed=seed)
+        assert [sorted(values[first : first + 4]) for first in (0, 4, 8)] == [["a", "b", "c", "d"]] * 3
+        assert values == self.drawn_one_after_the_other(stage, draw, 11, seed=seed)[0]
+
+    def test_the_order_differs_from_seed_to_seed_and_from_round_to_round(self, stage):
+        draw = "{values: [a, b, c, d], not_again: half}"
+        orders = [self.drawn_one_after_the_other(stage, draw, 7, seed=seed)[0] for seed in range(1, 11)]
+        assert len({tuple(order[:4]) for order in orders}) > 5
+        assert any(order[:4] != order[4:] for order in orders)
+
+    @pytest.mark.parametrize("seed", range(1, 11))
+    def test_without_repetition_and_never_twice_running_a_round_begins_with_another_than_the_last(self, stage, seed):
+        draw = "{values: [a, b, c], not_again: half, not_last: true}"
+        values, _ = self.drawn_one_after_the_other(stage, draw, 14, seed=seed)
+        assert all(one != other for one, other in pairwise(values))
+        assert [sorted(values[first : first + 3]) for first in range(0, 15, 3)] == [["a", "b", "c"]] * 5
+
+    def test_a_value_written_twice_comes_twice_in_a_round(self, stage):
+        values, _ = self.drawn_one_after_the_other(stage, "{values: [a, a, b], not_again: half}", 5)
+        assert [sorted(values[:3]), sorted(values[3:])] == [["a", "a", "b"]] * 2
+
+    def test_what_a_test_decides_or_a_rule_sets_has_been_drawn(self, stage):
+        values, _ = self.drawn_one_after_the_other(stage, "{values: [a, b], not_again: half}", 2, draws={"gate": "b"})
+        assert values[:2] == ["b", "a"]
+        play = stage(
+            "draws: {gate: {values: [a, b, c], not_again: half}}",
+            at_tick_10("{action: draw, draw: gate, as: b}", "{action: draw, draw: gate}"),
+            draws={"gate": "a"},
+        )
+        assert acted(play).referee.draws == {"gate": "c"}
+
+    @pytest.mark.parametrize("seed", range(1, 11))
+    def test_without_repetition_in_the_match_the_next_half_draws_from_what_is_left(self, stage, seed):
+        first, referee = self.drawn_one_after_the_other(stage, "{values: [a, b, c], not_again: match}", 1, seed=seed)
+        second, _ = self.drawn_one_after_the_other(
+            stage, "{values: [a, b, c], not_again: match}", 0, seed=seed, half=2, kept=referee.kept
+        )
+        assert sorted(first + second) == ["a", "b", "c"]
+
+    def test_without_repetition_in_the_half_the_next_half_begins_anew(self, stage):
+        _, referee = self.drawn_one_after_the_other(stage, "{values: [a, b], not_again: half}", 0)
+        assert "undrawn" not in referee.kept
+        values, _ = self.drawn_one_after_the_other(
+            stage, "{values: [a, b], not_again: half}", 1, half=2, kept=referee.kept
+        )
+        assert sorted(values) == ["a", "b"]
+
+    @pytest.mark.parametrize("reach", ["half", "match"])
+    def test_a_value_that_lives_on_in_the_next_half_has_been_drawn_there(self, stage, reach):
+        draw = f"{{values: [a, a, b], not_again: {reach}, keep: match}}"
+        first, referee = self.drawn_one_after_the_other(stage, draw, 0, draws={"gate": "a"})
+        second, _ = self.drawn_one_after_the_other(stage, draw, 2, half=2, kept=referee.kept)
+        assert (first, sorted(second)) == (["a"], ["a", "a", "b"])
+
     def test_it_can_set_a_value(self, stage):
         play = stage(
             "draws: {side: {values: [a, b, c]}}", at_tick_10("{action: draw, draw: side, as: c}"), draws={"side": "a"}
@@ -479,3 +550,16 @@ class TestActionEnd:
         play = stage(at_tick_10("{action: end, what: match}"))
         verdict = play.play(10)
         assert (verdict.ended, verdict.ends_match) == ("act", True)
+
+    def test_it_can_end_the_match_when_the_half_is_over(self, stage):
+        over = "rules: {over: {triggers: [{trigger: half_ended}], actions: [{action: end, what: match}]}}"
+        play = stage("match: {half_s: 0.32}", over)
+        assert (play.play(10).ended, play.verdict.ends_match) == (None, False)
+        verdict = play.finish()
+        assert (verdict.ended, verdict.ends_match) == ("over", True)
+
+    def test_the_reason_of_the_rule_that_ends_the_match_goes_before_that_of_one_that_ends_the_half(self, stage):
+        play = stage(at_tick_10("{action: end, reason: half}", "{action: end, what: match, reason: match}"))
+        assert play.play(10).ended == "match"
+        play = stage(at_tick_10("{action: end, what: match, reason: match}", "{action: end, reason: half}"))
+        assert play.play(10).ended == "match"

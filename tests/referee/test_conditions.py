@@ -321,3 +321,32 @@ class TestConditionSequenceAt:
         assert ask(play)  # left, but nothing else reached
         play.place("ball", 0.0, 0.0)
         assert not ask(play)
+
+
+class TestConditionHalf:
+    @pytest.mark.parametrize(
+        ("asked", "answers"),
+        [
+            ("equals: 2", [False, True, False]),
+            ("at_least: 2", [False, True, True]),
+            ("at_most: 2", [True, True, False]),
+            ("at_least: 2, at_most: 2", [False, True, False]),
+            ("equals: 2, negate: true", [True, False, True]),
+        ],
+    )
+    def test_the_number_of_the_half_is_compared(self, stage, ask, asked, answers):
+        halves = (
+            stage("match: {halves: 3, half_s: 60}", ASKING % f"{{condition: half, {asked}}}", half=half)
+            for half in (1, 2, 3)
+        )
+        assert [ask(play) for play in halves] == answers
+
+    def test_a_rule_of_the_second_half_can_begin_with_it(self, stage):
+        rule = """
+            rules:
+              bonus:
+                triggers: [{trigger: half_started}]
+                conditions: [{condition: half, equals: 2}]
+                actions: [{action: score, entrant: blue}]
+        """
+        assert [stage(rule, half=half).referee.scores["blue"] for half in (1, 2)] == [0, 1]

@@ -153,3 +153,65 @@ class TestConditionAnyOf:
         """)
         play.play_until(12)
         assert [event.payload for event in play.events] == [{"who": "Y1"}]
+
+
+class TestConditionAllOf:
+    TWO = TestConditionAnyOf.TWO.replace("any_of", "all_of")
+
+    @pytest.mark.parametrize(
+        ("ball", "robot", "holds"), [(0.0, -0.4, False), (-0.3, -0.4, False), (0.0, 0.4, False), (-0.3, 0.4, True)]
+    )
+    def test_all_of_them_must_hold(self, stage, ask, ball, robot, holds):
+        for negated in (False, True):
+            play = stage(ASKING % (self.TWO % ("negate: true," if negated else "")))
+            play.place("ball", ball, 0.0)
+            play.place("Y1", robot, -0.4)
+            assert ask(play) is (holds is not negated)
+
+    @pytest.mark.parametrize(("ball", "robot", "other"), [(b, y, o) for b in (0, 1) for y in (0, 1) for o in (0, 1)])
+    def test_it_can_be_one_of_several_and_several_can_be_one_of_it(self, stage, ask, ball, robot, other):
+        last = "{condition: in_zone, entity: B2, zone: right}"
+        either = f"{{condition: any_of, conditions: [{self.TWO % ''}, {last}]}}"
+        both = f"{{condition: all_of, conditions: [{TestConditionAnyOf.TWO % ''}, {last}]}}"
+        for condition, holds in ((either, (ball and robot) or other), (both, (ball or robot) and other)):
+            play = stage(ASKING % condition)
+            play.place("ball", -0.3 * ball, 0.0)
+            play.place("Y1", 0.4 if robot else -0.4, -0.4)
+            play.place("B2", 0.4 if other else -0.4, 0.4)
+            assert ask(play) is bool(holds)
+
+    def test_held_for_a_time_all_of_them_must_have_held_all_the_time(self, stage):
+        play = stage(f"""
+        rules:
+          both:
+            triggers: [{{trigger: holds, for_s: 0.32, condition: {self.TWO % ""}}}]
+            actions: [{{action: emit, event: BOTH}}]
+        """)
+        play.place("ball", -0.3, 0.0)
+        play.play_until(8)
+        play.place("Y1", 0.4, -0.4)
+        play.play_until(16)
+        play.place("ball", 0.0, 0.0)
+        play.play()
+        play.place("ball", -0.3, 0.0)
+        play.play_until(27)
+        assert play.events == []
+        play.play_until(30)
+        assert [event.name for event in play.events] == ["BOTH"]
+
+    def test_held_for_a_time_it_is_about_the_one_that_all_of_them_ask_for(self, stage):
+        play = stage("""
+        rules:
+          aside:
+            triggers:
+              - trigger: holds
+                for_s: 0.32
+                condition:
+                  condition: all_of
+                  conditions:
+                    - {condition: in_zone, entity: Y1, zone: left}
+                    - {condition: speed, entity: Y1, at_most: 0.1}
+            actions: [{action: emit, event: ASIDE, payload: {who: {word: robot_name}}}]
+        """)
+        play.play_until(12)
+        assert [event.payload for event in play.events] == [{"who": "Y1"}]

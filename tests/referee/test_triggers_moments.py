@@ -64,6 +64,30 @@ class TestTriggerPhaseEntered:
         play.play(40)
         assert told(play) == []
 
+    def test_how_long_a_phase_lasts_may_be_drawn_and_counts_as_drawn_when_it_is_entered(self, stage):
+        play = stage(
+            "draws: {long: {values: [0.32, 0.64]}}",
+            "phases: {pause: {lasts_s: {draw: long}}}\nfirst_phase: pause",
+            """
+            rules:
+              drawn_too_late:
+                phases: any
+                triggers: [{trigger: half_started}]
+                actions: [{action: draw, draw: long, as: 0.64}]
+              once_more:
+                triggers: [{trigger: phase_entered, phase: play, from: pause}]
+                actions: [{action: set_phase, phase: pause}]
+                max_executions: 1
+              over:
+                triggers: [{trigger: phase_entered, phase: play}]
+                actions: [{action: emit, event: OVER}]
+            """,
+            draws={"long": 0.32},
+        )
+        play.play(60)
+        # 10 ticks as drawn before the half, then 20 ticks.
+        assert [event.tick for event in play.events_named("OVER")] == [30]
+
     def test_the_first_phase_of_a_half_is_not_entered(self, stage):
         play = stage(emitting("{trigger: phase_entered, phase: play}"))
         play.play(5)
@@ -99,6 +123,43 @@ class TestTriggerTimerExpired:
         play = stage("timers: {egg: {lasts_s: 0.32, starts: true}}", emitting("{trigger: timer_expired, timer: egg}"))
         play.play(60)
         assert told(play) == [10]
+
+    @pytest.mark.parametrize(("drawn", "tick"), [(0.32, 10), (0.64, 20)])
+    def test_its_length_may_be_drawn(self, stage, drawn, tick):
+        play = stage(
+            "draws: {long: {values: [0.32, 0.64]}}",
+            "timers: {clock: {lasts_s: {draw: long}, starts: true}}",
+            "rules: {over: {triggers: [{trigger: timer_expired, timer: clock}], "
+            "actions: [{action: emit, event: OVER, payload: {after: {word: measured}}}]}}",
+            draws={"long": drawn},
+        )
+        play.play(40)
+        assert [(event.tick, event.payload) for event in play.events] == [(tick, {"after": drawn})]
+
+    @pytest.mark.parametrize("do", ["restart", "start"])
+    def test_a_drawn_length_counts_as_it_is_drawn_when_the_timer_starts_from_0(self, stage, do):
+        play = stage(
+            "draws: {long: {values: [0.32, 0.64, 0.96]}}",
+            "timers: {clock: {lasts_s: {draw: long}}}",
+            f"""
+            rules:
+              begun:
+                triggers: [{{trigger: time_reached, at_s: 0.32}}]
+                actions: [{{action: draw, draw: long, as: 0.64}}, {{action: timer, timer: clock, do: {do}}}]
+              drawn_while_it_runs:
+                triggers: [{{trigger: time_reached, at_s: 0.48}}]
+                actions:
+                  - {{action: draw, draw: long, as: 0.96}}
+                  - {{action: timer, timer: clock, do: stop}}
+                  - {{action: timer, timer: clock, do: start}}
+              over:
+                triggers: [{{trigger: timer_expired, timer: clock}}]
+                actions: [{{action: emit, event: OVER}}]
+            """,
+            draws={"long": 0.32},
+        )
+        play.play(60)
+        assert [event.tick for event in play.events] == [30]
 
     def test_of_a_timer_per_entity_that_of_each_counts(self, stage):
         play = stage("""

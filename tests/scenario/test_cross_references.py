@@ -95,6 +95,11 @@ GOOD = [
     (action, "count, counter: goals, by: {flag: seen, entity: crate}", ""),
     (action, "score, entrant: yellow, points: {flag: seen, entity: each}", "movers"),
     (action, "score, entrant: yellow, points: [{word: time_left_s, weight: 2}]", ""),
+    (action, "score, entrant: yellow, points: {distance: [ball, centre]}", ""),
+    (action, "score, entrant: yellow, points: [5, {distance: [each, [0, 0]], weight: -1}, {distance: [robots, second]}]", "movers"),
+    (action, "score, entrant: yellow, points: [{timer: clock, weight: -1}, {timer: own, entity: each}]", "robots"),
+    (action, "count, counter: goals, to: {timer: own}", ""),
+    (action, "emit, event: E, payload: {a: {last_touch: each}, b: {timer: own, entity: B1}, c: {distance: [each, blue]}}", "movers"),
     (action, "score, entrant: yellow, points: {draw: number}", ""),
     (action, "count, counter: goals, to: {draw: number}", ""),
     (action, "score, entrant: yellow, points: [{draw: number, weight: 2}, {word: score, of: blue}]", ""),
@@ -226,6 +231,21 @@ def test_a_draw_that_gives_points_draws_numbers_only(text):
         f"draws.mixed.values[2]: expected a number, found 'three' (needed by rules.r.actions[0] ({word}))",
         f"draws.mixed.values[3]: expected a number, found true (needed by rules.r.actions[0] ({word}))",
     ]
+
+
+@pytest.mark.parametrize(("section", "user"), [("timers: {wait: {lasts_s: {draw: long}}}", "timers.wait.lasts_s"),
+                                               ("phases: {wait: {lasts_s: {draw: long}}}", "phases.wait.lasts_s")])  # fmt: skip
+def test_a_draw_that_says_how_long_something_lasts_draws_durations_only(section, user):
+    draw = "draws: {long: {values: [5, 0.032, short, true, 0, 0.03, 86401]}}\n"
+    found = complaints(f"{draw}{section}\n")
+    assert found == [
+        f"draws.long.values[2]: expected a number, found 'short' (needed by {user})",
+        f"draws.long.values[3]: expected a number, found true (needed by {user})",
+        f"draws.long.values[4]: a duration must be at least one tick (0.032 s), found 0 (needed by {user})",
+        f"draws.long.values[5]: a duration must be at least one tick (0.032 s), found 0.03 (needed by {user})",
+        f"draws.long.values[6]: must be at most 86400, found 86401 (needed by {user})",
+    ]
+    assert complaints(f"{section}\n") == [f"{user}.draw: unknown draw 'long'; this scenario has no draw"]
 
 
 SECTIONS = [

@@ -3,11 +3,20 @@ import signal
 import pytest
 
 from rcj_challenges.scenario.dump import dumped
-from rcj_challenges.scenario.load import load
+from rcj_challenges.scenario.load import load, load_text
 
 
 def test_a_scenario_survives_being_written_and_read():
     scenario = load("match").scenario
+    assert type(scenario).model_validate(dumped(scenario)) == scenario
+
+
+def test_a_draw_that_repeats_is_written_as_before_there_were_others():
+    draws = "draws: {plain: {values: [1, 2]}, once: {values: [1, 2], not_again: half}}"
+    scenario = load_text(f"schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\n{draws}\n").scenario
+    written = dumped(scenario)["draws"]
+    assert written["plain"] == {"values": [1, 2], "not_last": False, "keep": "half"}
+    assert written["once"]["not_again"] == "half"
     assert type(scenario).model_validate(dumped(scenario)) == scenario
 
 

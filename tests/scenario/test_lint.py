@@ -26,15 +26,16 @@ GOAL = """  goal:
 """
 
 
-def found_in(*sections: str, rules: str = "") -> list[Finding]:
+def found_in(*sections: str, rules: str = "", halves: int | None = None) -> list[Finding]:
     """Return what lint finds in a sound scenario with more sections and rules."""
-    text = SOUND + "".join(f"{section}\n" for section in sections) + "rules:\n" + GOAL + rules
+    sound = SOUND if halves is None else SOUND.replace("half_s: 60", f"half_s: 60, halves: {halves}")
+    text = sound + "".join(f"{section}\n" for section in sections) + "rules:\n" + GOAL + rules
     return lint(load_text(text, file="it.yaml"))
 
 
-def kinds(*sections: str, rules: str = "") -> list[str]:
+def kinds(*sections: str, rules: str = "", halves: int | None = None) -> list[str]:
     """Return the kinds of what lint finds."""
-    return [finding.kind for finding in found_in(*sections, rules=rules)]
+    return [finding.kind for finding in found_in(*sections, rules=rules, halves=halves)]
 
 
 def rule(name: str, trigger: str, actions: str = "{action: emit, event: TOLD}", more: str = "") -> str:
@@ -113,7 +114,7 @@ class TestPhases:
     def test_a_phase_may_never_be_entered_from_where_a_rule_expects_it(self):
         enter = rule("rest", "{trigger: time_reached, at_s: 1}", "{action: set_phase, phase: one}")
         back = rule("back", "{trigger: phase_entered, phase: play, from: two}")
-        other = rule("more", "{trigger: time_reached, at_s: 2}", "{action: set_phase, phase: two}")
+        other = rule("more", "{trigger: time_reached, at_s: 3}", "{action: set_phase, phase: two}")
         phases = "phases: {one: {lasts_s: 1}, two: {}}"
         assert kinds(phases, rules=enter + back + other) == ["phase_never_entered"]
         assert kinds(phases, rules=enter + back.replace("two", "one") + other) == []
@@ -342,6 +343,62 @@ class TestTimes:
             "a", "{trigger: time_reached, at_s: 1}", "{action: remove, entity: Y1, for_s: 61}", ", cooldown_s: 61"
         )
         assert kinds(rules=off) == ["limit_longer_than_the_half"] * 2
+
+    @pytest.mark.parametrize(
+        "section", ["timers: {t: {lasts_s: {draw: d}, starts: true}}", "phases: {t: {lasts_s: {draw: d}}}"]
+    )
+    def test_of_a_drawn_duration_the_longest_counts(self, section):
+        more = rule("a", "{trigger: timer_expired, timer: t}")
+        if section.startswith("phases"):
+            more = rule("a", "{trigger: time_reached, at_s: 1}", "{action: set_phase, phase: t}")
+        (found,) = found_in("draws: {d: {values: [5, 61]}}", section, rules=more)
+        assert found.kind == "limit_longer_than_the_half"
+        assert "61 s is not over before the half is, after 60 s: " in str(found)
+        assert " when that is drawn; shorten it" in str(found)
+        assert kinds("draws: {d: {values: [5, 60]}}", section, rules=more) == []
+
+    @pytest.mark.parametrize(
+        ("asked", "told"), [("equals: 3", "never"), ("at_least: 3", "never"), ("equals: 3, negate: true", "always")]
+    )
+    def test_a_half_that_is_not_played(self, asked, told):
+        late = rule("a", "{trigger: half_started}", more=f", conditions: [{{condition: half, {asked}}}]")
+        (found,) = found_in(rules=late, halves=2)
+        assert found.kind == "half_never_played"
+        assert f"only 2 halves are played: the condition {told} holds; correct" in str(found)
+        assert kinds(rules=late, halves=3) == []
+
+    def test_two_rules_for_different_halves_never_fire_together(self):
+        put = "{action: place, entity: ball, at: start}"
+        first, later, second = (
+            rule(name, "{trigger: time_reached, at_s: 1}", put, f", conditions: [{{condition: half, {asked}}}]")
+            for name, asked in (("a", "equals: 1"), ("b", "at_least: 2"), ("c", "equals: 2"))
+        )
+        assert kinds(rules=first + later, halves=2) == kinds(rules=first + second, halves=2) == []
+        assert kinds(rules=later + second, halves=2) == ["two_rules_move_one_thing"]
+
+
+class TestDraws:
+    READ = rule("a", "{trigger: time_reached, at_s: 1}", more=", conditions: [{condition: drawn, draw: d, equals: 1}]")
+    AGAIN = rule("b", "{trigger: time_reached, at_s: 2}", "{action: draw, draw: d}")
+
+    @pytest.mark.parametrize(
+        ("draw", "halves", "warned"),
+        [
+            ("not_again: half", 2, True),
+            ("not_again: match", 1, True),
+            ("not_again: match, keep: match", 2, True),
+            ("not_again: match", 2, False),
+        ],
+    )
+    def test_a_draw_without_repetition_that_is_drawn_only_once(self, draw, halves, warned):
+        section = f"draws: {{d: {{values: [1, 2], {draw}}}}}"
+        assert kinds(section, rules=self.READ, halves=halves) == ["draw_never_repeated"] * warned
+        assert kinds(section, rules=self.READ + self.AGAIN, halves=halves) == []
+
+    def test_a_draw_is_read_by_what_lasts_as_long_as_it_decides(self):
+        expired = rule("a", "{trigger: timer_expired, timer: t}")
+        timer = "timers: {t: {lasts_s: {draw: d}, starts: true}}"
+        assert kinds("draws: {d: {values: [1, 2]}}", timer, rules=expired) == []
 
 
 class TestGround:

@@ -1,4 +1,4 @@
-"""Lint of conditions that a trigger denies, also within any_of, and of sequences whose steps decide nothing."""
+"""Lint of conditions that a trigger denies, also within any_of and all_of, and of sequences whose steps decide nothing."""
 
 import pytest
 
@@ -31,6 +31,11 @@ def never_fires(condition):
         (f"{{condition: any_of, conditions: [{IN}]}}", False),
         (f"{{condition: any_of, negate: true, conditions: [{IN}, {Y1_OUT}]}}", True),
         (f"{{condition: any_of, negate: true, conditions: [{OUT}]}}", False),
+        (f"{{condition: all_of, conditions: [{OUT}, {Y1_OUT}]}}", True),
+        (f"{{condition: all_of, conditions: [{IN}, {Y1_OUT}]}}", False),
+        (f"{{condition: all_of, negate: true, conditions: [{IN}, {IN}]}}", True),
+        (f"{{condition: all_of, negate: true, conditions: [{IN}, {Y1_OUT}]}}", False),
+        (f"{{condition: any_of, conditions: [{OUT}, {{condition: all_of, conditions: [{OUT}, {IN}]}}]}}", True),
     ],
 )
 def test_a_rule_whose_trigger_denies_all_of_several_conditions_never_fires(condition, denied):

@@ -40,6 +40,7 @@ KINDS = {"placeholder_unknown", "placeholder_never_filled", "word_never_filled"}
 
 ENTERS = "{trigger: enters, entity: %s, zone: a}"
 IN_A = "{condition: in_zone, entity: %s, zone: a}"
+NOT_IN_A = "{condition: any_of, negate: true, conditions: [{condition: in_zone, entity: %s, zone: a}]}"
 HOLDS = "{trigger: holds, condition: {condition: %s}, for_s: 1}"
 FOR_EACH = "    for_each: robots\n"
 
@@ -62,6 +63,8 @@ ABOUT = [
     (HOLDS % "looks, entity: Y1, towards: ball, within_rad: 3.1", False),
     (HOLDS % f"any_of, conditions: [{IN_A % 'Y1'}, {IN_A % 'Y1'}]", True),
     (HOLDS % f"any_of, conditions: [{IN_A % 'Y1'}, {IN_A % 'Y2'}]", False),
+    (HOLDS % f"all_of, conditions: [{IN_A % 'Y1'}, {IN_A % 'Y1'}]", True),
+    (HOLDS % f"all_of, conditions: [{IN_A % 'Y1'}, {NOT_IN_A % 'Y2'}]", False),
     (HOLDS % "counter, counter: n, at_most: 1", False),
     ("{trigger: half_started}", False),
     ("{trigger: half_ended}", False),
@@ -91,7 +94,8 @@ class TestUnknownBlanks:
         (finding,) = told(ENTERS % "Y1", "{entty} is there")
         assert str(finding) == (
             "it.yaml:17:11: warning: rules.r.says: '{entty}' is not filled in, it stays as written; did you mean 'entity'? "
-            "what is filled in is {entity}, {team}, {measured} and {limit} [placeholder_unknown]"
+            "what is filled in is {entity}, {team}, {measured}, {limit}, {points}, and params by their names "
+            "[placeholder_unknown]"
         )
 
     @pytest.mark.parametrize(
@@ -105,6 +109,13 @@ class TestUnknownBlanks:
         (finding,) = told(ENTERS % "Y1", f"{{{blank}}} is there")
         assert finding.kind == "placeholder_unknown"
         assert finding.problem.message.endswith(f"did you mean '{meant}'?" if meant else "stays as written")
+
+    def test_params_are_filled_in_by_their_names_and_named_among_what_is(self):
+        params = "params: {goal_points: 3, reach_m: 0.2}\n"
+        assert told(ENTERS % "Y1", "{goal_points} points", more=params) == []
+        (finding,) = told(ENTERS % "Y1", "{goal_point} points", more=params)
+        assert finding.problem.message.endswith("did you mean 'goal_points'?")
+        assert finding.remedy.endswith("{limit}, {points}, {goal_points}, {reach_m}")
 
     def test_each_is_told_once(self):
         assert len(told(ENTERS % "Y1", "{foo} {bar} {foo}")) == 2
@@ -213,3 +224,30 @@ def test_the_table_of_measures_names_each_trigger_that_measures_and_no_other():
         for word in re.findall(r"trigger: (\w+)", trigger)
     }
     assert known == measures
+
+
+class TestPoints:
+    def found(self, *points: str) -> list[str]:
+        actions = ", ".join(f"{{action: score, entrant: yellow, points: {number}}}" for number in points)
+        rule = (
+            f"triggers: [{{trigger: half_started}}], actions: [{actions or '{action: end}'}], says: '{{points}} points'"
+        )
+        found = lint(load_text(BODY + f"rules: {{r: {{{rule}}}}}\n"))
+        return [finding.problem.message for finding in found if finding.kind in KINDS]
+
+    def test_a_rule_that_gives_points_can_say_how_many(self):
+        assert self.found("3") == []
+        assert self.found("2", "2") == []
+        assert self.found("{counter: n}") == []
+
+    def test_one_that_gives_none_or_not_one_number_cannot(self):
+        assert self.found() == ["'{points}' is no single number: this rule gives no points"]
+        several = "'{points}' is no single number: this rule gives points more than once, and not as many"
+        assert self.found("3", "1") == self.found("3", "{counter: n}") == [several]
+
+    def test_a_param_that_only_a_sentence_names_is_used(self):
+        rule = "triggers: [{trigger: half_started}], actions: [{action: end}], says: 'Over; {told} {points}.'"
+        text = f"params: {{told: a, points: 3}}\nrules: {{r: {{{rule}}}}}\n"
+        unused = [finding for finding in lint(load_text(BODY + text)) if finding.kind == "param_never_used"]
+        # A blank goes before a param of its name.
+        assert [finding.problem.path for finding in unused] == ["params.points"]

@@ -92,3 +92,58 @@ def test_a_word_of_another_list_is_told_where_it_belongs(body, hint):
 def test_a_word_of_no_list_gets_no_such_hint():
     with pytest.raises(ScenarioError, match=r"unknown trigger 'nonsense'; there are [a-z_, ]+$"):
         load_text(HEAD + rule("{trigger: nonsense}"), file="a.yaml")
+
+
+@pytest.mark.parametrize(
+    ("written", "hint"),
+    [
+        ("halftime", "; write half"),
+        ("and", "; write all_of"),
+        ("or", "; write any_of"),
+        ("not", "; write the condition itself, with negate: true"),
+        ("none_of", "; write any_of, with negate: true"),
+        ("inzone", "; did you mean 'in_zone'?"),
+        ("all", "; did you mean 'all_of'?"),
+        ("nonsense", ""),
+        ("position", ""),
+    ],
+)
+def test_a_wrong_condition_is_told_all_there_are_and_never_the_contrary(written, hint):
+    (text,) = complaints(rule(rest=f"    conditions: [{{condition: {written}}}]\n"))
+    known, _, rest = text.partition("; there are ")[2].partition(";")
+    assert {"in_zone", "any_of", "all_of", "half", "timer"} <= set(known.split(", "))
+    assert f";{rest}" == (hint or ";")
+
+
+@pytest.mark.parametrize(("written", "meant"), [("at_min", ""), ("at_max", "at_most"), ("at_lest", "at_least")])
+def test_a_wrong_key_is_never_told_the_contrary(written, meant):
+    asked = f"{{condition: speed, entity: ball, {written}: 1}}"
+    (text,) = complaints(rule(rest=f"    conditions: [{asked}]\n"))
+    assert text.endswith(f"; did you mean '{meant}'?" if meant else "entity, of")
+
+
+POSTS = "obstacles: {%s}\n" % ", ".join(  # noqa: UP031 - braces of YAML
+    f"post_{name}: {{shape: cylinder, centre_m: [{x_m}, 0.6], radius_m: 0.03}}"
+    for name, x_m in zip("abc", (-0.3, 0, 0.3), strict=True)
+)
+
+
+def test_a_group_of_fixed_obstacles_is_refused_once_in_a_rule_and_says_how_many_they_are():
+    near = "{condition: distance, entity: Y3, to: obstacles, at_most: 0.1}"
+    (text,) = complaints(POSTS + rule(rest=f"    conditions: [{near}, {near}, {near}]\n"))
+    assert text.startswith(
+        "rules.r.conditions[0] (distance): group 'obstacles' contains 'post_a', a fixed obstacle, and 2 more of them; "
+    )
+    two = rule(rest=f"    conditions: [{near}]\n") + rule(rest=f"    conditions: [{near}]\n").replace(
+        "rules:\n  r:", "  other:"
+    )
+    assert len(complaints(POSTS + two)) == 2
+
+
+def test_a_value_of_a_draw_that_does_not_fit_is_told_once_whoever_needs_it():
+    place = "{action: place, entity: ball, at: {spot: d}}"
+    (text,) = complaints("draws: {d: {values: [pitch, centre]}}\n" + rule(action=f"{place}, {place}"))
+    assert text == "draws.d.values[0]: 'pitch' is a zone; expected a spot (needed by rules.r.actions[0] (place))"
+    points = "{action: score, entrant: yellow, points: {draw: d}}"
+    (text,) = complaints("draws: {d: {values: [many, 2]}}\n" + rule(action=f"{points}, {points}"))
+    assert text.startswith("draws.d.values[0]: expected a number, found 'many' (needed by rules.r.actions[0] (score)")

@@ -2,9 +2,12 @@
 
 import pytest
 
+from rcj_challenges.referee.script import ScriptedPlay, half_of
 from rcj_challenges.scenario.load import load_text
+from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.drawing import draw_scenario
 from rcj_challenges.views.drawing.areas import placement_areas
+from rcj_challenges.views.drawing.shapes import point_words
 
 HEAD = (
     "schema_version: 1\nid: shots\ntitle: Shots\nextends: soccersim_v2\nflags: {away: {}}\n"
@@ -13,10 +16,14 @@ HEAD = (
 )
 
 
-def places(action):
-    """Return what the legend says of an action that puts the ball somewhere."""
-    text = f"rules: {{it: {{triggers: [{{trigger: half_started}}], actions: [{action}]}}}}\n"
-    one = load_text(HEAD + text)
+def loaded(actions, trigger="trigger: half_started", more="", head=""):
+    text = f"phases: {{later: {{}}}}\n{head}rules: {{{more}it: {{triggers: [{{{trigger}}}], actions: [{actions}]}}}}\n"
+    return load_text(HEAD + text)
+
+
+def places(actions, **parts):
+    """Return what the legend says of actions that put the ball somewhere."""
+    one = loaded(actions, **parts)
     found = [area.words() for area, who in placement_areas(one.scenario, one.roster).items() if who == ["ball"]]
     picture = draw_scenario(one.scenario, one.roster)
     assert all(f">ball: {words}<" in picture for words in found)
@@ -72,5 +79,74 @@ def test_what_is_told_by_its_way_from_a_spot_is_drawn():
     ]
 
 
-def test_beside_a_robot_there_is_no_place_that_could_be_drawn():
-    assert places(put("{relative_to: Y1, offset_m: [0.1, 0]}", MIRRORED)) == []
+# --- beside a robot ---------------------------------------------------------------------------------------------------
+
+BESIDE_Y1 = "{relative_to: Y1, offset_m: [0.1, 0]}"
+IN_FRONT = "{relative_to: Y1, offset_m: [0.1, 0], turns: true}"
+SET_DOWN = "{action: place, entity: Y1, at: %s%s}, "
+
+
+def test_beside_a_robot_at_its_start_there_is_a_place_as_wide_as_the_noise_of_the_start():
+    assert places(put(BESIDE_Y1)) == ["(-0.2, -0.3), ± 0.075, 0.075"]
+    assert places(put(IN_FRONT)) == ["(-0.3, -0.2), ± 0.075, 0.075"]
+    assert places(kick("{relative_to: Y1}")) == ["(0.1, 0)", "rolls towards (-0.3, -0.3), ± 0.075, 0.075"]
+
+
+def test_a_mirror_turns_over_the_way_from_a_robot_but_not_what_turns_with_it():
+    mirrored = ", mirror: {axis: x, when: away}"
+    assert places(put(BESIDE_Y1, mirrored)) == ["(-0.2, -0.3), ± 0.075, 0.075", "(-0.4, -0.3), ± 0.075, 0.075"]
+    assert places(put(IN_FRONT, mirrored)) == ["(-0.3, -0.2), ± 0.075, 0.075"]
+
+
+def test_beside_a_robot_that_was_put_somewhere_just_before_the_place_is_known_at_any_time():
+    before = SET_DOWN % ("{point: [0.2, 0.1]}", ", facing: 0")
+    for trigger in ("trigger: half_started", "trigger: time_reached, at_s: 5"):
+        assert places(before + put(IN_FRONT), trigger=trigger) == ["(0.3, 0.1)"]
+        assert places(before + put(BESIDE_Y1), trigger=trigger) == ["(0.3, 0.1)"]
+
+
+def test_where_a_robot_may_be_anywhere_there_is_no_place_that_could_be_drawn():
+    assert places(put(BESIDE_Y1), trigger="trigger: time_reached, at_s: 5") == []
+    assert places(SET_DOWN % ("{uniform_in: pitch}", "") + put(BESIDE_Y1)) == []
+    assert places("{action: remove, entity: Y1}, " + put(BESIDE_Y1)) == []
+    facing_away = SET_DOWN % ("{point: [0.2, 0.1]}", ", facing: {random: true}")
+    assert places(facing_away + put(IN_FRONT)) == []
+
+
+def test_what_an_earlier_rule_puts_at_the_start_of_a_half_counts():
+    earlier = "first: {triggers: [{trigger: half_started}], %sactions: [{action: place, entity: Y1, at: {spot: left}}]}"
+    assert places(put(BESIDE_Y1), more=f"{earlier % ''}, ") == ["(-0.2, 0.05)"]
+    perhaps = "conditions: [{condition: flag, flag: away}], "
+    assert places(put(BESIDE_Y1), more=f"{earlier % perhaps}, ") == ["(-0.2, -0.3), ± 0.075, 0.075", "(-0.2, 0.05)"]
+    asleep = "phases: [later], "
+    assert places(put(BESIDE_Y1), more=f"{earlier % asleep}, ") == ["(-0.2, -0.3), ± 0.075, 0.075"]
+
+
+def test_robot_and_ball_of_a_mirrored_layout_are_drawn_together():
+    layout = (
+        "placements: {shot: [{entity: Y1, at: {point: [0.2, -0.3]}, facing: 0}, "
+        "{entity: ball, at: {relative_to: Y1, offset_m: [0.1, -0.05]}}]}\n"
+    )
+    action = "{action: place, layout: shot, mirror: {axis: y, when: away}}"
+    assert places(action, head=layout) == ["(0.3, -0.35)", "(0.3, 0.35)"]
+
+
+def test_what_stays_where_it_is_has_no_place_of_its_own():
+    on = "{action: place, entity: ball, at: {relative_to: ball}, kick: {towards: {point: [0.1, 0.2]}, speed_mps: 1}}"
+    assert places(on) == ["rolls towards (0.1, 0.2)"]
+
+
+def test_the_referee_puts_the_ball_where_the_picture_shows_it():
+    actions = SET_DOWN % ("{point: [0.2, 0.1]}", ", facing: 2.2") + put(IN_FRONT)
+    scenario = loaded(actions).scenario
+    play = ScriptedPlay(scenario, Roster.of(scenario), half_of(scenario, 1, 1))
+    play.play()
+    assert places(actions) == [point_words((round(play.pose("ball")[0], 3), round(play.pose("ball")[1], 3)))]
+
+
+# --- layouts ----------------------------------------------------------------------------------------------------------
+
+
+def test_what_no_rule_puts_is_not_drawn():
+    layout = "placements: {unused: [{entity: ball, at: {point: [0.2, -0.3]}}]}\n"
+    assert places("{action: end}", head=layout) == []

@@ -1,5 +1,6 @@
 """The drawing shows gates that turn with robots, zones larger than the paper, and every colour that has a name."""
 
+import colorsys
 import math
 import re
 import xml.etree.ElementTree as ET
@@ -124,10 +125,53 @@ def test_a_zone_beside_the_paper_stands_in_the_legend_only():
     assert [text for text in texts(picture) if "far" in text] == ["far: within 0.1 of (4, 0)"]
 
 
-def test_all_but_a_zone_beside_the_paper_is_all_of_the_paper():
+def test_all_but_a_zone_beside_the_paper_is_all_of_the_floor():
     picture = drawn("zones: {most: {shape: circle, centre_m: [4, 0], radius_m: 0.1, inverted: true}}\n")
-    assert len(titled(picture, "all but most")) == 1
+    (most,) = titled(picture, "all but most")
+    assert extent(most) == pytest.approx((-0.65, -0.75, 0.65, 0.75), abs=0.001)
     assert "most" in texts(picture)
+
+
+# --- zones with open sides --------------------------------------------------------------------------------------------
+
+
+def extent(path: ET.Element) -> tuple[float, float, float, float]:
+    """Return the smallest x and y and the largest x and y of a path, in m."""
+    points = re.findall(r"(-?[\d.]+) (-?[\d.]+)", path.get("d"))
+    xs, ys = [LEFT_M + float(x) / PX_PER_M for x, _ in points], [TOP_M - float(y) / PX_PER_M for _, y in points]
+    return min(xs), min(ys), max(xs), max(ys)
+
+
+OPEN = {
+    "{shape: half_plane, through_m: [0, 0.5], normal: [0, 1], drawn: true}": (-0.65, 0.5, 0.65, 0.75),
+    "{shape: rect, x_min_m: -0.35, x_max_m: 0.35, y_min_m: 0.59, drawn: true}": (-0.35, 0.59, 0.35, 0.75),
+    "{shape: rect, x_max_m: -0.1}": (-0.65, -0.75, -0.1, 0.75),
+    "{shape: half_plane, through_m: [0, 0.5], normal: [0, 1], inverted: true}": (-0.65, -0.75, 0.65, 0.75),
+    "{shape: circle, centre_m: [0, 0], radius_m: 0.3, inverted: true}": (-0.65, -0.75, 0.65, 0.75),
+    # Of what lies behind the floor the goals are the end.
+    "{shape: rect, y_min_m: 0.8}": (-0.65, 0.8, 0.65, 0.85),
+}
+
+
+@pytest.mark.parametrize(("zone", "ends_at"), OPEN.items(), ids=list(OPEN))
+def test_a_zone_with_an_open_side_ends_where_the_floor_does_and_covers_no_goal(zone, ends_at):
+    picture = drawn(f"zones: {{yonder: {zone}}}\n")
+    (shape,) = [*titled(picture, "yonder"), *titled(picture, "all but yonder")]
+    assert extent(shape) == pytest.approx(ends_at, abs=0.001)
+
+
+def test_the_name_of_a_zone_with_an_open_side_stands_on_the_floor():
+    picture = drawn("zones: {finish: {shape: half_plane, through_m: [0, 0.5], normal: [0, 1]}}\n")
+    (name,) = [element for element in picture.iter(f"{SVG}text") if element.text == "finish"]
+    assert 0.5 < TOP_M - float(name.get("y")) / PX_PER_M < 0.75
+
+
+def test_all_but_the_floor_is_what_lies_around_it():
+    picture = drawn(
+        "zones: {outside: {shape: rect, x_min_m: -1, x_max_m: 1, y_min_m: -1, y_max_m: 1, inverted: true}}\n"
+    )
+    (outside,) = titled(picture, "all but outside")
+    assert extent(outside) == pytest.approx((-0.75, -0.95, 0.75, 0.95), abs=0.001)
 
 
 # --- lines of the field -----------------------------------------------------------------------------------------------
@@ -143,6 +187,32 @@ def test_a_field_without_goals_has_no_halfway_line():
     assert titled(picture, "halfway line, y = 0") == []
     assert len(titled(picture, "y = 0")) == 1
     assert len(titled(drawn(""), "halfway line, y = 0")) == 1
+
+
+# --- spots on obstacles -----------------------------------------------------------------------------------------------
+
+ON_A_BOX = (
+    "obstacles: {long_box: {shape: box, centre_m: [0, 0.45], size_m: [0.5, 0.06], yaw_rad: 0.3}}\n"
+    "spots: {c1: {x_m: -0.19, y_m: 0.39}, c2: {x_m: 0, y_m: 0.45}, c3: {x_m: 0.19, y_m: 0.51}}\n"
+)
+
+
+def test_on_an_obstacle_stands_its_own_name_and_that_of_no_spot():
+    picture = drawn(ON_A_BOX)
+    on_the_box = []
+    for element in picture.iter(f"{SVG}text"):
+        if element.get("class") != "label":
+            continue
+        x, y = LEFT_M + float(element.get("x")) / PX_PER_M, TOP_M - (float(element.get("y")) - 3.5) / PX_PER_M - 0.45
+        along, across = x * math.cos(0.3) + y * math.sin(0.3), y * math.cos(0.3) - x * math.sin(0.3)
+        if abs(along) < 0.25 and abs(across) < 0.03:
+            on_the_box.append(element.text)
+    assert on_the_box == ["long_box"]
+
+
+def test_a_spot_on_an_obstacle_can_be_seen():
+    titles = [element.findtext(f"{SVG}title") for element in drawn(ON_A_BOX)]
+    assert titles.index("c1") > titles.index("long_box")
 
 
 # --- colours ----------------------------------------------------------------------------------------------------------
@@ -177,3 +247,15 @@ def test_the_picture_of_the_match_keeps_the_colours_of_its_teams():
     picture = ET.fromstring(draw_scenario(loaded.scenario, loaded.roster))
     assert titled(picture, "B1 at its start")[0].get("fill") == "#2563eb"
     assert titled(picture, "Y1 at its start")[0].get("fill") == "#ca8a04"
+
+
+def test_no_zone_has_the_orange_of_what_rules_put_somewhere():
+    zones = ", ".join(f"z{k}: {{shape: circle, centre_m: [0, {k / 20}], radius_m: 0.02}}" for k in range(12))
+    picture = drawn(f"zones: {{{zones}}}\n")
+    hues = set()
+    for k in range(12):
+        (zone,) = titled(picture, f"z{k}")
+        red, green, blue = (int(zone.get("stroke")[at : at + 2], 16) / 255 for at in (1, 3, 5))
+        hues.add(round(360 * colorsys.rgb_to_hsv(red, green, blue)[0]))
+    assert len(hues) > 4
+    assert [hue for hue in hues if 10 < hue < 60] == []

@@ -248,7 +248,8 @@ def test_a_rule_for_each_of_a_group_says_it_and_its():
 
 
 def test_a_layout_speaks_of_all_that_it_puts():
-    loaded = load_text(GROUPS.replace("RULE", "{triggers: [{trigger: half_started}], actions: [{action: end}]}"))
+    place = "{action: place, layout: corner}"
+    loaded = load_text(GROUPS.replace("RULE", f"{{triggers: [{{trigger: half_started}}], actions: [{place}]}}"))
     text = sheet_markdown(loaded.scenario, loaded.roster)
     assert "the blue robots and Y3 are put at their starts; the balls are each put on the spot “centre”." in text
     assert "“wings”: B1, B2" in text

@@ -164,7 +164,9 @@ def test_a_limit_that_differs_from_trigger_to_trigger_is_left_open():
 
 
 TEAMS = {
-    ("for_each: robots, ", "each", "{entity} of {team} is out."): "The robot of the team is out.",
+    ("for_each: robots, ", "each", "{entity} of {team} is out."): "The robot is out.",
+    ("for_each: yellow, ", "each", "{entity} of {team} is out."): "The robot of yellow is out.",
+    ("", "robots", "{entity} of {team} is out."): "One of the robots is out.",
     ("for_each: yellow, ", "each", "{team} is alone on the hill."): "Yellow is alone on the hill.",
     ("", "Y1", "A point for {team}."): "A point for yellow.",
     ("", "robots", "A point for {team}."): "A point for the team.",
@@ -241,7 +243,8 @@ def test_what_comes_back_faces_as_the_rule_says():
 
 
 def test_a_layout_says_how_things_face():
-    text = sheet("placements: {a: [{entity: Y1, at: start, facing: {random: true}}]}\n" + RULE)
+    put = RULE.replace(END, "actions: [{action: place, layout: a}]")
+    text = sheet("placements: {a: [{entity: Y1, at: start, facing: {random: true}}]}\n" + put)
     assert "“a”: Y1 is put at its start, facing a random way." in text
 
 

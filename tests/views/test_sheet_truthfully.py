@@ -58,6 +58,43 @@ def test_a_phase_that_a_rule_ends_promises_nothing_about_what_follows():
     assert "- The phase “first task” lasts until a rule begins another; the clock goes on." in text.splitlines()
 
 
+def test_a_drawn_length_is_told_with_all_that_it_can_be():
+    draws = "draws: {long: {values: [8, 5, 0.5, 8]}}\n"
+    lasts = "lasts 0.5 s, 5 s or 8 s, as “long” is drawn"
+    text = sheet(draws + "phases: {pause: {lasts_s: {draw: long}}}\n")
+    assert f"- The phase “pause” {lasts}, then “play” follows; the clock goes on." in text.splitlines()
+    text = sheet(draws + "timers: {rest: {lasts_s: {draw: long}}}\n")
+    assert f"- The timer “rest” {lasts}." in text.splitlines()
+
+
+def test_a_drawn_length_is_no_limit_that_a_rule_could_say_beforehand():
+    text = sheet(
+        "draws: {long: {values: [5, 8]}}\ntimers: {rest: {lasts_s: {draw: long}, starts: true}}\nrules:\n"
+        "  over: {triggers: [{trigger: timer_expired, timer: rest}], actions: [{action: end}], says: 'After {limit} s.'}\n"
+    )
+    assert "[over] After … s. When the timer “rest” runs out" in text
+
+
+@pytest.mark.parametrize(("reach", "where"), [("half", "in a half"), ("match", "in the match")])
+def test_a_draw_without_repetition_is_told(reach, where):
+    text = sheet(f"draws: {{gate: {{values: [west, east], not_again: {reach}}}}}\n")
+    assert f"west or east; {where} none comes again before all have been drawn." in text
+
+
+@pytest.mark.parametrize(
+    ("asked", "told"),
+    [
+        ("equals: 2", "it is half 2"),
+        ("equals: 2, negate: true", "it is not half 2"),
+        ("at_least: 2", "it is half 2 or a later one"),
+        ("at_most: 2", "it is half 2 or an earlier one"),
+        ("at_least: 2, at_most: 3", "it is one of the halves 2 to 3"),
+    ],
+)
+def test_the_number_of_the_half_is_told(asked, told):
+    assert condition(f"condition: half, {asked}") == told
+
+
 def test_a_phase_with_a_length_says_what_follows():
     text = sheet("phases: {pause: {lasts_s: 5, clock: stops}}\n")
     assert "- The phase “pause” lasts 5 s, then “play” follows; the clock stands still." in text.splitlines()
@@ -95,10 +132,10 @@ def test_points_say_that_they_sum():
     ("written", "words"),
     [
         ("condition: counter, counter: tries, at_least: 2", "the sum of the counters “tries” of the robots is at least 2"),
-        ("condition: flag, flag: armed", "the flag “armed” of any of the yellow robots is set"),
-        ("condition: flag, flag: armed, negate: true", "the flag “armed” of none of the yellow robots is set"),
-        ("condition: timer, timer: rest", "the timer “rest” of any of the robots is running"),
-        ("condition: timer, timer: rest, negate: true", "the timer “rest” of none of the robots is running"),
+        ("condition: flag, flag: armed", "any of the yellow robots has the flag “armed” set"),
+        ("condition: flag, flag: armed, negate: true", "none of the yellow robots has the flag “armed” set"),
+        ("condition: timer, timer: rest", "any of the robots has the timer “rest” running"),
+        ("condition: timer, timer: rest, negate: true", "none of the robots has the timer “rest” running"),
         ("condition: timer, timer: rest, at_least: 2", "the longest running timer “rest” of the robots has run for at least 2 s"),
         ("condition: counter, counter: tries, entity: Y1, at_least: 2", "the counter “tries” of Y1 is at least 2"),
     ],

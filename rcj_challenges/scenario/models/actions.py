@@ -36,7 +36,9 @@ class Score(Strict):
         union_mode="left_to_right",
     )
     points: Points = described(
-        1, "how many: a number, {counter, flag, draw or word: NAME}, or a list of these with weights"
+        1,
+        "how many: a number, {counter, flag, draw, timer or word: NAME}, {distance: [A, B]}, or a list of which all "
+        "is added: numbers, and these with weights",
     )
 
 
@@ -47,9 +49,13 @@ class Count(Strict):
     counter: Name = described(..., "the counter")
     entity: Name | None = described(None, "for a counter kept per entity: whose; each; left out: all of them")
     by: Amount | None = described(
-        None, "what is added, a number or {counter, flag, draw or word: NAME}; 1 if neither `by` nor `to` is given"
+        None,
+        "what is added, a number, {counter, flag, draw, timer or word: NAME} or {distance: [A, B]}; 1 if neither `by` "
+        "nor `to` is given",
     )
-    to: Amount | None = described(None, "what it is set to, a number or {counter, flag, draw or word: NAME}")
+    to: Amount | None = described(
+        None, "what it is set to, a number, {counter, flag, draw, timer or word: NAME} or {distance: [A, B]}"
+    )
 
 
 class SetFlag(Strict):
@@ -140,14 +146,18 @@ class Emit(Strict):
 
     action: Literal["emit"]
     event: EventName = described(..., "its name")
-    payload: dict[Name, Value] = described({}, "what is told with it: literals, or {counter|flag|draw|word: NAME}")
+    payload: dict[Name, Value] = described(
+        {}, "what is told with it: literals, or {counter: NAME} and the other values"
+    )
 
 
 class End(Strict):
     """End the half after the last firing of this tick."""
 
     action: Literal["end"]
-    what: Literal["half", "match"] = described("half", "half: the next one still follows; match: none follows")
+    what: Literal["half", "match"] = described(
+        "half", "half: the next one still follows; match: none follows, also if a half is over already (half_ended)"
+    )
     reason: str = described("", "why, for the record", max_length=200)
 
 

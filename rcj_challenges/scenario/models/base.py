@@ -63,7 +63,10 @@ Point = Annotated[
 ]
 Positive = Annotated[float, Field(gt=0)]
 NotNegative = Annotated[float, Field(ge=0)]
-DurationS = Annotated[float, Field(ge=TICK_S, le=86_400, description="a duration in s, rounded up to ticks of 0.032 s")]
+LONGEST_S = 86_400
+DurationS = Annotated[
+    float, Field(ge=TICK_S, le=LONGEST_S, description="a duration in s, rounded up to ticks of 0.032 s")
+]
 WallTimeS = Annotated[float, Field(gt=0, le=86_400, description="time of the clock on the wall in s")]
 Names = Annotated[
     Name | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)],

@@ -32,7 +32,7 @@ class _Compared(_Condition):
 
 
 class InZone(_Condition):
-    """Whether an entity's centre is in a zone."""
+    """Whether an entity's centre is in a zone; off the field it is in none."""
 
     condition: Literal["in_zone"]
     entity: Names = described(..., "an entity, each, or a group with `of`")
@@ -49,7 +49,7 @@ class Speed(_Compared):
 
 
 class Distance(_Compared):
-    """How far an entity's centre is from another, a spot or a point, in m."""
+    """How far an entity's centre is from another, a spot or a point, in m; off the field no comparison holds."""
 
     condition: Literal["distance"]
     entity: Names = described(..., "an entity, each, or a group with `of`")
@@ -109,7 +109,7 @@ class Drawn(_Condition):
 
 
 class TimerIs(_Compared):
-    """How long a timer has run, in s; without a comparison: whether it is running."""
+    """How long a timer has run, in s; without a comparison: whether it is running (run out, it is not)."""
 
     condition: Literal["timer"]
     timer: Name = described(..., "a timer")
@@ -148,16 +148,53 @@ class SequenceAt(_Condition):
     step: Name = described(..., "the zone or gate reached last")
 
 
-Single = InZone | Speed | Distance | Looks | CounterIs | FlagIs | Drawn | TimerIs | LastTouch | SpotFree | SequenceAt
+class HalfIs(_Condition):
+    """Which half of the match is played."""
+
+    condition: Literal["half"]
+    at_least: int | None = described(None, "holds from the half of this number on", ge=1)
+    at_most: int | None = described(None, "holds up to the half of this number", ge=1)
+    equals: int | None = described(None, "holds in the half of this number only", ge=1)
+
+
+Single = (
+    InZone
+    | Speed
+    | Distance
+    | Looks
+    | CounterIs
+    | FlagIs
+    | Drawn
+    | TimerIs
+    | LastTouch
+    | SpotFree
+    | SequenceAt
+    | HalfIs
+)
 
 
 class AnyOf(_Condition):
     """Whether at least one of several conditions holds."""
 
     condition: Literal["any_of"]
-    conditions: tuple[Annotated[Single, Field(discriminator="condition")], ...] = Field(
-        ..., strict=False, min_length=1, description="the conditions, each as in a rule; any_of itself is none of them"
+    conditions: "tuple[Annotated[Single | AllOf, Field(discriminator='condition')], ...]" = Field(
+        ...,
+        strict=False,
+        min_length=1,
+        description="the conditions, each as in a rule; all_of may be one of them, any_of itself not",
     )
 
 
-Condition = Annotated[Single | AnyOf, Field(discriminator="condition")]
+class AllOf(_Condition):
+    """Whether all of several conditions hold; those of a rule must all hold anyway."""
+
+    condition: Literal["all_of"]
+    conditions: tuple[Annotated[Single | AnyOf, Field(discriminator="condition")], ...] = Field(
+        ...,
+        strict=False,
+        min_length=1,
+        description="the conditions, each as in a rule; any_of may be one of them, all_of itself not",
+    )
+
+
+Condition = Annotated[Single | AnyOf | AllOf, Field(discriminator="condition")]

@@ -127,7 +127,7 @@ class FurthestFree(Strict):
 
 
 class RelativeTo(Strict):
-    """Beside another entity or spot."""
+    """Beside another entity or spot; of a ball itself, with a kick: it rolls on from where it is, another way."""
 
     relative_to: Name = described(..., "an entity or spot")
     offset_m: Point = described(

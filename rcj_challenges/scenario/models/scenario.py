@@ -23,7 +23,7 @@ class Rule(Strict):
     """One trigger suffices, all conditions must hold, the actions run in order."""
 
     triggers: tuple[Trigger, ...] = Field(..., strict=False, min_length=1, description="edges; one suffices")
-    conditions: tuple[Condition, ...] = Field((), strict=False, description="levels; all must hold")
+    conditions: tuple[Condition, ...] = Field((), strict=False, description="levels; all must hold (any_of is 'or')")
     actions: tuple[Action, ...] = Field(..., strict=False, min_length=1, description="what happens, in order")
     for_each: Name | None = described(None, "a group or entity: the rule exists once for each member, named `each`")
     phases: Literal["any"] | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)] = Field(
@@ -32,13 +32,18 @@ class Rule(Strict):
     priority: int = described(0, "lower fires first; equal ones in the order of the file", ge=-1000, le=1000)
     exclusive: Name | None = described(
         None,
-        "of the rules of one such group only the first fires in a tick, per entity: one with for_each and one without "
-        "never meet",
+        "of the rules of one such group only the first fires in a tick: with for_each for each member, else in all; "
+        "one with for_each and one without never meet",
     )
-    cooldown_s: DurationS | None = described(None, "after firing it rests this long, per entity, in s")
-    max_executions: int | None = described(None, "how often it may fire in a half, per entity", ge=1)
+    cooldown_s: DurationS | None = described(
+        None, "after firing it rests this long, in s: with for_each for this member, else for all"
+    )
+    max_executions: int | None = described(
+        None, "how often it may fire in a half: with for_each for each member, else in all", ge=1
+    )
     says: str = described("", "the sentence for the sheet, the referee's log and the page; {entity}, {team}, "
-                          "{measured} and {limit} are filled in", max_length=500)  # fmt: skip
+                          "{measured}, {limit}, {points} and params by name, {goal_points}, are filled in",
+                          max_length=500)  # fmt: skip
 
 
 class Broadcast(Strict):
@@ -143,7 +148,7 @@ class Expectation(Strict):
     """A test inside the file: scripted poses and touches fed straight to the referee, and what must follow."""
 
     seed: int = described(1, "seed of the draws", ge=0)
-    half: int = described(1, "which half is played", ge=1)
+    half: int = described(1, "which half is played; teams keep their seats' names in all", ge=1)
     draws: dict[Name, Scalar] = described({}, "draws decided beforehand; they stand until a rule draws anew")
     given: Given = described(Given(), "score, counters and flags when the half begins")
     keyframes: tuple[Keyframe, ...] = Field(..., strict=False, min_length=1, description="the script, in order of time")
@@ -157,7 +162,7 @@ class Expectation(Strict):
         description="events left out of the comparison, unless they are expected by name",
     )
     score: dict[Name, float] = described({}, "score by entrant at the end")
-    counters: dict[Name, float] = described({}, "counters at the end")
+    counters: dict[Name, float] = described({}, "counters at the end; of one kept per entity the sum")
     flags: dict[Name, bool] = described({}, "flags at the end")
     phase: Name | None = described(None, "the phase at the end")
     poses: dict[Name, Annotated[tuple[float, float], Field(strict=False)]] = described(

@@ -2,9 +2,9 @@
 
 from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Discriminator, Field, SerializerFunctionWrapHandler, Tag, model_serializer
 
-from rcj_challenges.scenario.models.base import DurationS, Name, Scalar, Strict, described
+from rcj_challenges.scenario.models.base import DurationS, Name, Point, Scalar, Strict, described
 
 
 class Draw(Strict):
@@ -12,7 +12,20 @@ class Draw(Strict):
 
     values: tuple[Scalar, ...] = Field(..., strict=False, min_length=1, description="the values, equally likely")
     not_last: bool = described(False, "True: never the same value twice running")
+    not_again: Literal["half", "match"] | None = described(
+        None,
+        "half: in a half no value comes again before all have been drawn, then it begins anew; match: in all halves "
+        "together; a value that a rule sets counts as drawn. Left out: all are in every draw",
+    )
     keep: Literal["half", "match"] = described("half", "match: the value lives on in the next half, undrawn")
+
+    @model_serializer(mode="wrap")
+    def _as_before_not_again(self, dump: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        """Leave out what is not said, so that the data of such a draw stays that of the time before there was it."""
+        data: dict[str, Any] = dump(self)
+        if data.get("not_again", ...) is None:
+            del data["not_again"]
+        return data
 
 
 class Counter(Strict):
@@ -33,10 +46,25 @@ class Flag(Strict):
     keep: Literal["half", "match"] = described("half", "match: the value lives on in the next half")
 
 
+class DrawnDuration(Strict):
+    """The duration that a draw decided."""
+
+    draw: Name = described(..., "a draw whose values are durations in s")
+
+
+Lasts = Annotated[
+    Annotated[DurationS, Tag("number")] | Annotated[DrawnDuration, Tag("draw")],
+    Discriminator(lambda value: "draw" if isinstance(value, (dict, DrawnDuration)) else "number"),
+]
+"""How long something lasts."""
+
+
 class Timer(Strict):
     """A clock that rules start and stop; it expires once when it reaches its length."""
 
-    lasts_s: DurationS = described(..., "its length in s")
+    lasts_s: Lasts = described(
+        ..., "its length in s, or {draw: NAME}: what that has decided when the timer starts from 0"
+    )
     per: Name | None = described(None, "a group: one timer for each of its members")
     starts: bool = described(False, "True: it runs from the start of the half")
 
@@ -67,8 +95,10 @@ class Sequence(Strict):
 class Phase(Strict):
     """A time in which only the rules that live in it run. ``play`` always exists."""
 
-    lasts_s: DurationS | None = described(
-        None, "after this time in s the next phase is entered; left out: until a rule"
+    lasts_s: Lasts | None = described(
+        None,
+        "after this time in s the next phase is entered; {draw: NAME}: what that has decided when the phase is "
+        "entered; left out: until a rule",
     )
     next: Name = described("play", "the phase that follows")
     waiting_for_kickoff: bool = described(False, "what programs are told meanwhile")
@@ -105,7 +135,7 @@ class WordValue(Strict):
     word: Literal[
         "robot_name", "entity_name", "team_name", "entrant", "score", "halftime", "match_id", "total_match_time_s",
         "time_s", "time_left_s", "measured", "limit", "phase", "seed_id",
-    ] = described(..., "the word; measured and limit are those of the trigger (of holds: in s)")  # fmt: skip
+    ] = described(..., "the word; times have fractions; measured, limit: the trigger's (of holds: in s)")  # fmt: skip
     of: Name | None = described(None, "for team_name and score: the entrant; left out: that of the current entity")
 
 
@@ -118,8 +148,31 @@ class PositionValue(Strict):
     position_of: Name = described(..., "an entity")
 
 
+class DistanceValue(Strict):
+    """How far the centres of two things are apart, in m to the millimetre; null while one of them is off the field."""
+
+    distance: Annotated[tuple[Name | Point, Name | Point], Field(strict=False)] = described(
+        ..., "two of: an entity, each, a spot, a group (the nearest of it), or [x, y] in m"
+    )
+
+
+class TimerValue(Strict):
+    """How long a timer has run, in s; what is left of it is its length less this."""
+
+    timer: Name = described(..., "a timer")
+    entity: Name | None = described(
+        None, "for a timer kept per entity: whose; each: the current one; left out, without for_each: the longest"
+    )
+
+
+class LastTouchValue(Strict):
+    """The name of the robot that touched something last since it was put where it is; null if none has."""
+
+    last_touch: Name = described(..., "what was touched: an entity, or each")
+
+
 def _which_value(value: Any) -> str | None:
-    keys = ("counter", "flag", "draw", "word", "position_of")
+    keys = ("counter", "flag", "draw", "word", "position_of", "distance", "timer", "last_touch")
     if isinstance(value, dict):
         return next((key for key in keys if key in value), None)
     if isinstance(value, Strict):
@@ -133,7 +186,10 @@ Value = Annotated[
     | Annotated[FlagValue, Tag("flag")]
     | Annotated[DrawValue, Tag("draw")]
     | Annotated[WordValue, Tag("word")]
-    | Annotated[PositionValue, Tag("position_of")],
+    | Annotated[PositionValue, Tag("position_of")]
+    | Annotated[DistanceValue, Tag("distance")]
+    | Annotated[TimerValue, Tag("timer")]
+    | Annotated[LastTouchValue, Tag("last_touch")],
     Discriminator(_which_value),
 ]
 
@@ -185,25 +241,41 @@ class WeightedWord(NumberWord):
     weight: float = described(1.0, "points for each")
 
 
+class WeightedDistance(DistanceValue):
+    """A part of a score: a distance times a weight; nothing while one of the two is off the field."""
+
+    weight: float = described(1.0, "points for each metre")
+
+
+class WeightedTimer(TimerValue):
+    """A part of a score: how long a timer has run, in whole seconds, rounded down, times a weight."""
+
+    timer: Name = described(..., "a timer")
+    entity: Name | None = described(
+        None, "for a timer kept per entity: whose; each: the current one; left out: the longest"
+    )
+    weight: float = described(1.0, "points for each second")
+
+
 def _which_part(value: Any) -> str | None:
     which = _which_value(value)
-    return which if which in ("counter", "flag", "draw", "word") else None
+    return "number" if which == "literal" else which
 
 
 Part = Annotated[
-    Annotated[WeightedCounter, Tag("counter")]
+    Annotated[int | float, Tag("number")]
+    | Annotated[WeightedCounter, Tag("counter")]
     | Annotated[WeightedFlag, Tag("flag")]
     | Annotated[WeightedDraw, Tag("draw")]
-    | Annotated[WeightedWord, Tag("word")],
+    | Annotated[WeightedWord, Tag("word")]
+    | Annotated[WeightedDistance, Tag("distance")]
+    | Annotated[WeightedTimer, Tag("timer")],
     Discriminator(_which_part),
 ]
 
 
 def _which_number(value: Any) -> str | None:
-    if isinstance(value, (list, tuple)):
-        return "parts"
-    which = _which_value(value)
-    return "number" if which == "literal" else which
+    return "parts" if isinstance(value, (list, tuple)) else _which_part(value)
 
 
 Bound = Annotated[
@@ -216,7 +288,9 @@ Amount = Annotated[
     | Annotated[CounterValue, Tag("counter")]
     | Annotated[FlagValue, Tag("flag")]
     | Annotated[NumberDraw, Tag("draw")]
-    | Annotated[NumberWord, Tag("word")],
+    | Annotated[NumberWord, Tag("word")]
+    | Annotated[DistanceValue, Tag("distance")]
+    | Annotated[TimerValue, Tag("timer")],
     Discriminator(_which_number),
 ]
 """How much is counted."""
@@ -226,6 +300,8 @@ Points = Annotated[
     | Annotated[FlagValue, Tag("flag")]
     | Annotated[NumberDraw, Tag("draw")]
     | Annotated[NumberWord, Tag("word")]
+    | Annotated[DistanceValue, Tag("distance")]
+    | Annotated[TimerValue, Tag("timer")]
     | Annotated[tuple[Part, ...], Field(strict=False), Tag("parts")],
     Discriminator(_which_number),
 ]

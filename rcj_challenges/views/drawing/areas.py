@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rcj_challenges.scenario.models.actions import Place, Remove
-from rcj_challenges.scenario.models.base import Names
 from rcj_challenges.scenario.models.places import (
     At,
     AtPoint,
     AtSpot,
     Choice,
     FurthestFree,
-    Mirror,
     NearestFree,
     OnLine,
     Placing,
@@ -22,15 +20,11 @@ from rcj_challenges.scenario.models.places import (
     UniformIn,
 )
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.models.state import DrawValue
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.views.drawing.beside import layouts_of, listed_names, places_beside
+from rcj_challenges.views.drawing.flips import AS_WRITTEN, Flip, flipped, flips_of
 from rcj_challenges.views.drawing.labels import Point
 from rcj_challenges.views.drawing.shapes import home, point_words
-
-Flip = tuple[bool, bool]
-"""Whether x becomes -x, and whether y becomes -y."""
-
-_AS_WRITTEN: Flip = (False, False)
 
 
 @dataclass(frozen=True)
@@ -46,7 +40,7 @@ class Area:
 
     at: str | OnLine | Point
     noise_m: Point
-    flip: Flip = _AS_WRITTEN
+    flip: Flip = AS_WRITTEN
     aim: bool = False
 
     def words(self) -> str:
@@ -72,16 +66,13 @@ def placement_areas(scenario: Scenario, roster: Roster) -> dict[Area, list[str]]
     """
     found: dict[Area, list[str]] = {}
     for names, at, noise_m, flip, aim in _placings(scenario):
-        for place, own in _areas(scenario, roster, at, names, marked=aim or flip != _AS_WRITTEN):
+        for place, own in _areas(scenario, roster, at, names, marked=aim or flip != AS_WRITTEN):
             who = found.setdefault(_area(place, noise_m, flip, aim=aim), [])
             who.extend(name for name in own if name not in who)
+    for names, at_m, noise_m, aim in places_beside(scenario, roster):
+        who = found.setdefault(Area(at_m, noise_m, aim=aim), [])
+        who.extend(name for name in names if name not in who)
     return found
-
-
-def flipped(point: Point, flip: Flip) -> Point:
-    """Return a point mirrored."""
-    # Adding 0 makes no -0 of what lies on the axis.
-    return (-point[0] + 0.0 if flip[0] else point[0], -point[1] + 0.0 if flip[1] else point[1])
 
 
 def _area(place: str | OnLine | Point, noise_m: Point, flip: Flip, *, aim: bool) -> Area:
@@ -102,52 +93,24 @@ def _placings(scenario: Scenario) -> Iterator[_Put]:
     places = [(rule, action) for rule in scenario.rules.values() for action in rule.actions]
     for name, layout in scenario.placements.items():
         mirrors = [
-            action.mirror for _, action in places if isinstance(action, Place) and name in _layouts(scenario, action)
+            action.mirror for _, action in places if isinstance(action, Place) and name in layouts_of(scenario, action)
         ]
+        # What no rule puts is nowhere.
         for placing in layout:
-            for flip in _flips(placing, mirrors or [None]):
-                yield from _puts(placing, _listed(placing.entity, ""), flip)
+            for flip in flips_of(placing, mirrors):
+                yield from _puts(placing, listed_names(placing.entity, ""), flip)
     for rule, action in places:
         if isinstance(action, Place) and action.entity is not None:
-            for flip in _flips(action, [None]):
-                yield from _puts(action, _listed(action.entity, rule.for_each or ""), flip)
+            for flip in flips_of(action, [None]):
+                yield from _puts(action, listed_names(action.entity, rule.for_each or ""), flip)
         elif isinstance(action, Remove) and action.for_s is not None:
-            yield _listed(action.entity, rule.for_each or ""), action.back_at, (0.0, 0.0), _AS_WRITTEN, False
+            yield listed_names(action.entity, rule.for_each or ""), action.back_at, (0.0, 0.0), AS_WRITTEN, False
 
 
 def _puts(placing: Placing | Place, names: tuple[str, ...], flip: Flip) -> Iterator[_Put]:
     yield names, placing.at, placing.noise_m, flip, False
     if placing.kick is not None:
         yield names, placing.kick.towards, (0.0, 0.0), flip, True
-
-
-def _layouts(scenario: Scenario, action: Place) -> list[str]:
-    """Return the layouts that an action may put."""
-    if isinstance(action.layout, DrawValue):
-        return [str(value) for value in scenario.draws[action.layout.draw].values]
-    return [] if action.layout is None else [action.layout]
-
-
-def _flips(placing: Placing | Place, mirrors: Iterable[Mirror | None]) -> list[Flip]:
-    """Return all ways in which a placement may be mirrored: by its own mirror, and by those of its layout."""
-    found = {
-        (own[0] is not whole[0], own[1] is not whole[1])
-        for mirror in mirrors
-        for own in _ways(placing.mirror)
-        for whole in _ways(mirror)
-    }
-    return sorted(found)
-
-
-def _ways(mirror: Mirror | None) -> list[Flip]:
-    if mirror is None:
-        return [_AS_WRITTEN]
-    flip = (mirror.axis in ("x", "both"), mirror.axis in ("y", "both"))
-    return [flip] if mirror.when is None else [_AS_WRITTEN, flip]
-
-
-def _listed(names: Names, each: str) -> tuple[str, ...]:
-    return tuple(each if name == "each" else name for name in ((names,) if isinstance(names, str) else names))
 
 
 def _areas(

@@ -11,15 +11,19 @@ from rcj_challenges.scenario.models.field import Cylinder, Wall
 from rcj_challenges.scenario.models.places import OnLine
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.views.drawing.areas import flipped, placement_areas
+from rcj_challenges.views.drawing.areas import placement_areas
+from rcj_challenges.views.drawing.flips import flipped
 from rcj_challenges.views.drawing.labels import Point
 from rcj_challenges.views.drawing.paper import Paper
 from rcj_challenges.views.drawing.shapes import (
     box,
+    floor_of,
     home,
     home_yaw_rad,
+    inverted_outlines,
     middle,
     point_words,
+    shown_outline,
     turned,
     zone_outline,
     zone_words,
@@ -34,7 +38,8 @@ _TITLE_CHARACTERS = 38
 _THICK = 3.0  # what it costs a label to cover a pixel of a wall, of an obstacle or of a gate, which are thick
 _DOT_M = 0.006  # half the side of the square that marks a place without noise
 _IN_A_ROBOT = 4  # characters of a name that fit into its body
-_ZONE_COLOURS = ("#7048e8", "#1098ad", "#d6336c", "#5c940d", "#e67700", "#4263eb", "#0b7285", "#a61e4d")
+# Of zones; orange is what rules put somewhere, so that none of these is near it.
+_ZONE_COLOURS = ("#7048e8", "#1098ad", "#d6336c", "#5c940d", "#9c36b5", "#4263eb", "#0b7285", "#a61e4d")
 _WHITE, _BLACK = "#ffffff", "#161c24"
 _STYLE = (
     "text{font-family:system-ui,-apple-system,'Segoe UI',sans-serif;fill:#1f2937}"
@@ -60,9 +65,9 @@ def draw_scenario(scenario: Scenario, roster: Roster) -> str:
     _zones(paper, scenario)
     _placement_areas(paper, scenario, roster)
     _gates(paper, scenario)
-    _spots(paper, scenario)
     paper.leaders_here()
     _obstacles(paper, scenario)
+    _spots(paper, scenario)
     _bodies(paper, scenario, roster)
     height = _legend(paper, scenario, roster)
     return paper.svg(title=f"{scenario.title}: field", style=_STYLE, extra_width_px=_LEGEND_PX, height_px=height)
@@ -70,12 +75,9 @@ def draw_scenario(scenario: Scenario, roster: Roster) -> str:
 
 def _ground(paper: Paper, scenario: Scenario) -> None:
     field = scenario.field
-    w, h, cut = field.width_m / 2, field.length_m / 2, field.corner_cut_m
-    octagon = [(w - cut, h), (w, h - cut), (w, -h + cut), (w - cut, -h),
-               (-w + cut, -h), (-w, -h + cut), (-w, h - cut), (-w + cut, h)]  # fmt: skip
-    paper.polygon(
-        octagon, 'fill="#e9f5ec" stroke="#343a40" stroke-width="4"', "the field, inside its walls", in_the_way=_THICK
-    )
+    w, h = field.width_m / 2, field.length_m / 2
+    walls = 'fill="#e9f5ec" stroke="#343a40" stroke-width="4"'
+    paper.polygon(floor_of(field), walls, "the field, inside its walls", in_the_way=_THICK)
     for name, goal in field.goals.items():
         sign = 1 if goal.end == "positive_y" else -1
         near, far, g = sign * h, sign * (h + goal.depth_m), goal.width_m / 2
@@ -97,21 +99,18 @@ def _ground(paper: Paper, scenario: Scenario) -> None:
 def _zones(paper: Paper, scenario: Scenario) -> None:
     for k, (name, zone) in enumerate(scenario.zones.items()):
         colour = _ZONE_COLOURS[k % len(_ZONE_COLOURS)]
-        left, bottom, right, top = paper.bounds
-        whole_paper = [(left, bottom), (right, bottom), (right, top), (left, top)]
-        outline = zone_outline(zone, paper.bounds)
-        if not outline and not zone.inverted:
-            continue  # it lies beside the paper: the legend has its numbers
         dash = "" if zone.drawn else ' stroke-dasharray="6 4"'
         style = f'fill="{colour}" fill-opacity="0.06" stroke="{colour}" stroke-width="1.5"{dash}'
+        text, area = name, shown_outline(zone, scenario.field, paper.bounds)
         if zone.inverted:
-            hole = paper.outline(outline) if outline else ""
-            paper.path(f"{paper.outline(whole_paper)} {hole}", f'{style} fill-rule="evenodd"', f"all but {name}")
-        else:
-            paper.polygon(outline, style, name)
-        text = f"not {name}" if zone.inverted and outline else name
-        area = outline or whole_paper
-        paper.label(middle(area, paper.bounds), text, area=area, colour=_dark(colour))
+            whole, hole = inverted_outlines(zone, scenario.field, paper.bounds)
+            text, area = (f"not {name}", hole) if hole else (name, whole)
+            both = " ".join(paper.outline(outline) for outline in (whole, hole) if outline)
+            paper.path(both, f'{style} fill-rule="evenodd"', f"all but {name}")
+        elif area:
+            paper.polygon(area, style, name)
+        if area:  # what lies beside the paper has its numbers in the legend
+            paper.label(middle(area, paper.bounds), text, area=area, colour=_dark(colour))
 
 
 def _placement_areas(paper: Paper, scenario: Scenario, roster: Roster) -> None:
@@ -188,6 +187,7 @@ def _obstacles(paper: Paper, scenario: Scenario) -> None:
         else:
             at, outline = _wall(obstacle)
         paper.polygon(outline, style, name, in_the_way=_THICK)
+        paper.body(outline)
         paper.label(at, name, area=outline)
 
 

@@ -39,6 +39,7 @@ _PATIENCE = 48
 # What it costs to be in the way, in pixels of distance: of a label most, of a thin line little.
 _ON_A_LABEL, _ON_A_LABEL_PER_PX2 = 3000.0, 20.0
 _ON_A_SOLID, _ON_A_SOLID_PER_PX2 = 60.0, 2.0
+_ON_ANOTHERS_BODY = 150.0
 _LEADER_OVER_LABEL = 1500.0
 _LEADER_OVER_LEADER = 150.0
 _LEADER_OVER_SOLID = 40.0
@@ -104,11 +105,13 @@ class Surroundings:
         frame: the picture; no label leaves it.
         solids: what must not be covered: robots, balls, other texts.
         lines: thin things with what it costs to cover a pixel of them.
+        bodies: outlines of things on which only their own name may stand.
     """
 
     frame: Box
     solids: list[Box] = field(default_factory=list)
     lines: list[tuple[Segment, float]] = field(default_factory=list)
+    bodies: list[tuple[Point, ...]] = field(default_factory=list)
 
 
 def place_labels(labels: Sequence[Label], around: Surroundings) -> list[Placed]:
@@ -227,6 +230,9 @@ class _Board:
         self._lines: _Grid[tuple[Segment, float]] = _Grid()
         for k, line in enumerate(around.lines):
             self._lines.add(k, _bounds(line[0]), line)
+        self._bodies: _Grid[tuple[Point, ...]] = _Grid()
+        for k, body in enumerate(around.bodies):
+            self._bodies.add(k, _bounds(body), body)
         self._labels: _Grid[Box] = _Grid()
         self._leaders: _Grid[Segment] = _Grid()
 
@@ -280,6 +286,8 @@ class _Board:
         for solid in self._solids.near(box):
             shared = _shared(box, solid)
             yield _ON_A_SOLID + _ON_A_SOLID_PER_PX2 * shared if shared > 0 else 0.0
+        for body in self._bodies.near(box):
+            yield _ON_ANOTHERS_BODY if body != placed.label.outline and _meets(box, body) else 0.0
         with_rim = (box[0] - _HALO_PX, box[1] - _HALO_PX, box[2] + _HALO_PX, box[3] + _HALO_PX)
         for line, weight in self._lines.near(with_rim):
             yield _covered(line, with_rim) * weight
@@ -344,6 +352,13 @@ def _covered(line: Segment, box: Box) -> float:
         else:
             leaves = min(leaves, room / step)
     return max(leaves - enters, 0.0) * math.hypot(dx, dy)
+
+
+def _meets(box: Box, outline: Sequence[Point]) -> bool:
+    """Return whether a text stands on a polygon: with its middle, or across its edge."""
+    middle = (box[0] + box[2]) / 2, (box[1] + box[3]) / 2
+    sides = zip(outline, [*outline[1:], outline[0]], strict=True)
+    return _is_inside(middle, outline) or any(_covered(side, box) > 0 for side in sides)
 
 
 def _cross(a: Segment, b: Segment) -> bool:

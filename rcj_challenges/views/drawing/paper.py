@@ -80,6 +80,10 @@ class Paper:
         r = radius_m * self.scale
         self._around.solids.append((x - r, y - r, x + r, y + r))
 
+    def body(self, outline: Sequence[Point]) -> None:
+        """Keep labels off a thing, but for one whose area it is."""
+        self._around.bodies.append(tuple(map(self.px, outline)))
+
     def label(
         self, at: Point, text: str, *, reach_m: float = 0.0, area: Sequence[Point] = (), colour: str = ""
     ) -> None:

@@ -6,9 +6,11 @@ import math
 
 from rcj_challenges.scenario.models.field import Box as BoxObstacle
 from rcj_challenges.scenario.models.field import FieldModel, Wall
-from rcj_challenges.scenario.models.places import CircleZone, PolygonZone, RectZone, Zone
+from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.drawing.labels import Box, Point
+
+_NOTHING_M2 = 1e-6  # an area that nobody sees: a square millimetre
 
 
 def zone_outline(zone: Zone, bounds: Box) -> list[Point]:
@@ -20,6 +22,38 @@ def zone_outline(zone: Zone, bounds: Box) -> list[Point]:
     return outline
 
 
+def shown_outline(zone: Zone, field: FieldModel, paper: Box) -> list[Point]:
+    """Return what is drawn of a zone's outline (``inverted`` not regarded); empty if it lies beside the paper.
+
+    A zone with an open side ends where the floor does: it would cover the goals and all that is around the field. Only
+    one that begins behind the floor ends where the goals do.
+    """
+    if not _is_open(zone):
+        return zone_outline(zone, paper)
+    depth_m = max((goal.depth_m for goal in field.goals.values()), default=0.0)
+    w, h = field.width_m / 2, field.length_m / 2 + depth_m
+    return floor_outline(zone, field) or zone_outline(zone, (-w, -h, w, h)) or zone_outline(zone, paper)
+
+
+def inverted_outlines(zone: Zone, field: FieldModel, paper: Box) -> tuple[list[Point], list[Point]]:
+    """Return what is drawn of all but a zone: an outline, and the hole in it.
+
+    That is the floor, or the whole paper if all of the floor is in the hole.
+    """
+    floor, hole = floor_of(field), floor_outline(zone, field)
+    if _area_m2(hole) < _area_m2(floor) - _NOTHING_M2:
+        return floor, hole
+    left, bottom, right, top = paper
+    return [(left, bottom), (right, bottom), (right, top), (left, top)], zone_outline(zone, paper)
+
+
+def floor_of(field: FieldModel) -> list[Point]:
+    """Return the outline of the floor inside the walls, without the goals."""
+    w, h, cut = field.width_m / 2, field.length_m / 2, field.corner_cut_m
+    return [(w - cut, h), (w, h - cut), (w, -h + cut), (w - cut, -h),
+            (-w + cut, -h), (-w, -h + cut), (-w, h - cut), (-w + cut, h)]  # fmt: skip
+
+
 def floor_outline(zone: Zone, field: FieldModel) -> list[Point]:
     """Return the outline of the part of a zone that lies on the floor; empty if none of it does."""
     w, h = field.width_m / 2, field.length_m / 2
@@ -27,6 +61,18 @@ def floor_outline(zone: Zone, field: FieldModel) -> list[Point]:
     for x, y in ((1, 1), (1, -1), (-1, 1), (-1, -1)) if field.corner_cut_m else ():
         outline = _beyond(outline, (x * (w - field.corner_cut_m), y * h), (-x, -y))
     return outline
+
+
+def _is_open(zone: Zone) -> bool:
+    if isinstance(zone, RectZone):
+        return None in (zone.x_min_m, zone.x_max_m, zone.y_min_m, zone.y_max_m)
+    return isinstance(zone, HalfPlaneZone)
+
+
+def _area_m2(outline: list[Point]) -> float:
+    """Return the area of a polygon (the shoelace formula)."""
+    doubled = sum(outline[k - 1][0] * y - x * outline[k - 1][1] for k, (x, y) in enumerate(outline))
+    return abs(doubled) / 2
 
 
 def _whole_outline(zone: Zone, bounds: Box) -> list[Point]:
@@ -37,7 +83,8 @@ def _whole_outline(zone: Zone, bounds: Box) -> list[Point]:
         x1 = right if zone.x_max_m is None else zone.x_max_m
         y0 = bottom if zone.y_min_m is None else zone.y_min_m
         y1 = top if zone.y_max_m is None else zone.y_max_m
-        return [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+        # An open side that begins beyond the bounds would end before it begins.
+        return [(x0, y0), (x1, y0), (x1, y1), (x0, y1)] if x0 < x1 and y0 < y1 else []
     if isinstance(zone, CircleZone):
         x, y = zone.centre_m
         steps = 72

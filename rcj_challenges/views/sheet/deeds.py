@@ -34,6 +34,8 @@ def placing_words(nouns: Nouns, placing: Any) -> str:
     """Return a placement as a clause."""
     noise = ", ".join(f"± {metres(wide)} in {axis}" for axis, wide in zip("xy", placing.noise_m, strict=True) if wide)
     who = nouns.all_of(placing.entity)
+    if _stays(placing) and placing.kick is not None and not noise:
+        return f"{who.does('rolls', 'roll')} on from where it is, {_rolling(nouns, placing)}{_clear(placing)}"
     parts = [
         put_words(nouns, placing.at, plural=who.plural),
         f" ({noise})" if noise else "",
@@ -43,6 +45,12 @@ def placing_words(nouns: Nouns, placing: Any) -> str:
         _kicked(nouns, placing, several=who.plural),
     ]
     return f"{who.does('is', 'are')} {''.join(parts)}"
+
+
+def _stays(placing: Any) -> bool:
+    """Return whether a thing is put right where it is."""
+    at = placing.at
+    return isinstance(at, places.RelativeTo) and at.relative_to == placing.entity and not any(at.offset_m)
 
 
 def _at_start(at: Any) -> bool:
@@ -71,15 +79,19 @@ def _clear(placing: Any) -> str:
 
 
 def _kicked(nouns: Nouns, placing: Any, *, several: bool) -> str:
+    """Return that it rolls off, how fast and where to."""
+    if placing.kick is None:
+        return ""
+    return f", and {'each rolls' if several else 'rolls'} {_rolling(nouns, placing)}"
+
+
+def _rolling(nouns: Nouns, placing: Any) -> str:
     """Return how fast it rolls off, and where to."""
     kick = placing.kick
-    if kick is None:
-        return ""
     speeds = kick.speed_mps if isinstance(kick.speed_mps, tuple) else (kick.speed_mps,)
     fast = " to ".join(dict.fromkeys(map(number, speeds)))
     aim = AIMS[type(kick.towards)](nouns, kick.towards)
-    rolls = "each rolls" if several else "rolls"
-    return f", and {rolls} at {fast} m/s towards {aim}{mirrored_aim_words(nouns, placing)}"
+    return f"at {fast} m/s towards {aim}{mirrored_aim_words(nouns, placing)}"
 
 
 def _beside(nouns: Nouns, at: Any) -> str:

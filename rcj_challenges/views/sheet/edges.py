@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
-from rcj_challenges.views.sheet.nouns import Nouns, Subject, plain, quoted
-from rcj_challenges.views.sheet.phrases import amount, compared, degrees, heading, metres, number, seconds, value
+from rcj_challenges.scenario.models.state import CounterValue
+from rcj_challenges.views.sheet.comparing import counter_words, distance_words, flag_words, speed_words, timer_words
+from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
+from rcj_challenges.views.sheet.phrases import degrees, heading, metres, number, seconds, value
 
 
-def trigger_words(nouns: Nouns, trigger: Any) -> str:
-    """Return a trigger as the part of a sentence that follows ``When``."""
+def trigger_words(nouns: Nouns, trigger: Any, each: str | None = None) -> str:
+    """Return a trigger as the part of a sentence that follows ``When``.
+
+    Args:
+        nouns: what the names stand for.
+        trigger: the trigger.
+        each: what its rule goes over.
+    """
+    if trigger.trigger == "timer_expired":
+        return _timer_expired(nouns, trigger, each)
     return TRIGGERS[trigger.trigger](nouns, trigger)
 
 
@@ -21,6 +31,14 @@ def condition_words(nouns: Nouns, condition: Any) -> str:
 
 def _phase_entered(_nouns: Nouns, t: Any) -> str:
     return f"the phase {quoted(t.phase)} begins" + (f" after {quoted(t.from_)}" if t.from_ else "")
+
+
+def _timer_expired(nouns: Nouns, t: Any, each: str | None = None) -> str:
+    per, expand = nouns.scenario.timers[t.timer].per, nouns.roster.expand
+    if per is None:
+        return f"the timer {quoted(t.timer)} runs out"
+    own = each is not None and set(expand(each)) <= set(expand(per))
+    return f"{nouns.owned('timer', 'each' if own else per, t.timer)} runs out"
 
 
 def _leaves(nouns: Nouns, t: Any) -> str:
@@ -55,9 +73,9 @@ def _holds(nouns: Nouns, t: Any) -> str:
     held = condition_words(nouns, t.condition)
     grace = f" (interruptions of up to {seconds(t.grace_s)} do not count)" if t.grace_s else ""
     again = f", and again every {seconds(t.every_s)} while that lasts" if t.every_s else ""
-    # Behind several it would read as if only the last of them had to last.
-    several = len(getattr(t.condition, "conditions", ())) > 1
-    lasting = " ".join(filter(None, (for_s, held) if several else (held, for_s)))
+    # Behind several it would read as if only the last of them had to last, behind a counter as if that said it.
+    before = _is_several(t.condition) or _asks_a_counter(t.condition)
+    lasting = " ".join(filter(None, (for_s, held) if before else (held, for_s)))
     return f"{lasting}{grace}{again}"
 
 
@@ -66,53 +84,66 @@ def _is(nouns: Nouns, c: Any, names: Any, what: str) -> str:
     return f"{nouns.quantified(c.of, names, negate=c.negate).does('is', 'are')} {what}"
 
 
-def _kept(nouns: Nouns, kind: str, name: str, c: Any) -> Subject:
-    """Return whose counter, flag or timer is asked: of one, or of so many of several."""
-    together = c.of is None and c.entity is None and kind != "counter" and nouns.owners(kind, name) is not None
-    if (c.of is None and not together) or c.entity == "each":
-        return Subject(nouns.kept(kind, name, c.entity), negated=c.negate)
-    names = c.entity or getattr(nouns.scenario, f"{kind}s")[name].per
-    who = nouns.quantified(c.of or "any", names, negate=c.negate)
-    return Subject(f"the {kind} {quoted(name)} of {who.text}", negated=who.negated)
-
-
-def _timer(nouns: Nouns, c: Any) -> str:
-    timer, limits = _kept(nouns, "timer", c.timer, c), compared(nouns, c, " s")
-    if not limits:
-        return f"{timer.does('is', 'are')} running"
-    owners = nouns.owners("timer", c.timer)
-    if c.of is None and c.entity is None and owners is not None:
-        longest = f"the longest running timer {quoted(c.timer)} of {nouns.all_of(owners).text}"
-        timer = Subject(longest, negated=c.negate)
-    return f"{timer.text} has{' not' if timer.negated else ''} run for {limits}"
-
-
-def _speed(nouns: Nouns, c: Any) -> str:
-    who = nouns.quantified(c.of, c.entity, negate=c.negate)
-    limits = [limit for limit in (c.at_least, c.at_most, c.equals) if limit is not None]
-    if who.negated and len(limits) == 1 and c.equals is None:
-        how = "slower" if c.at_most is None else "faster"
-        return f"{who.text} moves {how} than {amount(nouns, limits[0])} m/s"
-    return f"{who.does('moves', 'move')} at a speed of {compared(nouns, c, ' m/s')}"
-
-
 def _looks(nouns: Nouns, c: Any) -> str:
     who = nouns.quantified(c.of, c.entity, negate=c.negate).does("looks", "look")
     way = heading(c.heading_rad) if c.towards is None else f"towards {nouns.point(c.towards)}"
     return f"{who} {way} (to within {degrees(c.within_rad)})"
 
 
+def _last_touch(nouns: Nouns, c: Any) -> str:
+    last, was = f"the last to touch {nouns.thing(c.entity)}", "was not" if c.negate else "was"
+    return f"it {was} {last}" if c.by == "each" else f"{last} {was} {nouns.any_of(c.by)}"
+
+
 def _any_of(nouns: Nouns, c: Any) -> str:
     parts = c.conditions
-    if c.negate and (len(parts) == 1 or any(map(_is_negative, parts))):
+    if c.negate and (len(parts) == 1 or any(_is_negative(one) or _is_several(one) for one in parts)):
         # None of them holds: of each the opposite does.
-        opposites = [one.model_copy(update={"negate": not one.negate}) for one in parts]
-        return " and ".join(condition_words(nouns, one) for one in opposites)
-    inner = [condition_words(nouns, one) for one in parts]
+        return _all_hold(nouns, _opposites(parts))
+    if c.negate:
+        return "neither " + " nor ".join(condition_words(nouns, one) for one in parts)
+    return _one_holds(nouns, parts)
+
+
+def _all_of(nouns: Nouns, c: Any) -> str:
+    # Not all of them hold: of one the opposite does.
+    return _one_holds(nouns, _opposites(c.conditions)) if c.negate else _all_hold(nouns, c.conditions)
+
+
+def _opposites(conditions: Sequence[Any]) -> list[Any]:
+    return [one.model_copy(update={"negate": not one.negate}) for one in conditions]
+
+
+def _all_hold(nouns: Nouns, parts: Sequence[Any]) -> str:
+    # Behind a comma it is clear that it does not belong to the alternatives before it.
+    joint = ", and " if any(map(_is_several, parts)) else " and "
+    return joint.join(condition_words(nouns, one) for one in parts)
+
+
+def _one_holds(nouns: Nouns, parts: Sequence[Any]) -> str:
+    inner = [_as_one(nouns, one) for one in parts]
     if len(inner) == 1:
-        return inner[0]
-    first, last = ("neither ", " nor ") if c.negate else ("either ", " or ")
-    return first + last.join(inner)
+        return condition_words(nouns, parts[0])
+    return "either " + (", or " if any(map(_is_several, parts)) else " or ").join(inner)
+
+
+def _as_one(nouns: Nouns, c: Any) -> str:
+    """Return a condition as one of several; if all of others must hold in it, as ``both … and …``."""
+    if not _is_several(c) or c.condition != "all_of" or c.negate:
+        return condition_words(nouns, c)
+    inner = [condition_words(nouns, one) for one in c.conditions]
+    return f"both {inner[0]} and {inner[1]}" if len(inner) == 2 else f"{listed(inner, 'and')} at once"
+
+
+def _is_several(condition: Any) -> bool:
+    """Return whether a condition is made of more than one."""
+    return len(getattr(condition, "conditions", ())) > 1
+
+
+def _asks_a_counter(condition: Any) -> bool:
+    """Return whether a condition compares with a counter."""
+    limits = (getattr(condition, limit, None) for limit in ("at_least", "at_most", "equals"))
+    return any(isinstance(limit, CounterValue) for limit in limits)
 
 
 def _is_negative(condition: Any) -> bool:
@@ -125,7 +156,7 @@ TRIGGERS: dict[str, Callable[[Nouns, Any], str]] = {
     "half_ended": lambda _n, _t: "a half is over",
     "phase_entered": _phase_entered,
     "time_reached": lambda _, t: f"the half has lasted {seconds(t.at_s)}",
-    "timer_expired": lambda _, t: f"the timer {quoted(t.timer)} runs out",
+    "timer_expired": _timer_expired,
     "enters": lambda n, t: f"{n.any_of(t.entity)} enters {n.any_of(t.zone)}",
     "leaves": _leaves,
     "crosses": _crosses,
@@ -141,21 +172,32 @@ TRIGGERS: dict[str, Callable[[Nouns, Any], str]] = {
     "holds": _holds,
 }
 
+
+def _half(_nouns: Nouns, c: Any) -> str:
+    if c.at_least is not None and c.at_most is not None:
+        which = f"one of the halves {c.at_least} to {c.at_most}"
+    elif c.at_least is not None:
+        which = f"half {c.at_least} or a later one"
+    else:
+        which = f"half {c.equals}" if c.at_most is None else f"half {c.at_most} or an earlier one"
+    return f"it is {'not ' if c.negate else ''}{which}"
+
+
 CONDITIONS: dict[str, Callable[[Nouns, Any], str]] = {
     "in_zone": lambda n, c: _is(n, c, c.entity, f"in {n.any_of(c.zone)}"),
-    "speed": _speed,
-    "distance": lambda n, c: _is(n, c, c.entity, f"{compared(n, c, ' m')} from {n.point(c.to)}"),
+    "speed": speed_words,
+    "distance": distance_words,
     "looks": _looks,
     "any_of": _any_of,
-    "counter": lambda n, c: f"{_kept(n, 'counter', c.counter, c).does('is', 'are')} {compared(n, c)}",
-    "flag": lambda n, c: f"{_kept(n, 'flag', c.flag, c).does('is', 'are')} set",
+    "all_of": _all_of,
+    "counter": counter_words,
+    "flag": flag_words,
     "drawn": lambda n, c: f"“{plain(value(n, c.equals))}” was {'not ' if c.negate else ''}drawn as {quoted(c.draw)}",
-    "timer": _timer,
-    "last_touch": lambda n, c: (
-        f"the last to touch {n.thing(c.entity)} was {'not ' if c.negate else ''}{n.any_of(c.by)}"
-    ),
+    "timer": timer_words,
+    "last_touch": _last_touch,
     "spot_free": lambda n, c: _is(n, c, c.spot, "free"),
     "sequence_at": lambda n, c: (
         f"the sequence {quoted(c.sequence)} {'does not stand' if c.negate else 'stands'} at {n.thing(c.step)}"
     ),
+    "half": _half,
 }

@@ -135,9 +135,10 @@ class Nouns:
             return f"({at[0]:g}, {at[1]:g})"
         return f"the nearest of {self._group(at)}" if self._several(at) else self._one(at)
 
-    def owned(self, what: str, names: Names) -> str:
-        """Return what belongs to one of several: ``its program``, ``the program of one of the robots``."""
-        return f"its {what}" if names == "each" else f"the {what} of {self.any_of(names)}"
+    def owned(self, what: str, names: Names, name: str = "") -> str:
+        """Return what belongs to one of several: ``its program``, ``the timer “rest” of one of the robots``."""
+        thing = f"{what} {quoted(name)}" if name else what
+        return f"its {thing}" if names == "each" else f"the {thing} of {self.any_of(names)}"
 
     def kept(self, kind: str, name: str, entity: str | None) -> str:
         """Return a counter, flag or timer, with whose it is: ``the counter “laps” of Y1``, ``its flag “out”``.

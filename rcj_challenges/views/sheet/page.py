@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rcj_challenges.scenario.models.actions import Score, SequenceAction
+from rcj_challenges.scenario.models.actions import DrawAction, Place, Score, SequenceAction
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Result, Rule, Scenario
 from rcj_challenges.scenario.models.state import AnyStep, Draw, Phase, Sequence
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.visiting import visit
+from rcj_challenges.views.drawing.beside import layouts_of
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table, as_html, as_markdown
 from rcj_challenges.views.sheet.deeds import placing_words, receiver_words
 from rcj_challenges.views.sheet.ground import field_blocks
 from rcj_challenges.views.sheet.machines import robot_blocks
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
-from rcj_challenges.views.sheet.phrases import amount, number, seconds, value
+from rcj_challenges.views.sheet.phrases import amount, lasting, number, seconds, value
 from rcj_challenges.views.sheet.rules import rule_blocks, when_words
 from rcj_challenges.views.sheet.spoken import spoken
 from rcj_challenges.views.sheet.told import told_blocks
@@ -50,9 +52,9 @@ def _course(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     first = f" A half begins in the phase {quoted(scenario.first_phase)}." if scenario.first_phase != "play" else ""
     yield Paragraph(f"{halves} of {seconds(match.half_s)}{swap}.{first} Everything is judged on every tick of 32 ms.")
     entries = [
-        *(_phase_words(name, phase) for name, phase in scenario.phases.items()),
+        *(_phase_words(nouns, name, phase) for name, phase in scenario.phases.items()),
         *(
-            f"The timer {quoted(name)} lasts {seconds(timer.lasts_s)}"
+            f"The timer {quoted(name)} lasts {lasting(nouns, timer.lasts_s)}"
             + (f"; there is one for {nouns.each_of(timer.per)}" if timer.per else "")
             + ("; it starts with the half." if timer.starts else ".")
             for name, timer in scenario.timers.items()
@@ -65,9 +67,9 @@ def _course(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
         yield Items(tuple(entries))
 
 
-def _phase_words(name: str, phase: Phase) -> str:
+def _phase_words(nouns: Nouns, name: str, phase: Phase) -> str:
     lasts = (
-        f"lasts {seconds(phase.lasts_s)}, then {quoted(phase.next)} follows"
+        f"lasts {lasting(nouns, phase.lasts_s)}, then {quoted(phase.next)} follows"
         if phase.lasts_s
         else ("lasts until a rule begins another")
     )
@@ -102,8 +104,20 @@ def _kept_words(nouns: Nouns, kind: str, name: str) -> str:
 def _draw_words(nouns: Nouns, name: str, draw: Draw) -> str:
     values = listed([plain(value(nouns, entry)) for entry in draw.values], "or")
     again = ", never the same twice running" if draw.not_last else ""
-    keep = "once a match" if draw.keep == "match" else "when a half starts"
+    if draw.not_again is not None:
+        where = "in a half" if draw.not_again == "half" else "in the match"
+        again += f"; {where} none comes again before all have been drawn"
+    if name in _drawn_anew(nouns):
+        keep = f"when {'the match' if draw.keep == 'match' else 'a half'} starts, and again when a rule says so"
+    else:
+        keep = "once a match" if draw.keep == "match" else "when a half starts"
     return f"Chance decides {quoted(name)} {keep}: {values}{again}."
+
+
+def _drawn_anew(nouns: Nouns) -> set[str]:
+    """Return what rules draw anew."""
+    actions = (action for rule in nouns.scenario.rules.values() for action in rule.actions)
+    return {action.draw for action in actions if isinstance(action, DrawAction) and action.as_ is None}
 
 
 def _sequence_words(nouns: Nouns, name: str, sequence: Sequence) -> str:
@@ -147,8 +161,7 @@ def _followed_words(nouns: Nouns, name: str) -> str:
 
 def _sequences_of(rule: Rule) -> set[str]:
     """Return the sequences that a rule hears or asks."""
-    asked = [*rule.conditions, *(getattr(trigger, "condition", None) for trigger in rule.triggers)]
-    words = [*rule.triggers, *asked, *(inner for one in asked for inner in getattr(one, "conditions", ()))]
+    words = (word for word, _ in visit((rule.triggers, rule.conditions)))
     return {name for word in words if (name := getattr(word, "sequence", None)) is not None}
 
 
@@ -161,25 +174,28 @@ def _step_words(nouns: Nouns, names: list[str]) -> str:
 
 
 def _scoring(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
-    rows = [
-        (
-            spoken(nouns, rule) or when_words(rule, nouns),
-            receiver_words(nouns, action.entrant),
-            amount(nouns, action.points),
-        )
-        for rule in scenario.rules.values()
-        for action in rule.actions
-        if isinstance(action, Score)
-    ]
+    # Rules that say the same, one for each side of the field, are the same rows for the reader.
+    of_rules = dict.fromkeys(_points_rows(nouns, rule) for rule in scenario.rules.values())
+    rows = [row for rows in of_rules for row in rows]
     yield Heading(2, "Scoring")
     if rows:
-        # Rules that say the same, one for each side of the field, are one row for the reader.
-        yield Table(("when", "who", "points"), tuple(dict.fromkeys(rows)))
+        yield Table(("when", "who", "points"), tuple(rows))
     else:
         yield Paragraph("No rule gives points.")
-    if scenario.result != Result():
+    if rows or scenario.result != Result():
         criteria = "; if that is equal, ".join(_criterion_words(nouns, one) for one in scenario.result.rank)
         yield Paragraph(f"The better one has {criteria}.")
+
+
+def _points_rows(nouns: Nouns, rule: Rule) -> tuple[tuple[str, str, str], ...]:
+    """Return who gets how many points by a rule: one row for each who does, all that he gets in it."""
+    points: dict[str, list[str]] = {}
+    for action in rule.actions:
+        if isinstance(action, Score):
+            points.setdefault(receiver_words(nouns, action.entrant), []).append(amount(nouns, action.points))
+    when = spoken(nouns, rule) or when_words(rule, nouns)
+    first = dict.fromkeys(list(points)[:1], when)
+    return tuple((first.get(who, "at the same time"), who, ", plus ".join(parts)) for who, parts in points.items())
 
 
 def _criterion_words(nouns: Nouns, criterion: RankByScore | RankByTime | RankByCounter) -> str:
@@ -204,9 +220,13 @@ def _own_counter(nouns: Nouns, name: str) -> str:
 
 
 def _places(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
-    if scenario.placements:
+    actions = [action for rule in scenario.rules.values() for action in rule.actions if isinstance(action, Place)]
+    used = {name for action in actions for name in layouts_of(scenario, action)}
+    if used:
         yield Heading(2, "Where things are put")
     for name, layout in scenario.placements.items():
+        if name not in used:
+            continue
         yield Paragraph(f"{quoted(name)}: {'; '.join(placing_words(nouns, placing) for placing in layout)}.")
 
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from rcj_challenges.scenario.models import state
-from rcj_challenges.views.sheet.nouns import Nouns, plain, quoted
+from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
 
 
 def number(value: float) -> str:
@@ -17,6 +17,14 @@ def number(value: float) -> str:
 def seconds(value: float) -> str:
     """Return a duration: ``15 s``, ``10 min``."""
     return f"{value / 60:g} min" if value >= 120 and value % 60 == 0 else f"{value:g} s"
+
+
+def lasting(nouns: Nouns, lasts_s: float | state.DrawnDuration) -> str:
+    """Return how long something lasts: ``15 s``, or ``5 s or 8 s, as “pause” is drawn``."""
+    if not isinstance(lasts_s, state.DrawnDuration):
+        return seconds(lasts_s)
+    times_s = sorted({float(value) for value in nouns.scenario.draws[lasts_s.draw].values})
+    return f"{listed([seconds(time_s) for time_s in times_s], 'or')}, as {quoted(lasts_s.draw)} is drawn"
 
 
 def metres(value: float) -> str:
@@ -55,34 +63,55 @@ def amount(nouns: Nouns, value: Any) -> str:
     if isinstance(value, (int, float)):
         return number(value)
     if isinstance(value, tuple):
-        return ", plus ".join(_part(nouns, part) for part in value)
+        return _sum(nouns, value)
     return _counted(nouns, value) or nouns.kept("counter", value.counter, value.entity)
 
 
-def compared(nouns: Nouns, model: Any, unit: str = "") -> str:
-    """Return the comparison of a condition: ``at least 3 and at most 5``."""
-    parts = [
-        f"{words} {amount(nouns, limit)}{unit}"
-        for words, limit in (("at least", model.at_least), ("at most", model.at_most), ("exactly", model.equals))
-        if limit is not None
-    ]
-    return " and ".join(parts)
-
-
 def _counted(nouns: Nouns, model: Any) -> str:
-    """Return for how much a flag, a draw or a word counts; an empty text for anything else."""
+    """Return for how much a flag or what is told counts; an empty text for anything else."""
     if isinstance(model, state.FlagValue):
         return f"1 if {nouns.kept('flag', model.flag, model.entity)} is set"
     if isinstance(model, state.NumberWord):
         return _word(nouns, model) + (" (rounded down)" if model.word.endswith("_s") else "")
+    if isinstance(model, state.TimerValue):
+        return f"{_ran(nouns, model)} (rounded down)"
+    if isinstance(model, state.DistanceValue):
+        return _apart(nouns, model)
     return _VALUES[state.DrawValue](nouns, model) if isinstance(model, state.DrawValue) else ""
 
 
-def _part(nouns: Nouns, part: Any) -> str:
+def _sum(nouns: Nouns, parts: Sequence[Any]) -> str:
+    """Return the sum of weighted parts: ``5, minus 0.1 times the time in s (rounded down)``."""
+    said = ""
+    for part in parts:
+        weight = part if isinstance(part, (int, float)) else part.weight
+        if not said:
+            said = _part(nouns, part, weight)
+        else:
+            said += f", {'minus' if weight < 0 else 'plus'} {_part(nouns, part, abs(weight))}"
+    return said
+
+
+def _part(nouns: Nouns, part: Any, weight: float) -> str:
+    if isinstance(part, (int, float)):
+        return number(weight)
     if isinstance(part, state.WeightedFlag):
-        return f"{number(part.weight)} if {nouns.kept('flag', part.flag, part.entity)} is set"
+        return f"{number(weight)} if {nouns.kept('flag', part.flag, part.entity)} is set"
     counter = _counted(nouns, part) or nouns.kept("counter", part.counter, part.entity)
-    return counter if part.weight == 1 else f"{number(part.weight)} times {counter}"
+    return counter if weight == 1 else f"{number(weight)} times {counter}"
+
+
+def _apart(nouns: Nouns, model: state.DistanceValue) -> str:
+    one, other = map(nouns.point, model.distance)
+    return f"the distance between {one} and {other} in m"
+
+
+def _ran(nouns: Nouns, model: state.TimerValue) -> str:
+    owners = None if model.entity else nouns.owners("timer", model.timer)
+    timer = nouns.kept("timer", model.timer, model.entity)
+    if owners is not None:
+        timer = f"the longest running timer {quoted(model.timer)} of {nouns.all_of(owners).text}"
+    return f"the time in s that {timer} has run"
 
 
 def _word(_nouns: Nouns, model: state.WordValue) -> str:
@@ -113,4 +142,7 @@ _VALUES: dict[type, Callable[[Nouns, Any], str]] = {
     state.DrawValue: lambda _, model: f"what was drawn as {quoted(model.draw)}",
     state.WordValue: _word,
     state.PositionValue: lambda nouns, model: f"the position of {nouns.thing(model.position_of)}",
+    state.DistanceValue: _apart,
+    state.TimerValue: _ran,
+    state.LastTouchValue: lambda nouns, model: f"the name of the last to touch {nouns.thing(model.last_touch)}",
 }

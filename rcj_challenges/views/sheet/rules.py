@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from rcj_challenges.scenario.models.actions import LastToucher
 from rcj_challenges.scenario.models.conditions import LastTouch
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.models.state import LastTouchValue
 from rcj_challenges.scenario.visiting import visit
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph
 from rcj_challenges.views.sheet.deeds import action_words
@@ -23,6 +24,7 @@ def rule_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     yield Heading(2, "Rules")
     yield Paragraph(
         "On each tick the rules are judged in this order; a name in brackets is the rule's name in the log."
+        + _phases_words(scenario)
     )
     rules = sorted(scenario.rules.items(), key=lambda named: named[1].priority)
     yield Items(tuple(f"[{name}] {_sentence(rule, nouns)}" for name, rule in rules), numbered=True)
@@ -32,21 +34,26 @@ def rule_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     yield from _last_touch(scenario)
 
 
+def _phases_words(scenario: Scenario) -> str:
+    """Return in which phase a rule counts about which nothing is said, if there are others."""
+    alone = any(rule.phases == ("play",) for rule in scenario.rules.values())
+    if not alone or not set(scenario.phases) - {"play"}:
+        return ""
+    only = "Where nothing else is said, a rule counts in the phase “play” only"
+    return f" {only}; what happens in another phase is not made up for later."
+
+
 def when_words(rule: Rule, nouns: Nouns) -> str:
     """Return when a rule fires: ``When the ball enters the blue goal, provided that …``."""
     each = f"For {nouns.each_of(rule.for_each)}, when " if rule.for_each else "When "
-    edges = ", or when ".join(trigger_words(nouns, trigger) for trigger in rule.triggers)
+    edges = ", or when ".join(trigger_words(nouns, trigger, rule.for_each) for trigger in rule.triggers)
     levels = " and ".join(f"that {condition_words(nouns, condition)}" for condition in rule.conditions)
     return f"{each}{edges}" + (f", provided {levels}" if levels else "")
 
 
 def _sentence(rule: Rule, nouns: Nouns) -> str:
     says = f"{spoken(nouns, rule)} " if rule.says else ""
-    extras = []
-    if rule.cooldown_s:
-        extras.append(f"at most once in {seconds(rule.cooldown_s)}")
-    if rule.max_executions:
-        extras.append(f"at most {times(rule.max_executions)} a half")
+    extras = [_how_often(rule, nouns)] if rule.cooldown_s or rule.max_executions else []
     if rule.phases == "any":
         extras.append("in every phase")
     elif rule.phases != ("play",):
@@ -54,6 +61,16 @@ def _sentence(rule: Rule, nouns: Nouns) -> str:
     tail = f" ({'; '.join(extras)})" if extras else ""
     actions = ", then ".join(action_words(nouns, action) for action in rule.actions)
     return f"{says}{when_words(rule, nouns)}: {actions}{tail}."
+
+
+def _how_often(rule: Rule, nouns: Nouns) -> str:
+    """Return how often a rule counts; over each of a group it does so for each of its members."""
+    limits = [
+        *([f"at most once in {seconds(rule.cooldown_s)}"] if rule.cooldown_s else []),
+        *([f"at most {times(rule.max_executions)} a half"] if rule.max_executions else []),
+    ]
+    several = rule.for_each is not None and len(nouns.roster.expand(rule.for_each)) > 1
+    return ("for each of them " if several else "") + " and ".join(limits)
 
 
 def _exclusive_words(rules: list[_Named], nouns: Nouns) -> Iterator[str]:
@@ -67,9 +84,9 @@ def _exclusive_words(rules: list[_Named], nouns: Nouns) -> Iterator[str]:
 
 
 def _last_touch(scenario: Scenario) -> Iterator[Block]:
-    """Return a sentence about the last to touch something, if a rule asks who it was or gives its team points."""
-    words = {type(model) for rule in scenario.rules.values() for model, _ in visit(rule)}
-    if words & {LastTouch, LastToucher}:
+    """Return a sentence about the last to touch something, if it is asked for, told, or its team gets points."""
+    words = {type(model) for model, _ in visit((*scenario.rules.values(), scenario.broadcast))}
+    if words & {LastTouch, LastToucher, LastTouchValue}:
         nobody = ", and its team's points go to nobody" if LastToucher in words else ""
         yield Paragraph(
             "The last to touch something is who touched it last since a rule put it where it is; if nobody has, "

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from typing import Any
 
+from rcj_challenges.scenario.blanks import partly_filled
 from rcj_challenges.scenario.models.scenario import Rule
+from rcj_challenges.scenario.models.state import DrawnDuration
 from rcj_challenges.views.sheet.nouns import Nouns, plain
 from rcj_challenges.views.sheet.phrases import number
 
 OPEN = "…"
 """Stands for a number that is known only when the rule fires."""
+
+_SOME_TEAM = "the team"
 
 _OF_ITS_PLACE = ("in_zone", "speed", "distance", "looks", "last_touch")
 """The conditions that ``holds`` follows on behalf of an entity."""
@@ -27,7 +31,7 @@ _LIMITS = {
 
 def spoken(nouns: Nouns, rule: Rule) -> str:
     """Return what a rule says as a whole sentence; an empty text if it says nothing."""
-    words = rule.says.strip()
+    words = partly_filled(rule, nouns.scenario.params).strip()
     if not words:
         return ""
     filled = {
@@ -35,8 +39,12 @@ def spoken(nouns: Nouns, rule: Rule) -> str:
         "{team}": _team(nouns, rule),
         "{measured}": OPEN,
         "{limit}": _limit(nouns, rule),
+        "{points}": OPEN,
     }
     end = "" if words.rstrip("\"'”)").endswith((".", "!", "?", "…", ":")) else "."
+    if filled["{team}"] == _SOME_TEAM:
+        # What is of one of the teams, nobody says of it.
+        words = words.replace("{entity} of {team}", "{entity}")
     for blank, known in filled.items():
         words = words.replace(blank, known)
     return f"{words[:1].upper()}{words[1:]}{end}"
@@ -58,7 +66,7 @@ def _team(nouns: Nouns, rule: Rule) -> str:
         for member in nouns.roster.expand(names)
     }
     only = seats.pop() if len(seats) == 1 else None
-    return "the team" if only is None else plain(only)
+    return _SOME_TEAM if only is None else plain(only)
 
 
 def _limit(nouns: Nouns, rule: Rule) -> str:
@@ -69,7 +77,8 @@ def _limit(nouns: Nouns, rule: Rule) -> str:
 
 def _limit_of(nouns: Nouns, trigger: Any) -> float | None:
     if trigger.trigger == "timer_expired":
-        return nouns.scenario.timers[trigger.timer].lasts_s
+        lasts_s = nouns.scenario.timers[trigger.timer].lasts_s
+        return None if isinstance(lasts_s, DrawnDuration) else lasts_s
     limit = _LIMITS.get(trigger.trigger)
     return None if limit is None else float(getattr(trigger, limit))
 

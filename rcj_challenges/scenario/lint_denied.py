@@ -1,0 +1,88 @@
+"""Lint of triggers whose own edge denies a condition of their rule: it never fires."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
+from rcj_challenges.scenario.lint_logic import range_of, ways_to_hold
+from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lengths_s
+from rcj_challenges.scenario.models.conditions import Condition, InZone, TimerIs
+from rcj_challenges.scenario.models.scenario import Rule
+from rcj_challenges.scenario.models.triggers import Enters, Leaves, TimerExpired, Trigger
+
+
+def check_contradictions(subject: Subject) -> Iterator[Suspect]:
+    """Triggers whose own edge denies a condition of their rule."""
+    for name, rule in subject.scenario.rules.items():
+        ways = ways_to_hold(rule.conditions)
+        for index, trigger in enumerate(rule.triggers):
+            if ways and all(any(_denies(trigger, one, rule, subject) for one in way) for way in ways):
+                reason, remedy = _why(trigger)
+                yield Suspect("rule_never_fires", ("rules", name, "triggers", index), reason, remedy)
+
+
+def _why(trigger: Trigger) -> tuple[str, str]:
+    if isinstance(trigger, TimerExpired):
+        return (
+            "when it fires the timer has run out and stands at its length, and a condition asks for something else",
+            "take the condition out: a timer that has run out is running no longer",
+        )
+    now = "in" if isinstance(trigger, Enters) else "outside"
+    return (
+        f"when it fires the entity is {now} the zone already, and a condition asks for the opposite",
+        "take the condition or the trigger out, or correct the zone",
+    )
+
+
+def _denies(trigger: Trigger, condition: Condition, rule: Rule, subject: Subject) -> bool:
+    if isinstance(trigger, Enters | Leaves) and isinstance(condition, InZone):
+        return _is_elsewhere(trigger, condition, rule, subject)
+    if isinstance(trigger, TimerExpired) and isinstance(condition, TimerIs) and condition.timer == trigger.timer:
+        return _is_of_expired(condition, rule, subject) and not _may_hold_at_end(condition, subject)
+    return False
+
+
+# --- zones ------------------------------------------------------------------------------------------------------------
+
+
+def _is_elsewhere(trigger: Enters | Leaves, condition: InZone, rule: Rule, subject: Subject) -> bool:
+    """Return whether one entity that has just entered is asked to be outside, or one that left to be inside."""
+    if not _is_same_one(trigger, condition, rule, subject):
+        return False
+    asked_inside = (condition.of == "none") == condition.negate
+    zones, asked = subject.members(trigger.zone, rule), subject.members(condition.zone, rule)
+    if isinstance(trigger, Enters):
+        return not asked_inside and zones <= asked
+    return asked_inside and asked <= zones
+
+
+def _is_same_one(trigger: Enters | Leaves, condition: InZone, rule: Rule, subject: Subject) -> bool:
+    found = subject.members(trigger.entity, rule)
+    alone = len(found) == 1 and found == subject.members(condition.entity, rule)
+    return alone or trigger.entity == condition.entity == "each"
+
+
+# --- timers -----------------------------------------------------------------------------------------------------------
+
+
+def _is_of_expired(condition: TimerIs, rule: Rule, subject: Subject) -> bool:
+    """Return whether a condition is about the very timer that has run out, and not about others of its name."""
+    per = subject.scenario.timers[condition.timer].per
+    if per is None or len(subject.members(per, rule)) == 1:
+        return condition.of in (None, "any", "all")
+    # A rule with for_each hears the timer of `each` only.
+    return condition.of is None and condition.entity == "each"
+
+
+def _may_hold_at_end(condition: TimerIs, subject: Subject) -> bool:
+    """Return whether a condition can hold of a timer that stands at its length."""
+    bounds = [bound for bound in (condition.at_least, condition.at_most, condition.equals) if bound is not None]
+    if not bounds:
+        return condition.negate  # whether it is running
+    if not all(isinstance(bound, int | float) for bound in bounds):
+        return True  # a bound that is a counter may be anything
+    low, high = range_of(condition)
+    lengths = lengths_s(subject.scenario.timers[condition.timer].lasts_s, subject.scenario)
+    # The referee counts in whole ticks.
+    return any((low <= s_from_ticks(ticks_from_s(length)) <= high) != condition.negate for length in lengths)

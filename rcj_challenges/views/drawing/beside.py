@@ -1,0 +1,219 @@
+"""Places beside what moves, as far as they are known: at the start of a half, or beside what a rule has just put."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from itertools import product
+from typing import NamedTuple
+
+from rcj_challenges.scenario.models.actions import Place, Remove
+from rcj_challenges.scenario.models.base import Names
+from rcj_challenges.scenario.models.places import At, AtPoint, AtSpot, Facing, Mirror, Placing, RelativeTo, Start
+from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.models.state import DrawValue
+from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.views.drawing.flips import AS_WRITTEN, Flip, flipped
+from rcj_challenges.views.drawing.labels import Point
+from rcj_challenges.views.drawing.shapes import home, home_yaw_rad
+
+_DIGITS = 3  # of a place in m; a yaw written as 1.57 shifts it by less
+
+
+class Beside(NamedTuple):
+    """A place beside something that moves.
+
+    Attributes:
+        names: what is put there, as written.
+        at: where it is.
+        noise_m: half width of the noise around it, that of what it is beside included.
+        aim: whether things are not put there, but roll there.
+    """
+
+    names: tuple[str, ...]
+    at: Point
+    noise_m: Point
+    aim: bool
+
+
+@dataclass(frozen=True)
+class _Pose:
+    at: Point
+    noise_m: Point = (0.0, 0.0)
+    yaw_rad: float | None = None  # None: nobody knows
+
+
+_Board = dict[str, tuple[_Pose, ...]]
+"""Every pose that an entity may have. What is not in it may be anywhere."""
+
+
+def places_beside(scenario: Scenario, roster: Roster) -> Iterator[Beside]:
+    """Yield the known places beside entities where rules put things, or where they roll things to."""
+    start: _Board = {
+        name: (_Pose(home(scenario, name), _start_noise_m(scenario, name), home_yaw_rad(scenario, name)),)
+        for name in roster.entities
+    }
+    for rule in sorted(scenario.rules.values(), key=lambda rule: rule.priority):
+        hears = _hears_the_start(scenario, rule)
+        walks = [_Walk(scenario, roster, rule, flags, start if hears else {}) for flags in _settings(scenario, rule)]
+        for walk in walks:
+            yield from walk.found
+        if hears:
+            left_out = [start] if rule.conditions or rule.exclusive is not None else []
+            start = _merged([*left_out, *(walk.board for walk in walks)])
+
+
+def layouts_of(scenario: Scenario, action: Place) -> list[str]:
+    """Return the layouts that an action may put."""
+    if isinstance(action.layout, DrawValue):
+        return [str(value) for value in scenario.draws[action.layout.draw].values]
+    return [] if action.layout is None else [action.layout]
+
+
+def listed_names(names: Names, each: str) -> tuple[str, ...]:
+    """Return names as a row, with what a rule goes over for ``each``."""
+    return tuple(each if name == "each" else name for name in ((names,) if isinstance(names, str) else names))
+
+
+def _start_noise_m(scenario: Scenario, entity: str) -> Point:
+    return scenario.robots[entity].start.noise_m if entity in scenario.robots else (0.0, 0.0)
+
+
+def _hears_the_start(scenario: Scenario, rule: Rule) -> bool:
+    lives = rule.phases == "any" or scenario.first_phase in rule.phases
+    return lives and any(trigger.trigger == "half_started" for trigger in rule.triggers)
+
+
+def _settings(scenario: Scenario, rule: Rule) -> list[frozenset[str]]:
+    """Return which flags may be set that mirror what a rule puts: every choice of them."""
+    placings: list[Place | Placing] = [action for action in rule.actions if isinstance(action, Place)]
+    names = [name for action in placings if isinstance(action, Place) for name in layouts_of(scenario, action)]
+    placings += [placing for name in names for placing in scenario.placements[name]]
+    mirrors = [placing.mirror for placing in placings if placing.mirror is not None]
+    flags = dict.fromkeys(mirror.when for mirror in mirrors if mirror.when is not None)
+    choices = product(*((None, flag) for flag in flags))
+    return [frozenset(flag for flag in choice if flag is not None) for choice in choices]
+
+
+def _merged(boards: Iterable[_Board]) -> _Board:
+    """Return every pose that an entity has on one of the boards; one that is missing on any of them may be anywhere."""
+    first, *others = boards
+    return {
+        name: tuple(dict.fromkeys(pose for board in (first, *others) for pose in board[name]))
+        for name in first
+        if all(name in board for board in others)
+    }
+
+
+class _Walk:
+    """Carries out what a rule puts, in order, as far as it can be known beforehand.
+
+    Args:
+        scenario: the scenario.
+        roster: its roster.
+        rule: the rule.
+        flags: the flags that are set meanwhile.
+        board: where things are before.
+    """
+
+    def __init__(self, scenario: Scenario, roster: Roster, rule: Rule, flags: frozenset[str], board: _Board) -> None:
+        self.board = dict(board)
+        self.found: list[Beside] = []
+        self._scenario, self._roster, self._flags = scenario, roster, flags
+        self._each = rule.for_each or ""
+        for action in rule.actions:
+            if isinstance(action, Remove):
+                for name in roster.expand(listed_names(action.entity, self._each)):
+                    self.board.pop(name, None)
+            elif isinstance(action, Place):
+                self._place(action)
+
+    def _place(self, action: Place) -> None:
+        if action.layout is None:
+            self._put(action, AS_WRITTEN)
+            return
+        before, after = self.board, []
+        for name in layouts_of(self._scenario, action):
+            self.board = dict(before)
+            for placing in self._scenario.placements[name]:
+                self._put(placing, self._flip(action.mirror))
+            after.append(self.board)
+        self.board = _merged(after)
+
+    def _put(self, placing: Place | Placing, whole: Flip) -> None:
+        """Put what a placement names, and remember where, if that is beside something."""
+        own = self._flip(placing.mirror)
+        flip = (own[0] is not whole[0], own[1] is not whole[1])
+        names = listed_names(placing.entity or (), self._each)
+        self._remember(names, placing.at, placing.noise_m, flip, aim=False)
+        for name in self._roster.expand(names):
+            yaw_rad = self._yaw_rad(name, placing.facing)
+            poses = self._poses(name, placing.at, flip)
+            if poses:
+                self.board[name] = tuple(
+                    replace(pose, noise_m=_sum(pose.noise_m, placing.noise_m), yaw_rad=yaw_rad) for pose in poses
+                )
+            else:
+                self.board.pop(name, None)
+        if placing.kick is not None:
+            self._remember(names, placing.kick.towards, (0.0, 0.0), flip, aim=True)
+
+    def _remember(self, names: tuple[str, ...], at: At | None, noise_m: Point, flip: Flip, *, aim: bool) -> None:
+        if not isinstance(at, RelativeTo) or self._roster.expand(at.relative_to)[0] not in self._roster.entities:
+            return
+        if at.relative_to in names and not any(at.offset_m):
+            return  # it stays where it is
+        for pose in self._beside(at, flip):
+            x, y = (round(value, _DIGITS) + 0.0 for value in pose.at)  # adding 0 makes no -0
+            self.found.append(Beside(names, (x, y), _sum(pose.noise_m, noise_m), aim))
+
+    def _poses(self, entity: str, at: At | None, flip: Flip) -> tuple[_Pose, ...]:
+        """Return where an entity may be after it was put somewhere; empty if nobody knows."""
+        match at:
+            case "start" | Start():
+                noise_m = _start_noise_m(self._scenario, entity)
+                return (_Pose(flipped(home(self._scenario, entity), flip), noise_m),)
+            case AtPoint():
+                return (_Pose(flipped(at.point, flip)),)
+            case AtSpot() if at.spot in self._scenario.spots:
+                return (_Pose(flipped(self._spot(at.spot), flip)),)
+            case RelativeTo():
+                return self._beside(at, flip)
+        return ()
+
+    def _beside(self, at: RelativeTo, flip: Flip) -> tuple[_Pose, ...]:
+        anchor = self._roster.expand(at.relative_to)[0]
+        if anchor in self._scenario.spots:
+            return (_Pose(flipped(_sum(self._spot(anchor), at.offset_m), flip)),)
+        poses = self.board.get(anchor, ())
+        if not at.turns:
+            return tuple(replace(pose, at=_sum(pose.at, flipped(at.offset_m, flip))) for pose in poses)
+        known = [(pose, pose.yaw_rad) for pose in poses if pose.yaw_rad is not None]
+        return tuple(replace(pose, at=_sum(pose.at, _turned(at.offset_m, yaw))) for pose, yaw in known)
+
+    def _yaw_rad(self, entity: str, facing: Facing) -> float | None:
+        if facing == "start":
+            return home_yaw_rad(self._scenario, entity)
+        if facing == "keep":
+            yaws = {pose.yaw_rad for pose in self.board.get(entity, ())}
+            return yaws.pop() if len(yaws) == 1 else None
+        return facing if isinstance(facing, float) else None
+
+    def _flip(self, mirror: Mirror | None) -> Flip:
+        if mirror is None or (mirror.when is not None and mirror.when not in self._flags):
+            return AS_WRITTEN
+        return mirror.axis in ("x", "both"), mirror.axis in ("y", "both")
+
+    def _spot(self, name: str) -> Point:
+        spot = self._scenario.spots[name]
+        return spot.x_m, spot.y_m
+
+
+def _sum(a: Point, b: Point) -> Point:
+    return a[0] + b[0], a[1] + b[1]
+
+
+def _turned(offset_m: Point, yaw_rad: float) -> Point:
+    x, y = offset_m
+    return math.cos(yaw_rad) * x - math.sin(yaw_rad) * y, math.sin(yaw_rad) * x + math.cos(yaw_rad) * y

@@ -1,0 +1,203 @@
+"""Values that are measured or remembered: distances, timers, last touches; and points and sentences made of them."""
+
+import pytest
+
+from rcj_challenges.referee.script import ScriptedPlay, half_of
+from rcj_challenges.scenario.load import load_text
+from tests.referee.test_values import payload, telling
+
+HEAD = "schema_version: 1\nid: small\ntitle: Small\nextends: soccersim_v2\nmatch: {half_s: 60}\n"
+TAKEN_OFF = """
+rules:
+  gone: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: remove, entity: %s}]}
+"""
+
+
+def scoring(points: str, more: str = "") -> str:
+    """Return a rule that gives yellow points whenever a program fails."""
+    return f"""
+    rules:
+      paid: {{{more} triggers: [{{trigger: program_fault, robot: B1}}],
+              actions: [{{action: score, entrant: yellow, points: {points}}}]}}
+    """
+
+
+def paid(play) -> float:
+    play.fail("B1")
+    play.play()
+    return play.referee.scores["yellow"]
+
+
+class TestValueDistance:
+    def test_it_is_told_in_metres_to_the_millimetre(self, stage):
+        play = stage(telling("{far: {distance: [Y1, ball]}, back: {distance: [ball, Y1]}}"))
+        play.place("Y1", -0.3, -0.4001)
+        assert payload(play) == {"far": 0.5, "back": 0.5}
+
+    @pytest.mark.parametrize(("to", "far"), [("B2", 1.0), ("middle_blue", 0.3), ("[0.4, 0]", 0.4), ("[0, 0]", 0.0)])
+    def test_it_is_measured_to_a_robot_a_spot_or_a_point(self, stage, to, far):
+        play = stage("spots: {middle_blue: {x_m: 0, y_m: 0.3}}", telling(f"{{far: {{distance: [ball, {to}]}}}}"))
+        play.place("B2", -0.6, 0.8)
+        assert payload(play) == {"far": far}
+
+    def test_of_a_group_the_nearest_counts_and_nothing_is_measured_from_itself(self, stage):
+        play = stage(telling("{a: {distance: [ball, yellow]}, b: {distance: [Y1, yellow]}, c: {distance: [Y1, Y1]}}"))
+        play.place("Y1", 0.3, 0.0)
+        play.place("Y2", 0.5, 0.0)
+        assert payload(play) == {"a": 0.3, "b": 0.2, "c": None}
+
+    def test_in_a_rule_for_each_it_is_that_of_the_current_one(self, stage):
+        play = stage(telling("{far: {distance: [each, [0, 0]]}}", "for_each: yellow,"))
+        play.place("Y1", 0.3, 0.0)
+        play.place("Y2", 0.0, 0.6)
+        play.fail("B1")
+        play.play()
+        assert [event.payload["far"] for event in play.events] == [0.3, 0.6]
+
+    @pytest.mark.parametrize("off", ["ball", "Y1"])
+    def test_off_the_field_there_is_none(self, stage, off):
+        play = stage(telling("{far: {distance: [Y1, ball]}}"), TAKEN_OFF % off)
+        play.play_until(15)
+        assert payload(play) == {"far": None}
+
+    def test_a_broadcast_tells_it_on_every_tick(self, stage):
+        play = stage("broadcast: {fields: {far: {distance: [ball, [0, 1]]}}}")
+        play.place("ball", 0.0, 0.25)
+        assert play.play().broadcast == {"far": 0.75}
+
+    def test_the_nearer_the_more_points(self, stage):
+        play = stage(scoring("[5, {distance: [Y1, ball], weight: -2}]"))
+        play.place("Y1", 0.0, 0.25)
+        assert paid(play) == 4.5
+        play.place("Y1", 0.0, 1.0)
+        assert paid(play) == 7.5
+
+    def test_it_can_be_points_or_a_count_as_it_is(self, stage):
+        play = stage(
+            "counters: {far: {}}",
+            scoring("{distance: [Y1, ball]}"),
+            "rules: {kept: {triggers: [{trigger: program_fault, robot: B1}], "
+            "actions: [{action: count, counter: far, to: {distance: [Y1, ball]}}]}}",
+        )
+        play.place("Y1", 0.0, 0.1234)
+        assert paid(play) == 0.123
+        assert play.referee.counters["far"] == 0.123
+
+    def test_off_the_field_it_gives_nothing(self, stage):
+        play = stage(scoring("[1, {distance: [Y1, ball], weight: 10}]"), TAKEN_OFF % "ball")
+        play.play_until(15)
+        assert paid(play) == 1
+
+
+class TestValueTimer:
+    TIMERS = "timers: {lap: {lasts_s: 10, starts: true}, still: {lasts_s: 10}, own: {lasts_s: 10, per: yellow}}"
+
+    def test_it_is_how_long_the_timer_has_run_and_stops_at_its_length(self, stage):
+        play = stage(self.TIMERS, telling("{lap: {timer: lap}, still: {timer: still}}"))
+        play.play_until(99)
+        assert payload(play) == {"lap": 3.2, "still": 0}
+        play.play_until(400)
+        assert payload(play)["lap"] == 10.016
+
+    def test_one_kept_per_robot_is_that_of_the_robot_or_the_longest(self, stage):
+        started = """
+        rules:
+          starts: {triggers: [{trigger: time_reached, at_s: 0.032}],
+                   actions: [{action: timer, timer: own, entity: Y2, do: start}]}
+        """
+        play = stage(
+            self.TIMERS,
+            telling("{y1: {timer: own, entity: Y1}, y2: {timer: own, entity: Y2}, all: {timer: own}}"),
+            started,
+        )
+        play.play_until(50)
+        assert payload(play) == {"y1": 0, "y2": 1.6, "all": 1.6}
+
+    def test_as_points_its_whole_seconds_count(self, stage):
+        play = stage(self.TIMERS, scoring("{timer: lap}"))
+        play.play_until(92)
+        assert paid(play) == 2
+
+    def test_what_is_left_of_it_is_its_length_less_the_time_it_has_run(self, stage):
+        play = stage(self.TIMERS, scoring("[10, {timer: lap, weight: -1}]"))
+        play.play_until(99)
+        assert paid(play) == 7
+
+
+class TestValueLastTouch:
+    def test_it_is_the_name_of_the_last_robot_or_nobody(self, stage):
+        play = stage(telling("{who: {last_touch: ball}}"))
+        assert payload(play) == {"who": None}
+        play.touch("ball", "Y2")
+        play.play()
+        play.touch("ball", "B1")
+        play.play(3)
+        assert payload(play) == {"who": "B1"}
+
+    def test_a_ball_that_was_put_somewhere_has_been_touched_by_nobody(self, stage):
+        play = stage(
+            telling("{who: {last_touch: ball}}"),
+            "rules: {put: {triggers: [{trigger: time_reached, at_s: 0.32}], "
+            "actions: [{action: place, entity: ball, at: {point: [0, 0.2]}}]}}",
+        )
+        play.touch("ball", "Y2")
+        play.play_until(15)
+        assert payload(play) == {"who": None}
+
+    def test_a_broadcast_tells_it_though_no_rule_asks_for_touches(self, stage):
+        play = stage("broadcast: {fields: {who: {last_touch: ball}}}")
+        assert play.verdict.broadcast == {"who": None}
+        play.touch("ball", "Y2")
+        assert play.play().broadcast == {"who": "Y2"}
+
+
+class TestNumbersAmongWeightedPoints:
+    def test_a_number_is_added_as_it_is(self, stage):
+        play = stage(scoring("[5, {word: time_left_s, weight: 0.1}]"))
+        play.play_until(0)
+        assert paid(play) == 5 + 5.9
+
+    def test_also_several_and_negative_ones(self, stage):
+        assert paid(stage("counters: {n: {initial: 3}}", scoring("[-1, {counter: n, weight: 2}, 0.5]"))) == 5.5
+
+
+class TestPointsAndParamsInSentences:
+    def said(self, actions: str, says: str, params: str = "{}") -> str:
+        text = f"params: {params}\nrules:\n  r:\n    triggers: [{{trigger: program_fault}}]\n    actions: {actions}\n"
+        loaded = load_text(HEAD + text + f"    says: '{says}'\n")
+        return self.firing(loaded).says
+
+    @staticmethod
+    def firing(loaded):
+        play = ScriptedPlay(loaded.scenario, loaded.roster, half_of(loaded.scenario))
+        play.place("Y1", 0.0, 0.5)
+        play.fail("Y1")
+        play.play()
+        return play.firings[-1]
+
+    @pytest.mark.parametrize(
+        ("points", "said"), [("3", "3"), ("0.5", "0.5"), ("-2.0", "-2"), ("{param: goal}", "7"), ("1234567", "1234567")]
+    )
+    def test_it_says_how_many_points_its_rule_gives(self, points, said):
+        actions = f"[{{action: score, entrant: yellow, points: {points}}}]"
+        assert self.said(actions, "A goal; {points} points.", "{goal: 7}") == f"A goal; {said} points."
+
+    def test_without_a_number_it_is_one_point(self):
+        assert self.said("[{action: score, entrant: yellow}]", "{points} point") == "1 point"
+
+    def test_points_that_are_reckoned_when_it_fires_are_those_given(self):
+        actions = "[{action: score, entrant: yellow, points: [5, {distance: [Y1, [0, 0]], weight: -2}]}]"
+        assert self.said(actions, "Parked; {points} points.") == "Parked; 4 points."
+
+    def test_a_param_stands_by_its_name(self):
+        says = "{n} of {name}, {yes}; {other}; {entity}"
+        params = "{n: 2.0, name: three, yes: true, entity: 9}"
+        assert self.said("[{action: end}]", says, params) == "2 of three, true; {other}; Y1"
+
+    def test_it_follows_what_is_set_on_the_command_line(self):
+        text = (
+            "params: {goal_points: 3}\nrules: {r: {triggers: [{trigger: program_fault}], actions: [{action: score, "
+            "entrant: yellow, points: {param: goal_points}}], says: 'A goal; {goal_points} points, {points}.'}}\n"
+        )
+        assert self.firing(load_text(HEAD + text)).says == "A goal; 3 points, 3."
+        assert self.firing(load_text(HEAD + text, ["goal_points=5"])).says == "A goal; 5 points, 5."

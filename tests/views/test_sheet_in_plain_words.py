@@ -1,0 +1,178 @@
+"""The rule sheet says what people would say: who wins, in which phase a rule counts, how often, and each thing once."""
+
+import pytest
+
+from tests.views.sheets import sentence, sheet
+
+pytestmark = pytest.mark.usefixtures("without_drawing")
+
+END = "actions: [{action: end}]"
+GOAL = "triggers: [{trigger: enters, entity: ball, zone: blue_goal}]"
+PER = (
+    "timers: {rest: {lasts_s: 3, per: yellow}}\nflags: {out: {per: robots}}\n"
+    "counters: {n: {per: robots}, wide: {initial: 0.3}}\n"
+)
+
+
+def condition(written: str, more: str = PER) -> str:
+    """Return a condition in words."""
+    said = sentence(f"triggers: [{{trigger: half_started}}], conditions: [{{{written}}}], {END}", more)
+    return said.removeprefix("When a half starts, provided that ").removesuffix(": the half ends.")
+
+
+# --- phases -------------------------------------------------------------------------------------------------------------
+
+ONLY_PLAY = "Where nothing else is said, a rule counts in the phase “play” only; what happens in another phase is not"
+
+
+def test_where_there_are_other_phases_the_sheet_says_in_which_a_rule_counts():
+    pause = "phases: {pause: {lasts_s: 3}}\n"
+    assert f"{ONLY_PLAY} made up for later." in sheet(f"{pause}rules: {{it: {{{GOAL}, {END}}}}}\n")
+    assert ONLY_PLAY not in sheet(f"{pause}rules: {{it: {{phases: any, {GOAL}, {END}}}}}\n")
+    assert ONLY_PLAY not in sheet(f"rules: {{it: {{{GOAL}, {END}}}}}\n")
+
+
+# --- who wins -----------------------------------------------------------------------------------------------------------
+
+
+def test_where_points_decide_the_sheet_says_so_though_nobody_wrote_it_down():
+    points = f"rules: {{it: {{{GOAL}, actions: [{{action: score, entrant: yellow}}]}}}}\n"
+    assert "The better one has more points." in sheet(points)
+    assert "The better one" not in sheet(f"rules: {{it: {{{GOAL}, {END}}}}}\n")
+
+
+def points_of(*scores: str) -> list[str]:
+    """Return the rows of the table of points for a rule that gives these."""
+    actions = ", ".join(f"{{action: score, {score}}}" for score in scores)
+    text = sheet(f"rules: {{it: {{{GOAL}, actions: [{actions}], says: A goal.}}}}\n")
+    return text.partition("## Scoring")[2].partition("| --- | --- | --- |\n")[2].partition("\n\n")[0].splitlines()
+
+
+def test_points_for_the_same_team_stand_in_one_row():
+    by_time = "entrant: yellow, points: {word: time_left_s}"
+    rows = points_of("entrant: yellow, points: 10", by_time)
+    assert rows == ["| A goal. | yellow | 10, plus the time left in s (rounded down) |"]
+
+
+def test_points_for_two_teams_stand_in_two_rows_of_which_one_says_when():
+    rows = points_of("entrant: yellow, points: 1", "entrant: blue, points: -1")
+    assert rows == ["| A goal. | yellow | 1 |", "| at the same time | blue | -1 |"]
+
+
+# --- rules over each of a group -----------------------------------------------------------------------------------------
+
+
+def test_a_rule_over_each_of_a_group_says_that_its_limits_count_for_each():
+    often = "cooldown_s: 2, max_executions: 3, triggers: [{trigger: touches, entity: %s, other: ball}], %s"
+    assert sentence("for_each: yellow, " + often % ("each", END)).endswith(
+        "(for each of them at most once in 2 s and at most 3 times a half)."
+    )
+    assert sentence(often % ("yellow", END)).endswith("(at most once in 2 s and at most 3 times a half).")
+    alone = "groups: {lone: [Y1]}\n"
+    once = "for_each: lone, max_executions: 1, triggers: [{trigger: touches, entity: each, other: ball}], " + END
+    assert sentence(once, alone).endswith("(at most once a half).")
+
+
+RUNS_OUT = "triggers: [{trigger: timer_expired, timer: rest}], " + END
+
+
+@pytest.mark.parametrize(
+    ("each", "words"),
+    [
+        ("for_each: yellow, ", "For each of the yellow robots, when its timer “rest” runs out:"),
+        ("", "When the timer “rest” of one of the yellow robots runs out:"),
+    ],
+)
+def test_whose_timer_runs_out_is_said(each, words):
+    rule = each + RUNS_OUT + (", conditions: [{condition: flag, flag: out, entity: each}]" if each else "")
+    assert sentence(rule, PER).startswith(words.removesuffix(":"))
+
+
+# --- conditions ---------------------------------------------------------------------------------------------------------
+
+LEVELS = {
+    "condition: flag, flag: out, entity: blue, of: all, negate: true": "not all of the blue robots have the flag “out” set",
+    "condition: flag, flag: out, entity: blue, of: all": "all of the blue robots have the flag “out” set",
+    "condition: flag, flag: out, entity: blue, of: none": "none of the blue robots has the flag “out” set",
+    "condition: flag, flag: out, entity: Y1, negate: true": "the flag “out” of Y1 is not set",
+    "condition: counter, counter: n, entity: blue, of: {at_least: 2}, equals: 2": (
+        "at least 2 of the blue robots have a counter “n” of exactly 2"
+    ),
+    "condition: timer, timer: rest, of: all, at_least: 2": (
+        "all of the yellow robots have a timer “rest” that has run for at least 2 s"
+    ),
+    "condition: timer, timer: rest, of: all, negate: true": "not all of the yellow robots have the timer “rest” running",
+    "condition: distance, entity: Y1, to: ball, at_most: 0.5, negate: true": "Y1 is more than 0.5 m from the ball",
+    "condition: distance, entity: Y1, to: ball, at_least: 0.5, negate: true": "Y1 is less than 0.5 m from the ball",
+    "condition: distance, entity: Y1, to: ball, at_least: 0.2, at_most: 0.5, negate: true": (
+        "Y1 is not at least 0.2 m and at most 0.5 m from the ball"
+    ),
+    "condition: distance, entity: yellow, to: ball, at_most: 0.5, negate: true": (
+        "none of the yellow robots is at most 0.5 m from the ball"
+    ),
+    "condition: distance, entity: Y1, to: [0, 0], at_least: {counter: wide}": (
+        "Y1 is at least as many m from (0, 0) as the counter “wide” says"
+    ),
+    "condition: distance, entity: Y1, to: [0, 0], at_most: {counter: wide}, negate: true": (
+        "Y1 is further from (0, 0) than the counter “wide” says in m"
+    ),
+    "condition: speed, entity: Y1, at_most: {counter: wide}": (
+        "Y1 moves at a speed of at most as many m/s as the counter “wide” says"
+    ),
+    "condition: speed, entity: Y1, at_most: {counter: wide}, negate: true": (
+        "Y1 moves faster than the counter “wide” says in m/s"
+    ),
+    "condition: counter, counter: wide, at_most: 2, negate: true": "the counter “wide” is more than 2",
+    "condition: counter, counter: wide, equals: 2, negate: true": "the counter “wide” is not exactly 2",
+    "condition: counter, counter: blue, equals: {counter: yellow}, negate: true": "the scores of blue and yellow differ",
+    "condition: counter, counter: blue, equals: {counter: yellow}": "the scores of blue and yellow are equal",
+    "condition: counter, counter: blue, equals: {counter: wide}, negate: true": (
+        "the score of blue differs from the counter “wide”"
+    ),
+}
+
+
+@pytest.mark.parametrize(("written", "words"), LEVELS.items(), ids=list(LEVELS.values()))
+def test_a_condition_is_said_as_people_say_it(written, words):
+    assert condition(written) == words
+
+
+def test_who_touched_last_is_it_where_a_rule_goes_over_each_of_a_group():
+    rule = "for_each: yellow, %s, conditions: [{condition: last_touch, by: each%s}], %s"
+    for negate, was in (("", "was"), (", negate: true", "was not")):
+        said = sentence(rule % (GOAL, negate, END))
+        assert f"provided that it {was} the last to touch the ball:" in said
+    assert condition("condition: last_touch, by: Y1") == "the last to touch the ball was Y1"
+
+
+def test_what_must_last_as_a_counter_says_tells_how_long_before_that():
+    far = "condition: distance, entity: Y1, to: [0, 0], at_least: {counter: wide}"
+    said = sentence(f"triggers: [{{trigger: holds, condition: {{{far}}}, for_s: 1}}], {END}", PER)
+    assert said == "When for 1 s Y1 is at least as many m from (0, 0) as the counter “wide” says: the half ends."
+
+
+# --- what is put and drawn ----------------------------------------------------------------------------------------------
+
+
+def test_a_ball_that_is_kicked_where_it_is_rolls_on():
+    on = "{action: place, entity: ball, at: {relative_to: ball}, kick: {towards: {spot: centre}, speed_mps: [0.15, 0.3]}}"
+    assert sentence(f"triggers: [{{trigger: half_started}}], actions: [{on}]") == (
+        "When a half starts: the ball rolls on from where it is, at 0.15 to 0.3 m/s towards the spot “centre”."
+    )
+
+
+def test_a_draw_that_rules_repeat_is_not_made_once():
+    draws = "draws: {gain: {values: [1, 5]%s}}\nrules: {it: {%s, actions: [{action: draw, draw: gain%s}]}}\n"
+    again = "Chance decides “gain” when a half starts, and again when a rule says so: 1 or 5."
+    assert again in sheet(draws % ("", GOAL, ""))
+    whole = "Chance decides “gain” when the match starts, and again when a rule says so: 1 or 5."
+    assert whole in sheet(draws % (", keep: match", GOAL, ""))
+    assert "Chance decides “gain” once a match: 1 or 5." in sheet(draws % (", keep: match", GOAL, ", as: 5"))
+
+
+def test_a_layout_that_no_rule_uses_is_not_told():
+    layout = "placements: {a: [{entity: Y1, at: start}], b: [{entity: Y2, at: start}]}\n"
+    assert "Where things are put" not in sheet(layout)
+    text = sheet(f"{layout}rules: {{it: {{{GOAL}, actions: [{{action: place, layout: b}}]}}}}\n")
+    assert "“b”: Y2 is put at its start." in text
+    assert "“a”" not in text

@@ -1,0 +1,113 @@
+"""What rule sheets say of conditions that must hold together, of measured values, and of points and params in sentences."""
+
+import pytest
+
+from rcj_challenges.scenario.load import load_text
+from rcj_challenges.views.sheet import sheet_markdown
+from tests.views.sheets import HEAD, sentence, sheet
+
+A, B, C = (f"{{condition: in_zone, entity: {robot}, zone: blue_goal%s}}" for robot in ("Y1", "Y2", "Y3"))
+IN, NOT = "is in the blue goal", "is not in the blue goal"
+
+
+def several(word: str, *conditions: str, negate: bool = False) -> str:
+    written = [one % "" if "%s" in one else one for one in conditions]
+    return f"{{condition: {word}, negate: {str(negate).lower()}, conditions: [{', '.join(written)}]}}"
+
+
+def said(condition: str) -> str:
+    """Return how a rule says its condition."""
+    text = sentence(f"triggers: [{{trigger: half_started}}], conditions: [{condition}], actions: [{{action: end}}]")
+    return text.partition("provided that ")[2].partition(": ")[0]
+
+
+@pytest.mark.parametrize(
+    ("condition", "words"),
+    [
+        (several("all_of", A, B), f"Y1 {IN} and Y2 {IN}"),
+        (several("all_of", A, B % ", negate: true", C), f"Y1 {IN} and Y2 {NOT} and Y3 {IN}"),
+        (several("all_of", A), f"Y1 {IN}"),
+        (several("all_of", A, negate=True), f"Y1 {NOT}"),
+        (several("all_of", A, B, negate=True), f"either Y1 {NOT} or Y2 {NOT}"),
+        (several("any_of", several("all_of", A, B), C), f"either both Y1 {IN} and Y2 {IN}, or Y3 {IN}"),
+        (several("any_of", C, several("all_of", A, B, C)), f"either Y3 {IN}, or Y1 {IN}, Y2 {IN} and Y3 {IN} at once"),
+        (several("any_of", several("all_of", A), C), f"either Y1 {IN} or Y3 {IN}"),
+        (several("all_of", several("any_of", A, B), C), f"either Y1 {IN} or Y2 {IN}, and Y3 {IN}"),
+        (several("all_of", several("any_of", A, B, negate=True), C), f"neither Y1 {IN} nor Y2 {IN}, and Y3 {IN}"),
+        (several("any_of", several("all_of", A, B), C, negate=True), f"either Y1 {NOT} or Y2 {NOT}, and Y3 {NOT}"),
+        (
+            several("all_of", several("any_of", A, B), C, negate=True),
+            f"either neither Y1 {IN} nor Y2 {IN}, or Y3 {NOT}",
+        ),
+    ],
+)
+def test_what_must_hold_together_is_said_so_that_it_can_be_told_from_alternatives(condition, words):
+    assert said(condition) == words
+
+
+def test_what_must_hold_together_for_a_time_says_so_before_it():
+    trigger = f"{{trigger: holds, for_s: 2, condition: {several('all_of', A, B)}}}"
+    assert sentence(f"triggers: [{trigger}], actions: [{{action: end}}]").startswith(
+        f"When for 2 s Y1 {IN} and Y2 {IN}: "
+    )
+
+
+def test_a_sequence_that_a_condition_within_a_condition_asks_for_is_followed_where_its_rule_lives():
+    asked = several("all_of", several("any_of", "{condition: sequence_at, sequence: way, step: blue_goal}"))
+    text = sheet(
+        "sequences: {way: {entity: ball, steps: [blue_goal, yellow_goal]}}\nphases: {pause: {lasts_s: 1}}\n"
+        f"rules: {{r: {{triggers: [{{trigger: half_started}}], conditions: [{asked}], actions: [{{action: end}}]}}}}\n"
+    )
+    assert "It is followed in the phase “play” only" in text
+
+
+TIMERS = "timers: {rest: {lasts_s: 9}, own: {lasts_s: 9, per: yellow}}\ncounters: {tries: {}}"
+
+
+@pytest.mark.parametrize(
+    ("points", "words"),
+    [
+        ("[5, {word: time_left_s, weight: 0.1}]", "5, plus 0.1 times the time left in s (rounded down)"),
+        ("[{counter: tries}, -2]", "the counter “tries”, minus 2"),
+        ("[5, {distance: [Y3, ball], weight: -2}]", "5, minus 2 times the distance between Y3 and the ball in m"),
+        ("{distance: [ball, [0, 0.5]]}", "the distance between the ball and (0, 0.5) in m"),
+        ("{distance: [ball, yellow]}", "the distance between the ball and the nearest of the yellow robots in m"),
+        ("{timer: rest}", "the time in s that the timer “rest” has run (rounded down)"),
+        ("[9, {timer: rest, weight: -1}]", "9, minus the time in s that the timer “rest” has run (rounded down)"),
+        (
+            "{timer: own}",
+            "the time in s that the longest running timer “own” of the yellow robots has run (rounded down)",
+        ),
+        ("{timer: own, entity: Y1}", "the time in s that the timer “own” of Y1 has run (rounded down)"),
+    ],
+)
+def test_points_of_several_parts_are_one_sentence(points, words):
+    rule = f"triggers: [{{trigger: half_started}}], actions: [{{action: score, entrant: blue, points: {points}}}]"
+    assert f": blue gets points: {words}." in sentence(rule, TIMERS)
+
+
+def test_what_is_told_is_said_with_its_unit():
+    fields = "{far: {distance: [Y3, ball]}, run: {timer: rest}, who: {last_touch: ball}}"
+    text = sheet(f"{TIMERS}\nbroadcast: {{fields: {fields}}}\n")
+    assert "| far | the distance between Y3 and the ball in m |" in text
+    assert "| run | the time in s that the timer “rest” has run |" in text
+    assert "| who | the name of the last to touch the ball |" in text
+    assert "The last to touch something is who touched it last since a rule put it where it is" in text
+
+
+SAYS = "triggers: [{trigger: half_started}], actions: [{action: score, entrant: blue, points: %s}], says: '%s'"
+
+
+def test_a_sentence_says_the_points_and_the_params():
+    assert sentence(SAYS % ("3", "A goal; {points} points.")).startswith("A goal; 3 points. ")
+    assert sentence(SAYS % ("{counter: tries}", "{points} points."), TIMERS).startswith("… points. ")
+    params = "params: {reach_m: 0.5, side: left}\n"
+    assert sentence(SAYS % ("1", "Within {reach_m} m, {side}."), params).startswith("Within 0.5 m, left. ")
+
+
+def test_it_follows_what_is_set_on_the_command_line():
+    text = HEAD + "params: {goal_points: 3}\nrules:\n  it: {%s}\n" % (
+        SAYS % ("{param: goal_points}", "{goal_points}, {points}")
+    )
+    loaded = load_text(text, ["goal_points=5"])
+    assert "[it\\] 5, 5. When" in sheet_markdown(loaded.scenario, loaded.roster)
