@@ -6,9 +6,11 @@ from collections.abc import Iterator
 
 import pytest
 
-# A shell lets what it starts with `&` ignore Ctrl-C, and a process inherits what is ignored.
+# A shell lets what it starts with `&` ignore Ctrl-C, `nohup` the end of a terminal; a process inherits what is ignored.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 
 @pytest.hookimpl(wrapper=True)
