@@ -6,11 +6,10 @@ import re
 from collections.abc import Iterator
 
 from rcj_challenges.scenario.errors import listing
-from rcj_challenges.scenario.lint_logic import parts_of
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
 from rcj_challenges.scenario.models import triggers
 from rcj_challenges.scenario.models.actions import Count, Emit, Score
-from rcj_challenges.scenario.models.conditions import Condition, Distance, Speed
+from rcj_challenges.scenario.models.conditions import Distance, Speed
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import WordValue
 from rcj_challenges.scenario.tree import Path
@@ -89,10 +88,4 @@ def _key(path: Path) -> str:
 
 def _compares(trigger: triggers.Holds) -> bool:
     """Return whether a condition is about a distance or a speed."""
-    return any(isinstance(one, Distance | Speed) for one in _all_of(trigger.condition))
-
-
-def _all_of(condition: Condition) -> Iterator[Condition]:
-    yield condition
-    for part in parts_of(condition):
-        yield from _all_of(part)
+    return any(isinstance(model, Distance | Speed) for model, _ in visit(trigger))

@@ -9,7 +9,7 @@ import os
 import sys
 from typing import Any
 
-from . import _chance, _clock, _confine, _hub, _older, _report, _waits
+from . import _chance, _clock, _confine, _hub, _older, _report, _signals, _waits
 from ._hooks import AfterImport, Patch
 from ._output import Output
 from ._wire import HELLO, Wire, fault_frame, leave
@@ -79,6 +79,7 @@ class Boot:
 
     def _prepare_modules(self) -> None:
         _clock.show_simulated_time(self._clock)
+        _signals.hold_interrupts(self._hub)
         seeds = [_chance.Seeds(self._hello["seed"] + number) for number in range(3)]
         patches: dict[str, Patch] = {
             "datetime": _clock.dates_of(self._clock),
@@ -89,7 +90,7 @@ class Boot:
             "scipy.signal": _for_numpy("restore_windows"),
             "numpy.random.bit_generator": _chance.seed_numpy_entropy(seeds[1]),
             "numpy.random": _chance.seed_numpy_global(seeds[2]),
-            "signal": self._hold_handlers,
+            "signal": lambda signal: _signals.make_patient(signal, self._hub),
             **_waits.Waits(self._clock).patches(),
         }
         for module, patch in _older.PATCHES.items():
@@ -100,11 +101,6 @@ class Boot:
 
         for name in ("exit", "quit"):
             setattr(builtins, name, _sitebuiltins.Quitter(name, "Ctrl-D (i.e. EOF)"))
-
-    def _hold_handlers(self, signal: Any) -> None:
-        from . import _signals
-
-        _signals.make_patient(signal, self._hub)
 
     def _left(self, left: SystemExit) -> None:
         code = left.code

@@ -160,16 +160,10 @@ class Hub:
         clock = self._clock
         missed, printed, motors = clock.missed_ticks(), self._output.printed_bytes, self._motors.values()
         build = self._with_others if self._has_others else motors_frame
-        try:
-            frame = self._wire.exchange(build(self.tick, self._step_ticks, missed, printed, motors))
-        except BaseException:
-            # The step is taken all the same, as in the original, where nothing can break it off.
-            interrupted = self._wire.take_interrupted()
-            if interrupted:
-                self._take_in(interrupted)
-            raise
+        frame = self._wire.exchange(build(self.tick, self._step_ticks, missed, printed, motors))
         self._take_in(frame)
         if self.raised is not None:
+            # The step is taken all the same, as in the original, where nothing can break it off.
             raised, self.raised = self.raised, None
             raise raised
         return not self.over

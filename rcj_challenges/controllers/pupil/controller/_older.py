@@ -4,10 +4,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
-Patch = Callable[[Any], None]
+from ._hooks import Patch
 
 
 def _collections(module: Any) -> None:

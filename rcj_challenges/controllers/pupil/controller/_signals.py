@@ -1,4 +1,4 @@
-"""Handlers of signals that a program sets: what one raises while a step is exchanged waits until the step is over.
+"""Handlers of signals: what one raises while a step is exchanged waits until the step is over.
 
 A handler may run between any two instructions. One that raised between sending a request and keeping the answer would
 lose the answer, and program and match would no longer speak of the same tick.
@@ -6,6 +6,7 @@ lose the answer, and program and match would no longer speak of the same tick.
 
 from __future__ import annotations
 
+import _signal  # type: ignore[import-not-found]  # what `signal` is made of, without its enums
 from typing import Any
 
 from ._hub import Hub
@@ -14,7 +15,7 @@ _EXCHANGE = Hub.exchange.__code__
 
 
 class Patient:
-    """A program's handler; what it raises in the middle of an exchange is raised at its end."""
+    """A handler; what it raises in the middle of an exchange is raised at its end."""
 
     def __init__(self, handler: Any, hub: Hub) -> None:
         self.handler = handler
@@ -39,6 +40,12 @@ def _is_exchanging(frame: Any) -> bool:
     return False
 
 
+def hold_interrupts(hub: Hub) -> None:
+    """Hold what Ctrl-C raises as well: its handler is set before any program runs."""
+    if _signal.getsignal(_signal.SIGINT) is _signal.default_int_handler:
+        _signal.signal(_signal.SIGINT, Patient(_signal.default_int_handler, hub))
+
+
 def make_patient(module: Any, hub: Hub) -> None:
     """Let ``signal.signal`` keep handlers in this form; a program sees its own."""
     real_signal, real_getsignal = module.signal, module.getsignal
@@ -47,13 +54,9 @@ def make_patient(module: Any, hub: Hub) -> None:
         return handler.handler if isinstance(handler, Patient) else handler
 
     def signal(signalnum: int, handler: Any) -> Any:
-        return shown(real_signal(signalnum, Patient(handler, hub) if _is_ours_to_hold(handler, module) else handler))
+        return shown(real_signal(signalnum, Patient(handler, hub) if callable(handler) else handler))
 
     def getsignal(signalnum: int) -> Any:
         return shown(real_getsignal(signalnum))
 
     module.signal, module.getsignal = signal, getsignal
-
-
-def _is_ours_to_hold(handler: Any, module: Any) -> bool:
-    return callable(handler) and handler not in (module.SIG_DFL, module.SIG_IGN)

@@ -47,7 +47,6 @@ class Wire:
         self._write_fd = write_fd
         self._rest = b""
         self._writing = allocate_lock()
-        self._interrupted = b""
 
     def receive(self) -> bytes:
         """Wait for the next frame and return it, its length included."""
@@ -75,26 +74,15 @@ class Wire:
         if len(frame) > _WHOLE_WRITE or self._rest:
             self.send(frame)
             return self.receive()
-        sent = False
         try:
             os.write(self._write_fd, frame)
-            sent = True
             answer = os.read(self._read_fd, _USUAL_READ)
             whole = _LENGTH.unpack_from(answer)[0] == len(answer) - 4
         except error:  # not even a length
             whole = False
-        except BaseException as broken:
-            if isinstance(broken, OSError) and broken.errno is not None:
-                leave(1)
-            # It is of the program's own, from its handler of a signal.
-            self._interrupted = self.receive() if sent else b""
-            raise
+        except OSError:
+            leave(1)
         return answer if whole else self._receive_in_pieces(answer)
-
-    def take_interrupted(self) -> bytes:
-        """Return the frame that answers an exchange which something broke off, if it had begun; the next time none."""
-        frame, self._interrupted = self._interrupted, b""
-        return frame
 
     def _receive_in_pieces(self, held: bytes) -> bytes:
         parts, have, end = [held], len(held), 4
