@@ -35,11 +35,11 @@ _MOTOR = Struct("<Hdd")
 _SAMPLING = Struct("<HI")
 _CHANNEL = Struct("<Hi")
 _FREQUENCY = Struct("<Hd")
-_EMISSION = Struct("<HI")
+_EMISSION = Struct("<HiI")
 _FAULT = Struct("<BBI")
 
 _SAMPLED_KINDS = frozenset({"position_sensor", "gps", "compass", "distance_sensor", "receiver", "lidar"})
-_TUNED_KINDS = frozenset({"receiver", "emitter"})
+_TUNED_KINDS = frozenset({"receiver"})
 _TURNING_KINDS = frozenset({"lidar"})
 _EMITTING_KINDS = frozenset({"emitter"})
 _ADDRESS = re.compile(r"\b0x[0-9a-fA-F]{6,}")
@@ -174,7 +174,7 @@ class Codec:
         return device, period_ticks
 
     def _tuning(self, device: int, channel: int) -> tuple[int, int]:
-        self._must_be(device, _TUNED_KINDS, "a radio")
+        self._must_be(device, _TUNED_KINDS, "a receiver")
         return device, channel
 
     def _frequency(self, device: int, frequency_hz: float) -> tuple[int, float]:
@@ -183,21 +183,21 @@ class Codec:
             raise ProtocolError(f"device {device}: a frequency of {frequency_hz:g} Hz")
         return device, frequency_hz
 
-    def _emissions(self, body: bytes, at: int, count: int) -> tuple[tuple[int, bytes], ...]:
+    def _emissions(self, body: bytes, at: int, count: int) -> tuple[tuple[int, int, bytes], ...]:
         """Return the packets to be sent, which end a request."""
         sent = []
         for _ in range(count):
             begins = at + _EMISSION.size
             if begins > len(body):
                 raise ProtocolError("a request that ends too early")
-            device, size = _EMISSION.unpack_from(body, at)
+            device, channel, size = _EMISSION.unpack_from(body, at)
             self._must_be(device, _EMITTING_KINDS, "an emitter")
             if size > self._message_bytes:
                 raise ProtocolError(f"a radio packet of {size} bytes")
             at = begins + size
             if at > len(body):
                 raise ProtocolError("a request that ends too early")
-            sent.append((device, body[begins:at]))
+            sent.append((device, channel, body[begins:at]))
         if at != len(body):
             raise ProtocolError(f"a request with {len(body) - at} bytes too many")
         return tuple(sent)

@@ -11,7 +11,7 @@ import numpy as np
 from rcj_challenges.devices.fitting import Fitted
 from rcj_challenges.devices.ground import Ground
 from rcj_challenges.devices.noise import Noise
-from rcj_challenges.devices.poses import Poses, RobotPose, Vector
+from rcj_challenges.devices.poses import Poses, Vector
 from rcj_challenges.devices.receivers import Receiver
 from rcj_challenges.devices.sight import as_geomgroup
 from rcj_challenges.facts.play import HalfInfo
@@ -56,11 +56,18 @@ class InfraredEar:
         """Whether it is enabled, and tuned to the balls."""
         return self.receiver.period_ticks > 0 and self.receiver.channel == self.ball_channel
 
-    def disturb(self, tick: int, ball: int, strength: float, direction: Vector) -> tuple[float, Vector]:
-        """Return strength and direction with this tick's errors."""
-        if self.noise is None:
-            return strength, direction
-        error, turn = self.noise.numbers(tick)[2 * ball : 2 * ball + 2]
+    def hear(self, tick: int, ball: int, square_m2: float, direction: Vector) -> None:
+        """Take a ball's packet of a tick: from so far, squared, and from there, in the robot's frame."""
+        strength = 1 / square_m2
+        if self.noise is not None:
+            strength, direction = self._disturbed(self.noise.numbers(tick), ball, strength, direction)
+        self.receiver.hear(Packet(self.receiver.device, self.payload, strength, direction))
+
+    def _disturbed(
+        self, errors: list[float], ball: int, strength: float, direction: Vector
+    ) -> tuple[float, Vector]:  # fmt: skip
+        """Return strength and direction with a tick's errors."""
+        error, turn = errors[2 * ball : 2 * ball + 2]
         cos, sin = math.cos(turn * self.direction_noise_rad), math.sin(turn * self.direction_noise_rad)
         x, y, z = direction
         return max(0.0, strength * (1 + self.strength_noise * error)), (cos * x - sin * y, sin * x + cos * y, z)
@@ -110,27 +117,20 @@ class Infrared:
             if poses.parked[self._first_ball + ball]:
                 continue
             centre = poses.balls[ball]
-            toward = centre[0] - pose.x, centre[1] - pose.y, centre[2] - pose.z
-            for ear in ears:
-                self._send_one(ear, tick, ball, centre, toward, pose)
+            dx, dy, dz = centre[0] - pose.x, centre[1] - pose.y, centre[2] - pose.z
+            square = dx * dx + dy * dy + dz * dz
+            near = [ear for ear in ears if square <= ear.range_square_m2]
+            if near and self._reaches(robot, centre, -dx, -dy, -dz):
+                distance = math.sqrt(square)
+                direction = pose.to_frame(dx / distance, dy / distance, dz / distance)
+                for ear in near:
+                    ear.hear(tick, ball, square, direction)
 
-    def _send_one(
-        self, ear: InfraredEar, tick: int, ball: int, centre: Vector, toward: Vector, pose: RobotPose
-    ) -> None:
-        dx, dy, dz = toward
-        square = dx * dx + dy * dy + dz * dz
-        if square > ear.range_square_m2:
-            return
+    def _reaches(self, robot: int, centre: Vector, along_x: float, along_y: float, along_z: float) -> bool:
+        """Whether a ray from a ball's centre first meets that robot, or nothing."""
         source, along = self._from_where, self._along_what
         source[0], source[1], source[2] = centre
-        along[0], along[1], along[2] = -dx, -dy, -dz
+        along[0], along[1], along[2] = along_x, along_y, along_z
         mujoco.mj_ray(self._model, self._data, self._from, self._along, self._groups, 1, -1, self._geom)
         met = self._met[0]
-        if met >= 0 and self._robot_of_geom[met] != ear.robot:
-            return
-        distance = math.sqrt(square)
-        direction = pose.to_frame(dx / distance, dy / distance, dz / distance)
-        strength = 1 / square
-        if ear.noise is not None:
-            strength, direction = ear.disturb(tick, ball, strength, direction)
-        ear.receiver.hear(Packet(ear.receiver.device, ear.payload, strength, direction))
+        return met < 0 or self._robot_of_geom[met] == robot

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import NamedTuple, cast
 
 import mujoco
@@ -13,8 +12,7 @@ from numpy.typing import NDArray
 from rcj_challenges.devices.fitting import Fitted, lidar_bearings
 from rcj_challenges.devices.ground import Ground
 from rcj_challenges.devices.noise import Noise
-from rcj_challenges.devices.poses import Poses, RobotPose
-from rcj_challenges.devices.sampling import Family
+from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.devices.sight import as_geomgroup, groups_at
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import TICK_S
@@ -43,7 +41,6 @@ class Lidar:
     def __init__(self, fitted: Fitted, scenario: Scenario, ground: Ground, half: HalfInfo) -> None:
         """Lay out the ring of rays in the robot's frame."""
         device = cast("LidarDevice", fitted.device)
-        self.robot = fitted.robot
         self.slot = fitted.spec.slot
         self.device = device
         self.cells: NDArray[np.float32] = np.full(device.points, NOT_YET_SWEPT, np.float32)
@@ -80,6 +77,12 @@ class Lidar:
         if math.isfinite(frequency_hz):
             lowest, highest = self._bounds_hz
             self._frequency_hz = min(highest, max(lowest, frequency_hz))
+
+    def read(self, tick: int, pose: RobotPose, values: list[float]) -> None:
+        """Write all cells into the robot's numbers: as they are, if the head turns; else measured now."""
+        if not self.device.rotating:
+            self.measure(tick, pose)
+        values[self.slot : self.slot + self.device.points] = self.cells.tolist()
 
     def turn(self, tick: int, pose: RobotPose) -> None:
         """Refresh the cells that a rotating head passes in one tick."""
@@ -133,33 +136,3 @@ class Lidar:
         rays[:, 0] = pose.cos * forward - pose.sin * left
         rays[:, 1] = pose.sin * forward + pose.cos * left
         rays[:, 2] = 0.0
-
-
-class Lidars(Family[Lidar]):
-    """All scanners of all robots."""
-
-    def __init__(
-        self, fitted: Sequence[Fitted], scenario: Scenario, ground: Ground, half: HalfInfo
-    ) -> None:  # fmt: skip
-        """Build them."""
-        self.lidars = [Lidar(one, scenario, ground, half) for one in fitted]
-        super().__init__([one.robot for one in fitted], self.lidars)
-        self._enabled: Sequence[int] = ()
-
-    def begin(self, tick: int) -> None:
-        """See `Family`."""
-        super().begin(tick)
-        self._enabled = self.schedule.enabled()
-
-    def read(self, robot: int, tick: int, poses: Poses, own: list[float]) -> None:
-        """Turn the heads that turn, and read the scanners that are due. See `Family`."""
-        if not self._enabled:
-            return
-        for member, lidar in self.of_robot[robot]:
-            if lidar.device.rotating:
-                if member in self._enabled:
-                    lidar.turn(tick, poses.robots[robot])
-            elif member in self.due:
-                lidar.measure(tick, poses.robots[robot])
-            if member in self.due:
-                own[lidar.slot : lidar.slot + lidar.device.points] = lidar.cells.tolist()

@@ -56,11 +56,6 @@ class RobotPose:
         self.rotation: tuple[float, ...] = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
         self.parked = False
 
-    def read_upright(self, x: float, y: float, yaw: float) -> None:
-        """Take over the pose of a robot that cannot tip."""
-        self.x, self.y = x, y
-        self.cos, self.sin = math.cos(yaw), math.sin(yaw)
-
     def read(self, position: list[float], quaternion: list[float]) -> None:
         """Take over the pose of a robot that moves freely: [x, y, z] in m, and the unit quaternion [w, x, y, z]."""
         self.x, self.y, z = position
@@ -137,7 +132,8 @@ class Poses:
         """Read all poses; the world has brought them up to date."""
         self.state = state = self._qpos.tolist()
         for pose, at in self._planar:
-            pose.read_upright(state[at], state[at + 1], state[at + 2])
+            pose.x, pose.y, yaw = state[at : at + 3]
+            pose.cos, pose.sin = math.cos(yaw), math.sin(yaw)
         for pose, at in self._free:
             pose.read(state[at : at + 3], state[at + 3 : at + 7])
         for ball, (at, nominal) in enumerate(self._balls):

@@ -7,30 +7,18 @@ its program is due: the first programs think while the later robots still look a
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
-from typing import Any
-
-from rcj_challenges.devices.body_sensors import Compasses, Gpses, WheelSensors
 from rcj_challenges.devices.drive import Drive
-from rcj_challenges.devices.fitting import Fitted, driven_robots, fit, robot_specs
+from rcj_challenges.devices.fitting import driven_robots, fit, robot_specs
 from rcj_challenges.devices.ground import Ground
-from rcj_challenges.devices.lidar import NOT_YET_SWEPT, Lidars
 from rcj_challenges.devices.poses import Poses
 from rcj_challenges.devices.radio_room import RadioRoom
 from rcj_challenges.devices.receivers import TRIM_EVERY_TICKS, Queue
-from rcj_challenges.devices.sampling import Family
-from rcj_challenges.devices.sonar import Sonars
+from rcj_challenges.devices.senses import Senses
+from rcj_challenges.devices.sonar import Echoes
 from rcj_challenges.facts.play import HalfInfo, Verdict
 from rcj_challenges.facts.traffic import Observation, Request, RobotSpec
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
-
-Values = dict[int, list[float]]
-"""By robot: the numbers of all its devices, by slot."""
-
-Reader = Callable[[int, int, Poses, list[float]], None]
-"""The `Family.read` of some family."""
 
 
 class DeviceRack:
@@ -55,45 +43,16 @@ class DeviceRack:
         self._ground = world
         self._poses = Poses(scenario, roster, world)
         self._queues = {robot: Queue() for robot in robots}
-        self._values: Values = {robot: [math.nan] * self.specs[robot].values for robot in robots}
+        sonars = [one for one in fitted if one.spec.kind == "distance_sensor"]
+        self._echoes = Echoes(sonars, scenario, world, half) if sonars else None
+        self._senses = {
+            robot: Senses(robot, fitted, scenario, world, half, self._poses, self._echoes) for robot in robots
+        }
+        self._uneven: list[Senses] = []
         self._radio = RadioRoom(scenario, roster, world, half, fitted, self._queues)
         self._drives = {robot: Drive(scenario, robot, fitted, world) for robot in robots}
-        self._members: dict[tuple[int, int], tuple[Family[Any], int, Fitted]] = {}
-        self._lidars: Lidars | None = None
-        self._readers: dict[int, list[Reader]] = {robot: [] for robot in robots}
-        self._families = self._build_families(scenario, roster, half, fitted)
         self._silent: set[int] = set()
         self._tick = 0
-
-    def _build_families(
-        self, scenario: Scenario, roster: Roster, half: HalfInfo, fitted: list[Fitted]
-    ) -> list[Family[Any]]:  # fmt: skip
-        """Build the families of which there are members; a kind that no robot has costs nothing."""
-        of_kind: dict[str, list[Fitted]] = {}
-        for one in fitted:
-            of_kind.setdefault(one.spec.kind, []).append(one)
-        families: list[Family[Any]] = []
-        for kind, members in of_kind.items():
-            family: Family[Any]
-            if kind == "position_sensor":
-                family = WheelSensors(members, self._ground)
-            elif kind == "gps":
-                family = Gpses(members, half)
-            elif kind == "compass":
-                family = Compasses(members, half)
-            elif kind == "distance_sensor":
-                family = Sonars(members, scenario, self._ground, half)
-            elif kind == "lidar":
-                family = self._lidars = Lidars(members, scenario, self._ground, half)
-            else:  # motors and radio are no sensors
-                continue
-            families.append(family)
-            for number, one in enumerate(members):
-                self._members[one.robot, one.spec.index] = (family, number, one)
-                self._blank(one)
-            for robot in family.of_robot:
-                self._readers[robot].append(family.read)
-        return families
 
     def begin(self, verdict: Verdict) -> None:
         """Start the half: the world stands as placed at tick 0, and ``verdict`` is that of tick 0."""
@@ -110,22 +69,21 @@ class DeviceRack:
         for device, period_ticks in request.sampling:
             self._set_period(robot, device, period_ticks)
         for device, frequency_hz in request.frequencies:
-            self._set_frequency(robot, device, frequency_hz)
+            self._senses[robot].set_frequency(device, frequency_hz)
         drive = self._drives[robot]
         for command in request.motors:
             drive.command(command)
         if not self._poses.robots[robot].parked:
-            for device, data in request.emissions:
-                self._radio.send(robot, device, data, self._tick)
+            for device, channel, data in request.emissions:
+                self._radio.send(robot, device, channel, data, self._tick)
 
     def silence(self, robot: int) -> None:
         """End a robot's part: its program is dead. Wheels at velocity 0, nothing sent or heard any more."""
         self._silent.add(robot)
         self._drives[robot].stop()
         self._radio.fall_silent(robot)
-        for (owner, _), (family, number, _fitted) in self._members.items():
-            if owner == robot:
-                family.schedule.set(number, 0, self._tick)
+        self._senses[robot].close(self._tick)
+        self._find_uneven()
 
     def sense(self, tick: int, verdict_now: Verdict) -> None:
         """Sense for all robots: `begin_sensing`, then `finish_sensing` for each."""
@@ -148,8 +106,12 @@ class DeviceRack:
         if tick % TRIM_EVERY_TICKS == 0:
             for queue in self._queues.values():
                 queue.trim()
-        for family in self._families:
-            family.begin(tick)
+        for senses in self._uneven:
+            senses.choose(tick)
+        for senses in self._senses.values():
+            if senses.sonars and self._echoes is not None:
+                self._echoes.measure(tick)
+                break
         self._radio.carry(tick, poses)
         self._radio.speak(tick, verdict_now, poses)
 
@@ -158,35 +120,19 @@ class DeviceRack:
 
         To be called once for each robot after each `begin_sensing`, while the world has not moved.
         """
-        tick, poses, own = self._tick, self._poses, self._values[robot]
-        for read in self._readers[robot]:
-            read(robot, tick, poses, own)
-        self._radio.carry_infrared(robot, tick, poses)
+        self._senses[robot].read(self._tick)
+        self._radio.carry_infrared(robot, self._tick, self._poses)
 
     def observe(self, robot: int, tick: int, over: bool = False) -> Observation:
         """Return what a program is told when its step ends at ``tick``; its queue is empty afterwards."""
-        return Observation(tick, self._values[robot].copy(), self._queues[robot].take(), over)
+        return Observation(tick, self._senses[robot].values.copy(), self._queues[robot].take(), over)
 
     def _set_period(self, robot: int, device: int, period_ticks: int) -> None:
         if self._radio.set_period(robot, device, period_ticks, self._tick):
             return
-        member = self._members.get((robot, device))
-        if member is None:
-            return
-        family, number, fitted = member
-        family.schedule.set(number, period_ticks, self._tick)
-        if not period_ticks:
-            self._blank(fitted)
-            if self._lidars is not None and family is self._lidars:
-                self._lidars.lidars[number].clear()
+        self._senses[robot].set_period(device, period_ticks, self._tick)
+        self._find_uneven()
 
-    def _set_frequency(self, robot: int, device: int, frequency_hz: float) -> None:
-        member = self._members.get((robot, device))
-        if member is not None and self._lidars is not None and member[0] is self._lidars:
-            self._lidars.lidars[member[1]].set_frequency(frequency_hz)
-
-    def _blank(self, fitted: Fitted) -> None:
-        """Make a device's numbers those of one that has not been sampled."""
-        blank = NOT_YET_SWEPT if fitted.spec.kind == "lidar" else math.nan
-        slot, width = fitted.spec.slot, fitted.spec.width
-        self._values[fitted.robot][slot : slot + width] = [blank] * width
+    def _find_uneven(self) -> None:
+        """Find out anew which robots' sensors are not the same ones at every tick."""
+        self._uneven = [senses for senses in self._senses.values() if not senses.even]

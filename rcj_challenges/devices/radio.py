@@ -31,16 +31,14 @@ class Emitter:
     Attributes:
         robot: index of the robot.
         device: index of the emitter among its robot's devices.
-        channel: on which it sends now.
         range_m: how far it is heard, in m.
         waiting: (tick of arrival, channel, data) of what has not arrived.
     """
 
-    def __init__(self, robot: int, device: int, channel: int, range_m: float, baud: int, max_packet_bytes: int) -> None:
+    def __init__(self, robot: int, device: int, range_m: float, baud: int, max_packet_bytes: int) -> None:
         """Build an emitter that has nothing to send."""
         self.robot = robot
         self.device = device
-        self.channel = channel
         self.range_m = range_m
         self._per_tick = baud * TICK_MS
         self._max_packet_bytes = max_packet_bytes
@@ -48,15 +46,15 @@ class Emitter:
         self.waiting: deque[tuple[int, int, bytes]] = deque()
         self._bytes = 0
 
-    def send(self, data: bytes, now: int) -> None:
-        """Queue a packet at tick ``now``; it is on the air as soon as those before it are out."""
+    def send(self, channel: int, data: bytes, now: int) -> None:
+        """Queue a packet for a channel at tick ``now``; it is on the air as soon as those before it are out."""
         room = len(self.waiting) < BACKLOG_PACKETS and self._bytes + len(data) <= BACKLOG_BYTES
         if not data or len(data) > self._max_packet_bytes or (self.waiting and not room):
             return
         begin = max(self._free_from, now * self._per_tick)
         self._free_from = begin + len(data) * _BITS_PER_BYTE * _MS_PER_S
         arrives = -(-self._free_from // self._per_tick)
-        self.waiting.append((arrives, self.channel, data))
+        self.waiting.append((arrives, channel, data))
         self._bytes += len(data)
 
     def arriving(self, tick: int) -> list[tuple[int, bytes]]:

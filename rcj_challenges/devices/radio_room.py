@@ -58,9 +58,7 @@ class RadioRoom:
                 else:
                     radios.append((one, receiver))
             elif isinstance(one.device, TeamEmitterDevice):
-                self._emitters[key] = Emitter(
-                    *key, facts["channel"], facts["range"], facts["baud_rate"], facts["max_packet_bytes"]
-                )
+                self._emitters[key] = Emitter(*key, facts["range"], facts["baud_rate"], facts["max_packet_bytes"])
             if "refused_channels" in facts:
                 self._refused[key] = frozenset(facts["refused_channels"])
         owners = entrant_of(scenario)
@@ -79,21 +77,18 @@ class RadioRoom:
         return True
 
     def set_channel(self, robot: int, device: int, channel: int) -> None:
-        """Tune a receiver or an emitter; another team's channel is refused: it stays where it was."""
+        """Tune a receiver; another team's channel is refused: it stays where it was."""
         key = (robot, device)
-        if channel in self._refused.get(key, ()):
-            return
-        if key in self._receivers:
+        if key in self._receivers and channel not in self._refused.get(key, ()):
             self._receivers[key].channel = channel
             self._retune()
-        elif key in self._emitters:
-            self._emitters[key].channel = channel
 
-    def send(self, robot: int, device: int, data: bytes, now: int) -> None:
-        """Queue what a program sends."""
-        emitter = self._emitters.get((robot, device))
-        if emitter is not None:
-            emitter.send(data, now)
+    def send(self, robot: int, device: int, channel: int, data: bytes, now: int) -> None:
+        """Queue what a program sends; on another team's channel or the referee's it is lost."""
+        key = (robot, device)
+        emitter = self._emitters.get(key)
+        if emitter is not None and channel not in self._refused[key]:
+            emitter.send(channel, data, now)
 
     def fall_silent(self, robot: int) -> None:
         """Drop all that a robot's emitters have not sent, and let its receivers hear nothing more."""

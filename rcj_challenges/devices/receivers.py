@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from rcj_challenges.facts.traffic import Packet
 
 QUEUE_PACKETS = 16_384
@@ -44,6 +46,10 @@ class Queue:
         return packets
 
 
+def _ignore(_: Packet) -> None:
+    """Hear nothing."""
+
+
 class Receiver:
     """One receiver of one robot. Deaf until enabled; delivers at its sampling period.
 
@@ -53,9 +59,10 @@ class Receiver:
         channel: what it listens to now.
         range_m: how far it hears, in m.
         period_ticks: 0 while disabled.
+        hear: takes a packet that arrived at this tick. Another function after `set_period`: to be looked up anew then.
     """
 
-    __slots__ = ("_held", "_next", "_queue", "channel", "device", "period_ticks", "range_m", "robot")
+    __slots__ = ("_held", "_next", "_queue", "channel", "device", "hear", "period_ticks", "range_m", "robot")
 
     def __init__(self, robot: int, device: int, channel: int, range_m: float, queue: Queue) -> None:
         """Build a receiver that delivers into its robot's queue."""
@@ -67,6 +74,7 @@ class Receiver:
         self._next = 0
         self._queue = queue
         self._held = Queue()
+        self.hear: Callable[[Packet], None] = _ignore
 
     def set_period(self, period_ticks: int, now: int) -> None:
         """Set the sampling period; 0 makes it deaf and drops what it has not delivered."""
@@ -76,13 +84,12 @@ class Receiver:
         self._next = now + period_ticks
         if not period_ticks:
             self._held.take()
-
-    def hear(self, packet: Packet) -> None:
-        """Take a packet that arrived at this tick."""
-        if self.period_ticks == 1:
-            self._queue.put(packet)
-        elif self.period_ticks:
-            self._held.put(packet)
+            self.hear = _ignore
+        elif period_ticks == 1:  # from now on nothing is held back: what is goes before all that comes
+            self._hand_over()
+            self.hear = self._queue.put
+        else:
+            self.hear = self._held.put
 
     @property
     def slow(self) -> bool:
@@ -93,8 +100,11 @@ class Receiver:
         """At a sampling tick, hand over what arrived since the last. To be called each tick, after all `hear`."""
         if self.period_ticks and tick >= self._next:
             self._next = tick + self.period_ticks
-            for packet in self._held.take():
-                self._queue.put(packet)
+            self._hand_over()
+
+    def _hand_over(self) -> None:
+        for packet in self._held.take():
+            self._queue.put(packet)
 
     def trim(self) -> None:
         """Drop the oldest of what it has not delivered, if that is too much."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import struct
+from collections.abc import Callable
 from typing import Any
 
 from rcj_challenges.devices.poses import Poses
@@ -67,13 +68,14 @@ class RefereeRadio:
         self._flags = {waiting: flag(waiting=waiting) for waiting in (False, True)}
         self._in_the_air: tuple[bytes, ...] = ()
         self._broadcast: bytes | None = None
-        self._packets: dict[tuple[int, bytes], Packet] = {}
+        self._deliveries: dict[bytes, list[tuple[Callable[[Packet], None], Packet]]] = {}
 
     def retune(self) -> None:
         """Find out anew who listens. To be called when a receiver was enabled, disabled or tuned."""
         self._listening = [
             receiver for receiver, channels in self._receivers if receiver.period_ticks and receiver.channel in channels
         ]
+        self._deliveries.clear()
 
     def speak(self, tick: int, verdict: Verdict, poses: Poses) -> None:
         """Say what holds after the verdict of ``tick``, if the kit's referee speaks at this tick."""
@@ -88,8 +90,8 @@ class RefereeRadio:
     def carry(self) -> None:
         """Bring what was said after the last tick to the receivers that listen."""
         for data in self._in_the_air:
-            for receiver in self._listening:
-                receiver.hear(self._packet(receiver.device, data))
+            for hear, packet in self._deliveries.get(data) or self._addressed(data):
+                hear(packet)
         self._in_the_air = ()
 
     def _official(self, poses: Poses, *, waiting: bool) -> bytes:
@@ -97,15 +99,14 @@ class RefereeRadio:
             return positions_2021(self._kit, self._roster, poses, waiting=waiting)
         return self._flags[waiting]
 
-    def _packet(self, device: int, data: bytes) -> Packet:
-        """Return the packet; those that several robots hear, or that repeat for minutes, are built once."""
-        key = (device, data)
-        packet = self._packets.get(key)
-        if packet is None:
-            if len(self._packets) >= _REMEMBERED:
-                self._packets.clear()
-            packet = self._packets[key] = Packet(device, data, STRENGTH, DIRECTION)
-        return packet
+    def _addressed(self, data: bytes) -> list[tuple[Callable[[Packet], None], Packet]]:
+        """Return who hears a packet, and what each hears; kept, for the same flag is said for minutes."""
+        if len(self._deliveries) >= _REMEMBERED:
+            self._deliveries.clear()
+        packets = {one.device: Packet(one.device, data, STRENGTH, DIRECTION) for one in self._listening}
+        delivery = [(receiver.hear, packets[receiver.device]) for receiver in self._listening]
+        self._deliveries[data] = delivery
+        return delivery
 
 
 _REMEMBERED = 64

@@ -1,15 +1,12 @@
-"""When a sensor takes its next sample, and what all sensors of one kind have in common."""
+"""When a sensor takes its next sample."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
-from typing import Generic, TypeVar
-
-from rcj_challenges.devices.poses import Poses
+from collections.abc import Sequence
 
 
 class Schedule:
-    """Sampling periods of the devices of one family, in ticks.
+    """Sampling periods of the sensors of one robot, in ticks.
 
     A device enabled at tick k with period n is sampled at k + n, k + 2 n, …; enabling it again with the period it
     already has changes nothing (programs that call ``enable`` in their loop would otherwise never get a sample).
@@ -30,6 +27,11 @@ class Schedule:
         self._every_tick = sorted(m for m, period in self._period.items() if period == 1)
         self._seldom = sorted(m for m, period in self._period.items() if period > 1)
 
+    @property
+    def even(self) -> bool:
+        """Whether the same members are due at every tick."""
+        return not self._seldom
+
     def enabled(self) -> Sequence[int]:
         """Return the members with a period, in order."""
         return self._every_tick if not self._seldom else sorted(self._every_tick + self._seldom)
@@ -44,45 +46,3 @@ class Schedule:
                 self._next[member] = tick + self._period[member]
                 ready.append(member)
         return sorted(self._every_tick + ready) if ready else self._every_tick
-
-
-Sensor = TypeVar("Sensor")
-
-
-class Family(Generic[Sensor]):
-    """All sensors of one kind, of all robots; members are numbered in the order in which they were fitted.
-
-    `begin` comes once a tick, then `read` robot by robot: while later robots still look around, the programs of the
-    first ones think already.
-
-    Attributes:
-        schedule: who samples when.
-        due: the members to be sampled at this tick.
-        all_due: whether these are all of them, as in most ticks.
-        of_robot: by robot, its members and what `read` needs of each.
-    """
-
-    def __init__(self, owners: Sequence[int], sensors: Sequence[Sensor]) -> None:
-        """Number the members.
-
-        Args:
-            owners: the robot of each member.
-            sensors: what `read` needs of each member.
-        """
-        self.schedule = Schedule()
-        self.due: Collection[int] = ()
-        self.all_due = False
-        self.of_robot: dict[int, list[tuple[int, Sensor]]] = {}
-        for member, (robot, sensor) in enumerate(zip(owners, sensors, strict=True)):
-            self.of_robot.setdefault(robot, []).append((member, sensor))
-        self._count = len(sensors)
-
-    def begin(self, tick: int) -> None:
-        """Find out who is due at ``tick``, and measure what is measured for all at once."""
-        due = self.schedule.due(tick)
-        self.all_due = len(due) == self._count
-        self.due = due if self.all_due else frozenset(due)
-
-    def read(self, robot: int, tick: int, poses: Poses, own: list[float]) -> None:
-        """Write the readings of a robot's members that are due into its numbers."""
-        raise NotImplementedError

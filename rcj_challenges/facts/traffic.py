@@ -102,9 +102,9 @@ class Request(NamedTuple):
         missed_ticks: whole ticks that the program slept or busy-waited away since its last observation; its commands
             take effect that many ticks later, and its step ends ``missed_ticks + advance_ticks`` ticks from now.
         motors: settings that changed since the last request, in order.
-        emissions: (device index, payload) in the order sent.
+        emissions: (device index, channel, payload) in the order sent.
         sampling: (device index, period in ticks; 0 = disable) changed since the last request, in order.
-        channels: (device index, channel) set by ``setChannel``.
+        channels: (device index, channel) set by ``setChannel`` of a receiver.
         printed_bytes: how much the program has printed so far.
         frequencies: (device index, Hz) set by ``setFrequency`` of a rotating lidar.
     """
@@ -112,7 +112,7 @@ class Request(NamedTuple):
     advance_ticks: int
     missed_ticks: int = 0
     motors: tuple[MotorCommand, ...] = ()
-    emissions: tuple[tuple[int, bytes], ...] = ()
+    emissions: tuple[tuple[int, int, bytes], ...] = ()
     sampling: tuple[tuple[int, int], ...] = ()
     channels: tuple[tuple[int, int], ...] = ()
     printed_bytes: int = 0

@@ -83,7 +83,7 @@ class Played:
         return [line for line in self.log.splitlines() if not line.startswith("--- half")]
 
     def sent(self) -> list[bytes]:
-        return [data for _, request in self.requests for _, data in request.emissions]
+        return [data for _, request in self.requests for _, _, data in request.emissions]
 
     def motors(self) -> list[tuple[int, float, float]]:
         return [(m.device, m.velocity_radps, m.position_rad) for _, r in self.requests for m in r.motors]

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import sys
 import time
 
+import fake_match
 import pytest
-from fake_match import INDEX, FakeMatch, Played, packet
+from fake_match import INDEX, FakeMatch, Played, packet, values_at
 
 LEFT = INDEX["left wheel motor"]
 
@@ -249,7 +251,7 @@ def test_what_is_set_between_the_begin_and_the_end_of_a_step_acts_in_the_next_on
         "RuntimeError: stepEnd was called without stepBegin before it",
         "RuntimeError: stepBegin was called again before stepEnd",
     ]
-    told = [(tick, [m.velocity_radps for m in r.motors], [d for _, d in r.emissions]) for tick, r in played.requests]
+    told = [(tick, [m.velocity_radps for m in r.motors], [d for _, _, d in r.emissions]) for tick, r in played.requests]
     assert told[:4] == [(0, [1.0], []), (1, [2.0], []), (2, [5.0], [b"late"]), (4, [3.0], [])]
 
 
@@ -347,3 +349,69 @@ def test_a_step_that_a_signal_of_the_programs_own_breaks_off_is_taken_all_the_sa
     played = _play(match, lines, 25, air=lambda _: time.sleep(0.003) or [])
     assert played.said == ["True"]
     assert [tick for tick, _ in played.requests] == list(range(25))  # nobody has lost a step
+
+
+@pytest.mark.parametrize("step", [1, 2, 3, 4, 5])
+@pytest.mark.parametrize("period", [1, 2, 3, 4])
+def test_the_speed_is_that_between_two_samples_however_long_period_and_step_are(
+    match: FakeMatch, monkeypatch: pytest.MonkeyPatch, period: int, step: int
+) -> None:
+    """A robot that drives 1 m in a tick; it begins to measure at tick 3, after it has slept for 2."""
+    nothing = [math.nan] * len(values_at(0))
+    monkeypatch.setattr(
+        fake_match,
+        "values_at",
+        lambda tick: values_at(3 + (tick - 3) // period * period) if tick >= 3 + period else nothing,
+    )
+    played = _play(
+        match,
+        "import time\ngps = robot.getDevice('gps')\nrobot.step(32)\n"
+        f"gps.enable({32 * period}); time.sleep(0.07)\n"
+        f"for _ in range(12): robot.step({32 * step}); print(round(gps.getSpeed() * 0.032, 9))\n",
+        70,
+    )
+    assert set(played.said) <= {"nan", "1.0"}
+    assert played.said[8:] == ["1.0"] * 4
+
+
+def test_the_speed_is_right_for_a_period_that_is_no_whole_number_of_ms(
+    match: FakeMatch, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """32.5 ms are two ticks."""
+    monkeypatch.setattr(fake_match, "values_at", lambda tick: values_at(tick // 2 * 2))
+    lines = "gps = robot.getDevice('gps')\ngps.enable(32.5)\n"
+    lines += "for _ in range(8): robot.step(32); print(round(gps.getSpeed() * 0.032, 9))\n"
+    assert _play(match, lines, 10).said[4:] == ["1.0"] * 4
+
+
+def test_the_speed_stays_right_when_the_period_changes(match: FakeMatch, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Three ticks, then one, then five, then none, then two."""
+    sampled = {**{tick: tick // 3 * 3 for tick in range(20)}, 20: 18, **{tick: tick for tick in range(21, 31)}}
+    sampled |= {tick: 30 + (tick - 30) // 5 * 5 for tick in range(31, 43)}
+    sampled |= {tick: 44 + (tick - 44) // 2 * 2 for tick in range(46, 60)}
+    nothing = [math.nan] * len(values_at(0))
+    monkeypatch.setattr(fake_match, "values_at", lambda tick: values_at(sampled[tick]) if tick in sampled else nothing)
+    lines = """
+gps = robot.getDevice("gps")
+gps.enable(96)
+tick = 0
+while tick < 55:
+    robot.step(32)
+    tick += 1
+    if tick in (20, 30, 42, 44):
+        gps.enable({20: 32, 30: 160, 42: 0, 44: 64}[tick])
+    if 6 <= tick < 42 or tick >= 48:
+        print(round(gps.getSpeed() * 0.032, 9))
+"""
+    assert set(_play(match, lines, 57).said) == {"1.0"}
+
+
+def test_the_speed_is_right_when_a_program_sleeps_within_a_step(
+    match: FakeMatch, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The step takes up the new period after two missed ticks."""
+    monkeypatch.setattr(fake_match, "values_at", lambda tick: values_at(2 + (tick - 2) // 3 * 3))
+    lines = "import time\ngps = robot.getDevice('gps')\ngps.enable(96)\n"
+    lines += "robot.stepBegin(32)\ntime.sleep(0.07)\nrobot.stepEnd()\n"
+    lines += "for _ in range(16): robot.step(32); print(round(gps.getSpeed() * 0.032, 9))\n"
+    assert _play(match, lines, 22).said[6:] == ["1.0"] * 10

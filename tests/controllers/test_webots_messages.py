@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from fake_match import FakeMatch, Played
 
@@ -9,6 +11,7 @@ _HEAD = """
 from controller import Robot
 robot = Robot()
 motor, gps, emitter = map(robot.getDevice, ("left wheel motor", "gps", "team emitter"))
+receiver = robot.getDevice("team receiver")
 def caught(what):
     try:
         what()
@@ -127,3 +130,64 @@ def test_a_second_argument_of_send_that_is_no_size_is_told(match: FakeMatch) -> 
     told = "'team emitter': send takes one message, and then how many of its bytes to send"
     assert played.said == [f"TypeError: {told}; 'b' (str) was given as this number."]
     assert played.sent() == []
+
+
+def test_each_packet_is_sent_on_the_channel_that_was_set_before_it(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "for channel in (12, 13, 3):\n    emitter.setChannel(channel)\n    emitter.send(str(channel))\n"
+        "emitter.channel = 14\nrobot.step(32)\nemitter.send('later'); print(emitter.getChannel())\n",
+    )
+    sent = [(channel, data) for _, request in played.requests for _, channel, data in request.emissions]
+    assert sent == [(12, b"12"), (13, b"13"), (3, b"3"), (14, b"later")]
+    assert played.said == ["14"]
+
+
+def test_a_packet_that_is_sent_after_a_step_has_begun_keeps_its_channel(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "robot.stepBegin(32); emitter.setChannel(12); emitter.send('12'); robot.stepEnd()\n"
+        "emitter.setChannel(13); emitter.send('13')\n",
+    )
+    sent = [(channel, data) for _, request in played.requests for _, channel, data in request.emissions]
+    assert sent == [(12, b"12"), (13, b"13")]
+
+
+@pytest.mark.parametrize("device", ["emitter", "receiver"])
+def test_a_channel_below_minus_1_is_refused(match: FakeMatch, device: str) -> None:
+    played = _play(match, f"{device}.setChannel(-2); print({device}.getChannel())\n")
+    told = f"Error: 'team {device}': channel -2 is none: it is -1 or more; it stays on 3."
+    assert played.said == [told, "3"]
+
+
+@pytest.mark.parametrize("message", ["b''", "''", "[]"])
+def test_an_empty_packet_is_not_sent_and_the_program_is_told(match: FakeMatch, message: str) -> None:
+    played = _play(match, f"print(emitter.send({message}), emitter.send({message}), emitter.send('a'))\n")
+    assert played.said == ["Warning: 'team emitter': the packet is dropped: it is empty.", "0 0 1"]
+    assert played.sent() == [b"a"]
+
+
+def test_a_packet_that_is_too_large_is_told_with_its_size_and_the_limit(match: FakeMatch) -> None:
+    played = _play(match, "print(emitter.send(bytes(1_024_001)), emitter.send(bytes(1_024_000)))\n")
+    told = "Warning: 'team emitter': the packet is dropped: it has 1024001 bytes, and at most 1024000 are allowed."
+    assert played.said == [told, "0 1"]
+
+
+def test_too_many_packets_in_a_step_are_told_too_after_one_that_was_too_large(match: FakeMatch) -> None:
+    played = _play(match, "emitter.send(bytes(1_024_001))\nfor _ in range(1002): emitter.send('a')\n")
+    assert played.said[1:] == ["Warning: 'team emitter': the packet is dropped: too much is sent in one step."]
+    assert len(played.sent()) == 1000
+
+
+def test_where_only_small_packets_are_allowed_a_step_may_still_send_many(tmp_path: Path) -> None:
+    match = FakeMatch(tmp_path, message_kb=0.008)
+    played = _play(match, "print({emitter.send(bytes([1] * 8)) for _ in range(100)}, emitter.send(bytes(9)))\n")
+    told = "Warning: 'team emitter': the packet is dropped: it has 9 bytes, and at most 8 are allowed."
+    assert played.said == [told, "{1} 0"]
+    assert played.sent() == [bytes([1] * 8)] * 100
+
+
+def test_a_step_may_send_two_packets_of_the_largest_size_and_no_more(match: FakeMatch) -> None:
+    played = _play(match, "print([emitter.send(bytes(1_024_000)) for _ in range(3)], emitter.send('a'))\n")
+    told = "Warning: 'team emitter': the packet is dropped: too much is sent in one step."
+    assert played.said == [told, "[1, 1, 0] 0"]

@@ -43,7 +43,8 @@ observations = st.builds(
 )
 wheels = st.sampled_from([INDEX["left wheel motor"], INDEX["right wheel motor"]])
 sensors = st.sampled_from([INDEX["gps"], INDEX["ball receiver"], INDEX["lidar"]])
-radios = st.sampled_from([INDEX["team receiver"], INDEX["team emitter"]])
+receivers = st.sampled_from([INDEX["team receiver"], INDEX["ball receiver"]])
+channels = st.integers(-(2**31), 2**31 - 1)
 positions = st.one_of(st.just(math.inf), st.floats(allow_nan=False, allow_infinity=False))
 requests = st.builds(
     Request,
@@ -53,11 +54,9 @@ requests = st.builds(
         st.builds(MotorCommand, wheels, st.floats(-10, 10), positions), max_size=2, unique_by=lambda m: m.device
     ).map(tuple),
     sampling=st.lists(st.tuples(sensors, some_ticks), max_size=3, unique_by=lambda s: s[0]).map(tuple),
-    channels=st.lists(st.tuples(radios, st.integers(-(2**31), 2**31 - 1)), max_size=2, unique_by=lambda c: c[0]).map(
-        tuple
-    ),
+    channels=st.lists(st.tuples(receivers, channels), max_size=2, unique_by=lambda c: c[0]).map(tuple),
     frequencies=st.lists(st.tuples(st.just(INDEX["lidar"]), st.floats(1, 25)), max_size=1).map(tuple),
-    emissions=st.lists(st.tuples(st.just(INDEX["team emitter"]), payloads), max_size=4).map(tuple),
+    emissions=st.lists(st.tuples(st.just(INDEX["team emitter"]), channels, payloads), max_size=4).map(tuple),
     printed_bytes=st.integers(0, 2**63),
 )
 
@@ -104,8 +103,8 @@ def sent_by_pupil(tick: int, request: Request) -> bytes:
         hub.tune(device, channel)
     for device, frequency in request.frequencies:
         hub.spin(device, frequency)
-    for device, data in request.emissions:
-        assert hub.emit(device, data)
+    for emission in request.emissions:
+        assert hub.emit(*emission)
     hub._step_ms, hub._step_ticks = 1.0, request.advance_ticks
     hub.exchange(1.0)
     return wire.asked
@@ -164,7 +163,7 @@ def test_a_request_with_more_than_a_robot_can_want_is_refused_before_it_is_read(
 
 def test_packets_beyond_what_a_step_may_send_are_dropped() -> None:
     hub, _ = pupil(b"")
-    sent = [hub.emit(INDEX["team emitter"], b"x") for _ in range(1_010)]
+    sent = [hub.emit(INDEX["team emitter"], 3, b"x") for _ in range(1_010)]
     assert sent == [True] * 1_000 + [False] * 10
 
 
@@ -205,7 +204,7 @@ def test_a_request_with_a_changed_byte_is_refused_or_asks_only_for_what_can_be(
         assert answer.advance_ticks >= 1
         assert all(abs(motor.velocity_radps) <= 10.00001 for motor in answer.motors)
         assert all(motor.position_rad > -math.inf for motor in answer.motors)
-        assert all(len(payload) <= MESSAGE_BYTES for _, payload in answer.emissions)
+        assert all(len(payload) <= MESSAGE_BYTES for _, _, payload in answer.emissions)
 
 
 @given(requests, st.integers(1, 60))
@@ -227,11 +226,12 @@ def test_a_request_that_is_cut_or_followed_by_more_is_refused(request: Request, 
         (GOOD._replace(motors=(MotorCommand(4, 1.0, 0.0),)), "device 4 is not a motor"),
         (GOOD._replace(motors=(MotorCommand(99, 1.0, 0.0),)), "device 99 is not a motor"),
         (GOOD._replace(sampling=((0, 1),)), "device 0 is not a sensor"),
-        (GOOD._replace(channels=((4, 1),)), "device 4 is not a radio"),
+        (GOOD._replace(channels=((4, 1),)), "device 4 is not a receiver"),
+        (GOOD._replace(channels=((11, 1),)), "device 11 is not a receiver"),
         (GOOD._replace(frequencies=((4, 10.0),)), "device 4 is not a lidar"),
         (GOOD._replace(frequencies=((12, math.nan),)), "device 12: a frequency of nan Hz"),
-        (GOOD._replace(emissions=((10, b"x"),)), "device 10 is not an emitter"),
-        (GOOD._replace(emissions=((11, bytes(MESSAGE_BYTES + 1)),)), "a radio packet of 4001 bytes"),
+        (GOOD._replace(emissions=((10, 3, b"x"),)), "device 10 is not an emitter"),
+        (GOOD._replace(emissions=((11, 3, bytes(MESSAGE_BYTES + 1)),)), "a radio packet of 4001 bytes"),
     ],
 )
 def test_what_cannot_be_asked_for_is_refused_with_a_reason(request_: Request, says: str) -> None:

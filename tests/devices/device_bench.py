@@ -90,8 +90,12 @@ class Bench:
     def enable(self, robot: str, *devices: str, period: int = 1) -> None:
         self.ask(robot, sampling=tuple((self.device(robot, name), period) for name in devices))
 
-    def send(self, robot: str, *payloads: bytes) -> None:
-        self.ask(robot, emissions=tuple((self.device(robot, "team emitter"), data) for data in payloads))
+    def send(self, robot: str, *payloads: bytes, channel: int | None = None) -> None:
+        """Send packets; without a channel, on that of the robot's team."""
+        emitter = self.device(robot, "team emitter")
+        if channel is None:
+            channel = self.rack.specs[self.roster.index[robot]].devices[emitter].facts["channel"]
+        self.ask(robot, emissions=tuple((emitter, channel, data) for data in payloads))
 
     def tune(self, robot: str, device: str, channel: int) -> None:
         self.ask(robot, channels=((self.device(robot, device), channel),))

@@ -33,6 +33,24 @@ def test_there_is_one_packet_a_tick_of_one_byte() -> None:
     assert struct.unpack("?", b"\x00") == (False,)
 
 
+def test_who_switches_off_or_tunes_away_hears_the_referee_no_more() -> None:
+    bench = Bench()
+    for robot in ("Y1", "Y2", "Y3"):
+        bench.enable(robot, RECEIVER)
+    bench.sense(ticks=3)
+    bench.enable("Y1", RECEIVER, period=0)
+    bench.tune("Y2", RECEIVER, 77)
+    for robot in ("Y1", "Y2", "Y3"):
+        told(bench, robot)
+    bench.sense(ticks=3)
+    assert [told(bench, robot) for robot in ("Y1", "Y2", "Y3")] == [[], [], [b"\x00"] * 3]
+    bench.enable("Y1", RECEIVER, period=3)
+    bench.sense(ticks=2)
+    assert told(bench) == []
+    bench.sense()
+    assert told(bench) == [b"\x00"] * 3
+
+
 def test_observation_k_tells_the_phase_after_the_actions_of_tick_k_minus_1() -> None:
     bench = Bench()
     bench.enable("Y1", RECEIVER)

@@ -129,7 +129,7 @@ def test_a_request_for_devices_that_are_not_there_changes_nothing() -> None:
         1,
         sampling=((99, 1), (motor, 1)),
         channels=((99, 5), (motor, 5)),
-        emissions=((99, b"x"), (motor, b"x")),
+        emissions=((99, 3, b"x"), (motor, 3, b"x")),
         frequencies=((99, 5.0), (bench.device("Y1", "gps"), 5.0)),
     )
     bench.rack.apply(robot, request)
@@ -145,7 +145,7 @@ def test_a_dead_program_costs_no_more_sampling() -> None:
     bench.rack.silence(bench.roster.index["Y1"])
     bench.enable("Y1", *NUMBERS)
     bench.sense(ticks=5)
-    assert all(not family.schedule.enabled() for family in bench.rack._families)
+    assert not any(senses.enabled() for senses in bench.rack._senses.values())
     assert bench.heard("Y1", "supervisor receiver") == []
 
 
@@ -157,3 +157,18 @@ def test_a_schedule_mixes_members_that_are_always_due_with_those_that_are_seldom
     assert [list(schedule.due(tick)) for tick in range(1, 7)] == [[3], [1, 3], [2, 3], [1, 3], [3], [1, 2, 3]]
     schedule.set(3, 0, now=6)
     assert list(schedule.enabled()) == [1, 2]
+
+
+def test_what_a_receiver_has_held_back_is_delivered_first_when_its_period_becomes_a_tick() -> None:
+    bench = Bench()
+    for robot, x in (("Y1", 0.0), ("Y2", 0.4)):
+        bench.place(robot, x, 0)
+    bench.enable("Y1", "team receiver", period=3)
+    for data in (b"first", b"second"):
+        bench.send("Y2", data)
+        bench.sense()
+    assert bench.heard("Y1", "team receiver") == []
+    bench.enable("Y1", "team receiver")
+    bench.send("Y2", b"third")
+    bench.sense()
+    assert [packet.data for packet in bench.heard("Y1", "team receiver")] == [b"first", b"second", b"third"]

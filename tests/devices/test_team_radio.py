@@ -129,8 +129,8 @@ def test_blue_has_channel_2_and_yellow_3() -> None:
 
 def test_the_other_teams_channel_is_refused(bench: Bench) -> None:
     bench.tune("B1", "team receiver", 3)
-    bench.tune("B2", "team emitter", 3)
     bench.send("Y1", b"secret")
+    bench.send("B2", b"to yellow", channel=3)
     bench.send("B2", b"still blue")
     bench.sense()
     assert heard(bench, "B1") == [b"still blue"]
@@ -140,8 +140,7 @@ def test_the_other_teams_channel_is_refused(bench: Bench) -> None:
 @pytest.mark.parametrize("channel", [1, -1])
 def test_no_emitter_can_speak_in_the_referees_place(bench: Bench, channel: int) -> None:
     bench.enable("Y2", "supervisor receiver")
-    bench.tune("Y1", "team emitter", channel)
-    bench.send("Y1", b"\x01")
+    bench.send("Y1", b"\x01", channel=channel)
     bench.sense()
     assert [packet.data for packet in bench.heard("Y2", "supervisor receiver")] == [b"\x00"]
 
@@ -149,8 +148,7 @@ def test_no_emitter_can_speak_in_the_referees_place(bench: Bench, channel: int) 
 def test_a_team_may_use_a_free_channel_and_even_there_is_among_itself(bench: Bench) -> None:
     for robot in ("Y1", "Y2", "B1"):
         bench.tune(robot, "team receiver", 77)
-    bench.tune("Y3", "team emitter", 77)
-    bench.send("Y3", b"private")
+    bench.send("Y3", b"private", channel=77)
     bench.sense()
     assert (heard(bench, "Y1"), heard(bench, "Y2"), heard(bench, "B1")) == ([b"private"], [b"private"], [])
 
@@ -183,12 +181,20 @@ def test_a_team_never_has_the_referees_channel() -> None:
 
 def test_a_receiver_on_all_channels_hears_its_team_on_all_of_them(bench: Bench) -> None:
     bench.tune("Y2", "team receiver", -1)
-    bench.tune("Y1", "team emitter", 9)
-    bench.send("Y1", b"nine")
+    bench.send("Y1", b"nine", channel=9)
     bench.send("Y3", b"three")
     bench.send("B1", b"blue")
     bench.sense()
     assert heard(bench, "Y2") == [b"nine", b"three"]
+
+
+def test_each_packet_of_a_tick_goes_out_on_the_channel_on_which_it_was_sent(bench: Bench) -> None:
+    emitter = bench.device("Y1", "team emitter")
+    bench.tune("Y2", "team receiver", 12)
+    bench.tune("Y3", "team receiver", 13)
+    bench.ask("Y1", emissions=((emitter, 12, b"to Y2"), (emitter, 13, b"to Y3"), (emitter, 12, b"and more")))
+    bench.sense()
+    assert (heard(bench, "Y2"), heard(bench, "Y3")) == ([b"to Y2", b"and more"], [b"to Y3"])
 
 
 def test_a_removed_robot_is_silent_and_deaf_on_team_radio(bench: Bench) -> None:
@@ -228,13 +234,13 @@ def test_packets_wait_for_a_program_that_does_not_step(bench: Bench) -> None:
 @settings(max_examples=200, deadline=None)
 @given(st.lists(st.lists(st.integers(1, 1500), max_size=4), min_size=1, max_size=12))
 def test_no_emitter_ever_sends_faster_than_its_baud_and_none_is_lost_or_overtaken(sizes: list[list[int]]) -> None:
-    emitter = Emitter(0, 0, 2, 10.0, 115_200, 1_000_000)
+    emitter = Emitter(0, 0, 10.0, 115_200, 1_000_000)
     sent, arrived, number = [], [], 0
     for tick, packets in enumerate([*sizes, *([[]] * 60)]):
         arrived += [(tick, data) for _, data in emitter.arriving(tick)]
         for size in packets:
             data = number.to_bytes(2, "big").rjust(max(size, 2), b"\0")
-            emitter.send(data, tick)
+            emitter.send(2, data, tick)
             sent.append(data)
             number += 1
     assert [data for _, data in arrived] == sent[: len(arrived)]
@@ -248,15 +254,15 @@ def test_no_emitter_ever_sends_faster_than_its_baud_and_none_is_lost_or_overtake
 
 
 def test_a_packet_that_is_empty_or_too_large_is_not_sent() -> None:
-    emitter = Emitter(0, 0, 2, 10.0, 115_200, 100)
-    emitter.send(b"", 0)
-    emitter.send(bytes(101), 0)
-    emitter.send(bytes(100), 0)
+    emitter = Emitter(0, 0, 10.0, 115_200, 100)
+    emitter.send(2, b"", 0)
+    emitter.send(2, bytes(101), 0)
+    emitter.send(2, bytes(100), 0)
     assert emitter.arriving(1) == [(2, bytes(100))]
 
 
 def test_millions_of_packets_do_not_fill_the_memory() -> None:
-    emitter = Emitter(0, 0, 2, 10.0, 115_200, 100)
+    emitter = Emitter(0, 0, 10.0, 115_200, 100)
     for _ in range(BACKLOG_PACKETS + 100):
-        emitter.send(b"spam", 0)
+        emitter.send(2, b"spam", 0)
     assert len(emitter.waiting) == BACKLOG_PACKETS

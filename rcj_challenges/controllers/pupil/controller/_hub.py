@@ -10,12 +10,12 @@ from struct import Struct
 from typing import Any
 
 from ._wire import (
-    EMISSION_OVERHEAD,
     HEAD_FIELDS,
     OBSERVATION,
     OBSERVATION_HEAD,
     OVER,
     PACKET,
+    Emission,
     Motors,
     Wire,
     leave,
@@ -32,6 +32,10 @@ QUEUE_BYTES = 16 << 20
 
 MOST_EMISSIONS = 1_000
 """Packets that one step may send. At 115200 baud 460 of one byte are on the air in a tick."""
+
+EMITTED_BYTES = 1 << 15
+"""What one step may send in all where two of the largest packets are less. With what stands around 1000 packets and
+with the settings it is within the 64 KiB that a message may have beyond two of the largest packets."""
 
 _PACKET_OVERHEAD = 200
 _MOST_TICKS = 2**31 - 1
@@ -56,6 +60,39 @@ class PacketQueue:
         self._bytes -= len(self.packets.popleft()[0]) + _PACKET_OVERHEAD
 
 
+Seen = tuple[int, tuple[Any, ...]]
+"""A tick, and the numbers of a sample that was taken then."""
+
+
+class Samples:
+    """The last two samples of a sensor that the program could see.
+
+    Attributes:
+        latest: the sample that is shown now.
+        before: the one that was shown before it.
+    """
+
+    __slots__ = ("_begin", "_period", "before", "latest")
+
+    def __init__(self, latest: Seen, before: Seen) -> None:
+        """Begin with what a sensor shows that samples at every tick, or not at all."""
+        self.latest, self.before = latest, before
+        self._period, self._begin = 1, latest[0]
+
+    def set_period(self, period_ticks: int, tick: int) -> None:
+        """Set the period from a tick on; one that the sensor has already goes on."""
+        period = max(1, period_ticks)
+        if period != self._period:
+            self._period, self._begin = period, tick
+
+    def see(self, tick: int, numbers: tuple[Any, ...]) -> None:
+        """Take note of an observation: whether it shows another sample."""
+        passed = tick - self._begin
+        taken = tick - passed % self._period
+        if passed >= self._period and taken > self.latest[0]:
+            self.latest, self.before = (taken, numbers), self.latest
+
+
 class Hub:
     """The robot's side of the exchange with the match.
 
@@ -67,6 +104,7 @@ class Hub:
         previous: the observation before, of ``previous_tick``.
         queues: unread packets by the index of the receiver.
         devices: all devices of the robot by name, once it is made.
+        message_bytes: of the largest radio packet.
     """
 
     def __init__(self, wire: Wire, hello: dict[str, Any], clock: Any, output: Any) -> None:
@@ -88,14 +126,16 @@ class Hub:
         self._clock = clock
         self._output = output
         self.raised: BaseException | None = None  # by the program's handler of a signal, in the middle of an exchange
-        self._message_bytes: int = hello["limits"]["message_bytes"]
+        self.message_bytes: int = hello["limits"]["message_bytes"]
         self._motors: dict[int, tuple[int, float, float]] = {}
         self._has_others = False
         self._ramps: dict[int, Callable[[int], bool]] = {}
         self._sampling: dict[int, int] = {}
+        self._followed: dict[int, Samples] = {}
+        self._followed_anew: dict[int, int] = {}  # periods that are asked for with the next request
         self._channels: dict[int, int] = {}
         self._frequencies: dict[int, float] = {}
-        self._emissions: list[tuple[int, bytes]] = []
+        self._emissions: list[Emission] = []
         self._emitted_bytes = 0
         self._step_ms: float | None = None
         self._step_ticks = 0
@@ -129,8 +169,20 @@ class Hub:
         self._has_others = True
         self._sampling[device] = period_ticks
 
+    def follow(self, device: int) -> None:
+        """Remember from now on when a sensor's samples are taken, for `before_sample`: it has sampled at every tick."""
+        if device not in self._followed:
+            self._followed[device] = Samples((self.tick, self.numbers), (self.previous_tick, self.previous))
+
+    def before_sample(self, device: int) -> tuple[int, tuple[Any, ...]]:
+        """Return how many ticks there were between the last two samples, and the numbers of the first; 0 if none."""
+        samples = self._followed.get(device)
+        if samples is None:
+            return self.tick - self.previous_tick, self.previous
+        return samples.latest[0] - samples.before[0], samples.before[1]
+
     def tune(self, device: int, channel: int) -> None:
-        """Set the channel of a receiver or emitter."""
+        """Set the channel of a receiver."""
         self._has_others = True
         self._channels[device] = channel
 
@@ -139,16 +191,16 @@ class Hub:
         self._has_others = True
         self._frequencies[device] = frequency_hz
 
-    def emit(self, device: int, data: bytes) -> bool:
+    def emit(self, device: int, channel: int, data: bytes) -> bool:
         """Hand a packet to an emitter. Returns False if it, or all of this step together, is too large."""
-        size = len(data) + EMISSION_OVERHEAD
-        if len(data) > self._message_bytes or self._emitted_bytes + size > 2 * self._message_bytes:
+        size = len(data)
+        if size > self.message_bytes or self._emitted_bytes + size > max(EMITTED_BYTES, 2 * self.message_bytes):
             return False
         if len(self._emissions) >= MOST_EMISSIONS:
             return False
         self._has_others = True
         self._emitted_bytes += size
-        self._emissions.append((device, data))
+        self._emissions.append((device, channel, data))
         return True
 
     def exchange(self, duration_ms: float) -> bool:
@@ -161,6 +213,8 @@ class Hub:
         missed, printed, motors = clock.missed_ticks(), self._output.printed_bytes, self._motors.values()
         build = self._with_others if self._has_others else motors_frame
         frame = self._wire.exchange(build(self.tick, self._step_ticks, missed, printed, motors))
+        if self._followed:
+            self._set_periods(self.tick + missed)
         self._take_in(frame)
         if self.raised is not None:
             # The step is taken all the same, as in the original, where nothing can break it off.
@@ -179,6 +233,8 @@ class Hub:
         if packets:
             self._queue(frame, packets)
         self.tick = tick
+        for samples in self._followed.values():
+            samples.see(tick, numbers)
         self._clock.tick_began(tick)
         if flags == OVER:
             self.over = True
@@ -222,8 +278,15 @@ class Hub:
             return motors_frame(tick, advance_ticks, missed_ticks, printed, motors, emissions)
         settings = self._sampling.items(), self._channels.items(), self._frequencies.items()
         frame = request_frame(tick, advance_ticks, missed_ticks, printed, motors, *settings, emissions)
+        self._followed_anew = {one: period for one, period in self._sampling.items() if one in self._followed}
         self._sampling, self._channels, self._frequencies = {}, {}, {}
         return frame
+
+    def _set_periods(self, tick: int) -> None:
+        """Take note of the periods that a request has asked for, as of the tick in which it acts."""
+        for device, period_ticks in self._followed_anew.items():
+            self._followed[device].set_period(period_ticks, tick)
+        self._followed_anew = {}
 
     def _queue(self, frame: bytes, count: int) -> None:
         """Append the packets of an observation to the queues of their receivers."""

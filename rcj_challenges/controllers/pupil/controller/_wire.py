@@ -23,9 +23,8 @@ _MOTOR_FORM = Struct("<" + _MOTOR)
 _SAMPLING = Struct("<HI")
 _CHANNEL = Struct("<Hi")
 _FREQUENCY = Struct("<Hd")
-_EMISSION = Struct("<HI")
+_EMISSION = Struct("<HiI")
 _FAULT = Struct("<IBBI")
-EMISSION_OVERHEAD = _EMISSION.size
 
 # Common requests as a whole: no motor set, one, two … and nothing else.
 _FORMS = [Struct(_REQUEST_HEAD + count * _MOTOR) for count in range(5)]
@@ -109,6 +108,9 @@ def leave(status: int) -> NoReturn:
 Motors = Iterable[tuple[int, float, float]]
 """Index, velocity in rad/s, position in rad."""
 
+Emission = tuple[int, int, bytes]
+"""Index of the emitter, channel, payload."""
+
 
 def motors_frame(
     tick: int,
@@ -116,7 +118,7 @@ def motors_frame(
     missed_ticks: int,
     printed: int,
     motors: Motors,
-    emissions: Sequence[tuple[int, bytes]] = (),
+    emissions: Sequence[Emission] = (),
 ) -> bytes:
     """Return a request that sets motors, sends packets, and nothing else. ``tick`` is the answered observation's."""
     numbers: list[float] = []
@@ -128,7 +130,7 @@ def motors_frame(
     form, length = _WITH_MOTORS[count]
     if not emissions:
         return form.pack(length, REQUEST, tick, advance_ticks, missed_ticks, printed, count, 0, 0, 0, 0, *numbers)
-    tail = b"".join([_EMISSION.pack(device, len(data)) + data for device, data in emissions])
+    tail = b"".join([_EMISSION.pack(device, channel, len(data)) + data for device, channel, data in emissions])
     counts = count, 0, 0, 0, len(emissions)
     return form.pack(length + len(tail), REQUEST, tick, advance_ticks, missed_ticks, printed, *counts, *numbers) + tail
 
@@ -142,7 +144,7 @@ def request_frame(
     sampling: Iterable[tuple[int, int]],
     channels: Iterable[tuple[int, int]],
     frequencies: Iterable[tuple[int, float]],
-    emissions: Iterable[tuple[int, bytes]],
+    emissions: Iterable[Emission],
 ) -> bytes:
     """Return a request of any kind."""
     settings = (
@@ -150,7 +152,7 @@ def request_frame(
         [_SAMPLING.pack(*entry) for entry in sampling],
         [_CHANNEL.pack(*entry) for entry in channels],
         [_FREQUENCY.pack(*entry) for entry in frequencies],
-        [_EMISSION.pack(device, len(data)) + data for device, data in emissions],
+        [_EMISSION.pack(device, channel, len(data)) + data for device, channel, data in emissions],
     )
     tail = b"".join([entry for kind in settings for entry in kind])
     head, length = _WITH_MOTORS[0]

@@ -111,7 +111,8 @@ class Receiver(Sensor):
 
     def setChannel(self, channel: int) -> None:
         """Listen to another channel; those of the other team stay silent."""
-        self._rcj_channel = _tuned(self._rcj_hub, self._rcj_spec, self._rcj_channel, int(channel))
+        self._rcj_channel = _tuned(self._rcj_spec, self._rcj_channel, int(channel))
+        self._rcj_hub.tune(self._rcj_index, self._rcj_channel)
 
     def _rcj_first(self, method: str) -> Packet:
         packets: deque[Packet] = self._rcj_queue.packets
@@ -174,29 +175,44 @@ class Emitter(Device):
         super()._rcj_set_up(hub, spec)
         self._rcj_channel = int(self._rcj_facts.get("channel", -1))
         self._rcj_range = self.getMaxRange()
-        self._rcj_warned = False
+        self._rcj_told_of: set[str] = set()
 
     def send(self, message: str | bytes | bytearray | memoryview | Sequence[float], size: int | None = None) -> int:
-        """Send bytes, text (as UTF-8) or a list of floats (as doubles). Returns 1, or 0 if it is too large.
+        """Send bytes, text (as UTF-8) or a list of floats (as doubles), on the channel that is set now.
+
+        Returns:
+            1, or 0 if it is empty or too large, which is told once.
 
         Raises:
             TypeError: it is none of these, or the size is no whole number.
         """
         data = _packed(message, self._rcj_name)
-        if self._rcj_hub.emit(self._rcj_index, data if size is None else _cut(data, size, self._rcj_name)):
+        if size is not None:
+            data = _cut(data, size, self._rcj_name)
+        if data and self._rcj_hub.emit(self._rcj_index, self._rcj_channel, data):
             return 1
-        if not self._rcj_warned:
-            self._rcj_warned = True
-            complain(f"Warning: {self._rcj_name!r}: the packet is dropped: too much is sent in one step.")
+        self._rcj_tell_why_not(len(data))
         return 0
+
+    def _rcj_tell_why_not(self, size: int) -> None:
+        """Say why a packet of so many bytes is not sent: each reason once."""
+        most = self._rcj_hub.message_bytes
+        reason, text = "step", "too much is sent in one step."
+        if not size:
+            reason, text = "empty", "it is empty."
+        elif size > most:
+            reason, text = "large", f"it has {size} bytes, and at most {most} are allowed."
+        if reason not in self._rcj_told_of:
+            self._rcj_told_of.add(reason)
+            complain(f"Warning: {self._rcj_name!r}: the packet is dropped: {text}")
 
     def getChannel(self) -> int:
         """Return the channel it sends on."""
         return self._rcj_channel
 
     def setChannel(self, channel: int) -> None:
-        """Send on another channel; those of the other team carry nothing."""
-        self._rcj_channel = _tuned(self._rcj_hub, self._rcj_spec, self._rcj_channel, int(channel))
+        """Send on another channel from now on; those of the other team carry nothing."""
+        self._rcj_channel = _tuned(self._rcj_spec, self._rcj_channel, int(channel))
 
     def getRange(self) -> float:
         """Return how far it sends, in m."""
@@ -259,11 +275,12 @@ def _text(data: bytes) -> str:
     return data.split(b"\0", 1)[0].decode()
 
 
-def _tuned(hub: Hub, spec: dict[str, Any], current: int, asked: int) -> int:
-    """Ask for another channel; return the one that the device is on now."""
+def _tuned(spec: dict[str, Any], current: int, asked: int) -> int:
+    """Return the channel that a device is on after it was asked for; one that is refused is told."""
     if asked in spec["facts"].get("refused_channels", ()):
         complain(f"Error: {spec['name']!r}: channel {asked} is not for this team; it stays on {current}.")
         return current
-    asked = min(max(asked, -(2**31)), 2**31 - 1)
-    hub.tune(spec["index"], asked)
-    return asked
+    if asked < Receiver.CHANNEL_BROADCAST:
+        complain(f"Error: {spec['name']!r}: channel {asked} is none: it is -1 or more; it stays on {current}.")
+        return current
+    return min(asked, 2**31 - 1)

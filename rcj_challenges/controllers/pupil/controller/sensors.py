@@ -13,18 +13,24 @@ class GPS(Sensor):
 
     LOCAL, WGS84 = 0, 1
 
+    def _rcj_sample(self, ticks: int) -> None:
+        super()._rcj_sample(ticks)
+        if ticks > 1:
+            self._rcj_hub.follow(self._rcj_index)
+
     def getValues(self) -> list[float]:
         """Return [x, y, z] of the robot's centre in m; NaN before the first sample."""
         return list(self._rcj_numbers())
 
     def getSpeedVector(self) -> list[float]:
-        """Return the velocity in m/s between the last two observations; NaN before there were two."""
-        now, before = self._rcj_numbers(), self._rcj_hub.previous[self._rcj_place : self._rcj_end]
-        passed_s = (self._rcj_hub.tick - self._rcj_hub.previous_tick) * self._rcj_hub.tick_ms / 1000
+        """Return the velocity in m/s between the last two samples; NaN before there were two."""
+        now, (ticks, numbers) = self._rcj_numbers(), self._rcj_hub.before_sample(self._rcj_index)
+        before = numbers[self._rcj_place : self._rcj_end]
+        passed_s = ticks * self._rcj_hub.tick_ms / 1000
         return [(new - old) / passed_s if passed_s else math.nan for new, old in zip(now, before, strict=True)]
 
     def getSpeed(self) -> float:
-        """Return the speed in m/s between the last two observations; NaN before there were two."""
+        """Return the speed in m/s between the last two samples; NaN before there were two."""
         return math.hypot(*self.getSpeedVector())
 
     def getCoordinateSystem(self) -> int:
