@@ -18,7 +18,7 @@ from importlib.util import cache_from_source
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.controllers import bubblewrap, scratch, tasks
+from rcj_challenges.controllers import addresses, bubblewrap, scratch, tasks
 
 if sys.platform == "win32":
     import msvcrt
@@ -206,9 +206,10 @@ def _popen(
     # A session of its own: Ctrl-C reaches only the match, and all that it starts can be ended together. A program that
     # is debugged stays in ours, where the terminal is.
     own_session = log_fd is not None
-    popen = subprocess.Popen(
-        command, pass_fds=inherited, start_new_session=own_session, restore_signals=True, **place, **streams
-    )
+    with addresses.fixed():
+        popen = subprocess.Popen(
+            command, pass_fds=inherited, start_new_session=own_session, restore_signals=True, **place, **streams
+        )
     return Process(popen, None, own_session=own_session, sandbox_fd=sandbox_fd)
 
 
