@@ -8,7 +8,7 @@ from pathlib import PurePosixPath
 
 from rcj_challenges.checker.findings import Finding
 from rcj_challenges.checker.left_over import never_started
-from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned
+from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned, same_number
 from rcj_challenges.checker.others import looks_like
 from rcj_challenges.controllers.archive import Files
 from rcj_challenges.controllers.team import Opening, alternatives, missing_programs
@@ -275,7 +275,7 @@ def _likeness(path: PurePosixPath, entry: PurePosixPath, *, alone: bool) -> int:
     in_its_folder = alike(str(path.parent), str(entry.parent))
     if in_its_folder and (same or likely):
         return 3
-    return 2 if same else int(in_its_folder and alone)
+    return 2 if same else int((in_its_folder and alone) or (like_an_entry(path) and same_number(path.stem, entry.stem)))
 
 
 def _moves(pairs: Iterable[tuple[PurePosixPath, PurePosixPath]]) -> list[Move] | None:

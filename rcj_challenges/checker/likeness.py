@@ -31,6 +31,12 @@ def alike(name: str, wanted: str) -> bool:
     return SequenceMatcher(None, one, other).ratio() >= _LEAST_LIKENESS
 
 
+def same_number(name: str, wanted: str) -> bool:
+    """Whether both names end with a number, and with the same one: ``player_b1`` and ``robot1``."""
+    one, other = (re.search(r"[0-9]+$", text) for text in (name, wanted))
+    return one is not None and other is not None and one[0] == other[0]
+
+
 def mentioned(files: Mapping[PurePosixPath, bytes], names: Iterable[str]) -> str:
     """Return the first of some names that a program mentions."""
     for name in names:

@@ -53,6 +53,8 @@ _NAMES: dict[str, _Gone] = {
     "time.clock": _Gone("Python 3.7", "time.perf_counter()"),
 }
 _METHODS: dict[str, _Gone] = {
+    "array.array.tostring": _Gone("Python 3.8", ".tobytes()"),
+    "array.array.fromstring": _Gone("Python 3.8", ".frombytes(…)"),
     "tostring": _Gone("numpy 2.2", ".tobytes()"),
     "isAlive": _Gone("Python 3.8", ".is_alive()"),
     "iteritems": _Gone("Python 2", ".items()"),
@@ -79,6 +81,21 @@ _WORDS: tuple[tuple[re.Pattern[str], str, _Gone], ...] = (
         "scipy.interpolate.interp2d",
         _NAMES["scipy.interpolate.interp2d"],
     ),
+    (
+        re.compile(r"ValueError: invalid mode: '[rbt]*U"),
+        'the mode "U" of open',
+        _Gone("Python 3.10", '"r"'),
+    ),
+    (
+        re.compile(r"OverflowError: Python integer -?[0-9]+ out of bounds for u?int[0-9]+"),
+        "a wider result where a number does not fit the array's kind",
+        _Gone(_OLD_NUMPY, "int(…) around what comes from the array"),
+    ),
+    (
+        re.compile(r"ValueError: .*inhomogeneous shape"),
+        "np.array of parts of different lengths",
+        _Gone("numpy 1.23", "np.array([…], dtype=object), or a list,"),
+    ),
 )
 _LIBRARIES = ("numpy", "scipy")
 _OF_NUMPY = re.compile(r"`np\.(?P<name>\w+)` was removed")
@@ -86,9 +103,11 @@ _OF_ARRAYS = re.compile(r"`\w+` was removed from the ndarray class")
 _NO_ATTRIBUTE = re.compile(r"[Mm]odule '(?P<module>[\w.]+)' has no attribute '(?P<name>\w+)'")
 _NO_IMPORT = re.compile(r"cannot import name '(?P<name>\w+)' from '(?P<module>[\w.]+)'")
 _NO_MODULE = re.compile(r"No module named '(?P<module>[\w.]+)\.(?P<name>\w+)'")
-_NO_METHOD = re.compile(r"AttributeError: '[\w.]+' object has no attribute '(?P<name>\w+)'")
+_NO_METHOD = re.compile(r"AttributeError: '(?P<kind>[\w.]+)' object has no attribute '(?P<name>\w+)'")
+_NO_VALUE = re.compile(r"ValueError: '(?P<kind>\w+)\.\w+' is not a valid (?P=kind)\b")
 _NO_NAME = re.compile(r"NameError: name '(?P<name>\w+)' is not defined")
 _STAR = re.compile(rb"^\s*from\s+numpy\s+import\s+\*", re.MULTILINE)
+_ENUM_OF_TEXTS = re.compile(rb"\(\s*str\s*,\s*(enum\.)?Enum\s*\)")
 
 
 def on_old_name(detail: str, mentions: Callable[[re.Pattern[bytes]], bool]) -> str:
@@ -103,7 +122,11 @@ def on_old_name(detail: str, mentions: Callable[[re.Pattern[bytes]], bool]) -> s
             return _told(what, gone)
     if found := _NO_METHOD.search(detail):
         name = found["name"]
-        return _told(f".{name}()", _METHODS[name]) if name in _METHODS else ""
+        method = _METHODS.get(f"{found['kind']}.{name}") or _METHODS.get(name)
+        return _told(f".{name}()", method) if method is not None else ""
+    if _NO_VALUE.search(detail):
+        value = _Gone("Python 3.10", 'f"{role.value}"')
+        return _told('the value in f"{role}" of a class Role(str, Enum)', value) if mentions(_ENUM_OF_TEXTS) else ""
     if found := _NO_NAME.search(detail):
         return _on_bare_name(found["name"], starred=mentions(_STAR))
     return _on_dotted_name(detail)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -22,6 +23,18 @@ _SLOW_SHARE = 0.5
 _TOO_SLOW_SHARE = 2.0  # this computer may be slower than the tournament's, and is busy with other things
 _MUCH_SHARE = 0.5
 _MOST_COMPLAINTS = 5
+# What the controller module writes into a log, and what to do: errors, and those of its warnings behind which there may
+# be a mistake.
+_COMPLAINTS = tuple(
+    (re.compile(words), remedy)
+    for words, remedy in (
+        (r"Error: (.+)", "correct this call"),
+        (r"Warning: (.+ is read but not enabled): call enable.+", "call enable(32) before the first step"),
+        (r"Warning: (.+ is ignored and gives None: .+)", "do without this call"),
+        (r"Warning: (.+: the packet is dropped: it is empty.*)", "send nothing where there is nothing to say"),
+        (r"Warning: (.+: the packet is dropped: .+)", "send less in one packet and in one step"),
+    )
+)
 _PRINT_LESS = "print less: only what changes, or in every 30th step"
 _WRITE_LESS = 'write less: in every 30th step, or begin the file anew now and then (open(…, "w"))'
 
@@ -232,15 +245,21 @@ def _shorter(first: Mapping[str, Waits], second: Mapping[str, Waits]) -> dict[st
 
 def _complaints(match: Rehearsed, side: str) -> list[Finding]:
     """Return what the controller module found wrong with calls of the program."""
-    said: dict[str, list[str]] = {}
+    said: dict[tuple[str, str], list[str]] = {}
     for robot in match.motions:
         for line in dict.fromkeys(match.log(robot).splitlines()):
-            if line.startswith("Error: "):
-                said.setdefault(line.removeprefix("Error: "), []).append(robot)
+            if told := _complaint(line):
+                said.setdefault(told, []).append(robot)
     return [
-        Finding("play.complaint", "warning", f"{side}{shown(line)}", "correct this call", ", ".join(robots))
-        for line, robots in list(said.items())[:_MOST_COMPLAINTS]
+        Finding("play.complaint", "warning", f"{side}{shown(what)}", remedy, ", ".join(robots))
+        for (what, remedy), robots in list(said.items())[:_MOST_COMPLAINTS]
     ]
+
+
+def _complaint(line: str) -> tuple[str, str] | None:
+    """Return what a line of a log complains of, and what to do; None if it is no complaint."""
+    found = ((words.fullmatch(line), remedy) for words, remedy in _COMPLAINTS)
+    return next(((one[1], remedy) for one, remedy in found if one is not None), None)
 
 
 def _summary(match: Rehearsed, side: str) -> Finding:

@@ -253,8 +253,3 @@ def schema_text() -> str:
     schema = CheckReport.model_json_schema(mode="serialization")
     schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
     return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
-
-
-def json_text(report: CheckReport) -> str:
-    """Return the report as the command prints it."""
-    return json.dumps(report.model_dump(mode="json"), indent=2, ensure_ascii=False) + "\n"

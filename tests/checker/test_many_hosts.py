@@ -15,7 +15,7 @@ from rcj_challenges.checker import check as check_module
 from rcj_challenges.checker import many, playing, report_files, starting
 from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.checker.many import check_many
-from rcj_challenges.checker.report import check_report, json_text
+from rcj_challenges.checker.report import check_report
 from rcj_challenges.checker.report_html import html_page
 from rcj_challenges.checker.report_text import summary, verdict
 from rcj_challenges.facts.errors import HostError
@@ -93,7 +93,7 @@ def test_an_unchecked_submission_is_told_as_such_everywhere_and_ends_with_2(team
     told = report(good, bad, check_file(team(), MATCH, SHORT))
     assert told.exit_code == 2
     assert summary(told) == "3 submissions: 1 ok, 0 warnings, 1 failure, 1 not checked"
-    data = json.loads(json_text(told))
+    data = json.loads(json.dumps(told.model_dump(mode="json")))
     assert [file["level"] for file in data["files"]] == ["passed", "failure", "unchecked"]
     assert "No space left" in data["files"][2]["hindrance"]
     page = html_page(told, tmp_path)

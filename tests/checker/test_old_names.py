@@ -40,6 +40,12 @@ GONE = {
     "ImportError: cannot import name 'Iterable' from 'collections' (x)": ("Python 3.9", "collections.abc.Iterable"),
     "AttributeError: module 'inspect' has no attribute 'getargspec'": ("Python 3.10", "getfullargspec"),
     "TypeError: Population must be a sequence. For dicts or sets, use sorted(d).": ("Python 3.10", "sorted("),
+    "AttributeError: 'array.array' object has no attribute 'tostring'": ("Python 3.8", ".tobytes()"),
+    "AttributeError: 'array.array' object has no attribute 'fromstring'": ("Python 3.8", ".frombytes("),
+    "OverflowError: Python integer 300 out of bounds for uint8": ("numpy 1.x", "int("),
+    "ValueError: invalid mode: 'rU'": ("Python 3.10", '"r"'),
+    "ValueError: setting an array element with a sequence. The requested array has an inhomogeneous shape after 1 "
+    "dimensions. The detected shape was (2,) + inhomogeneous part.": ("numpy 1.23", "dtype=object"),
     "AttributeError: 'Driver' object has no attribute 'isAlive'": ("Python 3.8", "is_alive()"),
     "AttributeError: module 'base64' has no attribute 'encodestring'": ("Python 3.8", "encodebytes"),
     "ImportError: cannot import name 'gcd' from 'fractions' (python/fractions.py)": ("Python 3.8", "math.gcd"),
@@ -58,6 +64,14 @@ def test_a_name_that_came_with_the_star_is_told_too(remedy):
     told = remedy("NameError: name 'mat' is not defined (robot.py, line 2)", "from numpy import *\nmat('1 0')\n")
     assert "asmatrix" in told
     assert remedy("NameError: name 'mat' is not defined (robot.py, line 2)") == ""
+
+
+def test_a_text_that_is_a_member_of_an_enum_gives_its_name_where_it_gave_its_value(remedy):
+    detail = "ValueError: 'Role.STRIKER' is not a valid Role (robot.py, line 5)"
+    told = remedy(detail, "class Role(str, Enum):\n    STRIKER = 'striker'\n")
+    assert "Python 3.10" in told
+    assert ".value" in told
+    assert remedy(detail, "class Role(Enum):\n    STRIKER = 'striker'\n") == "", "of these it was always the name"
 
 
 @pytest.mark.parametrize(
@@ -83,6 +97,8 @@ def test_of_other_names_of_numpy_and_scipy_a_successor_is_to_be_looked_for(remed
         "AttributeError: module 'math' has no attribute 'cube'",
         "AttributeError: 'Robot' object has no attribute 'tostrings'",
         "TypeError: 'numpy.float64' object is not callable",
+        "ValueError: invalid mode: 'read'",
+        "ValueError: setting an array element with a sequence.",
         "KeyError: 'mat'",
     ],
 )

@@ -255,6 +255,49 @@ def test_a_call_that_the_robot_refuses_is_a_warning(pack):
     assert "play.complaint" in {finding.code for finding in findings(report, "play", "warning")}
 
 
+def complaints(report):
+    return [finding for finding in findings(report, "play", "warning") if finding.code == "play.complaint"]
+
+
+def test_a_sensor_that_is_read_and_was_never_enabled_is_told_with_what_to_do(pack):
+    program = BEGIN + 'compass = robot.getDevice("compass")\n'
+    program += LOOP.replace("pass", "left.setVelocity(compass.getValues()[0])")
+    told = complaints(check_file(pack(program), DUEL, SHORT))
+    assert [(finding.message, finding.remedy, finding.where) for finding in told[:2]] == [
+        ("as blue, 'compass' is read but not enabled", "call enable(32) before the first step", "B1"),
+        ("as blue, 'left wheel motor': setVelocity(NaN) is refused.", "correct this call", "B1"),
+    ]
+
+
+def test_who_asks_for_the_powers_of_the_referee_is_told_that_nothing_came_of_it(pack):
+    program = BEGIN.replace("Robot", "Supervisor") + 'robot.getFromDef("BALL")\n' + LOOP
+    told = complaints(check_file(pack(program), DUEL, SHORT))
+    assert [(finding.message, finding.where) for finding in told] == [
+        ("as blue, getFromDef is ignored and gives None: it is the referee's, this is a player's robot.", "B1"),
+        ("as yellow, getFromDef is ignored and gives None: it is the referee's, this is a player's robot.", "Y1"),
+    ]
+    assert told[0].remedy == "do without this call"
+
+
+def test_why_packets_are_dropped_is_told_and_what_to_do(pack):
+    program = (
+        BEGIN + 'emitter = robot.getDevice("team emitter")\nemitter.send("")\nemitter.send(bytes(9_000_000))\n' + LOOP
+    )
+    told = complaints(check_file(pack(program), DUEL, SHORT))
+    assert [(finding.message, finding.remedy) for finding in told[:2]] == [
+        ("as blue, 'team emitter': the packet is dropped: it is empty.", "send nothing where there is nothing to say"),
+        (
+            "as blue, 'team emitter': the packet is dropped: it has 9000000 bytes, and at most 1024000 are allowed.",
+            "send less in one packet and in one step",
+        ),
+    ]
+
+
+def test_what_a_program_itself_prints_about_warnings_is_its_own_business(pack):
+    program = BEGIN + 'print("Warning: the goalie is asleep: wake him")\nprint("Warning: not enabled")\n' + LOOP
+    assert complaints(check_file(pack(program), DUEL, SHORT)) == []
+
+
 def test_output_and_replay_are_there_on_request_and_safe(pack, tmp_path):
     program = BEGIN + "print('\\x1b[2J schön', name)\n" + LOOP
     name = "a b.zip"

@@ -140,6 +140,28 @@ def test_unsafe_names_find_their_place(tmp_path: Path) -> None:
     )
 
 
+def numbered(name: str, program: bytes = PROGRAM) -> dict[str, bytes]:
+    return {f"{name}{number}/{name}{number}.py": program + b"# %d" % number for number in (1, 2, 3)}
+
+
+def test_numbered_programs_in_folders_of_their_own_names_are_those_that_are_asked_for(tmp_path: Path) -> None:
+    files = {"team_name.txt": b"Cats", "rcj_soccer_player_b1/utils.py": b"x = 1", **numbered("rcj_soccer_player_b")}
+    result, out = repaired(tmp_path, plain(files))
+    assert result.left == []
+    assert contents(out) == {"team_name.txt": b"Cats", "robot1/utils.py": b"x = 1", **numbered("robot")}
+
+
+def test_of_two_numbered_programs_nobody_can_say_which_is_meant(tmp_path: Path) -> None:
+    files = {"team_name.txt": b"Cats", **numbered("rcj_soccer_player_b"), **numbered("rcj_soccer_player_y")}
+    assert repaired(tmp_path, plain(files))[0].left
+
+
+def test_numbered_programs_that_mention_their_names_are_left_to_the_team(tmp_path: Path) -> None:
+    program = b"from rcj_soccer_player_b1 import utils\n" + PROGRAM
+    files = {"team_name.txt": b"Cats", "rcj_soccer_player_b1/utils.py": b"x = 1"}
+    assert repaired(tmp_path, plain(files | numbered("rcj_soccer_player_b", program)))[0].left
+
+
 def test_two_unsafe_names_for_one_place_need_a_decision(tmp_path: Path) -> None:
     data = pack([*with_folders(SOUND), Member("a?.txt", b"1"), Member("A*.txt", b"2")])
     result, _ = repaired(tmp_path, data)

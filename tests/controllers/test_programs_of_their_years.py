@@ -47,6 +47,16 @@ robot.step(32)
     assert match.play(STEPS + program, 1).said == ["inf -inf nan 3.0 4 6 2 [2 4]", "[1.5]"]
 
 
+def test_warnings_are_silenced_by_numpys_own_name_of_the_module(match: FakeMatch) -> None:
+    program = """
+import numpy as np
+np.warnings.filterwarnings("ignore", category=np.VisibleDeprecationWarning)
+print(np.PZERO, np.NZERO)
+robot.step(32)
+"""
+    assert match.play(STEPS + program, 1).said == ["0.0 -0.0"]
+
+
 def test_numpys_star_gives_the_old_names_and_leaves_pythons_own_alone(match: FakeMatch) -> None:
     program = """
 from numpy import *
@@ -154,3 +164,160 @@ print("there")
 robot.step(32)
 """
     assert match.play(STEPS + program, 1).said == ["there"]
+
+
+def test_the_default_of_a_dataclass_may_be_another_dataclass_or_an_array(match: FakeMatch) -> None:
+    program = """
+import dataclasses
+import numpy as np
+from dataclasses import dataclass, field
+from typing import ClassVar
+@dataclass
+class Point:
+    x: float = 0.0
+@dataclass
+class Ball:
+    home: ClassVar[Point] = Point(9.0)
+    place: Point = Point(1.0)
+    speed: np.ndarray = np.zeros(2)
+    drawn: Point = field(default=Point(3.0), repr=False)
+    seen: list = field(default_factory=list)
+print(Ball(), Ball(Point(2.0)).place, Ball().drawn, Ball.home, Ball.place, Ball().place is Ball().place)
+print([f.name for f in dataclasses.fields(Ball)], dataclasses.replace(Ball(), place=Point(4.0)).place)
+robot.step(32)
+"""
+    assert match.play(STEPS + program, 1).said == [
+        "Ball(place=Point(x=1.0), speed=array([0., 0.]), seen=[]) Point(x=2.0) Point(x=3.0) Point(x=9.0) Point(x=1.0) True",
+        "['place', 'speed', 'drawn', 'seen'] Point(x=4.0)",
+    ]
+
+
+def test_a_list_as_the_default_of_a_dataclass_is_refused_as_it_was_then(match: FakeMatch) -> None:
+    program = """
+from dataclasses import dataclass
+@dataclass
+class Ball:
+    seen: list = []
+"""
+    fault = match.play(STEPS + program, 1).fault
+    assert fault is not None
+    assert "mutable default <class 'list'> for field seen is not allowed: use default_factory" in fault.detail
+
+
+def test_chance_takes_its_seed_from_whatever_has_a_hash(match: FakeMatch) -> None:
+    program = """
+import datetime, random
+def drawn(seed):
+    random.seed(seed)
+    return random.random()
+now = datetime.datetime.now()
+print(drawn(now) == drawn(now), drawn((1, 2)) == drawn((1, 2)), drawn((1, 2)) != drawn((2, 1)), drawn(5) == drawn(5))
+print(random.Random((1, 2)).random() == drawn((1, 2)), 0 <= drawn(None) < 1)
+robot.step(32)
+"""
+    assert match.play(STEPS + program, 1).said == ["True True True True", "True True"]
+
+
+def test_a_seed_of_the_time_is_the_same_in_every_match(match: FakeMatch) -> None:
+    program = """
+import datetime, random
+robot.step(32)
+random.seed(datetime.datetime.now().replace(microsecond=0))
+print(random.random())
+robot.step(32)
+"""
+    first, again = (match.play(STEPS + program, 2).said for _ in range(2))
+    assert len(first) == 1
+    assert first[0].startswith("0.")
+    assert again[-1] == first[0]
+
+
+def test_chance_shuffles_and_draws_as_it_did_then(match: FakeMatch) -> None:
+    program = """
+import random
+moves = list(range(9))
+random.shuffle(moves, random.random)
+print(sorted(moves) == list(range(9)), random.shuffle(moves), random.shuffle([1, 2, 3], lambda: 0.0))
+fixed = [1, 2, 3]
+random.shuffle(fixed, lambda: 0.0)
+print(fixed, random.randint(2, 4 / 2), random.randrange(5.0) < 5, random.Random(1).randrange(0, 10.0, 5.0) in (0, 5))
+try:
+    random.randint(1, 2.5)
+except (TypeError, ValueError):
+    print("no half numbers")
+robot.step(32)
+"""
+    assert match.play(STEPS + program, 1).said == ["True None None", "[2, 3, 1] 2 True True", "no half numbers"]
+
+
+def test_json_is_read_whatever_encoding_is_named(match: FakeMatch) -> None:
+    program = """
+import io, json
+print(json.loads('{"v": 3}', encoding="utf-8"), json.load(io.StringIO("[1]"), encoding="latin-1"), json.loads("2.5"))
+try:
+    json.loads("1", encodign="utf-8")
+except TypeError as error:
+    print(error)
+robot.step(32)
+"""
+    said = match.play(STEPS + program, 1).said
+    assert said[0] == "{'v': 3} [1] 2.5"
+    assert "encodign" in said[1]
+
+
+def test_coroutines_of_generators_run_beside_those_of_today(match: FakeMatch) -> None:
+    program = """
+import asyncio
+@asyncio.coroutine
+def wait(ticks):
+    for _ in range(ticks):
+        yield from asyncio.sleep(0)
+    return ticks
+@asyncio.coroutine
+def plain():
+    return "plain"
+@asyncio.coroutine
+def plan():
+    first = yield from wait(2)
+    task = asyncio.ensure_future(wait(3))
+    second = yield from task
+    word = yield from plain()
+    print(first, second, word, asyncio.iscoroutinefunction(wait))
+async def modern():
+    return await wait(1)
+loop = asyncio.new_event_loop()
+loop.run_until_complete(plan())
+print(loop.run_until_complete(modern()))
+loop.close()
+print(asyncio.get_event_loop().run_until_complete(modern()))
+asyncio.get_event_loop().close()
+robot.step(32)
+"""
+    assert match.play(STEPS + program, 1).said == ["2 3 plain True", "1", "1"]
+
+
+def test_a_file_of_settings_is_read_as_it_was_then(match: FakeMatch) -> None:
+    program = """
+import configparser, io
+settings = configparser.SafeConfigParser()
+settings.readfp(io.StringIO("[motor]\\nspeed = 6"))
+print(settings.getint("motor", "speed"))
+robot.step(32)
+"""
+    assert match.play(STEPS + program, 1).said[-1] == "6"
+
+
+def test_scipy_gives_the_names_of_numpy_that_it_had(match: FakeMatch) -> None:
+    program = """
+import scipy
+from scipy import array, dot, pi
+import scipy as sp
+print(round(pi, 2), dot(array([1, 2]), array([3, 4])), scipy.sqrt(-4), sp.mean([1, 2]), sp.inf)
+try:
+    scipy.no_such_name
+except AttributeError as error:
+    print(type(error).__name__)
+print(scipy.linalg.norm([3, 4]))
+robot.step(32)
+"""
+    assert match.play(STEPS + program, 1).said == ["3.14 11 2j 1.5 inf", "AttributeError", "5.0"]

@@ -85,6 +85,7 @@ class Boot:
             "datetime": _clock.dates_of(self._clock),
             "random": _chance.seed_random(seeds[0]),
             "numpy": _for_numpy("restore_old_names"),
+            "scipy": _for_numpy("restore_names_of_numpy"),
             "scipy.integrate": _for_numpy("restore_integrals"),
             "scipy.misc": _for_numpy("restore_derivative"),
             "scipy.signal": _for_numpy("restore_windows"),

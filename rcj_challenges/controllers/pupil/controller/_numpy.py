@@ -16,7 +16,10 @@ _SAME_AS = {
     "product": "prod", "cumproduct": "cumprod", "sometrue": "any", "alltrue": "all", "round_": "round",
     "trapz": "trapezoid", "row_stack": "vstack", "in1d": "isin", "mat": "asmatrix",
 }  # fmt: skip
-_PYTHON_S_OWN = {"float": float, "int": int, "complex": complex, "object": object, "str": str, "math": math}
+_PYTHON_S_OWN = {
+    "float": float, "int": int, "complex": complex, "object": object, "str": str, "math": math,
+    "warnings": sys.modules["warnings"],
+}  # fmt: skip
 _WINDOWS = ("gaussian", "hann", "hamming", "blackman", "bartlett", "boxcar", "triang", "kaiser", "tukey")
 
 
@@ -24,7 +27,7 @@ def restore_old_names(numpy: Any) -> None:
     """Give numpy back what it called its things, and let numbers read as numbers: ``1.5``, not ``np.float64(1.5)``."""
     there = vars(numpy)
     old_names = {old: there[new] for old, new in _SAME_AS.items() if new in there}
-    old_names |= {"NINF": -math.inf, **_functions_of(numpy)}
+    old_names |= {"NINF": -math.inf, "PZERO": 0.0, "NZERO": -0.0, **_functions_of(numpy)}
     exceptions = vars(there["exceptions"]) if "exceptions" in there else {}
     old_names |= {name: kind for name, kind in exceptions.items() if isinstance(kind, type)}
     for name, thing in {**old_names, **_PYTHON_S_OWN}.items():
@@ -71,6 +74,23 @@ def _restore_methods(numpy: Any) -> None:
         (methods,) = gc.get_referents(numpy.ndarray.__dict__)
         methods["tostring"] = numpy.ndarray.tobytes
         methods["ptp"] = lambda array, axis=None, out=None: numpy.ptp(array, axis, out)  # since 2.0 it only complains
+
+
+def restore_names_of_numpy(scipy: Any) -> None:
+    """Give ``scipy`` itself the names of numpy that it had up to 1.11: ``from scipy import array, pi``."""
+    real = scipy.__getattr__
+
+    def named(name: str) -> Any:
+        try:
+            return real(name)
+        except AttributeError:
+            numpy: Any = sys.modules["numpy"]  # scipy has imported it
+            for place in (numpy.emath, numpy):  # its roots of negative numbers were complex ones
+                if not name.startswith("_") and hasattr(place, name):
+                    return getattr(place, name)
+            raise
+
+    scipy.__getattr__ = named
 
 
 def restore_integrals(integrate: Any) -> None:

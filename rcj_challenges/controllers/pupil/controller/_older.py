@@ -17,13 +17,115 @@ def _collections(module: Any) -> None:
 
 
 def _random(module: Any) -> None:
-    real = module.Random.sample
+    kind = module.Random
+    seed, sample, shuffle, randrange = kind.seed, kind.sample, kind.shuffle, kind.randrange
 
-    def sample(self: Any, population: Any, k: int, **more: Any) -> Any:
-        return real(self, tuple(population) if isinstance(population, (set, frozenset)) else population, k, **more)
+    def seeded(self: Any, a: Any = None, version: int = 2) -> None:
+        """Take whatever has a hash: a moment, a tuple. Those of the match's programs are the same in every run."""
+        known = a is None or isinstance(a, (int, float, str, bytes, bytearray))
+        seed(self, a if known else hash(a) % 2**64, version)
 
-    module.Random.sample = sample
-    module.sample = module._inst.sample  # noqa: SLF001 - `random.sample` is this method, bound when it was imported
+    def sampled(self: Any, population: Any, k: int, **more: Any) -> Any:
+        return sample(self, tuple(population) if isinstance(population, (set, frozenset)) else population, k, **more)
+
+    def shuffled(self: Any, x: Any, random: Any = None) -> None:
+        """Take a function that draws numbers from 0 to 1, too."""
+        if random is None:
+            shuffle(self, x)
+            return
+        for last in range(len(x) - 1, 0, -1):
+            drawn = int(random() * (last + 1))
+            x[last], x[drawn] = x[drawn], x[last]
+
+    def drawn_of_range(self: Any, start: Any, stop: Any = None, step: Any = 1) -> Any:
+        """Take 4.0 for 4."""
+        return randrange(self, _whole(start), _whole(stop), _whole(step))
+
+    kind.seed, kind.sample, kind.shuffle, kind.randrange = seeded, sampled, shuffled, drawn_of_range
+    for name in ("seed", "sample", "shuffle", "randrange"):
+        # `random.sample` is that method of one object, bound when the module was imported.
+        setattr(module, name, getattr(module._inst, name))  # noqa: SLF001
+
+
+def _whole(given: Any) -> Any:
+    return int(given) if isinstance(given, float) and given.is_integer() else given
+
+
+def _dataclasses(module: Any) -> None:
+    """Let a default be what has no hash, as an array or an object of another dataclass, but no list, dict or set."""
+    real = module._get_field  # noqa: SLF001 - where Python refuses it since 3.11
+
+    def get_field(cls: Any, name: str, *more: Any) -> Any:
+        given: Any = getattr(cls, name, None)
+        is_field = isinstance(given, module.Field)
+        default = given.default if is_field else given
+        if type(default).__hash__ is not None or isinstance(default, (list, dict, set)):
+            return real(cls, name, *more)
+        if is_field:
+            given.default = None
+        else:
+            setattr(cls, name, None)
+        made = real(cls, name, *more)
+        made.default = default
+        setattr(cls, name, default)
+        return made
+
+    module._get_field = get_field  # noqa: SLF001
+
+
+def _json(module: Any) -> None:
+    real = module.JSONDecoder.__init__
+
+    def init(self: Any, **more: Any) -> None:
+        more.pop("encoding", None)  # it said nothing since Python 3.1, and was an error from 3.9 on
+        real(self, **more)
+
+    module.JSONDecoder.__init__ = init
+
+
+def _asyncio(module: Any) -> None:
+    import functools
+    import inspect
+    import types
+
+    def coroutine(func: Any) -> Any:
+        if inspect.iscoroutinefunction(func):
+            return func
+        real = types.coroutine(func)
+
+        @functools.wraps(func)
+        async def coro(*given: Any, **named: Any) -> Any:
+            made = real(*given, **named)
+            return await made if inspect.isawaitable(made) else made
+
+        return coro
+
+    vars(module).setdefault("coroutine", coroutine)
+    _make_loops(module)
+
+
+def _make_loops(module: Any) -> None:
+    """Let the main thread's first question for an event loop make one, which ended with Python 3.14."""
+    import threading
+
+    present = module.get_event_loop
+
+    def get_event_loop() -> Any:
+        try:
+            return present()
+        except RuntimeError:
+            if threading.current_thread() is not threading.main_thread():
+                raise
+            module.set_event_loop(module.new_event_loop())
+            return present()
+
+    module.get_event_loop = get_event_loop
+
+
+def _configparser(module: Any) -> None:
+    if not hasattr(module, "SafeConfigParser"):
+        module.SafeConfigParser = module.ConfigParser
+        module.RawConfigParser.readfp = module.RawConfigParser.read_file
 
 
 def _inspect(module: Any) -> None:
@@ -56,6 +158,10 @@ def _base64(module: Any) -> None:
 PATCHES: dict[str, Patch] = {
     "collections": _collections,
     "random": _random,
+    "dataclasses": _dataclasses,
+    "json": _json,
+    "asyncio": _asyncio,
+    "configparser": _configparser,
     "inspect": _inspect,
     "threading": _threading,
     "fractions": _fractions,

@@ -144,7 +144,7 @@ class Sensor(Device):
             self._rcj_stop()
             return
         self._rcj_period_ms = int(min(period_ms, _LONGEST_MS))
-        self._rcj_hub.sample(self._rcj_index, self._rcj_hub.ticks_from_ms(period_ms))
+        self._rcj_sample(self._rcj_hub.ticks_from_ms(period_ms))
 
     def disable(self) -> None:
         """Stop measuring."""
@@ -152,7 +152,11 @@ class Sensor(Device):
 
     def _rcj_stop(self) -> None:
         self._rcj_period_ms = 0
-        self._rcj_hub.sample(self._rcj_index, 0)
+        self._rcj_sample(0)
+
+    def _rcj_sample(self, ticks: int) -> None:
+        """Ask for a sample every so many ticks; 0 for none."""
+        self._rcj_hub.sample(self._rcj_index, ticks)
 
     def getSamplingPeriod(self) -> int:
         """Return the period in ms that was asked for; 0 if it is disabled."""
