@@ -8,10 +8,13 @@ Exit codes: 0 done, 1 a negative verdict, 2 wrong input, 3 a fault of ours (with
 
 from __future__ import annotations
 
+import contextlib
 import copy
 import gc
+import math
 import os
 import sys
+import time
 from typing import TYPE_CHECKING
 
 from rcj_challenges.facts.letters import READABLE
@@ -29,13 +32,22 @@ INTERRUPTED = 130
 _OBJECTS_BETWEEN_COLLECTIONS = 50_000
 """Some MB at most; Python's own 700 means a hundred collections until the first command begins."""
 
+_ONE_AND_THE_SAME_S = 1.0
+"""Signals that follow each other faster mean one thing."""
+
 
 def main() -> None:
     """Run the command line and exit with its code."""
+    from rcj_challenges.cli.says import open_what_is_closed
+
+    open_what_is_closed()
     _start_quickly()
-    _end_gently()
+    heard = _end_gently()
     try:
-        sys.exit(_exit_code())
+        code = _exit_code()
+        if code == INTERRUPTED:
+            _hear_no_more(heard)
+        sys.exit(code)
     finally:
         # At its end the interpreter would look through all objects for garbage, 80 ms, just before it gives all back.
         gc.freeze()
@@ -43,26 +55,37 @@ def main() -> None:
 
 def _exit_code() -> int:
     """Run the command line; returns its exit code."""
-    from rcj_challenges.cli.app import app
+    from rcj_challenges.cli.says import say_no_more
 
+    code: object = OK
     try:
+        from rcj_challenges.cli.app import app
+
         code = _of_one_command(app, sys.argv[1:2])(standalone_mode=False)
+        sys.stdout.flush()
     except BrokenPipeError:
-        return OK  # the reader of our output has seen enough
+        say_no_more(sys.stdout)  # the reader of our output has seen enough
+    except SystemExit as error:
+        # The library of the command line makes that of a broken pipe, with the status of a negative verdict.
+        return OK if isinstance(error.__context__, BrokenPipeError) else _status(error.code)
     except (Exception, KeyboardInterrupt) as error:  # noqa: BLE001 - the last line of defence
         return _told(error)
+    return _status(code)
+
+
+def _status(code: object) -> int:
     return code if isinstance(code, int) else OK
 
 
 def _told(error: BaseException) -> int:
     """Say what ended a command; returns its exit code. What is unexpected becomes a report."""
     from rcj_challenges.cli.faults import report_our_fault
-    from rcj_challenges.facts.errors import RcjError, is_of_the_host, told_of
+    from rcj_challenges.facts.errors import RcjError, interruption_behind, is_of_the_host, told_of
 
     if isinstance(error, RcjError):
         _complain(str(error))
         return error.exit_code
-    if _is_interruption(error):
+    if interruption_behind(error) is not None:
         _complain("interrupted")
         return INTERRUPTED
     if is_of_the_host(error):
@@ -72,20 +95,42 @@ def _told(error: BaseException) -> int:
     return _usage_error(error) or report_our_fault(error)
 
 
-def _is_interruption(error: BaseException | None) -> bool:
-    """Return whether somebody interrupted us: in the middle of an import that comes out as an error of the import."""
-    return error is not None and (isinstance(error, KeyboardInterrupt) or _is_interruption(error.__context__))
+def _end_gently() -> list[int]:
+    """Let what ends a service or a closed terminal end a command as Ctrl-C does: with its record closed.
 
+    Such signals often come twice: a closed terminal tells its shell, and the shell its commands. The second does not
+    disturb what the first began; who wants to go at once waits a second until he says so again.
 
-def _end_gently() -> None:
-    """Let what ends a service or a closed terminal end a command as Ctrl-C does: with its record closed."""
+    Returns:
+        The signals that we hear from now on.
+    """
     import signal
 
-    for name in ("SIGTERM", "SIGHUP"):
+    interrupted_at_s = -math.inf
+
+    def interrupt(*_: object) -> None:
+        nonlocal interrupted_at_s
+        now_s = time.monotonic()
+        if now_s - interrupted_at_s > _ONE_AND_THE_SAME_S:
+            interrupted_at_s = now_s
+            raise KeyboardInterrupt
+
+    heard = []
+    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
         number = getattr(signal, name, None)
         # Who starts us under nohup wants us to go on.
-        if number is not None and signal.getsignal(number) is signal.SIG_DFL:
-            signal.signal(number, signal.default_int_handler)
+        if number is not None and signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler):
+            signal.signal(number, interrupt)
+            heard.append(number)
+    return heard
+
+
+def _hear_no_more(heard: list[int]) -> None:
+    """Let no second signal change the exit code: while it ends, the interpreter would take it as a sudden death."""
+    import signal
+
+    for number in heard:
+        signal.signal(number, signal.SIG_IGN)
 
 
 def _start_quickly() -> None:
@@ -120,7 +165,8 @@ def _usage_error(error: BaseException) -> int | None:
     show = getattr(error, "show", None)
     code = getattr(error, "exit_code", None)
     if show is not None and isinstance(code, int):
-        show()
+        with contextlib.suppress(OSError):
+            show()
         return WRONG_INPUT
     if type(error).__name__ == "Abort":
         _complain("interrupted")
@@ -133,4 +179,5 @@ def _complain(message: str) -> None:
         reconfigure = getattr(stream, "reconfigure", None)
         if reconfigure is not None:
             reconfigure(errors=READABLE)
-    print(message, file=sys.stderr)  # noqa: T201 - this is the terminal
+    with contextlib.suppress(OSError):  # a full disk, or nobody there: the exit code still tells
+        print(message, file=sys.stderr, flush=True)  # noqa: T201 - this is the terminal

@@ -30,6 +30,26 @@ _Sandbox = Annotated[
 ]
 
 
+_Blue = Annotated[str | None, typer.Option("--blue", metavar="PATH", help="Short for --team blue=PATH.")]
+_Yellow = Annotated[str | None, typer.Option("--yellow", metavar="PATH", help="Short for --team yellow=PATH.")]
+_Duration = Annotated[
+    float | None, typer.Option("--duration", metavar="S", help="Length of a half in simulated seconds.")
+]
+_Halves = Annotated[int | None, typer.Option("--halves", help="How many halves.")]
+
+
+def _teams(given: list[str] | None, blue: str | None, yellow: str | None) -> list[str]:
+    """Return who plays as ``ENTRANT=PATH``, the short options among them."""
+    short = (f"{seat}={path}" for seat, path in (("blue", blue), ("yellow", yellow)) if path is not None)
+    return [*(given or ()), *short]
+
+
+def _overrides(given: list[str] | None, duration: float | None, halves: int | None) -> list[str]:
+    """Return what is changed in the scenario as ``PATH=VALUE``, the short options among it."""
+    short = (("half_s", duration), ("halves", halves))
+    return [*(given or ()), *(f"match.{name}={value}" for name, value in short if value is not None)]
+
+
 def _show_version(asked: bool) -> None:
     if asked:
         typer.echo(f"rcj-challenge {__version__}")
@@ -52,18 +72,14 @@ def run(
         list[str] | None,
         typer.Option("--team", metavar="ENTRANT=PATH", help="Who plays: a folder, a ZIP or a .py file. Repeatable."),
     ] = None,
-    blue: Annotated[str | None, typer.Option("--blue", metavar="PATH", help="Short for --team blue=PATH.")] = None,
-    yellow: Annotated[
-        str | None, typer.Option("--yellow", metavar="PATH", help="Short for --team yellow=PATH.")
-    ] = None,
+    blue: _Blue = None,
+    yellow: _Yellow = None,
     team_name: Annotated[
         list[str] | None, typer.Option("--team-name", metavar="ENTRANT=NAME", help="Overrides team_name.txt.")
     ] = None,
     seed: Annotated[int, typer.Option("--seed", min=0, help="Seed of all that chance decides.")] = 1,
-    duration: Annotated[
-        float | None, typer.Option("--duration", metavar="S", help="Length of a half in simulated seconds.")
-    ] = None,
-    halves: Annotated[int | None, typer.Option("--halves", help="How many halves.")] = None,
+    duration: _Duration = None,
+    halves: _Halves = None,
     set_: _Set = None,
     match_id: Annotated[int, typer.Option("--match-id", min=0, help="Number of the match in its log.")] = 0,
     out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the record's folder is made.")] = Path(
@@ -105,18 +121,11 @@ def run(
         run_scenario(
             RunOptions(
                 scenario=scenario,
-                teams=[
-                    *(team or ()),
-                    *(f"{seat}={path}" for seat, path in (("blue", blue), ("yellow", yellow)) if path is not None),
-                ],
+                teams=_teams(team, blue, yellow),
                 team_names=team_name or [],
                 seed=seed,
                 match_id=match_id,
-                overrides=[
-                    *(set_ or ()),
-                    *(() if duration is None else (f"match.half_s={duration}",)),
-                    *(() if halves is None else (f"match.halves={halves}",)),
-                ],
+                overrides=_overrides(set_, duration, halves),
                 out=out,
                 json=json_,
                 quiet=quiet,
@@ -228,6 +237,10 @@ def simulate(
         list[str] | None,
         typer.Option("--team", metavar="ENTRANT=PATH", help="Who plays; left out: the sample team. Repeatable."),
     ] = None,
+    blue: _Blue = None,
+    yellow: _Yellow = None,
+    duration: _Duration = None,
+    halves: _Halves = None,
     set_: _Set = None,
     out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the records are made.")] = Path("runs"),
     at_once: Annotated[int | None, typer.Option("--at-once", min=1, help="Matches at a time; default: cores.")] = None,
@@ -237,8 +250,9 @@ def simulate(
     """Play a challenge with many seeds in parallel and report scores, events and faults."""
     from rcj_challenges.cli import simulate as command
 
+    teams, overrides = _teams(team, blue, yellow), _overrides(set_, duration, halves)
     raise typer.Exit(
-        command.simulate(command.SimulateOptions(scenario, seeds, team or [], set_ or [], out, at_once, json_, quiet))
+        command.simulate(command.SimulateOptions(scenario, seeds, teams, overrides, out, at_once, json_, quiet))
     )
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -12,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from rcj_challenges.cli.says import say_json
 from rcj_challenges.facts.errors import RcjError
 
 if TYPE_CHECKING:
@@ -258,10 +258,8 @@ def _publish(report: CheckReport, command: CheckCommand, console: Console) -> No
     Raises:
         CheckUsageError: the page cannot be written.
     """
-    from rcj_challenges.checker.report import json_text
-
     if command.json:
-        sys.stdout.write(json_text(report))
+        say_json(report.model_dump(mode="json"))
     else:
         from rcj_challenges.checker.report_text import print_report
 

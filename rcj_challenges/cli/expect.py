@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import json
 import sys
 import time
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from rcj_challenges.cli.says import say_json
 from rcj_challenges.cli.validate import say
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.script import Trial, try_expectation
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.inherited import TESTS
 from rcj_challenges.scenario.load import Loaded, load
-from rcj_challenges.scenario.models.actions import Emit, Score
 from rcj_challenges.scenario.tree import file_of
 
 _WALL_DIGITS = 4
@@ -55,7 +54,7 @@ def run_tests(paths: Sequence[str], overrides: Sequence[str], *, as_json: bool =
                 _show(reports[-1])
     if as_json:
         passed = all(report["passed"] for report in reports)
-        say(json.dumps({"passed": passed, "files": reports}, ensure_ascii=False, indent=2), sys.stdout)
+        say_json({"passed": passed, "files": reports})
     else:
         _show_sum(reports)
     return code
@@ -100,7 +99,7 @@ def _report(path: str, loaded: Loaded, played: list[_Played]) -> dict[str, Any]:
             for one in played
         ],
         "left_out": {name: str(problem) for name, problem in loaded.left_out.items()},
-        "untested_rules": [name for name in told_rules(loaded) if name not in fired],
+        "untested_rules": [name for name in loaded.scenario.rules if name not in fired],
     }
 
 
@@ -109,15 +108,6 @@ def _inherited_from(loaded: Loaded, name: str) -> str | None:
     written = loaded.written
     file = "" if written is None else file_of(written, TESTS, name)
     return None if written is None or file == written.mark.file else file
-
-
-def told_rules(loaded: Loaded) -> list[str]:
-    """Return the rules that give points or announce something: those that a test should set off."""
-    return [
-        name
-        for name, rule in loaded.scenario.rules.items()
-        if any(isinstance(action, Emit | Score) for action in rule.actions)
-    ]
 
 
 def _show(report: dict[str, Any]) -> None:

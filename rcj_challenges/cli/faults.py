@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import platform
 import sys
 import tempfile
@@ -24,17 +25,16 @@ def report_our_fault(error: BaseException) -> int:
         where = f"A report is in {_written(text, Path.cwd()).name}"
     except OSError:
         where = f"No report can be written in this folder, so here it is:\n{text}"
-    print(  # noqa: T201 - this is the terminal
-        f"rcj-challenge: this is our fault, not yours: {type(error).__name__}: {error}\n"
-        f"{where}; please send it to the project.",
-        file=sys.stderr,
-    )
+    told = f"rcj-challenge: this is our fault, not yours: {type(error).__name__}: {error}"
+    with contextlib.suppress(OSError):
+        print(f"{told}\n{where}; please send it to the project.", file=sys.stderr)  # noqa: T201 - this is the terminal
     return 3
 
 
 def _written(text: str, folder: Path) -> Path:
     with tempfile.NamedTemporaryFile(
-        "w", prefix="rcj-challenge-report-", suffix=".txt", dir=folder, delete=False, encoding="utf-8"
-    ) as file:
+        "w", prefix="rcj-challenge-report-", suffix=".txt", dir=folder, delete=False, encoding="utf-8",
+        errors="backslashreplace",
+    ) as file:  # fmt: skip
         file.write(text)
     return Path(file.name)

@@ -2,30 +2,22 @@
 
 from __future__ import annotations
 
-import json
 import os
-import sys
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.cli.says import say_json
+from rcj_challenges.cli.seating import UsageError, assignments, known, open_teams
 from rcj_challenges.facts.timing import TICK_S
 
 if TYPE_CHECKING:
     from rich.console import Console
 
     from rcj_challenges.cli.live import LiveOptions
-    from rcj_challenges.controllers.team import Team
     from rcj_challenges.match.match import MatchInterruptedError, PlayedMatch
     from rcj_challenges.scenario.load import Loaded
     from rcj_challenges.scenario.models.scenario import Scenario
-
-
-class UsageError(RcjError):
-    """Options that do not fit the scenario."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +55,7 @@ def run_scenario(options: RunOptions) -> int:
     loaded = load(options.scenario, options.overrides)
     robots = frozenset(robot for entrant in loaded.scenario.entrants.values() for robot in entrant.robots)
     for robot in (*options.show_output, *options.debug):
-        _known(robot, robots, "robot")
+        known(robot, robots, "robot")
 
     # The physics is imported while nobody waits for it yet: opening teams is quick, compiling is not.
     from rcj_challenges.cli import INTERRUPTED
@@ -76,8 +68,8 @@ def run_scenario(options: RunOptions) -> int:
     watcher = watcher_for(console, loaded.scenario.title, quiet=options.quiet or options.json)
     plan = MatchPlan(
         loaded=loaded,
-        teams=_open_teams(loaded, options),
-        team_names=_assignments(options.team_names, loaded.scenario.entrants, "--team-name"),
+        teams=open_teams(loaded, options.teams),
+        team_names=_team_names(loaded, options),
         seed=options.seed,
         match_id=options.match_id,
         out=options.out,
@@ -105,16 +97,19 @@ def run_scenario(options: RunOptions) -> int:
 
 
 def _tell(options: RunOptions, console: Console, scenario: Scenario, outcome: PlayedMatch) -> None:
-    """Write the replay page, and say how it ended."""
-    if options.replay:
-        from rcj_challenges.views.replay import write_replay
+    """Write the replay page, and say how it ended: also if there is no room for the page."""
+    written = False
+    try:
+        if options.replay:
+            from rcj_challenges.views.replay import write_replay
 
-        write_replay(outcome.folder)
-    if options.json:
-        sys.stdout.write(json.dumps(outcome.result, ensure_ascii=False, indent=2) + "\n")
-        sys.stdout.flush()
-    else:
-        _summary(console, scenario, outcome, replay=options.replay)
+            write_replay(outcome.folder)
+            written = True
+    finally:
+        if options.json:
+            say_json(outcome.result)
+        else:
+            _summary(console, scenario, outcome, replay=written)
 
 
 def _tell_of_interruption(console: Console, scenario: Scenario, error: MatchInterruptedError) -> None:
@@ -139,84 +134,16 @@ def _tell_of_interruption(console: Console, scenario: Scenario, error: MatchInte
         console.print(line, markup=False, highlight=False, soft_wrap=True)
 
 
-def _open_teams(loaded: Loaded, options: RunOptions) -> dict[str, Team]:
-    """Open each seat's team: the one given, else a sample team."""
-    from rcj_challenges.controllers.team import open_team
+def _team_names(loaded: Loaded, options: RunOptions) -> dict[str, str]:
+    """Return the names that override the teams' own, made safe to show as those are."""
+    from rcj_challenges.controllers.team import safe_name
 
-    entrants = loaded.scenario.entrants
-    given = _assignments(options.teams, entrants, "--team")
-    opened: dict[str, Team] = {}
-    try:
-        for seat, entrant in entrants.items():
-            path = Path(given[seat]) if seat in given else _sample_team(loaded, seat)
-            opened[seat] = open_team(path, *(entrants.values() if loaded.scenario.match.swap_sides else (entrant,)))
-    except BaseException:
-        for team in opened.values():
-            team.close()
-        raise
-    return opened
-
-
-def _sample_team(loaded: Loaded, seat: str) -> Path:
-    """Return the sample team for a seat; see `rcj_challenges.match.samples.sample_team`.
-
-    Raises:
-        UsageError: there is none; says what to give.
-    """
-    from rcj_challenges.match.samples import sample_team
-    from rcj_challenges.scenario.load import load
-
-    scenario = loaded.scenario
-    bases = [load(path).scenario for path in loaded.bases]
-    found = sample_team(scenario, seat, bases)
-    if found is not None:
-        return found
-    raise UsageError(
-        f"who plays for {seat!r}? {_why_no_sample_team(scenario, seat, bases)}: "
-        f"give --team {seat}=PATH, a team with {_programs_of(scenario, seat)}"
-    )
-
-
-def _why_no_sample_team(scenario: Scenario, seat: str, bases: Sequence[Scenario]) -> str:
-    from rcj_challenges.match.samples import has_sample_team, other_kits
-
-    for base in bases:
-        if has_sample_team(base) and (kits := other_kits(scenario, base, seat)):
-            told = ", ".join(f"{robot}: {kit}" for robot, kit in kits.items())
-            return f"The sample team of {base.id} was written for other kits or packets ({told})"
-    return "There is no sample team for it"
-
-
-def _programs_of(scenario: Scenario, seat: str) -> str:
-    """Return what a team must bring: each program, whom it drives, and of which kit those are."""
-    driven: dict[str, list[str]] = {}
-    for robot, entry in scenario.entrants[seat].robots.items():
-        driven.setdefault(entry if isinstance(entry, str) else entry[0], []).append(robot)
-    return " and ".join(
-        f"{program} for {', '.join(f'{robot} (kit {scenario.robots[robot].kit})' for robot in robots)}"
-        for program, robots in driven.items()
-    )
-
-
-def _assignments(given: list[str], seats: Mapping[str, Any], option: str) -> dict[str, str]:
-    """Return ``ENTRANT=VALUE`` options by entrant."""
-    found: dict[str, str] = {}
-    for entry in given:
-        seat, equals, value = entry.partition("=")
-        if not equals or not value:
-            raise UsageError(f"{option} {entry}: expected ENTRANT=VALUE, such as {next(iter(seats))}=…")
-        _known(seat, seats, "entrant")
-        if seat in found:
-            raise UsageError(f"{option}: {seat!r} is given twice")
-        found[seat] = value
-    return found
-
-
-def _known(name: str, names: Mapping[str, Any] | frozenset[str], kind: str) -> None:
-    if name not in names:
-        nearest = get_close_matches(name, names, 1)
-        hint = f"; did you mean {nearest[0]!r}?" if nearest else ""
-        raise UsageError(f"unknown {kind} {name!r}: this scenario has {', '.join(sorted(names))}{hint}")
+    given = assignments(options.team_names, loaded.scenario.entrants, "--team-name")
+    names = {seat: safe_name(name) for seat, name in given.items()}
+    for seat, name in names.items():
+        if not name:
+            raise UsageError(f"--team-name {seat}=…: nothing of this name can be shown")
+    return names
 
 
 def _summary(console: Console, scenario: Scenario, outcome: PlayedMatch, *, replay: bool) -> None:

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import json
 import os
 import statistics
-import sys
 import time
 from collections import Counter
 from collections.abc import Sequence
@@ -13,6 +11,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rcj_challenges.cli import OK, OUR_FAULT, WRONG_INPUT
+from rcj_challenges.cli.says import say_json
+from rcj_challenges.cli.seating import open_teams
 from rcj_challenges.facts.errors import RcjError
 
 if TYPE_CHECKING:
@@ -44,18 +45,22 @@ class SimulateOptions:
 
 
 def simulate(options: SimulateOptions) -> int:
-    """Play all seeds; returns 0, or 3 if a match could not be played.
+    """Play all seeds; returns 0, else 3 if one could not be played, or 2 if that is for the input or this computer.
+
+    What was played is told in any case.
 
     Raises:
-        RcjError: wrong input.
+        RcjError: wrong input, so that none was played.
     """
     from rcj_challenges.match.many import Job, play_many
     from rcj_challenges.scenario.load import load
     from rcj_challenges.views.scoreboard import console_for
 
-    loaded = load(options.scenario, options.overrides)  # one clear message instead of one for each seed
-    rank = loaded.scenario.result.rank
     seeds = parse_seeds(options.seeds)
+    loaded = load(options.scenario, options.overrides)
+    for team in open_teams(loaded, options.teams).values():  # one clear message instead of one for each seed
+        team.close()
+    rank = loaded.scenario.result.rank
     arguments = [options.scenario, "--out", str(options.out), "--no-replay", "--quiet"]
     arguments += [part for team in options.teams for part in ("--team", team)]
     arguments += [part for entry in options.overrides for part in ("--set", entry)]
@@ -67,11 +72,12 @@ def simulate(options: SimulateOptions) -> int:
     except KeyboardInterrupt:
         _report(progress.outcomes, rank, options)
         raise
-    wrong = next((outcome for outcome in outcomes if outcome.wrong_input), None)
-    if wrong is not None:
-        raise SeedsError(wrong.complaint)
+    failed = [outcome for outcome in outcomes if outcome.result is None]
+    wrong = [outcome for outcome in failed if outcome.wrong_input]
+    if wrong and len(failed) == len(outcomes):
+        raise SeedsError(wrong[0].complaint)  # one clear message once more
     _report(outcomes, rank, options)
-    return 3 if any(outcome.result is None for outcome in outcomes) else 0
+    return (WRONG_INPUT if len(wrong) == len(failed) else OUR_FAULT) if failed else OK
 
 
 def parse_seeds(text: str) -> list[int]:
@@ -177,7 +183,7 @@ def _report(outcomes: Sequence[Outcome], rank: Sequence[Criterion], options: Sim
     if not decided_by_score_alone(rank):
         told["ranking"] = rank_summary(rank, outcomes)
     if options.json:
-        sys.stdout.write(json.dumps(told, ensure_ascii=False, indent=2) + "\n")
+        say_json(told)
         return
     console = console_for()
     console.print(_score_table(told))

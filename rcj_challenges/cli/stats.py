@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
+
+from rcj_challenges.cli.says import say_json
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -76,7 +77,7 @@ def show_stats(runs: Sequence[Path | None], out: Path, *, as_json: bool, explain
             f"{len(runs) - len(found) - len(complaints)} of the runs are the same as others: counted once"
         )
     if as_json:
-        sys.stdout.write(json.dumps(stats_as_json(stats), ensure_ascii=False, indent=2) + "\n")
+        say_json(stats_as_json(stats))
     else:
         _print(console_for(), stats, explain=explain)
     for complaint in complaints if as_json else ():

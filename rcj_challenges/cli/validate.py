@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
+from rcj_challenges.cli.says import say_json, say_no_more
 from rcj_challenges.facts.letters import READABLE
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.lint import lint
@@ -49,7 +49,7 @@ def validate_files(
                     say(str(finding), sys.stderr)
         reports.append(report)
     if as_json:
-        say(json.dumps({"files": reports}, ensure_ascii=False, indent=2), sys.stdout)
+        say_json({"files": reports})
     return code
 
 
@@ -73,10 +73,13 @@ def _count(number: int, noun: str) -> str:
 
 
 def say(text: str, stream: object) -> None:
-    """Print a line; of a text that is empty nothing."""
+    """Print a line; of a text that is empty nothing. Who reads no more of it changes nothing about the exit code."""
     if not text:
         return
     # A terminal that cannot show a character must not hide the whole message.
     write = getattr(stream, "write")  # noqa: B009 - sys.stdout may be replaced by anything that writes
     encoding = getattr(stream, "encoding", None) or "utf-8"
-    write(text.encode(encoding, READABLE).decode(encoding) + "\n")
+    try:
+        write(text.encode(encoding, READABLE).decode(encoding) + "\n")
+    except BrokenPipeError:
+        say_no_more(stream)

@@ -13,6 +13,7 @@ from rcj_challenges.controllers.isolation import active_layers
 from rcj_challenges.controllers.private_folders import PrivateFolders, remove_left_overs_once
 from rcj_challenges.controllers.program import CLEAN_UP_S, Assignment, Program
 from rcj_challenges.controllers.team import Team
+from rcj_challenges.facts.errors import HostError, told_of
 from rcj_challenges.facts.traffic import Observation, RobotSpec
 from rcj_challenges.scenario.models.scenario import Limits
 
@@ -91,9 +92,13 @@ class Crew:
         What matches that were killed have left behind is removed meanwhile.
 
         Raises:
-            OSError: a log cannot be written, or no folder can be made for the programs.
+            OSError: a log cannot be written.
+            HostError: no folder can be made for the programs, or this computer cannot start one more.
         """
-        self._folders = PrivateFolders()
+        try:
+            self._folders = PrivateFolders()
+        except OSError as error:
+            raise HostError(f"the temporary folder cannot be used: {told_of(error)}") from error
         for program in self.programs.values():
             program.launch(self._folders.place)
         remove_left_overs_once()

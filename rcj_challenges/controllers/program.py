@@ -160,7 +160,8 @@ class Program:
         if answer is None:
             return self._too_slow()
         if self._requests:
-            spent_s = time.perf_counter() - began
+            # What is here was in time. Beyond that limit it was the match that stood still (Ctrl-Z).
+            spent_s = min(time.perf_counter() - began, self._step_s)
             self.waited_s += spent_s
             self.slowest_s = max(self.slowest_s, spent_s)
         else:

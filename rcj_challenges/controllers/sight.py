@@ -6,10 +6,12 @@ home folder must not open all of it.
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import os
 import sys
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
 from rcj_challenges.controllers.processes import PUPIL_FOLDER, site_folders
@@ -74,8 +76,13 @@ def _protected() -> tuple[str, ...]:
         "/var",
         "/run",
         "/proc",
-        str(Path.home()),
-        tempfile.gettempdir(),
-        Path.cwd(),
+        *_own_places(),
     )
     return tuple(os.path.realpath(place) for place in places)
+
+
+def _own_places() -> Iterator[str]:
+    """Yield this user's home, the temporary folder and the current one, as far as they exist."""
+    for find in (Path.home, tempfile.gettempdir, Path.cwd):
+        with contextlib.suppress(OSError, RuntimeError):
+            yield str(find())

@@ -22,7 +22,7 @@ class HostError(RcjError):
 
 _OF_THE_HOST = frozenset(
     getattr(errno, name)
-    for name in ("EAGAIN", "EDQUOT", "EIO", "EMFILE", "ENFILE", "ENOMEM", "ENOSPC", "EROFS")
+    for name in ("EAGAIN", "EDQUOT", "EFBIG", "EIO", "EMFILE", "ENFILE", "ENOMEM", "ENOSPC", "EROFS")
     if hasattr(errno, name)  # Windows has no quotas
 )
 
@@ -35,3 +35,10 @@ def is_of_the_host(error: BaseException) -> bool:
 def told_of(error: BaseException) -> str:
     """Return what an error says, of the system's errors without paths: they go into records that are published."""
     return (error.strerror if isinstance(error, OSError) else None) or str(error)
+
+
+def interruption_behind(error: BaseException | None) -> KeyboardInterrupt | None:
+    """Return the interruption behind an error: in the middle of an import one comes out as an error of the import."""
+    while error is not None and not isinstance(error, KeyboardInterrupt):
+        error = error.__context__
+    return error

@@ -11,6 +11,8 @@ from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from typing import Any
 
+from rcj_challenges.facts.errors import told_of
+
 _POLL_S = 0.2
 _LEAVE_S = 5.0
 _WRONG_INPUT = 2
@@ -93,10 +95,13 @@ def _play_one(
     with lock:
         if stopping.is_set():
             return Outcome(job, None, "interrupted", wrong_input=True)
-        process = subprocess.Popen(
-            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",
-            errors="replace",
-        )  # fmt: skip
+        try:
+            process = subprocess.Popen(
+                command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",
+                errors="replace",
+            )  # fmt: skip
+        except OSError as error:
+            return Outcome(job, None, f"this computer cannot start one more match: {told_of(error)}", wrong_input=True)
         running.add(process)
     try:
         out, complaint = process.communicate()

@@ -13,7 +13,7 @@ from rcj_challenges.controllers.isolation import active_layers
 from rcj_challenges.controllers.program import Program
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.devices.fitting import fit, robot_specs
-from rcj_challenges.facts.errors import told_of
+from rcj_challenges.facts.errors import interruption_behind, told_of
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.facts.traffic import RobotSpec
@@ -142,9 +142,10 @@ class _MatchPlay:
                         break
                 record.finish({"ranking": self._ranking} | self._times())
             except BaseException as error:
-                trouble = self._break_off(record, error)
+                stopped_by = interruption_behind(error) or error
+                trouble = self._break_off(record, stopped_by)
                 self._watcher.finished(record.result)
-                if isinstance(error, KeyboardInterrupt):
+                if isinstance(stopped_by, KeyboardInterrupt):
                     raise MatchInterruptedError(PlayedMatch(record.folder, record.result), trouble) from error
                 raise
         self._watcher.finished(record.result)

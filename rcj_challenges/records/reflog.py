@@ -48,6 +48,8 @@ def firing_line(half: int, firing: Firing) -> dict[str, Any]:
     line: dict[str, Any] = {"half": half, "kind": "firing", **asdict(firing)}
     line["measured"] = number_or_none(firing.measured)
     line["limit"] = number_or_none(firing.limit)
+    if firing.other is None:
+        del line["other"]
     return line
 
 

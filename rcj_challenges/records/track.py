@@ -105,20 +105,17 @@ class TrackWriter:
 
     def _write(self) -> None:
         for file, pending in zip(self._files, (self._touches, self._notes, self._rows), strict=True):
-            if pending:
-                _write_all(file, pending)
-                pending.clear()
+            write_all(file, pending)
 
 
-def _write_all(file: Any, data: bytearray) -> None:
-    """Write everything: an unbuffered file may take less than it was given."""
-    view = memoryview(data)
-    try:
-        done = 0
-        while done < len(data):
-            done += file.write(view[done:])
-    finally:
-        view.release()
+def write_all(file: Any, pending: bytearray) -> None:
+    """Write everything, and take from ``pending`` what is written: an unbuffered file may take less than it was given.
+
+    Raises:
+        OSError: it takes no more. What is left in ``pending`` may be written later: a disk is not full for ever.
+    """
+    while pending:
+        del pending[: file.write(pending)]
 
 
 def _placement_list(placement: Placement) -> list[Any]:

@@ -32,7 +32,7 @@ from rcj_challenges.records.logos import logo_path
 from rcj_challenges.records.pack import pack_trajectory
 from rcj_challenges.records.reflog import event_line, events_of, firing_line, reflog_lines
 from rcj_challenges.records.result import RunResult, versions
-from rcj_challenges.records.track import TrackWriter
+from rcj_challenges.records.track import TrackWriter, write_all
 from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
@@ -234,19 +234,14 @@ class RecordWriter:
         assert half is not None  # noqa: S101 - only called within a half
         events = events_of(snapshot, verdict)
         if events:
-            self._reflog.write(reflog_lines(events, timestamp(self._now())))
+            write_all(self._reflog, bytearray(reflog_lines(events, timestamp(self._now()))))
         for event in events:
             self._digest.event(event)
         lines = [event_line(half.half, event) for event in events]
         self._events += lines
-        self._referee_log.write(
-            b"".join(
-                [
-                    *(json_line(firing_line(half.half, firing)) for firing in verdict.firings),
-                    *(json_line({"kind": "event", **line}) for line in lines),
-                ]
-            )
-        )
+        told = [firing_line(half.half, firing) for firing in verdict.firings]
+        told += [{"kind": "event", **line} for line in lines]
+        write_all(self._referee_log, bytearray(b"".join(map(json_line, told))))
         self._faults += [self._fault(fault, half) for fault in snapshot.faults]
         for firing in verdict.firings:
             self._add_points(firing, half)
@@ -255,7 +250,7 @@ class RecordWriter:
         half = self._half
         assert half is not None  # noqa: S101 - only called within a half
         line = {"half": half.half, "kind": "phase", "tick": tick, "phase": verdict.phase}
-        self._referee_log.write(json_line(line | {"waiting_for_kickoff": verdict.waiting_for_kickoff}))
+        write_all(self._referee_log, bytearray(json_line(line | {"waiting_for_kickoff": verdict.waiting_for_kickoff})))
 
     def _add_points(self, firing: Firing, half: HalfInfo) -> None:
         if firing.suppressed is None:

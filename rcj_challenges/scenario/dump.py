@@ -10,6 +10,8 @@ from typing import Any
 
 from rcj_challenges.scenario.models.scenario import Scenario
 
+_INTERRUPTS = ("SIGINT", "SIGTERM", "SIGHUP")
+
 
 def dumped(scenario: Scenario) -> dict[str, Any]:
     """Return a resolved scenario as JSON-able data."""
@@ -19,16 +21,19 @@ def dumped(scenario: Scenario) -> dict[str, Any]:
 
 @contextmanager
 def _interrupts_later() -> Iterator[None]:
-    """Let a Ctrl-C wait: pydantic asks our functions which kind of value it has, and swallows what they raise."""
-    usual = signal.getsignal(signal.SIGINT)
-    if threading.current_thread() is not threading.main_thread() or not callable(usual):
+    """Let a Ctrl-C, or what means the same, wait: pydantic asks our functions, and swallows what they raise."""
+    if threading.current_thread() is not threading.main_thread():
         yield
         return
+    usual = {number: signal.getsignal(number) for name in _INTERRUPTS if (number := getattr(signal, name, None))}
+    usual = {number: handler for number, handler in usual.items() if callable(handler)}
     came: list[int] = []
-    signal.signal(signal.SIGINT, lambda number, _frame: came.append(number))
+    for number in usual:
+        signal.signal(number, lambda number, _frame: came.append(number))
     try:
         yield
     finally:
-        signal.signal(signal.SIGINT, usual)
+        for number, handler in usual.items():
+            signal.signal(number, handler)
         if came:
-            signal.raise_signal(signal.SIGINT)
+            signal.raise_signal(came[0])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import sys
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -35,10 +35,18 @@ def watcher_for(console: Console, title: str, *, quiet: bool) -> Watcher:
 
 def score_line(names: Mapping[str, str], scores: Mapping[str, int | float]) -> str:
     """Return ``Hanse 2 : 1 Alster`` for two seats, ``Hanse 21`` for one."""
+    shown = _told_apart(names)
     if len(scores) == 2:
         (first, first_score), (second, second_score) = scores.items()
-        return f"{plain(names[first], 32)} {first_score:g} : {second_score:g} {plain(names[second], 32)}"
-    return ", ".join(f"{plain(names[seat], 32)} {score:g}" for seat, score in scores.items())
+        return f"{shown[first]} {first_score:g} : {second_score:g} {shown[second]}"
+    return ", ".join(f"{shown[seat]} {score:g}" for seat, score in scores.items())
+
+
+def _told_apart(names: Mapping[str, str]) -> dict[str, str]:
+    """Return the names by seat as a line may show them; those of one name with their seats: ``Hanse (blue)``."""
+    shown = {seat: plain(name, 32) for seat, name in names.items()}
+    several = Counter(shown.values())
+    return {seat: f"{name} ({seat})" if several[name] > 1 else name for seat, name in shown.items()}
 
 
 def decided_by_score_alone(rank: Sequence[Criterion]) -> bool:
@@ -76,10 +84,11 @@ def ranking_lines(
     """
     if decided_by_score_alone(rank):
         return []
+    shown = _told_apart(names)
     return [
         ", ".join(
             [
-                f"place {entry['place']}: {plain(names[entry['team']], 32)}",
+                f"place {entry['place']}: {shown[entry['team']]}",
                 *(
                     criterion_words(criterion, value_words(criterion, value))
                     for criterion, value in zip(rank, entry["values"], strict=True)

@@ -122,6 +122,21 @@ class TestTest:
         assert done.exit_code == 0
         assert "no test sets off: goal" in done.stdout
 
+    @pytest.mark.parametrize(
+        "action",
+        [
+            "{action: end, what: match}",
+            "{action: remove, entity: Y1}",
+            "{action: place, entity: ball, at: {spot: centre}}",
+        ],
+        ids=["it ends the match", "it takes a robot off", "it puts the ball back"],
+    )
+    def test_a_rule_that_announces_nothing_is_named_as_well(self, written, action):
+        golden = f"  golden: {{triggers: [{{trigger: enters, entity: ball, zone: yellow_goal}}], actions: [{action}]}}\nexpect:"
+        done = call("test", written(("expect:", golden)))
+        assert done.exit_code == 0
+        assert "no test sets off: golden\n" in done.stdout
+
     def test_a_file_without_tests_says_how_to_write_some(self, written):
         text = GOAL.partition("expect:")[0]
         path = written((GOAL, text))

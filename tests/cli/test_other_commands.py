@@ -1,12 +1,17 @@
 """The smaller commands: view, replay, schema, draw, sheet, simulate."""
 
 import json
+from pathlib import Path
 
 import pytest
 
 from rcj_challenges.cli.app import app
 from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.match import many
+from rcj_challenges.match.many import Job, Outcome
 from rcj_challenges.records.testing import write_made_up_run
+
+BALL_CHASER = Path(__file__).parents[2] / "examples/teams/ball_chaser"
 
 
 def run(*arguments):
@@ -95,3 +100,40 @@ def test_simulate_plays_every_seed_and_tells_the_spread(tmp_path, capsys):
 def test_simulate_tells_wrong_input_once(tmp_path):
     with pytest.raises(RcjError, match="nowhere"):
         run("simulate", "match", "--seeds", "1", "--team", "blue=nowhere", "--out", tmp_path / "runs", "--quiet")
+
+
+@pytest.mark.parametrize(
+    ("given", "told"), [("shooter=team.py", "this scenario has blue, yellow"), ("blue=nowhere", "nowhere")]
+)
+def test_simulate_plays_nothing_if_a_team_is_not_there(tmp_path, monkeypatch, given, told):
+    monkeypatch.setattr(many, "play_many", lambda *_: pytest.fail("a match was begun"))
+    with pytest.raises(RcjError, match=told):
+        run("simulate", "match", "--seeds", "1..9", "--team", given, "--out", tmp_path / "runs")
+
+
+def test_simulate_has_the_short_options_of_run(monkeypatch):
+    jobs = []
+    monkeypatch.setattr(many, "play_many", lambda given, *_: jobs.extend(given) or [outcome(1, 7)])
+    short = ("--blue", BALL_CHASER, "--yellow", BALL_CHASER, "--duration", "8", "--halves", "1")
+    assert run("simulate", "match", "--seeds", "1", "--quiet", *short) == 0
+    assert {f"blue={BALL_CHASER}", f"yellow={BALL_CHASER}", "match.half_s=8.0", "match.halves=1"} < set(
+        jobs[0].arguments
+    )
+
+
+def outcome(seed, score=None, *, wrong_input=True):
+    result = None if score is None else {"score": {"blue": score}, "events": [], "faults": []}
+    return Outcome(Job(seed, ()), result, "" if score is not None else "No space left on device", wrong_input)
+
+
+@pytest.mark.parametrize(("wrong_input", "code"), [(True, 2), (False, 3)], ids=["this computer's", "ours"])
+def test_what_simulate_has_played_is_told_also_if_the_disk_is_full_then(monkeypatch, capsys, wrong_input, code):
+    outcomes = [outcome(1, 7), outcome(2, wrong_input=wrong_input), outcome(3, wrong_input=wrong_input)]
+    monkeypatch.setattr(many, "play_many", lambda *_: outcomes)
+    assert run("simulate", "match", "--seeds", "1..3", "--json") == code
+    told = json.loads(capsys.readouterr().out)
+    assert told["scores"] == [{"seed": 1, "blue": 7}]
+    assert [(one["seed"], one["message"]) for one in told["failed"]] == [
+        (2, "No space left on device"),
+        (3, "No space left on device"),
+    ]

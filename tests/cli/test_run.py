@@ -1,5 +1,6 @@
 """``rcj-challenge run`` as its users meet it: real processes, exit codes, nothing half written."""
 
+import errno
 import gc
 import json
 import os
@@ -45,7 +46,9 @@ def here(monkeypatch, folder, *arguments):
     """Run the command in this process, which is quicker and comes to the same; returns its exit code."""
     monkeypatch.chdir(folder)
     monkeypatch.setattr(sys, "argv", ["rcj-challenge", *arguments])
-    monkeypatch.setattr(gc, "set_threshold", lambda *_: None)  # this process has more to do than one command
+    # This process has more to do than one command.
+    monkeypatch.setattr(gc, "set_threshold", lambda *_: None)
+    monkeypatch.setattr(cli, "_end_gently", list)
     with pytest.raises(SystemExit) as left:
         cli.main()
     return left.value.code
@@ -88,6 +91,22 @@ def test_quiet_says_only_how_it_ended_with_the_scores_named_by_team_names(tmp_pa
     said = capsys.readouterr().out
     assert len(said.splitlines()) == 3
     assert said.startswith("Häns e 0 : 0 team")
+
+
+@pytest.mark.parametrize("how", ["--json", "--quiet"])
+def test_the_result_is_told_also_if_there_is_no_room_for_the_replay_page(tmp_path, monkeypatch, capsys, team, how):
+    def full(_):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr("rcj_challenges.views.replay.write_replay", full)
+    assert here(monkeypatch, tmp_path, *short(team, how, *DUEL)) == 2
+    told, complaint = capsys.readouterr()
+    assert os.strerror(errno.ENOSPC) in complaint
+    if how == "--json":
+        assert json.loads(told)["complete"]
+    else:
+        assert " 0 : 0 " in told
+        assert "replay.html" not in told
 
 
 def test_show_output_shows_what_a_robot_prints(tmp_path, monkeypatch, capsys, team):
@@ -171,6 +190,61 @@ def test_who_interrupts_a_match_gets_130_and_a_readable_record(tmp_path, team, n
     assert [one.ticks for one in result.halves] == [half.ticks]
     assert result.wall_s >= result.start_up_s > 0
     assert_gone(pids)
+
+
+def test_an_interruption_that_an_import_makes_an_error_of_is_one(tmp_path, monkeypatch, capsys, team):
+    """Numpy says of a Ctrl-C in its midst that it cannot be imported."""
+
+    def numpy(*_):
+        try:
+            raise KeyboardInterrupt
+        except KeyboardInterrupt as error:
+            raise ImportError("numpy cannot be imported") from error
+
+    monkeypatch.setattr("rcj_challenges.match.stage.build_stage", numpy)
+    assert here(monkeypatch, tmp_path, *short(team, *DUEL)) == 130
+    told = capsys.readouterr().out
+    (folder,) = (tmp_path / "runs").iterdir()
+    assert "interrupted before the first half" in told
+    assert f"record: {folder.relative_to(tmp_path)}" in told
+    assert read_result(folder).stopped == "KeyboardInterrupt"
+
+
+@POSIX
+def test_a_signal_that_comes_twice_ends_a_match_as_one_does(tmp_path, team, monkeypatch):
+    """A terminal that is closed: the system tells it, and so does the shell."""
+    temporary = tmp_path / "temporary"
+    temporary.mkdir()
+    monkeypatch.setenv("TMPDIR", str(temporary))
+    process = started(tmp_path, team)
+    for name in ("SIGHUP", "SIGHUP", "SIGTERM"):
+        process.send_signal(getattr(signal, name))
+        time.sleep(0.02)
+    told, complaint = process.communicate(timeout=30)
+    assert process.returncode == 130, complaint
+    assert "interrupted in half 1 of 1" in told
+    assert complaint == ""
+    (folder,) = (tmp_path / "runs").iterdir()
+    assert read_result(folder).stopped == "KeyboardInterrupt"
+    assert Trajectory.open(folder).finished
+    assert not list(temporary.iterdir())
+
+
+@POSIX
+def test_an_interruption_of_the_start_needs_no_traceback(tmp_path):
+    """Ctrl-C while the command line itself is loaded."""
+    interrupts = (
+        "import os, signal, sys\n"
+        "class Finder:\n"
+        "    def find_spec(self, name, *_):\n"
+        "        if name == 'rcj_challenges.cli.app':\n"
+        "            os.kill(os.getpid(), signal.SIGINT)\n"
+        "sys.meta_path.insert(0, Finder())\n"
+        "from rcj_challenges.cli import main\n"
+        "main()\n"
+    )
+    done = subprocess.run([sys.executable, "-c", interrupts, "run"], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (130, "interrupted\n")
 
 
 @POSIX

@@ -10,7 +10,7 @@ from rcj_challenges.cli.app import app
 from rcj_challenges.cli.simulate import rank_summary
 from rcj_challenges.match.many import Job, Outcome
 from rcj_challenges.scenario.models.scenario import Result
-from rcj_challenges.views.scoreboard import ranking_lines
+from rcj_challenges.views.scoreboard import ranking_lines, score_line
 
 SLALOM = Path(__file__).resolve().parents[2] / "scenarios" / "examples" / "slalom.yaml"
 STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
@@ -65,6 +65,15 @@ class TestLines:
     def test_where_the_score_alone_decides_the_score_says_it_all(self, order):
         ranking = placed((1, "blue", [2]), (2, "yellow", [1]))
         assert ranking_lines(criteria([{"score": order}]), NAMES, ranking) == []
+
+    def test_teams_of_one_name_are_told_apart_by_their_seats(self):
+        twice = {"blue": "Hanse", "yellow": "Hanse"}
+        assert score_line(twice, {"blue": 2, "yellow": 1}) == "Hanse (blue) 2 : 1 Hanse (yellow)"
+        three = {**twice, "red": "Alster"}
+        line = "Hanse (blue) 2, Hanse (yellow) 1, Alster 0"
+        assert score_line(three, {"blue": 2, "yellow": 1, "red": 0}) == line
+        lines = ranking_lines(criteria([{"time": "ascending"}]), twice, placed((1, "yellow", [4]), (2, "blue", [5])))
+        assert lines == ["place 1: Hanse (yellow), time 4 s", "place 2: Hanse (blue), time 5 s"]
 
     def test_a_name_of_a_team_cannot_rearrange_its_line(self):
         (line,) = ranking_lines(criteria([{"time": "ascending"}]), {"blue": "\x1b[31mA"}, placed((1, "blue", [4])))

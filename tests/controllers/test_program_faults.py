@@ -163,6 +163,38 @@ def test_a_program_that_is_slow_on_every_step_is_stopped_by_the_sum(tmp_path: Pa
     assert 1 <= fault.tick <= 7
 
 
+def test_a_temporary_folder_that_cannot_be_used_is_no_programs_fault(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    match = FakeMatch(tmp_path)
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path / "gone"))
+    with pytest.raises(HostError, match="the temporary folder cannot be used"):
+        match.play("pass\n")
+
+
+@posix
+def test_while_the_match_itself_stands_still_nobodys_time_runs_out(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Ctrl-Z, and ``fg`` after an hour: each program is charged what one step may take, and no more."""
+    stood_s, bodies = [0.0], list[bytes | None]()
+    clock = SimpleNamespace(perf_counter=lambda: time.perf_counter() + stood_s[0])
+    monkeypatch.setattr("rcj_challenges.controllers.program.time", clock)
+    receive = pipes.PolledPipes.receive
+
+    def stopped_once(channel: pipes.PolledPipes, timeout_s: float) -> bytes | None:
+        body = receive(channel, timeout_s)
+        bodies.append(body)
+        if len(bodies) - bodies.count(None) == 4:
+            stood_s[0] = 3600.0
+        return body
+
+    monkeypatch.setattr(pipes.PolledPipes, "receive", stopped_once)
+    match = FakeMatch(tmp_path, step_s=20, half_s=100, portable=False)
+    played = match.play("from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1: pass\n", 30)
+    assert played.fault is None, played.fault
+
+
 @pytest.mark.parametrize(
     ("program", "detail", "tick"),
     [

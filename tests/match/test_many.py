@@ -1,8 +1,13 @@
 """Many matches at once: each in its own process, in the order of the jobs, one failure harming no other."""
 
+import errno
+import os
+import subprocess
+
 import pytest
 
 from rcj_challenges.cli.simulate import SeedsError, parse_seeds, summary
+from rcj_challenges.match import many
 from rcj_challenges.match.many import Job, Outcome
 
 
@@ -30,6 +35,27 @@ def test_the_summary_tells_the_spread_by_entrant():
     assert told["spread"]["blue"] == {"least": 1, "median": 2, "mean": 3.0, "most": 6}
     assert told["events"] == {"GOAL": 3}
     assert told["played"] == 3
+
+
+def test_a_match_that_cannot_be_started_takes_no_other_with_it(monkeypatch):
+    started = []
+
+    class Played:
+        returncode = 0
+
+        def __init__(self, command, **_):
+            started.append(command)
+            if "2" in command:
+                raise OSError(errno.EAGAIN, os.strerror(errno.EAGAIN))
+
+        def communicate(self):
+            return '{"score": {}}', ""
+
+    monkeypatch.setattr(subprocess, "Popen", Played)
+    outcomes = many.play_many([Job(seed, ()) for seed in (1, 2, 3)], 1, lambda _: None)
+    assert [outcome.result is not None for outcome in outcomes] == [True, False, True]
+    assert "cannot start one more match" in outcomes[1].complaint
+    assert len(started) == 3
 
 
 def test_a_match_that_could_not_be_played_is_named_with_its_seed():

@@ -7,6 +7,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from datetime import UTC, datetime
 from pathlib import Path
 from pkgutil import resolve_name
@@ -139,6 +140,50 @@ def test_a_run_that_an_error_stops_is_closed_and_says_so(tmp_path: Path) -> None
     (half,) = result.halves
     assert (half.half, half.ticks, half.ended, half.complete) == (1, 9, None, False)
     assert result.simulated_s == 0.288
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="the limit for the size of files is POSIX's")
+@pytest.mark.parametrize("cut", [1, 500, 3_001])
+def test_a_disk_that_is_full_for_a_moment_puts_nothing_twice_into_the_record(tmp_path: Path, cut: int) -> None:
+    scenario = small_scenario(3, 1)
+    header = small_header(scenario)
+    writer = RecordWriter(tmp_path, header)
+    writer.begin_half(half_info(scenario, 1, 50, header))
+    for tick in range(50):
+        writer.tick(made_up_snapshot(tick, 6), Verdict(), b"")
+    poses = writer.folder / TRAJECTORY_PARTS / "half-1.poses"
+    with _no_file_beyond(poses.stat().st_size + cut), pytest.raises(OSError, match="too large"):
+        writer.tick(made_up_snapshot(50, 6), Verdict(), b"")
+    writer.break_off(OSError)  # the programs have left, and so there is room again
+    (half,) = Trajectory.open(writer.folder).halves
+    assert [one.substeps for one in half.snapshots()] == [made_up_snapshot(tick, 6).substeps for tick in range(1, 51)]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="the limit for the size of files is POSIX's")
+def test_a_line_of_the_log_that_the_disk_does_not_take_whole_is_an_error(tmp_path: Path) -> None:
+    scenario = small_scenario(1, 1)
+    header = small_header(scenario)
+    writer = RecordWriter(tmp_path, header)
+    writer.begin_half(half_info(scenario, 1, 50, header))
+    goal = Event(0, "GOAL", {"team_name": "Hanse"})
+    writer.tick(made_up_snapshot(0, 2), Verdict(events=(goal,) * 20), b"")
+    room_bytes = (writer.folder / "reflog.jsonl").stat().st_size + 10
+    with _no_file_beyond(room_bytes), pytest.raises(OSError, match="too large"):
+        writer.tick(made_up_snapshot(1, 2), Verdict(events=(goal,)), b"")
+    writer.break_off(OSError)
+
+
+@contextmanager
+def _no_file_beyond(size_bytes: int) -> Iterator[None]:
+    """Let files grow to a size only: a write beyond it is cut there, and the next one is refused, as on a full disk."""
+    import resource
+
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size_bytes, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
 
 
 _PLACES = {

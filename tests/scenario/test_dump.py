@@ -20,19 +20,33 @@ def test_a_draw_that_repeats_is_written_as_before_there_were_others():
     assert type(scenario).model_validate(dumped(scenario)) == scenario
 
 
-def test_ctrl_c_while_a_scenario_is_written_waits_until_that_is_done_and_is_not_lost(monkeypatch):
+def test_a_zone_without_a_colour_is_written_as_before_there_were_any():
+    zones = "zones: {plain: {shape: rect, x_min_m: 0}, base: {shape: rect, x_max_m: 0, colour: red}}"
+    scenario = load_text(f"schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\n{zones}\n").scenario
+    written = dumped(scenario)["zones"]
+    assert {name for name, zone in written.items() if "colour" in zone} == {"base"}
+    assert type(scenario).model_validate(dumped(scenario)) == scenario
+
+
+# The command line lets SIGTERM, the end of a service, mean the same.
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda number: number.name)
+def test_ctrl_c_while_a_scenario_is_written_waits_until_that_is_done_and_is_not_lost(monkeypatch, number):
+    before = signal.signal(number, signal.default_int_handler)
     scenario = load("match").scenario
     kind, done = type(scenario), []
     write = kind.model_dump
 
     def interrupted(self, **options):
-        signal.raise_signal(signal.SIGINT)
+        signal.raise_signal(number)
         written = write(self, **options)
         done.append(written)
         return written
 
     monkeypatch.setattr(kind, "model_dump", interrupted)
-    with pytest.raises(KeyboardInterrupt):
-        dumped(scenario)
-    assert done
-    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            dumped(scenario)
+        assert done
+        assert signal.getsignal(number) is signal.default_int_handler
+    finally:
+        signal.signal(number, before)

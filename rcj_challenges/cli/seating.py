@@ -1,0 +1,112 @@
+"""Who plays where: from ``--team ENTRANT=PATH`` to opened teams."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from difflib import get_close_matches
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rcj_challenges.facts.errors import RcjError
+
+if TYPE_CHECKING:
+    from rcj_challenges.controllers.team import Team
+    from rcj_challenges.scenario.load import Loaded
+    from rcj_challenges.scenario.models.scenario import Scenario
+
+
+class UsageError(RcjError):
+    """Options that do not fit the scenario."""
+
+
+def open_teams(loaded: Loaded, given_teams: list[str]) -> dict[str, Team]:
+    """Open each seat's team: the one given, else a sample team.
+
+    Args:
+        loaded: the scenario.
+        given_teams: ``ENTRANT=PATH``.
+
+    Raises:
+        RcjError: a seat that is none, a team that cannot be opened, or a seat for which there is no sample team.
+    """
+    from rcj_challenges.controllers.team import open_team
+
+    entrants = loaded.scenario.entrants
+    given = assignments(given_teams, entrants, "--team")
+    opened: dict[str, Team] = {}
+    try:
+        for seat, entrant in entrants.items():
+            path = Path(given[seat]) if seat in given else _sample_team(loaded, seat)
+            opened[seat] = open_team(path, *(entrants.values() if loaded.scenario.match.swap_sides else (entrant,)))
+    except BaseException:
+        for team in opened.values():
+            team.close()
+        raise
+    return opened
+
+
+def _sample_team(loaded: Loaded, seat: str) -> Path:
+    """Return the sample team for a seat; see `rcj_challenges.match.samples.sample_team`.
+
+    Raises:
+        UsageError: there is none; says what to give.
+    """
+    from rcj_challenges.match.samples import sample_team
+    from rcj_challenges.scenario.load import load
+
+    scenario = loaded.scenario
+    bases = [load(path).scenario for path in loaded.bases]
+    found = sample_team(scenario, seat, bases)
+    if found is not None:
+        return found
+    raise UsageError(
+        f"who plays for {seat!r}? {_why_no_sample_team(scenario, seat, bases)}: "
+        f"give --team {seat}=PATH, a team with {_programs_of(scenario, seat)}"
+    )
+
+
+def _why_no_sample_team(scenario: Scenario, seat: str, bases: Sequence[Scenario]) -> str:
+    from rcj_challenges.match.samples import has_sample_team, other_kits
+
+    for base in bases:
+        if has_sample_team(base) and (kits := other_kits(scenario, base, seat)):
+            told = ", ".join(f"{robot}: {kit}" for robot, kit in kits.items())
+            return f"The sample team of {base.id} was written for other kits or packets ({told})"
+    return "There is no sample team for it"
+
+
+def _programs_of(scenario: Scenario, seat: str) -> str:
+    """Return what a team must bring: each program, whom it drives, and of which kit those are."""
+    driven: dict[str, list[str]] = {}
+    for robot, entry in scenario.entrants[seat].robots.items():
+        driven.setdefault(entry if isinstance(entry, str) else entry[0], []).append(robot)
+    return " and ".join(
+        f"{program} for {', '.join(f'{robot} (kit {scenario.robots[robot].kit})' for robot in robots)}"
+        for program, robots in driven.items()
+    )
+
+
+def assignments(given: list[str], seats: Mapping[str, Any], option: str) -> dict[str, str]:
+    """Return ``ENTRANT=VALUE`` options by entrant.
+
+    Raises:
+        UsageError: no such form, no such entrant, or one that is given twice.
+    """
+    found: dict[str, str] = {}
+    for entry in given:
+        seat, equals, value = entry.partition("=")
+        if not equals or not value:
+            raise UsageError(f"{option} {entry}: expected ENTRANT=VALUE, such as {next(iter(seats))}=…")
+        known(seat, seats, "entrant")
+        if seat in found:
+            raise UsageError(f"{option}: {seat!r} is given twice")
+        found[seat] = value
+    return found
+
+
+def known(name: str, names: Mapping[str, Any] | frozenset[str], kind: str) -> None:
+    """Raise a `UsageError` with the names that there are, if this is none of them."""
+    if name not in names:
+        nearest = get_close_matches(name, names, 1)
+        hint = f"; did you mean {nearest[0]!r}?" if nearest else ""
+        raise UsageError(f"unknown {kind} {name!r}: this scenario has {', '.join(sorted(names))}{hint}")

@@ -1,0 +1,114 @@
+"""Where commands are started by cron, by services, in pipes, in folders that are gone: the exit code stays true."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from rcj_challenges.cli.says import say_json
+from rcj_challenges.records.result import read_result
+
+COMMAND = [sys.executable, "-m", "rcj_challenges"]
+POSIX = pytest.mark.skipif(os.name != "posix", reason="files are closed and pipes broken as POSIX has it")
+STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
+ONE_ROBOT = [f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
+
+
+@pytest.fixture
+def match(tmp_path: Path) -> list[str]:
+    """A command that plays a short match."""
+    Path(tmp_path, "team.py").write_text(STAND, encoding="utf-8")
+    team = str(tmp_path / "team.py")
+    return [*COMMAND, "run", "match", "--blue", team, "--yellow", team, "--duration=0.5", "--halves=1", *ONE_ROBOT]
+
+
+def in_shell(line: str, command: list[str], cwd: Path, **more: object) -> subprocess.CompletedProcess[str]:
+    """Run a command as ``"$@"`` in a line of the shell."""
+    return subprocess.run(
+        ["bash", "-c", line, "bash", *command],
+        cwd=cwd, capture_output=True, text=True, encoding="utf-8", timeout=120, check=False, **more,
+    )  # fmt: skip
+
+
+def the_record(folder: Path) -> Path:
+    (record,) = folder.glob("runs/*")
+    return record
+
+
+@POSIX
+def test_a_match_is_played_where_no_stream_is_open(tmp_path: Path, match: list[str]) -> None:
+    done = in_shell('exec "$@" <&- >&- 2>&-', [*match, "--no-replay", "--json"], tmp_path)
+    assert done.returncode == 0
+    assert read_result(the_record(tmp_path)).complete
+    assert not list(tmp_path.glob("rcj-challenge-report-*"))
+
+
+@POSIX
+@pytest.mark.parametrize(
+    ("arguments", "code"),
+    [(["validate", "match", "--json"], 0), (["validate", "no_such.yaml", "--json"], 2), (["sheet", "match"], 0)],
+    ids=["in order", "wrong", "a sheet"],
+)
+def test_who_reads_only_the_beginning_changes_no_exit_code(tmp_path: Path, arguments: list[str], code: int) -> None:
+    done = in_shell('"$@" | true; exit ${PIPESTATUS[0]}', [*COMMAND, *arguments], tmp_path)
+    assert (done.returncode, done.stderr) == (code, "")
+
+
+@POSIX
+def test_a_match_counts_as_played_when_nobody_reads_its_result(tmp_path: Path, match: list[str]) -> None:
+    done = in_shell('"$@" | true; exit ${PIPESTATUS[0]}', [*match, "--json", "--no-replay"], tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@POSIX
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a file that is always full")
+def test_wrong_input_is_wrong_input_also_where_it_cannot_be_told(tmp_path: Path) -> None:
+    assert in_shell('exec "$@" 2>/dev/full', [*COMMAND, "run", "no_such_scenario"], tmp_path).returncode == 2
+
+
+@POSIX
+def test_a_folder_that_is_gone_is_no_fault_of_ours(tmp_path: Path, match: list[str]) -> None:
+    place = tmp_path / "gone"
+    place.mkdir()
+    line = 'rmdir ../gone; exec "$@"'
+    done = in_shell(line, [*match, "--no-replay", "--quiet", "--out", str(tmp_path / "runs")], place)
+    assert (done.returncode, done.stderr) == (0, "")
+    place.mkdir()
+    done = in_shell(line, [*match, "--no-replay"], place)
+    assert done.returncode == 2
+    assert "cannot make a folder for the record in runs" in done.stderr
+
+
+@POSIX
+def test_a_name_that_is_no_text_is_shown_as_far_as_it_can_be(tmp_path: Path, match: list[str]) -> None:
+    done = in_shell("exec \"$@\" --team-name $'blue=Ha\\xffn\\nse'", [*match, "--quiet"], tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert read_result(the_record(tmp_path)).entrants["blue"].name == "Ha n se"
+    assert Path(the_record(tmp_path), "replay.html").exists()
+
+
+def test_json_is_whole_also_where_the_output_has_few_letters(tmp_path: Path, match: list[str]) -> None:
+    narrow = os.environ | {"PYTHONUTF8": "0", "PYTHONIOENCODING": "latin-1"}
+    name = "Lübeck \N{ROBOT FACE}"  # one letter that Latin 1 has, and one that it has not
+    command = [*match, "--json", "--no-replay", "--team-name", f"blue={name}"]
+    done = subprocess.run(command, cwd=tmp_path, env=narrow, capture_output=True, timeout=120, check=False)
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout.decode("utf-8"))["entrants"]["blue"]["name"] == name
+
+
+def test_json_keeps_its_letters_where_the_output_has_them(capsys: pytest.CaptureFixture[str]) -> None:
+    say_json({"name": "Lübeck"})
+    assert "Lübeck" in capsys.readouterr().out
+
+
+def test_a_fault_of_ours_is_reported_whatever_letters_the_command_line_has(tmp_path: Path) -> None:
+    breaks = "import rcj_challenges.scenario.load as l\nl.load = None\nfrom rcj_challenges.cli import main\nmain()\n"
+    command = [sys.executable, "-c", breaks, "run", "a\udcffb"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=60, check=False)
+    assert done.returncode == 3
+    (report,) = tmp_path.glob("rcj-challenge-report-*.txt")
+    assert "Traceback" in report.read_text("utf-8")
+    assert b"Traceback" not in done.stderr

@@ -1,0 +1,51 @@
+"""Who reads no more of what a command prints (``| head``) changes nothing about its exit code."""
+
+import os
+import sys
+from contextlib import contextmanager
+
+import pytest
+
+from rcj_challenges.cli.expect import run_tests
+from rcj_challenges.cli.validate import validate_files
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="a pipe without a reader is told otherwise")
+
+SOUND = """schema_version: 1
+id: sound
+title: Sound
+extends: match
+expect:
+  inherited: null
+"""
+FAILS = SOUND + "  scored: {keyframes: [{at_s: 1}], lasts_s: 2, score: {yellow: 5}}\n"
+
+
+@pytest.fixture
+def files(tmp_path):
+    for name, text in (("sound", SOUND), ("fails", FAILS), ("wrong", "id: wrong\n")):
+        (tmp_path / f"{name}.yaml").write_text(text, encoding="utf-8")
+    return lambda *names: [str(tmp_path / f"{name}.yaml") for name in names]
+
+
+@contextmanager
+def unread(name: str):
+    """Let nobody read one of the two streams, each line of which is written at once."""
+    reader, writer = os.pipe()
+    os.close(reader)
+    with pytest.MonkeyPatch.context() as patch, os.fdopen(writer, "w", buffering=1, encoding="utf-8") as stream:
+        patch.setattr(sys, name, stream)
+        yield
+
+
+@pytest.mark.parametrize("stream", ["stdout", "stderr"])
+def test_a_test_that_fails_is_told_by_the_exit_code_though_nobody_reads_of_it(files, stream):
+    with unread(stream):
+        assert run_tests(files("fails"), []) == 1
+        assert run_tests(files("wrong", "fails"), []) == 2
+
+
+@pytest.mark.parametrize("stream", ["stdout", "stderr"])
+def test_a_file_that_is_wrong_is_told_by_the_exit_code_though_nobody_reads_of_it(files, stream):
+    with unread(stream):
+        assert validate_files(files("sound", "wrong"), [], strict=False, as_json=False) == 2
