@@ -204,8 +204,8 @@ CHAPTERS = (
     Chapter(
         "Values",
         "What may stand in a payload or a broadcast, besides a literal; in `points:` and `count` too: `counter`, "
-        "`flag`, `timer` (whole seconds, rounded down), `distance` (0 while it is null), and `draw` and `word` if they "
-        "are numbers; in `points:` also a list of which all is added: numbers, and these with weights.",
+        "`flag`, `timer` (whole seconds, rounded down), `distance` (0 while it is null), `way`, and `draw` and `word` "
+        "if they are numbers; in `points:` also a list of which all is added: numbers, and these with weights.",
         (
             Word("counter", state.CounterValue, example="counter_value"),
             Word("flag", state.FlagValue, example="flag_value"),
@@ -213,6 +213,7 @@ CHAPTERS = (
             Word("word", state.WordValue),
             Word("position_of", state.PositionValue),
             Word("distance", state.DistanceValue, example="distance_value"),
+            Word("way", state.WayValue, example="way_value"),
             Word("timer", state.TimerValue, example="timer_value"),
             Word("last_touch", state.LastTouchValue, example="last_touch_value"),
             Word("weighted_counter", state.WeightedCounter, own_example=False),
@@ -220,6 +221,7 @@ CHAPTERS = (
             Word("weighted_draw", state.WeightedDraw, own_example=False),
             Word("weighted_word", state.WeightedWord, own_example=False),
             Word("weighted_distance", state.WeightedDistance, own_example=False),
+            Word("weighted_way", state.WeightedWay, own_example=False),
             Word("weighted_timer", state.WeightedTimer, own_example=False),
         ),
         "rules",
@@ -321,8 +323,11 @@ _NAMED: tuple[tuple[Any, str], ...] = (
     (Names, "name, or list of names"), (Name, "name"), (EventName, "event"), (DurationS, "duration in s"),
     (Point, "[x, y] in m"), (Colour, "colour"), (state.Value, "value"), (state.Bound, "number, or {counter: NAME}"),
     (state.Lasts, "duration in s, or {draw: NAME}"),
-    (state.Amount, "number, {counter, flag, draw, timer or word: NAME}, or {distance: [A, B]}"),
-    (state.Points, "number, {counter, flag, draw, timer or word: NAME}, {distance: [A, B]}, or list of weighted parts"),
+    (state.Amount, "number, {counter, flag, draw, timer, way or word: NAME}, or {distance: [A, B]}"),
+    (
+        state.Points,
+        "number, {counter, flag, draw, timer, way or word: NAME}, {distance: [A, B]}, or list of weighted parts",
+    ),
     (places.At, "[where](#where-things-go)"),
     (places.Facing, "`start`, `keep`, yaw in rad, {towards: …}, or {random: true}"),
     (triggers.Trigger, "[trigger](#triggers)"), (conditions.Condition, "[condition](#conditions)"),

@@ -99,6 +99,7 @@ class Firing:
         tick: tick of the half.
         rule: the rule's name in the scenario.
         entity: what ``each`` (or the trigger) bound, else None.
+        other: what it touched, in a rule that names ``other``, else None.
         trigger: the word that fired (``enters``, ``no_progress`` …).
         measured: what was measured (m, s, m/s or a count; None where the word measures nothing).
         limit: the limit it was held against, in the same unit.
@@ -117,6 +118,7 @@ class Firing:
     scored: dict[str, int | float] = field(default_factory=dict)
     suppressed: str | None = None
     says: str = ""
+    other: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

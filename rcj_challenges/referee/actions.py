@@ -11,13 +11,14 @@ from typing import Any
 
 from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.facts.timing import ticks_from_s
-from rcj_challenges.referee.compiling import EACH, Workshop
-from rcj_challenges.referee.places import compile_putting
+from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.places import compile_putting, spot_name, where_now
 from rcj_challenges.referee.rules import Occasion, StandingRule
 from rcj_challenges.referee.sequences import sequence_watch
 from rcj_challenges.referee.setting_down import Job
 from rcj_challenges.referee.state import Clock, Number
 from rcj_challenges.referee.values import compile_amount, compile_points, compile_value
+from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.models import actions as models
 from rcj_challenges.scenario.models.places import Mirror
 from rcj_challenges.scenario.models.state import DrawValue
@@ -30,11 +31,11 @@ def compile_action(model: models.Action, workshop: Workshop, rule: StandingRule)
     return ACTIONS[model.action](model, workshop, rule)
 
 
-def _receiver(entrant: str | models.LastToucher, workshop: Workshop, each: str | None) -> Callable[[], str | None]:
+def _receiver(entrant: str | models.LastToucher, workshop: Workshop, rule: StandingRule) -> Callable[[], str | None]:
     """Return what tells whose the points are: the named entrant's, or those of whoever drives a robot."""
     drivers = workshop.state.entrant_of
     if isinstance(entrant, models.LastToucher):
-        touched = workshop.entity(entrant.last_touch, each)
+        touched = workshop.entity(entrant.last_touch, rule.each)
         contacts, names = workshop.contacts, workshop.roster.entities
         contacts.follow_last(touched)
 
@@ -43,14 +44,14 @@ def _receiver(entrant: str | models.LastToucher, workshop: Workshop, each: str |
             return None if robot is None else drivers.get(names[robot])
 
         return driver_of_the_last
-    named = entrant != EACH or EACH in workshop.scenario.entrants
-    whose = entrant if named or each is None else drivers.get(each)
+    robot = None if entrant in workshop.scenario.entrants else {EACH: rule.each, OTHER: rule.other}.get(entrant)
+    whose = entrant if robot is None else drivers.get(robot)
     return lambda: whose
 
 
 def score(model: models.Score, workshop: Workshop, rule: StandingRule) -> Act:
     """Give points to an entrant; to nobody if nobody touched what they are given for."""
-    state, receiver = workshop.state, _receiver(model.entrant, workshop, rule.each)
+    state, receiver = workshop.state, _receiver(model.entrant, workshop, rule)
     points = compile_points(model.points, workshop, rule.each)
 
     def act(occasion: Occasion) -> None:
@@ -143,6 +144,17 @@ def sequence(model: models.SequenceAction, workshop: Workshop, _rule: StandingRu
     """Begin a sequence anew."""
     watch = sequence_watch(workshop, model.sequence)
     return lambda _occasion: workshop.lookout.restart(watch)
+
+
+def set_spot(model: models.SetSpot, workshop: Workshop, rule: StandingRule) -> Act:
+    """Set a spot to where something is now; what is off the field leaves it where it is."""
+    spots, name = workshop.state.spots, spot_name(workshop, model.spot)
+    where = where_now(workshop, model.to, rule.each)
+
+    def act(_occasion: Occasion) -> None:
+        spots[name] = where() or spots[name]
+
+    return act
 
 
 def draw(model: models.DrawAction, workshop: Workshop, _rule: StandingRule) -> Act:
@@ -260,6 +272,7 @@ ACTIONS: dict[str, Callable[[Any, Workshop, StandingRule], Act]] = {
     "toggle_flag": toggle_flag,
     "timer": timer,
     "sequence": sequence,
+    "set_spot": set_spot,
     "draw": draw,
     "place": place,
     "remove": remove,

@@ -1,6 +1,11 @@
-"""The rules of a scenario put together: one standing rule per member of ``for_each``, in the order of firing."""
+"""The rules of a scenario put together: one standing rule per member of ``for_each``, in the order of firing.
+
+Of a rule that names ``other`` there is one for each that may be touched as well.
+"""
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.referee.actions import compile_action
@@ -10,17 +15,19 @@ from rcj_challenges.referee.rules import StandingRule
 from rcj_challenges.referee.triggers import TRIGGERS
 from rcj_challenges.scenario.blanks import partly_filled
 from rcj_challenges.scenario.models.scenario import Rule
+from rcj_challenges.scenario.other import for_other, names_other, others_of
 
 
 def assemble(workshop: Workshop) -> list[StandingRule]:
     """Compile all rules of the workshop's scenario: lower priority first, then file order, then entity order."""
     rules = workshop.scenario.rules
     standing = [
-        (rule.priority, number, place, _standing(name, rule, each, workshop))
+        (rule.priority, number, place, turn, one)
         for number, (name, rule) in enumerate(rules.items())
         for place, each in enumerate(_members(rule, workshop))
+        for turn, one in enumerate(_for_others(rule, _standing(name, rule, each, workshop), workshop))
     ]
-    standing.sort(key=lambda entry: entry[:3])
+    standing.sort(key=lambda entry: entry[:4])
     for rank, (*_, rule) in enumerate(standing):
         rule.rank = rank
     for *_, rule in standing:
@@ -36,6 +43,13 @@ def _members(rule: Rule, workshop: Workshop) -> tuple[str | None, ...]:
     return tuple(sorted(workshop.members(rule.for_each, None), key=lambda name: index.get(name, 0)))
 
 
+def _for_others(model: Rule, rule: StandingRule, workshop: Workshop) -> list[StandingRule]:
+    """Return a rule for each that ``other`` may stand for in it; they share its past, and so its limits."""
+    if not names_other(model, workshop.scenario):
+        return [rule]
+    return [replace(rule, other=other) for other in others_of(model, rule.each, workshop.roster)]
+
+
 def _standing(name: str, rule: Rule, each: str | None, workshop: Workshop) -> StandingRule:
     return StandingRule(
         name=name,
@@ -49,6 +63,8 @@ def _standing(name: str, rule: Rule, each: str | None, workshop: Workshop) -> St
 
 
 def _compile(model: Rule, rule: StandingRule, workshop: Workshop) -> None:
+    if rule.other is not None:
+        model = for_other(model, rule.other)
     for position, trigger in enumerate(model.triggers):
         TRIGGERS[trigger.trigger](trigger, rule, position, workshop)
     rule.tests = tuple(compile_condition(condition, workshop, rule.each) for condition in model.conditions)

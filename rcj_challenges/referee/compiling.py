@@ -18,6 +18,7 @@ from rcj_challenges.referee.setting_down import Putting, Queue
 from rcj_challenges.referee.state import State
 from rcj_challenges.referee.watching import Lookout, Track, Watch
 from rcj_challenges.scenario.models.places import Mirror
+from rcj_challenges.scenario.remembered import remembered_spots
 
 EACH = "each"
 Names = str | tuple[str, ...]
@@ -54,6 +55,7 @@ class Workshop:
         sequences: their watches, by name.
         layouts: compiled layouts by name, what ``each`` stands for, and mirror.
         timers_changed: to be called after a timer was started or stopped; the lookout reckons anew.
+        remembered: the spots that rules set: they are to be read anew each time.
     """
 
     def __init__(self, state: State) -> None:
@@ -70,6 +72,7 @@ class Workshop:
         self.emit: Callable[[str, dict[str, object]], None] = lambda _name, _payload: None
         self.enter_phase: Callable[[str], None] = lambda _phase: None
         self.timers_changed: Callable[[], None] = self.lookout.reckon
+        self.remembered = frozenset(remembered_spots(state.scenario))
         self.sequences: dict[str, Watch] = {}
         self.layouts: dict[tuple[str, str | None, Mirror | None], list[Putting]] = {}
         self._members: dict[tuple[Names, str | None], tuple[str, ...]] = {}

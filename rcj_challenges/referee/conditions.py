@@ -9,7 +9,7 @@ from typing import Any
 from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks
 from rcj_challenges.referee.compiling import Workshop
-from rcj_challenges.referee.places import spots_of
+from rcj_challenges.referee.places import spots_of, where_now
 from rcj_challenges.referee.rules import Test
 from rcj_challenges.referee.sequences import sequence_watch
 from rcj_challenges.referee.setting_down import Board
@@ -128,7 +128,7 @@ def distance(model: models.Distance, workshop: Workshop, each: str | None) -> Te
     state, of, to = workshop.state, model.of, model.to
     entities, holds = workshop.entities(model.entity, each), _comparison(model, workshop, each)
     anchors = _anchors(to, workshop, each)
-    fixed = () if anchors else (to,) if isinstance(to, tuple) else spots_of(workshop, to, each)
+    fixed = None if anchors else (lambda: (to,)) if isinstance(to, tuple) else spots_of(workshop, to, each)
     # Nothing is measured from itself.
     others = {entity: tuple(anchor for anchor in anchors if anchor != entity) for entity in entities}
 
@@ -136,11 +136,24 @@ def distance(model: models.Distance, workshop: Workshop, each: str | None) -> Te
         for entity in entities:
             if state.present[entity]:
                 x, y, _ = state.poses[entity]
-                points = fixed or [state.poses[anchor][:2] for anchor in others[entity] if state.present[anchor]]
+                points = (
+                    [state.poses[anchor][:2] for anchor in others[entity] if state.present[anchor]]
+                    if fixed is None
+                    else fixed()
+                )
                 if points:
                     yield holds(min(sqrt((x - px) ** 2 + (y - py) ** 2) for px, py in points))
 
     return lambda: _quantified(of, results())
+
+
+def way(model: models.WayIs, workshop: Workshop, each: str | None) -> Test:
+    """How far things have driven or rolled in the half, in m; also what is off the field."""
+    state, of = workshop.state, model.of
+    entities, holds = workshop.entities(model.entity, each), _comparison(model, workshop, each)
+    for entity in entities:
+        state.follow_way(entity)
+    return lambda: _quantified(of, (holds(state.ways[entity]) for entity in entities))
 
 
 def looks(model: models.Looks, workshop: Workshop, each: str | None) -> Test:
@@ -148,7 +161,7 @@ def looks(model: models.Looks, workshop: Workshop, each: str | None) -> Test:
     state, of, within, heading = workshop.state, model.of, model.within_rad, model.heading_rad
     itself = () if model.towards is None else _anchors(model.towards, workshop, each)
     entities = tuple(entity for entity in workshop.entities(model.entity, each) if entity not in itself)
-    target = _target(model.towards, workshop, each)
+    target = (lambda: None) if model.towards is None else where_now(workshop, model.towards, each)
 
     def looks_there(entity: int) -> bool:
         x, y, yaw = state.poses[entity]
@@ -162,19 +175,6 @@ def looks(model: models.Looks, workshop: Workshop, each: str | None) -> Test:
         return abs(atan2(sin(off), cos(off))) <= within
 
     return lambda: _quantified(of, (looks_there(entity) for entity in entities if state.present[entity]))
-
-
-def _target(
-    towards: str | tuple[float, float] | None, workshop: Workshop, each: str | None
-) -> Callable[[], tuple[float, float] | None]:
-    """Return what tells where that is which is looked at; None while it is off the field."""
-    if towards is None or isinstance(towards, tuple):
-        return lambda: towards
-    anchors, state = _anchors(towards, workshop, each), workshop.state
-    if not anchors:
-        (spot,) = spots_of(workshop, towards, each)
-        return lambda: spot
-    return lambda: state.poses[anchors[0]][:2] if state.present[anchors[0]] else None
 
 
 def any_of(model: models.AnyOf, workshop: Workshop, each: str | None) -> Test:
@@ -259,7 +259,7 @@ def spot_free(model: models.SpotFree, workshop: Workshop, each: str | None) -> T
 
     def test() -> bool:
         board = Board(state, bodies, set())
-        return _quantified(of, (board.free(spot, clearance, None) for spot in spots))
+        return _quantified(of, (board.free(spot, clearance, None) for spot in spots()))
 
     return test
 
@@ -281,6 +281,7 @@ CONDITIONS: dict[str, Callable[[Any, Workshop, str | None], Test]] = {
     "in_zone": in_zone,
     "speed": speed,
     "distance": distance,
+    "way": way,
     "looks": looks,
     "any_of": any_of,
     "all_of": all_of,

@@ -21,6 +21,11 @@ class Contacts:
         self._touching: frozenset[Pair] = frozenset()
         self._last: dict[int, int | None] = {}
 
+    @property
+    def touching(self) -> frozenset[Pair]:
+        """The pairs that touch at the end of this tick."""
+        return self._touching
+
     def follow_last(self, entity: int) -> None:
         """Remember from now on which robot touched the entity last."""
         self.used = True

@@ -94,6 +94,11 @@ class Referee:
         return self._state.draws
 
     @property
+    def spots(self) -> dict[str, tuple[float, float]]:
+        """Where the spots are now, by name: [x, y] in m."""
+        return self._state.spots
+
+    @property
     def kept(self) -> dict[str, Any]:
         """What lives on in the next half, as its `HalfInfo.kept`."""
         return self._state.kept()
@@ -137,6 +142,8 @@ class Referee:
         state.before = state.poses
         state.poses = substeps[-1] if self._all_present else self._without_parked(substeps[-1])
         state.uprights = snapshot.uprights
+        if state.ways:
+            state.add_ways()
         if self._track.used:
             self._track.add(substeps[-1])
         if self._contacts.used:
@@ -207,8 +214,8 @@ class Referee:
         if suppressed is None:
             if rule.exclusive is not None:
                 won.add(rule.exclusive)
-            rule.executions += 1
-            rule.rests_until = state.tick + rule.cooldown
+            rule.past.executions += 1
+            rule.past.rests_until = state.tick + rule.cooldown
             for act in rule.actions:
                 act(occasion)
         self._firings.append(
@@ -216,6 +223,7 @@ class Referee:
                 tick=state.tick,
                 rule=rule.name,
                 entity=occasion.subject,
+                other=rule.other,
                 trigger=occasion.trigger,
                 measured=occasion.measured,
                 limit=occasion.limit,
@@ -230,9 +238,9 @@ class Referee:
             return "phase"
         if rule.exclusive in won:
             return "exclusive"
-        if self._state.tick < rule.rests_until:
+        if self._state.tick < rule.past.rests_until:
             return "cooldown"
-        if rule.max_executions is not None and rule.executions >= rule.max_executions:
+        if rule.max_executions is not None and rule.past.executions >= rule.max_executions:
             return "max_executions"
         return None
 
@@ -279,7 +287,8 @@ class Referee:
             self._tell_no_room(job)
             if job.putting is not None and job.putting.retry:
                 self._queue.ask_later(replace(job, due=state.tick + 1, instead_of=None, told=True))
-            elif job.instead_of is not None:
+            elif job.instead_of is not None and not state.present[job.entity]:
+                # What was to be taken off and placed in one tick, and stays, was never off.
                 self._queue.ask_later(job.instead_of)
         moved = {placement.entity for placement in placements}
         if moved:
@@ -295,7 +304,8 @@ class Referee:
             return
         says = no_room_sentence(job, job.putting, state, self._workshop.bodies)
         name = state.roster.entities[job.entity]
-        self._firings.append(Firing(state.tick, job.rule.name, name, "place", suppressed="no_room", says=says))
+        told = Firing(state.tick, job.rule.name, name, "place", suppressed="no_room", says=says, other=job.rule.other)
+        self._firings.append(told)
 
     # --- answering --------------------------------------------------------------------------------------------------
 

@@ -1,4 +1,4 @@
-"""Values that are measured when a rule fires: how far two things are apart, how long a timer has run."""
+"""Values that are measured when a rule fires: how far things are apart or have come, how long a timer has run."""
 
 from __future__ import annotations
 
@@ -7,10 +7,12 @@ from math import sqrt
 
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.compiling import Workshop
-from rcj_challenges.referee.places import spots_of
-from rcj_challenges.scenario.models.state import DistanceValue, TimerValue
+from rcj_challenges.referee.places import spot_name
+from rcj_challenges.scenario.models.state import DistanceValue, TimerValue, WayValue
 
 _Point = tuple[float, float]
+_End = int | str | _Point
+"""What is measured from or to: the index of an entity, the name of a spot, or a point."""
 
 _MM_DIGITS = 3
 
@@ -19,11 +21,13 @@ def distance_reader(value: DistanceValue, workshop: Workshop, each: str | None) 
     """Return what measures in m, to the millimetre, how far two things are apart now; None if one is off the field."""
     here, there = (_ends(end, workshop, each) for end in value.distance)
     # Nothing is measured from itself.
-    pairs = [(one, other) for one in here for other in there if one != other or isinstance(one, tuple)]
+    pairs = [(one, other) for one in here for other in there if one != other or not isinstance(one, int)]
     state = workshop.state
 
-    def at(end: int | _Point) -> _Point:
-        return state.poses[end][:2] if isinstance(end, int) else end
+    def at(end: _End) -> _Point:
+        if isinstance(end, int):
+            return state.poses[end][:2]
+        return state.spots[end] if isinstance(end, str) else end
 
     def read() -> float | None:
         ends = (
@@ -37,13 +41,20 @@ def distance_reader(value: DistanceValue, workshop: Workshop, each: str | None) 
     return read
 
 
-def _ends(named: str | _Point, workshop: Workshop, each: str | None) -> tuple[int | _Point, ...]:
-    """Return between what is measured: the indices of entities, and points."""
+def _ends(named: str | _Point, workshop: Workshop, each: str | None) -> tuple[_End, ...]:
+    """Return between what is measured."""
     if isinstance(named, tuple):
         return (named,)
     index, entities = workshop.roster.index, workshop.roster.entities
     members = workshop.members(named, each)
-    return tuple(index[name] if name in entities else spots_of(workshop, name, None)[0] for name in members)
+    return tuple(index[name] if name in entities else spot_name(workshop, name) for name in members)
+
+
+def way_reader(value: WayValue, workshop: Workshop, each: str | None) -> Callable[[], float]:
+    """Return what tells in m, to the millimetre, how far an entity has driven or rolled in the half."""
+    ways, entity = workshop.state.ways, workshop.entity(value.way, each)
+    workshop.state.follow_way(entity)
+    return lambda: round(ways[entity], _MM_DIGITS)
 
 
 def timer_reader(value: TimerValue, workshop: Workshop, each: str | None) -> Callable[[], float]:

@@ -32,29 +32,50 @@ def start_pose(workshop: Workshop, entity: int) -> tuple[Pose2, Point]:
     return obstacle_outline(scenario.obstacles[name])[1], (0.0, 0.0)
 
 
-def spots_of(workshop: Workshop, names: str | tuple[str, ...], each: str | None) -> tuple[Point, ...]:
-    """Return the points of spots, groups expanded, in order.
+def spots_of(workshop: Workshop, names: str | tuple[str, ...], each: str | None) -> Callable[[], tuple[Point, ...]]:
+    """Return what tells where spots are now, groups expanded, in order.
 
     Raises:
         ValueError: one of them is no spot.
     """
-    return tuple(_spot(workshop, name) for name in workshop.members(names, each))
+    spots, members = workshop.state.spots, workshop.members(names, each)
+    points = tuple(spots[spot_name(workshop, name)] for name in members)
+    if workshop.remembered.isdisjoint(members):
+        return lambda: points
+    return lambda: tuple(spots[name] for name in members)
 
 
-def _spot(workshop: Workshop, name: object) -> Point:
-    spot = workshop.scenario.spots.get(name) if isinstance(name, str) else None
-    if spot is None:
+def where_now(workshop: Workshop, what: str | Point, each: str | None) -> Callable[[], Point | None]:
+    """Return what tells where an entity, a spot or a point is now; None while it is off the field."""
+    if isinstance(what, tuple):
+        return lambda: what
+    state, name = workshop.state, workshop.members(what, each)[0]
+    if name not in workshop.roster.entities:
+        spot = spot_name(workshop, name)
+        return lambda: state.spots[spot]
+    index = workshop.roster.index[name]
+    return lambda: state.poses[index][:2] if state.present[index] else None
+
+
+def spot_name(workshop: Workshop, name: object) -> str:
+    """Return the name of a spot.
+
+    Raises:
+        ValueError: there is no spot of this name.
+    """
+    if not isinstance(name, str) or name not in workshop.state.spots:
         message = f"unknown spot {name!r}"
         raise ValueError(message)
-    return (spot.x_m, spot.y_m)
+    return name
 
 
 def _spot_or_draw(workshop: Workshop, name: str) -> Callable[[], Point]:
-    """Return what reads a spot, or the spot that a draw of this name decided."""
-    if name in workshop.scenario.draws and name not in workshop.scenario.spots:
-        return lambda: _spot(workshop, workshop.state.draws[name])
-    point = _spot(workshop, name)
-    return lambda: point
+    """Return what reads where a spot is now, or the spot that a draw of this name decided."""
+    spots, draws = workshop.state.spots, workshop.state.draws
+    if name in workshop.scenario.draws and name not in spots:
+        return lambda: spots[spot_name(workshop, draws[name])]
+    spot = spot_name(workshop, name)
+    return lambda: spots[spot]
 
 
 def _locate(workshop: Workshop, what: str | Point, each: str | None) -> tuple[Locate, bool]:
@@ -179,12 +200,14 @@ def _own_or(name: str | Point | None, workshop: Workshop, entity: int) -> str | 
     return workshop.roster.entities[entity] if name is None else name
 
 
-def _free_spot(spots: tuple[Point, ...], reference: Locate, sign: float, among: int, clearance_m: float) -> Where:
+def _free_spot(
+    spots: Callable[[], tuple[Point, ...]], reference: Locate, sign: float, among: int, clearance_m: float
+) -> Where:
     def find(request: Request) -> Point | None:
         x, y = reference(request.board)
         free = [
             spot
-            for spot in map(request.mirrored, spots)
+            for spot in map(request.mirrored, spots())
             if request.board.free(spot, clearance_m, request.entity) and request.fits(spot)
         ]
         free.sort(key=lambda spot: round(sign * sqrt((spot[0] - x) ** 2 + (spot[1] - y) ** 2), _EQUAL_DIGITS))

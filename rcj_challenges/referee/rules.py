@@ -11,6 +11,19 @@ Test = Callable[[], bool]
 """A compiled condition: whether it holds now."""
 
 
+@dataclass(slots=True)
+class Past:
+    """What a rule has done in this half; one for all that ``other`` stands for in it.
+
+    Attributes:
+        rests_until: first tick at which it may fire again.
+        executions: how often it has fired.
+    """
+
+    rests_until: int = 0
+    executions: int = 0
+
+
 @dataclass(eq=False)
 class StandingRule:
     """A rule of the scenario for one member of its ``for_each`` (or for nobody in particular).
@@ -18,6 +31,7 @@ class StandingRule:
     Attributes:
         name: as in the scenario.
         each: the member that ``each`` stands for, or None.
+        other: what ``other`` stands for: it fires for a touch of that only; None where the rule does not name it.
         phases: in which it lives; None: in all.
         exclusive: the group of which only one fires a tick, per entity.
         cooldown: ticks it rests after firing.
@@ -26,8 +40,7 @@ class StandingRule:
         rank: place in the order of firing, over all standing rules.
         tests: compiled conditions.
         actions: compiled actions.
-        rests_until: first tick at which it may fire again.
-        executions: how often it has fired.
+        past: how often it has fired, and until when it rests.
     """
 
     name: str
@@ -40,8 +53,8 @@ class StandingRule:
     rank: int = 0
     tests: tuple[Test, ...] = ()
     actions: tuple[Callable[[Occasion], None], ...] = ()
-    rests_until: int = 0
-    executions: int = 0
+    past: Past = field(default_factory=Past)
+    other: str | None = None
 
     def lives_in(self, phase: str) -> bool:
         """Return whether the rule lives in a phase."""

@@ -99,7 +99,7 @@ class ScriptedPlay:
         self._uprights = [1.0] * entities
         self._heights = [_STANDING_HEIGHT_M] * entities
         self._glides: dict[int, _Glide] = {}
-        self._touching: set[tuple[int, int]] = set()
+        self._touching: dict[tuple[int, int], int] = {}
         self._faults: list[Fault] = []
         self._none_touch: tuple[tuple[tuple[int, int], ...], ...] = ((),) * SUBSTEPS_PER_TICK
         self._frozen: list[list[Pose2]] | None = None
@@ -118,10 +118,11 @@ class ScriptedPlay:
         """Let an entity glide to [x, y] or [x, y, yaw] in a straight line, to arrive after so many ticks."""
         self._glides[self.roster.index[entity]] = _Glide(to, ticks * SUBSTEPS_PER_TICK)
 
-    def touch(self, first: str, second: str) -> None:
-        """Let two things touch in the next tick, in all its sub-steps."""
+    def touch(self, first: str, second: str, ticks: int = 1) -> None:
+        """Let two things touch from the next tick on for so many ticks, in all their sub-steps."""
         a, b = self.roster.index[first], self.roster.index[second]
-        self._touching.add((min(a, b), max(a, b)))
+        pair = (min(a, b), max(a, b))
+        self._touching[pair] = max(ticks, self._touching.get(pair, 0))
 
     def tip(self, robot: str) -> None:
         """Let a robot lie on its side from the next tick on."""
@@ -181,7 +182,7 @@ class ScriptedPlay:
         touches = self._none_touch
         if self._touching:
             touches = (tuple(sorted(self._touching)),) * SUBSTEPS_PER_TICK
-            self._touching = set()
+            self._touching = {pair: left - 1 for pair, left in self._touching.items() if left > 1}
         faults, self._faults = tuple(self._faults), []
         return Snapshot(self.tick, substeps, self._heights, self._uprights, touches, faults)
 
@@ -207,6 +208,7 @@ class ScriptedPlay:
             self.placements.append((self.tick, placement))
             index = placement.entity
             self._glides.pop(index, None)  # it stays put until the script moves it again
+            self._touching = {pair: left for pair, left in self._touching.items() if index not in pair}
             if placement.parked:
                 self._stand(index, _PARKED_X_M + index * _PARKED_STEP_M, 0.0, 0.0)
                 continue
@@ -324,7 +326,7 @@ def _act(play: ScriptedPlay, keyframe: Keyframe) -> None:
     for entity, pose in keyframe.place.items():
         play.place(entity, *pose)
     for first, second in keyframe.touch:
-        play.touch(first, second)
+        play.touch(first, second, 1 if keyframe.touch_lasts_s is None else ticks_from_s(keyframe.touch_lasts_s))
     for robot in keyframe.tips:
         play.tip(robot)
     for robot in keyframe.fault:
@@ -346,11 +348,11 @@ def _differences(play: ScriptedPlay, expected: Expectation) -> Iterable[str]:
         yield from _difference(f"flag {name}", flag, any(value.values()) if isinstance(value, dict) else value)
     if expected.phase is not None:
         yield from _difference("phase", expected.phase, referee.phase)
-    for entity, (x, y) in expected.poses.items():
-        here = play.pose(entity)
+    for name, (x, y) in expected.poses.items():
+        here = referee.spots.get(name) or play.pose(name)
         off = hypot(here[0] - x, here[1] - y)
         if off > expected.tolerance_m:
-            yield f"{entity}: expected at ({x:g}, {y:g}), is at ({here[0]:.4g}, {here[1]:.4g}), {off:.3g} m off"
+            yield f"{name}: expected at ({x:g}, {y:g}), is at ({here[0]:.4g}, {here[1]:.4g}), {off:.3g} m off"
 
 
 def _number(referee: Referee, name: str) -> Number | None:

@@ -6,6 +6,7 @@ import random
 import struct
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import sqrt
 
 from rcj_challenges.facts.amounts import on_paper, plain
 from rcj_challenges.facts.play import HalfInfo, Pose2
@@ -61,6 +62,8 @@ class State:
         uprights: by entity, cosine of the tilt.
         present: by entity, whether it is on the field.
         put_at: by entity, [x, y] where it was last put, or started.
+        ways: by entity whose way somebody asks for, how far it has driven or rolled in the half, in m.
+        spots: by name, [x, y] where it is now: where the scenario says, until a rule sets it.
         scores: by entrant, as seated in this half.
         counters, flags: by name; a mapping by entity for those kept per entity.
         timers: by name, then entity (None for one that is not kept per entity).
@@ -78,6 +81,8 @@ class State:
         self.phase = scenario.first_phase
         self.poses: list[Pose2] = []
         self.before: list[Pose2] = []
+        self.ways: dict[int, float] = {}
+        self.spots = {name: (spot.x_m, spot.y_m) for name, spot in scenario.spots.items()}
         self.uprights: list[float] = []
         self.present = [True] * len(roster.entities)
         self.put_at: list[tuple[float, float]] = []
@@ -187,6 +192,16 @@ class State:
             "flags": {name: self.flags[name] for name, flag in self.scenario.flags.items() if flag.keep == "match"},
             **({"undrawn": undrawn} if undrawn else {}),
         }  # fmt: skip
+
+    def follow_way(self, entity: int) -> None:
+        """Add up the way of an entity from now on."""
+        self.ways.setdefault(entity, 0.0)
+
+    def add_ways(self) -> None:
+        """Add the ways of the last tick; where something was put, its way begins."""
+        for entity in self.ways:
+            (x, y, _), (was_x, was_y, _) = self.poses[entity], self.before[entity]
+            self.ways[entity] += sqrt((x - was_x) ** 2 + (y - was_y) ** 2)
 
     def phase_model(self, name: str) -> Phase:
         """Return a phase of the scenario; ``play`` need not be written."""

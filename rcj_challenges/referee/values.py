@@ -9,7 +9,7 @@ from typing import Any
 from rcj_challenges.facts.amounts import on_paper, plain
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.compiling import Workshop
-from rcj_challenges.referee.measuring import distance_reader, timer_reader
+from rcj_challenges.referee.measuring import distance_reader, timer_reader, way_reader
 from rcj_challenges.referee.rules import Occasion
 from rcj_challenges.referee.state import Number, State
 from rcj_challenges.scenario.models.state import (
@@ -21,6 +21,7 @@ from rcj_challenges.scenario.models.state import (
     NumberWord,
     PositionValue,
     TimerValue,
+    WayValue,
     WordValue,
 )
 
@@ -58,6 +59,8 @@ def _reader_of_now(value: Any, workshop: Workshop, each: str | None) -> Callable
             return counter_reader(value, workshop, each)
         case DistanceValue():
             return distance_reader(value, workshop, each)
+        case WayValue():
+            return way_reader(value, workshop, each)
         case TimerValue():
             return timer_reader(value, workshop, each)
         case LastTouchValue():
@@ -160,6 +163,7 @@ def _score(state: State, occasion: Occasion, of: str | None) -> Number:
 WORDS: dict[str, Callable[[State, Occasion, str | None], Any]] = {
     "robot_name": _robot_name,
     "entity_name": lambda _state, occasion, _of: occasion.subject or "",
+    "other_name": lambda _state, occasion, _of: occasion.rule.other or "",
     "team_name": _team_name,
     "entrant": _entrant,
     "score": _score,
@@ -184,11 +188,12 @@ def _rounded(number: float | None) -> Number | None:
 
 
 def spoken(says: str, state: State, occasion: Occasion) -> str:
-    """Return the sentence with {entity}, {team}, {measured}, {limit} and {points} filled in; all else stays."""
+    """Return the sentence with {entity}, {other}, {team}, {measured}, {limit} and {points} filled in."""
     if "{" not in says:
         return says
     filled = {
         "{entity}": occasion.subject or "",
+        "{other}": occasion.rule.other or "",
         "{team}": _team_name(state, occasion, None),
         "{measured}": _said(occasion.measured),
         "{limit}": _said(occasion.limit),

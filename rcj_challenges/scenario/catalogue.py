@@ -13,6 +13,9 @@ ALWAYS = ("robots", "balls", "obstacles", "walls")
 """Groups that always exist; each colour of a robot is one too."""
 
 EACH = "each"
+OTHER = "other"
+BOUND = (EACH, OTHER)
+"""Names that a rule has for those whom a firing is about."""
 
 KIND_OF_SECTION = {"robots": "robot", "balls": "ball", "zones": "zone", "gates": "gate", "spots": "spot"}
 FAMILIES = {"robot": "thing", "ball": "thing", "obstacle": "thing", "fixed obstacle": "thing", "walls": "thing"}

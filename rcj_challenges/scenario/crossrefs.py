@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from rcj_challenges.facts.timing import TICK_S
-from rcj_challenges.scenario.catalogue import EACH, Catalogue, texts
+from rcj_challenges.scenario.catalogue import BOUND, EACH, OTHER, Catalogue, texts
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, known_text, listing, nearest
 from rcj_challenges.scenario.models import actions, conditions, places, state
 from rcj_challenges.scenario.models.base import LONGEST_S
@@ -21,9 +21,27 @@ from rcj_challenges.scenario.shape import Shape, bare, chosen, is_model, step_in
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, in_names, mark_of, node_at
 from rcj_challenges.scenario.wording import found_text
 
-Each = tuple[str, ...] | None
-"""What ``each`` stands for: the members of the rule's ``for_each``; None outside of such a rule."""
 
+class _Bound(NamedTuple):
+    """Whom the names ``each`` and ``other`` may stand for; None where a name is not known.
+
+    Attributes:
+        each: the members of the rule's ``for_each``.
+        other: what its triggers may find to be touched, if all of them are touches.
+    """
+
+    each: tuple[str, ...] | None = None
+    other: tuple[str, ...] | None = None
+
+    def of(self, name: str) -> tuple[str, ...] | None:
+        """Return whom one of the two names stands for."""
+        return self.each if name == EACH else self.other
+
+
+_UNKNOWN = {
+    EACH: "'each' is known only in a rule with for_each",
+    OTHER: "'other' is known only in a rule whose triggers are all touches; give what else sets it off its own rule",
+}
 _WORDED = ("triggers", "conditions", "actions")
 _READS = (conditions.CounterIs, conditions.FlagIs, conditions.TimerIs, state.CounterValue, state.FlagValue,
           state.TimerValue)  # fmt: skip
@@ -40,7 +58,7 @@ def check_references(catalogue: Catalogue, removed: Mapping[Path, Mark]) -> list
         removed: where entries of a base were removed, for the message to who still names them.
     """
     walker = _Walker(catalogue, removed)
-    walker.walk(catalogue.root, Scenario, (), None)
+    walker.walk(catalogue.root, Scenario, (), _Bound())
     return walker.problems
 
 
@@ -59,20 +77,20 @@ class _Walker:
         self.told: set[Path] = set()
         self.kits_in_use = {catalogue.leaf("robots", robot, "kit") for robot in catalogue.names("robots")}
 
-    def walk(self, node: Node, shape: Shape, path: Path, each: Each) -> None:
+    def walk(self, node: Node, shape: Shape, path: Path, bound: _Bound) -> None:
         """Check a value and all that is in it."""
         shape = chosen(shape, node) if shape is not None else None
         if shape is None or len(self.problems) >= MAX_FOUND:
             return  # not of any known form, which is reported as such; or enough is wrong already
         if isinstance(node, Items):
             for index, item in enumerate(node.items):
-                self.walk(item, step_into(shape, node, index), (*path, index), each)
+                self.walk(item, step_into(shape, node, index), (*path, index), bound)
         elif isinstance(node, Entries):
             model = bare(shape).kind
             if is_model(model):
-                each = self._model(model, node, path, each)
+                bound = self._model(model, node, path, bound)
             for key, inner in node.entries.items():
-                self.walk(inner, step_into(shape, node, key), (*path, key), each)
+                self.walk(inner, step_into(shape, node, key), (*path, key), bound)
 
     def add(self, path: Path, mark: Mark, message: str) -> None:
         self.problems.append(mark.problem(shown_path(self.root, path), message))
@@ -85,11 +103,11 @@ class _Walker:
 
     # --- one mapping ------------------------------------------------------------------------------------------------
 
-    def _model(self, model: Any, node: Entries, path: Path, each: Each) -> Each:
+    def _model(self, model: Any, node: Entries, path: Path, bound: _Bound) -> _Bound:
         if model is Rule:
-            each = self._each_of(node)
+            bound = self._bound_in(node)
         if model is Kit and path[-1] not in self.kits_in_use:
-            return each  # a preset's kit may list robots that this scenario has not
+            return bound  # a preset's kit may list robots that this scenario has not
         for name, info in model.model_fields.items():
             key = info.alias or name
             reference = REFERENCES.get((model, key))
@@ -97,21 +115,38 @@ class _Walker:
                 continue
             if key in node.entries:
                 for text, at, mark in self._named_in(reference, node, key, path):
-                    self._check(reference, text, at, mark, each)
+                    self._check(reference, text, at, mark, bound)
             elif isinstance(info.default, str):
-                self._check(reference, info.default, path, mark_of(self.root, path), each)
-        self._special(model, node, path, each)
+                self._check(reference, info.default, path, mark_of(self.root, path), bound)
+        self._special(model, node, path, bound)
         if model is actions.Score:
-            self._receiver(node.entries.get("entrant"), (*path, "entrant"), each)
+            self._receiver(node.entries.get("entrant"), (*path, "entrant"), bound)
         if model in (actions.Place, places.Placing) and "kick" in node.entries:
-            self._only_balls(node.entries.get("entity"), (*path, "kick"), each)
-        return each
+            self._only_balls(node.entries.get("entity"), (*path, "kick"), bound)
+        return bound
 
-    def _each_of(self, rule: Entries) -> Each:
+    def _bound_in(self, rule: Entries) -> _Bound:
         group = rule.entries.get("for_each")
-        if group is None:
-            return None
-        return tuple(member for text in texts(group) for member in self.names.expand(text))
+        bound = _Bound(
+            None if group is None else tuple(one for text in texts(group) for one in self.names.expand(text))
+        )
+        triggers = rule.entries.get("triggers")
+        listed = triggers.items if isinstance(triggers, Items) else ()
+        if any(texts(child(trigger, "trigger")) != ("touches",) for trigger in listed):
+            return bound
+        return bound._replace(
+            other=tuple(dict.fromkeys(one for touch in listed for one in self._touched(touch, bound)))
+        )
+
+    def _touched(self, touch: Node, bound: _Bound) -> Iterator[str]:
+        """Yield what may be touched; nothing touches itself."""
+        entities = self._meant(child(touch, "entity"), bound)
+        return (one for one in self._meant(child(touch, "other"), bound) if {*entities} != {one})
+
+    def _meant(self, names: Node | None, bound: _Bound) -> list[str]:
+        """Return what names stand for: groups expanded, ``each`` and ``other`` replaced."""
+        found = ((bound.of(text) or ()) if text in BOUND else self.names.expand(text) for text in texts(names))
+        return [one for members in found for one in members]
 
     def _named_in(self, reference: Reference, node: Entries, key: str, path: Path) -> Iterator[tuple[str, Path, Mark]]:
         """Yield the names of a field, each with its place."""
@@ -124,29 +159,32 @@ class _Walker:
 
     # --- one name ---------------------------------------------------------------------------------------------------
 
-    def _check(self, reference: Reference, name: str, path: Path, mark: Mark, each: Each) -> None:
+    def _check(self, reference: Reference, name: str, path: Path, mark: Mark, bound: _Bound) -> None:
         if name in reference.words:
             return
         if isinstance(reference, Named):
             known = [*(known for section in reference.sections for known in self.names.names(section))]
             if name not in known:
-                words = [*(reference.words - {"any", EACH}), *known]
+                words = [*(reference.words - {"any", *BOUND}), *known]
                 self._unknown(reference.noun, name, words, reference.sections, path, mark)
-        elif name == EACH:
-            self._check_each(reference, path, mark, each)
+        elif name in BOUND:
+            self._check_bound(reference, name, path, mark, bound)
         else:
             self._check_on_field(reference, name, path, mark)
 
-    def _check_each(self, reference: Field, path: Path, mark: Mark, each: Each) -> None:
-        if not reference.each:
-            self.add(path, mark, f"'each' cannot stand here; name {_a(reference.noun)}")
-        elif each is None:
-            self.add(path, mark, "'each' is known only in a rule with for_each")
+    def _check_bound(self, reference: Field, name: str, path: Path, mark: Mark, bound: _Bound) -> None:
+        members = bound.of(name)
+        if name == OTHER and path[2:3] == ("triggers",):
+            self.add(path, mark, "'other' is the one that was touched: a trigger says who may be, by name or group")
+        elif not reference.each:
+            self.add(path, mark, f"'{name}' cannot stand here; name {_a(reference.noun)}")
+        elif members is None:
+            self.add(path, mark, _UNKNOWN[name])
         else:
-            wrong = next((name for name in each if self.names.kinds.get(name, "robot") not in reference.kinds), None)
+            wrong = next((one for one in members if self.names.kinds.get(one, "robot") not in reference.kinds), None)
             if wrong is not None:
                 kind = self.names.kinds[wrong]
-                self.add(path, mark, f"'each' stands for '{wrong}', {_a(kind)}; expected {_a(reference.noun)}")
+                self.add(path, mark, f"'{name}' stands for '{wrong}', {_a(kind)}; expected {_a(reference.noun)}")
 
     def _check_on_field(self, reference: Field, name: str, path: Path, mark: Mark) -> None:
         names = self.names
@@ -197,7 +235,7 @@ class _Walker:
             at: Path = ("draws", draw, "values", index)
             text = value.value if isinstance(value, Leaf) else None
             if isinstance(text, str):
-                self._check(reference, text, at, value.mark, None)
+                self._check(reference, text, at, value.mark, _Bound())
             else:
                 self.add(at, value.mark, f"expected {_a(reference.noun)}, found {found_text(value)}")
         needed = f" (needed by {shown_path(self.root, user)})"
@@ -223,9 +261,9 @@ class _Walker:
 
     # --- what a table cannot say ------------------------------------------------------------------------------------
 
-    def _special(self, model: Any, node: Entries, path: Path, each: Each) -> None:
+    def _special(self, model: Any, node: Entries, path: Path, bound: _Bound) -> None:
         if model in (*_READS, *_WEIGHTED, *_WRITES):
-            self._per_entity(model, node, path, each)
+            self._per_entity(model, node, path, bound)
         elif model is actions.Place:
             layout = node.entries.get("layout")
             drawn = child(layout, "draw")
@@ -244,16 +282,18 @@ class _Walker:
         elif model is conditions.SequenceAt:
             self._among_steps(node, path)
 
-    def _receiver(self, entrant: Node | None, path: Path, each: Each) -> None:
-        """Check that ``each`` stands for robots that somebody drives, where points are given to it."""
-        if not isinstance(entrant, Leaf) or entrant.value != EACH or EACH in self.names.names("entrants"):
+    def _receiver(self, entrant: Node | None, path: Path, bound: _Bound) -> None:
+        """Check that ``each`` or ``other`` stands for robots that somebody drives, where points are given to it."""
+        name = entrant.value if isinstance(entrant, Leaf) else None
+        if not isinstance(entrant, Leaf) or name not in BOUND or name in self.names.names("entrants"):
             return
-        if each is None:
-            self.add(path, entrant.mark, "'each' is known only in a rule with for_each")
+        members = bound.of(str(name))
+        if members is None:
+            self.add(path, entrant.mark, _UNKNOWN[str(name)])
             return
-        stranger = next((name for name in each if self.names.kinds.get(name, "robot") != "robot"), None)
+        stranger = next((one for one in members if self.names.kinds.get(one, "robot") != "robot"), None)
         if stranger is not None:
-            message = f"'each' stands for '{stranger}', {_a(self.names.kinds[stranger])}, which no entrant drives"
+            message = f"'{name}' stands for '{stranger}', {_a(self.names.kinds[stranger])}, which no entrant drives"
             self.add(path, entrant.mark, message)
             return
         driven = {
@@ -262,14 +302,13 @@ class _Walker:
             if isinstance(robots := node_at(self.root, ("entrants", name, "robots")), Entries)
             for robot in robots.entries
         }
-        idle = next((name for name in each if name in self.names.kinds and name not in driven), None)
+        idle = next((one for one in members if one in self.names.kinds and one not in driven), None)
         if idle is not None:
-            self.add(path, entrant.mark, f"'each' stands for '{idle}' too, which no entrant drives")
+            self.add(path, entrant.mark, f"'{name}' stands for '{idle}' too, which no entrant drives")
 
-    def _only_balls(self, entity: Node | None, path: Path, each: Each) -> None:
+    def _only_balls(self, entity: Node | None, path: Path, bound: _Bound) -> None:
         """Check that only balls are kicked."""
-        meant = [one for text in texts(entity) for one in ((each or ()) if text == EACH else self.names.expand(text))]
-        other = next((one for one in meant if self.names.kinds.get(one, "ball") != "ball"), None)
+        other = next((one for one in self._meant(entity, bound) if self.names.kinds.get(one, "ball") != "ball"), None)
         if other is not None:
             message = f"only balls roll: '{other}' is {_a(self.names.kinds[other])}"
             self.add(path, mark_of(self.root, path), message)
@@ -302,7 +341,7 @@ class _Walker:
         if step.value not in known and self.names.kinds.get(step.value) in {"zone", "gate"}:
             self.add((*path, "step"), step.mark, f"'{step.value}' is no step of it; its steps are {listing(known)}")
 
-    def _per_entity(self, model: Any, node: Entries, path: Path, each: Each) -> None:
+    def _per_entity(self, model: Any, node: Entries, path: Path, bound: _Bound) -> None:
         """Check that ``entity`` says whose counter, flag or timer is meant, where there is one for each."""
         key = next(key for key in _STATE_SECTIONS if key in model.model_fields)
         name, whose = node.entries.get(key), node.entries.get("entity")
@@ -318,7 +357,7 @@ class _Walker:
             return
         quantified = "of" in model.model_fields and "of" in node.entries
         if whose is None:
-            if each is not None and model in _READS and not quantified:
+            if bound.each is not None and model in _READS and not quantified:
                 message = f"{key} '{name.value}' is kept per {per.value}: say whose with 'entity', such as entity: each"
                 self.add(path, name.mark, message)
             return
@@ -328,8 +367,9 @@ class _Walker:
             self.add((*path, "entity"), whose.mark, message)
             return
         owners = self.names.expand(per.value)
-        meant = [o for text in texts(whose) for o in ((each or ()) if text == EACH else self.names.expand(text))]
-        stranger = next((one for one in meant if one not in owners and one in self.names.kinds), None)
+        stranger = next(
+            (one for one in self._meant(whose, bound) if one not in owners and one in self.names.kinds), None
+        )
         if stranger is not None:
             message = f"{key} '{name.value}' is kept per {per.value}, and '{stranger}' is not among them"
             self.add((*path, "entity"), whose.mark, message)

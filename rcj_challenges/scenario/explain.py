@@ -230,8 +230,8 @@ class _Explainer:
         message = f"unknown {discriminator} '{written[:64]}'; there are {listing(words, 40)}"
         message += (
             self._in_itself(mistake.path, written)
-            or _of_another_list(written, discriminator)
             or _usual(written, discriminator)
+            or _of_another_list(written, discriminator)
             or nearest(written, words, _LIKE)
         )
         return mark_of(self.root, (*mistake.path, discriminator)).problem(in_names(self.root, mistake.path), message)
@@ -252,6 +252,9 @@ _USUAL = {
     "not": "the condition itself, with negate: true",
     "none_of": "any_of, with negate: true",
     "halftime": "half",
+    "score": "counter, with the entrant as the counter: a score is read like one",
+    "phase": "phases: […] beside 'conditions': a rule lives in the phases of that list",
+    "time_s": "timer, of a timer with starts: true",
 }
 """What others call a condition, and how it is written here."""
 

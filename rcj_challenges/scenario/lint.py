@@ -30,11 +30,14 @@ from rcj_challenges.scenario.lint_state import (
     check_draws,
     check_inherited_tests,
     check_params,
+    check_spots,
     check_state,
     check_unused,
 )
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
 from rcj_challenges.scenario.lint_times import check_halves, check_times
+from rcj_challenges.scenario.lint_touched import check_touched
+from rcj_challenges.scenario.lint_unheard import check_unheard
 from rcj_challenges.scenario.lint_units import check_units
 from rcj_challenges.scenario.lint_variants import (
     check_field_size,
@@ -53,7 +56,9 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_events,
     check_rules,
     check_contradictions,
+    check_touched,
     check_moments,
+    check_unheard,
     check_sentences,
     check_units,
     check_broadcast,
@@ -63,6 +68,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_exclusive_groups,
     check_state,
     check_draws,
+    check_spots,
     check_params,
     check_unused,
     check_times,

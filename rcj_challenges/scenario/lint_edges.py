@@ -14,6 +14,7 @@ from rcj_challenges.scenario.models.conditions import InZone
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import DrawValue
 from rcj_challenges.scenario.models.triggers import Crosses, PhaseEntered, Trigger
+from rcj_challenges.scenario.other import for_other, has_other
 
 _NAMES = ("entity", "zone", "gate", "other", "robot")
 _WHERE = ("enters", "leaves")
@@ -27,7 +28,7 @@ class _Mover(NamedTuple):
     """A rule that moves something on an edge.
 
     Attributes:
-        rule: the rule.
+        rule: the rule, with the one touched for ``other``.
         each: for whom it fires, if the edge tells.
     """
 
@@ -64,8 +65,12 @@ def _movers(subject: Subject) -> dict[_Edge, dict[str, _Mover]]:
             continue
         for trigger in rule.triggers:
             for edge in _edges(trigger, rule, subject):
-                each = dict(edge[2:]).get("entity") if getattr(trigger, "entity", None) == "each" else None
-                found.setdefault(edge, {}).setdefault(name, _Mover(rule, each))
+                named = dict(edge[2:])
+                if "other" in named and named["other"] == named["entity"]:
+                    continue  # nothing touches itself
+                each = named["entity"] if getattr(trigger, "entity", None) == "each" else None
+                one = for_other(rule, named["other"]) if has_other(rule) else rule
+                found.setdefault(edge, {}).setdefault(name, _Mover(one, each))
     return found
 
 
@@ -155,6 +160,7 @@ def _edges(trigger: Trigger, rule: Rule, subject: Subject) -> Iterator[_Edge]:
     if isinstance(trigger, Crosses) and data.pop("direction"):
         ways = ("forward", "backward") if trigger.direction == "either" else (trigger.direction,)
         axes.append([("direction", way) for way in ways])
+    data.pop("every_s", None)  # that it is heard again makes no other edge of its beginning
     if isinstance(trigger, PhaseEntered):
         came_from = data.pop("from_")
         axes.append(

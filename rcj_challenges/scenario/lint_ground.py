@@ -20,6 +20,7 @@ from rcj_challenges.scenario.models import places
 from rcj_challenges.scenario.models.actions import Place, Remove
 from rcj_challenges.scenario.models.triggers import HalfStarted
 from rcj_challenges.scenario.outlines import Disc, Outline, Point, robot_outline
+from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.tree import Path
 
 _LINE_SAMPLES = 65
@@ -38,7 +39,7 @@ def check_places(subject: Subject) -> Iterator[Suspect]:
     for name, gate in scenario.gates.items():
         if gate.anchor is None and not segment_has_floor(gate.from_m, gate.to_m, parts):
             yield _off_field("gate", ("gates", name), f"gate '{name}' has no point on the field: nothing crosses it")
-    for name, spot in scenario.spots.items():
+    for name, spot in fixed_spots(scenario).items():
         if not on_floor((spot.x_m, spot.y_m), parts):
             yield _off_field("spot", ("spots", name), f"spot '{name}' is off the field: nothing can be put there")
 
@@ -144,6 +145,7 @@ class _Room:
         self._scenario = subject.scenario
         self._floor = Floor(self._scenario.field)
         self._fixed = [body.outline for body in obstacle_bodies(self._scenario) if body.fixed]
+        self._spots = {name: (spot.x_m, spot.y_m) for name, spot in fixed_spots(self._scenario).items()}
 
     def check(self, placings: Sequence[tuple[places.Placing | Place, Path]]) -> Iterator[Suspect]:
         """Put one thing after the other where it certainly goes, and yield those that fit nowhere."""
@@ -188,8 +190,8 @@ class _Room:
         match at:
             case places.AtPoint():
                 found = [at.point]
-            case places.AtSpot() if at.spot in scenario.spots:
-                found = [self._spot(at.spot)]
+            case places.AtSpot() if at.spot in self._spots:
+                found = [self._spots[at.spot]]
             case places.UniformIn():
                 zones = self._subject.roster.expand(at.uniform_in)
                 found = [point for name in zones for point in points_in(scenario.zones[name])]
@@ -199,19 +201,17 @@ class _Room:
                 found = [(ax + share * (bx - ax), ay + share * (by - ay)) for share in shares]
             case places.Choice():
                 names = [name for option in at.choice if isinstance(option, str) for name in self._expand(option)]
-                if scenario.spots.keys() >= set(names):
+                if self._spots.keys() >= set(names):
                     points = [option for option in at.choice if isinstance(option, tuple)]
-                    found = [*points, *map(self._spot, names)]
+                    found = [*points, *(self._spots[name] for name in names)]
             case places.NearestFree(nearest_free=spots) | places.FurthestFree(furthest_free=spots):
-                found = [self._spot(name) for name in self._subject.roster.expand(spots)]
+                names = list(self._subject.roster.expand(spots))
+                if self._spots.keys() >= set(names):
+                    found = [self._spots[name] for name in names]
         return found
 
     def _expand(self, name: str) -> tuple[str, ...]:
         return self._subject.roster.expand(name)
-
-    def _spot(self, name: str) -> Point:
-        spot = self._scenario.spots[name]
-        return (spot.x_m, spot.y_m)
 
     def _try(
         self, name: str, placing: places.Placing | Place, points: list[Point], standing: list[tuple[str, Outline]]

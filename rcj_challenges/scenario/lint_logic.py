@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from itertools import product
 from typing import Any
 
+from rcj_challenges.scenario.catalogue import BOUND
 from rcj_challenges.scenario.lint_suspect import Subject
 from rcj_challenges.scenario.models.conditions import (
     Condition,
@@ -16,6 +17,7 @@ from rcj_challenges.scenario.models.conditions import (
     LastTouch,
     Speed,
     TimerIs,
+    WayIs,
 )
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Rule
@@ -97,7 +99,7 @@ def exclude(one: Condition, other: Condition, rules: tuple[Rule, Rule], subject:
 
 def _have_nothing_in_common(one: Condition, other: Condition, rules: tuple[Rule, Rule], subject: Subject) -> bool:
     match one, other:
-        case CounterIs() | TimerIs() | Speed() | Distance(), _:
+        case CounterIs() | TimerIs() | Speed() | Distance() | WayIs(), _:
             return _is_of_one(one, rules[0], subject) and _same_but(one, other, _BOUNDS) and _apart(one, other)
         case HalfIs(), HalfIs():
             return _apart(one, other)
@@ -105,7 +107,7 @@ def _have_nothing_in_common(one: Condition, other: Condition, rules: tuple[Rule,
             return _in_two_zones(one, other, rules, subject)
         case LastTouch(), LastTouch():
             by, by_other = subject.members(one.by, rules[0]), subject.members(other.by, rules[1])
-            return one.entity == other.entity != "each" and not by & by_other
+            return one.entity == other.entity not in BOUND and not by & by_other
     # What a draw decided, at which step a sequence stands: one value, and it cannot be two.
     return any(
         hasattr(one, key) and _same_but(one, other, frozenset({key})) and getattr(one, key) != getattr(other, key)

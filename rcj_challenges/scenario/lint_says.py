@@ -13,6 +13,7 @@ from rcj_challenges.scenario.models.conditions import AllOf, AnyOf, Condition, D
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import WordValue
 from rcj_challenges.scenario.models.triggers import Trigger
+from rcj_challenges.scenario.other import has_other
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.visiting import visit
 from rcj_challenges.scenario.wording import quoted
@@ -22,6 +23,7 @@ _WORDS_FOR = {
     "robot": "entity",
     "robot_name": "entity",
     "entity_name": "entity",
+    "other_name": "other",
     "team_name": "team",
     "entrant": "team",
 }
@@ -29,6 +31,7 @@ _WORDS_FOR = {
 _NEEDS = {
     "robot_name": "robot",
     "entity_name": "entity",
+    "other_name": "other",
     "team_name": "team",
     "entrant": "team",
     "score": "team",
@@ -101,7 +104,7 @@ _NOTHING_MEASURED = _Lack(
     "a broadcast is about no rule that fires", "let the rule that measures set a counter to it, and tell the counter"
 )
 _LACKS_OF_BROADCAST = {
-    **dict.fromkeys(("entity", "robot", "team"), _NOBODY_TOLD),
+    **dict.fromkeys(("entity", "other", "robot", "team"), _NOBODY_TOLD),
     **dict.fromkeys(("measured", "limit"), _NOTHING_MEASURED),
 }
 
@@ -157,6 +160,10 @@ def _lacks(rule: Rule, subject: Subject) -> dict[str, _Lack]:
         lacks["limit"] = _Lack("no trigger of this rule has a limit", _MEASURE)
         if not any(isinstance(trigger, _OF_SEQUENCES) for trigger in rule.triggers):
             lacks["measured"] = _Lack("no trigger of this rule measures anything", _MEASURE)
+    if not has_other(rule):
+        lacks["other"] = _Lack(
+            "not all triggers of this rule are touches", "give the touches a rule of their own, or leave it out"
+        )
     given = points_of(rule)
     if not given:
         lacks["points"] = _Lack("this rule gives no points", "add {action: score, …}, or leave it out")

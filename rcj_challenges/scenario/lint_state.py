@@ -12,11 +12,13 @@ from rcj_challenges.scenario.models.actions import (
     DrawAction,
     SequenceAction,
     SetFlag,
+    SetSpot,
     TimerAction,
     ToggleFlag,
 )
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe
 from rcj_challenges.scenario.references import Named
+from rcj_challenges.scenario.remembered import remembered_spots
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, file_of
 
 _TESTS = (Expectation, Given, Keyframe)
@@ -73,6 +75,24 @@ def check_draws(subject: Subject) -> Iterator[Suspect]:
                 ("draws", name, "not_again"),
                 f"it is drawn once in a {draw.not_again}: nothing can come again",
                 f"add {{action: draw, draw: {name}}} to a rule, or leave not_again out",
+            )
+
+
+def check_spots(subject: Subject) -> Iterator[Suspect]:
+    """Spots that rules set and nothing reads."""
+    draws, uses = subject.scenario.draws, (use for use in subject.uses if on_field(use) and use.model not in _TESTS)
+    read = {use.name for use in uses if not (use.model is SetSpot and use.path[-1] == "spot")}
+    # A draw may decide among spots.
+    read |= {str(value) for name in read & draws.keys() for value in draws[name].values}
+    members = subject.roster.expand(tuple(read))
+    for name in remembered_spots(subject.scenario):
+        if name not in members:
+            yield Suspect(
+                "spot_never_read",
+                ("spots", name),
+                f"spot '{name}' is set and nothing asks where it is",
+                "put something there, measure a distance to it, or remove the action set_spot",
+                at_key=True,
             )
 
 

@@ -7,11 +7,13 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
 
+from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.errors import Problem
 from rcj_challenges.scenario.models.actions import SetPhase
 from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import DrawnDuration
+from rcj_challenges.scenario.other import has_other, others_of
 from rcj_challenges.scenario.references import REFERENCES, Field, Reference
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import Entries, Leaf, Mark, Path
@@ -119,11 +121,14 @@ class Subject:
         return ((name, rule) for name, rule in self.scenario.rules.items() if self.can_live(rule))
 
     def members(self, names: str | tuple[str, ...], rule: Rule) -> frozenset[str]:
-        """Return the entities that names in a rule may stand for; ``each`` is any member of ``for_each``."""
+        """Return what names in a rule may stand for; ``each`` and ``other`` are any that they may ever be."""
         listed = (names,) if isinstance(names, str) else names
         found: set[str] = set()
         for name in listed:
-            found.update(self.roster.expand(rule.for_each if name == "each" and rule.for_each else name))
+            if name == OTHER and has_other(rule):
+                found.update(others_of(rule, rule.for_each, self.roster))
+            else:
+                found.update(self.roster.expand(rule.for_each if name == EACH and rule.for_each else name))
         return frozenset(found)
 
 

@@ -11,7 +11,7 @@ from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.conditions import HalfIs
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import DrawnDuration, Phase, Timer
-from rcj_challenges.scenario.models.triggers import Holds, NoProgress, StaysIn
+from rcj_challenges.scenario.models.triggers import Holds, NoProgress, StaysIn, Touches
 
 _NEVER = "it never fires"
 
@@ -55,6 +55,8 @@ def _limits(model: Strict, scenario: Scenario) -> Iterator[tuple[str, float, boo
             yield "within_s", model.within_s, True, _NEVER
         case Holds():
             yield "for_s", model.for_s, True, _NEVER
+        case Touches() if model.every_s is not None:
+            yield "every_s", model.every_s, False, "it fires when the touch begins only (leave it out)"
         case Timer():
             yield _lasting(model.lasts_s, scenario, "it never expires")
         case Phase() if model.lasts_s is not None:

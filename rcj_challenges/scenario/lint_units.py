@@ -9,7 +9,7 @@ from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
 from rcj_challenges.scenario.models import triggers
 from rcj_challenges.scenario.models.actions import Count, Emit, Score
-from rcj_challenges.scenario.models.conditions import Distance, Speed
+from rcj_challenges.scenario.models.conditions import Distance, Speed, WayIs
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import WordValue
 from rcj_challenges.scenario.tree import Path
@@ -35,8 +35,8 @@ _SAID = {
 }
 """Units that authors write behind a number, and that in which a trigger may measure it; most are none."""
 _BLANK_AND_UNIT = re.compile(r"\{(measured|limit)\}\s*(m/s|km/h|°|[A-Za-z]+)")
-_OF_LENGTH = frozenset({"m", "cm", "mm", "mps", "distance", "speed", "metres", "meters"})
-"""Parts of a payload's key that promise a distance or a speed."""
+_OF_LENGTH = frozenset({"m", "cm", "mm", "mps", "distance", "way", "speed", "metres", "meters"})
+"""Parts of a payload's key that promise a distance, a way or a speed."""
 _MEASURED = frozenset({"measured", "limit"})
 _IN_HOLDS = "holds measures how long the condition has held, in s, whatever it compares"
 
@@ -77,7 +77,7 @@ def _taken_for_a_length(name: str, rule: Rule) -> Iterator[Suspect]:
                     "measured_in_another_unit",
                     (*path, "word"),
                     f"'{model.word}' is a time here, in s{_why(rule)}",
-                    "tell how far it is by {distance: [ONE, OTHER]}, or leave it out",
+                    "tell how far it is by {distance: [ONE, OTHER]}, how far it came by {way: ONE}, or leave it out",
                 )
 
 
@@ -87,5 +87,5 @@ def _key(path: Path) -> str:
 
 
 def _compares(trigger: triggers.Holds) -> bool:
-    """Return whether a condition is about a distance or a speed."""
-    return any(isinstance(model, Distance | Speed) for model, _ in visit(trigger))
+    """Return whether a condition is about a distance, a way or a speed."""
+    return any(isinstance(model, Distance | WayIs | Speed) for model, _ in visit(trigger))

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rcj_challenges.facts.colours import CSS_COLOURS, hex_colour
-from rcj_challenges.scenario.catalogue import ALWAYS, EACH, FAMILIES, Catalogue, texts
+from rcj_challenges.scenario.catalogue import ALWAYS, BOUND, EACH, FAMILIES, OTHER, Catalogue, texts
 from rcj_challenges.scenario.errors import Problem, listing, nearest
 from rcj_challenges.scenario.models.scenario import MAX_MEMBERS
 from rcj_challenges.scenario.tree import Items, Mark, Path, child, in_names, mark_of, node_at
 
 _SECTIONS = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups")
 """What a group may gather, and groups: in any of the places where one of them is named, so may be another."""
+_MEANINGS = {EACH: "names the current entity of a rule", OTHER: "names what is touched in a rule"}
 
 
 def check_names(catalogue: Catalogue) -> list[Problem]:
@@ -29,8 +30,8 @@ def _namespace(catalogue: Catalogue) -> Iterator[Problem]:
         for name in catalogue.names(section):
             path = (section, name)
             mark = mark_of(catalogue.root, path, at_key=True)
-            if name in (*ALWAYS, EACH):
-                what = "names the current entity of a rule" if name == EACH else "is a group that always exists"
+            if name in (*ALWAYS, *BOUND):
+                what = _MEANINGS.get(name, "is a group that always exists")
                 yield _problem(catalogue, path, f"'{name}' {what}; choose another name", at_key=True)
             elif name.casefold() in seen:
                 known, where, first = seen[name.casefold()]
@@ -43,8 +44,8 @@ def _namespace(catalogue: Catalogue) -> Iterator[Problem]:
             seen.setdefault(name.casefold(), (name, section, mark))
     for robot in catalogue.names("robots"):
         colour = catalogue.leaf("robots", robot, "colour")
-        if isinstance(colour, str) and (colour in (*ALWAYS, EACH) or colour.casefold() in seen):
-            where = "reserved" if colour in (*ALWAYS, EACH) else f"a name in {seen[colour.casefold()][1]} already"
+        if isinstance(colour, str) and (colour in (*ALWAYS, *BOUND) or colour.casefold() in seen):
+            where = "reserved" if colour in (*ALWAYS, *BOUND) else f"a name in {seen[colour.casefold()][1]} already"
             message = f"colour '{colour}' is {where}; a colour is a group of its robots"
             yield _problem(catalogue, ("robots", robot, "colour"), message)
         elif isinstance(colour, str) and hex_colour(colour) is None:

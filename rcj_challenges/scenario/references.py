@@ -17,7 +17,7 @@ class Field:
         noun: what is named, for messages.
         kinds: what it may be.
         groups: whether a group's name may stand for its members.
-        each: whether ``each`` may stand there, within a rule with ``for_each``.
+        each: whether ``each`` may stand there, within a rule with ``for_each``, and ``other``, within one of touches.
         drawn: whether a draw's name may stand for what it decided.
         words: words that are no names.
         keys: True if the names are the keys of the mapping.
@@ -79,7 +79,7 @@ _PHASES = Named("phase", ("phases",), words=frozenset({"play", "any"}))
 _SEQUENCE = Named("sequence", ("sequences",))
 _LAYOUT = Named("layout", ("placements",))
 _ENTRANT = Named("entrant", ("entrants",))
-_RECEIVER = Named("entrant", ("entrants",), words=frozenset({"each"}))
+_RECEIVER = Named("entrant", ("entrants",), words=frozenset({"each", "other"}))
 
 REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     # triggers
@@ -108,6 +108,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (conditions.Speed, "entity"): _ENTITIES,
     (conditions.Distance, "entity"): _ENTITIES,
     (conditions.Distance, "to"): Field("entity or spot", _MOVING | _SPOT, groups=True, each=True),
+    (conditions.WayIs, "entity"): _ENTITIES,
     (conditions.Looks, "entity"): _ROBOTS,
     (conditions.Looks, "towards"): Field("entity or spot", _MOVING | _SPOT, each=True),
     (conditions.CounterIs, "counter"): _READABLE,
@@ -134,6 +135,8 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (actions.TimerAction, "timer"): _TIMER,
     (actions.TimerAction, "entity"): _WHOSE,
     (actions.SequenceAction, "sequence"): _SEQUENCE,
+    (actions.SetSpot, "spot"): Field("spot", _SPOT),
+    (actions.SetSpot, "to"): Field("entity or spot", _MOVING | _SPOT, each=True),
     (actions.DrawAction, "draw"): _DRAW,
     (actions.Place, "layout"): _LAYOUT,
     (actions.Place, "entity"): _ENTITIES,
@@ -148,6 +151,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (state.WordValue, "of"): _ENTRANT,
     (state.PositionValue, "position_of"): _ENTITY,
     (state.DistanceValue, "distance"): Field("entity or spot", _MOVING | _SPOT, groups=True, each=True),
+    (state.WayValue, "way"): _ENTITY,
     (state.TimerValue, "timer"): _TIMER,
     (state.TimerValue, "entity"): _WHOSE,
     (state.LastTouchValue, "last_touch"): _ENTITY,
@@ -161,6 +165,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (state.WeightedDraw, "draw"): _DRAW,
     (state.WeightedWord, "of"): _ENTRANT,
     (state.WeightedDistance, "distance"): Field("entity or spot", _MOVING | _SPOT, groups=True, each=True),
+    (state.WeightedWay, "way"): _ENTITY,
     (state.WeightedTimer, "timer"): _TIMER,
     (state.WeightedTimer, "entity"): _WHOSE,
     # state
@@ -206,7 +211,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (scenario.Expectation, "counters"): Named("counter", ("counters",), keys=True),
     (scenario.Expectation, "flags"): Named("flag", ("flags",), keys=True),
     (scenario.Expectation, "phase"): _PHASE,
-    (scenario.Expectation, "poses"): Field("entity", _MOVING, keys=True),
+    (scenario.Expectation, "poses"): Field("entity or spot", _MOVING | _SPOT, keys=True),
     (scenario.Scenario, "first_phase"): _PHASE,
 }
 

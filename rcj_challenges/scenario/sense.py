@@ -19,6 +19,7 @@ from rcj_challenges.scenario.models.conditions import (
     Speed,
     SpotFree,
     TimerIs,
+    WayIs,
 )
 from rcj_challenges.scenario.models.places import Kick
 from rcj_challenges.scenario.models.robots import LidarDevice
@@ -87,7 +88,7 @@ def _place(model: Strict, path: Path) -> Iterator[Found]:
 
 
 def _comparison(model: Strict, path: Path) -> Iterator[Found]:
-    if not isinstance(model, Speed | Distance | CounterIs | TimerIs | HalfIs):
+    if not isinstance(model, Speed | Distance | WayIs | CounterIs | TimerIs | HalfIs):
         return
     least, most, equals = model.at_least, model.at_most, model.equals
     if least is None and most is None and equals is None:
@@ -99,7 +100,7 @@ def _comparison(model: Strict, path: Path) -> Iterator[Found]:
         yield Found((*path, "at_least"), f"nothing is at least {least:g} and at most {most:g}")
 
 
-_QUANTIFIED = InZone | Speed | Distance | Looks | SpotFree | CounterIs | FlagIs | TimerIs
+_QUANTIFIED = InZone | Speed | Distance | WayIs | Looks | SpotFree | CounterIs | FlagIs | TimerIs
 
 
 def _quantifier(model: Strict, path: Path, roster: Roster) -> Iterator[Found]:

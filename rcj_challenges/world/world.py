@@ -17,6 +17,7 @@ from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.build import build_spec, chassis_of, movable_obstacle
 from rcj_challenges.world.errors import PhysicsFault
 from rcj_challenges.world.recorder import Recorder
+from rcj_challenges.world.rolling import Rolling
 from rcj_challenges.world.surroundings import Surroundings
 from rcj_challenges.world.tables import WorldTables
 from rcj_challenges.world.traction import Side, Traction
@@ -62,6 +63,7 @@ class World:
         self._names = roster.entities
         self._starts = _start_placements(scenario, roster)
         self._traction = Traction(self.model, self.data, self.tables, chassis, scenario.field.friction)
+        self._rolling = Rolling(self.data, self.tables, scenario.balls)
         mujoco.mj_kinematics(self.model, self.data)
         self._surroundings = Surroundings(self.model, self.data, self.tables)
         self._ball_rest_m = self._settled_ball_heights()
@@ -121,6 +123,7 @@ class World:
         model, data, traction, recorder, mj_step = self.model, self.data, self._traction, self._recorder, mujoco.mj_step
         surroundings = self._surroundings
         traction.before_tick()
+        self._rolling.before_tick()
         for substep in range(SUBSTEPS_PER_TICK):
             traction.before_substep()
             surroundings.before_substep()

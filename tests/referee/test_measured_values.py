@@ -190,9 +190,9 @@ class TestPointsAndParamsInSentences:
         assert self.said(actions, "Parked; {points} points.") == "Parked; 4 points."
 
     def test_a_param_stands_by_its_name(self):
-        says = "{n} of {name}, {yes}; {other}; {entity}"
+        says = "{n} of {name}, {yes}; {nothing}; {entity}"
         params = "{n: 2.0, name: three, yes: true, entity: 9}"
-        assert self.said("[{action: end}]", says, params) == "2 of three, true; {other}; Y1"
+        assert self.said("[{action: end}]", says, params) == "2 of three, true; {nothing}; Y1"
 
     def test_it_follows_what_is_set_on_the_command_line(self):
         text = (

@@ -25,6 +25,24 @@ expect:
 """
 )
 
+VOID_REMOVAL = (
+    HEAD
+    + """
+rules:
+  off:
+    triggers: [{trigger: time_reached, at_s: 1.6}]
+    actions: [{action: remove, entity: Y1, for_s: 0.64, back_at: {point: [-0.5, 0]}}]
+  elsewhere_if_there_is_room:
+    triggers: [{trigger: time_reached, at_s: 1.6}]
+    actions: [{action: place, entity: Y1, at: {point: [0.4, 0.5]}, on_failure: stay}]
+expect:
+  it:
+    keyframes: [{at_s: 1, place: {B1: [0.4, 0.5], Y1: [0.5, -0.5]}}]
+    lasts_s: 5
+    poses: {Y1: [0.5, -0.5]}
+"""
+)
+
 OTHER_PHASE = (
     HEAD
     + """
@@ -83,6 +101,9 @@ expect:
     "scenario",
     [
         pytest.param(NO_ROOM, id="a place that found no room and gave up does not keep it away"),
+        pytest.param(
+            VOID_REMOVAL, id="what was placed in the tick of its removal was never off and does not come back"
+        ),
         pytest.param(OTHER_PHASE, id="it comes back whatever phase the match is in"),
         pytest.param(HELD_BY_ANOTHER, id="what one of several holds goes on while another is put elsewhere"),
         pytest.param(STOPPED_CLOCK, id="a half whose clock stood still can be tested to its end"),

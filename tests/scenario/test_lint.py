@@ -218,6 +218,12 @@ class TestTwoRulesMoveOneThing:
         (finding,) = found_in(rules=self.pair(first=", priority: 5"))
         assert finding.problem.path == "rules.a"
 
+    def test_a_touch_that_is_heard_again_begins_on_the_same_edge(self):
+        touch = "{trigger: touches, entity: Y1, other: ball%s}"
+        put = "{action: place, entity: ball, at: {spot: %s}}"
+        rules = rule("a", touch % "", put % "centre") + rule("b", touch % ", every_s: 1", put % "middle_blue")
+        assert kinds(rules=rules) == ["two_rules_move_one_thing"]
+
     def test_exclusive_contrary_conditions_other_phases_and_other_edges_are_sound(self):
         one = ", exclusive: outcome"
         assert kinds(rules=self.pair(one, one)) == []
@@ -343,6 +349,9 @@ class TestTimes:
             "a", "{trigger: time_reached, at_s: 1}", "{action: remove, entity: Y1, for_s: 61}", ", cooldown_s: 61"
         )
         assert kinds(rules=off) == ["limit_longer_than_the_half"] * 2
+        touched = rule("a", "{trigger: touches, entity: Y1, other: ball, every_s: %s}")
+        assert kinds(rules=touched % 61) == ["limit_longer_than_the_half"]
+        assert kinds(rules=touched % 1) == []
 
     @pytest.mark.parametrize(
         "section", ["timers: {t: {lasts_s: {draw: d}, starts: true}}", "phases: {t: {lasts_s: {draw: d}}}"]
@@ -466,7 +475,7 @@ class TestGround:
         ],
     )
     def test_two_fixed_obstacles_inside_each_other(self, one, other, inside):
-        obstacles = f"obstacles: {{one: {{shape: {one}}}, other: {{shape: {other}}}}}"
+        obstacles = f"obstacles: {{one: {{shape: {one}}}, another: {{shape: {other}}}}}"
         assert kinds(obstacles) == ["obstacles_in_each_other"] * inside
 
     def test_a_robot_that_nobody_drives(self):

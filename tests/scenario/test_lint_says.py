@@ -94,7 +94,7 @@ class TestUnknownBlanks:
         (finding,) = told(ENTERS % "Y1", "{entty} is there")
         assert str(finding) == (
             "it.yaml:17:11: warning: rules.r.says: '{entty}' is not filled in, it stays as written; did you mean 'entity'? "
-            "what is filled in is {entity}, {team}, {measured}, {limit}, {points}, and params by their names "
+            "what is filled in is {entity}, {other}, {team}, {measured}, {limit}, {points}, and params by their names "
             "[placeholder_unknown]"
         )
 

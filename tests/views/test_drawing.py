@@ -56,6 +56,12 @@ def test_every_zone_spot_gate_and_robot_is_labelled(name):
         assert any(thing in label for label in labels), thing
 
 
+@pytest.mark.parametrize(("colour", "stroke"), [("red", "#ff0000"), ("'#12ab34'", "#12ab34")])
+def test_a_zone_that_has_a_colour_is_drawn_in_it(colour, stroke):
+    strokes = [path.get("stroke") for path in drawn("match", f"zones.pitch.colour={colour}").iter(f"{SVG}path")]
+    assert strokes.count(stroke) == 1
+
+
 def test_the_drawing_moves_when_a_number_changes():
     before = {element.get("d") for element in drawn("match").iter(f"{SVG}path")}
     after = {element.get("d") for element in drawn("match", "zones.blue_goal.x_max_m=0.1").iter(f"{SVG}path")}

@@ -35,21 +35,21 @@ def playing(footage, text):
     return replace(footage, scenario=scenario, things=visible_things(scenario))
 
 
-def is_line(footage, point):
-    """Return whether a point of the floor is painted, seen from above."""
+def is_line(footage, point, colour=LINE):
+    """Return whether a point of the floor is painted in a colour, seen from above."""
     view = whole_field(footage, SIZE, 0)
     column, row = (int(value) for value in view.px(*point))
     found = np.asarray(paint_ground(footage, SIZE, view))[row - 1 : row + 2, column - 1 : column + 2].astype(int)
-    return bool((np.abs(found - LINE).sum(axis=2) < 12).any())
+    return bool((np.abs(found - colour).sum(axis=2) < 12).any())
 
 
-def painted(footage):
-    """Return middle and half size of each line on the floor of the 3-D model."""
+def painted(footage, colour=LINE):
+    """Return middle and half size of each line of a colour on the floor of the 3-D model."""
     model = solid_model(footage, (64, 64), 0, Lettering(), shadows=False)
     bars = [k for k in range(model.ngeom) if model.geom_type[k] == mujoco.mjtGeom.mjGEOM_BOX]
-    colour = np.array(LINE) / 255
+    sought = np.array(colour) / 255
     return [
-        (model.geom_pos[k], model.geom_size[k]) for k in bars if np.allclose(model.geom_rgba[k][:3], colour, atol=0.01)
+        (model.geom_pos[k], model.geom_size[k]) for k in bars if np.allclose(model.geom_rgba[k][:3], sought, atol=0.01)
     ]
 
 
@@ -91,3 +91,16 @@ def test_a_zone_beside_the_floor_is_not_painted(footage):
     shown = playing(footage, NO_GOALS % ", far: {shape: circle, centre_m: [3, 0], radius_m: 0.2, drawn: true}")
     assert floor_outline(shown.scenario.zones["far"], shown.scenario.field) == []
     assert len(painted(shown)) == len(painted(playing(footage, NO_GOALS % "")))
+
+
+RED = (255, 0, 0)
+BASE = ", base: {shape: rect, x_min_m: 0.3, x_max_m: 0.5, y_min_m: 0.2, y_max_m: 0.4, drawn: true%s}"
+
+
+@pytest.mark.parametrize(("colour", "told", "line"), [("", None, LINE), (", colour: red", "red", RED)])
+def test_a_base_is_painted_in_its_own_colour(footage, colour, told, line):
+    shown = playing(footage, NO_GOALS % (BASE % colour))
+    assert is_line(shown, (0.4, 0.2), line)
+    assert len([x for (x, _, _), _ in painted(shown, line) if 0.25 < x < 0.55]) == 4
+    (zone,) = (zone for zone in shown.things["zones"] if zone["name"] == "base")
+    assert zone.get("colour") == told

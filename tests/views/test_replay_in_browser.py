@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import rcj_challenges
 from rcj_challenges.records.testing import write_made_up_run
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.views.replay import write_replay
@@ -14,6 +15,7 @@ from tests.views.browser_stage import NARROW, NO_WEBGL, WIDE, Stage, picture, se
 
 HOSTILE = "</script><script>document.title='stolen'</script><img src=x onerror=\"document.title='stolen'\">"
 TICKS = 1500
+PARTS_OF_THE_FLOOR = ("maths", "colours", "mesh", "ground")
 
 
 @pytest.fixture(scope="module")
@@ -310,6 +312,24 @@ def test_a_failed_program_is_said_on_the_robots_card(show: Callable[..., Any], r
     page.keyboard.press(".")
     settled(page)
     assert "program failed at 0:09.6: crash: ZeroDivisionError" in card.inner_text()
+
+
+def test_a_zone_that_has_a_colour_is_shown_in_it(show: Callable[..., Any], run: Path) -> None:
+    viewer = Path(rcj_challenges.__file__).parent / "views" / "replay" / "viewer"
+    parts = "\n".join((viewer / f"{name}.js").read_text(encoding="utf-8") for name in PARTS_OF_THE_FLOOR)
+    colours = show(run).evaluate(
+        "() => {"
+        + parts
+        + """
+          const field = { width_m: 1.3, length_m: 1.5, corner_cut_m: 0.06, goals: [] };
+          const zone = { shape: "circle", centre_m: [0, 0], radius_m: 0.2, inverted: false, drawn: true };
+          const facts = { field, zones: [{ ...zone, name: "plain" }, { ...zone, name: "base", colour: "red" }] };
+          const lines = [...Ground.field(facts), ...Ground.marks(facts, { zones: true })].filter((one) => one.line);
+          return lines.map((one) => one.line.join());
+        }"""
+    )
+    assert colours.count("1,0,0") == 2
+    assert len(colours) == 5  # the edge of the field, and each zone as a line and as a mark
 
 
 def test_zones_gates_and_spots_can_be_shown(show: Callable[..., Any], run: Path) -> None:

@@ -53,14 +53,14 @@ def test_a_single_ball_is_the_ball():
 
 LIKE_OTHERS = {
     "gate": (
-        "gates: {gate: {from_m: [0, 0], to_m: [0, 0.2]}, other: {from_m: [0.2, 0], to_m: [0.2, 0.2]}}\n",
+        "gates: {gate: {from_m: [0, 0], to_m: [0, 0.2]}, another: {from_m: [0.2, 0], to_m: [0.2, 0.2]}}\n",
         "trigger: crosses, entity: Y1, gate: gate",
         "Y1 crosses the gate “gate”",
     ),
     "obstacle": (
         (
             "obstacles: {obstacle: {shape: wall, from_m: [0.3, 0], to_m: [0.5, 0]}, "
-            "other: {shape: wall, from_m: [-0.5, 0], to_m: [-0.3, 0]}}\n"
+            "another: {shape: wall, from_m: [-0.5, 0], to_m: [-0.3, 0]}}\n"
         ),
         "trigger: touches, entity: Y1, other: obstacle",
         "Y1 touches the obstacle “obstacle”",
@@ -109,6 +109,13 @@ def test_several_balls_stand_in_a_table():
 
 def test_colours_that_nobody_gave_are_no_column():
     assert "| ball | start | diameter | mass | sends infra-red |" in sheet(SECOND + RULE)
+
+
+def test_the_sheet_says_of_a_ball_that_slows_down_by_how_much():
+    told = "it loses 0.05 m/s in each second."
+    assert f"While it rolls, {told}" in sheet("balls: {ball: {slows_mps2: 0.05}}\n" + RULE)
+    assert "loses" not in sheet(SECOND + RULE)
+    assert f"While second rolls, {told}" in sheet("balls: {second: {start_m: [0.3, 0], slows_mps2: 0.05}}\n" + RULE)
 
 
 def test_without_balls_the_sheet_says_so():

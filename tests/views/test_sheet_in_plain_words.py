@@ -167,7 +167,8 @@ def test_a_draw_that_rules_repeat_is_not_made_once():
     assert again in sheet(draws % ("", GOAL, ""))
     whole = "Chance decides “gain” when the match starts, and again when a rule says so: 1 or 5."
     assert whole in sheet(draws % (", keep: match", GOAL, ""))
-    assert "Chance decides “gain” once a match: 1 or 5." in sheet(draws % (", keep: match", GOAL, ", as: 5"))
+    set_too = "Chance decides “gain” once a match: 1 or 5; rules set it as well."
+    assert set_too in sheet(draws % (", keep: match", GOAL, ", as: 5"))
 
 
 def test_a_layout_that_no_rule_uses_is_not_told():

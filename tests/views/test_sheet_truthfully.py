@@ -151,6 +151,15 @@ def test_a_rank_by_a_counter_kept_per_robot_says_that_it_sums_those_of_ones_own_
     assert "with 3 s added for each count of the sum of the counters “tries” of its own robots" in text
 
 
+def test_a_bonus_in_seconds_is_taken_off_and_several_are_strung_together():
+    plus = "[{counter: changes, weight: -5}, {counter: repeats, weight: 2}]"
+    text = sheet(f"counters: {{changes: {{}}, repeats: {{}}}}\nresult: {{rank: [{{time: ascending, plus: {plus}}}]}}\n")
+    assert (
+        "The better one has a shorter time, with 5 s taken off for each count of the counter “changes” "
+        "and 2 s added for each count of the counter “repeats”."
+    ) in text
+
+
 # --- sequences --------------------------------------------------------------------------------------------------------
 
 WAY = "zones: {a: {shape: circle, centre_m: [0, 0], radius_m: 0.1}, b: {shape: circle, centre_m: [0, 0.3], radius_m: 0.1}, end: {shape: circle, centre_m: [0, -0.3], radius_m: 0.1}}\n"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 from math import acos, cos
 
+from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.contacts import Pair
 from rcj_challenges.referee.rules import Listener, StandingRule
@@ -16,13 +17,18 @@ def touches(model: models.Touches, rule: StandingRule, position: int, workshop: 
     """Fires when two bodies come into contact that were not in the sub-step before."""
     workshop.contacts.used = True
     watch = workshop.watch(TouchWatch, (), rule, lambda: TouchWatch(workshop))
-    others = [workshop.roster.index[name] for name in workshop.members(model.other, rule.each)]
+    members = workshop.members(model.other, rule.each)
+    others = [workshop.roster.index[name] for name in members if rule.other in (None, name)]
     for entity in workshop.entities(model.entity, rule.each):
         listener = workshop.listener(rule, position, model.trigger, entity)
         for other in others:
             if other != entity:
                 pair = (min(entity, other), max(entity, other))
                 watch.listeners.setdefault(pair, []).append(listener)
+                if model.every_s is not None:
+                    key = (pair, model.every_s)
+                    make = partial(LastingTouchWatch, pair, model.every_s, workshop)
+                    workshop.watch(LastingTouchWatch, key, rule, make).listeners.append(listener)
 
 
 class TouchWatch(TickWatch):
@@ -44,6 +50,40 @@ class TouchWatch(TickWatch):
         """Report new contacts."""
         for pair in self._contacts.fresh:
             self._hits.report(self.listeners.get(pair, []))
+
+
+class LastingTouchWatch(TickWatch):
+    """Reports at intervals that two things still touch; that they began to, the `TouchWatch` says.
+
+    Attributes:
+        listeners: ears.
+    """
+
+    def __init__(self, pair: Pair, every_s: float, workshop: Workshop) -> None:
+        self.listeners: list[Listener] = []
+        self._pair = pair
+        self._every_s = every_s
+        self._began = self._times = self._due = 0
+        self._state = workshop.state
+        self._contacts = workshop.contacts
+        self._hits = workshop.hits
+
+    def restart(self) -> None:
+        """Count from now on."""
+        self._began = self._state.tick
+        self._count(1)
+
+    def look(self) -> None:
+        """Report when another interval is full."""
+        if self._pair in self._contacts.fresh:
+            self.restart()
+        elif self._pair in self._contacts.touching and self._state.tick >= self._due:
+            self._count(self._times + 1)
+            self._hits.report(self.listeners)
+
+    def _count(self, times: int) -> None:
+        # Reckoned from the beginning: intervals that are no whole ticks do not add up to a delay.
+        self._times, self._due = times, self._began + ticks_from_s(times * self._every_s)
 
 
 def tips_over(model: models.TipsOver, rule: StandingRule, position: int, workshop: Workshop) -> None:

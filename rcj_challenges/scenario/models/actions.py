@@ -31,14 +31,15 @@ class Score(Strict):
     action: Literal["score"]
     entrant: Name | LastToucher = described(
         ...,
-        "who gets them (the seat as played in this half); each: who drives the robot of for_each; "
+        "who gets them (the seat as played in this half); each: who drives the robot of for_each; other: who drives "
+        "the robot touched; "
         "{last_touch: ball}: who drives the robot that touched it last since it was put where it is, else nobody",
         union_mode="left_to_right",
     )
     points: Points = described(
         1,
-        "how many: a number, {counter, flag, draw, timer or word: NAME}, {distance: [A, B]}, or a list of which all "
-        "is added: numbers, and these with weights",
+        "how many: a number, {counter, flag, draw, timer, way or word: NAME}, {distance: [A, B]}, or a list of which "
+        "all is added: numbers, and these with weights",
     )
 
 
@@ -50,11 +51,11 @@ class Count(Strict):
     entity: Name | None = described(None, "for a counter kept per entity: whose; each; left out: all of them")
     by: Amount | None = described(
         None,
-        "what is added, a number, {counter, flag, draw, timer or word: NAME} or {distance: [A, B]}; 1 if neither `by` "
-        "nor `to` is given",
+        "what is added, a number, {counter, flag, draw, timer, way or word: NAME} or {distance: [A, B]}; 1 if neither "
+        "`by` nor `to` is given",
     )
     to: Amount | None = described(
-        None, "what it is set to, a number, {counter, flag, draw, timer or word: NAME} or {distance: [A, B]}"
+        None, "what it is set to, a number, {counter, flag, draw, timer, way or word: NAME} or {distance: [A, B]}"
     )
 
 
@@ -92,6 +93,17 @@ class SequenceAction(Strict):
     action: Literal["sequence"]
     sequence: Name = described(..., "the sequence")
     do: Literal["reset"] = described("reset", "reset: it stands before its first step, or at it if the entity is in it")
+
+
+class SetSpot(Strict):
+    """Set a spot to where something is now, and so remember that place; each half begins with that of the file.
+
+    What is off the field leaves it where it is. What is placed in the same tick is still where it was before.
+    """
+
+    action: Literal["set_spot"]
+    spot: Name = described(..., "the spot")
+    to: Name | Point = described(..., "an entity, each, a spot, or [x, y] in m")
 
 
 class DrawAction(Strict):
@@ -168,6 +180,7 @@ Action = Annotated[
     | ToggleFlag
     | TimerAction
     | SequenceAction
+    | SetSpot
     | DrawAction
     | Place
     | Remove

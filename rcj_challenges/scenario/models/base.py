@@ -4,9 +4,18 @@ No module of this package says ``from __future__ import annotations``: pydantic 
 annotations anew at every start, which is a seventh of the time that ``validate`` takes.
 """
 
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, ValidationInfo
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    ConfigDict,
+    Field,
+    SerializerFunctionWrapHandler,
+    StringConstraints,
+    ValidationInfo,
+    model_serializer,
+)
 from pydantic_core import PydanticCustomError
 
 from rcj_challenges.facts.colours import hex_colour
@@ -18,6 +27,21 @@ class Strict(BaseModel):
 
     # Deferred: the whole file's validator is built once, not one more for each of its parts.
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False, defer_build=True)
+
+
+class Grown(Strict):
+    """A model that got keys later. What does not say them has the data, and so the digests, of the time before.
+
+    Attributes:
+        later_keys: those keys; None stands for left out.
+    """
+
+    later_keys: ClassVar[frozenset[str]]
+
+    @model_serializer(mode="wrap")
+    def _as_before(self, dump: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        data: dict[str, Any] = dump(self)
+        return {key: value for key, value in data.items() if value is not None or key not in self.later_keys}
 
 
 def described(default: Any, text: str, **bounds: Any) -> Any:

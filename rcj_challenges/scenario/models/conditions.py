@@ -57,6 +57,14 @@ class Distance(_Compared):
     of: Quantifier = described("any", "how many of a group must satisfy it")
 
 
+class WayIs(_Compared):
+    """How far an entity has driven or rolled in this half, in m; where rules put it is no way. Also off the field."""
+
+    condition: Literal["way"]
+    entity: Names = described(..., "an entity, each, or a group with `of`")
+    of: Quantifier = described("any", "how many of a group must satisfy it")
+
+
 class Looks(_Condition):
     """Whether a robot looks towards something, or in a direction; off the field nobody looks or is looked at."""
 
@@ -161,6 +169,7 @@ Single = (
     InZone
     | Speed
     | Distance
+    | WayIs
     | Looks
     | CounterIs
     | FlagIs

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.scenario.models.base import Colour, DurationS, Point, Positive, Strict, described
+from rcj_challenges.scenario.models.base import Colour, DurationS, Grown, Point, Positive, Strict, described
 
 
 class Match(Strict):
@@ -39,14 +39,19 @@ class FieldModel(Strict):
     goals: dict[str, Goal] = described({}, "goals by name")
 
 
-class Ball(Strict):
+class Ball(Grown):
     """A ball: a rolling sphere that sends infra-red to the robots' ball receivers."""
+
+    later_keys = frozenset({"slows_mps2"})
 
     start_m: Point = described((0.0, 0.0), "where it lies at the start of a half, [x, y] in m")
     radius_m: Positive = described(0.021, "radius in m", le=0.2)
     mass_kg: Positive = described(0.05, "mass in kg", le=5)
     colour: Colour = described("#e8590c", "colour in pictures: a CSS colour name or #rrggbb")
     emits: bool = described(True, "whether it sends infra-red; with several emitting balls a robot hears them all")
+    slows_mps2: Positive | None = described(
+        None, "how much speed it loses in each s while it rolls, in m/s²; left out: none, it rolls on", le=5
+    )
 
 
 class _Obstacle(Strict):

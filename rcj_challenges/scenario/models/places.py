@@ -2,14 +2,29 @@
 
 from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Field, SerializerFunctionWrapHandler, Tag, model_serializer
+from pydantic import Discriminator, Field, Tag
 
-from rcj_challenges.scenario.models.base import Name, Names, NotNegative, Point, Positive, Strict, described
+from rcj_challenges.scenario.models.base import (
+    Colour,
+    Grown,
+    Name,
+    Names,
+    NotNegative,
+    Point,
+    Positive,
+    Strict,
+    described,
+)
 
 
-class _Zone(Strict):
+class _Zone(Grown):
+    later_keys = frozenset({"colour"})
+
     inverted: bool = described(False, "True: everything but this")
     drawn: bool = described(False, "True: its outline is a line on the field in pictures")
+    colour: Colour | None = described(
+        None, "colour of its outline in pictures: a CSS colour name or #rrggbb; left out: that of lines"
+    )
 
 
 class RectZone(_Zone):
@@ -206,15 +221,10 @@ class Kick(Strict):
     )  # fmt: skip
 
 
-class MayKick(Strict):
+class MayKick(Grown):
     """What may set a ball rolling. Where it does not, its data is that of the time before there were kicks."""
 
-    @model_serializer(mode="wrap")
-    def _without_no_kick(self, dump: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        data: dict[str, Any] = dump(self)
-        if data.get("kick", ...) is None:
-            del data["kick"]
-        return data
+    later_keys = frozenset({"kick"})
 
 
 class Placing(MayKick):

@@ -5,7 +5,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from rcj_challenges.scenario.models.actions import Action
-from rcj_challenges.scenario.models.base import DurationS, EventName, Name, Scalar, Strict, WallTimeS, described
+from rcj_challenges.scenario.models.base import DurationS, EventName, Grown, Name, Scalar, Strict, WallTimeS, described
 from rcj_challenges.scenario.models.conditions import Condition
 from rcj_challenges.scenario.models.field import Ball, FieldModel, Match, Obstacle
 from rcj_challenges.scenario.models.places import Gate, Layout, Spot, Zone
@@ -41,7 +41,7 @@ class Rule(Strict):
     max_executions: int | None = described(
         None, "how often it may fire in a half: with for_each for each member, else in all", ge=1
     )
-    says: str = described("", "the sentence for the sheet, the referee's log and the page; {entity}, {team}, "
+    says: str = described("", "the sentence for the sheet, the referee's log and the page; {entity}, {other}, {team}, "
                           "{measured}, {limit}, {points} and params by name, {goal_points}, are filled in",
                           max_length=500)  # fmt: skip
 
@@ -104,8 +104,10 @@ class Limits(Strict):
     processes: int = described(32, "threads it may start", ge=1, le=1000)
 
 
-class Keyframe(Strict):
+class Keyframe(Grown):
     """A moment of a scripted play: where things are put by hand, what touches what, whose program fails."""
+
+    later_keys = frozenset({"touch_lasts_s"})
 
     at_s: float = described(..., "time in the half in s", ge=0, le=86_400)
     place: dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]] = described(
@@ -118,6 +120,9 @@ class Keyframe(Strict):
     )
     touch: tuple[Annotated[tuple[Name, Name], Field(strict=False)], ...] = Field(
         (), strict=False, description="pairs that touch in this tick"
+    )
+    touch_lasts_s: DurationS | None = described(
+        None, "how long these pairs go on touching, in s; left out: in this tick only"
     )
     tips: tuple[Name, ...] = Field((), strict=False, description="robots that lie on their side from here on")
     fault: tuple[Name, ...] = Field((), strict=False, description="robots whose program fails here")
@@ -166,7 +171,7 @@ class Expectation(Strict):
     flags: dict[Name, bool] = described({}, "flags at the end")
     phase: Name | None = described(None, "the phase at the end")
     poses: dict[Name, Annotated[tuple[float, float], Field(strict=False)]] = described(
-        {}, "entity -> [x, y] at the end in m"
+        {}, "entity or spot -> [x, y] at the end in m"
     )
     tolerance_m: float = described(0.001, "how far off a pose may be, in m", ge=0)
 

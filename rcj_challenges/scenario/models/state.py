@@ -2,13 +2,15 @@
 
 from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Field, SerializerFunctionWrapHandler, Tag, model_serializer
+from pydantic import Discriminator, Field, Tag
 
-from rcj_challenges.scenario.models.base import DurationS, Name, Point, Scalar, Strict, described
+from rcj_challenges.scenario.models.base import DurationS, Grown, Name, Point, Scalar, Strict, described
 
 
-class Draw(Strict):
+class Draw(Grown):
     """What chance decides at the start of a half, and again on every ``draw`` action."""
+
+    later_keys = frozenset({"not_again"})
 
     values: tuple[Scalar, ...] = Field(..., strict=False, min_length=1, description="the values, equally likely")
     not_last: bool = described(False, "True: never the same value twice running")
@@ -18,14 +20,6 @@ class Draw(Strict):
         "together; a value that a rule sets counts as drawn. Left out: all are in every draw",
     )
     keep: Literal["half", "match"] = described("half", "match: the value lives on in the next half, undrawn")
-
-    @model_serializer(mode="wrap")
-    def _as_before_not_again(self, dump: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        """Leave out what is not said, so that the data of such a draw stays that of the time before there was it."""
-        data: dict[str, Any] = dump(self)
-        if data.get("not_again", ...) is None:
-            del data["not_again"]
-        return data
 
 
 class Counter(Strict):
@@ -133,9 +127,10 @@ class WordValue(Strict):
     """A fact of the match by its word."""
 
     word: Literal[
-        "robot_name", "entity_name", "team_name", "entrant", "score", "halftime", "match_id", "total_match_time_s",
-        "time_s", "time_left_s", "measured", "limit", "phase", "seed_id",
-    ] = described(..., "the word; times have fractions; measured, limit: the trigger's (of holds: in s)")  # fmt: skip
+        "robot_name", "entity_name", "other_name", "team_name", "entrant", "score", "halftime", "match_id",
+        "total_match_time_s", "time_s", "time_left_s", "measured", "limit", "phase", "seed_id",
+    ] = described(..., "the word; times have fractions; measured, limit: the trigger's (of holds: in s); other_name: "
+                  "of the one touched, in a rule of touches")  # fmt: skip
     of: Name | None = described(None, "for team_name and score: the entrant; left out: that of the current entity")
 
 
@@ -156,6 +151,15 @@ class DistanceValue(Strict):
     )
 
 
+class WayValue(Strict):
+    """How far an entity has driven or rolled in this half, in m to the millimetre, from tick to tick.
+
+    Where rules put it is no way. Since a moment: this less a counter that was set to it then.
+    """
+
+    way: Name = described(..., "an entity, or each")
+
+
 class TimerValue(Strict):
     """How long a timer has run, in s; what is left of it is its length less this."""
 
@@ -172,7 +176,7 @@ class LastTouchValue(Strict):
 
 
 def _which_value(value: Any) -> str | None:
-    keys = ("counter", "flag", "draw", "word", "position_of", "distance", "timer", "last_touch")
+    keys = ("counter", "flag", "draw", "word", "position_of", "distance", "way", "timer", "last_touch")
     if isinstance(value, dict):
         return next((key for key in keys if key in value), None)
     if isinstance(value, Strict):
@@ -188,6 +192,7 @@ Value = Annotated[
     | Annotated[WordValue, Tag("word")]
     | Annotated[PositionValue, Tag("position_of")]
     | Annotated[DistanceValue, Tag("distance")]
+    | Annotated[WayValue, Tag("way")]
     | Annotated[TimerValue, Tag("timer")]
     | Annotated[LastTouchValue, Tag("last_touch")],
     Discriminator(_which_value),
@@ -247,6 +252,12 @@ class WeightedDistance(DistanceValue):
     weight: float = described(1.0, "points for each metre")
 
 
+class WeightedWay(WayValue):
+    """A part of a score: how far an entity has driven or rolled in this half times a weight."""
+
+    weight: float = described(1.0, "points for each metre")
+
+
 class WeightedTimer(TimerValue):
     """A part of a score: how long a timer has run, in whole seconds, rounded down, times a weight."""
 
@@ -269,6 +280,7 @@ Part = Annotated[
     | Annotated[WeightedDraw, Tag("draw")]
     | Annotated[WeightedWord, Tag("word")]
     | Annotated[WeightedDistance, Tag("distance")]
+    | Annotated[WeightedWay, Tag("way")]
     | Annotated[WeightedTimer, Tag("timer")],
     Discriminator(_which_part),
 ]
@@ -290,6 +302,7 @@ Amount = Annotated[
     | Annotated[NumberDraw, Tag("draw")]
     | Annotated[NumberWord, Tag("word")]
     | Annotated[DistanceValue, Tag("distance")]
+    | Annotated[WayValue, Tag("way")]
     | Annotated[TimerValue, Tag("timer")],
     Discriminator(_which_number),
 ]
@@ -301,6 +314,7 @@ Points = Annotated[
     | Annotated[NumberDraw, Tag("draw")]
     | Annotated[NumberWord, Tag("word")]
     | Annotated[DistanceValue, Tag("distance")]
+    | Annotated[WayValue, Tag("way")]
     | Annotated[TimerValue, Tag("timer")]
     | Annotated[tuple[Part, ...], Field(strict=False), Tag("parts")],
     Discriminator(_which_number),

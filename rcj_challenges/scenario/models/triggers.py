@@ -7,6 +7,7 @@ from pydantic import Field
 from rcj_challenges.scenario.models.base import (
     DurationS,
     EventName,
+    Grown,
     Name,
     Names,
     NotNegative,
@@ -79,12 +80,21 @@ class Crosses(Strict):
     direction: Literal["forward", "backward", "either"] = described("either", "which way, seen from the gate")
 
 
-class Touches(Strict):
+class Touches(Grown):
     """Fires when two bodies come into contact that were not in the sub-step before."""
+
+    later_keys = frozenset({"every_s"})
 
     trigger: Literal["touches"]
     entity: Names = described(..., _ENTITY)
-    other: Names = described(..., "what it touches: entities, obstacles, walls, or a group")
+    other: Names = described(
+        ...,
+        "what it touches: entities, obstacles, walls, or a group; where all triggers of a rule are touches, its "
+        "conditions and actions can name the one touched: other, as each",
+    )
+    every_s: DurationS | None = described(
+        None, "fires again after each of these times in s while they go on touching; left out: when it begins only"
+    )
 
 
 class Displaced(Strict):
@@ -164,7 +174,9 @@ class Holds(Strict):
 
     trigger: Literal["holds"]
     condition: Condition = described(..., "the condition")
-    for_s: NotNegative = described(0.0, "how long it must hold, in s")
+    for_s: NotNegative = described(
+        0.0, "how long it must hold, in s; 0: when it comes true, and not if it was true when the rule came to life"
+    )
     grace_s: NotNegative = described(0.0, "an interruption of up to this time counts as holding, in s")
     every_s: DurationS | None = described(
         None, "fires again after each of these times in s while it goes on, counted from the beginning; left out: once"

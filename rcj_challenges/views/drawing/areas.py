@@ -20,6 +20,7 @@ from rcj_challenges.scenario.models.places import (
     UniformIn,
 )
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.drawing.beside import layouts_of, listed_names, places_beside
 from rcj_challenges.views.drawing.flips import AS_WRITTEN, Flip, flipped, flips_of
@@ -98,13 +99,13 @@ def _placings(scenario: Scenario) -> Iterator[_Put]:
         # What no rule puts is nowhere.
         for placing in layout:
             for flip in flips_of(placing, mirrors):
-                yield from _puts(placing, listed_names(placing.entity, ""), flip)
+                yield from _puts(placing, listed_names(placing.entity), flip)
     for rule, action in places:
         if isinstance(action, Place) and action.entity is not None:
             for flip in flips_of(action, [None]):
-                yield from _puts(action, listed_names(action.entity, rule.for_each or ""), flip)
+                yield from _puts(action, listed_names(action.entity, rule), flip)
         elif isinstance(action, Remove) and action.for_s is not None:
-            yield listed_names(action.entity, rule.for_each or ""), action.back_at, (0.0, 0.0), AS_WRITTEN, False
+            yield listed_names(action.entity, rule), action.back_at, (0.0, 0.0), AS_WRITTEN, False
 
 
 def _puts(placing: Placing | Place, names: tuple[str, ...], flip: Flip) -> Iterator[_Put]:
@@ -168,7 +169,11 @@ def _options(at: At) -> tuple[str | Point, ...]:
 
 
 def _spots(scenario: Scenario, roster: Roster, name: str) -> list[Point]:
-    """Return the points of a spot, of a group of spots, or of all spots that a draw can decide; of an entity none."""
+    """Return the points of a spot, of a group of spots, or of all spots that a draw can decide.
+
+    Of an entity, and of a spot that rules set, nobody knows where it is.
+    """
     draw = None if name in scenario.spots else scenario.draws.get(name)
     spots = roster.expand(name) if draw is None else tuple(map(str, draw.values))
-    return [(spot.x_m, spot.y_m) for one in spots if (spot := scenario.spots.get(one)) is not None]
+    fixed = fixed_spots(scenario)
+    return [(fixed[one].x_m, fixed[one].y_m) for one in spots if one in fixed]

@@ -8,11 +8,14 @@ from dataclasses import dataclass, replace
 from itertools import product
 from typing import NamedTuple
 
+from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.models.actions import Place, Remove
 from rcj_challenges.scenario.models.base import Names
 from rcj_challenges.scenario.models.places import At, AtPoint, AtSpot, Facing, Mirror, Placing, RelativeTo, Start
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import DrawValue
+from rcj_challenges.scenario.other import written_others
+from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.drawing.flips import AS_WRITTEN, Flip, flipped
 from rcj_challenges.views.drawing.labels import Point
@@ -71,9 +74,13 @@ def layouts_of(scenario: Scenario, action: Place) -> list[str]:
     return [] if action.layout is None else [action.layout]
 
 
-def listed_names(names: Names, each: str) -> tuple[str, ...]:
-    """Return names as a row, with what a rule goes over for ``each``."""
-    return tuple(each if name == "each" else name for name in ((names,) if isinstance(names, str) else names))
+def listed_names(names: Names, rule: Rule | None = None) -> tuple[str, ...]:
+    """Return names as a row, with what a rule goes over for ``each``, and what it finds touched for ``other``."""
+    listed = (names,) if isinstance(names, str) else names
+    if rule is None:
+        return listed
+    bound = {EACH: (rule.for_each or "",), OTHER: written_others(rule)}
+    return tuple(one for name in listed for one in bound.get(name, (name,)))
 
 
 def _start_noise_m(scenario: Scenario, entity: str) -> Point:
@@ -121,10 +128,11 @@ class _Walk:
         self.board = dict(board)
         self.found: list[Beside] = []
         self._scenario, self._roster, self._flags = scenario, roster, flags
-        self._each = rule.for_each or ""
+        self._spots = {name: (spot.x_m, spot.y_m) for name, spot in fixed_spots(scenario).items()}
+        self._rule = rule
         for action in rule.actions:
             if isinstance(action, Remove):
-                for name in roster.expand(listed_names(action.entity, self._each)):
+                for name in roster.expand(listed_names(action.entity, rule)):
                     self.board.pop(name, None)
             elif isinstance(action, Place):
                 self._place(action)
@@ -145,7 +153,7 @@ class _Walk:
         """Put what a placement names, and remember where, if that is beside something."""
         own = self._flip(placing.mirror)
         flip = (own[0] is not whole[0], own[1] is not whole[1])
-        names = listed_names(placing.entity or (), self._each)
+        names = listed_names(placing.entity or (), self._rule)
         self._remember(names, placing.at, placing.noise_m, flip, aim=False)
         for name in self._roster.expand(names):
             yaw_rad = self._yaw_rad(name, placing.facing)
@@ -176,16 +184,16 @@ class _Walk:
                 return (_Pose(flipped(home(self._scenario, entity), flip), noise_m),)
             case AtPoint():
                 return (_Pose(flipped(at.point, flip)),)
-            case AtSpot() if at.spot in self._scenario.spots:
-                return (_Pose(flipped(self._spot(at.spot), flip)),)
+            case AtSpot() if at.spot in self._spots:
+                return (_Pose(flipped(self._spots[at.spot], flip)),)
             case RelativeTo():
                 return self._beside(at, flip)
         return ()
 
     def _beside(self, at: RelativeTo, flip: Flip) -> tuple[_Pose, ...]:
         anchor = self._roster.expand(at.relative_to)[0]
-        if anchor in self._scenario.spots:
-            return (_Pose(flipped(_sum(self._spot(anchor), at.offset_m), flip)),)
+        if anchor in self._spots:
+            return (_Pose(flipped(_sum(self._spots[anchor], at.offset_m), flip)),)
         poses = self.board.get(anchor, ())
         if not at.turns:
             return tuple(replace(pose, at=_sum(pose.at, flipped(at.offset_m, flip))) for pose in poses)
@@ -204,10 +212,6 @@ class _Walk:
         if mirror is None or (mirror.when is not None and mirror.when not in self._flags):
             return AS_WRITTEN
         return mirror.axis in ("x", "both"), mirror.axis in ("y", "both")
-
-    def _spot(self, name: str) -> Point:
-        spot = self._scenario.spots[name]
-        return spot.x_m, spot.y_m
 
 
 def _sum(a: Point, b: Point) -> Point:

@@ -10,6 +10,7 @@ from rcj_challenges.scenario.models.field import Box as BoxObstacle
 from rcj_challenges.scenario.models.field import Cylinder, Wall
 from rcj_challenges.scenario.models.places import OnLine
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.remembered import remembered_spots
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.drawing.areas import placement_areas
 from rcj_challenges.views.drawing.flips import flipped
@@ -38,9 +39,11 @@ _TITLE_CHARACTERS = 38
 _THICK = 3.0  # what it costs a label to cover a pixel of a wall, of an obstacle or of a gate, which are thick
 _DOT_M = 0.006  # half the side of the square that marks a place without noise
 _IN_A_ROBOT = 4  # characters of a name that fit into its body
-# Of zones; orange is what rules put somewhere, so that none of these is near it.
+_PUT = "#f08c00"  # what rules put somewhere
+# Of zones; none of these is near orange.
 _ZONE_COLOURS = ("#7048e8", "#1098ad", "#d6336c", "#5c940d", "#9c36b5", "#4263eb", "#0b7285", "#a61e4d")
 _WHITE, _BLACK = "#ffffff", "#161c24"
+_SET = " when a half starts; rules set it"  # of a spot
 _STYLE = (
     "text{font-family:system-ui,-apple-system,'Segoe UI',sans-serif;fill:#1f2937}"
     ".label{font-size:11px;paint-order:stroke;stroke:#ffffff;stroke-width:3px;stroke-linejoin:round}"
@@ -98,7 +101,7 @@ def _ground(paper: Paper, scenario: Scenario) -> None:
 
 def _zones(paper: Paper, scenario: Scenario) -> None:
     for k, (name, zone) in enumerate(scenario.zones.items()):
-        colour = _ZONE_COLOURS[k % len(_ZONE_COLOURS)]
+        colour = _colour(zone.colour) if zone.colour else _ZONE_COLOURS[k % len(_ZONE_COLOURS)]
         dash = "" if zone.drawn else ' stroke-dasharray="6 4"'
         style = f'fill="{colour}" fill-opacity="0.06" stroke="{colour}" stroke-width="1.5"{dash}'
         text, area = name, shown_outline(zone, scenario.field, paper.bounds)
@@ -115,9 +118,9 @@ def _zones(paper: Paper, scenario: Scenario) -> None:
 
 def _placement_areas(paper: Paper, scenario: Scenario, roster: Roster) -> None:
     """Draw where rules put things: each place once, however many rules put something there, with what is put."""
-    style = 'fill="#f08c00" fill-opacity="0.18" stroke="#f08c00" stroke-width="1"'
+    style = f'fill="{_PUT}" fill-opacity="0.18" stroke="{_PUT}" stroke-width="1"'
     for area, who in placement_areas(scenario, roster).items():
-        at, colour = area.at, _dark("#f08c00")
+        at, colour = area.at, _dark(_PUT)
         # What is put at its start is drawn there anyway.
         moved = [name for name in who if area.aim or any(area.noise_m) or at != _start(scenario, name)]
         if not moved:
@@ -131,7 +134,7 @@ def _placement_areas(paper: Paper, scenario: Scenario, roster: Roster) -> None:
             paper.polygon(outline, style, f"{names} anywhere in here")
             paper.label(middle(outline, paper.bounds), names, area=outline, colour=colour)
         elif isinstance(at, OnLine):
-            line = 'stroke="#f08c00" stroke-width="5" stroke-opacity="0.6"'
+            line = f'stroke="{_PUT}" stroke-width="5" stroke-opacity="0.6"'
             start, end = at.on_line
             paper.line(start, end, line, f"{names} anywhere on this line", in_the_way=_THICK)
             paper.label(((start[0] + 3 * end[0]) / 4, (start[1] + 3 * end[1]) / 4), names, colour=colour)
@@ -166,12 +169,15 @@ def _gates(paper: Paper, scenario: Scenario) -> None:
 
 
 def _spots(paper: Paper, scenario: Scenario) -> None:
+    remembered = remembered_spots(scenario)
     for name, spot in scenario.spots.items():
-        at = (spot.x_m, spot.y_m)
+        at, is_set = (spot.x_m, spot.y_m), name in remembered
+        style = f'stroke="{_PUT if is_set else "#212529"}" stroke-width="2"'
         for dx, dy in ((0.012, 0.0), (0.0, 0.012)):
-            paper.line((at[0] - dx, at[1] - dy), (at[0] + dx, at[1] + dy), 'stroke="#212529" stroke-width="2"', name)
+            words = f"{name}{_SET if is_set else ''}"
+            paper.line((at[0] - dx, at[1] - dy), (at[0] + dx, at[1] + dy), style, words)
         paper.reserve(at, 0.012)
-        paper.label(at, name, reach_m=0.012)
+        paper.label(at, name, reach_m=0.012, colour=_dark(_PUT) if is_set else "")
 
 
 def _obstacles(paper: Paper, scenario: Scenario) -> None:
@@ -268,7 +274,11 @@ def _legend_entries(scenario: Scenario, roster: Roster) -> list[tuple[str, list[
         + (f", moving with {gate.anchor}{_axes_words(scenario, gate.anchor)}" if gate.anchor else "")
         for name, gate in scenario.gates.items()
     ]
-    spots = [f"{name}: {spot.x_m:g}, {spot.y_m:g}" for name, spot in scenario.spots.items()]
+    remembered = remembered_spots(scenario)
+    spots = [
+        f"{name}: {spot.x_m:g}, {spot.y_m:g}{_SET if name in remembered else ''}"
+        for name, spot in scenario.spots.items()
+    ]
     starts = [
         f"{name}: {r.start.x_m:g}, {r.start.y_m:g}, yaw {r.start.yaw_rad:g}"
         + (f", ± {r.start.noise_m[0]:g}, {r.start.noise_m[1]:g}" if any(r.start.noise_m) else "")

@@ -6,6 +6,7 @@ from typing import Any
 
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.roster import Roster
 
 _TEAM_COLOURS = {"blue": "#3b82f6", "yellow": "#f2c018"}
@@ -42,7 +43,8 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
             for name, gate in scenario.gates.items()
             if gate.anchor is None
         ],
-        "spots": [{"name": name, **spot.model_dump(mode="json")} for name, spot in scenario.spots.items()],
+        # So with spots: where rules have set one no frame tells.
+        "spots": [{"name": name, **spot.model_dump(mode="json")} for name, spot in fixed_spots(scenario).items()],
         "seats": [_seat(scenario, name) for name in scenario.entrants],
     }
 

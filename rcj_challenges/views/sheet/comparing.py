@@ -1,4 +1,4 @@
-"""Conditions that compare: counters, timers, distances and speeds with numbers or with counters, as sentences."""
+"""Conditions that compare: counters, timers, distances, ways and speeds with numbers or counters, as sentences."""
 
 from __future__ import annotations
 
@@ -55,6 +55,18 @@ def distance_words(nouns: Nouns, c: Any) -> str:
         return f"{who.text} is {'less' if c.at_most is None else 'more'} than {number(limit)} m from {to}"
     how = "nearer to" if c.at_most is None else "further from"
     return f"{who.text} is {how} {to} than {amount(nouns, limit)} says in m"
+
+
+def way_words(nouns: Nouns, c: Any) -> str:
+    """Return a condition on how far things have come."""
+    who = nouns.quantified(c.of, c.entity, negate=c.negate)
+    limit = _only_limit(c) if who.negated else None
+    if limit is None:
+        return f"{who.does('has', 'have')} a way in this half of {compared(nouns, c, ' m')}"
+    if isinstance(limit, (int, float)):
+        return f"{who.text} has a way in this half of {'less' if c.at_most is None else 'more'} than {number(limit)} m"
+    how = "shorter" if c.at_most is None else "longer"
+    return f"{who.text} has a {how} way in this half than {amount(nouns, limit)} says in m"
 
 
 def speed_words(nouns: Nouns, c: Any) -> str:

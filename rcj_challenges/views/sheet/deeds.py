@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from rcj_challenges.scenario.catalogue import BOUND, EACH
 from rcj_challenges.scenario.models import places
 from rcj_challenges.scenario.models.actions import LastToucher
 from rcj_challenges.views.sheet.mirrored import mirrored_aim_words, mirrored_layout_words, mirrored_words
@@ -171,6 +172,11 @@ def _sequence(_nouns: Nouns, action: Any) -> str:
     return f"the sequence {quoted(action.sequence)} begins anew"
 
 
+def _set_spot(nouns: Nouns, action: Any) -> str:
+    where = nouns.owned("place", action.to) if isinstance(action.to, str) else nouns.point(action.to)
+    return f"{where} is remembered as {nouns.thing(action.spot)}"
+
+
 def _emit(nouns: Nouns, action: Any) -> str:
     told = ", ".join(f"{key}: {value(nouns, entry)}" for key, entry in action.payload.items())
     return f"{action.event} is announced" + (f" ({told})" if told else "")
@@ -180,7 +186,9 @@ def receiver_words(nouns: Nouns, entrant: Any) -> str:
     """Return who gets points: ``yellow``, or ``the team of the last to touch the ball``."""
     if isinstance(entrant, LastToucher):
         return f"the team of the last to touch {nouns.thing(entrant.last_touch)}"
-    return "its team" if entrant == "each" and entrant not in nouns.scenario.entrants else plain(entrant)
+    if entrant not in BOUND or entrant in nouns.scenario.entrants:
+        return plain(entrant)
+    return "its team" if entrant == EACH else f"the team of {nouns.thing(entrant)}"
 
 
 def _points(nouns: Nouns, action: Any) -> str:
@@ -202,6 +210,7 @@ ACTIONS: dict[str, Callable[[Nouns, Any], str]] = {
     "toggle_flag": lambda n, a: f"{_flag(n, a)} is turned over",
     "timer": _timer,
     "sequence": _sequence,
+    "set_spot": _set_spot,
     "draw": _draw,
     "place": _place,
     "remove": _remove,

@@ -6,7 +6,14 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from rcj_challenges.scenario.models.state import CounterValue
-from rcj_challenges.views.sheet.comparing import counter_words, distance_words, flag_words, speed_words, timer_words
+from rcj_challenges.views.sheet.comparing import (
+    counter_words,
+    distance_words,
+    flag_words,
+    speed_words,
+    timer_words,
+    way_words,
+)
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
 from rcj_challenges.views.sheet.phrases import degrees, heading, metres, number, seconds, value
 
@@ -44,6 +51,11 @@ def _timer_expired(nouns: Nouns, t: Any, each: str | None = None) -> str:
 def _leaves(nouns: Nouns, t: Any) -> str:
     # Of several zones: out of all of them.
     return f"{nouns.any_of(t.entity)} leaves {nouns.all_of(t.zone).text}"
+
+
+def _touches(nouns: Nouns, t: Any) -> str:
+    again = f", and again every {seconds(t.every_s)} while they touch" if t.every_s else ""
+    return f"{nouns.any_of(t.entity)} touches {nouns.any_of(t.other)}{again}"
 
 
 def _displaced(nouns: Nouns, t: Any) -> str:
@@ -160,7 +172,7 @@ TRIGGERS: dict[str, Callable[[Nouns, Any], str]] = {
     "enters": lambda n, t: f"{n.any_of(t.entity)} enters {n.any_of(t.zone)}",
     "leaves": _leaves,
     "crosses": _crosses,
-    "touches": lambda n, t: f"{n.any_of(t.entity)} touches {n.any_of(t.other)}",
+    "touches": _touches,
     "displaced": _displaced,
     "no_progress": _no_progress,
     "stays_in": _stays_in,
@@ -187,6 +199,7 @@ CONDITIONS: dict[str, Callable[[Nouns, Any], str]] = {
     "in_zone": lambda n, c: _is(n, c, c.entity, f"in {n.any_of(c.zone)}"),
     "speed": speed_words,
     "distance": distance_words,
+    "way": way_words,
     "looks": _looks,
     "any_of": _any_of,
     "all_of": _all_of,

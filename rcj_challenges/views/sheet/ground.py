@@ -7,9 +7,10 @@ from typing import Any
 
 from rcj_challenges.scenario.models import field as models
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.remembered import remembered_spots
 from rcj_challenges.views.drawing import draw_scenario
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Picture, Table
-from rcj_challenges.views.sheet.nouns import Nouns, plain, quoted
+from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
 from rcj_challenges.views.sheet.phrases import degrees, metres, point
 
 
@@ -25,6 +26,7 @@ def field_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     yield Picture(draw_scenario(scenario, nouns.roster))
     if scenario.gates:
         yield Paragraph("A gate is crossed forward towards the side to which its short mark in the drawing points.")
+    yield from _remembered(nouns)
     yield from _balls(nouns)
     if scenario.obstacles:
         yield Paragraph("Obstacles; the place is where the centre stands at the start of a half, x and y in m:")
@@ -57,6 +59,15 @@ def _goals(nouns: Nouns, field: models.FieldModel) -> str:
     return f"{goals[:1].upper()}{goals[1:]}."
 
 
+def _remembered(nouns: Nouns) -> Iterator[Block]:
+    """Return that some spots do not stay where the drawing shows them."""
+    spots = remembered_spots(nouns.scenario)
+    if spots:
+        those = listed([nouns.thing(name) for name in spots], "and")
+        are = "they are" if len(spots) > 1 else "it is"
+        yield Paragraph(f"Rules set {those} anew; the drawing shows where {are} when a half starts.")
+
+
 def _balls(nouns: Nouns) -> Iterator[Block]:
     """Return what is known of the balls: of one a sentence, of several a table."""
     balls = nouns.scenario.balls
@@ -71,13 +82,17 @@ def _balls(nouns: Nouns) -> Iterator[Block]:
         yield Paragraph("Balls; the start is where the centre lies if no rule puts the ball elsewhere, x and y in m:")
         head = ("ball", "start", "diameter", "mass", *(("colour",) if colours else ()), "sends infra-red")
         yield Table(head, tuple(_ball_row(name, ball, colours=colours) for name, ball in balls.items()))
+        for name, ball in balls.items():
+            if ball.slows_mps2:
+                yield Paragraph(f"While {plain(name)} rolls, it loses {ball.slows_mps2:g} m/s in each second.")
 
 
 def _ball_words(who: str, ball: models.Ball) -> str:
     colour = f", its colour is {ball.colour}" if _colour_given(ball) else ""
     sends = "infra-red" if ball.emits else "no infra-red"
     said = f"{who} measures {metres(2 * ball.radius_m)} across, its mass is {ball.mass_kg:g} kg{colour}."
-    return f"{said[:1].upper()}{said[1:]} It sends {sends}. Its start is {point(ball.start_m)}."
+    slows = f" While it rolls, it loses {ball.slows_mps2:g} m/s in each second." if ball.slows_mps2 else ""
+    return f"{said[:1].upper()}{said[1:]} It sends {sends}. Its start is {point(ball.start_m)}.{slows}"
 
 
 def _ball_row(name: str, ball: models.Ball, *, colours: bool) -> tuple[str, ...]:

@@ -6,8 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from rcj_challenges.scenario.catalogue import OTHER
 from rcj_challenges.scenario.models.conditions import AtLeast
-from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.other import names_other, others_of
 from rcj_challenges.scenario.roster import WALLS, Roster
 
 Names = str | tuple[str, ...]
@@ -70,17 +72,39 @@ class Nouns:
     Args:
         scenario: the scenario; its references have been checked.
         roster: its roster.
+        other: what ``other`` is in the rule that is told.
     """
 
-    def __init__(self, scenario: Scenario, roster: Roster) -> None:
+    def __init__(self, scenario: Scenario, roster: Roster, other: str = "what is touched") -> None:
         self.scenario = scenario
         self.roster = roster
+        self.other = other
+
+    def within(self, rule: Rule) -> Nouns:
+        """Return the nouns of one rule, which say what ``other`` is there: ``the robot it touches``."""
+        if not names_other(rule, self.scenario):
+            return self
+        others = others_of(rule, rule.for_each, self.roster)
+        if len(others) == 1:
+            return Nouns(self.scenario, self.roster, self.thing(others[0]))
+        kind = self.one_kind(others)
+        # "It" is whom a rule goes over. Where somebody else touches, nobody is.
+        active = all(getattr(trigger, "entity", None) == "each" for trigger in rule.triggers)
+        thing = f"the {kind}" if kind else "what" if active else "what is"
+        return Nouns(self.scenario, self.roster, f"{thing} {'it touches' if active else 'touched'}")
+
+    def one_kind(self, names: Names) -> str:
+        """Return of what kind things are; an empty text if they are of several, or of none."""
+        kinds = {_kind(self.scenario, name) for name in self.roster.expand(names)}
+        return kinds.pop() if len(kinds) == 1 else ""
 
     def thing(self, name: str) -> str:
         """Return one thing: ``Y1``, ``the ball``, ``gate 1``, ``the spot “centre”``; ``each`` is ``it``."""
         scenario = self.scenario
         if name == "each":
             return "it"
+        if name == OTHER:
+            return self.other
         if name == WALLS:
             return "a wall"
         kind = _kind(scenario, name)

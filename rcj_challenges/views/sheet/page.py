@@ -107,17 +107,18 @@ def _draw_words(nouns: Nouns, name: str, draw: Draw) -> str:
     if draw.not_again is not None:
         where = "in a half" if draw.not_again == "half" else "in the match"
         again += f"; {where} none comes again before all have been drawn"
-    if name in _drawn_anew(nouns):
+    if name in _drawn_by_rules(nouns, anew=True):
         keep = f"when {'the match' if draw.keep == 'match' else 'a half'} starts, and again when a rule says so"
     else:
         keep = "once a match" if draw.keep == "match" else "when a half starts"
-    return f"Chance decides {quoted(name)} {keep}: {values}{again}."
+    also = "; rules set it as well" if name in _drawn_by_rules(nouns, anew=False) else ""
+    return f"Chance decides {quoted(name)} {keep}: {values}{again}{also}."
 
 
-def _drawn_anew(nouns: Nouns) -> set[str]:
-    """Return what rules draw anew."""
+def _drawn_by_rules(nouns: Nouns, *, anew: bool) -> set[str]:
+    """Return what rules draw anew, or what they set to a value."""
     actions = (action for rule in nouns.scenario.rules.values() for action in rule.actions)
-    return {action.draw for action in actions if isinstance(action, DrawAction) and action.as_ is None}
+    return {action.draw for action in actions if isinstance(action, DrawAction) and (action.as_ is None) == anew}
 
 
 def _sequence_words(nouns: Nouns, name: str, sequence: Sequence) -> str:
@@ -190,6 +191,7 @@ def _scoring(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
 def _points_rows(nouns: Nouns, rule: Rule) -> tuple[tuple[str, str, str], ...]:
     """Return who gets how many points by a rule: one row for each who does, all that he gets in it."""
     points: dict[str, list[str]] = {}
+    nouns = nouns.within(rule)
     for action in rule.actions:
         if isinstance(action, Score):
             points.setdefault(receiver_words(nouns, action.entrant), []).append(amount(nouns, action.points))
@@ -204,11 +206,13 @@ def _criterion_words(nouns: Nouns, criterion: RankByScore | RankByTime | RankByC
     if isinstance(criterion, RankByCounter):
         larger = "larger" if criterion.order == "descending" else "smaller"
         return f"a {larger} value of {_own_counter(nouns, criterion.counter)}"
-    added = "".join(
-        f", with {seconds(part.weight)} added for each count of {_own_counter(nouns, part.counter)}"
+    time = f"a {'shorter' if criterion.time == 'ascending' else 'longer'} time"
+    changes = [
+        f"{seconds(abs(part.weight))} {'taken off' if part.weight < 0 else 'added'} for each count of "
+        f"{_own_counter(nouns, part.counter)}"
         for part in criterion.plus
-    )
-    return f"a {'shorter' if criterion.time == 'ascending' else 'longer'} time{added}"
+    ]
+    return f"{time}, with {listed(changes, 'and')}" if changes else time
 
 
 def _own_counter(nouns: Nouns, name: str) -> str:

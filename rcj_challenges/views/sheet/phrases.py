@@ -77,6 +77,8 @@ def _counted(nouns: Nouns, model: Any) -> str:
         return f"{_ran(nouns, model)} (rounded down)"
     if isinstance(model, state.DistanceValue):
         return _apart(nouns, model)
+    if isinstance(model, state.WayValue):
+        return _come(nouns, model)
     return _VALUES[state.DrawValue](nouns, model) if isinstance(model, state.DrawValue) else ""
 
 
@@ -106,6 +108,10 @@ def _apart(nouns: Nouns, model: state.DistanceValue) -> str:
     return f"the distance between {one} and {other} in m"
 
 
+def _come(nouns: Nouns, model: state.WayValue) -> str:
+    return f"{nouns.owned('way', model.way)} in this half in m"
+
+
 def _ran(nouns: Nouns, model: state.TimerValue) -> str:
     owners = None if model.entity else nouns.owners("timer", model.timer)
     timer = nouns.kept("timer", model.timer, model.entity)
@@ -122,6 +128,7 @@ def _word(_nouns: Nouns, model: state.WordValue) -> str:
 _WORDS = {
     "robot_name": "the name of the robot",
     "entity_name": "the name of the one concerned",
+    "other_name": "the name of the other one",
     "team_name": "the team name",
     "entrant": "the entrant",
     "score": "the score",
@@ -143,6 +150,7 @@ _VALUES: dict[type, Callable[[Nouns, Any], str]] = {
     state.WordValue: _word,
     state.PositionValue: lambda nouns, model: f"the position of {nouns.thing(model.position_of)}",
     state.DistanceValue: _apart,
+    state.WayValue: _come,
     state.TimerValue: _ran,
     state.LastTouchValue: lambda nouns, model: f"the name of the last to touch {nouns.thing(model.last_touch)}",
 }

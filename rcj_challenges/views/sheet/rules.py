@@ -8,6 +8,7 @@ from rcj_challenges.scenario.models.actions import LastToucher
 from rcj_challenges.scenario.models.conditions import LastTouch
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import LastTouchValue
+from rcj_challenges.scenario.other import names_other, others_of
 from rcj_challenges.scenario.visiting import visit
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph
 from rcj_challenges.views.sheet.deeds import action_words
@@ -45,6 +46,7 @@ def _phases_words(scenario: Scenario) -> str:
 
 def when_words(rule: Rule, nouns: Nouns) -> str:
     """Return when a rule fires: ``When the ball enters the blue goal, provided that …``."""
+    nouns = nouns.within(rule)
     each = f"For {nouns.each_of(rule.for_each)}, when " if rule.for_each else "When "
     edges = ", or when ".join(trigger_words(nouns, trigger, rule.for_each) for trigger in rule.triggers)
     levels = " and ".join(f"that {condition_words(nouns, condition)}" for condition in rule.conditions)
@@ -52,8 +54,11 @@ def when_words(rule: Rule, nouns: Nouns) -> str:
 
 
 def _sentence(rule: Rule, nouns: Nouns) -> str:
+    nouns = nouns.within(rule)
     says = f"{spoken(nouns, rule)} " if rule.says else ""
     extras = [_how_often(rule, nouns)] if rule.cooldown_s or rule.max_executions else []
+    if rule.exclusive is not None and _meets_itself(rule, nouns):
+        extras.append("of several touched at once only the first counts")
     if rule.phases == "any":
         extras.append("in every phase")
     elif rule.phases != ("play",):
@@ -61,6 +66,11 @@ def _sentence(rule: Rule, nouns: Nouns) -> str:
     tail = f" ({'; '.join(extras)})" if extras else ""
     actions = ", then ".join(action_words(nouns, action) for action in rule.actions)
     return f"{says}{when_words(rule, nouns)}: {actions}{tail}."
+
+
+def _meets_itself(rule: Rule, nouns: Nouns) -> bool:
+    """Return whether a rule may fire more than once in a tick for the same one: for each of several that it touches."""
+    return names_other(rule, nouns.scenario) and len(others_of(rule, rule.for_each, nouns.roster)) > 1
 
 
 def _how_often(rule: Rule, nouns: Nouns) -> str:

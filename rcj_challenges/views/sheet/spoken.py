@@ -7,6 +7,7 @@ from typing import Any
 from rcj_challenges.scenario.blanks import partly_filled
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import DrawnDuration
+from rcj_challenges.scenario.other import has_other, others_of
 from rcj_challenges.views.sheet.nouns import Nouns, plain
 from rcj_challenges.views.sheet.phrases import number
 
@@ -36,6 +37,7 @@ def spoken(nouns: Nouns, rule: Rule) -> str:
         return ""
     filled = {
         "{entity}": _subject(nouns, rule),
+        "{other}": _other(nouns, rule),
         "{team}": _team(nouns, rule),
         "{measured}": OPEN,
         "{limit}": _limit(nouns, rule),
@@ -55,6 +57,16 @@ def _subject(nouns: Nouns, rule: Rule) -> str:
         return f"the {nouns.kinds_of(rule.for_each)}"
     names = _concerned(nouns, rule)
     return nouns.any_of(names) if names else "the one concerned"
+
+
+def _other(nouns: Nouns, rule: Rule) -> str:
+    """Return the one touched: ``the other robot``, ``the robot`` if a ball touches it, ``Y1`` if only that can be."""
+    others = others_of(rule, rule.for_each, nouns.roster) if has_other(rule) else ()
+    if len(others) == 1:
+        return nouns.thing(others[0])
+    kind = nouns.one_kind(others)
+    touching = nouns.one_kind(_concerned(nouns, rule) if rule.for_each is None else rule.for_each)
+    return f"the {kind}" if kind and kind != touching else f"the other {kind or 'one'}"
 
 
 def _team(nouns: Nouns, rule: Rule) -> str:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from PIL import Image, ImageDraw
 
 from rcj_challenges.scenario.models.field import Box, Cylinder
+from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.views.drawing.shapes import box, floor_outline, turned
 from rcj_challenges.views.video.camera import WALL_M, ends_of_field
 from rcj_challenges.views.video.colours import EDGE, GRASS, LINE, OUTSIDE, WALL, Rgb, mixed, rgb
@@ -70,7 +71,7 @@ def paint_ground(footage: Footage, size: tuple[int, int], view: Projection) -> I
     if goals:  # the halfway line is one between goals
         paper.line([(-w, 0.0), (w, 0.0)], LINE)
     _zones(paper, footage)
-    for spot in footage.scenario.spots.values():
+    for spot in fixed_spots(footage.scenario).values():
         paper.disc((spot.x_m, spot.y_m), 0.006, LINE)
     _obstacles(paper, footage)
     return paper.finished()
@@ -81,7 +82,7 @@ def _zones(paper: _Paper, footage: Footage) -> None:
     for zone in footage.scenario.zones.values():
         outline = floor_outline(zone, footage.scenario.field) if zone.drawn else []
         if outline:
-            paper.line([*outline, outline[0]], LINE)
+            paper.line([*outline, outline[0]], rgb(zone.colour) if zone.colour else LINE)
 
 
 def _obstacles(paper: _Paper, footage: Footage) -> None:

@@ -111,9 +111,9 @@ class _Builder:
         middle = ((x1 + x2) / 2, (y1 + y2) / 2, (z_m[0] + z_m[1]) / 2)
         self.box(middle, half, colour, alpha, math.atan2(y2 - y1, x2 - x1))
 
-    def paint(self, start: Point, end: Point) -> None:
+    def paint(self, start: Point, end: Point, colour: Rgb = LINE) -> None:
         """Add a line on the floor."""
-        self.bar(start, end, _LINE_M, (0.0, _PAINT_M), LINE)
+        self.bar(start, end, _LINE_M, (0.0, _PAINT_M), colour)
 
 
 def _add_surroundings(builder: _Builder, *, shadows: bool) -> None:
@@ -140,7 +140,7 @@ def _add_field(builder: _Builder, footage: Footage) -> None:
         if zone.drawn:
             outline = floor_outline(zone, footage.scenario.field)
             for start, end in zip(outline, [*outline[1:], *outline[:1]], strict=True):
-                builder.paint(start, end)
+                builder.paint(start, end, rgb(zone.colour) if zone.colour else LINE)
     edge = [(w - cut, h), (w, h - cut), (w, -h + cut), (w - cut, -h),
             (-w + cut, -h), (-w, -h + cut), (-w, h - cut), (-w + cut, h)]  # fmt: skip
     for start, end in zip(edge, [*edge[1:], edge[0]], strict=True):

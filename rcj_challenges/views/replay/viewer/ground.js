@@ -22,12 +22,13 @@ const Ground = {
       const colour = Colours.mix(Colours.rgb(goal.colour), [0.1, 0.2, 0.15], 0.35);
       shapes.push({ points: Ground.goalFloor(facts.field, goal), fill: colour, alpha: 1 });
     }
-    const line = (points, closed = false) =>
-      shapes.push({ points, line: Ground.LINE, width: Ground.LINE_M, closed, alpha: 1 });
+    const line = (points, closed = false, colour = Ground.LINE) =>
+      shapes.push({ points, line: colour, width: Ground.LINE_M, closed, alpha: 1 });
     line(Ground.outline(x - 0.006, y - 0.006, cut), true);
     if (facts.field.goals.length) line([[-x, 0], [x, 0]]);
     for (const zone of facts.zones) {
-      if (zone.drawn) line(Ground.within(Ground.zone(zone, facts.field), x, y, cut), true);
+      const colour = zone.colour ? Colours.rgb(zone.colour) : Ground.LINE;
+      if (zone.drawn) line(Ground.within(Ground.zone(zone, facts.field), x, y, cut), true, colour);
     }
     return shapes;
   },
@@ -37,7 +38,8 @@ const Ground = {
     const shapes = [];
     if (shown.zones) {
       facts.zones.forEach((zone, index) => {
-        const points = Ground.zone(zone, facts.field), colour = Ground.markColour(index);
+        const points = Ground.zone(zone, facts.field);
+        const colour = zone.colour ? Colours.rgb(zone.colour) : Ground.markColour(index);
         if (!zone.inverted) shapes.push({ points, fill: colour, alpha: 0.16 });
         shapes.push({ points, line: colour, width: 0.007, closed: true, alpha: 0.95 });
       });

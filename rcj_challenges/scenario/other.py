@@ -1,0 +1,109 @@
+"""The other one in a touch: whom ``other`` may stand for in a rule, and the rule as it reads for one of them.
+
+A rule that names ``other`` exists once for each that may be touched. So whoever compiles, checks or draws such a rule
+needs to know no more than names.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rcj_challenges.scenario.blanks import in_braces
+from rcj_challenges.scenario.catalogue import EACH, OTHER
+from rcj_challenges.scenario.models.actions import Score
+from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.models.state import WordValue
+from rcj_challenges.scenario.models.triggers import Touches
+from rcj_challenges.scenario.references import REFERENCES, Field
+from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.visiting import visit
+
+
+def has_other(rule: Rule) -> bool:
+    """Return whether ``other`` is known in a rule: each of its triggers is a touch."""
+    return all(isinstance(trigger, Touches) for trigger in rule.triggers)
+
+
+def names_other(rule: Rule, scenario: Scenario) -> bool:
+    """Return whether ``other`` is known in a rule, and the rule asks about it, acts on it or tells of it."""
+    if not has_other(rule):
+        return False
+    parts = (model for model, _ in visit((rule.conditions, rule.actions)))
+    return OTHER in in_braces(rule.says) or any(_tells(model, scenario) for model in parts)
+
+
+def _tells(model: Strict, scenario: Scenario) -> bool:
+    if isinstance(model, WordValue):
+        return model.word == "other_name"
+    if isinstance(model, Score):
+        return model.entrant == OTHER and OTHER not in scenario.entrants
+    return with_other(model, "") is not model
+
+
+def others_of(rule: Rule, each: str | None, roster: Roster) -> tuple[str, ...]:
+    """Return whom ``other`` may stand for, in the order of the roster: things, the walls last; nothing touches itself.
+
+    Args:
+        rule: a rule that knows ``other``.
+        each: for whom the rule is; the whole group of its ``for_each``: for any of them.
+        roster: the roster.
+    """
+    found: set[str] = set()
+    for trigger in rule.triggers:
+        if isinstance(trigger, Touches):
+            entities = roster.expand(_written(trigger.entity, each))
+            found.update(
+                other
+                for other in roster.expand(_written(trigger.other, each))
+                if any(entity != other for entity in entities)
+            )
+    return tuple(sorted(found, key=roster.index.__getitem__))
+
+
+def written_others(rule: Rule) -> tuple[str, ...]:
+    """Return the names behind ``other`` as the rule's triggers write them: groups as groups."""
+    touches = (trigger for trigger in rule.triggers if isinstance(trigger, Touches))
+    return tuple(dict.fromkeys(name for trigger in touches for name in _written(trigger.other, rule.for_each)))
+
+
+def _written(names: str | tuple[str, ...], each: str | None) -> tuple[str, ...]:
+    listed = (names,) if isinstance(names, str) else names
+    return tuple(each if name == EACH and each is not None else name for name in listed)
+
+
+def for_other(rule: Rule, other: str) -> Rule:
+    """Return a rule with one name for ``other`` in its conditions and actions."""
+    return rule.model_copy(
+        update={"conditions": with_other(rule.conditions, other), "actions": with_other(rule.actions, other)}
+    )
+
+
+def with_other(value: Any, other: str) -> Any:
+    """Return a part of a rule with a name wherever it says ``other``; the very same part if it never does.
+
+    The entrant of ``score`` stays: who drives a robot is known where points are given.
+    """
+    if isinstance(value, Strict):
+        changed = {
+            name: _field(value, name, info.alias or name, other) for name, info in type(value).model_fields.items()
+        }
+        update = {name: field for name, field in changed.items() if field is not getattr(value, name)}
+        return value.model_copy(update=update) if update else value
+    if isinstance(value, tuple):
+        parts = tuple(with_other(part, other) for part in value)
+        return parts if any(new is not old for new, old in zip(parts, value, strict=True)) else value
+    if isinstance(value, dict):
+        entries = {key: with_other(part, other) for key, part in value.items()}
+        return entries if any(entries[key] is not part for key, part in value.items()) else value
+    return value
+
+
+def _field(model: Strict, name: str, key: str, other: str) -> Any:
+    value = getattr(model, name)
+    reference = REFERENCES.get((type(model), key))
+    if not isinstance(reference, Field) or not reference.each:
+        return with_other(value, other)
+    if isinstance(value, tuple) and OTHER in value:
+        return tuple(other if part == OTHER else part for part in value)
+    return other if value == OTHER else with_other(value, other)

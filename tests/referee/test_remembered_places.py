@@ -1,0 +1,198 @@
+"""A spot that rules set: it remembers where something was, and is there wherever a spot can stand."""
+
+import pytest
+
+from tests.referee.test_values import payload, telling
+
+PITCH = "spots: {found: {x_m: 0, y_m: 0.2}, other: {x_m: 0.5, y_m: -0.8}}\ngroups: {both: [found, other]}\n"
+
+
+def at_s(seconds: float, *actions: str, more: str = "") -> str:
+    name = f"at_{round(1000 * seconds)}"
+    trigger = f"{{trigger: time_reached, at_s: {seconds}}}"
+    return f"rules: {{{name}: {{{more} triggers: [{trigger}], actions: [{', '.join(actions)}]}}}}"
+
+
+def set_to(what: str) -> str:
+    return f"{{action: set_spot, spot: found, to: {what}}}"
+
+
+def put(what: str, at: str, more: str = "") -> str:
+    return f"{{action: place, entity: {what}, at: {at}{more}}}"
+
+
+def remembering(stage, *sections: str, ball=(0.3, 0.1), **facts):
+    """Return a play in which the ball lay at (0.3, 0.1) when the spot was set, and now lies at (-0.3, 0.1)."""
+    play = stage(PITCH, at_s(0.32, set_to("ball")), *sections, **facts)
+    play.place("ball", *ball)
+    play.play_until(10)
+    play.place("ball", -0.3, 0.1)
+    play.play()
+    return play
+
+
+FAR = telling("{far: {distance: [ball, found]}}")
+
+
+class TestActionSetSpot:
+    def test_until_a_rule_sets_it_the_spot_is_where_the_file_says(self, stage):
+        play = stage(PITCH, at_s(10, set_to("ball")), FAR)
+        play.place("ball", 0.3, 0.2)
+        assert payload(play) == {"far": 0.3}
+        assert play.referee.spots["found"] == (0.0, 0.2)
+
+    def test_it_stays_where_the_ball_was_when_the_ball_rolls_on(self, stage):
+        play = remembering(stage, FAR)
+        assert payload(play) == {"far": 0.6}
+        assert play.referee.spots["found"] == pytest.approx((0.3, 0.1))
+        assert play.referee.spots["other"] == (0.5, -0.8)
+
+    @pytest.mark.parametrize(
+        ("to", "there"), [("Y1", (-0.4, -0.5)), ("other", (0.5, -0.8)), ("[0.1, 0.2]", (0.1, 0.2))]
+    )
+    def test_it_can_be_set_to_a_robot_another_spot_or_a_point(self, stage, to, there):
+        play = stage(PITCH, at_s(0.32, set_to(to)))
+        play.play_until(10)
+        assert play.referee.spots["found"] == pytest.approx(there)
+
+    def test_in_a_rule_for_each_it_is_set_to_the_current_one(self, stage):
+        rule = (
+            "rules: {r: {for_each: robots, triggers: [{trigger: touches, entity: each, other: ball}], actions: [%s]}}"
+        )
+        play = stage(PITCH, rule % set_to("each"))
+        play.touch("ball", "B2")
+        play.play()
+        assert play.referee.spots["found"] == pytest.approx((-0.4, 0.5))
+
+    def test_it_can_be_set_to_the_other_one_in_a_touch(self, stage):
+        rule = "rules: {r: {triggers: [{trigger: touches, entity: ball, other: robots}], actions: [%s]}}"
+        play = stage(PITCH, rule % set_to("other"))
+        play.touch("ball", "B2")
+        play.play()
+        assert play.referee.spots["found"] == pytest.approx((-0.4, 0.5))
+
+    @pytest.mark.parametrize("off", ["ball", "Y1"])
+    def test_what_is_off_the_field_leaves_it_where_it_is(self, stage, off):
+        play = stage(PITCH, at_s(0.16, f"{{action: remove, entity: {off}}}"), at_s(0.32, set_to(off)))
+        play.play_until(12)
+        assert play.referee.spots["found"] == (0.0, 0.2)
+
+    def test_what_the_same_rule_places_was_elsewhere_before(self, stage):
+        play = stage(PITCH, at_s(0.32, put("ball", "{point: [0.5, 0.5]}"), set_to("ball")))
+        play.place("ball", 0.3, 0.1)
+        play.play_until(12)
+        assert play.referee.spots["found"] == pytest.approx((0.3, 0.1))
+        assert play.pose("ball")[:2] == pytest.approx((0.5, 0.5))
+
+    def test_actions_after_it_read_the_new_place_and_conditions_of_the_tick_the_old_one(self, stage):
+        judged = """
+        rules:
+          later: {triggers: [{trigger: time_reached, at_s: 0.32}],
+                  conditions: [{condition: distance, entity: ball, to: found, at_most: 0.01}],
+                  actions: [{action: score, entrant: blue}]}
+        """
+        paid = "{action: score, entrant: yellow, points: {distance: [ball, found]}}"
+        play = stage(PITCH, at_s(0.32, paid, set_to("ball"), paid), judged)
+        play.place("ball", 0.3, 0.2)
+        play.play_until(12)
+        assert play.referee.scores == {"yellow": 0.3, "blue": 0}
+
+    def test_each_half_begins_with_the_place_of_the_file(self, stage):
+        assert remembering(stage).referee.spots["found"] != (0.0, 0.2)
+        assert stage(PITCH, half=2).referee.spots["found"] == (0.0, 0.2)
+
+    def test_the_last_one_in_a_tick_counts(self, stage):
+        play = stage(PITCH, at_s(0.32, set_to("[0, 0]"), set_to("[0.1, 0]")))
+        play.play_until(10)
+        assert play.referee.spots["found"] == (0.1, 0.0)
+
+
+class TestWhereARememberedPlaceStands:
+    @pytest.mark.parametrize(
+        ("condition", "before", "after"),
+        [
+            ("{condition: distance, entity: ball, to: found, at_most: 0.05}", False, True),
+            ("{condition: distance, entity: ball, to: both, at_most: 0.05}", False, True),
+            ("{condition: spot_free, spot: found}", True, False),
+            ("{condition: spot_free, spot: both, of: all}", True, False),
+            ("{condition: looks, entity: Y1, towards: found, within_rad: 0.05}", False, True),
+        ],
+    )
+    def test_conditions_ask_for_where_it_is_now(self, stage, ask, condition, before, after):
+        asked = f"""
+        rules:
+          asked: {{triggers: [{{trigger: program_fault, robot: B1}}], conditions: [{condition}],
+                   actions: [{{action: emit, event: TRUE_NOW}}]}}
+        """
+        play = stage(PITCH, asked, at_s(0.96, set_to("ball")))
+        play.place("ball", 0.3, 0.1)
+        play.place("Y1", -0.4, 0.1, 0.0)
+        assert ask(play) is before
+        play.play_until(31)
+        assert ask(play) is after
+
+    def test_a_rule_that_waits_for_the_ball_to_come_back_hears_it(self, stage):
+        held = "{trigger: holds, condition: {condition: distance, entity: ball, to: found, at_most: 0.05}}"
+        play = remembering(stage, f"rules: {{back: {{triggers: [{held}], actions: [{{action: emit, event: BACK}}]}}}}")
+        there = [event.tick for event in play.events_named("BACK")]
+        play.place("ball", 0.31, 0.1)
+        play.play()
+        assert [event.tick for event in play.events_named("BACK")] == [*there, play.tick]
+
+    @pytest.mark.parametrize(
+        "at",
+        [
+            "{spot: found}", "{spot: drawn}", "{choice: [found]}", "{choice: [drawn]}",
+            "{nearest_free: both, to: [0.2, 0.1]}", "{furthest_free: both, from: other}", "{relative_to: found}",
+            "{nearest_free: both, to: found}",
+        ],
+    )  # fmt: skip
+    def test_things_are_put_where_it_is_now(self, stage, at):
+        draw = "draws: {drawn: {values: [found]}}"
+        play = remembering(stage, draw, at_s(0.64, put("Y1", at)))
+        play.play_until(22)
+        assert play.pose("Y1")[:2] == pytest.approx((0.3, 0.1))
+
+    def test_a_mirror_mirrors_it_as_any_spot(self, stage):
+        play = remembering(stage, at_s(0.64, put("Y1", "{spot: found}", ", mirror: {axis: x}")), ball=(0.3, -0.2))
+        play.play_until(22)
+        assert play.pose("Y1")[:2] == pytest.approx((-0.3, -0.2))
+
+    def test_a_robot_faces_it_and_a_ball_is_kicked_there(self, stage):
+        facing = ", facing: {towards: found}"
+        kick = ", kick: {towards: {spot: found}, speed_mps: 1}"
+        play = remembering(
+            stage, at_s(0.64, put("Y1", "{point: [0.3, -0.4]}", facing), put("ball", "{point: [0, 0.1]}", kick))
+        )
+        play.play_until(19)
+        placements = play.play().placements
+        assert placements[0].yaw_rad == pytest.approx(1.5708, abs=1e-4)
+        assert (placements[1].vx_mps, placements[1].vy_mps) == pytest.approx((1.0, 0.0))
+
+    def test_what_waits_for_room_goes_where_the_spot_is_then(self, stage):
+        play = stage(PITCH, at_s(0.32, put("Y1", "{spot: found}")), at_s(0.64, set_to("[0.3, -0.2]")))
+        play.place("ball", 0.0, 0.2)
+        play.play_until(15)
+        assert play.pose("Y1")[:2] == pytest.approx((-0.4, -0.5))
+        play.play_until(22)
+        assert play.pose("Y1")[:2] == pytest.approx((0.3, -0.2))
+
+    def test_the_longest_pass_counts(self, stage):
+        rules = """
+        counters: {longest: {}}
+        rules:
+          kicked: {triggers: [{trigger: touches, entity: Y1, other: ball}],
+                   actions: [{action: set_spot, spot: found, to: ball}]}
+          received: {triggers: [{trigger: touches, entity: Y2, other: ball}],
+                     conditions: [{condition: distance, entity: ball, to: found, at_least: {counter: longest}}],
+                     actions: [{action: count, counter: longest, to: {distance: [ball, found]}}]}
+        """
+        play = stage(PITCH, rules)
+        for kick_x, stop_x in ((0.0, 0.3), (-0.2, 0.4), (0.0, 0.1)):
+            play.place("ball", kick_x, 0.0)
+            play.touch("Y1", "ball")
+            play.play(2)
+            play.place("ball", stop_x, 0.0)
+            play.touch("Y2", "ball")
+            play.play(2)
+        assert play.referee.counters["longest"] == 0.6

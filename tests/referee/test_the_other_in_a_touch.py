@@ -1,0 +1,302 @@
+"""``other``: the one that is touched, asked about and acted upon by name."""
+
+import pytest
+
+from rcj_challenges.facts.play import Snapshot
+from rcj_challenges.records.reflog import firing_line
+from rcj_challenges.referee.engine import Referee
+from rcj_challenges.referee.script import half_of
+from rcj_challenges.scenario.roster import Roster
+
+TAG = """
+flags: {catcher: {per: robots}}
+rules:
+  begins:
+    triggers: [{trigger: half_started}]
+    actions: [{action: set_flag, flag: catcher, entity: Y1}]
+  caught:
+    for_each: robots
+    triggers: [{trigger: touches, entity: each, other: robots}]
+    conditions:
+      - {condition: flag, flag: catcher, entity: each}
+      - {condition: flag, flag: catcher, entity: other, negate: true}
+    actions:
+      - {action: set_flag, flag: catcher, entity: other}
+      - {action: set_flag, flag: catcher, entity: each, to: false}
+      - {action: emit, event: CAUGHT, payload: {by: {word: robot_name}, who: {word: other_name}}}
+    says: '{entity} has caught {other}.'
+"""
+
+
+def caught(play):
+    return [(event.payload["by"], event.payload["who"]) for event in play.events_named("CAUGHT")]
+
+
+class TestTag:
+    @pytest.mark.parametrize("runner", ["Y2", "B1", "B2"])
+    def test_whom_the_catcher_touches_is_the_catcher_now(self, stage, runner):
+        play = stage(TAG)
+        play.play()
+        play.touch(runner, "Y1")
+        play.play()
+        assert caught(play) == [("Y1", runner)]
+        assert [name for name, is_one in play.referee.flags["catcher"].items() if is_one] == [runner]
+
+    def test_two_runners_that_touch_each_other_catch_nobody(self, stage):
+        play = stage(TAG)
+        play.play()
+        play.touch("B1", "B2")
+        play.touch("B1", "Y2")
+        play.play()
+        assert caught(play) == []
+
+    def test_a_touch_that_goes_on_does_not_catch_back(self, stage):
+        play = stage(TAG)
+        play.play()
+        for _ in range(20):
+            play.touch("Y1", "B2")
+            play.play()
+        play.play(2)
+        play.touch("Y1", "B2")
+        play.play()
+        assert caught(play) == [("Y1", "B2"), ("B2", "Y1")]
+
+    def test_the_log_names_both(self, stage):
+        play = stage(TAG)
+        play.play()
+        play.touch("Y1", "B2")
+        play.play()
+        (firing,) = [firing for firing in play.firings if firing.rule == "caught"]
+        assert (firing.entity, firing.other, firing.says) == ("Y1", "B2", "Y1 has caught B2.")
+        assert firing_line(1, firing)["other"] == "B2"
+
+    def test_the_log_of_a_rule_that_does_not_name_it_has_no_such_entry(self, stage):
+        play = stage(TAG)
+        play.play()
+        (firing,) = [firing for firing in play.firings if firing.rule == "begins"]
+        assert "other" not in firing_line(1, firing)
+
+
+BUMPS = """
+counters: {bumped: {per: robots}}
+rules:
+  bump:
+    for_each: robots
+    triggers: [{trigger: touches, entity: each, other: robots}]
+    actions:
+      - {action: count, counter: bumped, entity: other}
+      - {action: emit, event: BUMP, payload: {who: {word: robot_name}, other: {word: other_name}}}
+    %s
+"""
+
+
+def bumps(play):
+    return [(event.payload["who"], event.payload["other"]) for event in play.events]
+
+
+class TestSeveralAtOnce:
+    def touched(self, stage, extra=""):
+        play = stage(BUMPS % extra)
+        play.play()
+        play.touch("Y2", "B1")
+        play.touch("Y1", "B2")
+        play.touch("B1", "Y1")
+        play.play()
+        return play
+
+    def test_it_fires_once_for_each_of_them_in_their_order(self, stage):
+        play = self.touched(stage)
+        assert bumps(play) == [("B1", "Y1"), ("B1", "Y2"), ("B2", "Y1"), ("Y1", "B1"), ("Y1", "B2"), ("Y2", "B1")]
+        assert play.referee.counters["bumped"] == {"B1": 2, "B2": 1, "Y1": 2, "Y2": 1}
+
+    def test_a_rest_after_firing_is_one_for_all_whom_it_touches(self, stage):
+        play = self.touched(stage, "cooldown_s: 1")
+        assert bumps(play) == [("B1", "Y1"), ("B2", "Y1"), ("Y1", "B1"), ("Y2", "B1")]
+        stopped = [(f.entity, f.other, f.suppressed) for f in play.firings if f.suppressed]
+        assert stopped == [("B1", "Y2", "cooldown"), ("Y1", "B2", "cooldown")]
+
+    def test_of_one_exclusive_group_only_the_first_of_them_counts(self, stage):
+        play = self.touched(stage, "exclusive: one")
+        assert bumps(play) == [("B1", "Y1"), ("B2", "Y1"), ("Y1", "B1"), ("Y2", "B1")]
+
+    def test_each_of_them_is_one_of_the_times_it_may_fire(self, stage):
+        play = self.touched(stage, "max_executions: 1")
+        play.play()
+        play.touch("B1", "Y2")
+        play.touch("B2", "Y2")
+        play.play()
+        assert bumps(play) == [("B1", "Y1"), ("B2", "Y1"), ("Y1", "B1"), ("Y2", "B1")]
+
+    def test_the_conditions_of_all_see_the_field_as_it_was(self, stage):
+        play = self.touched(stage, "conditions: [{condition: counter, counter: bumped, entity: other, at_most: 0}]")
+        assert len(bumps(play)) == 6
+
+
+DODGEBALL = """
+balls: {red: {start_m: [0, 0.1]}, green: {start_m: [0, -0.1]}}
+flags: {thrown_by_yellow: {per: balls, initial: true}}
+rules:
+  hit:
+    for_each: balls
+    triggers: [{trigger: touches, entity: each, other: blue}]
+    conditions: [{condition: flag, flag: thrown_by_yellow, entity: each}]
+    actions:
+      - {action: remove, entity: other, for_s: 2}
+      - {action: score, entrant: yellow}
+    says: '{entity} hits {other}.'
+"""
+
+
+class TestDodgeball:
+    def test_whom_a_ball_hits_leaves_the_field_for_a_while(self, stage):
+        play = stage(DODGEBALL)
+        play.play()
+        play.touch("B2", "green")
+        verdict = play.play()
+        assert [(p.entity, p.parked) for p in verdict.placements] == [(1, True)]
+        assert [firing.says for firing in verdict.firings] == ["green hits B2."]
+        assert play.referee.scores == {"blue": 0, "yellow": 1}
+        play.play(63)
+        assert play.pose("B2")[:2] == pytest.approx((-0.4, 0.5))
+
+    def test_one_ball_that_hits_two_takes_both_off(self, stage):
+        play = stage(DODGEBALL)
+        play.play()
+        for robot in ("B1", "B2"):
+            play.touch(robot, "red")
+        assert sorted(p.entity for p in play.play().placements) == [0, 1]
+        assert play.referee.scores["yellow"] == 2
+
+
+class TestWhatItMayStandFor:
+    def test_without_for_each_it_is_the_one_that_was_touched(self, stage):
+        play = stage("""
+        rules:
+          out:
+            triggers: [{trigger: touches, entity: ball, other: robots}]
+            actions: [{action: place, entity: other, at: {relative_to: ball, offset_m: [0, 0.3]}, facing: keep}]
+        """)
+        play.play()
+        play.touch("Y2", "ball")
+        play.play()
+        assert play.pose("Y2")[:2] == pytest.approx((0.0, 0.3))
+        assert play.pose("Y1")[:2] == pytest.approx((-0.4, -0.5))
+
+    @pytest.mark.parametrize(
+        ("wall", "tells"), [("walls", "Y1 has touched walls."), ("post", "Y1 has touched post."), ("B1", "")]
+    )
+    def test_walls_and_fixed_obstacles_are_told_by_name(self, stage, wall, tells):
+        play = stage("""
+        obstacles: {post: {shape: cylinder, radius_m: 0.05, height_m: 0.1, centre_m: [0, 0.3]}}
+        rules:
+          foul:
+            for_each: yellow
+            triggers: [{trigger: touches, entity: each, other: [walls, post]}]
+            actions: [{action: emit, event: FOUL}]
+            says: '{entity} has touched {other}.'
+        """)
+        play.play()
+        play.touch("Y1", wall)
+        assert "".join(firing.says for firing in play.play().firings) == tells
+
+    def test_each_of_several_triggers_finds_its_own(self, stage):
+        play = stage("""
+        rules:
+          bump:
+            for_each: yellow
+            triggers:
+              - {trigger: touches, entity: each, other: B1}
+              - {trigger: touches, entity: ball, other: each}
+            actions: [{action: emit, event: BUMP, payload: {who: {word: robot_name}, other: {word: other_name}}}]
+        """)
+        play.play()
+        play.touch("Y1", "B1")
+        play.touch("Y2", "ball")
+        play.touch("Y1", "B2")
+        play.play()
+        assert bumps(play) == [("Y1", "B1"), ("Y2", "Y2")]
+
+    def test_who_alone_may_touch_needs_no_counter_of_its_own(self, stage):
+        play = stage("""
+        groups: {runners: [Y2, Y3, B1, B2, B3]}
+        counters: {caught: {per: runners}}
+        rules:
+          tag:
+            triggers: [{trigger: touches, entity: Y1, other: robots}]
+            actions: [{action: count, counter: caught, entity: other}]
+        """)
+        play.play()
+        play.touch("Y1", "B2")
+        play.play()
+        assert play.referee.counters["caught"] == {"Y2": 0, "Y3": 0, "B1": 0, "B2": 1, "B3": 0}
+
+    def test_points_go_to_whoever_drives_it(self, stage):
+        play = stage("""
+        rules:
+          pushed:
+            for_each: robots
+            triggers: [{trigger: touches, entity: each, other: robots}]
+            conditions: [{condition: looks, entity: each, towards: other, within_rad: 0.3}]
+            actions: [{action: score, entrant: other, points: -1}]
+        """)
+        play.play()
+        play.place("Y1", 0.0, 0.0, 1.57)
+        play.place("B1", 0.0, 0.16, 1.57)
+        play.touch("Y1", "B1")
+        (firing,) = play.play().firings
+        assert (firing.entity, firing.other, firing.scored) == ("Y1", "B1", {"blue": -1})
+
+    def test_what_is_measured_of_it_is_told_and_paid(self, stage):
+        play = stage("""
+        counters: {weight: {per: robots, initial: 3}}
+        rules:
+          heavy:
+            for_each: yellow
+            triggers: [{trigger: touches, entity: each, other: blue}]
+            conditions:
+              - condition: any_of
+                conditions:
+                  - {condition: distance, entity: each, to: other, at_most: 0.3}
+                  - {condition: in_zone, entity: other, zone: middle}
+            actions:
+              - {action: score, entrant: yellow, points: [{counter: weight, entity: other, weight: 2}]}
+              - action: emit
+                event: BUMP
+                payload: {at: {position_of: other}, far: {distance: [each, other]}}
+        """)
+        play.play()
+        play.touch("Y1", "B1")
+        assert not play.play().events
+        play.play()
+        play.place("Y1", -0.2, 0.0)
+        play.place("B1", 0.0, 0.0, 0.5)
+        play.touch("Y1", "B1")
+        (event,) = play.play().events
+        assert event.payload == {"at": [0.0, 0.0, 0.5], "far": 0.2}
+        assert play.referee.scores["yellow"] == 6
+
+
+def test_judged_again_from_the_same_snapshots_the_verdicts_are_the_same(stage, small):
+    play = stage(BUMPS % "cooldown_s: 1")
+    snapshots: list[Snapshot] = []
+    judge = play.referee.judge
+    play.referee.judge = lambda snapshot: snapshots.append(snapshot) or judge(snapshot)
+    for pair in (("Y1", "B1"), ("Y1", "B2"), ("B2", "B1")):
+        play.touch(*pair)
+    play.play(40)
+    play.touch("Y2", "B1")
+    play.play(2)
+
+    scenario = small(BUMPS % "cooldown_s: 1")
+    again = Referee(scenario, Roster.of(scenario), half_of(scenario))
+    again.start(play_start(stage))
+    lines = [firing_line(1, firing) for snapshot in snapshots for firing in again.judge(snapshot).firings]
+    assert lines == [firing_line(1, firing) for firing in play.firings]
+    assert len(lines) == 8
+
+
+def play_start(stage):
+    """Return the snapshot of tick 0."""
+    play = stage(BUMPS % "")
+    poses = [play.pose(name) for name in ("B1", "B2", "Y1", "Y2", "ball")]
+    return Snapshot(0, [poses], [0.0] * 5, [1.0] * 5, ())

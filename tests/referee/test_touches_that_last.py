@@ -1,0 +1,167 @@
+"""A touch that goes on: a rule may hear it again and again, until the two let go of each other."""
+
+import pytest
+
+from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.referee.script import try_expectation
+from rcj_challenges.scenario.dump import dumped
+from rcj_challenges.scenario.load import load_text
+
+TAG = """
+flags: {catcher: {per: robots}}
+timers: {safe: {lasts_s: 2, per: robots}}
+rules:
+  begins:
+    triggers: [{trigger: half_started}]
+    actions: [{action: set_flag, flag: catcher, entity: Y1}]
+  caught:
+    for_each: robots
+    exclusive: one_at_a_time
+    triggers: [{trigger: touches, entity: each, other: robots, every_s: 0.1}]
+    conditions:
+      - {condition: flag, flag: catcher, entity: each}
+      - {condition: timer, timer: safe, entity: other, negate: true}
+    actions:
+      - {action: set_flag, flag: catcher, entity: other}
+      - {action: set_flag, flag: catcher, entity: each, to: false}
+      - {action: timer, timer: safe, entity: each, do: restart}
+      - {action: emit, event: CAUGHT, payload: {who: {word: other_name}}}
+"""
+
+BUMPS = """
+phases: {pause: {}}
+rules:
+  bump:
+    triggers: [{trigger: touches, entity: yellow, other: ball, every_s: 0.5}]
+    actions: [{action: emit, event: BUMP}]
+  stop:
+    triggers: [{trigger: event, event: NEVER}]
+    actions: [{action: set_phase, phase: pause}]
+"""
+
+
+def stay_together(play, first, second, seconds):
+    for _ in range(ticks_from_s(seconds)):
+        play.touch(first, second)
+        play.play()
+
+
+def ticks_of(play, event):
+    return [one.tick for one in play.events_named(event)]
+
+
+class TestTouchThatLasts:
+    def test_without_it_a_touch_is_heard_once(self, stage):
+        play = stage(BUMPS.replace(", every_s: 0.5", ""))
+        stay_together(play, "Y1", "ball", 3)
+        assert ticks_of(play, "BUMP") == [1]
+
+    def test_it_is_heard_when_it_begins_and_at_each_interval_counted_from_there(self, stage):
+        play = stage(BUMPS)
+        stay_together(play, "Y1", "ball", 2)
+        # 0.5 s are 15.6 ticks, and that does not add up.
+        assert ticks_of(play, "BUMP") == [1, 17, 33, 48]
+
+    def test_who_lets_go_and_comes_back_begins_anew(self, stage):
+        play = stage(BUMPS)
+        stay_together(play, "Y1", "ball", 0.32)
+        play.play(20)
+        stay_together(play, "Y1", "ball", 0.64)
+        assert ticks_of(play, "BUMP") == [1, 31, 47]
+
+    def test_each_pair_has_its_own_time(self, stage):
+        play = stage(BUMPS)
+        stay_together(play, "Y1", "ball", 0.32)
+        for _ in range(16):
+            play.touch("Y1", "ball")
+            play.touch("Y2", "ball")
+            play.play()
+        # Y1 at 1 and 17, Y2 at 11.
+        assert ticks_of(play, "BUMP") == [1, 11, 17]
+
+    def test_a_catcher_that_stays_at_a_robot_catches_it_when_its_rest_is_over(self, stage):
+        play = stage(TAG)
+        stay_together(play, "Y1", "B1", 3)
+        caught = [(event.payload["who"], event.tick) for event in play.events_named("CAUGHT")]
+        assert [who for who, _ in caught] == ["B1", "Y1"]
+        assert 2.0 <= (caught[1][1] - caught[0][1]) * 0.032 <= 2.15
+
+    def test_what_a_rule_puts_elsewhere_touches_nothing_any_more(self, stage):
+        play = stage("""
+rules:
+  bump:
+    triggers: [{trigger: touches, entity: yellow, other: ball, every_s: 0.5}]
+    max_executions: 1
+    actions: [{action: place, entity: ball, at: {point: [0, 0.3]}}]
+  again:
+    triggers: [{trigger: touches, entity: yellow, other: ball, every_s: 0.5}]
+    actions: [{action: emit, event: BUMP}]
+""")
+        stay_together(play, "Y1", "ball", 0.032)
+        play.play(40)
+        assert ticks_of(play, "BUMP") == [1]
+
+    def test_in_another_phase_it_is_not_heard_and_its_time_begins_anew_after_it(self, stage):
+        play = stage("""
+phases: {pause: {lasts_s: 0.64, next: play}}
+rules:
+  bump:
+    triggers: [{trigger: touches, entity: yellow, other: ball, every_s: 0.96}]
+    actions: [{action: emit, event: BUMP}]
+  stop:
+    triggers: [{trigger: time_reached, at_s: 0.32}]
+    actions: [{action: set_phase, phase: pause}]
+""")
+        stay_together(play, "Y1", "ball", 3)
+        assert ticks_of(play, "BUMP") == [1, 60, 90]
+
+
+class TestTouchInATest:
+    FILE = """
+schema_version: 1
+id: it
+title: It
+extends: soccersim_v2
+match: {half_s: 60}
+timers: {untouched: {lasts_s: 1}}
+rules:
+  touched:
+    triggers: [{trigger: touches, entity: robots, other: ball, every_s: 0.2}]
+    actions: [{action: timer, timer: untouched, do: restart}]
+  lost:
+    triggers: [{trigger: timer_expired, timer: untouched}]
+    actions: [{action: emit, event: LOST}]
+expect:
+  the_ball_is_lost_a_second_after_the_robot_let_go:
+    keyframes: [{at_s: 1, touch: [[Y1, ball]], touch_lasts_s: 3}%s]
+    lasts_s: 10
+    events: [{event: LOST, at_s: %s, tolerance_s: 0.25}]
+"""
+
+    @pytest.mark.parametrize(
+        ("also", "lost_s"),
+        [("", 5), (", {at_s: 2}", 5), (", {at_s: 3, touch: [[Y1, ball]], touch_lasts_s: 2}", 6)],
+    )
+    def test_a_hand_may_hold_two_together_for_a_time(self, also, lost_s):
+        loaded = load_text(self.FILE % (also, lost_s))
+        assert try_expectation(loaded, *loaded.scenario.expect).differences == ()
+
+    def test_what_a_rule_puts_elsewhere_is_out_of_the_hand(self, stage):
+        play = stage("""
+rules:
+  put_back:
+    triggers: [{trigger: touches, entity: yellow, other: ball}]
+    actions: [{action: place, entity: ball, at: {point: [0, 0.3]}}, {action: emit, event: PUT}]
+""")
+        play.touch("Y1", "ball", 50)
+        play.play(60)
+        assert ticks_of(play, "PUT") == [1]
+
+    def test_who_holds_nothing_is_written_as_before(self):
+        plain = self.FILE.replace(", every_s: 0.2", "").replace(", touch_lasts_s: 3", "") % ("", 2)
+        written = dumped(load_text(plain).scenario)
+        assert "every_s" not in written["rules"]["touched"]["triggers"][0]
+        (test,) = written["expect"].values()
+        assert "touch_lasts_s" not in test["keyframes"][0]
+        scenario = load_text(self.FILE % ("", 5)).scenario
+        assert type(scenario).model_validate(dumped(scenario)) == scenario

@@ -1,0 +1,55 @@
+"""Lint of rules that ask at a touch whether the ball lies still: the touch itself has set it rolling."""
+
+import pytest
+
+from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.load import load_text
+from tests.scenario.writing import HEAD
+
+TOUCH = "{trigger: touches, entity: %s, other: %s}"
+
+
+def warned(condition, trigger=TOUCH % ("robots", "ball"), each=""):
+    rule = f"{{{each}triggers: [{trigger}], conditions: [{{condition: {condition}}}], actions: [{{action: end}}]}}"
+    found = [str(one) for one in lint(load_text(f"{HEAD}rules: {{r: {rule}}}\n", file="a.yaml"))]
+    return [one for one in found if "still_when_touched" in one]
+
+
+def test_a_touch_of_a_ball_that_lies_still_is_warned_of():
+    (text,) = warned("speed, entity: ball, at_most: 0.01")
+    assert text.endswith(
+        "rules.r.conditions[0] (speed): in the tick in which it is touched 'ball' rolls already: this holds only after a "
+        "touch that hardly moved it, though tests, which have no physics, pass; let a flag remember that it lay still, "
+        "set by holds of its speed [still_when_touched]"
+    )
+
+
+@pytest.mark.parametrize(
+    ("condition", "trigger", "each"),
+    [
+        ("speed, entity: ball, equals: 0", TOUCH % ("ball", "Y1"), ""),
+        ("speed, entity: ball, at_least: 0.02, negate: true", TOUCH % ("robots", "ball"), ""),
+        ("speed, entity: each, at_most: 0.01", TOUCH % ("each", "robots"), "for_each: balls, "),
+        ("speed, entity: other, at_most: 0.01", TOUCH % ("each", "balls"), "for_each: robots, "),
+        ("speed, entity: balls, at_most: 0.01, of: all", TOUCH % ("robots", "balls"), ""),
+    ],
+)
+def test_in_whatever_words_it_is_asked(condition, trigger, each):
+    assert len(warned(condition, trigger, each)) == 1
+
+
+@pytest.mark.parametrize(
+    ("condition", "trigger"),
+    [
+        ("speed, entity: ball, at_most: 0.3", TOUCH % ("robots", "ball")),
+        ("speed, entity: ball, at_least: 0.02", TOUCH % ("robots", "ball")),
+        ("speed, entity: ball, at_most: 0.01, negate: true", TOUCH % ("robots", "ball")),
+        ("speed, entity: Y1, at_most: 0.01", TOUCH % ("Y1", "ball")),
+        ("speed, entity: ball, at_most: 0.01", TOUCH % ("robots", "walls")),
+        # While the touch goes on it may come to lie still.
+        ("speed, entity: ball, at_most: 0.01", "{trigger: touches, entity: robots, other: ball, every_s: 1}"),
+        ("speed, entity: ball, at_most: 0.01", "{trigger: time_reached, at_s: 5}"),
+    ],
+)
+def test_other_questions_are_sound(condition, trigger):
+    assert warned(condition, trigger) == []

@@ -1,0 +1,208 @@
+"""``other``, the one that is touched: where it may stand, and what lint makes of rules that name it."""
+
+import pytest
+
+from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.other import with_other
+from rcj_challenges.scenario.references import REFERENCES, Field
+from tests.scenario.test_cross_references import WORLD
+from tests.scenario.writing import loaded, problems_of
+
+TOUCH = "{trigger: touches, entity: each, other: %s}"
+
+
+def refers(action="{action: end}", condition="", touched="robots", trigger="", for_each="robots"):
+    """Whether a rule of touches is in order; else what is said."""
+    body = (
+        f"rules:\n  r:\n    for_each: {for_each}\n    triggers: [{TOUCH % touched}{trigger}]\n"
+        f"    conditions: [{condition}]\n    actions: [{action}]\n"
+    )
+    return [problem.message for problem in problems_of(loaded, WORLD + body)]
+
+
+@pytest.mark.parametrize(
+    "condition",
+    [
+        "in_zone, entity: other, zone: pitch", "in_zone, entity: [each, other], zone: pitch, of: all",
+        "distance, entity: each, to: other, at_most: 1", "speed, entity: other, at_least: 0.1",
+        "looks, entity: other, towards: each", "looks, entity: each, towards: other",
+        "counter, counter: pushes, entity: other, at_least: 1", "timer, timer: own, entity: other",
+        "last_touch, by: other", "last_touch, entity: other, by: each",
+    ],
+)  # fmt: skip
+def test_a_condition_can_ask_about_it(condition):
+    assert refers(condition=f"{{condition: {condition}}}") == []
+    assert refers(condition=f"{{condition: any_of, conditions: [{{condition: {condition}}}]}}") == []
+
+
+@pytest.mark.parametrize(
+    "action",
+    [
+        "place, entity: other, at: {relative_to: each, offset_m: [0, 0.2]}, facing: {towards: each}",
+        "place, entity: each, at: {nearest_free: all_spots, to: other}, facing: {towards: other}",
+        "place, entity: ball, at: {relative_to: other}, kick: {towards: {relative_to: other}, speed_mps: 1}",
+        "remove, entity: [other, each], for_s: 2",
+        "count, counter: pushes, entity: other, by: {counter: pushes, entity: other}",
+        "timer, timer: own, entity: other, do: start",
+        "score, entrant: other, points: [1, {counter: pushes, entity: other}, {distance: [each, other]}]",
+        "score, entrant: {last_touch: other}",
+        "emit, event: E, payload: {a: {word: other_name}, b: {position_of: other}, c: {last_touch: other}}",
+    ],
+)
+def test_an_action_can_act_on_it(action):
+    assert refers(f"{{action: {action}}}") == []
+
+
+def test_it_may_be_a_ball_that_is_kicked_or_an_obstacle_that_moves():
+    assert refers("{action: place, entity: other, at: start, kick: {towards: start, speed_mps: 1}}", "", "balls") == []
+    assert refers("{action: set_flag, flag: seen, entity: other}", "", "movers", for_each="blue") == []
+
+
+@pytest.mark.parametrize(
+    ("action", "touched", "message"),
+    [
+        ("remove, entity: other", "post", "'other' stands for 'post', a fixed obstacle; expected an entity"),
+        ("remove, entity: other", "[blue, walls]", "'other' stands for 'walls', the walls; expected an entity"),
+        ("count, counter: blue_pushes, entity: other", "robots",
+         "counter 'blue_pushes' is kept per blue, and 'Y1' is not among them"),
+        ("score, entrant: other", "[ball, blue]", "'other' stands for 'ball', a ball, which no entrant drives"),
+        ("place, entity: other, at: start, kick: {towards: start, speed_mps: 1}", "yellow",
+         "only balls roll: 'Y1' is a robot"),
+        ("place, entity: ball, at: {spot: other}", "robots", "'other' cannot stand here; name a spot"),
+    ],
+)  # fmt: skip
+def test_what_may_be_touched_must_be_of_the_kind_that_is_needed(action, touched, message):
+    assert refers(f"{{action: {action}}}", "", touched) == [message]
+
+
+def test_who_touches_is_not_the_other_one():
+    """Of the robots Y1 is the only one that a rule for Y1 cannot find to be touched."""
+    world = "groups: {rest: [B1, B2, B3, Y2, Y3]}\ncounters: {hits: {per: rest}}\nrules:\n  r:\n    %s\n"
+    body = "triggers: [{trigger: touches, entity: %s, other: robots}], actions: [{action: count, counter: hits, entity: other}]"
+    inside = body.replace(", actions", "\n    actions")
+    assert problems_of(loaded, world % (inside % "Y1")) == []
+    assert problems_of(loaded, world % ("for_each: Y1\n    " + inside % "each")) == []
+    assert problems_of(loaded, world % (inside % "robots"))
+
+
+ONLY_TOUCHES = "'other' is known only in a rule whose triggers are all touches; give what else sets it off its own rule"
+
+
+def test_a_rule_with_another_trigger_does_not_know_it():
+    for part in ({"action": "{action: remove, entity: other}"}, {"action": "{action: score, entrant: other}"},
+                 {"condition": "{condition: in_zone, entity: other, zone: pitch}"}):  # fmt: skip
+        assert refers(**part) == []
+        assert refers(trigger=", {trigger: half_started}", **part) == [ONLY_TOUCHES]
+
+
+def test_nobody_knows_it_outside_of_rules():
+    assert [p.message for p in problems_of(loaded, "broadcast: {fields: {at: {position_of: other}}}\n")] == [
+        ONLY_TOUCHES
+    ]
+    layout = "placements: {all: [{entity: ball, at: {relative_to: other}}]}\n"
+    assert [p.message for p in problems_of(loaded, layout)] == [ONLY_TOUCHES]
+
+
+def test_an_entrant_may_be_called_so_and_is_meant_then():
+    body = "entrants: {other: {radio_channel: 5, robots: {Z1: robot.py}}}\nrobots: {Z1: {colour: red, number: 1, kit: v2, start: {x_m: 0, y_m: 0.2, yaw_rad: 0}}}\n"
+    touch = "rules: {r: {triggers: [{trigger: touches, entity: ball, other: walls}], actions: [{action: score, entrant: other}]}}\n"
+    assert problems_of(loaded, body + touch) == []
+
+
+EACH_FIELDS = [(model, key) for (model, key), field in REFERENCES.items() if isinstance(field, Field) and field.each]
+
+
+@pytest.mark.parametrize(("model", "key"), EACH_FIELDS, ids=lambda part: getattr(part, "__name__", part))
+def test_wherever_each_may_stand_other_is_replaced_too(model, key):
+    name = next(name for name, info in model.model_fields.items() if (info.alias or name) == key)
+    for written, meant in (
+        ("other", "B1"),
+        (("each", "other"), ("each", "B1")),
+        ("each", "each"),
+        ((0.5, 1.0), (0.5, 1.0)),
+    ):
+        part = model.model_construct(**{**dict.fromkeys(model.model_fields), name: written})
+        assert getattr(with_other((part,), "B1")[0], name) == meant
+
+
+# --- lint -------------------------------------------------------------------------------------------------------------
+
+TWO = """rules:
+  one:
+    for_each: yellow
+    triggers: [{trigger: touches, entity: each, other: %s}]
+    conditions: [%s]
+    actions: [{action: place, entity: %s, at: start}]
+    says: One.
+  two:
+    for_each: yellow
+    triggers: [{trigger: touches, entity: each, other: blue}]
+    conditions: [%s]
+    actions: [{action: place, entity: %s, at: {spot: centre}}]
+    says: Two.
+result: {rank: [{time: ascending}]}
+flags: {safe: {per: robots, initial: true}}
+"""
+
+
+def kinds(body):
+    return {finding.kind for finding in lint(loaded(body))}
+
+
+@pytest.mark.parametrize(
+    ("touched", "first", "who", "second", "whom", "both"),
+    [
+        ("blue", "", "other", "", "other", True),
+        ("blue", "", "other", "", "each", False),
+        ("ball", "", "other", "", "other", False),
+        ("robots", "", "other", "", "blue", True),
+        ("B1", "", "other", "", "B2", False),
+        ("blue", "{condition: flag, flag: safe, entity: other}", "other",
+         "{condition: flag, flag: safe, entity: other, negate: true}", "other", False),
+        ("blue", "{condition: flag, flag: safe, entity: other}", "other",
+         "{condition: flag, flag: safe, entity: each, negate: true}", "other", True),
+    ],
+)  # fmt: skip
+def test_two_rules_move_one_thing_only_if_it_is_the_same_one(touched, first, who, second, whom, both):
+    body = TWO % (touched, first, who, second, whom)
+    assert ("two_rules_move_one_thing" in kinds(body)) is both
+
+
+def test_nothing_touches_itself_so_that_who_touches_and_who_is_touched_are_two():
+    body = (TWO % ("robots", "", "other", "", "each")).replace("yellow", "Y1").replace("other: blue", "other: robots")
+    assert "two_rules_move_one_thing" not in kinds(body)
+
+
+def test_points_for_whoever_drives_it_are_points_for_any_team():
+    body = """rules:
+  bump:
+    for_each: robots
+    triggers: [{trigger: touches, entity: each, other: robots}]
+    actions: [{action: score, entrant: other}]
+    says: "{other} gets a point."
+"""
+    assert kinds(body) == set()
+
+
+def told(trigger, says="So.", word=""):
+    payload = f", payload: {{who: {{word: {word}}}}}" if word else ""
+    body = f'rules: {{r: {{triggers: [{trigger}], actions: [{{action: emit, event: E{payload}}}], says: "{says}"}}}}\n'
+    found = lint(loaded(body + "result: {rank: [{time: ascending}]}\n"))
+    return [(finding.kind, finding.problem.message, finding.remedy) for finding in found]
+
+
+def test_a_sentence_that_names_it_without_a_touch_stays_empty():
+    touch = "{trigger: touches, entity: ball, other: robots}"
+    assert told(touch, "Hit: {other}.", "other_name") == []
+    remedy = "give the touches a rule of their own, or leave it out"
+    why = "not all triggers of this rule are touches"
+    for triggers in ("{trigger: half_started}", f"{touch}, {{trigger: half_started}}"):
+        assert told(triggers, "Hit: {other}.") == [
+            ("placeholder_never_filled", f"'{{other}}' stays empty: {why}", remedy)
+        ]
+        assert told(triggers, word="other_name") == [("word_never_filled", f"'other_name' stays empty: {why}", remedy)]
+
+
+def test_a_broadcast_that_names_it_stays_empty():
+    body = "broadcast: {fields: {who: {word: other_name}}}\nresult: {rank: [{time: ascending}]}\n"
+    assert "word_never_filled" in kinds(body)

@@ -1,0 +1,110 @@
+"""Names, errors and lint of spots that rules set."""
+
+import pytest
+
+from rcj_challenges.scenario.lint import lint
+from tests.scenario.writing import complaints, loaded, scenario
+
+SPOTS = "spots: {found: {x_m: 0, y_m: 0.2}, other_one: {x_m: 0.5, y_m: -0.5}}\ngroups: {both: [found, other_one]}\n"
+SET = "{action: set_spot, spot: found, to: ball}"
+
+
+def rules(*actions, conditions="", more=""):
+    asked = f"conditions: [{conditions}], " if conditions else ""
+    return (
+        f"{SPOTS}{more}rules:\n  r: {{{asked}triggers: [{{trigger: half_started}}], actions: [{', '.join(actions)}]}}\n"
+    )
+
+
+def found(body):
+    return [str(one).partition(" [")[0].split("warning: ")[1] for one in lint(loaded(body))]
+
+
+def kinds(body):
+    return {one.kind for one in lint(loaded(body))}
+
+
+@pytest.mark.parametrize(
+    ("action", "complaint"),
+    [
+        (
+            "{action: set_spot, spot: centr, to: ball}",
+            "rules.r.actions[0] (set_spot): unknown spot 'centr'; did you mean 'centre'?",
+        ),
+        (
+            "{action: set_spot, spot: ball, to: Y1}",
+            "rules.r.actions[0] (set_spot): 'ball' is a ball; expected a spot",
+        ),
+        (
+            "{action: set_spot, spot: found, to: blue_goal}",
+            "rules.r.actions[0] (set_spot): 'blue_goal' is a zone; expected an entity or spot",
+        ),
+        (
+            "{action: set_spot, spot: found, to: each}",
+            "rules.r.actions[0] (set_spot): 'each' is known only in a rule with for_each",
+        ),
+        (
+            "{action: set_spot, spot: both, to: ball}",
+            "rules.r.actions[0] (set_spot): 'both' is a group; name one spot",
+        ),
+        (
+            "{action: set_spot, spot: found}",
+            "rules.r.actions[0] (set_spot): 'to' is missing: an entity, each, a spot, or [x, y] in m",
+        ),
+    ],
+)
+def test_what_a_rule_cannot_set_is_refused(action, complaint):
+    assert complaints(rules(action)) == [complaint]
+
+
+def test_a_test_can_ask_where_a_spot_is_at_the_end():
+    test = "expect: {it: {keyframes: [{at_s: 0}], lasts_s: 1, poses: {%s: [0, 0]}}}\n"
+    assert scenario(rules(SET) + test % "found").expect["it"].poses == {"found": (0.0, 0.0)}
+    (complaint,) = complaints(rules(SET) + test % "blue_goal")
+    assert complaint.endswith("'blue_goal' is a zone; expected an entity or spot")
+
+
+def test_a_spot_that_rules_set_and_nothing_reads_is_said():
+    (said,) = (one for one in found(rules(SET)) if one.startswith("spots."))
+    assert said.startswith("spots.found: spot 'found' is set and nothing asks where it is; put something there, ")
+
+
+@pytest.mark.parametrize(
+    "action",
+    [
+        "{action: place, entity: Y1, at: {spot: found}}",
+        "{action: place, entity: Y1, at: {nearest_free: both}}",
+        "{action: place, entity: Y1, at: {spot: drawn}}",
+        "{action: place, entity: Y1, at: start, facing: {towards: found}}",
+        "{action: score, entrant: yellow, points: {distance: [ball, found]}}",
+        "{action: set_spot, spot: other_one, to: found}, {action: place, entity: Y1, at: {spot: other_one}}",
+    ],
+)
+def test_one_that_something_reads_is_fine(action):
+    assert "spot_never_read" not in kinds(rules(SET, action, more="draws: {drawn: {values: [found, centre]}}\n"))
+
+
+def test_a_test_that_asks_for_it_is_no_use_of_it():
+    test = "expect: {it: {keyframes: [{at_s: 0}], lasts_s: 1, poses: {found: [0, 0]}}}\n"
+    assert "spot_never_read" in kinds(rules(SET) + test)
+
+
+def test_a_spot_that_no_rule_sets_need_not_be_read():
+    assert kinds(rules("{action: end}")) & {"spot_never_read"} == set()
+
+
+FAR = "spots: {found: {x_m: 9, y_m: 9}}\n"
+PUT = "{action: place, entity: [Y1, ball], at: %s}"
+
+
+@pytest.mark.parametrize("at", ["{spot: found}", "{choice: [found]}", "{nearest_free: [found]}"])
+def test_where_a_spot_is_that_rules_set_is_not_known_from_the_file(at):
+    text = "rules:\n  r: {triggers: [{trigger: half_started}], actions: [%s]}\n"
+    still, moved = text % (PUT % at), text % f"{SET}, {PUT % at}"
+    assert {"layout_without_room", "spot_off_the_field"} <= kinds(FAR + still)
+    assert kinds(FAR + moved) & {"layout_without_room", "spot_off_the_field"} == set()
+
+
+def test_a_scenario_without_such_spots_is_dumped_as_before():
+    dumped = scenario(rules("{action: end}")).model_dump(mode="json")
+    assert dumped["spots"]["found"] == {"x_m": 0.0, "y_m": 0.2}

@@ -1,0 +1,101 @@
+"""What sheet, picture and replay show of spots that rules set."""
+
+import pytest
+
+from rcj_challenges.scenario.load import load_text
+from rcj_challenges.views.drawing import draw_scenario
+from rcj_challenges.views.drawing.areas import placement_areas
+from rcj_challenges.views.replay.things import visible_things
+from tests.views.sheets import HEAD, sentence, sheet
+
+SPOTS = "spots: {found: {x_m: 0, y_m: 0.2}, lost: {x_m: 0.3, y_m: 0.1}}\ngroups: {both: [found, lost]}\n"
+NOTE = "the drawing shows where"
+
+
+def loaded(*actions, more=""):
+    text = f"rules:\n  r: {{triggers: [{{trigger: half_started}}], actions: [{', '.join(actions)}]}}\n"
+    return load_text(HEAD + SPOTS + more + text)
+
+
+def set_to(what, spot="found"):
+    return f"{{action: set_spot, spot: {spot}, to: {what}}}"
+
+
+@pytest.mark.parametrize(
+    ("to", "words"),
+    [
+        ("ball", "the place of the ball is remembered as the spot “found”"),
+        ("Y1", "the place of Y1 is remembered as the spot “found”"),
+        ("lost", "the place of the spot “lost” is remembered as the spot “found”"),
+        ("[0.1, 0]", "(0.1, 0) is remembered as the spot “found”"),
+    ],
+)
+def test_the_sheet_says_what_is_remembered(to, words):
+    said = sentence(f"triggers: [{{trigger: half_started}}], actions: [{set_to(to)}]", SPOTS)
+    assert said.startswith(f"When a half starts: {words}")
+
+
+def test_of_each_the_sheet_says_its_place():
+    rule = f"for_each: robots, triggers: [{{trigger: touches, entity: each, other: ball}}], actions: [{set_to('each')}]"
+    assert "its place is remembered as the spot “found”" in sentence(rule, SPOTS)
+
+
+def test_the_sheet_says_that_rules_set_it_and_where_a_half_begins():
+    one = f"{SPOTS}rules:\n  r: {{triggers: [{{trigger: half_started}}], actions: [{set_to('ball')}]}}\n"
+    assert "Rules set the spot “found” anew; the drawing shows where it is when a half starts." in sheet(one)
+    two = one.replace("ball}]", f"ball}}, {set_to('Y1', 'lost')}]")
+    said = "Rules set the spot “found” and the spot “lost” anew; the drawing shows where they are when a half starts."
+    assert said in sheet(two)
+    assert NOTE not in sheet(SPOTS)
+
+
+def test_the_picture_marks_it_in_the_colour_of_what_rules_put_and_tells_where_it_begins():
+    one = loaded(set_to("ball"))
+    picture = draw_scenario(one.scenario, one.roster)
+    assert ">found: 0, 0.2 when a half starts; rules set it<" in picture
+    assert ">lost: 0.3, 0.1<" in picture
+    assert "found when a half starts; rules set it</title>" in picture
+    orange = [line for line in picture.split("<line")[1:] if 'stroke="#f08c00"' in line]
+    assert len(orange) == 2
+    assert all("found" in line for line in orange)
+    assert ">found<" in picture
+
+
+@pytest.mark.parametrize(
+    "at",
+    [
+        "{spot: found}", "{choice: [found]}", "{nearest_free: found}", "{relative_to: found, offset_m: [0.1, 0]}",
+        "{spot: drawn}",
+    ],
+)  # fmt: skip
+def test_what_is_put_where_it_was_remembered_has_no_known_place(at):
+    draw = "draws: {drawn: {values: [found]}}\n"
+    put = f"{{action: place, entity: ball, at: {at}, mirror: {{axis: x}}}}"
+    still, moved = loaded(put, more=draw), loaded(set_to("Y1"), put, more=draw)
+    assert len(placement_areas(still.scenario, still.roster)) == 1
+    assert placement_areas(moved.scenario, moved.roster) == {}
+
+
+def test_what_is_put_beside_something_at_a_remembered_place_has_no_known_place_either():
+    puts = (
+        "{action: place, entity: Y1, at: {spot: found}}",
+        "{action: place, entity: ball, at: {relative_to: Y1, offset_m: [0.1, 0]}}",
+        "{action: place, entity: Y2, at: {relative_to: found}}",
+        "{action: place, entity: B1, at: {relative_to: Y2, offset_m: [0.1, 0]}}",
+    )
+    still, moved = loaded(*puts), loaded(set_to("B3"), *puts)
+    assert list(placement_areas(still.scenario, still.roster).values()) == [["ball", "B1"]]
+    assert placement_areas(moved.scenario, moved.roster) == {}
+
+
+def test_of_a_group_the_others_are_drawn():
+    put = "{action: place, entity: ball, at: {choice: [both]}, mirror: {axis: x}}"
+    one = loaded(set_to("Y1"), put)
+    assert [area.words() for area in placement_areas(one.scenario, one.roster)] == ["(-0.3, 0.1)"]
+
+
+def test_pages_and_videos_show_the_spots_that_stay_where_they_are():
+    one = loaded(set_to("ball"))
+    names = [spot["name"] for spot in visible_things(one.scenario)["spots"]]
+    assert "lost" in names
+    assert "found" not in names
