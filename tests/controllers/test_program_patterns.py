@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pickle
 import struct
+import sys
 from pathlib import Path
 
 import pytest
@@ -444,3 +445,17 @@ while robot.step(32) != -1:
     pass
 """
     assert match.play(program, 3).said == ["one, two"]
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="what the start needs differs between systems")
+def test_what_would_be_half_of_a_programs_start_is_loaded_only_by_programs_that_use_it(match: FakeMatch) -> None:
+    program = """
+import sys
+heavy = {"typing", "collections", "re", "enum", "functools", "contextlib"}
+print("before:", sorted(heavy & set(sys.modules)))
+from controller import Robot
+robot = Robot()
+print("after:", sorted(heavy & set(sys.modules)))
+robot.step(32)
+"""
+    assert match.play(program, 1).said == ["before: []", "after: []"]

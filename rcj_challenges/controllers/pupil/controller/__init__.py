@@ -7,13 +7,16 @@ its own too, as in R2023a (``controller.gps``); they are read only by programs t
 from __future__ import annotations
 
 import sys
-from typing import Any
 
 from .device import Device, Sensor
 from .motor import Motor
 from .radio import Emitter, Receiver
 from .robot import Robot
 from .sensors import GPS, Compass, DistanceSensor, PositionSensor
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 __all__ = [
     "GPS",

@@ -7,12 +7,17 @@ from __future__ import annotations
 import builtins
 import os
 import sys
-from typing import Any
 
 from . import _chance, _clock, _confine, _hub, _older, _report, _signals, _waits
-from ._hooks import AfterImport, Patch
+from ._hooks import AfterImport
 from ._output import Output
 from ._wire import HELLO, Wire, fault_frame, leave
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from ._hooks import Patch
 
 _RESERVE_BYTES = 4 << 20  # of addresses, never touched; Python 3.14 needs more than 1 MB to tell of an error
 _MOST_TOLD = 2_000  # letters

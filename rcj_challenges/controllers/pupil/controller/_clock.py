@@ -13,10 +13,13 @@ from __future__ import annotations
 
 import time
 from _thread import LockType, _count, allocate_lock, get_ident
-from collections.abc import Callable
-from typing import Any
 
 from ._hooks import Unbound
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
 
 EPOCH_NS = 1_704_067_200_000_000_000
 """Every half begins at 2024-01-01T00:00:00Z: any fixed date serves, this one is a plausible one."""

@@ -11,10 +11,13 @@ import faulthandler
 import os
 import sys
 from _thread import allocate_lock, start_new_thread
-from collections.abc import Callable
-from typing import Any
 
 from ._wire import leave
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
 
 _SIGKILL = 9
 _DUMP_BEGINS = b"Fatal Python error: Aborted\n\n"  # as where a signal asks for it

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
-from collections import deque
-from collections.abc import Callable
 from struct import Struct
-from typing import Any
 
 from ._wire import (
     HEAD_FIELDS,
@@ -16,13 +13,25 @@ from ._wire import (
     OVER,
     PACKET,
     Emission,
-    Motors,
     Wire,
     leave,
     motors_frame,
     request_frame,
     with_missed_ticks,
 )
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections import deque
+    from collections.abc import Callable
+    from typing import Any
+
+    from ._wire import Motors
+
+    Seen = tuple[int, tuple[Any, ...]]
+    """A tick, and the numbers of a sample that was taken then."""
+else:
+    from _collections import deque
 
 Packet = tuple[bytes, float, float, float, float]
 """Payload, strength, and the direction's x, y, z in the robot's frame."""
@@ -58,10 +67,6 @@ class PacketQueue:
     def drop(self) -> None:
         """Forget the oldest packet."""
         self._bytes -= len(self.packets.popleft()[0]) + _PACKET_OVERHEAD
-
-
-Seen = tuple[int, tuple[Any, ...]]
-"""A tick, and the numbers of a sample that was taken then."""
 
 
 class Samples:

@@ -11,9 +11,12 @@ import os
 import stat
 import sys
 from struct import pack
-from typing import Any
 
 from ._native import refuse_new_privileges, system_call
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 _CREATE_RULESET, _ADD_RULE, _RESTRICT_SELF = 444, 445, 446  # the same number on all architectures
 _VERSION = 1  # LANDLOCK_CREATE_RULESET_VERSION

@@ -4,9 +4,11 @@
 
 from __future__ import annotations
 
-from typing import Any
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
-from ._hooks import Patch
+    from ._hooks import Patch
 
 
 def _collections(module: Any) -> None:

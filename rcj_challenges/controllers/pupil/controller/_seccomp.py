@@ -9,10 +9,13 @@ from __future__ import annotations
 import os
 import sys
 from struct import Struct
-from typing import Any
 
 from ._native import refuse_new_privileges, system_call
 from ._syscalls import CALLS, IN_PART, PASSED_OVER, UNKNOWN
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 MACHINES = {"x86_64": (0, 0xC000003E), "aarch64": (1, 0xC00000B7)}
 """Column of the tables, and the architecture as filters see it (linux/audit.h); both little-endian, 64 bit."""

@@ -7,9 +7,12 @@ lose the answer, and program and match would no longer speak of the same tick.
 from __future__ import annotations
 
 import _signal  # type: ignore[import-not-found]  # what `signal` is made of, without its enums
-from typing import Any
 
 from ._hub import Hub
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 _EXCHANGE = Hub.exchange.__code__
 

@@ -8,14 +8,18 @@ it really waits, for only so much time may they take. Those measure their own li
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
-from typing import Any
 
 from ._clock import Clock, real_monotonic, real_process_time
-from ._hooks import Patch
 
-Wait = Callable[[Any, Any], Any]
-"""A method with a limit in s, or None, that returns what is true if what was waited for came."""
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from ._hooks import Patch
+
+    Wait = Callable[[Any, Any], Any]
+    """A method with a limit in s, or None, that returns what is true if what was waited for came."""
 
 
 _SHORT_S = 0.032

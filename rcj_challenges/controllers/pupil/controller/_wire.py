@@ -4,9 +4,15 @@ from __future__ import annotations
 
 import os
 from _thread import allocate_lock
-from collections.abc import Iterable, Sequence
 from struct import Struct, error
-from typing import NoReturn
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+    from typing import NoReturn
+
+    Motors = Iterable[tuple[int, float, float]]
+    """Index, velocity in rad/s, position in rad."""
 
 HELLO, OBSERVATION, REQUEST, FAULT = 0x48, 0x4F, 0x52, 0x46
 OVER = 1
@@ -104,9 +110,6 @@ def leave(status: int) -> NoReturn:
     """End the process at once, without running anything more of the program."""
     os._exit(status)
 
-
-Motors = Iterable[tuple[int, float, float]]
-"""Index, velocity in rad/s, position in rad."""
 
 Emission = tuple[int, int, bytes]
 """Index of the emitter, channel, payload."""

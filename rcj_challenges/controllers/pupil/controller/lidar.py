@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import math
 from struct import Struct
-from typing import Any
 
 from ._hub import Hub, complain
 from .device import ReadOnly, Sensor
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 _POINT = Struct("<3fif")  # a point in a buffer: x, y, z, layer_id, time
 

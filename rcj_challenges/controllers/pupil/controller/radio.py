@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import math
 import struct
-from collections import deque
-from collections.abc import Sequence
-from typing import Any
 
 from ._hub import Hub, Packet, complain, told
 from .device import Device, ReadOnly, Sensor
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections import deque
+    from collections.abc import Sequence
+    from typing import Any
+else:
+    from _collections import deque
 
 
 class Receiver(Sensor):

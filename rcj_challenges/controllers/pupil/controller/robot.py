@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable
-from typing import Any, NoReturn, Self, cast
 
 from ._hub import Hub, complain, connected
 from .device import Device, ReadOnly, device_of
 from .motor import Motor
 from .radio import Emitter, Receiver
 from .sensors import GPS, Compass, DistanceSensor, PositionSensor
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any, NoReturn, Self
 
 _CLASSES: dict[str, type[Device]] = {
     "motor": Motor,
@@ -54,7 +57,7 @@ class Robot:
     def __new__(cls, *_: object, **__: object) -> Self:
         """Make a robot that complains until ``__init__``, which a class of a team's own may forget, has run."""
         robot = super().__new__(cls)
-        robot._rcj_hub = cast("Hub", _NotBegun(cls.__name__))
+        robot._rcj_hub = _NotBegun(cls.__name__)  # type: ignore[assignment] # until it is begun
         robot._rcj_told_of = set()
         robot._rcj_inputs = {}
         robot._rcj_custom_data = ""
