@@ -31,52 +31,58 @@ def wheel_sensor(one: Fitted, ground: Ground) -> WheelSensor:
     return WheelSensor(one.spec.slot, at, device.direction)
 
 
-class Gps:
-    """The cube's centre in m: [x, y, z], or [y, z, x] in the legacy frame."""
+class _BodySensor:
+    """Three numbers of a robot's body, in today's frame or the legacy one, with noise or without."""
 
-    def __init__(self, one: Fitted, half: HalfInfo) -> None:
-        """Open the stream of noise, if it has any."""
-        device = cast("GpsDevice", one.device)
+    def __init__(self, one: Fitted, half: HalfInfo, sigma: float, draws: int) -> None:
+        """Open the stream of noise, if it has any.
+
+        Args:
+            one: the device on its robot.
+            half: for the noise.
+            sigma: standard deviation of its noise.
+            draws: how many errors it has in a tick.
+        """
+        device = cast("GpsDevice | CompassDevice", one.device)
         self.slot = one.spec.slot
         self._legacy = device.frame == "legacy"
-        self._sigma_m = device.noise_m
-        self._noise = Noise(half, [(one.robot_name, one.spec.name)], 3) if device.noise_m else None
+        self._sigma = sigma
+        self._noise = Noise(half, [(one.robot_name, one.spec.name)], draws) if sigma else None
 
     @property
     def plain(self) -> bool:
-        """Whether it shows the position as it is."""
+        """Whether it shows things as they are."""
         return self._noise is None and not self._legacy
+
+
+class Gps(_BodySensor):
+    """The cube's centre in m: [x, y, z], or [y, z, x] in the legacy frame."""
+
+    def __init__(self, one: Fitted, half: HalfInfo) -> None:
+        """See `_BodySensor`."""
+        super().__init__(one, half, cast("GpsDevice", one.device).noise_m, draws=3)
 
     def read(self, tick: int, pose: RobotPose, values: list[float]) -> None:
         """Write the reading of a tick into the robot's numbers."""
         x, y, z = pose.x, pose.y, pose.z
         if self._noise is not None:
             error_x, error_y, error_z = self._noise.numbers(tick)
-            x, y, z = x + self._sigma_m * error_x, y + self._sigma_m * error_y, z + self._sigma_m * error_z
+            x, y, z = x + self._sigma * error_x, y + self._sigma * error_y, z + self._sigma * error_z
         values[self.slot : self.slot + 3] = (y, z, x) if self._legacy else (x, y, z)
 
 
-class Compass:
+class Compass(_BodySensor):
     """The world's +y in the robot's frame: [sin ψ, cos ψ, 0] when level, or [cos θ, 0, sin θ] in the legacy frame."""
 
     def __init__(self, one: Fitted, half: HalfInfo) -> None:
-        """Open the stream of noise, if it has any."""
-        device = cast("CompassDevice", one.device)
-        self.slot = one.spec.slot
-        self._legacy = device.frame == "legacy"
-        self._sigma_rad = device.noise_rad
-        self._noise = Noise(half, [(one.robot_name, one.spec.name)]) if device.noise_rad else None
-
-    @property
-    def plain(self) -> bool:
-        """Whether it shows north as it is."""
-        return self._noise is None and not self._legacy
+        """See `_BodySensor`."""
+        super().__init__(one, half, cast("CompassDevice", one.device).noise_rad, draws=1)
 
     def read(self, tick: int, pose: RobotPose, values: list[float]) -> None:
         """Write the reading of a tick into the robot's numbers."""
         forward, left, up = pose.north()
         if self._noise is not None:
-            forward, left = _turned(forward, left, self._sigma_rad * self._noise.numbers(tick)[0])
+            forward, left = _turned(forward, left, self._sigma * self._noise.numbers(tick)[0])
         shown: Vector = (left, up, forward) if self._legacy else (forward, left, up)
         values[self.slot : self.slot + 3] = shown
 

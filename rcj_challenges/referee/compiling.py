@@ -17,10 +17,10 @@ from rcj_challenges.referee.rules import Hits, Listener, StandingRule
 from rcj_challenges.referee.setting_down import Putting, Queue
 from rcj_challenges.referee.state import State
 from rcj_challenges.referee.watching import Lookout, Track, Watch
+from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.models.places import Mirror
 from rcj_challenges.scenario.remembered import remembered_spots
 
-EACH = "each"
 Names = str | tuple[str, ...]
 
 _W = TypeVar("_W", bound=Watch)

@@ -63,7 +63,8 @@ class World:
         self._names = roster.entities
         self._starts = _start_placements(scenario, roster)
         self._traction = Traction(self.model, self.data, self.tables, chassis, scenario.field.friction)
-        self._rolling = Rolling(self.data, self.tables, scenario.balls)
+        slow_down = any(ball.slows_mps2 for ball in scenario.balls.values())
+        self._rolling = Rolling(self.data, self.tables, scenario.balls) if slow_down else None
         mujoco.mj_kinematics(self.model, self.data)
         self._surroundings = Surroundings(self.model, self.data, self.tables)
         self._ball_rest_m = self._settled_ball_heights()
@@ -123,7 +124,8 @@ class World:
         model, data, traction, recorder, mj_step = self.model, self.data, self._traction, self._recorder, mujoco.mj_step
         surroundings = self._surroundings
         traction.before_tick()
-        self._rolling.before_tick()
+        if self._rolling is not None:
+            self._rolling.before_tick()
         for substep in range(SUBSTEPS_PER_TICK):
             traction.before_substep()
             surroundings.before_substep()
