@@ -27,7 +27,15 @@ from rcj_challenges.facts.traffic import DeviceSpec, Observation, Packet, RobotS
 from rcj_challenges.scenario.models.scenario import Limits
 
 ROBOTS = ("B1", "B2", "B3", "Y1", "Y2", "Y3")
-VALUES = 12  # wheels 2, gps 3, compass 3, sonars 4
+DEVICES = (
+    ("left wheel motor", "motor", 0), ("right wheel motor", "motor", 0), ("gps", "gps", 3),
+    ("supervisor receiver", "receiver", 0), ("compass", "compass", 3),
+    *((f"{side} wheel sensor", "position_sensor", 1) for side in ("left", "right")),
+    *((f"distancesensor {side}", "distance_sensor", 1) for side in ("left", "right", "front", "back")),
+)  # fmt: skip
+"""Name, kind and how many numbers each tells."""
+VALUES = sum(width for _, _, width in DEVICES)
+RECEIVER = [name for name, _, _ in DEVICES].index("supervisor receiver")
 PROGRAM = """
 from controller import Robot
 robot = Robot()
@@ -51,10 +59,9 @@ ECHO = "import os\nwhile d := os.read(0, 65536): os.write(1, d[:48])"
 
 
 def spec(name: str) -> RobotSpec:
-    """Return a robot with the devices of the program."""
-    kinds = (("left wheel motor", "motor", 0), ("right wheel motor", "motor", 0), ("gps", "gps", 3))
+    """Return a robot with these devices."""
     devices, slot = [], 0
-    for index, (device, kind, width) in enumerate((*kinds, ("supervisor receiver", "receiver", 0))):
+    for index, (device, kind, width) in enumerate(DEVICES):
         devices.append(DeviceSpec(device, kind, index, slot if width else -1, width))
         slot += width
     return RobotSpec(name, tuple(devices), VALUES, "bytes")
@@ -79,7 +86,7 @@ def crew_rounds(folder: Path, source: str, ticks: int, rounds: int, *, portable:
             began = time.perf_counter()
             for _ in range(ticks):
                 tick += 1
-                observation = Observation(tick, [float(tick)] * VALUES, [Packet(3, b"\0", 1.0, (1.0, 0.0, 0.0))])
+                observation = Observation(tick, [float(tick)] * VALUES, [Packet(RECEIVER, b"\0", 1.0, (1.0, 0.0, 0.0))])
                 for program in programs:
                     program.release(observation)
                 for program in programs:

@@ -112,7 +112,9 @@ def run(
         float | None,
         typer.Option("--live-for", metavar="S", min=0, help="With --live: serve so long after the match."),
     ] = None,
-    open_: Annotated[bool, typer.Option("--open", help="With --live: open the page in the browser.")] = False,
+    open_: Annotated[
+        bool, typer.Option("--open", help="Open the page in the browser: after the match, with --live before it.")
+    ] = False,
 ) -> None:
     """Play a scenario with the teams' programs."""
     from rcj_challenges.cli.run import RunOptions, run_scenario
@@ -135,6 +137,7 @@ def run(
                 sandbox=sandbox,
                 replay=replay,
                 record_sensors=record == "sensors",
+                open=open_,
                 live=LiveOptions.of(live, speed, live_for, open_=open_),
             )
         )

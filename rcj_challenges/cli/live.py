@@ -67,7 +67,7 @@ class LiveOptions:
         """
         if port is not None:
             return cls(port, _speed(speed), open_, for_s)
-        given = {"--speed": speed is not None, "--live-for": for_s is not None, "--open": open_}
+        given = {"--speed": speed is not None, "--live-for": for_s is not None}
         for option in (option for option, is_given in given.items() if is_given):
             raise LiveOptionError(f"{option} is for a match that is shown while it is played: give --live too")
         return None

@@ -39,6 +39,7 @@ class RunOptions:
     sandbox: str
     replay: bool
     record_sensors: bool = False
+    open: bool = False
     live: LiveOptions | None = None
 
 
@@ -50,6 +51,8 @@ def run_scenario(options: RunOptions) -> int:
     """
     from rcj_challenges.scenario.load import load
 
+    if options.open and options.live is None and not options.replay:
+        raise UsageError("--open opens the page of the match, and --no-replay leaves it out: give one of them")
     # MuJoCo would load a window system's library, 50 ms, and a match draws nothing.
     os.environ.setdefault("MUJOCO_GL", "disable")
     loaded = load(options.scenario, options.overrides)
@@ -84,6 +87,8 @@ def run_scenario(options: RunOptions) -> int:
         with on_air(options.live, loaded.scenario, titles, plan.logos, plan.seed, console) as show:
             outcome = play_match(plan, watcher if show is None else Together(watcher, show.watcher))
             _tell(options, console, loaded.scenario, outcome)
+            if options.open and options.live is None:
+                _open_page(outcome.folder, console)
             if show is not None and options.live is not None:
                 show.match_over(outcome.folder)
                 stay_on_air(show, options.live, console)
@@ -110,6 +115,16 @@ def _tell(options: RunOptions, console: Console, scenario: Scenario, outcome: Pl
             say_json(outcome.result)
         else:
             _summary(console, scenario, outcome, replay=written)
+
+
+def _open_page(folder: Path, console: Console) -> None:
+    """Open the replay page in the browser; if there is none, say so."""
+    from rcj_challenges.views.replay.browse import open_replay
+
+    page, opened = open_replay(folder)
+    if not opened:
+        line = f"no browser could be started here: open {page} in one"
+        console.print(line, markup=False, highlight=False, soft_wrap=True)
 
 
 def _tell_of_interruption(console: Console, scenario: Scenario, error: MatchInterruptedError) -> None:

@@ -93,6 +93,16 @@ def test_quiet_says_only_how_it_ended_with_the_scores_named_by_team_names(tmp_pa
     assert said.startswith("Häns e 0 : 0 team")
 
 
+@pytest.mark.parametrize("there_is_a_browser", [True, False])
+def test_open_shows_the_page_when_the_match_is_over(tmp_path, monkeypatch, capsys, team, there_is_a_browser):
+    opened = []
+    monkeypatch.setattr("webbrowser.open", lambda address: opened.append(address) or there_is_a_browser)
+    assert here(monkeypatch, tmp_path, *short(team, "--quiet", "--open", *DUEL)) == 0
+    (page,) = tmp_path.glob("runs/*/replay.html")
+    assert opened == [page.as_uri()]
+    assert ("no browser could be started" in capsys.readouterr().out) is not there_is_a_browser
+
+
 @pytest.mark.parametrize("how", ["--json", "--quiet"])
 def test_the_result_is_told_also_if_there_is_no_room_for_the_replay_page(tmp_path, monkeypatch, capsys, team, how):
     def full(_):
