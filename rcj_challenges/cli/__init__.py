@@ -6,20 +6,19 @@ needs when it runs, so that ``validate`` loads no physics and ``--help`` loads n
 Exit codes: 0 done, 1 a negative verdict, 2 wrong input, 3 a fault of ours (with a report file), 130 interrupted.
 """
 
+# Until `main` hears Ctrl-C, Python answers it with a traceback: what takes time to import is imported later.
 from __future__ import annotations
 
-import contextlib
-import copy
 import gc
-import math
 import os
 import sys
 import time
-from typing import TYPE_CHECKING
 
-from rcj_challenges.facts.letters import READABLE
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
     from typer import Typer
     from typer.models import CommandInfo
 
@@ -36,15 +35,18 @@ _ONE_AND_THE_SAME_S = 1.0
 """Signals that follow each other faster mean one thing."""
 
 
+class CommandInterruptedError(BaseException):
+    """Ctrl-C while a command worked.
+
+    No KeyboardInterrupt, which the library of the command line takes for its own: it ends without a word.
+    """
+
+
 def main() -> None:
     """Run the command line and exit with its code."""
-    from rcj_challenges.cli.says import open_what_is_closed
-
-    open_what_is_closed()
-    _start_quickly()
-    heard = _end_gently()
+    heard: list[int] = []
     try:
-        code = _exit_code()
+        code = _exit_code(heard)
         if code == INTERRUPTED:
             _hear_no_more(heard)
         sys.exit(code)
@@ -53,23 +55,35 @@ def main() -> None:
         gc.freeze()
 
 
-def _exit_code() -> int:
-    """Run the command line; returns its exit code."""
-    from rcj_challenges.cli.says import say_no_more
+def _exit_code(heard: list[int]) -> int:
+    """Run the command line; returns its exit code.
 
+    Args:
+        heard: takes the signals that we hear from now on.
+    """
+    begun: list[str] = []
+    interrupted_at_s: list[float] = []
     code: object = OK
     try:
+        heard += _end_gently(interrupted_at_s)
+        from rcj_challenges.cli.says import open_what_is_closed, say_no_more
+
+        open_what_is_closed()
+        _start_quickly()
         from rcj_challenges.cli.app import app
 
-        code = _of_one_command(app, sys.argv[1:2])(standalone_mode=False)
+        code = _of_one_command(app, sys.argv[1:2], begun)(standalone_mode=False)
         sys.stdout.flush()
     except BrokenPipeError:
         say_no_more(sys.stdout)  # the reader of our output has seen enough
     except SystemExit as error:
         # The library of the command line makes that of a broken pipe, with the status of a negative verdict.
         return OK if isinstance(error.__context__, BrokenPipeError) else _status(error.code)
-    except (Exception, KeyboardInterrupt) as error:  # noqa: BLE001 - the last line of defence
-        return _told(error)
+    except (Exception, KeyboardInterrupt, CommandInterruptedError) as error:  # noqa: BLE001 - the last line of defence
+        just_now = any(time.monotonic() - at_s <= _ONE_AND_THE_SAME_S for at_s in interrupted_at_s)
+        return _told(error, begun=bool(begun), interrupted=just_now)
+    if code == INTERRUPTED and not begun:  # the library heard it while it read the options
+        return _told(KeyboardInterrupt(), begun=False)
     return _status(code)
 
 
@@ -77,42 +91,54 @@ def _status(code: object) -> int:
     return code if isinstance(code, int) else OK
 
 
-def _told(error: BaseException) -> int:
-    """Say what ended a command; returns its exit code. What is unexpected becomes a report."""
+def _told(error: BaseException, *, begun: bool, interrupted: bool = False) -> int:
+    """Say what ended a command; returns its exit code. What is unexpected becomes a report.
+
+    Args:
+        error: what ended it.
+        begun: whether it had begun to work.
+        interrupted: whether a signal came just before. Libraries that are not written in Python may make an error of
+            their own of it, behind which nothing else can be seen.
+    """
     from rcj_challenges.cli.faults import report_our_fault
     from rcj_challenges.facts.errors import RcjError, interruption_behind, is_of_the_host, told_of
 
     if isinstance(error, RcjError):
         _complain(str(error))
         return error.exit_code
-    if interruption_behind(error) is not None:
-        _complain("interrupted")
+    interruption = interruption_behind(error)
+    if interruption is not None:
+        said = str(interruption) if begun else "nothing had begun"
+        _complain(f"interrupted: {said}" if said else "interrupted")
         return INTERRUPTED
-    if is_of_the_host(error):
+    if is_of_the_host(error) or isinstance(error, PermissionError):
         where = f": {error.filename}" if isinstance(error, OSError) and error.filename else ""
         _complain(f"this computer cannot go on: {told_of(error)}{where}")
         return WRONG_INPUT
-    return _usage_error(error) or report_our_fault(error)
+    usage = _usage_error(error)
+    if usage is None and interrupted:
+        return _told(KeyboardInterrupt(), begun=begun)
+    return report_our_fault(error) if usage is None else usage
 
 
-def _end_gently() -> list[int]:
+def _end_gently(interrupted_at_s: list[float]) -> list[int]:
     """Let what ends a service or a closed terminal end a command as Ctrl-C does: with its record closed.
 
     Such signals often come twice: a closed terminal tells its shell, and the shell its commands. The second does not
     disturb what the first began; who wants to go at once waits a second until he says so again.
+
+    Args:
+        interrupted_at_s: takes the times of the interruptions.
 
     Returns:
         The signals that we hear from now on.
     """
     import signal
 
-    interrupted_at_s = -math.inf
-
     def interrupt(*_: object) -> None:
-        nonlocal interrupted_at_s
         now_s = time.monotonic()
-        if now_s - interrupted_at_s > _ONE_AND_THE_SAME_S:
-            interrupted_at_s = now_s
+        if not interrupted_at_s or now_s - interrupted_at_s[-1] > _ONE_AND_THE_SAME_S:
+            interrupted_at_s.append(now_s)
             raise KeyboardInterrupt
 
     heard = []
@@ -143,17 +169,42 @@ def _start_quickly() -> None:
     gc.set_threshold(_OBJECTS_BETWEEN_COLLECTIONS, *gc.get_threshold()[1:])
 
 
-def _of_one_command(app: Typer, asked: list[str]) -> Typer:
+def _of_one_command(app: Typer, asked: list[str], begun: list[str]) -> Typer:
     """Return the app with the command asked for alone: to read the options of all of them takes 20 ms.
 
     If it is none of the commands, the app is returned as it is: it knows what to say.
+
+    Args:
+        app: with all commands.
+        asked: the command's name, if one is given.
+        begun: takes the name when the command begins to work.
     """
+    import copy
+
     commands = [one for one in app.registered_commands if [_name_of(one)] == asked]
     if not commands:
         return app
+    command = copy.copy(commands[0])
+    if command.callback is not None:
+        command.callback = _interruptible(command.callback, lambda: begun.extend(asked))
     quick = copy.copy(app)
-    quick.registered_commands, quick.registered_groups = commands, []
+    quick.registered_commands, quick.registered_groups = [command], []
     return quick
+
+
+def _interruptible(work: Callable[..., Any], begin: Callable[[], object]) -> Callable[..., Any]:
+    """Return a command's work so that an interruption passes the library of the command line as what it is."""
+    import functools
+
+    @functools.wraps(work)
+    def working(*arguments: Any, **options: Any) -> Any:
+        begin()
+        try:
+            return work(*arguments, **options)
+        except KeyboardInterrupt as error:
+            raise CommandInterruptedError from error
+
+    return working
 
 
 def _name_of(command: CommandInfo) -> str:
@@ -162,6 +213,8 @@ def _name_of(command: CommandInfo) -> str:
 
 def _usage_error(error: BaseException) -> int | None:
     """Show a wrong option as the command line's own words; None if the error is something else."""
+    import contextlib
+
     show = getattr(error, "show", None)
     code = getattr(error, "exit_code", None)
     if show is not None and isinstance(code, int):
@@ -175,9 +228,14 @@ def _usage_error(error: BaseException) -> int | None:
 
 
 def _complain(message: str) -> None:
+    from rcj_challenges.cli.says import say_no_more
+    from rcj_challenges.facts.letters import READABLE
+
     for stream in (sys.stdout, sys.stderr):
         reconfigure = getattr(stream, "reconfigure", None)
         if reconfigure is not None:
             reconfigure(errors=READABLE)
-    with contextlib.suppress(OSError):  # a full disk, or nobody there: the exit code still tells
+    try:
         print(message, file=sys.stderr, flush=True)  # noqa: T201 - this is the terminal
+    except OSError:  # a full disk, or nobody there: the exit code still tells
+        say_no_more(sys.stderr)

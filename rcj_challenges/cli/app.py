@@ -177,7 +177,8 @@ def play_tests(
 def new(
     name: Annotated[str, typer.Argument(help="Name or path of the new scenario; .yaml may be left out.")],
     preset: Annotated[
-        str, typer.Option("--from", metavar="PRESET", help="Field and robots: soccersim_v2 or soccersim_2021.")
+        str,
+        typer.Option("--from", metavar="PRESET", help="Field and robots: soccersim_v2, soccersim_2021 or empty_field."),
     ] = "soccersim_v2",
 ) -> None:
     """Write a commented starter and a first program for it; nothing is overwritten."""

@@ -117,6 +117,8 @@ def check_submissions(command: CheckCommand) -> int:
     given = submissions(command.paths)
     if command.fix is not None and len(given.paths) != 1:
         raise CheckUsageError(f"--fix repairs one submission at a time, not {len(given.paths)}")
+    if command.fix is not None and str(command.fix).startswith("-"):
+        raise CheckUsageError(f"--fix {command.fix}: the name of the ZIP to write is missing: --fix repaired.zip")
     _ensure_outputs(command)
 
     from rcj_challenges.checker.check import CheckOptions

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from rcj_challenges.cli.live import LiveOptions
-    from rcj_challenges.match.match import MatchInterruptedError, PlayedMatch
+    from rcj_challenges.match.match import MatchInterruptedError, MatchPlan, PlayedMatch
+    from rcj_challenges.match.watching import Watcher
     from rcj_challenges.scenario.load import Loaded
     from rcj_challenges.scenario.models.scenario import Scenario
 
@@ -49,22 +50,50 @@ def run_scenario(options: RunOptions) -> int:
     Raises:
         RcjError: wrong input: the message says where and what is allowed.
     """
-    from rcj_challenges.scenario.load import load
-
     if options.open and options.live is None and not options.replay:
         raise UsageError("--open opens the page of the match, and --no-replay leaves it out: give one of them")
     # MuJoCo would load a window system's library, 50 ms, and a match draws nothing.
     os.environ.setdefault("MUJOCO_GL", "disable")
+    try:
+        plan, console, watcher = _prepared(options)
+    except KeyboardInterrupt as error:
+        raise KeyboardInterrupt("the match had not begun, and nothing is recorded") from error
+    from rcj_challenges.cli import INTERRUPTED
+    from rcj_challenges.cli.live import on_air, stay_on_air
+    from rcj_challenges.match.match import MatchInterruptedError, play_match
+    from rcj_challenges.match.watching import Together
+
+    scenario = plan.loaded.scenario
+    titles = {team: plan.name_of(team) for team in plan.teams}
+    try:
+        with on_air(options.live, scenario, titles, plan.logos, plan.seed, console) as show:
+            outcome = play_match(plan, watcher if show is None else Together(watcher, show.watcher))
+            _tell(options, console, scenario, outcome)
+            if options.open and options.live is None:
+                _open_page(outcome.folder, console)
+            if show is not None and options.live is not None:
+                show.match_over(outcome.folder)
+                stay_on_air(show, options.live, console)
+    except MatchInterruptedError as error:
+        _tell_of_interruption(console, scenario, error)
+        return INTERRUPTED
+    finally:
+        for team in plan.teams.values():
+            team.close()
+    return 0
+
+
+def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Watcher]:
+    """Return what is to be played, with its teams opened, where it is told, and who tells it."""
+    from rcj_challenges.scenario.load import load
+
     loaded = load(options.scenario, options.overrides)
     robots = frozenset(robot for entrant in loaded.scenario.entrants.values() for robot in entrant.robots)
     for robot in (*options.show_output, *options.debug):
         known(robot, robots, "robot")
 
     # The physics is imported while nobody waits for it yet: opening teams is quick, compiling is not.
-    from rcj_challenges.cli import INTERRUPTED
-    from rcj_challenges.cli.live import on_air, stay_on_air
-    from rcj_challenges.match.match import MatchInterruptedError, MatchPlan, play_match
-    from rcj_challenges.match.watching import Together
+    from rcj_challenges.match.match import MatchPlan
     from rcj_challenges.views.scoreboard import console_for, watcher_for
 
     console = console_for(to_stderr=options.json)
@@ -82,23 +111,7 @@ def run_scenario(options: RunOptions) -> int:
         debug=options.debug,
         record_sensors=options.record_sensors,
     )
-    titles = {team: plan.name_of(team) for team in plan.teams}
-    try:
-        with on_air(options.live, loaded.scenario, titles, plan.logos, plan.seed, console) as show:
-            outcome = play_match(plan, watcher if show is None else Together(watcher, show.watcher))
-            _tell(options, console, loaded.scenario, outcome)
-            if options.open and options.live is None:
-                _open_page(outcome.folder, console)
-            if show is not None and options.live is not None:
-                show.match_over(outcome.folder)
-                stay_on_air(show, options.live, console)
-    except MatchInterruptedError as error:
-        _tell_of_interruption(console, loaded.scenario, error)
-        return INTERRUPTED
-    finally:
-        for team in plan.teams.values():
-            team.close()
-    return 0
+    return plan, console, watcher
 
 
 def _tell(options: RunOptions, console: Console, scenario: Scenario, outcome: PlayedMatch) -> None:

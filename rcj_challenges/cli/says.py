@@ -10,11 +10,16 @@ import os
 import sys
 from typing import Any
 
+from rcj_challenges.facts.errors import HostError, told_of
+
 
 def say_json(value: Any) -> None:
     """Print a value as JSON and nothing else; who reads no more of it changes nothing about a command's exit code.
 
     Letters stand in it as they are where the output is UTF-8, else as JSON's own escapes: it means the same then.
+
+    Raises:
+        HostError: it cannot be written, as to a file on a full disk.
     """
     wide = codecs.lookup(getattr(sys.stdout, "encoding", None) or "utf-8").name == "utf-8"
     text = json.dumps(value, ensure_ascii=not wide, indent=2)
@@ -25,6 +30,9 @@ def say_json(value: Any) -> None:
         sys.stdout.flush()
     except BrokenPipeError:
         say_no_more(sys.stdout)
+    except OSError as error:
+        say_no_more(sys.stdout)
+        raise HostError(f"the output cannot be written: {told_of(error)}") from error
 
 
 def say_no_more(stream: Any) -> None:

@@ -20,7 +20,8 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
-    from rcj_challenges.match.many import Outcome
+    from rcj_challenges.match.many import Job, Outcome
+    from rcj_challenges.scenario.load import Loaded
     from rcj_challenges.views.scoreboard import Criterion
 
 _MOST_SEEDS = 100_000
@@ -52,32 +53,49 @@ def simulate(options: SimulateOptions) -> int:
     Raises:
         RcjError: wrong input, so that none was played.
     """
-    from rcj_challenges.match.many import Job, play_many
-    from rcj_challenges.scenario.load import load
+    try:
+        loaded, jobs = _prepared(options)
+    except KeyboardInterrupt as error:
+        raise KeyboardInterrupt("no match had begun, and nothing is recorded") from error
+    from rcj_challenges.match.many import play_many
     from rcj_challenges.views.scoreboard import console_for
 
-    seeds = parse_seeds(options.seeds)
-    loaded = load(options.scenario, options.overrides)
-    for team in open_teams(loaded, options.teams).values():  # one clear message instead of one for each seed
-        team.close()
     rank = loaded.scenario.result.rank
-    arguments = [options.scenario, "--out", str(options.out), "--no-replay", "--quiet"]
-    arguments += [part for team in options.teams for part in ("--team", team)]
-    arguments += [part for entry in options.overrides for part in ("--set", entry)]
-    console = console_for(to_stderr=True)
-    progress = _Progress(console, len(seeds), quiet=options.quiet or options.json)
-    jobs = [Job(seed, tuple(arguments)) for seed in seeds]
+    progress = _Progress(console_for(to_stderr=True), len(jobs), quiet=options.quiet or options.json)
     try:
         outcomes = play_many(jobs, options.at_once or os.cpu_count() or 1, progress.done)
-    except KeyboardInterrupt:
-        _report(progress.outcomes, rank, options)
-        raise
+    except KeyboardInterrupt as error:
+        if progress.outcomes or options.json:
+            _report(progress.outcomes, rank, options)
+        played = sum(outcome.result is not None for outcome in progress.outcomes)
+        raise KeyboardInterrupt(f"{played} of {len(jobs)} matches were played to their end") from error
     failed = [outcome for outcome in outcomes if outcome.result is None]
     wrong = [outcome for outcome in failed if outcome.wrong_input]
     if wrong and len(failed) == len(outcomes):
         raise SeedsError(wrong[0].complaint)  # one clear message once more
     _report(outcomes, rank, options)
     return (WRONG_INPUT if len(wrong) == len(failed) else OUR_FAULT) if failed else OK
+
+
+def _prepared(options: SimulateOptions) -> tuple[Loaded, list[Job]]:
+    """Return the scenario, and what is to be played.
+
+    Raises:
+        RcjError: wrong input.
+    """
+    from rcj_challenges.match.many import Job
+    from rcj_challenges.records.folder import make_out_folder
+    from rcj_challenges.scenario.load import load
+
+    seeds = parse_seeds(options.seeds)
+    loaded = load(options.scenario, options.overrides)
+    for team in open_teams(loaded, options.teams).values():  # one clear message instead of one for each seed
+        team.close()
+    make_out_folder(options.out, "the records")
+    arguments = [options.scenario, "--out", str(options.out), "--no-replay", "--quiet"]
+    arguments += [part for team in options.teams for part in ("--team", team)]
+    arguments += [part for entry in options.overrides for part in ("--set", entry)]
+    return loaded, [Job(seed, tuple(arguments)) for seed in seeds]
 
 
 def parse_seeds(text: str) -> list[int]:

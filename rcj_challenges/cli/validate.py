@@ -10,6 +10,7 @@ from typing import Any
 from rcj_challenges.cli.says import say_json, say_no_more
 from rcj_challenges.facts.letters import READABLE
 from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.lint import lint
 from rcj_challenges.scenario.load import Loaded, load
 
@@ -56,7 +57,10 @@ def validate_files(
 def _summary(loaded: Loaded) -> str:
     """Return what stands in a scenario: title, how much of what, how long."""
     scenario = loaded.scenario
-    halves = f"{scenario.match.halves} x " if scenario.match.halves > 1 else ""
+    lengths_s = half_lengths_s(scenario.match)
+    alike = len(set(lengths_s)) == 1
+    halves = f"{len(lengths_s)} x " if alike and len(lengths_s) > 1 else ""
+    lengths = " + ".join(f"{one:g}" for one in (lengths_s[:1] if alike else lengths_s))
     counts = ", ".join(
         (
             _count(len(scenario.robots), "robot"),
@@ -65,7 +69,7 @@ def _summary(loaded: Loaded) -> str:
             _count(len(scenario.expect), "test"),
         )
     )
-    return f"{scenario.title} ({counts}; {halves}{scenario.match.half_s:g} s)"
+    return f"{scenario.title} ({counts}; {halves}{lengths} s)"
 
 
 def _count(number: int, noun: str) -> str:

@@ -5,6 +5,9 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+_NARROW = 70
+"""Columns of a terminal from which on date, scenario and score find room beside a record's name."""
+
 
 def view_record(run: Path | None, out: Path) -> int:
     """Open a record's page, and print where it is; returns the exit code.
@@ -52,12 +55,22 @@ def list_records(out: Path) -> int:
     from rcj_challenges.views.sentences import plain
 
     table = Table(Column("record", no_wrap=True), "started", "scenario", "score")
+    rows: list[tuple[str, str, str, str]] = []
     for row in list_runs(out):
         if row.result is None:
-            table.add_row(plain(row.folder.name), "", "", plain(row.problem))
+            rows.append((plain(row.folder.name), "", "", plain(row.problem)))
             continue
         names = {team: entrant.name for team, entrant in row.result.entrants.items()}
         score = score_line(names, row.result.score) + ("" if row.result.complete else "  (not complete)")
-        table.add_row(plain(row.folder.name), row.result.started[:19].replace("T", " "), row.result.scenario, score)
-    console_for().print(table)
+        started = row.result.started[:19].replace("T", " ")
+        rows.append((plain(row.folder.name), started, row.result.scenario, score))
+    console = console_for()
+    if console.width < _NARROW:  # a table would cut off what it tells
+        for cells in rows:
+            line = "  ".join(cell for cell in cells if cell)
+            console.print(line, markup=False, highlight=False, soft_wrap=True)
+        return 0
+    for cells in rows:
+        table.add_row(*cells)
+    console.print(table)
     return 0

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import BinaryIO
 
+from rcj_challenges.facts.errors import told_of
+from rcj_challenges.facts.shown import shown
 from rcj_challenges.records.errors import RecordError
 
 RECORD_VERSION = 1
@@ -42,6 +44,23 @@ def folder_name(moment: datetime, scenario_id: str) -> str:
     return f"{moment.astimezone(UTC):%Y%m%d-%H%M%S}-{scenario_id}"
 
 
+def make_out_folder(out: Path, what: str = "the record") -> None:
+    """Make the folder in which records' folders are made, if it is not there.
+
+    Raises:
+        RecordError: it cannot be made.
+    """
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        # Systems differ in what they say of a file, or a link to nowhere, that is the folder or on the way to it.
+        other = next((path for path in (out, *out.parents) if os.path.lexists(path) and not path.is_dir()), None)
+        why = told_of(error) if other is None else f"{shown(other)} is not a folder"
+        raise RecordError(
+            f"cannot make a folder for {what} in {shown(out)}: {why}; give another folder with --out"
+        ) from error
+
+
 def make_run_folder(out: Path, name: str) -> Path:
     """Make ``out/name``, or ``out/name-2`` and so on if that exists: two runs never share a folder.
 
@@ -49,7 +68,7 @@ def make_run_folder(out: Path, name: str) -> Path:
         RecordError: the folder cannot be made.
     """
     try:
-        out.mkdir(parents=True, exist_ok=True)
+        make_out_folder(out)
         for number in range(1, _MOST_RUNS_A_SECOND):
             folder = out / (name if number == 1 else f"{name}-{number}")
             try:
@@ -58,20 +77,38 @@ def make_run_folder(out: Path, name: str) -> Path:
                 continue
             return folder
     except OSError as error:
-        raise RecordError(f"cannot make a folder for the record in {out}: {error.strerror}") from error
+        raise RecordError(
+            f"cannot make a folder for the record in {shown(out)}: {told_of(error)}; give another folder with --out"
+        ) from error
     raise RecordError(f"cannot make a folder for the record in {out}: there are too many called {name}")
 
 
 @contextmanager
 def replaced(path: Path) -> Iterator[BinaryIO]:
-    """Write a file that appears whole or not at all: a temporary neighbour, synced, then renamed over it."""
+    """Write a file that appears whole or not at all: a temporary neighbour, synced, then renamed over it.
+
+    Raises:
+        OSError: it cannot be written; with its name.
+    """
     temporary = path.with_name(path.name + ".tmp")
     try:
-        with temporary.open("wb") as file:
+        with naming(path), temporary.open("wb") as file:
             yield file
             file.flush()
             os.fsync(file.fileno())
         temporary.replace(path)
     except BaseException:
-        temporary.unlink(missing_ok=True)
+        with suppress(OSError):
+            temporary.unlink()
+        raise
+
+
+@contextmanager
+def naming(path: object) -> Iterator[None]:
+    """Let an error of writing have the file's name, as one of opening has."""
+    try:
+        yield
+    except OSError as error:
+        if error.filename is None:
+            error.filename = str(path)
         raise

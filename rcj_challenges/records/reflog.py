@@ -48,8 +48,9 @@ def firing_line(half: int, firing: Firing) -> dict[str, Any]:
     line: dict[str, Any] = {"half": half, "kind": "firing", **asdict(firing)}
     line["measured"] = number_or_none(firing.measured)
     line["limit"] = number_or_none(firing.limit)
-    if firing.other is None:
-        del line["other"]
+    for key in ("other", "place"):
+        if line[key] is None:
+            del line[key]
     return line
 
 

@@ -10,6 +10,7 @@ from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
+from rcj_challenges.facts.errors import told_of
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import RESULT
 from rcj_challenges.records.upgrades import upgraded
@@ -159,7 +160,7 @@ def read_result(folder: Path) -> RunResult:
     except FileNotFoundError:
         raise RecordError(f"{folder.name}: no record of a run ({RESULT} is missing)") from None
     except (OSError, ValueError) as error:
-        raise RecordError(f"{folder.name}: {RESULT} cannot be read: {error}") from error
+        raise RecordError(f"{folder.name}: {RESULT} cannot be read: {told_of(error)}") from error
     record = data.get("record") if isinstance(data, dict) else None
     if type(record) is int:
         data = upgraded("result", data, record, folder)

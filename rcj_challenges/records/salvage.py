@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from rcj_challenges.facts.errors import told_of
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, ticks_from_s
 from rcj_challenges.records.errors import RecordError
@@ -26,6 +27,7 @@ from rcj_challenges.records.result import RunResult, read_result
 from rcj_challenges.records.track import row_dtype
 from rcj_challenges.records.trajectory import DAMAGE, HalfTrack, Trajectory, read_notes
 from rcj_challenges.records.upgrades import read_scenario
+from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
@@ -123,7 +125,10 @@ def _salvaged(folder: Path, scenario: Scenario, result: RunResult) -> tuple[tupl
     """Return the halves that can be shown, and the sentence that says what is wrong."""
     roster = Roster.of(scenario)
     path = folder / TRAJECTORY
-    arrays = _arrays(path.read_bytes()) if path.exists() else {}
+    try:
+        arrays = _arrays(path.read_bytes()) if path.exists() else {}
+    except OSError as error:
+        raise RecordError(f"{folder.name}: {TRAJECTORY} cannot be read: {told_of(error)}") from error
     numbers = range(1, scenario.match.halves + 1)
     tracks = {half: _track(arrays, half, scenario, result, len(roster.entities)) for half in numbers}
     whole = {half: track for half, track in tracks.items() if track is not None}
@@ -218,7 +223,7 @@ def _info(scenario: Scenario, result: RunResult, half: int) -> HalfInfo:
     return HalfInfo(
         half=half,
         halves=scenario.match.halves,
-        ticks=ticks_from_s(scenario.match.half_s),
+        ticks=ticks_from_s(half_length_s(scenario.match, half)),
         match_seed=result.seed,
         match_id=result.match_id,
         team_names={seat: result.entrants[team].name for seat, team in teams.items() if team in result.entrants},

@@ -27,6 +27,7 @@ from rcj_challenges.facts.traffic import DeviceSpec, MotorCommand, Observation, 
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import RECORD_VERSION, SENSORS
 from rcj_challenges.records.lines import json_line
+from rcj_challenges.records.track import write_all
 
 TICKS_BETWEEN_WRITES = 125
 """4 s of the match: longer chunks pack better, shorter ones lose less on a kill."""
@@ -235,9 +236,7 @@ class SensorWriter:
 
     def _append(self, data: bytes) -> None:
         self._size += len(data)
-        view = memoryview(data)
-        while view:
-            view = view[self._file.write(view) or 0 :]
+        write_all(self._file, bytearray(data))
 
 
 def _chunk(data: bytes) -> bytes:

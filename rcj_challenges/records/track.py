@@ -18,6 +18,7 @@ import numpy as np
 
 from rcj_challenges.facts.play import HalfInfo, Placement, Snapshot
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK
+from rcj_challenges.records.folder import naming
 from rcj_challenges.records.lines import json_line
 
 TICKS_BETWEEN_WRITES = 25
@@ -112,10 +113,12 @@ def write_all(file: Any, pending: bytearray) -> None:
     """Write everything, and take from ``pending`` what is written: an unbuffered file may take less than it was given.
 
     Raises:
-        OSError: it takes no more. What is left in ``pending`` may be written later: a disk is not full for ever.
+        OSError: it takes no more; with its name. What is left in ``pending`` may be written later: a disk is not full
+            for ever.
     """
-    while pending:
-        del pending[: file.write(pending)]
+    with naming(file.name):
+        while pending:
+            del pending[: file.write(pending)]
 
 
 def _placement_list(placement: Placement) -> list[Any]:

@@ -16,6 +16,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from rcj_challenges.facts.errors import told_of
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import RECORD_VERSION, SCENARIO
 from rcj_challenges.scenario.models.base import AS_RECORDED
@@ -90,5 +91,7 @@ def read_scenario(folder: Path, record: int = RECORD_VERSION) -> Scenario:
         return Scenario.model_validate_json(text, context=AS_RECORDED)
     except FileNotFoundError:
         raise RecordError(f"{folder.name}: {SCENARIO} is missing") from None
-    except (OSError, TypeError, ValueError, ValidationError) as error:
+    except OSError as error:
+        raise RecordError(f"{folder.name}: {SCENARIO} cannot be read: {told_of(error)}") from error
+    except (TypeError, ValueError, ValidationError) as error:
         raise RecordError(f"{folder.name}: {SCENARIO} is damaged: it is not the scenario of a run") from error

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 import subprocess
 import sys
 import time
@@ -18,7 +19,7 @@ from rcj_challenges.scenario.load import load
 
 ROOT = Path(__file__).resolve().parents[2]
 SHIPPED = ("match", "fast_shooter", "pass_the_ball", "precision_lidar")
-PRESETS = ("soccersim_v2", "soccersim_2021")
+PRESETS = ("soccersim_v2", "soccersim_2021", "empty_field")
 GOAL = """schema_version: 1
 id: goal
 title: A goal
@@ -218,6 +219,15 @@ class TestNew:
         assert "rcj-challenge validate slalom.yaml" in text
         assert "FILE_NAME" not in text
 
+    def test_what_it_says_to_type_can_be_typed(self, tmp_path, monkeypatch):
+        monkeypatch.chdir(tmp_path)
+        typed = [shlex.split(line) for line in call("new", "My chairs").stdout.splitlines() if "rcj-challenge" in line]
+        lines = Path("My chairs.yaml").read_text().splitlines()
+        written = [shlex.split(line) for line in lines if "rcj-challenge v" in line]
+        assert [words[2] for words in typed] == ["My chairs.yaml"] * 4
+        assert typed[3][-1] == "My chairs_team"
+        assert written[0][3] == "My chairs.yaml"
+
     @pytest.mark.parametrize("existing", ["it.yaml", "it_team/robot.py"])
     def test_nothing_is_overwritten(self, tmp_path, existing):
         path = tmp_path / existing
@@ -232,7 +242,7 @@ class TestNew:
     def test_an_unknown_preset_is_named_with_the_known_ones(self, tmp_path):
         done = call("new", tmp_path / "it", "--from", "soccersim_v3")
         assert str(done.exception).startswith(
-            "no preset 'soccersim_v3'; there are soccersim_2021, soccersim_v2; did you"
+            "no preset 'soccersim_v3'; there are empty_field, soccersim_2021, soccersim_v2; did you"
         )
         assert isinstance(call("new", tmp_path / "ß").exception, StarterError)
 

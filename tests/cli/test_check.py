@@ -196,6 +196,13 @@ def test_fix_repairs_one_at_a_time(tmp_path, good, bad):
         check(good, bad, fix=tmp_path / "fixed.zip")
 
 
+def test_an_option_in_the_place_of_what_fix_is_to_write_is_none(tmp_path, monkeypatch, good):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(CheckUsageError, match="the name of the ZIP to write is missing"):
+        check(good, fix=Path("--no-play"))
+    assert not (tmp_path / "--no-play").exists()
+
+
 GOOD = archive()
 
 

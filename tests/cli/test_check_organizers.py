@@ -18,6 +18,8 @@ from tests.checker.small_team import PLAYER, write_team
 from tests.cli.test_check import check
 
 COMMAND = [sys.executable, "-m", "rcj_challenges", "check"]
+SLOW = "import _thread\nlock = _thread.allocate_lock()\nlock.acquire()\nlock.acquire()\n"
+"""Never steps, and needs no processor for that: others run beside this test."""
 
 
 @pytest.fixture
@@ -134,8 +136,8 @@ def test_an_interruption_tells_what_was_checked_so_far(team, tmp_path, monkeypat
 def test_ctrl_c_ends_with_130_and_leaves_no_temporary_folder(team, tmp_path):
     paths = [
         team("bad.zip", "x = (\n"),
-        team("slow_1.zip", "while True: pass\n"),
-        team("slow_2.zip", "while True: pass\n"),
+        team("slow_1.zip", SLOW),
+        team("slow_2.zip", SLOW),
     ]
     temporary = tmp_path / "temporary"
     temporary.mkdir()

@@ -112,3 +112,11 @@ def test_a_fault_of_ours_is_reported_whatever_letters_the_command_line_has(tmp_p
     (report,) = tmp_path.glob("rcj-challenge-report-*.txt")
     assert "Traceback" in report.read_text("utf-8")
     assert b"Traceback" not in done.stderr
+
+
+@POSIX
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a file that is always full")
+def test_an_output_that_is_full_is_told_as_such_and_the_record_is_whole(tmp_path: Path, match: list[str]) -> None:
+    done = in_shell('exec "$@" >/dev/full', [*match, "--no-replay", "--json"], tmp_path)
+    assert (done.returncode, done.stderr) == (2, "the output cannot be written: No space left on device\n")
+    assert read_result(the_record(tmp_path)).complete

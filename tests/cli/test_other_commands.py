@@ -1,6 +1,8 @@
 """The smaller commands: view, replay, schema, draw, sheet, simulate."""
 
+import errno
 import json
+import os
 from pathlib import Path
 
 import pytest
@@ -137,3 +139,30 @@ def test_what_simulate_has_played_is_told_also_if_the_disk_is_full_then(monkeypa
         (2, "No space left on device"),
         (3, "No space left on device"),
     ]
+
+
+def test_the_list_is_whole_also_in_a_narrow_terminal(runs, capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "40")
+    assert run("view", "--list", "--out", runs) == 0
+    told = capsys.readouterr().out
+    (folder,) = [path for path in runs.iterdir() if path.is_dir()]
+    (line,) = [line for line in told.splitlines() if folder.name in line]
+    assert " : " in line
+    assert "…" not in told
+
+
+def test_a_folder_that_is_closed_to_us_hides_no_other_record(runs, capsys, monkeypatch):
+    """A file system's own lost+found, or what another user has put there."""
+    closed = runs / "lost+found"
+    closed.mkdir()
+    stat = os.stat
+
+    def refuses(path, *arguments, **options):
+        if str(path).startswith(str(closed / "result")):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(path))
+        return stat(path, *arguments, **options)
+
+    monkeypatch.setattr(os, "stat", refuses)
+    monkeypatch.setenv("COLUMNS", "40")
+    assert run("view", "--list", "--out", runs) == 0
+    assert " : " in capsys.readouterr().out

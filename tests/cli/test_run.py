@@ -67,7 +67,7 @@ DUEL = [
 
 
 def test_json_prints_the_result_and_nothing_else(tmp_path, team):
-    done = command(*short(team, "--json"), cwd=tmp_path)
+    done = command(*short(team, "--json", *DUEL), cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     result = json.loads(done.stdout)
     assert result["complete"]
@@ -77,7 +77,7 @@ def test_json_prints_the_result_and_nothing_else(tmp_path, team):
 
 
 def test_without_a_terminal_there_are_plain_lines_and_the_path_of_the_record(tmp_path, team):
-    done = command(*short(team), cwd=tmp_path)
+    done = command(*short(team, *DUEL), cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     assert "\x1b" not in done.stdout
     assert "KICKOFF" in done.stdout
@@ -171,11 +171,11 @@ def started(tmp_path, team, *more):
     """Start a match; returns when it is played, which on a busy machine is later than that its start is told."""
     Path(team).write_text(STAND.replace("while", "robot.step(32)\nprint('plays')\nwhile"), encoding="utf-8")
     process = subprocess.Popen(
-        [*COMMAND, *short(team, "--duration", "600", "--real-time", "--no-replay", "--show-output", "Y1", *more)],
+        [*COMMAND, *short(team, "--duration", "600", "--real-time", "--no-replay", "--show-output", "Y2", *more)],
         cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True,
     )  # fmt: skip
     for line in process.stdout:
-        if "Y1 | plays" in line:
+        if "Y2 | plays" in line:
             return process
     raise AssertionError(process.stderr.read())
 
@@ -184,7 +184,7 @@ def started(tmp_path, team, *more):
 @POSIX
 @pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
 def test_who_interrupts_a_match_gets_130_and_a_readable_record(tmp_path, team, name):
-    process = started(tmp_path, team)
+    process = started(tmp_path, team, *DUEL)
     pids = children_of(process.pid)
     process.send_signal(getattr(signal, name))
     told, complaint = process.communicate(timeout=30)
@@ -226,7 +226,7 @@ def test_a_signal_that_comes_twice_ends_a_match_as_one_does(tmp_path, team, monk
     temporary = tmp_path / "temporary"
     temporary.mkdir()
     monkeypatch.setenv("TMPDIR", str(temporary))
-    process = started(tmp_path, team)
+    process = started(tmp_path, team, *DUEL)
     for name in ("SIGHUP", "SIGHUP", "SIGTERM"):
         process.send_signal(getattr(signal, name))
         time.sleep(0.02)
@@ -254,7 +254,7 @@ def test_an_interruption_of_the_start_needs_no_traceback(tmp_path):
         "main()\n"
     )
     done = subprocess.run([sys.executable, "-c", interrupts, "run"], capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stderr) == (130, "interrupted\n")
+    assert (done.returncode, done.stderr) == (130, "interrupted: nothing had begun\n")
 
 
 @POSIX

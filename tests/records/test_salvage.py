@@ -1,5 +1,7 @@
 """Of a damaged record everything that can be shown is shown, with a sentence about what is wrong."""
 
+import errno
+import os
 import shutil
 from pathlib import Path
 
@@ -117,3 +119,28 @@ def test_what_is_no_record_is_refused_by_the_name_of_the_file(
         (folder / name).write_text(text, "utf-8")
     with pytest.raises(RecordError, match=says):
         read_run(folder)
+
+
+def test_a_trajectory_that_is_no_file_is_told_by_its_name(good: Path, tmp_path: Path) -> None:
+    shutil.copytree(good, tmp_path / "run")
+    (tmp_path / "run" / "trajectory.npz").unlink()
+    (tmp_path / "run" / "trajectory.npz").mkdir()
+    with pytest.raises(RecordError, match=r"^run: trajectory\.npz cannot be read: "):
+        read_run(tmp_path / "run")
+
+
+@pytest.mark.parametrize("name", ["result.json", "scenario.json"])
+def test_a_file_that_cannot_be_read_is_not_taken_for_damaged(
+    good: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    read = Path.read_bytes
+
+    def refuses(path: Path) -> bytes:
+        if path.name == name:
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(path))
+        return read(path)
+
+    monkeypatch.setattr(Path, "read_bytes", refuses)
+    with pytest.raises(RecordError) as raised:
+        read_run(good)
+    assert str(raised.value) == f"{good.name}: {name} cannot be read: Permission denied"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import webbrowser
 from dataclasses import dataclass
 from pathlib import Path
@@ -67,6 +68,8 @@ def find_run(run: Path | None, out: Path) -> Path:
     if fitting:
         names = ", ".join(sorted(folder.name for folder in fitting)[:5])
         raise RecordError(f"{run.name!r} fits several records: {names}")
+    if run.is_dir():
+        raise RecordError(f"no record {str(run)!r}: there is no {RESULT} in this folder")
     raise RecordError(f"no record {str(run)!r}: give its folder, or its name in {out}")
 
 
@@ -86,10 +89,9 @@ def open_replay(folder: Path) -> tuple[Path, bool]:
 
 
 def _folders(out: Path) -> list[Path]:
-    """Return the records' folders, the newest first: names begin with the time."""
-    return sorted(
-        (path for path in out.iterdir() if (path / RESULT).is_file()), key=lambda path: path.name, reverse=True
-    )
+    """Return the records' folders, the newest first: names begin with the time. What is closed to us is none."""
+    found = (path for path in out.iterdir() if os.path.isfile(path / RESULT))  # noqa: PTH113 - that of pathlib raises
+    return sorted(found, key=lambda path: path.name, reverse=True)
 
 
 def _row(folder: Path) -> RunRow:

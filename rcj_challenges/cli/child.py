@@ -1,0 +1,41 @@
+"""One match of many: the command line in a process that ends with the one that started it, however that ends."""
+
+from __future__ import annotations
+
+import _thread
+import os
+import signal
+import threading
+import time
+
+from rcj_challenges.cli import INTERRUPTED
+from rcj_challenges.cli import main as command
+
+_CLOSE_S = 1.0
+"""So long a match may take to close its record when nobody waits for it any more."""
+
+
+def main() -> None:
+    """Run the command line. Standard input is the lifeline: a pipe that ends when the parent does."""
+    lifeline = os.dup(0)
+    # On Windows whoever asks anything about a pipe waits for the thread that reads it: nobody else may have this one.
+    nowhere = os.open(os.devnull, os.O_RDONLY)
+    os.dup2(nowhere, 0)
+    os.close(nowhere)
+    _thread.start_new_thread(_end_with_parent, (lifeline,))
+    command()
+
+
+def _end_with_parent(lifeline: int) -> None:
+    """Interrupt the command as soon as the lifeline ends, so that its record is closed, then end it in any case."""
+    try:
+        while os.read(lifeline, 1):
+            pass
+    finally:
+        if os.name == "posix":
+            # To the main thread itself: it may be waiting for programs, and only its own signal wakes it.
+            signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGTERM)
+        else:
+            _thread.interrupt_main()
+        time.sleep(_CLOSE_S)
+        os._exit(INTERRUPTED)

@@ -1,0 +1,118 @@
+"""However ``simulate`` ends, the matches that it plays end with it, and with them all programs."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from rcj_challenges.records.result import read_result
+
+COMMAND = [sys.executable, "-m", "rcj_challenges"]
+POSIX = pytest.mark.skipif(os.name != "posix", reason="processes are listed and killed as POSIX has it")
+STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
+ONE_ROBOT = [f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
+ENDS_WITHIN_S = 3.0  # one second, and a busy machine
+
+
+@pytest.fixture
+def many(tmp_path: Path) -> list[str]:
+    """A command that plays several matches of one robot against another."""
+    Path(tmp_path, "team.py").write_text(STAND, encoding="utf-8")
+    team = str(tmp_path / "team.py")
+    return [*COMMAND, "simulate", "match", "--blue", team, "--yellow", team, "--halves=1", *ONE_ROBOT]
+
+
+def descendants_of(pid: int) -> dict[int, str]:
+    """Return the command of each process that a process has started, and that those have started."""
+    listed = subprocess.run(["ps", "-A", "-o", "pid=,ppid=,args="], capture_output=True, text=True, check=True).stdout
+    rows = [line.split(None, 2) for line in listed.splitlines()]
+    found: dict[int, str] = {}
+    fresh = {pid}
+    while fresh:
+        fresh = {int(row[0]) for row in rows if int(row[1]) in fresh}
+        found |= {int(row[0]): row[2] for row in rows if int(row[0]) in fresh}
+    return found
+
+
+def running(pids: set[int]) -> set[int]:
+    listed = subprocess.run(["ps", "-A", "-o", "pid=,stat="], capture_output=True, text=True, check=True).stdout
+    return pids & {int(line.split()[0]) for line in listed.splitlines() if not line.split()[1].startswith("Z")}
+
+
+@pytest.fixture
+def started(tmp_path: Path, many: list[str]):
+    """Start two endless matches at a time; returns the process and its descendants when all programs play."""
+    process = subprocess.Popen(
+        [*many, "--seeds=1..4", "--at-once=2", "--duration=3600", "--quiet"],
+        cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    )  # fmt: skip
+    until = time.monotonic() + 60
+    while len(list(tmp_path.glob("runs/*/trajectory.part/half-1.poses"))) < 2:
+        assert time.monotonic() < until
+        assert process.poll() is None
+        time.sleep(0.05)
+    pids = set(descendants_of(process.pid))
+    yield process, pids
+    for pid in running({process.pid, *pids}):
+        os.kill(pid, signal.SIGKILL)
+    process.communicate(timeout=30)
+
+
+@POSIX
+def test_a_kill_leaves_no_match_and_no_program(tmp_path: Path, started) -> None:
+    process, pids = started
+    assert len(pids) >= 6  # two matches with two programs each
+    process.kill()
+    process.wait()
+    until = time.monotonic() + ENDS_WITHIN_S
+    while running(pids) and time.monotonic() < until:
+        time.sleep(0.05)
+    assert not running(pids)
+    for folder in tmp_path.glob("runs/*"):
+        assert read_result(folder).stopped == "KeyboardInterrupt", "the record is closed as after an interruption"
+
+
+@POSIX
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
+def test_an_interruption_tells_how_many_were_played(tmp_path: Path, started, name: str) -> None:
+    process, pids = started
+    process.send_signal(getattr(signal, name))
+    _, complaint = process.communicate(timeout=30)
+    assert (process.returncode, complaint) == (130, "interrupted: 0 of 4 matches were played to their end\n")
+    assert not running(pids)
+    assert {read_result(folder).stopped for folder in tmp_path.glob("runs/*")} == {"KeyboardInterrupt"}
+
+
+def test_what_lies_in_the_current_folder_is_not_imported(tmp_path: Path, many: list[str]) -> None:
+    """A folder full of submissions has modules of any name."""
+    for name in ("random", "json", "numpy", "typer"):
+        (tmp_path / f"{name}.py").write_text("raise SystemExit('not this one')\n", encoding="utf-8")
+    done = subprocess.run(
+        [sys.executable, "-P", *many[1:], "--seeds=1", "--duration=0.5", "--json"],
+        cwd=tmp_path, capture_output=True, text=True, check=False, timeout=120,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["played"] == 1
+
+
+READS = """
+import sys
+from rcj_challenges.cli import child
+child.command = lambda: print(repr(sys.stdin.read()), flush=True)
+child.main()
+"""
+
+
+def test_the_lifeline_of_a_match_is_nobody_elses_standard_input() -> None:
+    """On Windows whoever asks anything about a pipe waits until the thread that reads it has got something."""
+    with subprocess.Popen([sys.executable, "-c", READS], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
+        try:
+            assert process.wait(30) == 0
+            assert process.stdout.read().strip() == b"''"
+        finally:
+            process.kill()

@@ -1,0 +1,126 @@
+"""Where a record cannot be written: the message names the place and what to do; exit code 2, no traceback, no report."""
+
+import errno
+import gc
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from rcj_challenges import cli
+from rcj_challenges.records.result import read_result
+
+COMMAND = [sys.executable, "-m", "rcj_challenges"]
+POSIX = pytest.mark.skipif(os.name != "posix", reason="the limit for the size of files is POSIX's")
+STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
+ONE_ROBOT = [f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
+
+
+@pytest.fixture
+def match(tmp_path: Path) -> list[str]:
+    """The scenario and teams of a match of one robot against another, for ``run`` and ``simulate``."""
+    Path(tmp_path, "team.py").write_text(STAND, encoding="utf-8")
+    team = str(tmp_path / "team.py")
+    return ["match", "--blue", team, "--yellow", team, "--halves=1", *ONE_ROBOT]
+
+
+def command(folder: Path, *arguments: str, line: str = 'exec "$@"') -> subprocess.CompletedProcess[str]:
+    done = subprocess.run(
+        ["bash", "-c", line, "bash", *COMMAND, *arguments] if os.name == "posix" else [*COMMAND, *arguments],
+        cwd=folder, capture_output=True, text=True, encoding="utf-8", timeout=120, check=False,
+    )  # fmt: skip
+    assert "Traceback" not in done.stderr
+    assert not list(folder.glob("rcj-challenge-report-*")), done.stderr
+    return done
+
+
+@POSIX
+@pytest.mark.parametrize("more", [[], ["--record", "sensors"]], ids=["poses", "sensors"])
+def test_a_full_disk_is_told_with_the_file_and_what_helps(tmp_path: Path, match: list[str], more: list[str]) -> None:
+    arguments = ["run", *match, "--duration=60", "--no-replay", "--quiet", *more]
+    done = command(tmp_path, *arguments, line='ulimit -f 60; exec "$@"')
+    assert done.returncode == 2
+    (folder,) = tmp_path.glob("runs/*")
+    where = re.escape(str(folder.relative_to(tmp_path)))
+    assert re.fullmatch(
+        rf"the record cannot be written: {where}/\S+: File too large; "
+        r"make room there, or give another folder with --out\n",
+        done.stderr,
+    ), done.stderr
+    assert not read_result(folder).complete
+
+
+@POSIX
+def test_a_record_that_somebody_deletes_meanwhile_is_no_fault_of_ours(tmp_path: Path, match: list[str]) -> None:
+    process = subprocess.Popen(
+        [*COMMAND, "run", *match, "--duration=20", "--quiet"], cwd=tmp_path, stderr=subprocess.PIPE, text=True
+    )
+    until = time.monotonic() + 60
+    while not list(tmp_path.glob("runs/*/trajectory.part/half-1.poses")):
+        assert time.monotonic() < until
+        time.sleep(0.02)
+    shutil.rmtree(tmp_path / "runs")
+    _, complaint = process.communicate(timeout=60)
+    assert process.returncode == 2, complaint
+    assert re.fullmatch(
+        r"the record cannot be written: runs/\S+: No such file or directory; has somebody moved or deleted it\?\n",
+        complaint,
+    ), complaint
+    assert not list(tmp_path.glob("rcj-challenge-report-*"))
+
+
+@pytest.mark.parametrize("name", ["a file", "a file/runs"])
+def test_a_file_is_no_folder(tmp_path: Path, match: list[str], name: str) -> None:
+    (tmp_path / "a file").write_text("", encoding="utf-8")
+    done = command(tmp_path, "run", *match, "--duration=1", "--out", name)
+    assert done.returncode == 2
+    assert done.stderr == (
+        f"cannot make a folder for the record in {Path(name)}: a file is not a folder; give another folder with --out\n"
+    )
+
+
+def test_many_matches_are_not_begun_where_none_can_be_recorded(tmp_path: Path, match: list[str]) -> None:
+    (tmp_path / "a file").write_text("", encoding="utf-8")
+    done = command(tmp_path, "simulate", *match, "--seeds=1..500", "--out", "a file", "--json")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.startswith("cannot make a folder for the records in a file: a file is not a folder")
+    assert len(done.stderr.splitlines()) == 1
+
+
+def test_a_page_that_must_not_be_written_is_named(tmp_path: Path, match: list[str], monkeypatch, capsys) -> None:
+    done = command(tmp_path, "run", *match, "--duration=0.5", "--no-replay", "--json")
+    assert json.loads(done.stdout)["complete"]
+    (folder,) = tmp_path.glob("runs/*")
+
+    opens = Path.open
+
+    def refuses(path: Path, *arguments: object, **options: object) -> object:
+        if path.name == "replay.html.tmp":
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(path))
+        return opens(path, *arguments, **options)
+
+    monkeypatch.setattr(Path, "open", refuses)
+    monkeypatch.setattr(gc, "set_threshold", lambda *_: None)
+    monkeypatch.setattr(gc, "freeze", lambda: None)
+    monkeypatch.setattr(cli, "_end_gently", list)
+    monkeypatch.setattr(sys, "argv", ["rcj-challenge", "replay", str(folder)])
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit) as left:
+        cli.main()
+    assert left.value.code == 2
+    told = capsys.readouterr().err
+    assert told == f"this computer cannot go on: Permission denied: {folder / 'replay.html.tmp'}\n"
+    assert not list(tmp_path.glob("rcj-challenge-report-*"))
+
+
+def test_a_folder_without_a_result_is_told_what_it_lacks(tmp_path: Path) -> None:
+    (tmp_path / "moved").mkdir()
+    for reads in ("stats", "replay", "view"):
+        done = command(tmp_path, reads, "moved")
+        assert (done.returncode, done.stderr) == (2, "no record 'moved': there is no result.json in this folder\n")
