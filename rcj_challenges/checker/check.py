@@ -15,6 +15,7 @@ from rcj_challenges.checker.many_given import Called, called
 from rcj_challenges.checker.report import FileReport, MatchReport, gravest, match_report, stage_report
 from rcj_challenges.checker.report_files import copy_page, ensure_room
 from rcj_challenges.checker.sources import check_sources
+from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.private_folders import PrivateFolders
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.errors import HostError, RcjError, is_of_the_host, told_of
@@ -289,7 +290,7 @@ def _match(match: Rehearsed, named: Called, options: CheckOptions) -> MatchRepor
     replay = no_replay = ""
     if options.replays is not None:
         try:
-            replay = str(_keep_replay(match, named, options.replays))
+            replay = from_disk(str(_keep_replay(match, named, options.replays)))
         except (OSError, RecordError) as error:
             no_replay = shown(told_of(error))
     outputs = {}

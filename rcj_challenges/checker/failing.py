@@ -33,9 +33,12 @@ def fault_findings(stage: StageName, rehearsal: Rehearsal, match: Rehearsed, sid
         match: what was played.
         side: where the team played, as the message begins.
     """
-    alike: dict[tuple[str, str, str], list[dict[str, Any]]] = {}
+    alike: dict[tuple[Any, ...], list[dict[str, Any]]] = {}
     for fault in match.faults:
-        alike.setdefault((fault["kind"], fault["detail"], fault["traceback"]), []).append(fault)
+        # All that come to their end do so in the same words, each program perhaps for a reason of its own.
+        ended = fault["kind"] == "exit"
+        why = hint_on(rehearsal.loaded.scenario, rehearsal.team, fault, "", rehearsal.sandbox) if ended else None
+        alike.setdefault((fault["kind"], fault["detail"], fault["traceback"], why), []).append(fault)
     return [_finding(stage, rehearsal, match, side, faults) for faults in alike.values()]
 
 

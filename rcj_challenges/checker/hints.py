@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 from typing import Any
 
-from rcj_challenges.checker.modules import Library, places_of
+from rcj_challenges.checker.early_ends import why_it_ended
+from rcj_challenges.checker.modules import COMPILED, Library, places_of
 from rcj_challenges.checker.old_names import on_old_name
 from rcj_challenges.checker.preloaded import never_read
 from rcj_challenges.controllers.team import Team
@@ -33,7 +34,9 @@ _READS_AS_TEXT = re.compile(r"\.(getData|getString)\(")
 # The byte of v2.1: by its format, or as the first of the packet.
 _READS_A_FLAG = re.compile(rb"""["'][<>=!@]?[?bBc]["']|\.(?:getData|getBytes|data|bytes)(?:\(\))?\s*\[0\]""")
 _NO_SUCH_NAME = re.compile(r"cannot import name '(?P<name>\w+)' from (partially initialized module )?'(?P<module>\w+)'")
+_NO_SUCH_MODULE = re.compile(r"No module named '(?:\w+\.)*(?P<module>\w+)'")
 _NO_SUCH_ATTRIBUTE = re.compile(r"module '(?P<module>\w+)' has no attribute '(?P<name>\w+)'")
+_CAME_TO_ITS_END = "the program came to its end"
 _NOBODY_TYPES = "EOFError: EOF when reading a line"
 # Calls of Python's own library that come back only when something else happens. ``wait`` and the like stand here with
 # empty brackets or a time: what a team calls so itself, or ``", ".join(…)``, is none.
@@ -70,6 +73,9 @@ def hint_on(
     """
     if fault["kind"] == "crash":
         return _on_messages(scenario, team, fault) or _on_names(team, fault, sandbox) or _on_typing(fault["detail"])
+    if fault["kind"] == "exit" and fault["detail"].startswith(_CAME_TO_ITS_END):
+        remedy = why_it_ended(team.files, PurePosixPath(team.entries[fault["robot"]]))
+        return Hint(remedy) if remedy else None
     if fault["kind"] in ("step_timeout", "start_timeout") and whereabouts:
         return _on_place(team, fault["kind"], whereabouts)
     return None
@@ -121,8 +127,24 @@ def _on_names(team: Team, fault: dict[str, Any], sandbox: str) -> Hint | None:
         return _on_controller(team, found["name"])
     if module in sys.stdlib_module_names and _own(team, module):
         return _on_own_file(team, module, PurePosixPath(team.entries[fault["robot"]]), sandbox)
+    compiled = _compiled_otherwise(team, detail)
+    if compiled:
+        return Hint(compiled)
     remedy = on_old_name(detail, lambda words: _any_mentions(team, words))
     return Hint(remedy) if remedy else None
+
+
+def _compiled_otherwise(team: Team, detail: str) -> str:
+    """Return what to do about a module that is there, but compiled for another Python; empty if it is none."""
+    found = _NO_SUCH_MODULE.search(detail)
+    name = found["module"] if found is not None else ""
+    for path in team.files:
+        if name and path.suffix in COMPILED and path.name.partition(".")[0] == name:
+            return (
+                f"{shown(path)} was compiled for one version of Python on one system, and not for this one: hand in "
+                f"what it was made of ({name}.py), or do without it"
+            )
+    return ""
 
 
 def _on_controller(team: Team, name: str) -> Hint:

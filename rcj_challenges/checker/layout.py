@@ -8,7 +8,8 @@ from pathlib import PurePosixPath
 
 from rcj_challenges.checker.findings import Finding
 from rcj_challenges.checker.left_over import never_started
-from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned, same_number
+from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned, of_yellow, same_number
+from rcj_challenges.checker.mains import HIDDEN_ENDING, Roles, roles_of, without_comments
 from rcj_challenges.checker.others import looks_like
 from rcj_challenges.controllers.archive import Files
 from rcj_challenges.controllers.team import Opening, alternatives, missing_programs
@@ -19,6 +20,7 @@ _MOST_DEPTH = 3
 _MOST_FOLDERS = 20
 _MOST_PROGRAMS = 200  # among more files nobody can say which was meant
 _MOST_EMPTY = 10
+_LIKE, _SAME = 2, 3  # how much names speak for a file; less than either is a program that is the only one
 
 
 @dataclass(frozen=True)
@@ -37,7 +39,7 @@ class Move:
         """Return what to do, as a sentence."""
         if self.new == PurePosixPath():
             return f"move what is in {told(self.old)} to the top"
-        kind = "file" if self.old.suffix == ".py" else "folder"
+        kind = "file" if self.new.suffix == ".py" else "folder"
         return f"rename the {kind} {told(self.old)} to {told(self.new)}"
 
 
@@ -121,10 +123,13 @@ def plan_moves(opening: Opening, seats: Sequence[Entrant]) -> Plan | None:
     files = opening.contents.files
     if sum(path.suffix == ".py" for path in files) > _MOST_PROGRAMS:
         return None
-    for folders in _roots(files):
-        plans = [plan for folder in folders if (plan := _out_of(folder, files, seats)) is not None]
-        if plans:
-            return plans[0] if len(plans) == 1 else None
+    roles = roles_of(files)
+    # What names say comes first.
+    for known in [Roles(roles.libraries)] + [roles] * (roles.main is not None):
+        for folders in _roots(files):
+            plans = [plan for folder in folders if (plan := _out_of(folder, files, seats, known)) is not None]
+            if plans:
+                return plans[0] if len(plans) == 1 else None
     return None
 
 
@@ -224,19 +229,26 @@ def _roots(files: Files) -> Iterator[list[PurePosixPath]]:
         yield sorted(folder for folder in above if len(folder.parts) == depth)[:_MOST_FOLDERS]
 
 
-def _out_of(folder: PurePosixPath, files: Files, seats: Sequence[Entrant]) -> Plan | None:
-    """Return how what is in a folder would serve at the top."""
+def _out_of(folder: PurePosixPath, files: Files, seats: Sequence[Entrant], roles: Roles) -> Plan | None:
+    """Return how what is in a folder would serve at the top.
+
+    Args:
+        folder: it may be the top itself.
+        files: all files.
+        seats: who asks for programs.
+        roles: of the files; its main program is taken whatever it is called.
+    """
     up = (Move(folder, PurePosixPath()),) if folder.parts else ()
     raised = moved(files, up)
     if raised is None:
         return None
     if _complete(raised, seats):
         return Plan(up, raised, "")
-    plan = _by_renaming(raised, seats)
+    plan = _by_renaming(raised, seats, roles)
     return None if plan is None else Plan((*up, *plan.moves), plan.files, plan.mentioned)
 
 
-def _by_renaming(files: Files, seats: Sequence[Entrant]) -> Plan | None:
+def _by_renaming(files: Files, seats: Sequence[Entrant], roles: Roles) -> Plan | None:
     """Match each missing program with the file that was meant to be it."""
     missing = [
         alternatives(wanted)
@@ -246,7 +258,7 @@ def _by_renaming(files: Files, seats: Sequence[Entrant]) -> Plan | None:
     ]
     for choice in range(max(map(len, missing), default=0)):
         wanted = list(dict.fromkeys(PurePosixPath(entries[choice]) for entries in missing if choice < len(entries)))
-        pairs = [(found, entry) for entry in wanted if (found := _meant_to_be(entry, files, seats)) is not None]
+        pairs = [(found, entry) for entry in wanted if (found := _meant_to_be(entry, files, seats, roles)) is not None]
         moves = _moves(pairs)
         result = None if moves is None or len(pairs) < len(wanted) else moved(files, moves)
         if moves and result is not None and _complete(result, seats):
@@ -255,27 +267,41 @@ def _by_renaming(files: Files, seats: Sequence[Entrant]) -> Plan | None:
     return None
 
 
-def _meant_to_be(entry: PurePosixPath, files: Files, seats: Sequence[Entrant]) -> PurePosixPath | None:
+def _meant_to_be(
+    entry: PurePosixPath, files: Files, seats: Sequence[Entrant], roles: Roles
+) -> PurePosixPath | None:  # fmt: skip
     asked = _asked(seats)
-    programs = [path for path in files if path.suffix.casefold() == ".py" and len(path.parts) == len(entry.parts)]
+    endings = (".py", HIDDEN_ENDING)
+    programs = [
+        path for path in files if path.name.casefold().endswith(endings) and len(path.parts) == len(entry.parts)
+    ]
     ranks: dict[int, list[PurePosixPath]] = {}
     for path in programs:
         if path not in asked and files[path].strip(BLANK):
             alone = sum(other.parent == path.parent for other in programs) == 1
-            ranks.setdefault(_likeness(path, entry, alone=alone), []).append(path)
+            rank = _likeness(path, entry, alone=alone)
+            # Of what others import, only the very name can say that it is a program all the same.
+            if files[path] in roles.libraries and rank < _SAME:
+                rank = 0
+            ranks.setdefault(rank or int(files[path] == roles.main), []).append(path)
     best = ranks[max(ranks)] if ranks else []
+    if len(best) > 1 and len({without_comments(files[path]) for path in best}) == 1:
+        best = [path for path in best if not of_yellow(path.stem)]  # one program for either colour
     return best[0] if len(best) == 1 and max(ranks) > 0 else None
 
 
 def _likeness(path: PurePosixPath, entry: PurePosixPath, *, alone: bool) -> int:
-    """Return how much speaks for a file being meant as an entry point; 0 if too little does."""
+    """Return how much the names speak for a file being meant as an entry point; 0 if too little."""
     same, likely = path.name == entry.name, alike(path.stem, entry.stem)
+    hidden = path.name.casefold() == entry.name + ".txt"
     if len(entry.parts) == 1:
-        return int(likely)
+        return _SAME if hidden else _LIKE * likely
     in_its_folder = alike(str(path.parent), str(entry.parent))
-    if in_its_folder and (same or likely):
-        return 3
-    return 2 if same else int((in_its_folder and alone) or (like_an_entry(path) and same_number(path.stem, entry.stem)))
+    if in_its_folder and (same or likely or hidden):
+        return _SAME + 1 + hidden
+    if same or hidden:
+        return _SAME
+    return _LIKE * ((in_its_folder and alone) or (like_an_entry(path) and same_number(path.stem, entry.stem)))
 
 
 def _moves(pairs: Iterable[tuple[PurePosixPath, PurePosixPath]]) -> list[Move] | None:

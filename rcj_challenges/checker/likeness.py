@@ -37,6 +37,11 @@ def same_number(name: str, wanted: str) -> bool:
     return one is not None and other is not None and one[0] == other[0]
 
 
+def of_yellow(name: str) -> bool:
+    """Whether a name says that a program is for yellow: ``rcj_soccer_player_y1``, ``team_yellow``."""
+    return re.search(r"(?:^|[\W_])(?:y\d?|yellow\d?)$", name.casefold()) is not None
+
+
 def mentioned(files: Mapping[PurePosixPath, bytes], names: Iterable[str]) -> str:
     """Return the first of some names that a program mentions."""
     for name in names:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rcj_challenges.checker.report import LeftOut
+from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.facts.shown import shown
 
 ARCHIVES = frozenset({".zip", ".rar", ".7z", ".tar", ".gz", ".tgz", ".bz2", ".xz"})
@@ -62,13 +63,13 @@ def in_folders(given: Sequence[Path]) -> Given:
         for submission in found:
             paths.setdefault(_place(submission), submission)
         for other, reason in others.items():
-            beside.setdefault(_place(other), LeftOut(file=shown(other), reason=reason))
+            beside.setdefault(_place(other), LeftOut(file=shown(from_disk(str(other))), reason=reason))
     return Given(list(paths.values()), [other for place, other in beside.items() if place not in paths])
 
 
 def called(paths: Sequence[Path]) -> list[Called]:
     """Return what the submissions at these paths are called, in their order."""
-    names = _told_apart([Path(_place(path)).parts for path in paths])
+    names = _told_apart([Path(from_disk(_place(path))).parts for path in paths])
     taken: set[str] = set()
     found = []
     for path, name in zip(paths, names, strict=True):

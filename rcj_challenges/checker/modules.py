@@ -27,7 +27,7 @@ WELL_KNOWN = frozenset(
 """Libraries that no match has, and that no file beside a program replaces: compiled, or for what a match refuses."""
 
 _TOP = PurePosixPath()
-_COMPILED = frozenset({".so", ".pyd"})
+COMPILED = frozenset({".so", ".pyd"})
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class Library:
         self._files = frozenset(files)
         self._folders = frozenset(parent for path in self._files for parent in path.parents)
         self._compiled = frozenset(
-            path.parent / path.name.partition(".")[0] for path in self._files if path.suffix in _COMPILED
+            path.parent / path.name.partition(".")[0] for path in self._files if path.suffix in COMPILED
         )
         self.places = tuple(dict.fromkeys(places))
 

@@ -14,6 +14,7 @@ from rcj_challenges.checker.rehearsal import OWN_TEAM, Rehearsal, Rehearsed, reh
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.match.watching import Waits
+from rcj_challenges.scenario.halves import longest_half_s
 from rcj_challenges.scenario.load import Loaded
 
 _STANDS_M = 0.02  # the suspension of a braked robot settles by less
@@ -175,10 +176,11 @@ def _words(data: Any) -> Iterator[str]:
 def _slow(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
     """Compare the time that programs took with what a half and a step allow."""
     scenario = rehearsal.loaded.scenario
-    limits, half_ticks = scenario.limits, ticks_from_s(scenario.match.half_s)
+    limits, half_s = scenario.limits, longest_half_s(scenario.match)
+    half_ticks = ticks_from_s(half_s)
     findings = []
     for robot, wait in match.waits.items():
-        share = match.simulated_s / scenario.match.half_s
+        share = match.simulated_s / half_s
         whole_s = wait.waited_s / share if share else 0.0
         mean_ms = 1000 * limits.half_s / half_ticks
         if whole_s > _SLOW_SHARE * limits.half_s and half_ticks:
@@ -210,7 +212,7 @@ def _too_much(
     rehearsal: Rehearsal, match: Rehearsed, grown: Mapping[str, Growth], kind: _Kind, side: str
 ) -> list[Finding]:
     """Return one warning for all robots whose programs come near a limit, with the numbers of the worst."""
-    half_ticks = ticks_from_s(rehearsal.loaded.scenario.match.half_s)
+    half_ticks = ticks_from_s(longest_half_s(rehearsal.loaded.scenario.match))
     failed, limit_bytes = {fault["robot"] for fault in match.faults}, kind.limit_mb * 1e6
     near = {
         robot: whole_bytes

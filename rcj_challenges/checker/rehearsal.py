@@ -20,6 +20,7 @@ from rcj_challenges.match.match import MatchPlan, play_match
 from rcj_challenges.match.samples import sample_team
 from rcj_challenges.match.watching import Silent, Waits
 from rcj_challenges.records.folder import LOGS
+from rcj_challenges.scenario.halves import longest_half_s
 from rcj_challenges.scenario.load import Loaded, load_resolved
 
 SEED = 1
@@ -179,8 +180,9 @@ def shortened(loaded: Loaded, seconds: float) -> Loaded:
     the limit of a whole half is stopped here, so that its check comes to an end.
     """
     match, limits = loaded.scenario.match, loaded.scenario.limits
-    half_s = min(match.half_s, seconds)
-    share = _MOST_OVER * limits.half_s * half_s / match.half_s
+    longest_s = longest_half_s(match)
+    half_s = min(longest_s, seconds)
+    share = _MOST_OVER * limits.half_s * half_s / longest_s
     patience_s = min(limits.half_s, max(_LEAST_PATIENCE_STEPS * limits.step_s, share))
     resolved = {
         **loaded.resolved,

@@ -12,6 +12,7 @@ from urllib.parse import quote
 
 from rcj_challenges.checker.report import CheckReport, FileReport, FindingReport, MatchReport, StageReport, Verdict
 from rcj_challenges.checker.report_text import WORDS, first_finding, is_single, no_replay, summary, verdict
+from rcj_challenges.controllers.disk_names import from_disk, on_disk
 
 _ROBOT_COLUMNS = ("way", "turned", "touches", "steps", "start", "a step", "slowest")
 
@@ -154,10 +155,10 @@ def _replay(match: MatchReport, folder: Path) -> str:
     if not match.replay:
         return ""
     try:
-        way = Path(os.path.relpath(Path(match.replay).resolve(), folder.resolve())).as_posix()
+        way = Path(os.path.relpath(Path(on_disk(match.replay)).resolve(), folder.resolve())).as_posix()
     except ValueError:
         return ""
-    return f'<p><a href="./{_text(quote(way))}">Watch this match</a></p>'
+    return f'<p><a href="./{_text(quote(from_disk(way)))}">Watch this match</a></p>'
 
 
 def _where(finding: FindingReport) -> str:

@@ -221,7 +221,8 @@ class _Walk:
         if name in WELL_KNOWN:
             return "missing_module", message, f"do without it: {_IN_A_MATCH}"
         near = get_close_matches(name, [*names, *INSTALLED], 1, 0.75)
-        if near:
+        # Of robot1, robot2 and robot3 none is another one misspelled: that file was forgotten.
+        if near and re.findall(r"\d+", near[0]) == re.findall(r"\d+", name):
             return "missing_module", message, f'did you mean "{shown(near[0])}"?'
         return "missing_module", message, f"put {quoted}.py beside the program, or do without it"
 

@@ -11,7 +11,16 @@ from pathlib import Path, PurePosixPath
 from typing import Literal
 
 from rcj_challenges.controllers import zipped
-from rcj_challenges.controllers.paths import folded, ignored, ignored_folder, name_troubles, path_of
+from rcj_challenges.controllers.disk_names import from_disk
+from rcj_challenges.controllers.paths import (
+    composed,
+    folded,
+    ignored,
+    ignored_folder,
+    name_troubles,
+    path_of,
+    spelled_path_of,
+)
 from rcj_challenges.controllers.troubles import MOST_PATH_SHOWN, Trouble, Troubles, told
 from rcj_challenges.facts.errors import RcjError
 
@@ -128,7 +137,7 @@ def refusal(path: Path, reasons: list[Trouble]) -> TeamError:
 def _from_program(path: Path) -> Contents:
     if path.stat().st_size > MOST_PACKED_BYTES:
         return _unreadable("program", _too_large(path.stat().st_size))
-    return Contents("program", {PurePosixPath(path.name): path.read_bytes()})
+    return Contents("program", {composed(from_disk(path.name)): path.read_bytes()})
 
 
 def _too_large(size: int) -> Trouble:
@@ -150,7 +159,7 @@ def _from_folder(folder: Path) -> Contents:
     total = 0
     inside = folder.resolve()
     for path in _walk(folder):
-        relative = PurePosixPath(path.relative_to(folder).as_posix())
+        relative = composed(from_disk(path.relative_to(folder).as_posix()))
         if ignored(relative.parts):
             continue
         leads_out = _leads_out(path, inside)
@@ -164,6 +173,9 @@ def _from_folder(folder: Path) -> Contents:
             message = f"more than {MOST_FILES} files or {MOST_UNPACKED_BYTES // 1_000_000} MB"
             remedy = "is this the folder of the robot programs?"
             return _unreadable("folder", *troubles, Trouble("archive.too_many", "failure", message, remedy))
+        if relative in files:
+            message = f"{told(relative)} is there twice, with letters composed and taken apart; one is left out"
+            troubles.add(Trouble("archive.collision", "warning", message, "delete one", told(relative)))
         files[relative] = path.read_bytes()
     # What only another computer would object to does not hinder anybody who works in this folder.
     for trouble in itertools.chain.from_iterable(name_troubles(str(path)) for path in files):
@@ -176,9 +188,12 @@ def _from_folder(folder: Path) -> Contents:
 
 def _leads_out(path: Path, inside: Path) -> bool:
     try:
-        return not path.resolve().is_relative_to(inside)
+        path.resolve(strict=True)  # only so does every Python say that links go in a circle
+    except FileNotFoundError:
+        pass
     except (OSError, RuntimeError):  # links in a circle lead nowhere
         return True
+    return not path.resolve().is_relative_to(inside)
 
 
 def _link(path: PurePosixPath, *, leads_out: bool, is_folder: bool) -> Trouble:
@@ -309,14 +324,14 @@ class _ZipReading:
         bad = list(name_troubles(name))
         for trouble in bad:
             self._troubles.add(trouble)
-        path = path_of(name)
+        path, spelled = path_of(name), spelled_path_of(name)
         if bad:
             self._unsafe[name] = content
-        elif path in self._files:
+        elif path in self._files and self._spelled[folded(path)] == spelled:
             same = self._files[path] == content
             message = f"'{told(path)}' is in the archive twice" + ("" if same else ", with different contents")
             self._refuse("archive.duplicate", message, "keep one of them", told(path), repair=same)
-        elif self._fits(path):
+        elif self._fits(spelled):
             self._files[path] = content
 
     def _fits(self, path: PurePosixPath) -> bool:

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from rcj_challenges.controllers import bubblewrap, processes, sight, tasks
+from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.pupil.controller import _landlock, _seccomp
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.scenario.models.scenario import Limits
@@ -153,7 +154,8 @@ def limits_told(limits: Limits, layers: tuple[str, ...], private: Path, *, porta
 def _files_told(layers: tuple[str, ...], private: Path) -> dict[str, Any]:
     if "filesystem" not in layers:
         return {}
-    return {"readable": list(sight.readable()), "writable": list(sight.DEVICES), "private": str(private)}
+    readable = [from_disk(path) for path in sight.readable()]
+    return {"readable": readable, "writable": list(sight.DEVICES), "private": from_disk(str(private))}
 
 
 def _user_tasks(limits: Limits) -> int:

@@ -9,6 +9,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from rcj_challenges.controllers.disk_names import from_disk
+
 _DUMP_BEGINS = b"Fatal Python error:"
 _MOST_DUMP_BYTES = 32_768
 _CHUNK = 1 << 16
@@ -113,7 +115,7 @@ class ProgramLog:
         if at < 0:
             return ""
         os.ftruncate(self._log_fd, size - len(tail) + at)
-        before = f'  File "{folder}{os.sep}'
+        before = f'  File "{from_disk(str(folder))}{os.sep}'
         lines = tail[at:].decode("utf-8", "replace").splitlines()
         own = (line.removeprefix(before).partition('"') for line in lines if line.startswith(before))
         return "".join(f'  File "{path.replace(os.sep, "/")}"{place}\n' for path, _, place in own)

@@ -40,8 +40,18 @@ def ignored(parts: tuple[str, ...]) -> bool:
 
 
 def path_of(name: str) -> PurePosixPath:
-    """Return the path that an archive's name means; some Windows tools write backslashes."""
+    """Return the path that an archive's name means."""
+    return composed(str(spelled_path_of(name)))
+
+
+def spelled_path_of(name: str) -> PurePosixPath:
+    """Return that path letter by letter as the archive spells it; some Windows tools write backslashes."""
     return PurePosixPath(name.replace("\\", "/"))
+
+
+def composed(name: str) -> PurePosixPath:
+    """Return a path with its letters composed, as programs write and import it; macOS takes them apart (o and ¨)."""
+    return PurePosixPath(unicodedata.normalize("NFC", name))
 
 
 def folded(path: PurePosixPath) -> str:

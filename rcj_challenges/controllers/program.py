@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from rcj_challenges.controllers import isolation, processes, scratch
+from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.log import ProgramLog
 from rcj_challenges.controllers.pipes import Channel, ChannelClosedError, FrameTooLongError, open_channel
 from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hello_frame, most_frame_bytes, one_line
@@ -284,14 +285,14 @@ class Program:
 
     def _setup(self, root: Path, layers: tuple[str, ...]) -> dict[str, Any]:
         """Return what the process needs to know beyond the robot."""
-        assignment = self._assignment
+        assignment, here = self._assignment, from_disk(str(root))
         return {
             "half": assignment.half,
             "seed": stream_seed(assignment.match_seed, f"program/{self.name}/half{assignment.half}"),
             "program": {
-                "root": str(root),
-                "entry": str(root.joinpath(*assignment.entry.split("/"))),
-                "site": processes.site_folders(),
+                "root": here,
+                "entry": str(Path(here, *assignment.entry.split("/"))),
+                "site": [from_disk(folder) for folder in processes.site_folders()],
             },
             "limits": isolation.limits_told(self._limits, layers, root.parent, portable=self._portable),
             "layers": isolation.set_by_process(layers, portable=self._portable),

@@ -11,6 +11,7 @@ from types import MappingProxyType
 from typing import Self
 
 from rcj_challenges.controllers.archive import Contents, Files, TeamError, read_contents, refusal
+from rcj_challenges.controllers.disk_names import from_disk, on_disk
 from rcj_challenges.controllers.team_name import (
     MOST_NAME_LETTERS,
     NAME_FILE,
@@ -93,7 +94,7 @@ class Team:
         """
         try:
             for name, content in self._files.items():
-                target = folder.joinpath(*name.parts)
+                target = folder.joinpath(on_disk(str(name)))
                 target.parent.mkdir(parents=True, exist_ok=True)
                 target.write_bytes(content)
         except (OSError, ValueError) as error:
@@ -195,9 +196,9 @@ def opening_of(path: Path, contents: Contents, *seats: Entrant) -> Opening:
         contents: what was read.
         seats: as for `open_team`.
     """
-    fallback = path.resolve().name.removesuffix(".zip").removesuffix(".py")
+    fallback = from_disk(path.resolve().name).removesuffix(".zip").removesuffix(".py")
     layouts = [*without_top_folders(contents.files), *_inside_entry_folder(contents.files, seats)]
-    single = path.name if contents.kind == "program" else ""
+    single = str(next(iter(contents.files), "")) if contents.kind == "program" else ""
     for layout in layouts:
         files = layout.files
         if not files or _lacking(files, seats, single):

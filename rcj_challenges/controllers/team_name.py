@@ -122,18 +122,30 @@ def _near_stem(path: PurePosixPath) -> bool:
 
 
 def _decoded(content: bytes) -> tuple[str, tuple[Trouble, ...]]:
-    """Return the text of a file in UTF-8, with or without a mark, or in UTF-16 with one."""
+    """Return the text of the file, and what is odd about how it is written.
+
+    UTF-8, with or without a mark, and UTF-16 with one are what they say. What is neither is guessed.
+    """
     content = content[:_MOST_NAME_FILE_BYTES]
-    wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) and len(content) > len(codecs.BOM_UTF16_LE)
-    encoding = "utf-16" if wide else "utf-8-sig"
-    text = content.decode(encoding, "replace")
+    marked = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    encoding = "utf-16" if marked else _unmarked_utf_16(content) or "utf-8-sig"
+    # What was cut off here, or ends in the middle of a letter of UTF-16, is not held against it.
+    cut = len(content) == _MOST_NAME_FILE_BYTES or encoding.startswith("utf-16")
+    text = codecs.getincrementaldecoder(encoding)("replace").decode(content, final=not cut)
     troubles = []
-    if wide:
+    if marked:
         message = f"{NAME_FILE} is in UTF-16; the name was read all the same"
         troubles.append(_note("name_utf16", message, repair=True))
-    elif text.encode() != content.removeprefix(codecs.BOM_UTF8):
-        message = f"{NAME_FILE} is not in UTF-8: letters that cannot be read are shown as \ufffd"
-        troubles.append(_warning("name_encoding", message, "save it in UTF-8", repair=False))
+    elif encoding != "utf-8-sig":
+        troubles.append(_assumed("UTF-16"))
+    elif "\ufffd" in text and "\ufffd".encode() not in content:
+        # Letters beyond ASCII that are whole are those of a text in UTF-8, of which a part is damaged.
+        if any(letter > "\x7f" for letter in text.replace("\ufffd", "")):
+            message = f"{NAME_FILE} is not in UTF-8: letters that cannot be read are shown as \ufffd"
+            troubles.append(_warning("name_encoding", message, "save it in UTF-8", repair=False))
+        else:
+            text = content.decode("cp1252", "replace")
+            troubles.append(_assumed("Windows-1252, the letters of Western Europe"))
     elif content.startswith(codecs.BOM_UTF8):
         message = f"{NAME_FILE} begins with a byte order mark, which is no part of the name"
         troubles.append(_note("name_bom", message, repair=True))
@@ -141,6 +153,24 @@ def _decoded(content: bytes) -> tuple[str, tuple[Trouble, ...]]:
         message = f"{NAME_FILE} has the line ends of Windows, which are no part of the name"
         troubles.append(_note("name_line_ends", message, repair=True))
     return text, tuple(troubles)
+
+
+def _assumed(encoding: str) -> Trouble:
+    """Return the warning that a file was read in an encoding that nothing in it tells."""
+    message = f"{NAME_FILE} is not in UTF-8: it was read as {encoding}, which may be wrong"
+    remedy = 'open it in an editor and save it in UTF-8 (in Windows\' Notepad: "Save as", Encoding "UTF-8")'
+    return _warning("name_encoding", message, remedy, repair=False)
+
+
+def _unmarked_utf_16(content: bytes) -> str:
+    """Return which UTF-16 a text without a mark is in: every second byte of Latin letters is zero. Empty: neither."""
+    for encoding, zeros, letters in (
+        ("utf-16-le", content[1::2], content[::2]),
+        ("utf-16-be", content[::2], content[1::2]),
+    ):
+        if zeros.count(0) * 2 > len(zeros) and not letters.count(0):
+            return encoding
+    return ""
 
 
 def _line_troubles(lines: list[str], name: str) -> list[Trouble]:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Literal
 
+from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.facts.shown import shown
 
 Level = Literal["passed", "warning", "failure"]
@@ -75,4 +77,4 @@ def with_remedy(message: str, remedy: str) -> str:
 
 def told(name: object, longest: int = _MOST_LETTERS) -> str:
     """Return a strange name as one harmless line, shorter than `shown` makes it: several stand in one message."""
-    return shown(name, longest)
+    return shown(from_disk(str(name)) if isinstance(name, Path) else name, longest)

@@ -8,7 +8,8 @@ from rcj_challenges.scenario.models.robots import SupervisorReceiverDevice
 from rcj_challenges.scenario.models.scenario import Scenario
 
 ANY_CHANNEL = -1
-"""What a receiver is set to that hears all channels of its team (Webots: -1). No emitter may send on all of them: among
+"""What a receiver is set to that hears all channels of its kind (Webots: -1): those of its team and the referee's, or
+the balls'; those of another team stay silent. No emitter may send on all of them: among
 them is the referee's."""
 
 

@@ -8,6 +8,7 @@ from typing import Any, cast
 import mujoco
 import numpy as np
 
+from rcj_challenges.devices.channels import ANY_CHANNEL
 from rcj_challenges.devices.fitting import Fitted
 from rcj_challenges.devices.ground import Ground
 from rcj_challenges.devices.noise import Noise
@@ -54,7 +55,7 @@ class InfraredEar:
     @property
     def listens(self) -> bool:
         """Whether it is enabled, and tuned to the balls."""
-        return self.receiver.period_ticks > 0 and self.receiver.channel == self.ball_channel
+        return self.receiver.period_ticks > 0 and self.receiver.channel in (self.ball_channel, ANY_CHANNEL)
 
     def hear(self, tick: int, ball: int, square_m2: float, direction: Vector) -> None:
         """Take a ball's packet of a tick: from so far, squared, and from there, in the robot's frame."""

@@ -7,6 +7,7 @@ import struct
 from collections.abc import Callable
 from typing import Any
 
+from rcj_challenges.devices.channels import ANY_CHANNEL
 from rcj_challenges.devices.poses import Poses
 from rcj_challenges.devices.receivers import Receiver
 from rcj_challenges.facts.play import Verdict
@@ -73,7 +74,10 @@ class RefereeRadio:
     def retune(self) -> None:
         """Find out anew who listens. To be called when a receiver was enabled, disabled or tuned."""
         self._listening = [
-            receiver for receiver, channels in self._receivers if receiver.period_ticks and receiver.channel in channels
+            receiver
+            for receiver, channels in self._receivers
+            if receiver.period_ticks
+            and (receiver.channel in channels or (channels and receiver.channel == ANY_CHANNEL))
         ]
         self._deliveries.clear()
 

@@ -28,8 +28,10 @@ from tests.hostile.archives.building import Member, pack, with_folders
 from tests.hostile.archives.cases import ALL, FINE, built
 from tests.hostile.archives.making import NAME, SOUND
 
-MUTATED = 600
+MUTATED = 200
 MUTATED_BY_NIGHT = 50_000
+LYING, ANY = 40, 100
+LYING_BY_NIGHT, ANY_BY_NIGHT = 2_000, 5_000
 MOST_CPU_S = 5
 INTERESTING = (
     b"PK\1\2",
@@ -170,9 +172,16 @@ def test_many_mutated_archives_give_a_verdict(tmp_path: Path, seed: int) -> None
     check_holds(tmp_path, mutated(seed), mend=True)
 
 
-@settings(QUICK, max_examples=300)
+@settings(QUICK, max_examples=ANY)
 @given(st.binary(max_size=400))
 def test_any_bytes_give_a_verdict(tmp_path: Path, data: bytes) -> None:
+    check_holds(tmp_path, data, mend=False)
+
+
+@pytest.mark.nightly
+@settings(QUICK, max_examples=ANY_BY_NIGHT)
+@given(st.binary(max_size=400))
+def test_many_kinds_of_bytes_give_a_verdict(tmp_path: Path, data: bytes) -> None:
     check_holds(tmp_path, data, mend=False)
 
 
@@ -199,9 +208,16 @@ def members(draw: st.DrawFn) -> Member:
     )
 
 
-@settings(QUICK, max_examples=120)
+@settings(QUICK, max_examples=LYING)
 @given(st.lists(members(), max_size=5), st.booleans())
 def test_an_archive_that_lies_gives_a_verdict(tmp_path: Path, odd: list[Member], wide: bool) -> None:
+    check_holds(tmp_path, pack([*with_folders(SOUND), *odd], zip64=wide), mend=True)
+
+
+@pytest.mark.nightly
+@settings(QUICK, max_examples=LYING_BY_NIGHT)
+@given(st.lists(members(), max_size=5), st.booleans())
+def test_many_archives_that_lie_give_a_verdict(tmp_path: Path, odd: list[Member], wide: bool) -> None:
     check_holds(tmp_path, pack([*with_folders(SOUND), *odd], zip64=wide), mend=True)
 
 

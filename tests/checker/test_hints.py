@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import time
 import zipfile
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 import pytest
 
 from rcj_challenges.checker.check import CheckOptions, check_file
+from rcj_challenges.checker.early_ends import why_it_ended
 from rcj_challenges.checker.hints import hint_on
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.scenario.load import load
@@ -55,6 +56,19 @@ def check(tmp_path):
     return checked
 
 
+@pytest.fixture(scope="module")
+def fitting(tmp_path_factory):
+    """Return the reports of programs that play with the messages that they were written for."""
+    reports = {}
+    for name, program, scenario, play_s in (("v2.1", BYTE_PROGRAM, V21, 1.0), ("v2.2", JSON_PROGRAM, V22, 3.0)):
+        path = tmp_path_factory.mktemp("fitting") / "team.zip"
+        with zipfile.ZipFile(path, "w") as archive:
+            archive.writestr(ENTRY, program)
+            archive.writestr("team_name.txt", "Hanse")
+        reports[name] = check_file(path, scenario, CheckOptions(play_s=play_s))
+    return reports
+
+
 def failure(report):
     """Return the only failure."""
     (found,) = [finding for stage in report.stages for finding in stage.findings if finding.level == "failure"]
@@ -87,9 +101,9 @@ def test_a_whole_program_of_2022_is_told_so_too():
     assert "--set kits.v2.messages=v2.1" in blue.remedy
 
 
-@pytest.mark.parametrize(("program", "scenario"), [(JSON_PROGRAM, V22), (BYTE_PROGRAM, V21)])
-def test_a_program_plays_with_the_messages_that_it_was_written_for(check, program, scenario):
-    assert check(program, scenario).level != "failure"
+@pytest.mark.parametrize("messages", ["v2.1", "v2.2"])
+def test_a_program_plays_with_the_messages_that_it_was_written_for(fitting, messages):
+    assert fitting[messages].level != "failure"
 
 
 @pytest.mark.parametrize(
@@ -194,11 +208,88 @@ def test_an_opponent_whose_programs_fail_is_told_and_is_no_fault_of_the_team(che
     assert play.level != "failure"
 
 
-def test_of_an_opponent_that_plays_nothing_is_said(check):
-    codes = {finding.code for finding in check(BYTE_PROGRAM).stages[5].findings}
-    assert "play.opponent_failed" not in codes
-
-
-def test_sample_teams_play_as_opponents_with_either_messages(check):
-    play = check(JSON_PROGRAM, V22, 3.0).stages[5]
+@pytest.mark.parametrize("messages", ["v2.1", "v2.2"])
+def test_of_sample_teams_that_play_as_opponents_with_either_messages_nothing_is_said(fitting, messages):
+    play = fitting[messages].stages[5]
+    assert play.name == "play"
+    assert not play.skipped
     assert "play.opponent_failed" not in {finding.code for finding in play.findings}
+
+
+ENDS = "from controller import Robot\nrobot = Robot()\n"
+
+
+@pytest.mark.parametrize(
+    "test", ["robot.step(32)", "robot.step(32) == -1", "robot.step(32) != 0", "robot.step(32) > 0"]
+)
+def test_a_loop_that_ends_at_once_is_named(check, test):
+    found = failure(check(ENDS + f"while {test}:\n    pass\n"))
+    assert found.code == "start.exit"
+    assert found.remedy.startswith(
+        "step returns 0 while the match goes on and -1 at its end, so the loop in line 3 ends"
+    )
+
+
+@pytest.mark.parametrize("name", ["strategy", "größe", "strategy/__init__"])
+def test_such_a_loop_is_named_in_another_file_as_well(check, name):
+    module = name.partition("/")[0]
+    found = failure(check(f"import {module}\n", **{name: ENDS + "while robot.step(32):\n    pass\n"}))
+    assert f"the loop in line 3 of rcj_soccer_team_blue/{name}.py ends at once" in found.remedy
+
+
+def test_a_loop_of_another_robots_program_is_not_why_this_one_ended(tmp_path):
+    ends_at_once = ENDS + "while robot.step(32):\n    pass\n"
+    path = tmp_path / "team.zip"
+    with zipfile.ZipFile(path, "w") as archive:
+        for number, program in enumerate((ends_at_once, ENDS, "\n" + ends_at_once), start=1):
+            archive.writestr(f"robot{number}/robot{number}.py", program)
+    report = check_file(path, load("match"), CheckOptions(play_s=1.0))
+    told = {found.where: found.remedy for stage in report.stages for found in stage.findings if "start." in found.code}
+    assert "the loop in line 3 ends at once" in told["B1, Y1"]
+    assert told["B2, Y2"].startswith("call robot.step(32) in a loop until it returns -1")
+    assert "the loop in line 4 ends at once" in told["B3, Y3"]
+
+
+@pytest.mark.parametrize("last", ["", "if __name__ == 'main':\n    print('never')\n"])
+def test_a_loop_that_nobody_comes_to_is_named(check, last):
+    found = failure(check(ENDS + "def play():\n    while robot.step(32) != -1:\n        pass\n" + last))
+    assert (
+        found.remedy
+        == "the loop with step is in play(), line 3, and nothing calls it: call play() at the end of the program"
+    )
+
+
+def test_among_very_many_functions_and_files_it_is_found_out_at_once():
+    began_s = time.monotonic()
+    loops = "".join(f"def f{number}():\n    while 1: x.step(1)\nf{number}()\n" for number in range(20_000))
+    entry, other = PurePosixPath("a.py"), b"import a\n" * 1_500
+    files = {entry: loops.encode() + other, **{PurePosixPath(f"d{number}/a.py"): other for number in range(4_000)}}
+    assert why_it_ended(files, entry) == ""
+    assert time.monotonic() - began_s < 10
+
+
+@pytest.mark.parametrize(
+    "program",
+    [
+        "robot.step(32)\n",
+        "def play():\n    while robot.step(32) != -1:\n        break\nplay()\n",
+        "while robot.step(32) >= 0:\n    break\n",
+        "class Bot:\n    def run(self):\n        while robot.step(32) != -1:\n            break\nbot = Bot()\nbot.run()\n",
+    ],
+)
+def test_where_the_lines_do_not_tell_it_is_said_what_every_program_has_to_do(check, program):
+    found = failure(check(ENDS + program))
+    assert found.remedy.startswith("call robot.step(32) in a loop until it returns -1")
+
+
+def test_a_module_that_was_compiled_for_another_python_is_named(tmp_path):
+    path = tmp_path / "team.zip"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr(ENTRY, "import fast\n" + BEGIN)
+        archive.writestr("rcj_soccer_team_blue/fast.cp38-win_amd64.pyd", b"MZ" + bytes(100))
+    found = failure(check_file(path, V21, CheckOptions(play_s=1.0)))
+    assert "No module named 'fast'" in found.message
+    assert found.remedy == (
+        "rcj_soccer_team_blue/fast.cp38-win_amd64.pyd was compiled for one version of Python on one system, and not for "
+        "this one: hand in what it was made of (fast.py), or do without it"
+    )

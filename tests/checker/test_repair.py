@@ -152,7 +152,7 @@ def test_numbered_programs_in_folders_of_their_own_names_are_those_that_are_aske
 
 
 def test_of_two_numbered_programs_nobody_can_say_which_is_meant(tmp_path: Path) -> None:
-    files = {"team_name.txt": b"Cats", **numbered("rcj_soccer_player_b"), **numbered("rcj_soccer_player_y")}
+    files = {"team_name.txt": b"Cats", **numbered("rcj_soccer_player_b"), **numbered("rcj_soccer_player_y", b"1")}
     assert repaired(tmp_path, plain(files))[0].left
 
 
@@ -276,15 +276,32 @@ DEFECTS = {
 }
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(
+DEFECTIVE = given(
     st.sampled_from([SOUND, OF_2021, {"robot.py": PROGRAM} | NAME]),
     st.lists(st.sampled_from(sorted(DEFECTS)), unique=True),
     st.booleans(),
 )
+IN_ONE_FOLDER = [HealthCheck.function_scoped_fixture]
+
+
+@settings(max_examples=25, deadline=None, suppress_health_check=IN_ONE_FOLDER)
+@DEFECTIVE
 def test_any_combination_of_defects_is_put_right_once_and_for_all(
     tmp_path: Path, files: dict[str, bytes], defects: list[str], folders: bool
 ) -> None:
+    assert_put_right(tmp_path, files, defects, folders)
+
+
+@pytest.mark.nightly
+@settings(max_examples=500, deadline=None, suppress_health_check=IN_ONE_FOLDER)
+@DEFECTIVE
+def test_many_combinations_of_defects_are_put_right_once_and_for_all(
+    tmp_path: Path, files: dict[str, bytes], defects: list[str], folders: bool
+) -> None:
+    assert_put_right(tmp_path, files, defects, folders)
+
+
+def assert_put_right(tmp_path: Path, files: dict[str, bytes], defects: list[str], folders: bool) -> None:
     for defect in defects:
         files = DEFECTS[defect](files)
     members = with_folders(files) if folders else [Member(name, content) for name, content in files.items()]

@@ -115,3 +115,27 @@ for n in range(3):
     assert played.fault is not None
     assert (played.fault.kind, played.fault.tick) == ("exit", 3)
     assert time.perf_counter() - began_s < match.limits.step_s
+
+
+def test_after_a_thread_that_stepped_has_ended_time_is_the_main_threads_again(match: FakeMatch) -> None:
+    """It would wait for a match that waits for it: nobody else is left to step."""
+    program = """
+import threading, time
+from controller import Robot
+robot = Robot()
+def turn():
+    for _ in range(3):
+        robot.step(32)
+thread = threading.Thread(target=turn)
+thread.start()
+thread.join()
+began_s = time.time()
+while time.time() - began_s < 0.1:
+    pass
+time.sleep(0.064)
+while robot.step(32) != -1:
+    pass
+"""
+    played = match.play(program, 12)
+    assert played.fault is None
+    assert [(tick, r.missed_ticks) for tick, r in played.requests][:4] == [(0, 0), (1, 0), (2, 0), (3, 5)]

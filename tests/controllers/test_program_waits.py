@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from importlib.util import module_from_spec
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -10,6 +11,7 @@ import pytest
 from fake_match import FakeMatch
 
 from rcj_challenges.controllers.pupil.controller._clock import Clock
+from rcj_challenges.controllers.pupil.controller._hooks import AfterImport
 from rcj_challenges.controllers.pupil.controller._waits import Waits
 
 ROBOT = "from controller import Robot\nrobot = Robot()\nrobot.step(32)\n"
@@ -24,7 +26,13 @@ WAITS = {
     "a semaphore": "import threading\nprint(threading.Semaphore(0).acquire(timeout={s}))",
     "results": "import concurrent.futures as c\ntry:\n    list(c.as_completed([c.Future()], timeout={s}))\n"
     "except TimeoutError:\n    print(False)",
+    "a simple queue": "import queue\ntry:\n    queue.SimpleQueue().get(timeout={s})\nexcept queue.Empty:\n"
+    "    print(False)",
+    "a simple queue, the timeout by its place": "import queue\ntry:\n    queue.SimpleQueue().get(True, {s})\n"
+    "except queue.Empty:\n    print(False)",
+    "nothing at all": "import select\nprint(any(select.select([], [], [], {s})))",
     "files": "import selectors\nprint(bool(selectors.DefaultSelector().select({s})))",
+    "files, plainly": "import selectors\nprint(bool(selectors.SelectSelector().select({s})))",
     "asyncio's clock": "import asyncio\nasyncio.run(asyncio.sleep({s}))",
     "an event of asyncio": "import asyncio\n"
     "async def wait():\n"
@@ -33,7 +41,8 @@ WAITS = {
     "asyncio.run(wait())",
 }
 if sys.platform == "win32":
-    del WAITS["files"]  # there a selector takes sockets only, and at least one
+    for name in ("nothing at all", "files", "files, plainly"):
+        del WAITS[name]  # there one takes sockets only, and at least one
 
 
 @pytest.mark.parametrize("what", WAITS)
@@ -63,6 +72,22 @@ print(asyncio.run(ask()))
 """
     played = match.play(ROBOT + program + STEPS, 3)
     assert played.said == ["brought True", "computed"]
+    assert [r.missed_ticks for _, r in played.requests] == [0, 0, 0]
+
+
+def test_a_thread_that_ends_in_time_is_joined_at_once(match: FakeMatch) -> None:
+    program = """
+import threading, time
+thread = threading.Thread(target=lambda: time.sleep(0.05))
+thread.start()
+print(thread.join(60), thread.is_alive())
+try:
+    threading.current_thread().join(1)
+except RuntimeError as error:
+    print(error)
+"""
+    played = match.play(ROBOT + program + STEPS, 3)
+    assert played.said == ["None False", "cannot join current thread"]
     assert [r.missed_ticks for _, r in played.requests] == [0, 0, 0]
 
 
@@ -120,14 +145,15 @@ def test_the_waits_of_asyncio_on_windows_pass_in_the_same_way() -> None:
     assert (clock.missed_ticks(), proactor.waited) == (31, 0.0)
 
 
-WAITS_BESIDE_A_THREAD = """
-import asyncio, threading
-threading.Thread(target=threading.Event().wait, daemon=True).start()
-asyncio.run(asyncio.sleep(0.2))
+A_THREAD = """
+import threading
+thread = threading.Thread(target=threading.Event().wait, daemon=True)
+thread.start()
 """
+WAITS_BESIDE_A_THREAD = [A_THREAD + wait.format(s=0.2) for wait in WAITS.values()] + [A_THREAD + "thread.join(0.2)\n"]
 
 
-@pytest.mark.parametrize("wait", ["import asyncio\nasyncio.run(asyncio.sleep(0.2))", WAITS_BESIDE_A_THREAD])
+@pytest.mark.parametrize("wait", ["import asyncio\nasyncio.run(asyncio.sleep(0.2))", *WAITS_BESIDE_A_THREAD])
 def test_a_wait_takes_its_time_once_with_other_threads_and_without(either_match: FakeMatch, wait: str) -> None:
     """Also where a thread of ours watches over the process."""
     played = either_match.play(ROBOT + wait + STEPS, 9)
@@ -163,3 +189,30 @@ def test_short_waits_beside_a_thread_that_waits_itself_do_not_use_up_the_half(tm
 def test_a_short_wait_goes_on_while_another_thread_computes(match: FakeMatch) -> None:
     program = BESIDE + "work.put(100_000)\nprint(answers.get(timeout=0.031))\n"
     assert match.play(ROBOT + program + STEPS, 3).said == ["4999950000"]
+
+
+def test_the_wait_of_one_thread_changes_nothing_about_those_of_the_one_that_steps_meanwhile(match: FakeMatch) -> None:
+    """The main thread has stepped last when it begins to wait; only then the other one begins to step."""
+    program = """
+import threading
+def play():
+    sum(range(5_000_000))
+    robot.step(32)
+    threading.Event().wait(0.32)
+    while robot.step(32) != -1:
+        pass
+thread = threading.Thread(target=play)
+thread.start()
+thread.join(30)
+"""
+    played = match.play(ROBOT + program, 15)
+    assert [r.missed_ticks for _, r in played.requests][:4] == [0, 0, 10, 0]
+
+
+def test_modules_that_are_built_into_the_interpreter_are_changed_as_well() -> None:
+    """Which these are differs: in some distributions of Python, `select` is one."""
+    seen = []
+    spec = AfterImport({"_tokenize": seen.append}, "/nowhere").find_spec("_tokenize")
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    assert seen == [module]

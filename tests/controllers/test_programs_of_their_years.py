@@ -267,7 +267,7 @@ robot.step(32)
 
 def test_coroutines_of_generators_run_beside_those_of_today(match: FakeMatch) -> None:
     program = """
-import asyncio
+import asyncio, inspect
 @asyncio.coroutine
 def wait(ticks):
     for _ in range(ticks):
@@ -282,7 +282,7 @@ def plan():
     task = asyncio.ensure_future(wait(3))
     second = yield from task
     word = yield from plain()
-    print(first, second, word, asyncio.iscoroutinefunction(wait))
+    print(first, second, word, inspect.iscoroutinefunction(wait))
 async def modern():
     return await wait(1)
 loop = asyncio.new_event_loop()

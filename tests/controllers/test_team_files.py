@@ -5,8 +5,9 @@ from __future__ import annotations
 import io
 import stat
 import sys
+import unicodedata
 import zipfile
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -146,7 +147,16 @@ def test_one_of_three_programs_missing_is_told_for_that_robot_only(tmp_path: Pat
         (b"  \n\n", "team", 1),
         (b"a\x1b[31m\x07b", "a [31m b", 1),
         ("left\u202eright".encode(), "left right", 1),
-        (b"\xff\xfe", "��", 1),
+        (b"\xff\xfe", "team", 1),
+        ("Größenwahn".encode("cp1252"), "Größenwahn", 1),
+        ("„Équipe“ · €5".encode("cp1252"), "„Équipe“ · €5", 1),
+        ("Größenwahn".encode("utf-16"), "Größenwahn", 0),
+        ("Größenwahn".encode("utf-16-le"), "Größenwahn", 1),
+        ("Größenwahn ⚽".encode("utf-16-be"), "Größenwahn ⚽", 1),
+        ("Größenwahn\r\n".encode("utf-16")[:-1], "Größenwahn", 0),
+        ("Gr\udcffßenwahn ⚽".encode("utf-8", "surrogateescape"), "Gr�ßenwahn ⚽", 1),  # UTF-8 with one bad byte
+        (b"Team \x8f\x90", "Team ��", 1),  # two of the five that Windows-1252 has not
+        (("⚽\n" * 30_000).encode(), "⚽", 1),  # more than is read, which ends within a letter
     ],
 )
 def test_a_team_has_a_name_that_can_be_shown(tmp_path: Path, content: bytes, name: str, notes: int) -> None:
@@ -269,3 +279,24 @@ def test_a_damaged_archive_gives_a_team_or_a_message_never_more(tmp_path: Path, 
         open_team(tmp_path / "t.zip", BLUE)
     except TeamError as error:
         assert str(error).startswith(str(tmp_path))  # noqa: PT017 - the property is about every error
+
+
+@pytest.mark.parametrize("packed", [True, False], ids=["archive", "folder"])
+def test_letters_that_a_mac_takes_apart_are_put_together(tmp_path: Path, packed: bool) -> None:
+    """Python composes the names that it imports; macOS does not care, and every other system does."""
+    apart, whole = (unicodedata.normalize(form, "rcj_soccer_team_blue/größe.py") for form in ("NFD", "NFC"))
+    make, name = (zip_of, "team.zip") if packed else (folder_of, "team")
+    with open_team(make(tmp_path / name, PRESENT | {apart: b"x = 1"}), BLUE) as team:
+        assert PurePosixPath(whole) in team.files
+        assert PurePosixPath(apart) not in team.files
+
+
+@pytest.mark.skipif(sys.platform == "darwin", reason="there both names are one file")
+def test_of_two_files_that_only_a_mac_takes_for_one_the_composed_one_is_read_and_the_other_told(tmp_path: Path) -> None:
+    apart, whole = (unicodedata.normalize(form, "größe.py") for form in ("NFD", "NFC"))
+    folder = folder_of(tmp_path / "team", {"robot.py": b"x = 1", apart: b"x = 2", whole: b"x = 3"})
+    contents = archive.read_contents(folder)
+    assert contents.files[PurePosixPath(whole)] == b"x = 3"
+    (trouble,) = [trouble for trouble in contents.troubles if trouble.code == "archive.collision"]
+    assert trouble.level == "warning"
+    assert "größe.py" in trouble.message

@@ -181,6 +181,14 @@ def test_a_receiver_tuned_elsewhere_does_not_hear_the_ball(bench: Bench) -> None
     assert len(ball_heard(bench)) == 1
 
 
+def test_a_ball_receiver_on_all_channels_hears_the_ball_and_no_radio(bench: Bench) -> None:
+    bench.place("Y1", 0, 0)
+    bench.place("ball", 0.2, 0)
+    bench.tune("Y1", "ball receiver", -1)
+    bench.send("Y2", b"radio")
+    assert [packet.data for packet in ball_heard(bench)] == [b"\x01"]
+
+
 def test_strength_and_direction_can_be_noisy() -> None:
     noise = {"strength_noise": 0.1, "direction_noise_rad": 0.05}
     bench = Bench(change={"kits": {"v2": {"devices": {"ball receiver": noise}}}})

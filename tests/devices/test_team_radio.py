@@ -179,13 +179,13 @@ def test_a_team_never_has_the_referees_channel() -> None:
     assert next(d.facts["channel"] for d in specs[0].devices if d.name == "team emitter") == 2
 
 
-def test_a_receiver_on_all_channels_hears_its_team_on_all_of_them(bench: Bench) -> None:
+def test_a_receiver_on_all_channels_hears_its_team_on_all_of_them_and_the_referee(bench: Bench) -> None:
     bench.tune("Y2", "team receiver", -1)
     bench.send("Y1", b"nine", channel=9)
     bench.send("Y3", b"three")
     bench.send("B1", b"blue")
     bench.sense()
-    assert heard(bench, "Y2") == [b"nine", b"three"]
+    assert heard(bench, "Y2") == [b"\x00", b"nine", b"three"]
 
 
 def test_each_packet_of_a_tick_goes_out_on_the_channel_on_which_it_was_sent(bench: Bench) -> None:

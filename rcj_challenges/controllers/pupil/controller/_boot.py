@@ -33,7 +33,10 @@ class Boot:
         self._root: str = hello["program"]["root"]
         self._library = sys.path[:]
         self._clock = _clock.Clock(hello["tick_ms"] * 1_000_000)
-        self._output: Any = _Uncounted() if hello["debug"] else Output(self._limits["output_bytes"], self._flooded)
+        self._names = _report.short_names(self._root, hello["program"]["site"])
+        self._output: Any = _Uncounted()
+        if not hello["debug"]:
+            self._output = Output(self._limits["output_bytes"], self._flooded, self._names)
         self._hub = _hub.Hub(wire, hello, self._clock, self._output)
 
     def confine(self) -> None:
@@ -121,7 +124,7 @@ class Boot:
             self._end(kind, detail)
 
     def _crashed(self, kind: str, error: BaseException) -> None:
-        detail, trace = _report.describe(error, self._root, self._hello["program"]["site"])
+        detail, trace = _report.describe(error, self._root, self._names)
         if self._hub.over:
             _print_quietly(trace or detail)
         else:

@@ -11,6 +11,7 @@ them, the real one counts for them instead: nobody waits for ever.
 
 from __future__ import annotations
 
+import sys
 import time
 from _thread import LockType, _count, allocate_lock, get_ident
 
@@ -47,7 +48,7 @@ class Clock:
         self._tick_ns = tick_ns
         self._tick_began_ns = 0
         self._since_ns = 0
-        self._stepping = get_ident()
+        self._stepping = self._main = get_ident()
         self._has_stepped = False
         self._our_threads = _count()
         self._sleepers: list[tuple[float, LockType]] = []
@@ -64,7 +65,7 @@ class Clock:
 
     def now_ns(self) -> int:
         """Return simulated nanoseconds since the half began; the reading itself takes time of the thread that steps."""
-        if get_ident() == self._stepping:
+        if get_ident() == self._stepping or self._steps_again():
             self._since_ns += _READING_NS if self._since_ns < _WAITS_FROM_NS else _WAITING_NS
         return self._tick_began_ns + self._since_ns
 
@@ -82,7 +83,15 @@ class Clock:
 
     def steps_here(self) -> bool:
         """Return whether it is the thread that steps which asks: no other, and none that may only look on."""
-        return get_ident() == self._stepping and (self._has_stepped or not self.has_other_threads())
+        here = get_ident() == self._stepping or self._steps_again()
+        return here and (self._has_stepped or not self.has_other_threads())
+
+    def _steps_again(self) -> bool:
+        """Return whether the main thread asks, and the one that stepped last has ended: it then takes its place."""
+        if get_ident() != self._main or self._stepping in sys._current_frames():  # noqa: SLF001 - it is documented
+            return False
+        self._stepping = self._main
+        return True
 
     def others_s(self) -> float:
         """Return what threads that do not step measure waits by: simulated seconds, real ones at a standstill."""

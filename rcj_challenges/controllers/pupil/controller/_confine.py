@@ -122,11 +122,12 @@ def watch(lifeline_fd: int, memory_bytes: int, on_memory: Callable[[], None]) ->
         memory_bytes: the limit; 0: somebody else watches it.
         on_memory: called when it is exceeded.
     """
+    is_too_much = _memory_watch(lifeline_fd, memory_bytes) if memory_bytes else None
 
     def guard() -> None:
         begun.release()
-        while memory_bytes and not _readable(lifeline_fd, 0.25):
-            if _resident_bytes() > memory_bytes:
+        while is_too_much is not None and (too_much := is_too_much()) is not None:
+            if too_much:
                 on_memory()
         try:
             if os.read(lifeline_fd, 1):
@@ -143,14 +144,20 @@ def watch(lifeline_fd: int, memory_bytes: int, on_memory: Callable[[], None]) ->
         pass
 
 
-def _readable(fd: int, seconds: float) -> bool:
+def _memory_watch(fd: int, limit_bytes: int) -> Callable[[], bool | None]:
+    """Return what waits a moment, then says whether the process holds more than it may; None: ``fd`` has to be read."""
+    import resource
     import select
 
-    return bool(select.select([fd], [], [], seconds)[0])
+    # A team may have files of these names, and gets its own; and its waits follow the match, not this one.
+    for name in ("resource", "select"):
+        sys.modules.pop(name, None)
+    wait, usage, this_process = select.select, resource.getrusage, resource.RUSAGE_SELF
+    unit_bytes = 1 if sys.platform == "darwin" else 1024
 
+    def is_too_much() -> bool | None:
+        if wait([fd], [], [], 0.25)[0]:
+            return None
+        return usage(this_process).ru_maxrss * unit_bytes > limit_bytes
 
-def _resident_bytes() -> int:
-    import resource
-
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    return peak if sys.platform == "darwin" else peak * 1024
+    return is_too_much

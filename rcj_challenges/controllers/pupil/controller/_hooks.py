@@ -27,6 +27,14 @@ class Unbound:
         return self._function(*given, **named)
 
 
+class _BuiltIn:
+    """A loader of one module that is built into the interpreter: the system's is a class that loads all of them."""
+
+    def __init__(self, kind: Any) -> None:
+        self.create_module = kind.create_module
+        self.exec_module = kind.exec_module
+
+
 class AfterImport:
     """An import hook: runs a patch on a module right after its code has run.
 
@@ -56,8 +64,10 @@ class AfterImport:
                 break
         else:
             return None
-        if spec.loader is None or isinstance(spec.loader, type) or (spec.origin or "").startswith(self._team_root):
+        if spec.loader is None or (spec.origin or "").startswith(self._team_root):
             return spec
+        if isinstance(spec.loader, type):
+            spec.loader = _BuiltIn(spec.loader)  # type: ignore[assignment]  # all that the import system asks of one
         self._run_after(spec.loader, patch)
         return spec
 

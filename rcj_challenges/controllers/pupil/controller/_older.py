@@ -20,7 +20,7 @@ def _collections(module: Any) -> None:
 
 def _random(module: Any) -> None:
     kind = module.Random
-    seed, sample, shuffle, randrange = kind.seed, kind.sample, kind.shuffle, kind.randrange
+    seed, sample, shuffle, randrange, randint = kind.seed, kind.sample, kind.shuffle, kind.randrange, kind.randint
 
     def seeded(self: Any, a: Any = None, version: int = 2) -> None:
         """Take whatever has a hash: a moment, a tuple. Those of the match's programs are the same in every run."""
@@ -43,8 +43,13 @@ def _random(module: Any) -> None:
         """Take 4.0 for 4."""
         return randrange(self, _whole(start), _whole(stop), _whole(step))
 
-    kind.seed, kind.sample, kind.shuffle, kind.randrange = seeded, sampled, shuffled, drawn_of_range
-    for name in ("seed", "sample", "shuffle", "randrange"):
+    def drawn_between(self: Any, a: Any, b: Any) -> Any:
+        """Take 4.0 for 4; since Python 3.14 this does not ask `randrange` any more."""
+        return randint(self, _whole(a), _whole(b))
+
+    kind.seed, kind.sample, kind.shuffle = seeded, sampled, shuffled
+    kind.randrange, kind.randint = drawn_of_range, drawn_between
+    for name in ("seed", "sample", "shuffle", "randrange", "randint"):
         # `random.sample` is that method of one object, bound when the module was imported.
         setattr(module, name, getattr(module._inst, name))  # noqa: SLF001
 

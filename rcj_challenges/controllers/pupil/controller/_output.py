@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import os
 import sys
 
 TYPE_CHECKING = False
@@ -14,8 +15,17 @@ if TYPE_CHECKING:
 class Output:
     """Standard output and error, both into the program's log, counted together."""
 
-    def __init__(self, limit_bytes: int, on_flood: Callable[[], None]) -> None:
+    def __init__(self, limit_bytes: int, on_flood: Callable[[], None], names: list[tuple[str, str]]) -> None:
+        """Take the place of the program's streams.
+
+        Args:
+            limit_bytes: what may be printed.
+            on_flood: what to do when it is more.
+            names: folders of this computer and what stands in the log instead: warnings, tracebacks and what a
+                program says of its own files name them as the team knows them, and the same in every match.
+        """
         self.printed_bytes = 0
+        self._names = [(os.fsencode(path), os.fsencode(short)) for path, short in names]
         self._limit_bytes = limit_bytes
         self._on_flood = on_flood
         sys.stdout = self._stream(1)
@@ -28,6 +38,14 @@ class Output:
         room = self._limit_bytes - self.printed_bytes
         self.printed_bytes += size
         return min(size, room)
+
+    def told(self, data: bytes | memoryview) -> bytes | memoryview:
+        """Return what is printed, with short names of folders."""
+        text = bytes(data)
+        for path, short in self._names:
+            if path in text:
+                text = data = text.replace(path, short)
+        return data
 
     def flooded(self) -> None:
         """More was printed than the limit allows: this ends the program, and no ``except`` of it can help."""
@@ -49,7 +67,8 @@ class _CountedFile(io.FileIO):
 
     def write(self, data: Any, /) -> int:
         """Write as much of ``data`` as the limit allows."""
-        view = memoryview(data).cast("B")
+        given = memoryview(data).cast("B")
+        view = self._output.told(given)
         size = len(view)
         room = self._output.room_for(size)
         if room < size:
@@ -58,4 +77,4 @@ class _CountedFile(io.FileIO):
         at = 0
         while at < size:
             at += super().write(view[at:]) or 0
-        return size
+        return len(given)

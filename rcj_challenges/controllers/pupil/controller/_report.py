@@ -14,20 +14,31 @@ if TYPE_CHECKING:
 _real_name = type.__dict__["__name__"].__get__  # whatever the class's own class says
 
 
-def describe(error: BaseException, team_root: str, site_folders: list[str]) -> tuple[str, str]:
-    """Return what went wrong in one line, and the traceback of the program's own lines.
+def short_names(team_root: str, site_folders: list[str]) -> list[tuple[str, str]]:
+    """Return folders of this computer, which no record names, and what to tell instead; inner ones first.
 
     Args:
-        error: what the program did not catch.
-        team_root: the folder of its files; paths are told relative to it.
-        site_folders: where numpy and scipy are; no path of this computer is told.
+        team_root: the folder of the program's files; paths are told relative to it.
+        site_folders: where numpy and scipy are.
     """
     slashed = team_root.replace(os.sep, "/")
     shown = [(team_root + os.sep, ""), (slashed + "/", ""), (team_root, "."), (os.path.dirname(team_root), "~")]
     shown += [(folder, "site-packages") for folder in site_folders] + [(os.path.dirname(os.__file__), "python")]
+    # Errors quote paths, and there backslashes are doubled.
+    return shown + [(path.replace("\\", "\\\\"), short) for path, short in shown if "\\" in path]
+
+
+def describe(error: BaseException, team_root: str, names: list[tuple[str, str]]) -> tuple[str, str]:
+    """Return what went wrong in one line, and the traceback of the program's own lines.
+
+    Args:
+        error: what the program did not catch.
+        team_root: the folder of its files.
+        names: of `short_names`.
+    """
     try:
         told = _describe(error, team_root + os.sep)
-        for path, short in shown:
+        for path, short in names:
             told = told[0].replace(path, short), told[1].replace(path, short)
     except BaseException:  # noqa: BLE001 - a program may break everything that is used here; the fault must be told
         return _plainly(error, team_root + os.sep), ""

@@ -1,15 +1,18 @@
-"""Waits with a limit: for locks, queues and events of ``asyncio``.
+"""Waits with a limit: for threads, conditions, queues, files and events of ``asyncio``.
 
 A wait of the thread that steps which ends because its time is over takes that time of the simulated clock, as ``sleep``
 does. Where the program has no other thread, nobody could have ended it: then it takes no real time. With other threads
 it really waits, for only so much time may they take. Those measure their own limits by the match (`Clock.others_s`).
+Locks themselves are not among them: ``Lock.acquire(timeout=…)`` is a method of a class that cannot be changed.
 """
 
 from __future__ import annotations
 
 import sys
+from _thread import get_ident
 
 from ._clock import Clock, real_monotonic, real_process_time
+from ._hooks import Unbound
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -33,6 +36,7 @@ class Waits:
 
     def __init__(self, clock: Clock) -> None:
         self._clock = clock
+        self._waiting: set[int] = set()  # threads: one wait may be made of another of the same thread
         clock.count_our_threads()
 
     def patches(self) -> dict[str, Patch]:
@@ -40,6 +44,7 @@ class Waits:
         return {
             "threading": self._of_threading,
             "queue": self._of_queue,
+            "select": self._of_select,
             "selectors": self._of_selectors,
             "asyncio.windows_events": self._of_windows,
         }
@@ -47,9 +52,62 @@ class Waits:
     def _of_threading(self, module: Any) -> None:
         module._time = self._now_s  # noqa: SLF001 - as the library calls it
         module.Condition.wait = self._patient(module.Condition.wait)
+        real_join = module.Thread.join
+
+        def ends(thread: Any, timeout: float) -> bool:
+            real_join(thread, timeout)
+            return not thread.is_alive()
+
+        patient = self._patient(ends)
+
+        def join(self: Any, timeout: float | None = None) -> None:
+            if timeout is None or timeout <= 0:
+                real_join(self, timeout)
+            else:
+                patient(self, timeout)
+
+        module.Thread.join = join
 
     def _of_queue(self, module: Any) -> None:
         module.time = self._now_s
+        real: Any = module.SimpleQueue
+        if real.__module__ == "_queue":  # else it is made of what waits already
+            module.SimpleQueue = self._patient_queue(real, module.Empty)
+
+    def _patient_queue(self, real: Any, empty: type[Exception]) -> type:
+        def first(queue: Any, timeout: float) -> tuple[Any] | None:
+            try:
+                return (real.get(queue, True, timeout),)
+            except empty:
+                return None
+
+        patient = self._patient(first)
+
+        def get(self: Any, block: bool = True, timeout: float | None = None) -> Any:
+            if not block or timeout is None or timeout <= 0:
+                return real.get(self, block, timeout)
+            found = patient(self, timeout)
+            if found is None:
+                raise empty
+            return found[0]
+
+        return type("SimpleQueue", (real,), {"__module__": "_queue", "__slots__": (), "get": get})
+
+    def _of_select(self, module: Any) -> None:
+        real = module.select
+
+        def ready(files: Any, timeout: float) -> Any:
+            found = real(*files, timeout)
+            return found if any(found) else None
+
+        patient = self._patient(ready)
+
+        def select(rlist: Any, wlist: Any, xlist: Any, timeout: float | None = None, /) -> Any:
+            if timeout is None or timeout <= 0:
+                return real(rlist, wlist, xlist, timeout)
+            return patient((rlist, wlist, xlist), timeout) or ([], [], [])
+
+        module.select = Unbound(select, "select")
 
     def _of_selectors(self, module: Any) -> None:
         # One of them has two names: DefaultSelector is the best of the others.
@@ -65,14 +123,21 @@ class Waits:
         return self._clock.now_s() if self._clock.steps_here() else self._clock.others_s()
 
     def _patient(self, real: Wait) -> Wait:
-        clock = self._clock
+        clock, waiting = self._clock, self._waiting
 
         def wait(self: Any, timeout: Any = None) -> Any:
             if timeout is None or timeout <= 0:
                 return real(self, timeout)
             if not clock.steps_here():
                 return _beside(clock, real, self, timeout)
-            came = _for_others(real, self, timeout) if clock.has_other_threads() else real(self, 0)
+            here = get_ident()
+            if here in waiting:
+                return real(self, timeout)
+            waiting.add(here)
+            try:
+                came = _for_others(real, self, timeout) if clock.has_other_threads() else real(self, 0)
+            finally:
+                waiting.discard(here)
             if not came and clock.steps_here():  # another thread may have begun to step
                 clock.pass_time(timeout)
             return came

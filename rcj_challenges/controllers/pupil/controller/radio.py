@@ -17,6 +17,29 @@ else:
     from _collections import deque
 
 
+class NoPacketError(RuntimeError, AttributeError):
+    """A property tells of the first packet, and there is none.
+
+    ``hasattr`` and ``getattr`` with a default wait for an ``AttributeError``: who asks in this way whether there is
+    something gets an answer instead of an end.
+    """
+
+    def __init__(self, message: str) -> None:
+        """Tell what is missing."""
+        super().__init__(message)
+        self.name = None  # else Python asks whether the getter was meant, which fails as well
+
+
+class _OfPacket(ReadOnly):
+    """An attribute that tells of the first packet."""
+
+    def __get__(self, thing: Any, kind: type | None = None) -> Any:
+        try:
+            return super().__get__(thing, kind)
+        except RuntimeError as error:
+            raise NoPacketError(str(error)) from None
+
+
 class Receiver(Sensor):
     """A queue of packets, oldest first. A packet stays until ``nextPacket``."""
 
@@ -145,15 +168,15 @@ class Receiver(Sensor):
         return list(struct.unpack(f"{len(data) // size}{letter}", data))
 
     queue_length = ReadOnly(getQueueLength)
-    data = ReadOnly(getData)
-    bytes = ReadOnly(getBytes)
-    string = ReadOnly(getString)
-    floats = ReadOnly(getFloats)
-    ints = ReadOnly(getInts)
-    bools = ReadOnly(getBools)
+    data = _OfPacket(getData)
+    bytes = _OfPacket(getBytes)
+    string = _OfPacket(getString)
+    floats = _OfPacket(getFloats)
+    ints = _OfPacket(getInts)
+    bools = _OfPacket(getBools)
     data_size = ReadOnly(getDataSize)
     signal_strength = ReadOnly(getSignalStrength)
-    emitter_direction = ReadOnly(getEmitterDirection)
+    emitter_direction = _OfPacket(getEmitterDirection)
     channel = property(getChannel, setChannel)
 
 

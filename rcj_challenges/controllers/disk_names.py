@@ -1,0 +1,24 @@
+"""Names of files as Python spells them where the system names files otherwise than in UTF-8.
+
+Under an ASCII or Latin-1 locale Python reads and writes the bytes of a name in that encoding; most files were named in
+UTF-8 all the same, and robots' programs always run with it. So a team's names are in Unicode everywhere in here, and
+their bytes on the disk are UTF-8, wherever a match is played. Where the system's encoding is UTF-8 (Windows and macOS
+among them), nothing changes.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+
+_UTF_8 = sys.getfilesystemencoding().replace("-", "").casefold() == "utf8"
+
+
+def on_disk(name: str) -> str:
+    """Return what to call a file here, so that its name has the bytes of ``name`` in UTF-8."""
+    return name if _UTF_8 else os.fsdecode(name.encode("utf-8", "surrogateescape"))
+
+
+def from_disk(name: str) -> str:
+    """Return a name that Python gave, read as UTF-8; bytes that are none stay lone surrogates."""
+    return name if _UTF_8 else os.fsencode(name).decode("utf-8", "surrogateescape")

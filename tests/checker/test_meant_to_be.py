@@ -1,0 +1,120 @@
+"""Which file of a submission was meant to be the program, where none is called as asked for: what the remedy says."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+from rcj_challenges.checker.archives import inspect
+from rcj_challenges.checker.findings import Finding
+from rcj_challenges.checker.repair import repair
+from rcj_challenges.scenario.load import load
+from tests.hostile.archives.making import below, plain
+
+MATCH, OF_2021 = load("match").scenario, load("match_2021").scenario
+MAIN = b"from controller import Robot\nfrom robot1 import MyRobot1\nimport robot2\nMyRobot1(Robot()).run()\n"
+BASE = b"class RCJSoccerRobot:\n    def __init__(self, robot):\n        self.robot = robot\n"
+ROBOT = b"import utils\nfrom rcj_soccer_robot import RCJSoccerRobot, TIME_STEP\nclass MyRobot1(RCJSoccerRobot): pass\n"
+SHARED = {"rcj_soccer_robot.py": BASE, "robot1.py": ROBOT, "robot2.py": ROBOT, "utils.py": b"x = 1\n"}
+"""What lies beside the program in the style of 2022 and 2023."""
+ALONE = b"from controller import Robot\nrobot = Robot()\nwhile robot.step(64) != -1:\n    pass\n"
+
+
+def misplaced(tmp_path: Path, files: dict[str, bytes], scenario=MATCH) -> Finding:
+    path = tmp_path / "team.zip"
+    path.write_bytes(plain(files | {"team_name.txt": b"Cats"}))
+    stage = inspect(path, scenario).stages[1]
+    (found,) = [finding for finding in stage.findings if finding.level == "failure"]
+    return found
+
+
+def mended(tmp_path: Path, scenario=MATCH) -> set[str]:
+    """The files of the submission after a repair that leaves nothing to do in its layout."""
+    done = repair(tmp_path / "team.zip", tmp_path / "mended.zip", scenario)
+    assert done.left == []
+    inspection = inspect(tmp_path / "mended.zip", scenario)
+    assert inspection.team is not None
+    return {str(path) for path in inspection.team.files}
+
+
+def test_the_only_program_that_no_other_imports_is_meant_whatever_it_is_called(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, below("tigers", {"tigers.py": MAIN} | SHARED))
+    assert found.code == "layout.misnamed"
+    assert found.remedy == (
+        "rename the folder tigers to rcj_soccer_team_blue, "
+        "rename the file rcj_soccer_team_blue/tigers.py to rcj_soccer_team_blue/rcj_soccer_team_blue.py"
+    )
+    assert "rcj_soccer_team_blue/rcj_soccer_robot.py" in mended(tmp_path)
+
+
+def test_a_program_called_main_at_the_top_is_meant_and_no_file_that_it_imports(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, {"main.py": MAIN} | SHARED)
+    assert found.remedy == "rename the file main.py to robot.py"
+    assert mended(tmp_path) == {"robot.py", "team_name.txt", *SHARED}
+
+
+def test_what_it_imports_may_be_a_package_or_have_other_letters_than_ascii(tmp_path: Path) -> None:
+    main = b"from controller import Robot\nimport gr\xc3\xb6\xc3\x9fe, tactics\n"
+    others = {"größe.py": b"from controller import Robot\n", "tactics/__init__.py": b"from controller import Robot\n"}
+    found = misplaced(tmp_path, below("tigers", {"tigers.py": main} | others))
+    assert "rename the file rcj_soccer_team_blue/tigers.py" in found.remedy
+
+
+def test_of_several_such_programs_none_is_meant(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, below("cats", {"main.py": MAIN, "other.py": MAIN} | SHARED))
+    assert found.code == "layout.missing"
+    assert "rcj_soccer_robot" not in found.remedy
+
+
+def test_a_test_of_a_program_is_none_itself(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, below("cats", {"main.py": MAIN, "test_it.py": b"import utils\nimport main\n"} | SHARED))
+    assert "rename the file rcj_soccer_team_blue/main.py" in found.remedy
+
+
+def test_a_file_that_never_meets_the_robot_is_no_program_of_one(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, {"cats/plot.py": b"import math\nprint(math.pi)\n"})
+    assert found.code == "layout.missing"
+
+
+def test_the_base_class_of_three_programs_at_the_top_is_not_meant(tmp_path: Path) -> None:
+    files = {f"robot{n}.py": ROBOT + b"MyRobot1().run()\n" for n in (1, 2, 3)}
+    found = misplaced(tmp_path, files | {"rcj_soccer_robot.py": BASE, "utils.py": b"x = 1\n"}, OF_2021)
+    assert found.code == "layout.missing"
+    assert "robot1/robot1.py" in found.remedy
+    assert "rename the file rcj_soccer_robot.py" not in found.remedy
+
+
+def test_of_the_same_programs_for_both_colours_those_of_blue_are_meant(tmp_path: Path) -> None:
+    """So they lay in the controllers' folder of 2021; `match` knows one folder, called after blue, as well."""
+    files = {
+        f"rcj_soccer_player_{who}/rcj_soccer_player_{who}.py": b"# ROBOT %s\n" % who.upper().encode() + ALONE
+        for who in ("b1", "b2", "b3", "y1", "y2", "y3")
+    }
+    found = misplaced(tmp_path, files, OF_2021)
+    assert found.code == "layout.misnamed"
+    assert "rename the folder rcj_soccer_player_b1 to robot1" in found.remedy
+    assert "player_y" not in found.remedy
+    assert "robot3/robot3.py" in mended(tmp_path, OF_2021)
+
+
+def test_an_ending_that_windows_hides_is_named(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, below("rcj_soccer_team_blue", {"rcj_soccer_team_blue.py.txt": MAIN} | SHARED))
+    assert found.code == "layout.misnamed"
+    assert found.remedy == (
+        "rename the file rcj_soccer_team_blue/rcj_soccer_team_blue.py.txt to "
+        "rcj_soccer_team_blue/rcj_soccer_team_blue.py"
+    )
+    assert "rcj_soccer_team_blue/rcj_soccer_team_blue.py" in mended(tmp_path)
+
+
+def test_among_many_large_files_it_is_found_out_at_once(tmp_path: Path) -> None:
+    """Every folder and every entry point is tried; what files import must not be looked up each time."""
+    files = {
+        f"d{number % 20}/e{number % 3}/f{number}.py": "".join(
+            f"import f{(number * line) % 199}, x{number * line}\n" for line in range(400)
+        ).encode()
+        for number in range(199)
+    }
+    began_s = time.monotonic()
+    assert misplaced(tmp_path, files).code == "layout.missing"
+    assert time.monotonic() - began_s < 10

@@ -1,0 +1,106 @@
+"""What a program prints about its files names them as the team knows them, not where a match put them for an hour."""
+
+from __future__ import annotations
+
+import ntpath
+import os
+import sys
+import tempfile
+from functools import reduce
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+from fake_match import FakeMatch
+
+from rcj_challenges.controllers.pupil.controller import _report
+from rcj_challenges.controllers.team import open_team
+
+ENTRY = "robot_blue/robot.py"
+STEPS = "robot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
+
+
+def printed(folder: Path, program: str, **files: str) -> str:
+    team = folder / "handed_in"
+    (team / "robot_blue").mkdir(parents=True)
+    for name, text in {"robot": "from controller import Robot\n" + program + STEPS, **files}.items():
+        (team / "robot_blue" / f"{name}.py").write_text(text, encoding="utf-8")
+    played = FakeMatch(folder).play(open_team(team), 3, entry=ENTRY)
+    assert played.fault is None
+    return "\n".join(played.said)
+
+
+@pytest.mark.parametrize(
+    ("program", "says"),
+    {
+        "of the compiler": ("if 'a' is 1: pass\n", "robot_blue/robot.py:2: SyntaxWarning:"),
+        "of the program": ("import warnings\nwarnings.warn('mine')\n", "robot_blue/robot.py:3: UserWarning: mine"),
+        "of what is old": (
+            "import warnings\nwarnings.warn('old', DeprecationWarning)\n",
+            "robot_blue/robot.py:3: DeprecationWarning: old",
+        ),
+        "of numpy": (
+            "import numpy\nnumpy.array([1.0]) / 0\n",
+            "robot_blue/robot.py:3: RuntimeWarning: divide by zero encountered in divide",
+        ),
+        "a traceback": (
+            "import traceback\ntry:\n    1 / 0\nexcept ZeroDivisionError:\n    traceback.print_exc()\n",
+            'File "robot_blue/robot.py", line 4, in <module>',
+        ),
+        "a thread's end": (
+            "import threading\nthread = threading.Thread(target=lambda: 1 / 0)\nthread.start()\nthread.join()\n",
+            'File "robot_blue/robot.py", line 3, in <lambda>',
+        ),
+        "a log": (
+            (
+                "import logging\nlogging.basicConfig(format='%(pathname)s:%(lineno)d %(message)s')\n"
+                "logging.warning('low')\n"
+            ),
+            "robot_blue/robot.py:4 low",
+        ),
+        "the file's name": (
+            "print(__file__, end='|', flush=True)\nprint(__file__)\n",
+            "robot_blue/robot.py|robot_blue",
+        ),
+        "the folder's name": ("import os\nprint('in', os.getcwd())\n", "in robot_blue"),
+        "bytes": ("import os, sys\nsys.stdout.buffer.write(os.fsencode(__file__) + b'!\\n')\n", "robot_blue/robot.py!"),
+    }.values(),
+)
+def test_a_file_is_called_as_the_team_calls_it(tmp_path: Path, program: str, says: str) -> None:
+    said = printed(tmp_path, program)
+    assert says in said
+    for place in (tempfile.gettempdir() + os.sep, sys.prefix, sys.base_prefix, str(Path.home()) + os.sep):
+        assert place not in said
+
+
+def test_a_warning_shows_the_line_that_it_is_about(tmp_path: Path) -> None:
+    said = printed(tmp_path, "import helper\nhelper.warn()\n", helper=HELPER)
+    assert 'robot_blue/helper.py:3: UserWarning: mind\n  warnings.warn("mind")' in said
+
+
+HELPER = 'import warnings\ndef warn():\n    warnings.warn("mind")\n'
+
+
+def test_a_program_is_told_the_whole_path_of_its_files(tmp_path: Path) -> None:
+    program = "import os\nassert os.path.isabs(__file__) and os.path.exists(os.getcwd())\nprint(len(__file__) > 30)\n"
+    assert printed(tmp_path, program) == "True"
+
+
+def test_paths_of_windows_are_short_also_as_errors_quote_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    windows = SimpleNamespace(sep="\\", path=ntpath, __file__="C:\\Python\\Lib\\os.py")
+    monkeypatch.setattr(_report, "os", windows)
+    names = _report.short_names("D:\\Temp\\rcj-1\\program", ["C:\\Python\\Lib\\site-packages"])
+    path = "D:\\Temp\\rcj-1\\program\\robot1\\map.txt"
+    for quoted, told in {
+        path: "robot1\\map.txt",
+        repr(path): r"'robot1\\map.txt'",
+        repr("D:\\Temp\\rcj-1\\x"): r"'~\\x'",
+        repr("C:\\Python\\Lib\\site-packages\\a.py"): r"'site-packages\\a.py'",
+    }.items():
+        assert reduce(lambda said, name: said.replace(*name), names, quoted) == told
+
+
+def test_a_write_says_that_all_of_it_is_written(tmp_path: Path) -> None:
+    """Who writes bytes is told how many; fewer, and he would write the rest once more."""
+    program = "import sys\ndata = __file__.encode() * 1000\nprint(sys.stdout.buffer.write(data) == len(data))\n"
+    assert printed(tmp_path, program) == ENTRY * 1000 + "True"
