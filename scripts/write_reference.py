@@ -321,9 +321,9 @@ def _table(model: type[BaseModel], tag: str) -> Iterator[str]:
 
 _NAMED: tuple[tuple[Any, str], ...] = (
     (Names, "name, or list of names"), (Name, "name"), (EventName, "event"), (DurationS, "duration in s"),
-    (Point, "[x, y] in m"), (Colour, "colour"), (state.Value, "value"), (state.Bound, "number, or {counter: NAME}"),
+    (Point, "[x, y] in m"), (Colour, "colour"), (state.Value, "value"),
+    (state.Bound, "number, or {counter, lowest or highest: NAME}"),
     (state.Lasts, "duration in s, or {draw: NAME}"),
-    (state.Amount, "number, {counter, flag, draw, timer, way or word: NAME}, or {distance: [A, B]}"),
     (
         state.Points,
         "number, {counter, flag, draw, timer, way or word: NAME}, {distance: [A, B]}, or list of weighted parts",

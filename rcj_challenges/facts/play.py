@@ -98,7 +98,8 @@ class Firing:
     Attributes:
         tick: tick of the half.
         rule: the rule's name in the scenario.
-        entity: what ``each`` (or the trigger) bound, else None.
+        entity: the entity that ``each`` (or the trigger) bound, else None.
+        place: the zone or gate that ``each`` bound, else None.
         other: what it touched, in a rule that names ``other``, else None.
         trigger: the word that fired (``enters``, ``no_progress`` …).
         measured: what was measured (m, s, m/s or a count; None where the word measures nothing).
@@ -119,6 +120,7 @@ class Firing:
     suppressed: str | None = None
     says: str = ""
     other: str | None = None
+    place: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,6 +136,7 @@ class Verdict:
         ended: None, or the reason for which an ``end`` action ended the half.
         ends_match: True if that action ended the whole match: no half follows.
         broadcast: the JSON object that programs are told beyond the official packet, or None.
+        robots_held: whether all wheels stand braked from the next tick on, whatever programs command.
     """
 
     events: tuple[Event, ...] = ()
@@ -144,6 +147,7 @@ class Verdict:
     ended: str | None = None
     ends_match: bool = False
     broadcast: dict[str, Any] | None = None
+    robots_held: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,8 +164,8 @@ class HalfInfo:
         teams: by entrant (the side played now): which entrant that team was in the first half. Identity in half 1,
             exchanged in half 2 of a match with ``swap_sides``.
         scores: points by entrant (side played now) at the start of the half.
-        kept: draws and flags marked ``keep: match``, as the previous half left them, and what is left to be drawn of
-            draws marked ``not_again: match``.
+        kept: draws, flags and counters marked ``keep: match``, as the previous half left them, and what is left to be
+            drawn of draws marked ``not_again: match``.
     """
 
     half: int

@@ -90,6 +90,7 @@ class HalfPlay:
         self._due = dict.fromkeys(stage.drivers, 0)
         self._later: list[tuple[int, int, Request]] = []
         self._faults: list[Fault] = []
+        self._held = False
         self.tick = 0
 
     def play(self) -> HalfOutcome:
@@ -124,6 +125,8 @@ class HalfPlay:
         snapshot = stage.world.judged()
         verdict = stage.referee.start(snapshot)
         stage.world.place(verdict.placements)
+        if verdict.robots_held:
+            self._hold(held=True)
         stage.rack.begin(verdict)
         self._on_tick(snapshot, verdict, stage.world.state_bytes())
         for robot in list(self._alive):
@@ -140,6 +143,8 @@ class HalfPlay:
         verdict = stage.referee.judge(snapshot)
         if verdict.placements:
             stage.world.place(verdict.placements)
+        if verdict.robots_held is not self._held:
+            self._hold(held=verdict.robots_held)
         stage.rack.begin_sensing(tick, verdict)
         self.tick = tick
 
@@ -149,6 +154,11 @@ class HalfPlay:
         if tick % _LOOKED_AFTER_EVERY == 0:
             self._look_after_those_away(tick)
         return verdict
+
+    def _hold(self, *, held: bool) -> None:
+        """Hold all robots from the next tick on, or let them go."""
+        self._held = held
+        self._stage.world.hold_robots(held=held)
 
     def _look_after_those_away(self, tick: int) -> None:
         for robot, due in list(self._due.items()):

@@ -23,8 +23,10 @@ from rcj_challenges.match.overhearing import Overhearing
 from rcj_challenges.match.ranking import Tally, ranking
 from rcj_challenges.match.seats import by_seat, by_team, teams_by_seat
 from rcj_challenges.match.watching import Silent, Waits, Watcher
+from rcj_challenges.records.errors import UnwritableError
 from rcj_challenges.records.logos import logo_of
 from rcj_challenges.records.writer import RecordWriter, RunHeader
+from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.load import Loaded
 
 Score = int | float
@@ -101,10 +103,16 @@ def play_match(plan: MatchPlan, watcher: Watcher | None = None) -> PlayedMatch:
     """Play all halves of a match and record them.
 
     Raises:
-        RcjError: the record's folder cannot be made, a sandbox layer is missing, the physics became unstable.
+        RcjError: the record cannot be written, a sandbox layer is missing, the physics became unstable.
         MatchInterruptedError: somebody interrupted it; the record is closed, marked as not complete.
     """
-    return _MatchPlay(plan, watcher or Silent()).play()
+    try:
+        return _MatchPlay(plan, watcher or Silent()).play()
+    except OSError as error:
+        unwritable = UnwritableError.of(error, plan.out)
+        if unwritable is None:
+            raise
+        raise unwritable from error
 
 
 class _MatchPlay:
@@ -117,7 +125,6 @@ class _MatchPlay:
         self._kept: dict[str, Any] = {}
         self._tallies: list[Tally] = []
         self._ranking: list[dict[str, Any]] = []
-        self._half_ticks = ticks_from_s(self._scenario.match.half_s)
         self._held_up_s = 0.0
         self._began = 0.0
         self._start_up_s: float | None = None
@@ -195,7 +202,8 @@ class _MatchPlay:
         self._watcher.half_ended(half, tuple(_waits(driver) for driver in drivers.values()))
         self._scores = by_team(referee.scores, half.teams)
         self._kept = dict(referee.kept)
-        self._tallies.append(Tally(dict(referee.counters), half.teams, s_from_ticks(outcome.ticks)))
+        began = half.kept.get("counters", {})
+        self._tallies.append(Tally(dict(referee.counters), half.teams, s_from_ticks(outcome.ticks), began))
         self._ranking = ranking(scenario, self._scores, self._tallies)
         return outcome
 
@@ -222,7 +230,7 @@ class _MatchPlay:
         return HalfInfo(
             half=number,
             halves=self._scenario.match.halves,
-            ticks=self._half_ticks,
+            ticks=ticks_from_s(half_length_s(self._scenario.match, number)),
             match_seed=self._plan.seed,
             match_id=self._plan.match_id,
             team_names={seat: self._plan.name_of(team) for seat, team in teams.items()},

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from rcj_challenges.facts.amounts import on_paper
@@ -20,11 +20,13 @@ class Tally:
         counters: by name; kept per entity: by entity.
         teams: by seat: a counter kept per robot counts for the team whose robot it was in this half.
         time_s: simulated time in s at which it ended.
+        began: what counters marked ``keep: match`` had from the half before: that is counted there.
     """
 
     counters: Mapping[str, Any]
     teams: Mapping[str, str]
     time_s: float
+    began: Mapping[str, Any] = field(default_factory=dict)
 
 
 def ranking(scenario: Scenario, scores: Mapping[str, Score], halves: Sequence[Tally]) -> list[dict[str, Any]]:
@@ -61,7 +63,7 @@ def _value(
     halves: Sequence[Tally],
 ) -> Score:
     def counted(counter: str) -> Score:
-        return on_paper(sum(_count(half.counters, counter, _robots(scenario, half, team)) for half in halves))
+        return on_paper(sum(_count(half, counter, _robots(scenario, half, team)) for half in halves))
 
     if isinstance(criterion, RankByScore):
         return score
@@ -76,9 +78,13 @@ def _robots(scenario: Scenario, half: Tally, team: str) -> tuple[str, ...]:
     return tuple(robot for seat, name in half.teams.items() if name == team for robot in scenario.entrants[seat].robots)
 
 
-def _count(counters: Mapping[str, Any], name: str, robots: tuple[str, ...]) -> Score:
-    counted: Score | Mapping[str, Score] = counters[name]
-    return sum(counted.get(robot, 0) for robot in robots) if isinstance(counted, Mapping) else counted
+def _count(half: Tally, name: str, robots: tuple[str, ...]) -> Score:
+    """Return what a half adds to a counter that is kept, or else what it has counted."""
+
+    def of_the_robots(counted: Score | Mapping[str, Score]) -> Score:
+        return sum(counted.get(robot, 0) for robot in robots) if isinstance(counted, Mapping) else counted
+
+    return of_the_robots(half.counters[name]) - of_the_robots(half.began.get(name, 0))
 
 
 def _sign(criterion: RankByScore | RankByTime | RankByCounter) -> int:

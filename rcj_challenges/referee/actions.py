@@ -17,7 +17,7 @@ from rcj_challenges.referee.rules import Occasion, StandingRule
 from rcj_challenges.referee.sequences import sequence_watch
 from rcj_challenges.referee.setting_down import Job
 from rcj_challenges.referee.state import Clock, Number
-from rcj_challenges.referee.values import compile_amount, compile_points, compile_value
+from rcj_challenges.referee.values import compile_points, compile_value
 from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.models import actions as models
 from rcj_challenges.scenario.models.places import Mirror
@@ -68,9 +68,9 @@ def score(model: models.Score, workshop: Workshop, rule: StandingRule) -> Act:
 def count(model: models.Count, workshop: Workshop, rule: StandingRule) -> Act:
     """Change a counter: first ``to``, then ``by``."""
     counters, name, whose = workshop.state.counters, model.counter, workshop.whose(model.entity, rule.each)
-    to = None if model.to is None else compile_amount(model.to, workshop, rule.each)
+    to = None if model.to is None else compile_points(model.to, workshop, rule.each)
     by = 1 if model.by is None and model.to is None else model.by
-    step = None if by is None else compile_amount(by, workshop, rule.each)
+    step = None if by is None else compile_points(by, workshop, rule.each)
 
     def changed(value: Number, occasion: Occasion) -> Number:
         value = value if to is None else to(occasion)
@@ -157,9 +157,10 @@ def set_spot(model: models.SetSpot, workshop: Workshop, rule: StandingRule) -> A
     return act
 
 
-def draw(model: models.DrawAction, workshop: Workshop, _rule: StandingRule) -> Act:
+def draw(model: models.DrawAction, workshop: Workshop, rule: StandingRule) -> Act:
     """Draw anew, or set a draw to a value."""
-    state, name, fixed = workshop.state, model.draw, model.as_
+    state, name = workshop.state, model.draw
+    fixed = None if model.as_ is None else workshop.drawn_value(model.as_, rule.each)
     drawn = workshop.scenario.draws[name]
 
     def act(_occasion: Occasion) -> None:

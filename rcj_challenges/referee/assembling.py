@@ -38,7 +38,7 @@ def assemble(workshop: Workshop) -> list[StandingRule]:
 def _members(rule: Rule, workshop: Workshop) -> tuple[str | None, ...]:
     if rule.for_each is None:
         return (None,)
-    # Entity order is that of the roster; zones, gates and spots keep the order of their group.
+    # Entity order is that of the roster; zones and gates keep the order of their group.
     index = workshop.roster.index
     return tuple(sorted(workshop.members(rule.for_each, None), key=lambda name: index.get(name, 0)))
 
@@ -54,6 +54,7 @@ def _standing(name: str, rule: Rule, each: str | None, workshop: Workshop) -> St
     return StandingRule(
         name=name,
         each=each,
+        about=each if each in workshop.roster.entities else None,
         phases=None if rule.phases == "any" else frozenset(rule.phases),
         exclusive=None if rule.exclusive is None else (rule.exclusive, each),
         cooldown=0 if rule.cooldown_s is None else ticks_from_s(rule.cooldown_s),

@@ -18,6 +18,7 @@ from rcj_challenges.referee.setting_down import Putting, Queue
 from rcj_challenges.referee.state import State
 from rcj_challenges.referee.watching import Lookout, Track, Watch
 from rcj_challenges.scenario.catalogue import EACH
+from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.places import Mirror
 from rcj_challenges.scenario.remembered import remembered_spots
 
@@ -118,6 +119,10 @@ class Workshop:
     def whose(self, name: str | None, each: str | None) -> str | None:
         """Return whose counter, flag or timer is meant; None: all of them, or the only one."""
         return each if name == EACH else name
+
+    def drawn_value(self, value: Scalar, each: str | None) -> Scalar:
+        """Return the value of a draw that is meant: ``each`` is a name where the rule is for somebody."""
+        return each if value == EACH and each is not None else value
 
     def region(self, names: Names, each: str | None) -> Region:
         """Return the region of a zone, or of several zones taken as one.

@@ -222,9 +222,9 @@ def _of_kept(
     return lambda: test(whose)
 
 
-def drawn(model: models.Drawn, workshop: Workshop, _each: str | None) -> Test:
+def drawn(model: models.Drawn, workshop: Workshop, each: str | None) -> Test:
     """What a draw decided."""
-    state, name, value = workshop.state, model.draw, model.equals
+    state, name, value = workshop.state, model.draw, workshop.drawn_value(model.equals, each)
     return lambda: state.draws[name] == value
 
 
@@ -264,10 +264,10 @@ def spot_free(model: models.SpotFree, workshop: Workshop, each: str | None) -> T
     return test
 
 
-def sequence_at(model: models.SequenceAt, workshop: Workshop, _each: str | None) -> Test:
+def sequence_at(model: models.SequenceAt, workshop: Workshop, each: str | None) -> Test:
     """Which step of a sequence was reached last."""
     watch = sequence_watch(workshop, model.sequence)
-    step = model.step
+    (step,) = workshop.members(model.step, each)
     return lambda: watch.reached == step
 
 

@@ -20,6 +20,7 @@ from rcj_challenges.referee.setting_down import Job, set_down
 from rcj_challenges.referee.state import Number, State
 from rcj_challenges.referee.values import compile_value, spoken
 from rcj_challenges.referee.watching import NEVER
+from rcj_challenges.scenario.drawn import Series
 from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -36,14 +37,15 @@ class Referee:
         scenario: a checked scenario.
         roster: its roster.
         half: what makes this half different from others.
-        draws: values of draws decided beforehand (for tests): they stand until a rule draws anew.
+        draws: values of draws decided beforehand (for tests): one stands until a rule draws anew; of several the next
+            one comes whenever the draw is drawn, and when all have come, chance decides again.
 
     Raises:
         ValueError: ``draws`` names no draw, or a value that it cannot have; or a name in the scenario is unknown.
     """
 
     def __init__(
-        self, scenario: Scenario, roster: Roster, half: HalfInfo, draws: Mapping[str, Scalar] | None = None
+        self, scenario: Scenario, roster: Roster, half: HalfInfo, draws: Mapping[str, Series] | None = None
     ) -> None:
         self._state = State(scenario, roster, half)
         self._half = half
@@ -51,13 +53,13 @@ class Referee:
         self._workshop.emit = self._emit
         self._workshop.enter_phase = self._enter_phase
         self._rules = assemble(self._workshop)
-        self._state.decide_draws(dict(draws or {}))
+        self._state.decide_draws(draws or {})
         self._lookout, self._hits = self._workshop.lookout, self._workshop.hits
         self._contacts, self._queue = self._workshop.contacts, self._workshop.queue
         self._moments, self._track = self._workshop.moments, self._workshop.track
         self._all_present = True
         self._clock_runs = self._clock_ran = True
-        self._waiting = False
+        self._waiting = self._held = False
         self._phase_ends = NEVER
         self._entered: list[tuple[str, str]] = []
         self._emitted: list[str] = []
@@ -92,6 +94,11 @@ class Referee:
     def draws(self) -> dict[str, Scalar]:
         """What the draws decided, by name."""
         return self._state.draws
+
+    @property
+    def undecided(self) -> dict[str, list[Scalar]]:
+        """Of the values of draws that were decided beforehand those that have not come, by draw."""
+        return self._state.undecided()
 
     @property
     def spots(self) -> dict[str, tuple[float, float]]:
@@ -230,6 +237,7 @@ class Referee:
                 scored=occasion.scored,
                 suppressed=suppressed,
                 says=spoken(rule.says, state, occasion),
+                place=occasion.place,
             )
         )
 
@@ -262,6 +270,7 @@ class Referee:
         model = self._state.phase_model(phase)
         self._clock_runs = model.clock == "runs"
         self._waiting = model.waiting_for_kickoff
+        self._held = model.robots == "held"
         self._phase_ends = NEVER
         if model.lasts_s is not None:
             self._phase_ends = self._state.tick + self._state.lasting_ticks(model.lasts_s)
@@ -323,6 +332,7 @@ class Referee:
             ended=self._state.ended,
             ends_match=self._state.match_over,
             broadcast=self._told(),
+            robots_held=self._held,
         )
 
     def _quiet_verdict(self) -> Verdict:
@@ -330,7 +340,7 @@ class Referee:
         phase = self._state.phase
         found = self._quiet.get(phase)
         if found is None:
-            found = self._quiet[phase] = Verdict(phase=phase, waiting_for_kickoff=self._waiting)
+            found = self._quiet[phase] = Verdict(phase=phase, waiting_for_kickoff=self._waiting, robots_held=self._held)
         return found
 
     def _compile_broadcast(self) -> tuple[int, dict[str, Any]] | None:

@@ -13,6 +13,7 @@ from rcj_challenges.referee.outlines import obstacle_outline
 from rcj_challenges.referee.random_points import point_sampler
 from rcj_challenges.referee.setting_down import Board, Kick, Point, Putting, Request, Where
 from rcj_challenges.scenario.models import places as models
+from rcj_challenges.scenario.models.state import CounterValue
 
 Locate = Callable[[Board], Point]
 """Returns where something is now."""
@@ -248,8 +249,22 @@ def _compile_facing(
 def _compile_kick(kick: models.Kick | None, workshop: Workshop, entity: int, each: str | None) -> Kick | None:
     if kick is None:
         return None
-    speeds = kick.speed_mps if isinstance(kick.speed_mps, tuple) else (kick.speed_mps, kick.speed_mps)
-    return Kick(compile_place(kick.towards, workshop, entity, each), speeds)
+    towards = compile_place(kick.towards, workshop, entity, each)
+    speed, state = kick.speed_mps, workshop.state
+    match speed:
+        case tuple():
+            return Kick(towards, lambda: speed)
+        case models.DrawnSpeed():
+            return Kick(towards, lambda: _exactly(state.draws[speed.draw]))
+        case CounterValue():
+            whose = workshop.whose(speed.entity, each)
+            return Kick(towards, lambda: _exactly(min(state.counter(speed.counter, whose), models.MAX_KICK_MPS)))
+        case _:
+            return Kick(towards, lambda: _exactly(speed))
+
+
+def _exactly(speed_mps: Any) -> tuple[float, float]:
+    return (float(speed_mps), float(speed_mps))
 
 
 def compile_mirror(mirror: models.Mirror, workshop: Workshop) -> Callable[[], Point]:

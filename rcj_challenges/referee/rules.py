@@ -31,6 +31,7 @@ class StandingRule:
     Attributes:
         name: as in the scenario.
         each: the member that ``each`` stands for, or None.
+        about: ``each`` if that is an entity, else None: of a rule over zones or gates it is the trigger that tells.
         other: what ``other`` stands for: it fires for a touch of that only; None where the rule does not name it.
         phases: in which it lives; None: in all.
         exclusive: the group of which only one fires a tick, per entity.
@@ -55,6 +56,7 @@ class StandingRule:
     actions: tuple[Callable[[Occasion], None], ...] = ()
     past: Past = field(default_factory=Past)
     other: str | None = None
+    about: str | None = None
 
     def lives_in(self, phase: str) -> bool:
         """Return whether the rule lives in a phase."""
@@ -82,8 +84,13 @@ class Occasion:
 
     @property
     def subject(self) -> str | None:
-        """What the firing is about: ``each``, else what the trigger found."""
-        return self.rule.each if self.rule.each is not None else self.entity
+        """What the firing is about: the entity that ``each`` is, else the one that the trigger found."""
+        return self.rule.about if self.rule.about is not None else self.entity
+
+    @property
+    def place(self) -> str | None:
+        """The zone or gate that ``each`` is, else None."""
+        return self.rule.each if self.rule.about is None else None
 
 
 @dataclass(frozen=True, slots=True)

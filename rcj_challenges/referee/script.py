@@ -18,6 +18,9 @@ from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, s_from_ticks, ticks_f
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.outlines import obstacle_outline
 from rcj_challenges.referee.state import Number, float32
+from rcj_challenges.referee.wrong_way import WrongWays
+from rcj_challenges.scenario.drawn import Series, series_of
+from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.scenario import Expectation, ExpectedEvent, Given, Keyframe, Scenario
 from rcj_challenges.scenario.roster import Roster
@@ -47,7 +50,7 @@ def half_of(scenario: Scenario, half: int = 1, seed: int = 1) -> HalfInfo:
     return HalfInfo(
         half=half,
         halves=max(half, scenario.match.halves),
-        ticks=ticks_from_s(scenario.match.half_s),
+        ticks=ticks_from_s(half_length_s(scenario.match, half)),
         match_seed=seed,
         match_id=1,
         team_names={seat: scenario.entrants[seat].title or seat for seat in seats},
@@ -79,6 +82,7 @@ class ScriptedPlay:
         events, firings: all so far, in order.
         placements: all so far, each with its tick.
         verdict: the last verdict.
+        wrong_ways: the gates that were crossed the way that does not count.
     """
 
     def __init__(
@@ -86,7 +90,7 @@ class ScriptedPlay:
         scenario: Scenario,
         roster: Roster,
         half: HalfInfo | None = None,
-        draws: Mapping[str, Scalar] | None = None,
+        draws: Mapping[str, Series] | None = None,
     ) -> None:
         self.roster = roster
         self.referee = Referee(scenario, roster, half or half_of(scenario), draws)
@@ -103,6 +107,8 @@ class ScriptedPlay:
         self._faults: list[Fault] = []
         self._none_touch: tuple[tuple[tuple[int, int], ...], ...] = ((),) * SUBSTEPS_PER_TICK
         self._frozen: list[list[Pose2]] | None = None
+        self._parked: set[int] = set()
+        self.wrong_ways = WrongWays(scenario, roster)
         self.verdict = self._take(self.referee.start(self._snapshot()))
 
     # --- what the script does ---------------------------------------------------------------------------------------
@@ -138,7 +144,10 @@ class ScriptedPlay:
         """Judge so many ticks and return the last verdict."""
         for _ in range(ticks):
             self.tick += 1
-            self.verdict = self._take(self.referee.judge(self._snapshot()))
+            snapshot = self._snapshot()
+            if self.wrong_ways.passages:
+                self.wrong_ways.look(self.tick, self._judged, snapshot.substeps, self._parked)
+            self.verdict = self._take(self.referee.judge(snapshot))
         return self.verdict
 
     def play_until(self, tick: int) -> Verdict:
@@ -210,13 +219,16 @@ class ScriptedPlay:
             self._glides.pop(index, None)  # it stays put until the script moves it again
             self._touching = {pair: left for pair, left in self._touching.items() if index not in pair}
             if placement.parked:
+                self._parked.add(index)
                 self._stand(index, _PARKED_X_M + index * _PARKED_STEP_M, 0.0, 0.0)
                 continue
+            self._parked.discard(index)
             self._stand(index, placement.x_m, placement.y_m, placement.yaw_rad)
             if self._uprights[index] < 1.0:
                 uprights = list(self._uprights)
                 uprights[index] = 1.0
                 self._uprights = uprights
+        self._judged = self._poses  # what a hand puts elsewhere now moves within the next tick
         return verdict
 
 
@@ -239,7 +251,8 @@ class Trial:
     """What came of one ``expect`` block.
 
     Attributes:
-        differences: what came out differently, one line each, then what found no room; empty if all is as expected.
+        differences: what came out differently, one line each, then notes on why that may be: what found no room, draws
+            that were not drawn, gates crossed the wrong way; empty if all is as expected.
         ticks: how many ticks were judged.
         fired: the rules that fired, in the order of their first time.
     """
@@ -293,7 +306,8 @@ def try_expectation(loaded: HasScenario, name: str) -> Trial:
         play.finish()
     fired = dict.fromkeys(firing.rule for firing in play.firings if firing.suppressed is None)
     differences = list(_differences(play, expected))
-    return Trial((*differences, *(_no_room(play) if differences else ())), play.tick, tuple(fired))
+    notes = (*_no_room(play), *_not_drawn(play, expected), *play.wrong_ways.notes()) if differences else ()
+    return Trial((*differences, *notes), play.tick, tuple(fired))
 
 
 def _no_room(play: ScriptedPlay) -> Iterable[str]:
@@ -301,6 +315,14 @@ def _no_room(play: ScriptedPlay) -> Iterable[str]:
     first = {(f.rule, f.says): f for f in reversed(play.firings) if f.suppressed == "no_room"}
     for firing in sorted(first.values(), key=lambda firing: firing.tick):
         yield f"note: from {s_from_ticks(firing.tick):g} s on {firing.says} (rule {firing.rule})"
+
+
+def _not_drawn(play: ScriptedPlay, expected: Expectation) -> Iterable[str]:
+    """Return which draws were drawn less often than a test decides them."""
+    for name, left in play.referee.undecided.items():
+        series = series_of(expected.draws[name])
+        drawn = len(series) - len(left)
+        yield f"note: {name} was drawn {'once' if drawn == 1 else f'{drawn} times'}; draws decides {len(series)} values"
 
 
 def _as_given(scenario: Scenario, given: Given) -> Scenario:
@@ -352,7 +374,9 @@ def _differences(play: ScriptedPlay, expected: Expectation) -> Iterable[str]:
         here = referee.spots.get(name) or play.pose(name)
         off = hypot(here[0] - x, here[1] - y)
         if off > expected.tolerance_m:
-            yield f"{name}: expected at ({x:g}, {y:g}), is at ({here[0]:.4g}, {here[1]:.4g}), {off:.3g} m off"
+            found = f"({here[0]:.4g}, {here[1]:.4g}), {off:.3g} m off"
+            allowed = f"up to {expected.tolerance_m:g} m off is allowed, more by tolerance_m"
+            yield f"{name}: expected at ({x:g}, {y:g}), is at {found}; {allowed}"
 
 
 def _number(referee: Referee, name: str) -> Number | None:
@@ -381,7 +405,8 @@ def _event_differences(found: list[Event], expected: tuple[ExpectedEvent, ...]) 
 def _within_event(number: int, event: Event, wanted: ExpectedEvent) -> Iterable[str]:
     at_s = s_from_ticks(event.tick)
     if wanted.at_s is not None and abs(at_s - wanted.at_s) > wanted.tolerance_s + _COUNTS_AS_EQUAL:
-        yield f"event {number} ({event.name}): expected at {wanted.at_s:g} s, came at {at_s:g} s"
+        allowed = f"up to {wanted.tolerance_s:g} s off is allowed, more by tolerance_s beside at_s"
+        yield f"event {number} ({event.name}): expected at {wanted.at_s:g} s, came at {at_s:g} s; {allowed}"
     for key, value in wanted.payload.items():
         if not _equal(value, event.payload.get(key)):
             found = _shown(event.payload.get(key))

@@ -51,12 +51,13 @@ class GateLine:
             return crossing(was[entity][:2], now[entity][:2], self._from, self._to)
         if not self._state.present[self.anchor]:
             return 0
-        start = _seen_from(was[self.anchor], was[entity])
-        end = _seen_from(now[self.anchor], now[entity])
+        start = seen_from(was[self.anchor], was[entity])
+        end = seen_from(now[self.anchor], now[entity])
         return crossing(start, end, self._from, self._to)
 
 
-def _seen_from(anchor: Pose2, pose: Pose2) -> tuple[float, float]:
+def seen_from(anchor: Pose2, pose: Pose2) -> tuple[float, float]:
+    """Return where a pose is in the frame of an anchor that moves and turns: x and y in m."""
     dx, dy = pose[0] - anchor[0], pose[1] - anchor[1]
     c, s = cos(anchor[2]), sin(anchor[2])
     return (c * dx + s * dy, c * dy - s * dx)

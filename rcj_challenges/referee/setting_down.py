@@ -104,18 +104,21 @@ class Kick:
 
     Attributes:
         towards: the compiled place that it is aimed at.
-        speeds_mps: the least and the most; every speed between is equally likely.
+        speeds_mps: returns the least and the most as they are now; every speed between is equally likely, and at 0 or
+            less it lies still.
     """
 
     towards: Where
-    speeds_mps: tuple[float, float]
+    speeds_mps: Callable[[], tuple[float, float]]
 
     def velocity(self, request: Request, here: Point) -> Velocity | None:
         """Return the velocity at a point; None if there is nothing to aim at (no free spot)."""
         aim = self.towards.find(request)
         if aim is None:
             return None
-        least, most = self.speeds_mps
+        least, most = self.speeds_mps()
+        if most <= 0:
+            return _AT_REST
         speed = least if least == most else request.rng.uniform(least, most)
         # Places are float32 numbers: put where it is aimed at, it has no way to go.
         dx, dy = float32(aim[0]) - here[0], float32(aim[1]) - here[1]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 import struct
-from collections.abc import Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from math import sqrt
 
@@ -12,6 +12,8 @@ from rcj_challenges.facts.amounts import on_paper, plain
 from rcj_challenges.facts.play import HalfInfo, Pose2
 from rcj_challenges.facts.streams import random_stream, stream_seed
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
+from rcj_challenges.scenario.drawn import Series, drawable, series_of
+from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import Draw, DrawnDuration, Phase
@@ -92,6 +94,7 @@ class State:
         self.timers: dict[str, dict[str | None, Clock]] = {}
         self.draws: dict[str, Scalar] = {}
         self._undrawn: dict[str, list[Scalar]] = {}
+        self._decided: dict[str, list[Scalar]] = {}
         self.ended: str | None = None
         self.match_over = False
         self.entrant_of = {robot: name for name, entrant in scenario.entrants.items() for robot in entrant.robots}
@@ -99,10 +102,14 @@ class State:
         self._fill()
 
     def _fill(self) -> None:
-        kept_flags = self.half.kept.get("flags", {})
+        kept_counters, kept_flags = self.half.kept.get("counters", {}), self.half.kept.get("flags", {})
         for name, counter in self.scenario.counters.items():
             first = on_paper(counter.initial)
-            self.counters[name] = first if counter.per is None else dict.fromkeys(self._members(counter.per), first)
+            if counter.keep == "match" and name in kept_counters:
+                kept = kept_counters[name]
+                self.counters[name] = dict(kept) if isinstance(kept, dict) else kept
+            else:
+                self.counters[name] = first if counter.per is None else dict.fromkeys(self._members(counter.per), first)
         for name, flag in self.scenario.flags.items():
             if flag.keep == "match" and name in kept_flags:
                 kept = kept_flags[name]
@@ -128,24 +135,27 @@ class State:
             self._streams[use] = found
         return found
 
-    def decide_draws(self, decided: dict[str, Scalar]) -> None:
+    def decide_draws(self, decided: Mapping[str, Series]) -> None:
         """Draw everything at the start of the half, but for what is decided beforehand or kept from the last half.
 
-        Timers get their length then.
+        Of several values that are decided, the later ones come when it is drawn anew. Timers get their length then.
 
         Raises:
             ValueError: a value is decided that the draw cannot have, or for a draw that does not exist.
         """
-        for name, value in decided.items():
-            if name not in self.scenario.draws or value not in self.scenario.draws[name].values:
-                message = f"draws.{name}: {value!r} is not one of its values"
+        for name, series in decided.items():
+            self._decided[name] = list(series_of(series))
+            known = self.scenario.draws[name].values if name in self.scenario.draws else ()
+            wrong = [value for value in self._decided[name] if value not in known]
+            if wrong:
+                message = f"draws.{name}: {wrong[0]!r} is not one of its values"
                 raise ValueError(message)
         kept, undrawn = self.half.kept.get("draws", {}), self.half.kept.get("undrawn", {})
         for name, draw in self.scenario.draws.items():
             if draw.not_again is not None:
                 self._undrawn[name] = list(undrawn.get(name, draw.values))
             if name in decided:
-                self.set_draw(name, decided[name])
+                self.draw_anew(name, draw)
             elif draw.keep == "match" and name in kept:
                 self.draws[name] = kept[name]
                 if name not in undrawn:  # else it was taken out when it was drawn
@@ -168,21 +178,28 @@ class State:
             undrawn.remove(value)
 
     def draw_anew(self, name: str, draw: Draw) -> None:
-        """Draw a value, equally likely each: with ``not_last`` never the one it has, with ``not_again`` one left."""
-        values = self._without_last(name, draw, self._undrawn.get(name, draw.values))
-        if not values:
-            if draw.not_again is not None:
-                self._undrawn[name] = list(draw.values)
-            values = self._without_last(name, draw, draw.values) or draw.values
-        self.set_draw(name, self.stream(f"draw/{name}").choice(values))
+        """Draw a value, equally likely each: with ``not_last`` never the one it has, with ``not_again`` one left.
 
-    def _without_last(self, name: str, draw: Draw, values: Sequence[Scalar]) -> Sequence[Scalar]:
-        if not draw.not_last or name not in self.draws:
-            return values
-        return tuple(value for value in values if value != self.draws[name])
+        As long as a test has decided what comes next, that comes.
+        """
+        last = (self.draws[name],) if name in self.draws else ()
+        values, left = drawable(draw, self._undrawn.get(name, draw.values), last)
+        if draw.not_again is not None:
+            self._undrawn[name] = list(left)
+        decided = self._decided.get(name)
+        self.set_draw(name, decided.pop(0) if decided else self.stream(f"draw/{name}").choice(values))
+
+    def undecided(self) -> dict[str, list[Scalar]]:
+        """Return of the values that a test decided those that have not come."""
+        return {name: list(left) for name, left in self._decided.items() if left}
 
     def kept(self) -> dict[str, dict[str, object]]:
-        """Return what lives on of draws and flags, for the next half's `HalfInfo.kept`."""
+        """Return what lives on of draws, flags and counters, for the next half's `HalfInfo.kept`."""
+        counters: dict[str, object] = {
+            name: dict(value) if isinstance(value, dict) else value
+            for name, value in self.counters.items()
+            if self.scenario.counters[name].keep == "match"
+        }
         undrawn: dict[str, object] = {
             name: list(left) for name, left in self._undrawn.items() if self.scenario.draws[name].not_again == "match"
         }
@@ -191,6 +208,7 @@ class State:
                       if draw.keep == "match" and name in self.draws},
             "flags": {name: self.flags[name] for name, flag in self.scenario.flags.items() if flag.keep == "match"},
             **({"undrawn": undrawn} if undrawn else {}),
+            **({"counters": counters} if counters else {}),
         }  # fmt: skip
 
     def follow_way(self, entity: int) -> None:
@@ -228,7 +246,7 @@ class State:
 
         The scenario's own number (600, as in the original's log) unless the half is played at another length.
         """
-        nominal = self.scenario.match.half_s
+        nominal = half_length_s(self.scenario.match, self.half.half)
         return plain(nominal if ticks_from_s(nominal) == self.half.ticks else s_from_ticks(self.half.ticks))
 
     def seed_id(self) -> str:

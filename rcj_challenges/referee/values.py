@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import floor
+from math import floor, nan
 from typing import Any
 
 from rcj_challenges.facts.amounts import on_paper, plain
@@ -17,7 +17,9 @@ from rcj_challenges.scenario.models.state import (
     DistanceValue,
     DrawValue,
     FlagValue,
+    HighestOfOthers,
     LastTouchValue,
+    LowestOfOthers,
     NumberWord,
     PositionValue,
     TimerValue,
@@ -46,8 +48,7 @@ def compile_value(value: Any, workshop: Workshop, each: str | None) -> Reader:
             read, of = WORDS[value.word], value.of
             return lambda occasion: read(state, occasion, of)
         case PositionValue():
-            entity = workshop.entity(value.position_of, each)
-            return lambda _occasion: _position(state, entity)
+            return _position_reader(value, workshop, each)
         case _:
             return lambda _occasion: value
 
@@ -69,6 +70,14 @@ def _reader_of_now(value: Any, workshop: Workshop, each: str | None) -> Callable
             return None
 
 
+def _position_reader(value: PositionValue, workshop: Workshop, each: str | None) -> Reader:
+    state, name = workshop.state, value.position_of
+    if name in state.spots:
+        return lambda _occasion: [round(number, 6) for number in state.spots[name]]
+    entity = workshop.entity(name, each)
+    return lambda _occasion: _position(state, entity)
+
+
 def _last_toucher(value: LastTouchValue, workshop: Workshop, each: str | None) -> Callable[[], str | None]:
     """Return what tells the name of the robot that touched something last; None if none has."""
     contacts, touched = workshop.contacts, workshop.entity(value.last_touch, each)
@@ -87,12 +96,44 @@ def counter_reader(value: CounterValue, workshop: Workshop, each: str | None) ->
     return lambda: state.counter(name, whose)
 
 
-def compile_bound(bound: Number | CounterValue, workshop: Workshop, each: str | None) -> Callable[[], Number]:
-    """Return what reads a number or a counter to compare with."""
-    if isinstance(bound, CounterValue):
-        return counter_reader(bound, workshop, each)
+Bound = Number | CounterValue | LowestOfOthers | HighestOfOthers
+"""What is compared with, as the scenario's models have it."""
+
+
+def compile_bound(bound: Bound, workshop: Workshop, each: str | None) -> Callable[[], Number]:
+    """Return what reads what is compared with: a number, a counter, or the lowest or highest of others."""
+    match bound:
+        case CounterValue():
+            return counter_reader(bound, workshop, each)
+        case LowestOfOthers():
+            return _of_others(min, bound.lowest, workshop, each)
+        case HighestOfOthers():
+            return _of_others(max, bound.highest, workshop, each)
     number = plain(bound)
     return lambda: number
+
+
+def _of_others(
+    pick: Callable[[list[Number]], Number], name: str, workshop: Workshop, each: str | None
+) -> Callable[[], Number]:
+    """Return what reads the lowest or highest value of a counter but that of ``each``.
+
+    It is not a number, with which nothing compares, where nobody else is on the field, or ``each`` is not.
+    """
+    state, entities = workshop.state, workshop.roster.entities
+    index = {entity: number for number, entity in enumerate(entities)}
+
+    def is_there(member: str) -> bool:
+        return member not in index or state.present[index[member]]  # zones and gates always are
+
+    def read() -> Number:
+        kept = state.counters[name]
+        if not isinstance(kept, dict) or (each is not None and not is_there(each)):
+            return nan
+        values = [value for member, value in kept.items() if member != each and is_there(member)]
+        return pick(values) if values else nan
+
+    return read
 
 
 def compile_amount(amount: Any, workshop: Workshop, each: str | None) -> Callable[[Occasion], Number]:
@@ -163,6 +204,7 @@ def _score(state: State, occasion: Occasion, of: str | None) -> Number:
 WORDS: dict[str, Callable[[State, Occasion, str | None], Any]] = {
     "robot_name": _robot_name,
     "entity_name": lambda _state, occasion, _of: occasion.subject or "",
+    "each_name": lambda _state, occasion, _of: occasion.rule.each or "",
     "other_name": lambda _state, occasion, _of: occasion.rule.other or "",
     "team_name": _team_name,
     "entrant": _entrant,
@@ -188,11 +230,12 @@ def _rounded(number: float | None) -> Number | None:
 
 
 def spoken(says: str, state: State, occasion: Occasion) -> str:
-    """Return the sentence with {entity}, {other}, {team}, {measured}, {limit} and {points} filled in."""
+    """Return the sentence with {entity}, {each}, {other}, {team}, {measured}, {limit} and {points} filled in."""
     if "{" not in says:
         return says
     filled = {
         "{entity}": occasion.subject or "",
+        "{each}": occasion.rule.each or "",
         "{other}": occasion.rule.other or "",
         "{team}": _team_name(state, occasion, None),
         "{measured}": _said(occasion.measured),

@@ -10,7 +10,7 @@ from rcj_challenges.scenario.models.actions import Score
 from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.scenario import Rule
 
-BLANKS = ("entity", "other", "team", "measured", "limit", "points")
+BLANKS = ("entity", "each", "other", "team", "measured", "limit", "points")
 """What is filled in when a rule fires. In braces also a param's name; a blank goes before a param of its name."""
 
 _IN_BRACES = re.compile(r"\{([^{}]*)\}")

@@ -18,6 +18,18 @@ BOUND = (EACH, OTHER)
 """Names that a rule has for those whom a firing is about."""
 
 KIND_OF_SECTION = {"robots": "robot", "balls": "ball", "zones": "zone", "gates": "gate", "spots": "spot"}
+_NOUNS = {
+    "entrants": "entrant",
+    "draws": "draw",
+    "counters": "counter",
+    "flags": "flag",
+    "timers": "timer",
+    "sequences": "sequence",
+    "placements": "layout",
+    "phases": "phase",
+    "kits": "kit",
+    "params": "param",
+}
 FAMILIES = {"robot": "thing", "ball": "thing", "obstacle": "thing", "fixed obstacle": "thing", "walls": "thing"}
 """Kinds that may share a group; the others keep to themselves."""
 
@@ -71,6 +83,13 @@ class Catalogue:
         """Return the names that a section defines."""
         found = self.section(section)
         return tuple(found.entries) if found is not None else ()
+
+    def known_as(self, name: str) -> str:
+        """Return what a name names, wherever that is defined, as ``robot``, ``group``, ``draw``; else an empty text."""
+        if name in self.kinds:
+            return self.kinds[name]
+        defined = (noun for section, noun in _NOUNS.items() if name in self.names(section))
+        return next(defined, "group" if name in self.groups else "")
 
     def leaf(self, *path: str) -> object:
         """Return a single value, or None."""

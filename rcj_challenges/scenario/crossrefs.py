@@ -47,6 +47,8 @@ _READS = (conditions.CounterIs, conditions.FlagIs, conditions.TimerIs, state.Cou
           state.TimerValue)  # fmt: skip
 _WEIGHTED = (state.WeightedCounter, state.WeightedFlag, state.WeightedTimer)
 _WRITES = (actions.Count, actions.SetFlag, actions.ToggleFlag, actions.TimerAction)
+_OF_OTHERS: dict[Any, str] = {state.LowestOfOthers: "lowest", state.HighestOfOthers: "highest"}
+_PLACES = ("zone", "gate")
 _STATE_SECTIONS = {"counter": "counters", "flag": "flags", "timer": "timers"}
 
 
@@ -257,7 +259,8 @@ class _Walker:
             self.add(path, mark, f"unknown {noun} '{name}': it was removed in {where}{_without(name, path)}")
             return
         hint = nearest(name, known) or known_text(known, noun)
-        self.add(path, mark, f"unknown {noun} '{name[:64]}'{hint}")
+        which = f", which is {_a(kind)}" if (kind := self.names.known_as(name)) else ""
+        self.add(path, mark, f"unknown {noun} '{name[:64]}'{which}{hint}")
 
     # --- what a table cannot say ------------------------------------------------------------------------------------
 
@@ -272,15 +275,33 @@ class _Walker:
         elif model in _DRAWN_NUMBERS:
             self._values(node.entries.get("draw"), path, _DRAWN_NUMBERS[model])
         elif model is conditions.Drawn:
-            self._among_values(node.entries.get("draw"), node.entries.get("equals"), (*path, "equals"))
+            self._decided(node, "equals", path, bound)
         elif model is actions.DrawAction:
-            self._among_values(node.entries.get("draw"), node.entries.get("as"), (*path, "as"))
+            self._decided(node, "as", path, bound)
         elif model is Expectation:
-            decided = node.entries.get("draws")
-            for name, value in decided.entries.items() if isinstance(decided, Entries) else ():
-                self._among_values(Leaf(name, value.mark), value, (*path, "draws", name))
+            self._decided_beforehand(node.entries.get("draws"), (*path, "draws"))
         elif model is conditions.SequenceAt:
-            self._among_steps(node, path)
+            self._among_steps(node, path, bound)
+        elif model in _OF_OTHERS:
+            self._of_several(node, _OF_OTHERS[model], path)
+
+    def _of_several(self, node: Entries, key: str, path: Path) -> None:
+        """Check that a counter is kept for several, where one of them is compared with the others."""
+        name = node.entries.get(key)
+        if not isinstance(name, Leaf):
+            return
+        counter = child(node_at(self.root, ("counters",)), str(name.value))
+        if counter is not None and child(counter, "per") is None:
+            message = f"counter '{name.value}' is not kept per entity: there are no others; give it per: robots"
+            self.add((*path, key), name.mark, f"{message}, or write {{counter: {name.value}}}")
+
+    def _decided_beforehand(self, draws: Node | None, path: Path) -> None:
+        """Check the values of draws that a test decides: one, or several in order."""
+        for name, value in draws.entries.items() if isinstance(draws, Entries) else ():
+            draw = Leaf(name, value.mark)
+            self._among_values(draw, value, (*path, name))
+            for index, one in enumerate(value.items if isinstance(value, Items) else ()):
+                self._among_values(draw, one, (*path, name, index))
 
     def _receiver(self, entrant: Node | None, path: Path, bound: _Bound) -> None:
         """Check that ``each`` or ``other`` stands for robots that somebody drives, where points are given to it."""
@@ -322,24 +343,54 @@ class _Walker:
                 at: Path = ("draws", str(draw.value), "values", index) if isinstance(draw, Leaf) else user
                 self._add_once(at, at, value.mark, message, f" (needed by {shown_path(self.root, user)})")
 
-    def _among_values(self, draw: Node | None, value: Node | None, path: Path) -> None:
-        values = node_at(self.root, ("draws", str(draw.value), "values")) if isinstance(draw, Leaf) else None
-        if not isinstance(values, Items) or not isinstance(value, Leaf) or value.value is None:
+    def _decided(self, node: Entries, key: str, path: Path, bound: _Bound) -> None:
+        """Check the value of a draw that a rule asks for or sets: ``each`` and ``other`` are names if it has them."""
+        draw, value, at = node.entries.get("draw"), node.entries.get(key), (*path, key)
+        name = value.value if isinstance(value, Leaf) else None
+        known = self._values_of(draw)
+        if name not in BOUND or known is None or not isinstance(value, Leaf):
+            self._among_values(draw, value, at)
             return
-        known = [item.value for item in values.items if isinstance(item, Leaf) and item.value is not None]
+        members = bound.of(str(name))
+        if name in known and members is not None:
+            message = f"'{name}' is a value of the draw and a name that this rule has; give the value another name"
+            self.add(at, value.mark, message)
+        elif name not in known and members is None:
+            self.add(at, value.mark, _UNKNOWN[str(name)])
+        elif members:
+            strangers = [one for one in members if one not in known]
+            # To ask whether it is drawn, it suffices that one of them can be; to be set, each must.
+            if strangers and (key == "as" or len(strangers) == len(members)):
+                message = f"'{name}' stands for '{strangers[0]}', which is never drawn; it draws from "
+                self.add(at, value.mark, message + listing([str(one) for one in known]))
+
+    def _values_of(self, draw: Node | None) -> list[object] | None:
+        """Return what a draw may decide; None if there is no such draw."""
+        values = node_at(self.root, ("draws", str(draw.value), "values")) if isinstance(draw, Leaf) else None
+        if not isinstance(values, Items):
+            return None
+        return [item.value for item in values.items if isinstance(item, Leaf) and item.value is not None]
+
+    def _among_values(self, draw: Node | None, value: Node | None, path: Path) -> None:
+        known = self._values_of(draw)
+        if known is None or not isinstance(value, Leaf) or value.value is None:
+            return
         if not any(type(value.value) is type(one) and value.value == one for one in known):
             shown = [str(one) for one in known]
             hint = nearest(str(value.value), shown) or f"; it draws from {listing(shown)}"
             self.add(path, value.mark, f"{found_text(value)} is never drawn{hint}")
 
-    def _among_steps(self, node: Entries, path: Path) -> None:
+    def _among_steps(self, node: Entries, path: Path, bound: _Bound) -> None:
         sequence, step = node.entries.get("sequence"), node.entries.get("step")
         steps = node_at(self.root, ("sequences", str(sequence.value), "steps")) if isinstance(sequence, Leaf) else None
         if not isinstance(steps, Items) or not isinstance(step, Leaf) or not isinstance(step.value, str):
             return
         known = [text for part in steps.items for text in texts(child(part, "any_of") or part)]
-        if step.value not in known and self.names.kinds.get(step.value) in {"zone", "gate"}:
-            self.add((*path, "step"), step.mark, f"'{step.value}' is no step of it; its steps are {listing(known)}")
+        members = (bound.each or ()) if step.value == EACH else (step.value,)
+        # Of several that `each` stands for it suffices that one is a step.
+        if members and all(self.names.kinds.get(one) in _PLACES and one not in known for one in members):
+            what = f"'each' stands for '{members[0]}', which" if step.value == EACH else f"'{step.value}'"
+            self.add((*path, "step"), step.mark, f"{what} is no step of it; its steps are {listing(known)}")
 
     def _per_entity(self, model: Any, node: Entries, path: Path, bound: _Bound) -> None:
         """Check that ``entity`` says whose counter, flag or timer is meant, where there is one for each."""
@@ -356,8 +407,9 @@ class _Walker:
                 self.add((*path, surplus), mark_of(self.root, (*path, surplus)), message)
             return
         quantified = "of" in model.model_fields and "of" in node.entries
+        owners = self.names.expand(per.value)
         if whose is None:
-            if bound.each is not None and model in _READS and not quantified:
+            if self._is_for_one_of(owners, bound) and model in _READS and not quantified:
                 message = f"{key} '{name.value}' is kept per {per.value}: say whose with 'entity', such as entity: each"
                 self.add(path, name.mark, message)
             return
@@ -366,13 +418,17 @@ class _Walker:
             message = f"{what}; name one entity, or say with 'of' how many of them: any, all, none, {{at_least: n}}"
             self.add((*path, "entity"), whose.mark, message)
             return
-        owners = self.names.expand(per.value)
         stranger = next(
             (one for one in self._meant(whose, bound) if one not in owners and one in self.names.kinds), None
         )
         if stranger is not None:
             message = f"{key} '{name.value}' is kept per {per.value}, and '{stranger}' is not among them"
             self.add((*path, "entity"), whose.mark, message)
+
+    def _is_for_one_of(self, owners: tuple[str, ...], bound: _Bound) -> bool:
+        """Return whether a rule is for one of those that have something each, or for an entity at all."""
+        each = bound.each or ()
+        return any(one in owners or self.names.kinds.get(one) not in _PLACES for one in each)
 
     def _is_several(self, whose: Node) -> bool:
         return isinstance(whose, Items) or any(
@@ -401,10 +457,18 @@ def _no_duration(value: Leaf) -> str:
     return _no_number(value)
 
 
+def _no_speed(value: Leaf) -> str:
+    if isinstance(value.value, (str, bool)) or value.value is None:
+        return _no_number(value)
+    wrong = not 0 < value.value <= places.MAX_KICK_MPS
+    return f"a kick's speed is over 0 and at most {places.MAX_KICK_MPS} m/s, found {found_text(value)}" if wrong else ""
+
+
 _DRAWN_NUMBERS: dict[Any, Callable[[Leaf], str]] = {
     state.NumberDraw: _no_number,
     state.WeightedDraw: _no_number,
     state.DrawnDuration: _no_duration,
+    places.DrawnSpeed: _no_speed,
 }
 """What is wrong with a value of a draw, where its name stands for a number."""
 

@@ -259,10 +259,28 @@ _USUAL = {
 """What others call a condition, and how it is written here."""
 
 
+_REPEATED = "every so often is a timer that the rule restarts when it expires"
+_LATER = "a pause is a phase, and what comes later waits for a timer"
+_ELSEWHERE = {
+    ("trigger", "every"): _REPEATED,
+    ("trigger", "interval"): _REPEATED,
+    ("trigger", "repeat"): _REPEATED,
+    ("action", "wait"): _LATER,
+    ("action", "sleep"): _LATER,
+    ("action", "pause"): _LATER,
+    ("action", "if"): "what depends on something is a rule of its own, with conditions",
+}
+"""What other languages have a trigger or an action for, and how it is said here."""
+
+
 def _usual(written: str, discriminator: str) -> str:
-    """Return how a condition is written that goes by another name elsewhere."""
-    meant = _USUAL.get(written.casefold()) if discriminator == "condition" else None
-    return f"; write {meant}" if meant else ""
+    """Return how a condition is written that goes by another name elsewhere, or what stands for a trigger or action."""
+    word = written.casefold()
+    meant = _USUAL.get(word) if discriminator == "condition" else None
+    if meant:
+        return f"; write {meant}"
+    said = _ELSEWHERE.get((discriminator, word))
+    return f"; {said}" if said else ""
 
 
 _WORDS: tuple[tuple[str, Any], ...] = (("trigger", Trigger), ("condition", Condition), ("action", Action))

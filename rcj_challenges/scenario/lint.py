@@ -21,12 +21,15 @@ from rcj_challenges.scenario.lint_flow import (
     check_scoring,
 )
 from rcj_challenges.scenario.lint_ground import check_entities, check_layouts, check_obstacles, check_places
+from rcj_challenges.scenario.lint_held import check_held
 from rcj_challenges.scenario.lint_kicks import check_kicks
 from rcj_challenges.scenario.lint_moments import check_moments
 from rcj_challenges.scenario.lint_numbers import check_numbers
 from rcj_challenges.scenario.lint_result import check_ranking
 from rcj_challenges.scenario.lint_says import check_broadcast, check_sentences
+from rcj_challenges.scenario.lint_sides import check_sides
 from rcj_challenges.scenario.lint_state import (
+    check_drawn_names,
     check_draws,
     check_inherited_tests,
     check_params,
@@ -35,7 +38,7 @@ from rcj_challenges.scenario.lint_state import (
     check_unused,
 )
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
-from rcj_challenges.scenario.lint_times import check_halves, check_times
+from rcj_challenges.scenario.lint_times import check_halves, check_rests, check_times
 from rcj_challenges.scenario.lint_touched import check_touched
 from rcj_challenges.scenario.lint_unheard import check_unheard
 from rcj_challenges.scenario.lint_units import check_units
@@ -68,11 +71,14 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_exclusive_groups,
     check_state,
     check_draws,
+    check_drawn_names,
     check_spots,
     check_params,
     check_unused,
     check_times,
     check_halves,
+    check_rests,
+    check_sides,
     check_places,
     check_obstacles,
     check_entities,
@@ -86,6 +92,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_inherited_texts,
     check_kits,
     check_idle_robots,
+    check_held,
     check_inherited_tests,
 )
 

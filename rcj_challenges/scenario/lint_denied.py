@@ -51,6 +51,16 @@ def _is_elsewhere(trigger: Enters | Leaves, condition: InZone, rule: Rule, subje
     if not _is_same_one(trigger, condition, rule, subject):
         return False
     asked_inside = (condition.of == "none") == condition.negate
+    if rule.for_each is not None and "each" in (trigger.zone, condition.zone):
+        members = subject.members("each", rule)
+        whose = (rule.model_copy(update={"for_each": member}) for member in members)
+        return all(_denies_place(trigger, condition, one, subject, asked_inside=asked_inside) for one in whose)
+    return _denies_place(trigger, condition, rule, subject, asked_inside=asked_inside)
+
+
+def _denies_place(
+    trigger: Enters | Leaves, condition: InZone, rule: Rule, subject: Subject, *, asked_inside: bool
+) -> bool:
     zones, asked = subject.members(trigger.zone, rule), subject.members(condition.zone, rule)
     if isinstance(trigger, Enters):
         return not asked_inside and zones <= asked

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import combinations, product
 from typing import Any, NamedTuple
 
-from rcj_challenges.scenario.errors import listing
+from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.lint_logic import Way, exclude, ways_to_hold, with_each
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lives_in
 from rcj_challenges.scenario.models.actions import Place, Remove, SetPhase
@@ -14,9 +14,12 @@ from rcj_challenges.scenario.models.conditions import InZone
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import DrawValue
 from rcj_challenges.scenario.models.triggers import Crosses, PhaseEntered, Trigger
-from rcj_challenges.scenario.other import for_other, has_other
+from rcj_challenges.scenario.other import for_other, has_other, names_other, others_of
+from rcj_challenges.scenario.tree import file_of
 
 _NAMES = ("entity", "zone", "gate", "other", "robot")
+_WHOSE = ("entity", "zone", "gate")
+"""What of a trigger may be the one for whom a rule is."""
 _WHERE = ("enters", "leaves")
 """Edges that say where their entity is."""
 
@@ -68,7 +71,7 @@ def _movers(subject: Subject) -> dict[_Edge, dict[str, _Mover]]:
                 named = dict(edge[2:])
                 if "other" in named and named["other"] == named["entity"]:
                     continue  # nothing touches itself
-                each = named["entity"] if getattr(trigger, "entity", None) == "each" else None
+                each = next((named[key] for key in _WHOSE if getattr(trigger, key, None) == "each"), None)
                 one = for_other(rule, named["other"]) if has_other(rule) else rule
                 found.setdefault(edge, {}).setdefault(name, _Mover(one, each))
     return found
@@ -91,7 +94,17 @@ def check_exclusive_groups(subject: Subject) -> Iterator[Suspect]:
     for name, rule in subject.standing():
         if rule.exclusive is not None:
             groups.setdefault(rule.exclusive, []).append(name)
-    for names in groups.values():
+    for group, names in groups.items():
+        if len(names) == 1 and _stops_nothing(names[0], subject):
+            for_each = subject.scenario.rules[names[0]].for_each
+            yield Suspect(
+                "exclusive_never_meets",
+                ("rules", names[0], "exclusive"),
+                f"no other rule is in the group '{group}', and of one rule for each of '{for_each}' it stops none: "
+                f"exclusive counts per entity{nearest(group, groups.keys() - {group})}",
+                "to let only one of them count in a tick leave for_each out and name the group in the trigger; else "
+                "give another rule the same exclusive, or leave it out",
+            )
         pair = _strangers(names, subject)
         if pair is not None:
             first, second = pair
@@ -102,6 +115,16 @@ def check_exclusive_groups(subject: Subject) -> Iterator[Suspect]:
                 f"group {_for_whom(first, subject)}, and neither ever stops the other",
                 "give both a for_each (one entity will do), or neither, or conditions of which only one can hold",
             )
+
+
+def _stops_nothing(name: str, subject: Subject) -> bool:
+    """Return whether a rule that is alone in its group, and for each of several, can never be stopped by itself."""
+    rule, scenario = subject.scenario.rules[name], subject.scenario
+    members = sorted(subject.members("each", rule)) if rule.for_each is not None else []
+    # Where it touches two at once, the second of them is stopped.
+    meets_itself = names_other(rule, scenario) and any(len(others_of(rule, one, subject.roster)) > 1 for one in members)
+    own = file_of(subject.tree, "rules", name) == subject.tree.mark.file
+    return own and len(members) > 1 and not meets_itself
 
 
 def _strangers(names: list[str], subject: Subject) -> tuple[str, str] | None:

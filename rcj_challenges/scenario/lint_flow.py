@@ -18,10 +18,11 @@ from rcj_challenges.scenario.models.triggers import (
 from rcj_challenges.scenario.tree import Path, node_at
 from rcj_challenges.scenario.visiting import visit
 
-_OF_EACH = frozenset({"robot_name", "entity_name", "team_name", "entrant", "score"})
+_OF_EACH = frozenset({"robot_name", "entity_name", "each_name", "team_name", "entrant", "score"})
 """Context words that speak of the entity for which a rule fires."""
 _IGNORED_BY_DEFAULT = frozenset(Expectation.model_fields["ignore"].default)
-_RANK_OTHERWISE = "rank by a time or a counter in result:"
+_RANK_OTHERWISE = "rank by a counter in result:", "rank by a time or a counter in result:"
+"""For several entrants, for whom a half ends at the same time, and for one alone."""
 
 
 def check_phases(subject: Subject) -> Iterator[Suspect]:
@@ -148,7 +149,7 @@ def check_rules(subject: Subject) -> Iterator[Suspect]:
                 "each_never_named",
                 ("rules", name, "for_each"),
                 f"the rule fires {count} times at once, once for each of '{rule.for_each}', and never names 'each'",
-                "write entity: each where it looks or acts, or leave for_each out",
+                f"write {_key_of(rule, subject)}: each where it looks or acts, or leave for_each out",
             )
         for index, trigger in enumerate(rule.triggers):
             sequence = subject.scenario.sequences[trigger.sequence] if isinstance(trigger, SequenceBroken) else None
@@ -159,6 +160,12 @@ def check_rules(subject: Subject) -> Iterator[Suspect]:
                     "wrong steps are ignored by this sequence; it never breaks",
                     "give it wrong_step: break",
                 )
+
+
+def _key_of(rule: Rule, subject: Subject) -> str:
+    """Return under which key the members of ``for_each`` are named."""
+    (first, *_), scenario = sorted(subject.members("each", rule)), subject.scenario
+    return "gate" if first in scenario.gates else "zone" if first in scenario.zones else "entity"
 
 
 def _names_each(rule: Rule) -> bool:
@@ -180,11 +187,12 @@ def check_scoring(subject: Subject) -> Iterator[Suspect]:
     if any(isinstance(action, Score) for _, rule in subject.standing() for action in rule.actions):
         return
     others = any(not isinstance(criterion, RankByScore) for criterion in rank)
+    alone = len(subject.scenario.entrants) == 1
     yield Suspect(
         "no_way_to_score",
         ("rules",),
         "no rule that can fire gives points, and the score decides" + (" first" if others else ""),
         "add {action: score, …} to a rule, or "
-        + ("leave 'score' out of result:, so that what follows it decides" if others else _RANK_OTHERWISE),
+        + ("leave 'score' out of result:, so that what follows it decides" if others else _RANK_OTHERWISE[alone]),
         at_key=True,
     )

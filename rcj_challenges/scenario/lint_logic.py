@@ -12,6 +12,7 @@ from rcj_challenges.scenario.models.conditions import (
     Condition,
     CounterIs,
     Distance,
+    Drawn,
     HalfIs,
     InZone,
     LastTouch,
@@ -28,7 +29,7 @@ Way = tuple[Condition, ...]
 _MOST_WAYS = 256
 """More ways than this are no longer looked through."""
 _BOUNDS = frozenset({"at_least", "at_most", "equals"})
-_NAMING = ("entity", "to", "towards", "by")
+_NAMING = ("entity", "zone", "step", "to", "towards", "by", "equals")
 _FAR_M = float("inf")
 
 
@@ -105,14 +106,20 @@ def _have_nothing_in_common(one: Condition, other: Condition, rules: tuple[Rule,
             return _apart(one, other)
         case InZone(), InZone():
             return _in_two_zones(one, other, rules, subject)
+        case Drawn(), Drawn():
+            values = (_drawable(drawn, rule, subject) for drawn, rule in zip((one, other), rules, strict=True))
+            return one.draw == other.draw and not frozenset.intersection(*values)
         case LastTouch(), LastTouch():
             by, by_other = subject.members(one.by, rules[0]), subject.members(other.by, rules[1])
             return one.entity == other.entity not in BOUND and not by & by_other
-    # What a draw decided, at which step a sequence stands: one value, and it cannot be two.
-    return any(
-        hasattr(one, key) and _same_but(one, other, frozenset({key})) and getattr(one, key) != getattr(other, key)
-        for key in ("equals", "step")
-    )
+    # At which step a sequence stands: it cannot be two.
+    return hasattr(one, "step") and _same_but(one, other, frozenset({"step"})) and one.step != getattr(other, "step", 0)
+
+
+def _drawable(condition: Drawn, rule: Rule, subject: Subject) -> frozenset[Any]:
+    """Return the values of a draw for which a condition holds: those of all for whom ``each`` or ``other`` stands."""
+    value = condition.equals
+    return subject.members(value, rule) if isinstance(value, str) and value in BOUND else frozenset({value})
 
 
 def _same_but(one: Condition, other: Condition, keys: frozenset[str]) -> bool:

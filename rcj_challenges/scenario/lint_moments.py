@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.scenario.errors import listing
+from rcj_challenges.scenario.halves import longest_half_s
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lengths_s, lives_in
 from rcj_challenges.scenario.models.actions import SetPhase, TimerAction
 from rcj_challenges.scenario.models.scenario import Rule
@@ -109,7 +110,7 @@ class _Course:
         self.phases = [name for name in dict.fromkeys(("play", *subject.scenario.phases)) if name in subject.reached]
         self._clock_stops = any(self._model(phase).clock == "stops" for phase in self.phases)
         in_clock_time = of_clock or not self._clock_stops
-        self._end = ticks_from_s(subject.scenario.match.half_s) if in_clock_time else _NEVER
+        self._end = ticks_from_s(longest_half_s(subject.scenario.match)) if in_clock_time else _NEVER
 
     @cached_property
     def visits(self) -> list[_Visit] | None:

@@ -1,4 +1,4 @@
-"""Lint of ``result``: counters that are the same number for every entrant."""
+"""Lint of ``result``: counters and times that are the same for every entrant."""
 
 from __future__ import annotations
 
@@ -19,6 +19,22 @@ def check_ranking(subject: Subject) -> Iterator[Suspect]:
                 path,
                 f"counter '{counter}' {reason}",
                 "keep it {per: robots} and count it for the robot that it is about, or leave it out",
+            )
+    yield from _one_time_for_all(subject)
+
+
+def _one_time_for_all(subject: Subject) -> Iterator[Suspect]:
+    """A half ends for all who play in it: without penalties of their own its time tells nobody apart."""
+    if len(subject.scenario.entrants) < 2:
+        return
+    for index, criterion in enumerate(subject.scenario.result.rank):
+        if isinstance(criterion, RankByTime) and not criterion.plus:
+            yield Suspect(
+                "criterion_always_equal",
+                ("result", "rank", index),
+                "a half ends for all at the same time: it is the same for every entrant",
+                "set a counter {per: robots} when a robot arrives, to {word: time_s} or, with its fraction, to "
+                "{word: measured} of sequence_completed, and rank by that counter; or leave it out",
             )
 
 

@@ -19,7 +19,9 @@ from rcj_challenges.scenario.visiting import visit
 from rcj_challenges.scenario.wording import quoted
 
 _WORDS_FOR = {
-    "each": "entity",
+    "each_name": "each",
+    "gate": "each",
+    "zone": "each",
     "robot": "entity",
     "robot_name": "entity",
     "entity_name": "entity",
@@ -31,6 +33,7 @@ _WORDS_FOR = {
 _NEEDS = {
     "robot_name": "robot",
     "entity_name": "entity",
+    "each_name": "each",
     "other_name": "other",
     "team_name": "team",
     "entrant": "team",
@@ -61,7 +64,7 @@ _OF_ENTITY = (
     triggers.TipsOver,
 )
 
-_NOBODY = "no trigger of this rule is about one entity, and it has no for_each"
+_NOBODY = "no trigger of this rule is about one entity, and it has no for_each over entities"
 _TELL_ABOUT = "use a trigger with an entity, or for_each"
 _WRITE_OUT = "write out what is meant, or leave it out"
 _MEASURE = "leave it out, or use a trigger that measures, such as stays_in"
@@ -104,7 +107,7 @@ _NOTHING_MEASURED = _Lack(
     "a broadcast is about no rule that fires", "let the rule that measures set a counter to it, and tell the counter"
 )
 _LACKS_OF_BROADCAST = {
-    **dict.fromkeys(("entity", "other", "robot", "team"), _NOBODY_TOLD),
+    **dict.fromkeys(("entity", "each", "other", "robot", "team"), _NOBODY_TOLD),
     **dict.fromkeys(("measured", "limit"), _NOTHING_MEASURED),
 }
 
@@ -160,6 +163,8 @@ def _lacks(rule: Rule, subject: Subject) -> dict[str, _Lack]:
         lacks["limit"] = _Lack("no trigger of this rule has a limit", _MEASURE)
         if not any(isinstance(trigger, _OF_SEQUENCES) for trigger in rule.triggers):
             lacks["measured"] = _Lack("no trigger of this rule measures anything", _MEASURE)
+    if rule.for_each is None:
+        lacks["each"] = _Lack("this rule has no for_each", "write out what is meant, or give it a for_each")
     if not has_other(rule):
         lacks["other"] = _Lack(
             "not all triggers of this rule are touches", "give the touches a rule of their own, or leave it out"
@@ -175,7 +180,9 @@ def _lacks(rule: Rule, subject: Subject) -> dict[str, _Lack]:
 def _about(rule: Rule, subject: Subject) -> frozenset[str]:
     """Return the entities that a firing may be about: those of ``for_each``, and those that a trigger finds."""
     each = subject.members("each", rule) if rule.for_each is not None else frozenset()
-    return each.union(*(_found_by(trigger, rule, subject) for trigger in rule.triggers))
+    found = each.union(*(_found_by(trigger, rule, subject) for trigger in rule.triggers))
+    # Of a rule over zones or gates nobody is told but whom a trigger finds; of a gate's timer nobody is.
+    return found & {*subject.roster.entities}
 
 
 def _found_by(trigger: Trigger, rule: Rule, subject: Subject) -> frozenset[str]:

@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from rcj_challenges.scenario.blanks import BLANKS, in_braces
+from rcj_challenges.scenario.catalogue import BOUND
+from rcj_challenges.scenario.errors import nearest
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, Use, on_field
 from rcj_challenges.scenario.models.actions import (
     Count,
@@ -16,10 +18,12 @@ from rcj_challenges.scenario.models.actions import (
     TimerAction,
     ToggleFlag,
 )
+from rcj_challenges.scenario.models.conditions import Drawn
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe
 from rcj_challenges.scenario.references import Named
 from rcj_challenges.scenario.remembered import remembered_spots
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, file_of
+from rcj_challenges.scenario.visiting import visit
 
 _TESTS = (Expectation, Given, Keyframe)
 _WRITERS: dict[str, tuple[type[Any], ...]] = {
@@ -63,7 +67,7 @@ def check_state(subject: Subject) -> Iterator[Suspect]:
 
 
 def check_draws(subject: Subject) -> Iterator[Suspect]:
-    """Draws without repetition that are drawn only once."""
+    """Draws without repetition, or of which a test decides several values, that are drawn only once."""
     scenario = subject.scenario
     again = {model.draw for model, _ in subject.models if isinstance(model, DrawAction) and model.as_ is None}
     for name, draw in scenario.draws.items():
@@ -76,6 +80,46 @@ def check_draws(subject: Subject) -> Iterator[Suspect]:
                 f"it is drawn once in a {draw.not_again}: nothing can come again",
                 f"add {{action: draw, draw: {name}}} to a rule, or leave not_again out",
             )
+    for test, expected in scenario.expect.items():
+        for name, decided in expected.draws.items():
+            if isinstance(decided, tuple) and len(decided) > 1 and name not in again:
+                yield Suspect(
+                    "draw_never_repeated",
+                    ("expect", test, "draws", name),
+                    f"no rule draws '{name}' anew: only the first of these values comes",
+                    f"write '{name}: {decided[0]}', or add {{action: draw, draw: {name}}} to a rule",
+                )
+
+
+def check_drawn_names(subject: Subject) -> Iterator[Suspect]:
+    """Draws whose values stand for somebody (rules ask whether it is `each`), and one of them for nobody."""
+    compared = (Drawn, DrawAction)
+    asked: dict[str, set[str]] = {}
+    for name, rule in subject.scenario.rules.items():
+        for model, _ in visit(rule, ("rules", name)):
+            value = getattr(model, "equals", None) if isinstance(model, Drawn) else getattr(model, "as_", None)
+            if isinstance(model, compared) and isinstance(value, str) and value in BOUND:
+                asked.setdefault(model.draw, set()).update(subject.members(value, rule))
+    things = ("robots", "balls", "obstacles")
+    taken_away = {path[1] for path in subject.removed if len(path) == 2 and path[0] in things}
+    for draw, members in asked.items():
+        for index, value in enumerate(subject.scenario.draws[draw].values):
+            if not isinstance(value, str) or value in members or value in subject.roster.index:
+                continue
+            # A value that is meant for nobody, such as `nobody`, is no mistake.
+            hint = nearest(value, members, _LIKE_A_NAME)
+            if value in taken_away or hint:
+                gone = f"'{value}' was taken away" if value in taken_away else f"'{value}' is nobody's name{hint}"
+                yield Suspect(
+                    "drawn_name_of_nobody",
+                    ("draws", draw, "values", index),
+                    f"{gone}, and rules ask for whom it is drawn" if value in taken_away else gone,
+                    f"write the values of '{draw}' anew without it" if value in taken_away else "correct it",
+                )
+
+
+_LIKE_A_NAME = 0.75
+"""How like a name on the field a value must be to be taken for it, misspelt."""
 
 
 def check_spots(subject: Subject) -> Iterator[Suspect]:
@@ -157,14 +201,18 @@ def _notes(node: Node) -> Iterator[str]:
 
 
 def check_unused(subject: Subject) -> Iterator[Suspect]:
-    """Gates, sequences and layouts of the author's own file that nothing names."""
+    """Zones, gates, spots, groups, sequences and layouts of the author's own file that nothing names."""
     scenario = subject.scenario
-    named = {use.name for use in subject.uses if on_field(use)}
-    named |= {member for name in named for member in subject.roster.expand(name)}
-    for section, noun in (("gates", "gate"), ("zones", "zone"), ("sequences", "sequence"), ("placements", "layout")):
+    written = {use.name for use in subject.uses if on_field(use)}
+    written |= {str(value) for name in written & scenario.draws.keys() for value in scenario.draws[name].values}
+    named = written | {member for name in written for member in subject.roster.expand(name)}
+    remembered = remembered_spots(scenario)
+    yield from _unused_groups(subject, written)
+    for section, noun in _NAMED_SECTIONS.items():
         for name, entry in getattr(scenario, section).items():
-            if section in ("gates", "zones"):
-                used = name in named or bool(getattr(entry, "drawn", False))
+            if section in ("gates", "zones", "spots"):
+                # Of a spot that rules set, `check_spots` says whether something reads it.
+                used = name in named or bool(getattr(entry, "drawn", False)) or name in remembered
             else:
                 used = _is_named(name, section, subject)
             if not used and subject.tree.mark.file == file_of(subject.tree, section, name):
@@ -176,6 +224,19 @@ def check_unused(subject: Subject) -> Iterator[Suspect]:
                         "the action that names it"
                     )
                 yield Suspect(f"{noun}_never_used", (section, name), reason, remedy, at_key=True)
+
+
+_NAMED_SECTIONS = {"gates": "gate", "zones": "zone", "spots": "spot", "sequences": "sequence", "placements": "layout"}
+
+
+def _unused_groups(subject: Subject, written: set[str]) -> Iterator[Suspect]:
+    """Groups that nothing names, not even another group."""
+    groups = subject.scenario.groups
+    nested = {member for members in groups.values() for member in members}
+    for name in groups:
+        if name not in written | nested and subject.tree.mark.file == file_of(subject.tree, "groups", name):
+            reason, remedy = f"group '{name}' is never used", "name it in a rule, or remove it"
+            yield Suspect("group_never_used", ("groups", name), reason, remedy, at_key=True)
 
 
 def _resets(use: Use) -> bool:

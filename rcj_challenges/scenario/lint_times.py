@@ -1,10 +1,12 @@
-"""Lint of times: limits that a half is too short for, halves that are not played."""
+"""Lint of times: limits that a half is too short for, halves that are not played, repeats that a rest swallows."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
-from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.facts.timing import TICK_S, ticks_from_s
+from rcj_challenges.scenario.halves import longest_half_s
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lengths_s
 from rcj_challenges.scenario.models.actions import Remove
 from rcj_challenges.scenario.models.base import Strict
@@ -18,7 +20,7 @@ _NEVER = "it never fires"
 
 def check_times(subject: Subject) -> Iterator[Suspect]:
     """Limits that are not over before the half is."""
-    half_s = subject.scenario.match.half_s
+    half_s = longest_half_s(subject.scenario.match)
     half = ticks_from_s(half_s)
     for model, path in subject.models:
         for key, seconds, strict, consequence in _limits(model, subject.scenario):
@@ -44,6 +46,33 @@ def check_halves(subject: Subject) -> Iterator[Suspect]:
                 f"only {played} played: the condition {'always' if model.negate else 'never'} holds",
                 "correct the number of the half, or raise match.halves",
             )
+
+
+def check_rests(subject: Subject) -> Iterator[Suspect]:
+    """Rules that rest for as long as their trigger takes to repeat.
+
+    What repeats comes at multiples of ``every_s``, each rounded to its tick: after 32 ticks and after 31, for 1 s. A
+    rest is rounded up to 32, and so the repeat that comes sooner is lost. A longer rest is meant: "at most every 2 s".
+    """
+    for name, rule in subject.scenario.rules.items():
+        for trigger in rule.triggers:
+            every_s = trigger.every_s if isinstance(trigger, Holds | Touches) else None
+            if every_s is None or rule.cooldown_s is None or rule.cooldown_s > every_s:
+                continue
+            soonest = math.floor(every_s / TICK_S + _EXACT)
+            if ticks_from_s(rule.cooldown_s) > soonest:
+                yield Suspect(
+                    "cooldown_as_long_as_every_s",
+                    ("rules", name, "cooldown_s"),
+                    f"every_s: {every_s:g} repeats after {soonest} ticks at times, and the rest of "
+                    f"{rule.cooldown_s:g} s takes {ticks_from_s(rule.cooldown_s)}: it swallows repeats",
+                    "leave cooldown_s out, or make it clearly shorter than every_s",
+                )
+                break
+
+
+_EXACT = 1e-9
+"""Below a tick: 0.96 s are 30 ticks, whatever the division says."""
 
 
 def _limits(model: Strict, scenario: Scenario) -> Iterator[tuple[str, float, bool, str]]:

@@ -161,7 +161,7 @@ def _what_makes_true(condition: Condition, subject: Subject) -> _Makes | None:
             return lambda action: (
                 isinstance(action, DrawAction)
                 and action.draw == condition.draw
-                and action.as_ in (None, condition.equals)
+                and (action.as_ in (None, condition.equals) or bool({action.as_, condition.equals} & {*BOUND}))
             )
         case AnyOf(negate=False, conditions=several) | AllOf(negate=False, conditions=several):
             makers = [_what_makes_true(one, subject) for one in several]

@@ -15,7 +15,7 @@ from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import WordValue
 from rcj_challenges.scenario.models.triggers import Touches
-from rcj_challenges.scenario.references import REFERENCES, Field
+from rcj_challenges.scenario.references import DRAWN_NAMES, REFERENCES, Field
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.visiting import visit
 
@@ -101,6 +101,8 @@ def with_other(value: Any, other: str) -> Any:
 
 def _field(model: Strict, name: str, key: str, other: str) -> Any:
     value = getattr(model, name)
+    if (type(model), key) in DRAWN_NAMES:
+        return other if value == OTHER else value
     reference = REFERENCES.get((type(model), key))
     if not isinstance(reference, Field) or not reference.each:
         return with_other(value, other)

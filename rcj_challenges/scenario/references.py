@@ -60,14 +60,19 @@ _ENTITY = Field("entity", _MOVING, each=True)
 _ONE_ENTITY = Field("entity", _MOVING)
 _THINGS = Field("entity or obstacle", _MOVING | {"fixed obstacle", "walls"}, groups=True, each=True)
 _ROBOTS = Field("robot", _ROBOT, groups=True, each=True)
-_ZONES = Field("zone", _ZONE, groups=True)
-_GATES = Field("gate", _GATE, groups=True)
+_ZONES = Field("zone", _ZONE, groups=True, each=True)
+_PUT_IN = Field("zone", _ZONE, groups=True)
+_GATES = Field("gate", _GATE, groups=True, each=True)
 _SPOTS = Field("spot", _SPOT, groups=True)
 _ANCHOR = Field("entity or spot", _MOVING | _SPOT, each=True, drawn=True)
-_WHOSE = Field("entity", _MOVING, each=True)
+_KEEPING = _MOVING | _ZONE | _GATE
+"""Of what there may be a rule, a counter, a flag or a timer each."""
+_WHOSE = Field("entity", _KEEPING, each=True)
+_WHOSE_OF = Field("entity", _KEEPING, groups=True, each=True)
+_KEEPERS = Field("entity, zone or gate", _KEEPING, groups=True)
 _MEMBERS = Field("entity", _MOVING, groups=True)
 _STEP = Field("zone or gate", _ZONE | _GATE)
-_MADE_STEP = Field("zone or gate", _ZONE | _GATE)
+_MADE_STEP = Field("zone or gate", _ZONE | _GATE, each=True)
 
 _COUNTER = Named("counter", ("counters",))
 _READABLE = Named("counter or entrant", ("counters", "entrants"))
@@ -112,12 +117,12 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (conditions.Looks, "entity"): _ROBOTS,
     (conditions.Looks, "towards"): Field("entity or spot", _MOVING | _SPOT, each=True),
     (conditions.CounterIs, "counter"): _READABLE,
-    (conditions.CounterIs, "entity"): _ENTITIES,
+    (conditions.CounterIs, "entity"): _WHOSE_OF,
     (conditions.FlagIs, "flag"): _FLAG,
-    (conditions.FlagIs, "entity"): _ENTITIES,
+    (conditions.FlagIs, "entity"): _WHOSE_OF,
     (conditions.Drawn, "draw"): _DRAW,
     (conditions.TimerIs, "timer"): _TIMER,
-    (conditions.TimerIs, "entity"): _ENTITIES,
+    (conditions.TimerIs, "entity"): _WHOSE_OF,
     (conditions.LastTouch, "entity"): _ENTITY,
     (conditions.LastTouch, "by"): _ROBOTS,
     (conditions.SpotFree, "spot"): _SPOTS,
@@ -145,11 +150,13 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     # values
     (state.CounterValue, "counter"): _READABLE,
     (state.CounterValue, "entity"): _WHOSE,
+    (state.LowestOfOthers, "lowest"): _COUNTER,
+    (state.HighestOfOthers, "highest"): _COUNTER,
     (state.FlagValue, "flag"): _FLAG,
     (state.FlagValue, "entity"): _WHOSE,
     (state.DrawValue, "draw"): _DRAW,
     (state.WordValue, "of"): _ENTRANT,
-    (state.PositionValue, "position_of"): _ENTITY,
+    (state.PositionValue, "position_of"): Field("entity or spot", _MOVING | _SPOT, each=True),
     (state.DistanceValue, "distance"): Field("entity or spot", _MOVING | _SPOT, groups=True, each=True),
     (state.WayValue, "way"): _ENTITY,
     (state.TimerValue, "timer"): _TIMER,
@@ -169,9 +176,9 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (state.WeightedTimer, "timer"): _TIMER,
     (state.WeightedTimer, "entity"): _WHOSE,
     # state
-    (state.Counter, "per"): _MEMBERS,
-    (state.Flag, "per"): _MEMBERS,
-    (state.Timer, "per"): _MEMBERS,
+    (state.Counter, "per"): _KEEPERS,
+    (state.Flag, "per"): _KEEPERS,
+    (state.Timer, "per"): _KEEPERS,
     (state.AnyStep, "any_of"): _STEP,
     (state.Sequence, "entity"): _ONE_ENTITY,
     (state.Sequence, "steps"): _STEP,
@@ -179,7 +186,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     # places
     (places.Gate, "anchor"): _ONE_ENTITY,
     (places.AtSpot, "spot"): Field("spot", _SPOT, drawn=True),
-    (places.UniformIn, "uniform_in"): _ZONES,
+    (places.UniformIn, "uniform_in"): _PUT_IN,
     (places.Choice, "choice"): Field("spot", _SPOT, groups=True, drawn=True),
     (places.NearestFree, "nearest_free"): _SPOTS,
     (places.NearestFree, "to"): _ANCHOR,
@@ -188,13 +195,14 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (places.RelativeTo, "relative_to"): _ANCHOR,
     (places.Towards, "towards"): _ANCHOR,
     (places.Mirror, "when"): _FLAG,
+    (places.DrawnSpeed, "draw"): _DRAW,
     (places.Placing, "entity"): _MEMBERS,
     # robots
     (robots.Kit, "packet_lists"): Field("robot", _ROBOT),
     (robots.Robot, "kit"): Named("kit", ("kits",)),
     (robots.Entrant, "robots"): Field("robot", _ROBOT, keys=True),
     # the file
-    (scenario.Rule, "for_each"): Field("entity", _MOVING, groups=True),
+    (scenario.Rule, "for_each"): _KEEPERS,
     (scenario.Rule, "phases"): _PHASES,
     (scenario.PlusPart, "counter"): _COUNTER,
     (scenario.RankByCounter, "counter"): _COUNTER,
@@ -214,6 +222,11 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (scenario.Expectation, "poses"): Field("entity or spot", _MOVING | _SPOT, keys=True),
     (scenario.Scenario, "first_phase"): _PHASE,
 }
+
+DRAWN_NAMES: frozenset[tuple[type[BaseModel], str]] = frozenset[tuple[type[BaseModel], str]](
+    {(conditions.Drawn, "equals"), (actions.DrawAction, "as")}
+)
+"""Fields with a value of a draw: any text, so that no table says what it names; `each` and `other` name somebody."""
 
 DEFINITIONS: frozenset[tuple[type[BaseModel], str]] = frozenset[tuple[type[BaseModel], str]](
     {

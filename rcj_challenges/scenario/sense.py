@@ -6,8 +6,10 @@ from collections.abc import Iterator
 from itertools import count
 
 from rcj_challenges.facts.timing import TICK_S
-from rcj_challenges.scenario.models.actions import Count, Place
-from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.scenario.drawn import never_drawn
+from rcj_challenges.scenario.halves import half_length_s, longest_half_s
+from rcj_challenges.scenario.models.actions import Count, DrawAction, Place
+from rcj_challenges.scenario.models.base import Scalar, Strict
 from rcj_challenges.scenario.models.conditions import (
     AtLeast,
     CounterIs,
@@ -21,6 +23,7 @@ from rcj_challenges.scenario.models.conditions import (
     TimerIs,
     WayIs,
 )
+from rcj_challenges.scenario.models.field import Match
 from rcj_challenges.scenario.models.places import Kick
 from rcj_challenges.scenario.models.robots import LidarDevice
 from rcj_challenges.scenario.models.scenario import Expectation, Scenario
@@ -46,6 +49,8 @@ def check_sense(scenario: Scenario, *, half_is_set: bool) -> Iterator[Found]:
         yield from _quantifier(model, path, roster)
         yield from _times(model, path, scenario, half_is_set=half_is_set)
         yield from _draw(model, path)
+        if isinstance(model, Expectation):
+            yield from _series(model, path, scenario)
         if isinstance(model, LidarDevice) and model.min_range_m >= model.max_range_m:
             yield Found((*path, "min_range_m"), "must be less than max_range_m")
     yield from _robots(scenario, roster)
@@ -62,6 +67,27 @@ def _draw(model: Strict, path: Path) -> Iterator[Found]:
         yield Found((*path, "not_last"), "one value alone cannot be drawn twice running; give two different ones")
     if model.not_again is not None:
         yield Found((*path, "not_again"), "one value alone comes again every time; give two different ones")
+
+
+def _series(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Found]:
+    """Yield what a test decides of a draw and chance could not: one after the other, they follow its own rules."""
+    actions = (action for rule in scenario.rules.values() for action in rule.actions)
+    set_by_rules = {action.draw for action in actions if isinstance(action, DrawAction) and action.as_ is not None}
+    for name, decided in test.draws.items():
+        draw = scenario.draws.get(name)
+        # What a rule sets meanwhile is not known here.
+        if draw is None or name in set_by_rules or not isinstance(decided, tuple):
+            continue
+        index = never_drawn(draw, decided)
+        if index is None or decided[index] not in draw.values:
+            continue
+        twice = draw.not_last and decided[index] == decided[index - 1]
+        why = "twice running (not_last)" if twice else "again before all have been drawn (not_again)"
+        yield Found((*path, "draws", name, index), f"{_as_written(decided[index])} is not drawn {why}")
+
+
+def _as_written(value: Scalar) -> str:
+    return f"'{value}'" if isinstance(value, str) else str(value).lower() if isinstance(value, bool) else str(value)
 
 
 def _place(model: Strict, path: Path) -> Iterator[Found]:
@@ -118,7 +144,9 @@ def _quantifier(model: Strict, path: Path, roster: Roster) -> Iterator[Found]:
 
 
 def _times(model: Strict, path: Path, scenario: Scenario, *, half_is_set: bool) -> Iterator[Found]:
-    half_s = scenario.match.half_s
+    half_s = longest_half_s(scenario.match)
+    if isinstance(model, Expectation):
+        half_s = half_length_s(scenario.match, model.half)
     match model:
         case Holds():
             yield from _under_a_tick(model, path, "for_s", "grace_s")
@@ -126,6 +154,11 @@ def _times(model: Strict, path: Path, scenario: Scenario, *, half_is_set: bool) 
             yield from _under_a_tick(model, path, "grace_s")
         case TimeReached(at_s=at_s) if at_s > half_s and not half_is_set:
             yield Found((*path, "at_s"), f"{at_s:g} s is never reached; a half lasts {half_s:g} s")
+        case Match(half_s=tuple(lengths)) if len(lengths) != model.halves and not half_is_set:
+            given = "1 length" if len(lengths) == 1 else f"{len(lengths)} lengths"
+            played = "1 half" if model.halves == 1 else f"{model.halves} halves"
+            message = f"{given} in half_s for {played}; give each half its length, or one number for all"
+            yield Found((*path, "half_s"), message, other=(*path, "halves"))
         case Expectation():
             yield from _script(model, path)
             stops = any(phase.clock == "stops" for phase in scenario.phases.values())

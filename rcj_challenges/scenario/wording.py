@@ -35,6 +35,8 @@ def expected(shape: Shape, node: Node | None) -> str:
     hint = ""
     if isinstance(node, Leaf) and isinstance(node.value, str):
         hint = nearest(node.value, _words(shape)) or _hint(shape, node.value)
+    elif isinstance(node, Items) and without_none(shape) == At:
+        hint = _point(node)
     return f"expected {expectation(shape)}, found {found_text(node)}{hint}"
 
 
@@ -48,6 +50,14 @@ def _hint(shape: Shape, text: str) -> str:
     if (int in kinds or float in kinds) and _NUMBER.fullmatch(text):
         return "; leave the quotes out"
     return ""
+
+
+def _point(node: Items) -> str:
+    """Return how a point is written where a list of its two numbers stands alone."""
+    found = [item.value if isinstance(item, Leaf) else None for item in node.items]
+    if len(found) != 2 or not all(isinstance(one, int | float) and not isinstance(one, bool) for one in found):
+        return ""
+    return f"; a point is written {{point: [{found[0]}, {found[1]}]}}"
 
 
 def _words(shape: Shape) -> list[str]:

@@ -6,6 +6,8 @@ from rcj_challenges.facts.play import Event, Fault
 from rcj_challenges.facts.timing import s_from_ticks
 
 _CONTROL = dict.fromkeys((*range(32), *range(127, 160)), "�")
+# What separates lines and paragraphs breaks a line as a control character does, and Pillow cannot draw it.
+_CONTROL |= dict.fromkeys((0x2028, 0x2029), " ")
 # Marks that turn the direction of text would let a name rearrange the line it stands in.
 _CONTROL |= dict.fromkeys([*range(0x202A, 0x202F), *range(0x2066, 0x206A), 0x200E, 0x200F, 0x061C], "")
 

@@ -42,7 +42,7 @@ class Wheel:
         drive_n, brake_n: its grip, see `contact.Grip`.
         commanded_radps: as set.
         target_rad: ``inf``: by velocity; else the angle to go to and hold.
-        stopped: whether its robot has been taken off the field.
+        stopped: whether its robot is held, or has been taken off the field: it is braked, whatever is commanded.
         turns_radps: how fast it turns now.
         just_reversed: whether it has begun to turn this way in this tick.
         tendon: index of its grip in the model.
@@ -116,7 +116,7 @@ class Traction:
             self._command(index, velocity_radps, position_rad)
 
     def set_stopped(self, robot: int, *, stopped: bool) -> None:
-        """Stop the wheels of a robot that is taken off the field; let them go on as commanded when it is back."""
+        """Brake the wheels of a robot that is held or taken off the field; let them go on as commanded afterwards."""
         for index in (2 * robot, 2 * robot + 1):
             wheel = self._wheels[index]
             if wheel.stopped != stopped:

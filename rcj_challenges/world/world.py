@@ -59,6 +59,7 @@ class World:
         self.data: Any = mujoco.MjData(self.model)
         self.tables = WorldTables.of(self.model, roster)
         self.parked: list[bool] = [False] * len(roster.entities)
+        self._robots_held = False
         chassis = [chassis_of(scenario, name) for name in roster.entities[: roster.robots]]
         self._names = roster.entities
         self._starts = _start_placements(scenario, roster)
@@ -79,6 +80,7 @@ class World:
         """Put everything at its start pose without noise, at rest, wheels at angle 0 and braked, nothing parked."""
         mujoco.mj_resetData(self.model, self.data)
         self.parked[:] = [False] * len(self.parked)
+        self._robots_held = False
         self._traction.brake_all()
         self.place(self._starts)
 
@@ -103,6 +105,12 @@ class World:
             position_rad: ``inf`` for this velocity; else the wheel angle to go to, at this velocity at most, and hold.
         """
         self._traction.set_wheel(robot, side, velocity_radps, position_rad)
+
+    def hold_robots(self, *, held: bool) -> None:
+        """Brake all wheels until they are let go; what is commanded meanwhile acts then."""
+        self._robots_held = held
+        for robot in range(self.tables.robots):
+            self._traction.set_stopped(robot, stopped=held or self.parked[robot])
 
     def wheel_angles(self) -> list[list[float]]:
         """Return the angles of [left, right] wheel in rad, by robot; they grow while it drives along its +x."""
@@ -150,7 +158,7 @@ class World:
         entity = placement.entity
         self.parked[entity] = placement.parked
         if entity < self.tables.robots:
-            self._traction.set_stopped(entity, stopped=placement.parked)
+            self._traction.set_stopped(entity, stopped=placement.parked or self._robots_held)
         x, y, yaw = placement.x_m, placement.y_m, placement.yaw_rad
         if placement.parked:
             x, y, yaw = PARKING_X_M + entity * PARKING_GAP_M, 0.0, 0.0

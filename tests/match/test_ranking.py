@@ -50,6 +50,18 @@ def test_times_and_counters_of_all_halves_are_added_up_for_the_team_and_not_for_
     assert [(entry["team"], entry["values"]) for entry in told] == [("yellow", [35.0, 1]), ("blue", [115.0, 9])]
 
 
+def test_what_a_kept_counter_had_already_counts_once_and_for_the_team_that_counted_it():
+    overrides = ["result.rank=[{counter: put_backs}, {counter: laps}]", "counters.laps={keep: match}"]
+    swapped = {"blue": "yellow", "yellow": "blue"}
+    halves = [
+        Tally({"put_backs": {"B1": 7, "Y1": 0}, "laps": 2}, SIDES, 5.0),
+        Tally({"put_backs": {"B1": 8, "Y1": 2}, "laps": 5}, swapped, 5.0, {"put_backs": {"B1": 7, "Y1": 0}, "laps": 2}),
+    ]
+    told = ranking(load("match", overrides).scenario, {"blue": 0, "yellow": 0}, halves)
+    # The blue team drove B1 in the first half and Y1 in the second; 5 laps in all are 5, not 2 and 5.
+    assert [(entry["team"], entry["values"]) for entry in told] == [("blue", [9, 5]), ("yellow", [1, 5])]
+
+
 def test_the_result_of_a_match_holds_the_ranking(play):
     assert play("match.half_s=0.5").result["ranking"] == [
         {"place": 1, "team": "blue", "values": [0]},

@@ -53,12 +53,12 @@ def test_the_same_match_has_the_same_digest(wild, digest):
     assert wild().result["digest"] == digest
 
 
-def test_another_seed_is_another_match(wild, digest):
-    assert wild(seed=2).result["digest"] != digest
-
-
-def test_another_limit_is_another_digest(wild, digest):
-    assert wild("penalty_area_s=14").result["digest"] != digest
+def test_another_seed_or_another_limit_is_another_digest(wild):
+    two = ("match.half_s=1", *alone("blue", "yellow"))
+    played = [wild(*two), wild(*two), wild(*two, seed=2), wild("penalty_area_s=14", *two)]
+    one, again, of_another_seed, with_another_limit = (run.result["digest"] for run in played)
+    assert one == again
+    assert len({one, of_another_seed, with_another_limit}) == 3
 
 
 def test_real_time_only_delays(wild):

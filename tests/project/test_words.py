@@ -91,7 +91,8 @@ def test_there_is_a_recipe_for_each_kind_that_is_promised():
     titles = re.findall(r"^## (.+)$", (ROOT / "docs" / "recipes.md").read_text(encoding="utf-8"), re.MULTILINE)
     assert titles == [
         "A race through gates", "Keep-away in a zone", "Defend the goal", "Relay between halves", "Timed deliveries",
-        "Obstacle courses", "Red light, green light", "Gates in a drawn order", "Tag",
+        "Obstacle courses", "Red light, green light", "Gates in a drawn order", "The poisoned ball", "Tag",
+            "The last one is out",
     ]  # fmt: skip
     assert len(RECIPES) == len(titles)
 

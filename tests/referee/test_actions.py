@@ -328,6 +328,30 @@ class TestActionDraw:
         )
         assert acted(play).referee.draws == {"gate": "c"}
 
+    def test_of_several_values_that_a_test_decides_each_draw_takes_the_next_and_then_chance_decides_again(self, stage):
+        draw, decided = "{values: [a, b, c, d]}", {"gate": ("c", "c", "a")}
+        orders = {
+            tuple(self.drawn_one_after_the_other(stage, draw, 6, seed=seed, draws=decided)[0]) for seed in range(1, 9)
+        }
+        assert {order[:3] for order in orders} == {("c", "c", "a")}
+        assert len({order[3:] for order in orders}) > 4
+
+    def test_what_is_decided_for_later_draws_leaves_the_rest_of_a_round_to_chance(self, stage):
+        draw = "{values: [a, b, c, d], not_again: half}"
+        for seed in range(1, 9):
+            values, _ = self.drawn_one_after_the_other(stage, draw, 11, seed=seed, draws={"gate": tuple("dbcab")})
+            assert values[:5] == ["d", "b", "c", "a", "b"]
+            assert [sorted(values[first : first + 4]) for first in (4, 8)] == [["a", "b", "c", "d"]] * 2
+
+    def test_what_a_rule_sets_takes_no_value_of_those_that_a_test_decides(self, stage):
+        play = stage(
+            "draws: {gate: {values: [a, b, c]}}",
+            at_tick_10("{action: draw, draw: gate, as: b}", "{action: draw, draw: gate}"),
+            draws={"gate": ("a", "c")},
+        )
+        assert (play.referee.draws, play.referee.undecided) == ({"gate": "a"}, {"gate": ["c"]})
+        assert (acted(play).referee.draws, play.referee.undecided) == ({"gate": "c"}, {})
+
     @pytest.mark.parametrize("seed", range(1, 11))
     def test_without_repetition_in_the_match_the_next_half_draws_from_what_is_left(self, stage, seed):
         first, referee = self.drawn_one_after_the_other(stage, "{values: [a, b, c], not_again: match}", 1, seed=seed)

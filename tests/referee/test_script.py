@@ -63,7 +63,7 @@ class TestExpect:
             "score: {yellow: 2}, counters: {goals: 3}, flags: {up: true}, phase: pause, poses: {ball: [0, 0.3]}"
         )
         assert found == [
-            "event 1 (GOAL): expected at 1 s, came at 0.32 s",
+            "event 1 (GOAL): expected at 1 s, came at 0.32 s; up to 0.033 s off is allowed, more by tolerance_s beside at_s",
             "event 1 (GOAL): expected who blue, is yellow",
             "event 1 (GOAL): expected good false, is true",
             "event 2: expected HIT at 0.5 s, nothing came",
@@ -71,8 +71,14 @@ class TestExpect:
             "counter goals: expected 3, is 2",
             "flag up: expected true, is false",
             "phase: expected pause, is play",
-            "ball: expected at (0, 0.3), is at (0, 0.25), 0.05 m off",
+            "ball: expected at (0, 0.3), is at (0, 0.25), 0.05 m off; up to 0.001 m off is allowed, more by tolerance_m",
         ]
+
+    def test_a_late_event_says_what_the_test_allowed(self, differences):
+        assert differences(GOAL + ", events: [{event: GOAL, at_s: 1, tolerance_s: 0.5}]") == [
+            "event 1 (GOAL): expected at 1 s, came at 0.32 s; up to 0.5 s off is allowed, more by tolerance_s beside at_s"
+        ]
+        assert differences(GOAL + ", events: [{event: GOAL, at_s: 1, tolerance_s: 0.68}]") == []
 
     def test_an_event_that_nobody_expected_is_a_difference_unless_ignored(self, differences):
         assert differences(GOAL + ", events: []") == [
@@ -110,6 +116,35 @@ class TestExpect:
             "expect: {it: {lasts_s: 1, keyframes: [{at_s: 0}], draws: {side: right}, events: [{event: TOLD, payload: {side: right}}]}}",
         )
         assert run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it") == []
+
+    SERIES = (
+        "draws: {side: {values: [left, right]}}",
+        (
+            "rules: {told: {triggers: [{trigger: touches, entity: Y1, other: ball}], "
+            "actions: [{action: draw, draw: side}, {action: emit, event: TOLD, payload: {side: {draw: side}}}]}}"
+        ),
+    )
+
+    def series(self, small, decided, sides, touches=(0.1, 0.2, 0.3)):
+        frames = ", ".join(f"{{at_s: {at_s}, touch: [[Y1, ball]]}}" for at_s in touches)
+        events = ", ".join(f"{{event: TOLD, payload: {{side: {side}}}}}" for side in sides)
+        scenario = small(
+            *self.SERIES,
+            f"expect: {{it: {{lasts_s: 1, draws: {{side: {decided}}}, keyframes: [{frames}], events: [{events}]}}}}",
+        )
+        return run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it")
+
+    @pytest.mark.parametrize(
+        "sides", [["left", "left", "right"], ["right", "left", "right"], ["left", "right", "left"]]
+    )
+    def test_all_draws_of_one_name_can_be_decided_one_after_the_other(self, small, sides):
+        assert self.series(small, f"[left, {', '.join(sides)}]", sides) == []
+
+    def test_where_a_test_fails_it_is_told_that_a_draw_was_not_drawn_as_often_as_it_decides(self, small):
+        assert self.series(small, "[left, right, left, left]", ["left", "left"], (0.1, 0.2)) == [
+            "event 1 (TOLD): expected side left, is right",
+            "note: side was drawn 3 times; draws decides 4 values",
+        ]
 
     def test_score_and_counters_and_flags_can_be_given(self, differences):
         assert differences(

@@ -66,6 +66,31 @@ class TestLine0:
         second.play(3)
         assert second.referee.scores["blue"] == 4
 
+    def test_a_counter_that_is_kept_carries_over_as_it_was_left_and_is_the_next_half_s_own(self, stage):
+        sections = """
+        counters: {laps: {initial: 1, keep: match}, hits: {per: robots, keep: match}, fresh: {initial: 4}, half: {keep: half}}
+        rules:
+          all:
+            triggers: [{trigger: time_reached, at_s: 0.032}]
+            actions:
+              - {action: count, counter: laps, by: 0.1}
+              - {action: count, counter: hits, entity: Y2, by: 3}
+              - {action: count, counter: fresh}
+              - {action: count, counter: half}
+        """
+        first = stage(sections)
+        first.play(3)
+        left = first.referee.kept
+        second = stage(sections, half=2, kept=left)
+        assert (second.referee.counters["laps"], second.referee.counters["hits"]["Y2"]) == (1.1, 3)
+        assert (second.referee.counters["fresh"], second.referee.counters["half"]) == (4, 0)
+        second.play(3)
+        assert (second.referee.counters["laps"], second.referee.counters["hits"]["Y2"]) == (1.2, 6)
+        assert left["counters"] == {"laps": 1.1, "hits": {"B1": 0, "B2": 0, "Y1": 0, "Y2": 3}}
+
+    def test_where_no_counter_is_kept_nothing_is_said_of_them(self, stage):
+        assert stage("counters: {laps: {}}").referee.kept == {"draws": {}, "flags": {}}
+
     def test_0_3_tick_0_is_draws_layouts_arming_and_half_started(self, stage):
         play = stage(f"""
         draws: {{side: {{values: [left]}}}}

@@ -60,6 +60,20 @@ class TestValuePositionOf:
         play.play_until(15)
         assert payload(play) == {"a": None}
 
+    def test_a_spot_is_told_where_it_is_now_without_a_way_it_looks(self, stage):
+        play = stage(
+            "spots: {mark: {x_m: 0.5, y_m: -0.1}, target: {x_m: 0, y_m: 0.25}}",
+            "broadcast: {fields: {mark: {position_of: mark}, target: {position_of: target}}}",
+            telling("{a: {position_of: mark}, b: {position_of: target}}"),
+            "rules: {moved: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: set_spot, spot: mark, to: B1}]}}",
+        )
+        assert payload(play) == {"a": [0.5, -0.1], "b": [0, 0.25]}
+        assert play.verdict.broadcast == {"mark": [0.5, -0.1], "target": [0, 0.25]}
+        play.play_until(15)
+        assert play.verdict.broadcast == {"mark": [0.4, 0.5], "target": [0, 0.25]}
+        play.play()
+        assert payload(play)["a"] == [0.4, 0.5]
+
 
 class TestValueWord:
     WHO = (

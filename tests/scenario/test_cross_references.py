@@ -83,6 +83,11 @@ GOOD = [
     (condition, "flag, flag: seen, entity: crate", ""),
     (condition, "drawn, draw: corner, equals: centre", ""),
     (condition, "drawn, draw: number, equals: 2", ""),
+    (trigger, "crosses, entity: ball, gate: each", "doors"),
+    (trigger, "enters, entity: ball, zone: each", "penalty_areas"),
+    (trigger, "stays_in, entity: blue, zone: [each, pitch], limit_s: 3", "penalty_areas"),
+    (condition, "in_zone, entity: ball, zone: each", "penalty_areas"),
+    (condition, "sequence_at, sequence: round, step: each", "doors"),
     (condition, "timer, timer: own, entity: B1, at_least: 1", ""),
     (condition, "timer, timer: clock", ""),
     (condition, "last_touch, by: each", "robots"),
@@ -125,7 +130,7 @@ GOOD = [
     (action, "remove, entity: [each, crate], back_at: {spot: centre}", "robots"),
     (action, "set_phase, phase: play", ""),
     (action, ("emit, event: E, payload: {a: {counter: pushes, entity: B1}, b: {word: score, of: blue}, "
-             "c: {position_of: crate}, d: {draw: corner}, e: {flag: armed}}"), ""),
+             "c: {position_of: crate}, f: {position_of: centre}, d: {draw: corner}, e: {flag: armed}}"), ""),
 ]  # fmt: skip
 
 
@@ -137,13 +142,18 @@ def test_names_that_exist_are_taken(write, text, for_each):
 BAD = [
     (trigger, "phase_entered, phase: paus", "", "unknown phase 'paus'; did you mean 'pause'?"),
     (trigger, "phase_entered, phase: play, from: x", "", "unknown phase 'x'; there are play, pause"),
-    (trigger, "timer_expired, timer: goals", "", "unknown timer 'goals'; there are clock, own"),
+    (trigger, "timer_expired, timer: goals", "", "unknown timer 'goals', which is a counter; there are clock, own"),
     (trigger, "enters, entity: post, zone: pitch", "", "'post' is a fixed obstacle; expected an entity"),
     (trigger, "enters, entity: stones, zone: pitch", "", "group 'stones' contains 'post', a fixed obstacle; expected an entity"),
     (trigger, "enters, entity: walls, zone: pitch", "", "'walls' is the walls; expected an entity"),
     (trigger, "enters, entity: obstacles, zone: pitch", "", "group 'obstacles' contains 'post', a fixed obstacle; expected an entity"),
     (trigger, "enters, entity: ball, zone: door", "", "'door' is a gate; expected a zone"),
-    (trigger, "enters, entity: ball, zone: each", "", "'each' cannot stand here; name a zone"),
+    (trigger, "enters, entity: ball, zone: each", "", "'each' is known only in a rule with for_each"),
+    (trigger, "enters, entity: ball, zone: each", "robots", "'each' stands for 'B1', a robot; expected a zone"),
+    (trigger, "crosses, entity: each, gate: door", "doors", "'each' stands for 'door', a gate; expected an entity"),
+    (trigger, "crosses, entity: ball, gate: each", "penalty_areas", "'each' stands for 'blue_penalty_area', a zone; expected a gate"),
+    (action, "score, entrant: each", "doors", "'each' stands for 'door', a gate, which no entrant drives"),
+    (action, "place, entity: ball, at: {uniform_in: each}", "penalty_areas", "'each' cannot stand here; name a zone"),
     (trigger, "enters, entity: each, zone: pitch", "", "'each' is known only in a rule with for_each"),
     (trigger, "crosses, entity: ball, gate: pitch", "", "'pitch' is a zone; expected a gate"),
     (trigger, "touches, entity: ball, other: centre", "", "'centre' is a spot; expected an entity or obstacle"),
@@ -168,13 +178,15 @@ BAD = [
     (condition, "timer, timer: own, entity: [B1, B2]", "", "these are several; name one entity, or say with 'of' how many of them"),
     (condition, "flag, flag: seen, entity: yellow, of: all", "", "flag 'seen' is kept per movers, and 'Y1' is not among them"),
     (condition, "flag, flag: armed, of: all", "", "flag 'armed' is not kept per entity; leave 'of' out"),
-    (condition, "flag, flag: clock", "", "unknown flag 'clock'; there are armed, seen"),
+    (condition, "flag, flag: clock", "", "unknown flag 'clock', which is a timer; there are armed, seen"),
     (condition, "drawn, draw: cornr, equals: centre", "", "unknown draw 'cornr'; did you mean 'corner'?"),
     (condition, "drawn, draw: corner, equals: middle_blue", "", "'middle_blue' is never drawn; it draws from centre, corner_blue_left"),
     (condition, "drawn, draw: number, equals: '1'", "", "'1' is never drawn; did you mean '1'?"),
     (condition, "last_touch, by: ball", "", "'ball' is a ball; expected a robot"),
     (condition, "spot_free, spot: pitch", "", "'pitch' is a zone; expected a spot"),
     (condition, "sequence_at, sequence: round, step: hatch", "", "'hatch' is no step of it; its steps are pitch, door, blue_goal"),
+    (condition, "sequence_at, sequence: round, step: each", "hatch", ("'each' stands for 'hatch', which is no step of it; its "
+     "steps are pitch, door, blue_goal")),
     (condition, "sequence_at, sequence: round, step: x_", "", ("unknown zone or gate 'x_'; there are pitch, blue_goal, yellow_goal, "
      "blue_penalty_area, yellow_penalty_area, door, hatch")),
     (action, "score, entrant: yelow", "", "unknown entrant 'yelow'; did you mean 'yellow'?"),
@@ -190,22 +202,23 @@ BAD = [
     (action, "score, entrant: yellow, points: {draw: numbr}", "", "unknown draw 'numbr'; did you mean 'number'?"),
     (action, "score, entrant: yellow, points: [{counter: pushes, entity: ball}]", "", ("counter 'pushes' is kept per robots, and "
      "'ball' is not among them")),
-    (action, "score, entrant: yellow, points: {word: score, of: B1}", "", "unknown entrant 'B1'; there are blue, yellow"),
-    (action, "count, counter: yellow", "", "unknown counter 'yellow'; there are goals, pushes, blue_pushes"),
+    (action, "score, entrant: yellow, points: {word: score, of: B1}", "", "unknown entrant 'B1', which is a robot; there are blue, yellow"),
+    (action, "count, counter: yellow", "", "unknown counter 'yellow', which is an entrant; there are goals, pushes, blue_pushes"),
     (action, "timer, timer: clock, entity: B1", "", "timer 'clock' is not kept per entity; leave 'entity' out"),
     (action, "set_flag, flag: seen, entity: Y1", "", "flag 'seen' is kept per movers, and 'Y1' is not among them"),
     (action, "draw, draw: corner, as: pitch", "", "'pitch' is never drawn; it draws from centre, corner_blue_left"),
     (action, "place, layout: wid", "", "unknown layout 'wid'; did you mean 'wide'?"),
-    (action, "place, layout: wide, mirror: {axis: x, when: goals}", "", "unknown flag 'goals'; there are armed, seen"),
+    (action, "place, layout: wide, mirror: {axis: x, when: goals}", "", "unknown flag 'goals', which is a counter; there are armed, seen"),
     (action, "place, entity: ball, at: {spot: formation}", "", None),
-    (action, "place, entity: ball, at: {nearest_free: corner}", "", "unknown spot 'corner'; did you mean"),
+    (action, "place, entity: ball, at: {nearest_free: corner}", "", "unknown spot 'corner', which is a draw; did you mean"),
     (action, "place, entity: ball, at: {uniform_in: [pitch, doors]}", "", "group 'doors' contains 'door', a gate; expected a zone"),
     (action, "place, entity: ball, at: {relative_to: pitch}", "", "'pitch' is a zone; expected an entity or spot"),
     (action, "place, entity: ball, at: start, facing: {towards: doors}", "", "'doors' is a group; name one entity or spot"),
     (action, "remove, entity: post", "", "'post' is a fixed obstacle; expected an entity"),
     (action, "set_phase, phase: any", "", "unknown phase 'any'; there are play, pause"),
-    (action, "emit, event: E, payload: {a: {word: score, of: B1}}", "", "unknown entrant 'B1'; there are blue, yellow"),
-    (action, "emit, event: E, payload: {a: {position_of: centre}}", "", "'centre' is a spot; expected an entity"),
+    (action, "emit, event: E, payload: {a: {word: score, of: B1}}", "", "unknown entrant 'B1', which is a robot; there are blue, yellow"),
+    (action, "emit, event: E, payload: {a: {position_of: pitch}}", "", "'pitch' is a zone; expected an entity or spot"),
+    (action, "emit, event: E, payload: {a: {position_of: all_spots}}", "", "'all_spots' is a group; name one entity or spot"),
 ]  # fmt: skip
 
 
@@ -250,9 +263,9 @@ def test_a_draw_that_says_how_long_something_lasts_draws_durations_only(section,
 
 SECTIONS = [
     ("gates: {door: {anchor: pitch}}\n", "gates.door.anchor: 'pitch' is a zone; expected an entity"),
-    ("counters: {goals: {per: penalty_areas}}\n", ("counters.goals.per: group 'penalty_areas' contains 'blue_penalty_area', a zone; "
-     "expected an entity")),
-    ("timers: {clock: {per: bleu}}\n", "timers.clock.per: unknown entity 'bleu'; did you mean 'blue'?"),
+    ("counters: {goals: {per: neutral_spots}}\n", ("counters.goals.per: group 'neutral_spots' contains 'centre', a spot; "
+     "expected an entity, zone or gate")),
+    ("timers: {clock: {per: bleu}}\n", "timers.clock.per: unknown entity, zone or gate 'bleu'; did you mean 'blue'?"),
     ("sequences: {round: {entity: balls}}\n", "sequences.round.entity: 'balls' is a group; name one entity"),
     ("sequences: {round: {steps: [pitch, centre]}}\n", "sequences.round.steps[1]: 'centre' is a spot; expected a zone or gate"),
     ("sequences: {round: {steps: [pitch, {any_of: [dor]}]}}\n", ("sequences.round.steps[1].any_of[0]: unknown zone or gate 'dor'; "
@@ -269,7 +282,7 @@ SECTIONS = [
     ("broadcast: {fields: {a: {flag: armd}}}\n", "broadcast.fields.a.flag: unknown flag 'armd'; did you mean 'armed'?"),
     ("broadcast: {fields: {a: {position_of: each}}}\n", "broadcast.fields.a.position_of: 'each' is known only in a rule with for_each"),
     ("rules: {r: {for_each: robts, triggers: [{trigger: half_started}], actions: [{action: end}]}}\n",
-     "rules.r.for_each: unknown entity 'robts'; did you mean 'robots'?"),
+     "rules.r.for_each: unknown entity, zone or gate 'robts'; did you mean 'robots'?"),
 ]  # fmt: skip
 
 
@@ -289,14 +302,14 @@ def test_sections_that_name_something_unknown(body, message, tmp_path):
 
 def test_a_test_in_the_file_names_what_exists():
     body = WORLD + (
-        "expect:\n  t:\n    lasts_s: 2\n    phase: paus\n    draws: {corner: pitch, x_: 1}\n    score: {yellw: 1}\n"
+        "expect:\n  t:\n    lasts_s: 2\n    phase: paus\n    draws: {corner: pitch, x_: 1, formation: [pitch, 5]}\n    score: {yellw: 1}\n"
         "    counters: {goal: 1}\n    flags: {armd: true}\n    poses: {bal: [0, 0]}\n"
         "    keyframes: [{at_s: 1, place: {bal: [0, 0]}, touch: [[ball, wals]], tips: [ball], fault: [B9]}]\n"
     )
     paths = [line.partition(": ")[0] for line in complaints(body)]
     assert sorted(paths) == sorted(
         [
-            "expect.t.phase", "expect.t.draws.corner", "expect.t.draws.x_", "expect.t.score.yellw", "expect.t.counters.goal",
+            "expect.t.phase", "expect.t.draws.corner", "expect.t.draws.x_", "expect.t.draws.formation[0]", "expect.t.draws.formation[1]", "expect.t.score.yellw", "expect.t.counters.goal",
             "expect.t.flags.armd", "expect.t.poses.bal", "expect.t.keyframes[0].place.bal", "expect.t.keyframes[0].touch[0][1]",
             "expect.t.keyframes[0].tips[0]", "expect.t.keyframes[0].fault[0]",
         ]

@@ -20,6 +20,15 @@ def test_a_draw_that_repeats_is_written_as_before_there_were_others():
     assert type(scenario).model_validate(dumped(scenario)) == scenario
 
 
+def test_a_counter_that_is_not_kept_is_written_as_before_any_was():
+    counters = "counters: {plain: {}, kept: {per: robots, keep: match}}"
+    scenario = load_text(f"schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\n{counters}\n").scenario
+    written = dumped(scenario)["counters"]
+    assert written["plain"] == {"initial": 0.0, "per": None}
+    assert written["kept"]["keep"] == "match"
+    assert type(scenario).model_validate(dumped(scenario)) == scenario
+
+
 def test_a_zone_without_a_colour_is_written_as_before_there_were_any():
     zones = "zones: {plain: {shape: rect, x_min_m: 0}, base: {shape: rect, x_max_m: 0, colour: red}}"
     scenario = load_text(f"schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\n{zones}\n").scenario

@@ -30,7 +30,7 @@ CASES = [
     (rule("half_started"), "rules.r.triggers[0]: expected a mapping with 'trigger', found 'half_started'"),
     (rule("{trigger: half_started, at: 3}"), "rules.r.triggers[0] (half_started): unknown key 'at'; allowed are trigger"),
     (rule("{trigger: enters, entity: ball}"),
-     "rules.r.triggers[0] (enters): 'zone' is missing: a zone; with a list or group: into any of them from none of them"),
+     "rules.r.triggers[0] (enters): 'zone' is missing: a zone, or each; with a list or group: into any of them from none of them"),
     (rule("{trigger: enters, entity: ball, zoen: pitch}"),
      "rules.r.triggers[0] (enters): unknown key 'zoen'; allowed are trigger, entity, zone; did you mean 'zone'?"),
     (rule("{trigger: enters, entity: [1, ball], zone: pitch}"), "rules.r.triggers[0] (enters).entity[0]: expected a name, found 1"),
@@ -46,9 +46,9 @@ CASES = [
      "rules.r.triggers[0] (displaced).from[1]: expected a number, found 'x'"),
     (rule("{trigger: tips_over, entity: B1, angle_rad: 4}"), "rules.r.triggers[0] (tips_over).angle_rad: must be less than 3.1416, found 4"),
     (rule("{trigger: holds, condition: {condition: speed, entity: ball, at_least: fast}}"),
-     "rules.r.triggers[0] (holds).condition.at_least: expected a number or {counter: …}, found 'fast'"),
+     "rules.r.triggers[0] (holds).condition.at_least: expected a number, {counter: …}, {lowest: …} or {highest: …}, found 'fast'"),
     (rule("{trigger: holds, condition: {condition: speed, entity: ball, at_least: {timer: t}}}"),
-     "rules.r.triggers[0] (holds).condition.at_least: expected a number or {counter: …}, found a mapping with timer"),
+     "rules.r.triggers[0] (holds).condition.at_least: expected a number, {counter: …}, {lowest: …} or {highest: …}, found a mapping with timer"),
     (rule("{trigger: holds, condition: [{condition: flag, flag: f}, {condition: flag, flag: g}]}"),
      ("rules.r.triggers[0] (holds).condition: expected a mapping with 'condition', found a list of 2; it takes a single one of in_zone, "
       "speed, distance, way, looks, counter, flag, drawn, timer, last_touch, spot_free, sequence_at, half, any_of, all_of (its opposite by negate: true); for "
@@ -93,7 +93,7 @@ CASES = [
      "true/false, {counter: …}, {flag: …}, {draw: …}, {word: …}, {position_of: …}, {distance: …}, {way: …}, {timer: …} or {last_touch: …}, "
      "found an empty mapping")),
     (rule(action="{action: emit, event: E, payload: {a: {word: scor}}}"),
-     ("rules.r.actions[0] (emit).payload.a.word: expected robot_name, entity_name, other_name, team_name, entrant, score, halftime, match_id, "
+     ("rules.r.actions[0] (emit).payload.a.word: expected robot_name, entity_name, each_name, other_name, team_name, entrant, score, halftime, match_id, "
      "total_match_time_s, time_s, time_left_s, measured, limit, phase or seed_id, found 'scor'; did you mean 'score'?")),
     (rule(rest="    conditions: [{condition: in_zone, entity: robots, zone: pitch, of: {at_least: 0}}]\n"),
      "rules.r.conditions[0] (in_zone).of.at_least: must be at least 1, found 0"),
@@ -105,7 +105,7 @@ CASES = [
     ("match: {halves: 11}\n", "match.halves: must be at most 10, found 11"),
     ("match: {halves: true}\n", "match.halves: expected a whole number, found true"),
     ("match: {swap_sides: on}\n", "match.swap_sides: expected true/false, found 'on'; did you mean true?"),
-    ("match: {half_s: '60'}\n", "match.half_s: expected a number, found '60'; leave the quotes out"),
+    ("match: {half_s: '60'}\n", "match.half_s: expected a number or a list, found '60'; leave the quotes out"),
     ("match: {half_s: 1e9}\n", "match.half_s: must be at most 86400, found 1000000000.0"),
     ("title: ''\n", "title: must have at least 1 character, found ''"),
     ("title: 2021\n", "title: expected a text, found 2021"),

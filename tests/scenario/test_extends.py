@@ -25,7 +25,7 @@ def complaint(path):
 
 
 def test_presets_are_found_by_name():
-    assert {"soccersim_v2", "soccersim_2021"} <= set(names_in(presets_folder()))
+    assert {"soccersim_v2", "soccersim_2021", "empty_field"} <= set(names_in(presets_folder()))
 
 
 @pytest.mark.parametrize("name", names_in(presets_folder()))

@@ -189,13 +189,18 @@ class TestEventsAndRules:
     def test_no_way_to_score_though_scores_decide(self):
         text = SOUND + rule("a", "{trigger: half_started}").join(("rules:\n", ""))
         assert [f.kind for f in lint(load_text(text))] == ["no_way_to_score"]
-        assert lint(load_text(text + "result: {rank: [{time: ascending}]}\n")) == []
+        by_time = lint(load_text(text + "result: {rank: [{time: ascending}]}\n"))
+        assert "no_way_to_score" not in [f.kind for f in by_time]
 
     def test_without_points_the_advice_is_to_rank_by_something_else_or_by_what_follows_the_score(self):
         text = SOUND + rule("a", "{trigger: half_started}").join(("rules:\n", ""))
         (finding,) = lint(load_text(text))
+        assert finding.remedy.endswith("or rank by a counter in result:")
+        alone = text + "entrants: {blue: null}\nrobots: {B1: {idle: true}, B2: {idle: true}, B3: {idle: true}}\n"
+        (finding,) = (f for f in lint(load_text(alone)) if f.kind == "no_way_to_score")
         assert finding.remedy.endswith("or rank by a time or a counter in result:")
-        (finding,) = lint(load_text(text + "result: {rank: [{score: descending}, {time: ascending}]}\n"))
+        by_both = lint(load_text(text + "result: {rank: [{score: descending}, {time: ascending}]}\n"))
+        (finding,) = (f for f in by_both if f.kind == "no_way_to_score")
         assert finding.remedy.endswith("or leave 'score' out of result:, so that what follows it decides")
 
 
@@ -404,6 +409,13 @@ class TestDraws:
         assert kinds(section, rules=self.READ, halves=halves) == ["draw_never_repeated"] * warned
         assert kinds(section, rules=self.READ + self.AGAIN, halves=halves) == []
 
+    @pytest.mark.parametrize(("decided", "warned"), [("[1, 2]", True), ("[1]", False), ("1", False)])
+    def test_a_test_that_decides_several_values_of_a_draw_that_is_drawn_once(self, decided, warned):
+        section = "draws: {d: {values: [1, 2]}}"
+        test = f"expect: {{t: {{lasts_s: 1, keyframes: [{{at_s: 0}}], draws: {{d: {decided}}}}}}}"
+        assert kinds(section, test, rules=self.READ) == ["draw_never_repeated"] * warned
+        assert kinds(section, test, rules=self.READ + self.AGAIN) == []
+
     def test_a_draw_is_read_by_what_lasts_as_long_as_it_decides(self):
         expired = rule("a", "{trigger: timer_expired, timer: t}")
         timer = "timers: {t: {lasts_s: {draw: d}, starts: true}}"
@@ -439,8 +451,9 @@ class TestGround:
         cross = rule("a", "{trigger: crosses, entity: ball, gate: g}")
         assert kinds("gates: {g: {from_m: [0.7, 0], to_m: [0.9, 0]}}", rules=cross) == ["gate_off_the_field"]
         assert kinds("gates: {g: {from_m: [0.7, 0], to_m: [-0.9, 0.1]}}", rules=cross) == []
-        assert kinds("spots: {s: {x_m: 0.3, y_m: 0.8}}") == ["spot_off_the_field"]
-        assert kinds("spots: {s: {x_m: 0.1, y_m: 0.8}}") == []
+        put = rule("a", "{trigger: half_started}", more=", conditions: [{condition: spot_free, spot: s}]")
+        assert kinds("spots: {s: {x_m: 0.3, y_m: 0.8}}", rules=put) == ["spot_off_the_field"]
+        assert kinds("spots: {s: {x_m: 0.1, y_m: 0.8}}", rules=put) == []
 
     @pytest.mark.parametrize(
         ("obstacle", "is_off"),

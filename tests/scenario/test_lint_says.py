@@ -94,14 +94,14 @@ class TestUnknownBlanks:
         (finding,) = told(ENTERS % "Y1", "{entty} is there")
         assert str(finding) == (
             "it.yaml:17:11: warning: rules.r.says: '{entty}' is not filled in, it stays as written; did you mean 'entity'? "
-            "what is filled in is {entity}, {other}, {team}, {measured}, {limit}, {points}, and params by their names "
+            "what is filled in is {entity}, {each}, {other}, {team}, {measured}, {limit}, {points}, and params by their names "
             "[placeholder_unknown]"
         )
 
     @pytest.mark.parametrize(
         ("blank", "meant"),
         [
-            ("robot", "entity"), ("robot_name", "entity"), ("each", "entity"), ("Entity", "entity"), (" entity ", "entity"),
+            ("robot", "entity"), ("robot_name", "entity"), ("each_name", "each"), ("gate", "each"), ("Entity", "entity"), (" entity ", "entity"),
             ("team_name", "team"), ("limits", "limit"), ("measure", "measured"), ("n", ""), ("", ""), ("half_s", ""),
         ],
     )  # fmt: skip

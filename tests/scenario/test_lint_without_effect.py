@@ -19,7 +19,7 @@ class TestWordsOfABroadcast:
     KIND = "word_never_filled"
 
     @pytest.mark.parametrize(
-        "word", ["robot_name", "entity_name", "team_name", "entrant", "score", "measured", "limit"]
+        "word", ["robot_name", "entity_name", "each_name", "team_name", "entrant", "score", "measured", "limit"]
     )
     def test_a_broadcast_is_about_no_entity_and_no_rule(self, word):
         (finding,) = found(f"broadcast: {{fields: {{a: {{word: {word}}}}}}}\n", self.KIND)
@@ -79,8 +79,35 @@ class TestExclusiveGroups:
         (finding,) = found(rules("blue", "blue", "yellow"), self.KIND)
         assert finding.problem.path == "rules.r2.exclusive"
 
-    def test_a_rule_alone_in_its_group_is_no_matter(self):
-        assert found(rules("yellow"), self.KIND) == []
+    def test_a_rule_for_each_of_several_that_is_alone_in_its_group_stops_nobody(self):
+        (finding,) = found(rules("yellow"), self.KIND)
+        assert finding.problem.path == "rules.r0.exclusive"
+        assert "no other rule is in the group 'one', and of one rule for each of 'yellow' it stops none" in str(finding)
+        assert "leave for_each out" in finding.remedy
+
+    def test_a_group_that_is_called_nearly_like_another_is_named(self):
+        text = rules("yellow", "yellow", "yellow").replace("exclusive: one", "exclusive: ones", 1)
+        (finding,) = found(text, self.KIND)
+        assert "did you mean 'one'?" in str(finding)
+
+    @pytest.mark.parametrize("group", ["", "Y1"])
+    def test_a_rule_alone_that_is_for_nobody_or_one_is_no_matter(self, group):
+        assert found(rules(group), self.KIND) == []
+
+    def test_of_two_that_one_robot_touches_at_once_a_rule_alone_stops_the_second(self):
+        caught = (
+            "rules:\n  caught:\n    for_each: robots\n    exclusive: one\n"
+            "    triggers: [{trigger: touches, entity: each, other: %s}]\n"
+            "    actions: [{action: emit, event: E, payload: {who: {word: other_name}}}]\n    says: E.\n"
+        )
+        assert found(caught % "robots", self.KIND) == []
+        assert len(found(caught % "ball", self.KIND)) == 1
+
+    def test_what_a_base_has_written_is_not_the_authors_to_mend(self, tmp_path):
+        (tmp_path / "base.yaml").write_text(HEAD % "soccersim_v2" + rules("yellow", "yellow"), encoding="utf-8")
+        mine = tmp_path / "mine.yaml"
+        mine.write_text("schema_version: 1\nid: m\ntitle: M\nextends: base.yaml\nrules: {r0: null}\n", encoding="utf-8")
+        assert [one for one in lint(load(mine)) if one.kind == self.KIND] == []
 
 
 COUNTING = """counters: {c: {%s}}

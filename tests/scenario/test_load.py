@@ -116,9 +116,20 @@ def places(data):
             yield from places(value)
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(st.integers(0, 2**32))
 def test_a_spoilt_scenario_is_read_or_refused_in_words(seed):
+    assert_read_or_refused(seed)
+
+
+@pytest.mark.nightly
+@settings(max_examples=1_000, deadline=None)
+@given(st.integers(0, 2**32))
+def test_many_spoilt_scenarios_are_read_or_refused_in_words(seed):
+    assert_read_or_refused(seed)
+
+
+def assert_read_or_refused(seed):
     choose = random.Random(seed)  # noqa: S311 - picks what to spoil
     data = copy.deepcopy(choose.choice(SOURCES))
     for _ in range(choose.choice([1, 1, 2, 8])):
@@ -148,8 +159,8 @@ def test_a_spoilt_scenario_is_read_or_refused_in_words(seed):
         ("spots:\n", "  s{0}:\n", "an empty value"),
     ],
 )  # fmt: skip
-def test_thousands_of_mistakes_are_answered_with_the_first_ones(head, line, says):
-    body = head + "".join(line.format(number, number + 1) for number in range(3000))
+def test_a_thousand_mistakes_are_answered_with_the_first_ones(head, line, says):
+    body = head + "".join(line.format(number, number + 1) for number in range(1000))
     found = problems_of(load_text, HEAD + body)
     assert says in str(found[0])
     assert len(str(ScenarioError(found)).splitlines()) <= 101

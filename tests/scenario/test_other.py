@@ -187,8 +187,8 @@ def test_points_for_whoever_drives_it_are_points_for_any_team():
 def told(trigger, says="So.", word=""):
     payload = f", payload: {{who: {{word: {word}}}}}" if word else ""
     body = f'rules: {{r: {{triggers: [{trigger}], actions: [{{action: emit, event: E{payload}}}], says: "{says}"}}}}\n'
-    found = lint(loaded(body + "result: {rank: [{time: ascending}]}\n"))
-    return [(finding.kind, finding.problem.message, finding.remedy) for finding in found]
+    found = lint(loaded(body))
+    return [(one.kind, one.problem.message, one.remedy) for one in found if one.kind != "no_way_to_score"]
 
 
 def test_a_sentence_that_names_it_without_a_touch_stays_empty():

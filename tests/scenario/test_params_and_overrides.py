@@ -114,7 +114,7 @@ def test_an_override_of_a_removed_thing_is_found_by_the_cross_references():
         ("match..half_s=1", "'match..half_s' is no path; write names with dots and list entries with [0]: rules.goal.actions[0]"),
         ("match.half_s=&a 3", "anchor '&a': anchors are not allowed; write the value out"),
         ("match.half_s=null", "match.half_s: null removes named entries of the base only; leave the line out"),
-        ("match.half_s=abc", "match.half_s: expected a number, found 'abc'"),
+        ("match.half_s=abc", "match.half_s: expected a number or a list, found 'abc'"),
         ("rules.r.actions=[]", "rules.r.actions: must have at least 1 entry, found an empty list"),
         ("zones.pitch.shape=oval", "zones.pitch: unknown shape 'oval'; there are rect, circle, polygon, half_plane"),
     ],
@@ -127,7 +127,7 @@ def test_a_problem_of_an_override_points_to_the_option():
     with pytest.raises(ScenarioError) as caught:
         load("match", ["match.half_s=abc", "rules.goal_in_blue.triggers[0].zone=gaol"])
     assert str(caught.value).splitlines() == [
-        "--set match.half_s=abc: match.half_s: expected a number, found 'abc'",
+        "--set match.half_s=abc: match.half_s: expected a number or a list, found 'abc'",
         (
             "--set rules.goal_in_blue.triggers[0].zone=gaol: rules.goal_in_blue.triggers[0] (enters): unknown zone 'gaol'; "
             "there are pitch, blue_goal, yellow_goal, blue_penalty_area, yellow_penalty_area, in_play, penalty_areas"

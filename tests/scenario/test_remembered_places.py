@@ -65,7 +65,7 @@ def test_a_test_can_ask_where_a_spot_is_at_the_end():
 
 
 def test_a_spot_that_rules_set_and_nothing_reads_is_said():
-    (said,) = (one for one in found(rules(SET)) if one.startswith("spots."))
+    (said,) = (one for one in found(rules(SET)) if one.startswith("spots.found"))
     assert said.startswith("spots.found: spot 'found' is set and nothing asks where it is; put something there, ")
 
 

@@ -24,6 +24,12 @@ GOOD = [
     "draws: {d: {values: [1, 2], not_last: true}}\n",
     "draws: {d: {values: [1, true], not_last: true}}\n",
     "draws: {d: {values: [1, 1, 2], not_last: true, not_again: half}}\n",
+    "draws: {d: {values: [a, b], not_last: true}}\n" + expectation("keyframes: [{at_s: 0}], draws: {d: [a, b, a]}"),
+    "draws: {d: {values: [a, b, c], not_again: half}}\n"
+    + expectation("keyframes: [{at_s: 0}], draws: {d: [a, c, b, b, a]}"),
+    # What a rule sets in between makes it possible.
+    "draws: {d: {values: [a, b], not_last: true}}\n"
+    + rule(action="{action: draw, draw: d, as: b}", rest=expectation("keyframes: [{at_s: 0}], draws: {d: [a, a]}")),
     condition("half, at_least: 1, at_most: 1"),
     expectation("keyframes: [{at_s: 0}, {at_s: 3}], events: [{event: E, at_s: 3}]"),
     "robots: {B1: {without: [gps], devices: {lidar: {device: lidar}}}}\n",
@@ -38,6 +44,10 @@ def test_what_makes_sense_is_taken(body):
 
 
 BAD = [
+    ("draws: {d: {values: [a, b], not_last: true}}\n" + expectation("keyframes: [{at_s: 0}], draws: {d: [a, b, b]}"),
+     "expect.t.draws.d[2]: 'b' is not drawn twice running (not_last)"),
+    ("draws: {d: {values: [1, 2, 3], not_again: half}}\n" + expectation("keyframes: [{at_s: 0}], draws: {d: [1, 2, 1]}"),
+     "expect.t.draws.d[2]: 1 is not drawn again before all have been drawn (not_again)"),
     (rule(action="{action: place}"), "rules.r.actions[0] (place): 'entity and at' missing"),
     (rule(action="{action: place, entity: ball}"), "rules.r.actions[0] (place): 'at' missing"),
     (rule(action="{action: place, at: start}"), "rules.r.actions[0] (place): 'entity' missing"),

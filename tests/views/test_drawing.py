@@ -141,7 +141,7 @@ def test_no_label_covers_a_robot_or_a_ball_or_a_round_obstacle(source):
 
 def px(scenario: Scenario, point: tuple[float, float]) -> tuple[float, float]:
     """Return where a point of the field is on the paper: 460 px to a metre, 0.1 m of margin around field and goals."""
-    depth = max(goal.depth_m for goal in scenario.field.goals.values())
+    depth = max((goal.depth_m for goal in scenario.field.goals.values()), default=0.0)
     half_x, half_y = scenario.field.width_m / 2 + 0.1, scenario.field.length_m / 2 + depth + 0.1
     return (point[0] + half_x) * 460, (half_y - point[1]) * 460
 

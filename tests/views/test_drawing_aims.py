@@ -12,11 +12,11 @@ from rcj_challenges.views.drawing.shapes import point_words
 HEAD = (
     "schema_version: 1\nid: shots\ntitle: Shots\nextends: soccersim_v2\nflags: {away: {}}\n"
     "spots: {left: {x_m: -0.3, y_m: 0.05}, right: {x_m: 0.3, y_m: 0.05}}\n"
-    "groups: {both: [left, right]}\ndraws: {side: {values: [left, right]}}\n"
+    "groups: {both: [left, right]}\n"
 )
 
 
-def loaded(actions, trigger="trigger: half_started", more="", head=""):
+def loaded(actions, trigger="trigger: half_started", more="", head="draws: {side: {values: [left, right]}}\n"):
     text = f"phases: {{later: {{}}}}\n{head}rules: {{{more}it: {{triggers: [{{{trigger}}}], actions: [{actions}]}}}}\n"
     return load_text(HEAD + text)
 
@@ -150,3 +150,31 @@ def test_the_referee_puts_the_ball_where_the_picture_shows_it():
 def test_what_no_rule_puts_is_not_drawn():
     layout = "placements: {unused: [{entity: ball, at: {point: [0.2, -0.3]}}]}\n"
     assert places("{action: end}", head=layout) == []
+
+
+BESIDE = "{action: place, entity: ball, at: {relative_to: %s, offset_m: [0.1, 0]}}"
+WHO = "draws: {side: {values: [left, right]}, who: {values: [Y1, B1]}, either: {values: [left, Y1]}}\n"
+STILL = "robots: {Y1: {start: {noise_m: [0, 0]}}, B1: {start: {noise_m: [0, 0]}}}\n"
+
+
+@pytest.mark.parametrize(
+    "at", ["{spot: side}", "{choice: [side]}", "{choice: [both]}", "{choice: [left, [0.3, 0.05]]}"]
+)
+def test_a_place_beside_what_was_put_where_a_draw_decides_is_drawn_for_each_of_its_values(at):
+    first = f"{{action: place, entity: Y1, at: {at}}}"
+    assert sorted(places(f"{first}, {BESIDE % 'Y1'}")) == ["(-0.2, 0.05)", "(0.4, 0.05)"]
+
+
+def test_a_place_beside_what_was_put_on_one_spot_of_which_a_rule_sets_another_is_not_known():
+    first = "{action: place, entity: Y1, at: {spot: side}}"
+    moves = "{action: set_spot, spot: left, to: ball}, "
+    assert places(f"{moves}{first}, {BESIDE % 'Y1'}") == []
+
+
+def test_a_place_beside_who_is_drawn_is_drawn_for_each_of_them():
+    assert places(BESIDE % "who", head=WHO + STILL) == ["(-0.2, -0.3)", "(0.4, 0.3)"]
+    assert places(BESIDE % "either", head=WHO + STILL) == ["(-0.2, 0.05)", "(-0.2, -0.3)"]
+
+
+def test_a_place_beside_who_is_drawn_later_is_not_known():
+    assert places(BESIDE % "who", trigger="trigger: time_reached, at_s: 2", head=WHO + STILL) == []

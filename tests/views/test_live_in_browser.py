@@ -11,7 +11,7 @@ from tests.views.browser_stage import NARROW, WIDE, until
 from tests.views.live_play import HOSTILE, TICKS, MadeUpMatch
 
 
-def test_a_spectator_sees_the_match_go_on_while_it_is_played(
+def test_a_spectator_sees_the_match_go_on_while_it_is_played_and_finds_no_wheel(
     made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
     played = made_up_match(speed=2.0).start()
@@ -23,6 +23,9 @@ def test_a_spectator_sees_the_match_go_on_while_it_is_played(
     assert page.get_attribute("#live", "aria-pressed") == "true"
     until(page, "replay.recording.last - replay.place < 40")
     assert page.evaluate("replay.recording.span") == 2 * (TICKS + 1) - 1  # as long as the match is planned
+    # Without the token nothing steers.
+    assert page.locator(".steward").count() == 0
+    assert page.evaluate("sessionStorage.length") == 0
 
 
 def test_who_comes_late_gets_all_from_the_beginning_and_can_look_back(
@@ -100,14 +103,6 @@ def test_who_has_the_token_pauses_steps_and_sets_the_speed(
     assert page.locator(".steward").is_hidden()
 
 
-def test_who_has_no_token_watches_and_finds_no_wheel(
-    made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
-) -> None:
-    page = watch(made_up_match(speed=1.0).start().show.address)
-    assert page.locator(".steward").count() == 0
-    assert page.evaluate("sessionStorage.length") == 0
-
-
 @pytest.mark.nightly
 def test_a_reload_can_still_steer_and_a_wrong_token_resigns(
     made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
@@ -150,7 +145,7 @@ def test_a_lost_connection_is_found_again(made_up_match: Callable[..., MadeUpMat
         assert (x, y) == pytest.approx(made_up_snapshot(tick, robots).substeps[-1][0][:2], abs=2e-4)
 
 
-@pytest.mark.parametrize("size", [WIDE, NARROW])
+@pytest.mark.parametrize("size", [NARROW, pytest.param(WIDE, marks=pytest.mark.nightly)], ids=["narrow", "wide"])
 def test_nothing_of_the_page_is_outside_of_the_screen(
     size: dict[str, int], made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:

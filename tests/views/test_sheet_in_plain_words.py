@@ -161,6 +161,59 @@ def test_a_ball_that_is_kicked_where_it_is_rolls_on():
     )
 
 
+@pytest.mark.parametrize(
+    ("speed", "words"),
+    [
+        ("{draw: power}", "at 0.5 or 1 m/s, as “power” is drawn, towards the spot “centre”."),
+        ("{counter: hits}", "at as many m/s as the counter “hits” tells, 3 at most, towards the spot “centre”."),
+    ],
+)
+def test_a_kick_tells_by_what_its_speed_is_decided(speed, words):
+    kick = f"{{action: place, entity: ball, at: {{relative_to: ball}}, kick: {{towards: {{spot: centre}}, speed_mps: {speed}}}}}"
+    said = sentence(
+        f"triggers: [{{trigger: half_started}}], actions: [{kick}]",
+        "draws: {power: {values: [1, 0.5]}}\ncounters: {hits: {}}\n",
+    )
+    assert said == f"When a half starts: the ball rolls on from where it is, {words}"
+
+
+def test_the_last_of_several_is_told_by_its_counter():
+    last = "{condition: counter, counter: laps, entity: each, %s: {%s: laps}}"
+    rule = "for_each: robots, triggers: [{trigger: half_started}], conditions: [%s], actions: [{action: remove, entity: each}]"
+    laps = "counters: {laps: {per: robots}}\n"
+    assert (
+        "provided that its counter “laps” is at most the lowest counter “laps” of all others on the field"
+        in sentence(rule % (last % ("at_most", "lowest")), laps)
+    )
+    assert (
+        "provided that its counter “laps” is exactly the highest counter “laps” of all others on the field"
+        in sentence(rule % (last % ("equals", "highest")), laps)
+    )
+
+
+@pytest.mark.parametrize(
+    ("each", "owners", "words"),
+    [
+        ("", "robots", "at most the lowest counter “laps” of the robots on the field"),
+        ("for_each: balls, ", "robots", "at most the lowest counter “laps” of the robots on the field"),
+        ("for_each: yellow, ", "robots", "at most the lowest counter “laps” of all others on the field"),
+        ("", "penalty_areas", "at most the lowest counter “laps” of the penalty areas"),
+        ("for_each: penalty_areas, ", "penalty_areas", "at most the lowest counter “laps” of all others"),
+    ],
+)
+def test_whose_lowest_counter_is_meant(each, owners, words):
+    low = "{condition: counter, counter: level, at_most: {lowest: laps}}"
+    rule = f"{each}triggers: [{{trigger: half_started}}], conditions: [{low}], actions: [{{action: end}}]"
+    said = sentence(rule, f"counters: {{level: {{}}, laps: {{per: {owners}}}}}\n")
+    assert f"provided that the counter “level” is {words}: " in said
+
+
+def test_a_counter_may_be_set_to_what_is_reckoned():
+    count = "{action: count, counter: sum, to: [20, {counter: laps, weight: -2}]}"
+    said = sentence(f"triggers: [{{trigger: half_started}}], actions: [{count}]", "counters: {sum: {}, laps: {}}\n")
+    assert said == "When a half starts: the counter “sum” is set to 20, minus 2 times the counter “laps”."
+
+
 def test_a_draw_that_rules_repeat_is_not_made_once():
     draws = "draws: {gain: {values: [1, 5]%s}}\nrules: {it: {%s, actions: [{action: draw, draw: gain%s}]}}\n"
     again = "Chance decides “gain” when a half starts, and again when a rule says so: 1 or 5."

@@ -24,6 +24,10 @@ BEGINNINGS = {
     "counters: {lives: {initial: 3, per: robots}}": (
         "- There is a counter “lives” for each of the robots; it is 3 when a half starts."
     ),
+    "counters: {laps: {keep: match}}": "- The counter “laps” is 0 when the match starts; it goes on from half to half.",
+    "counters: {fuel_m: {initial: 20, per: robots, keep: match}}": (
+        "- There is a counter “fuel m” for each of the robots; it is 20 when the match starts; it goes on from half to half."
+    ),
     "flags: {open: {initial: true}}": "- The flag “open” is set when a half starts.",
     "flags: {handed_over: {keep: match}}": "- The flag “handed over” is not set when the match starts; it stays as it is from half to half.",
     "flags: {fresh: {per: yellow, initial: true}}": (
@@ -37,9 +41,18 @@ def test_the_course_tells_what_a_counter_or_flag_begins_at(written, words):
     assert words in sheet(f"match: {{halves: 2}}\n{written}\n").splitlines()
 
 
+def test_halves_of_different_length_are_told_one_by_one():
+    text = sheet("match: {halves: 2, half_s: [600, 90], swap_sides: true}\n")
+    assert "2 halves of 10 min and 90 s; the teams change sides between halves. " in text
+    assert "2 halves of 5 min." in sheet("match: {halves: 2, half_s: [300, 300]}\n")
+
+
 def test_in_a_match_of_one_half_nothing_is_said_about_the_next():
-    text = sheet("match: {halves: 1}\nflags: {open: {initial: true, keep: match}}\n")
+    text = sheet(
+        "match: {halves: 1}\nflags: {open: {initial: true, keep: match}}\ncounters: {laps: {initial: 2, keep: match}}\n"
+    )
     assert "The flag “open” is set when a half starts." in text
+    assert "The counter “laps” is 2 when a half starts." in text
     assert "half to half" not in text
 
 
@@ -93,6 +106,15 @@ def test_a_draw_without_repetition_is_told(reach, where):
 )
 def test_the_number_of_the_half_is_told(asked, told):
     assert condition(f"condition: half, {asked}") == told
+
+
+def test_a_phase_says_that_it_holds_the_robots():
+    text = sheet("phases: {countdown: {lasts_s: 3, robots: held}}\nfirst_phase: countdown\n")
+    assert (
+        "- The phase “countdown” lasts 3 s, then “play” follows; the clock goes on. All robots are held meanwhile: their "
+        "wheels stand still, whatever their programs say."
+    ) in text.splitlines()
+    assert "held" not in sheet("phases: {countdown: {lasts_s: 3, robots: free}}\nfirst_phase: countdown\n")
 
 
 def test_a_phase_with_a_length_says_what_follows():

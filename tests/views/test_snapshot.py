@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from PIL import Image, features
 
@@ -160,6 +160,8 @@ def test_arabic_letters_are_joined():
 
 @settings(max_examples=40, deadline=None)
 @given(st.text(max_size=300), st.integers(1, 300))
+@example("\N{PARAGRAPH SEPARATOR}", 1)
+@example("two\N{LINE SEPARATOR}lines", 100)
 def test_text_is_cut_to_the_room_there_is(text, widest):
     bare = Lettering([])
     fitted = bare.fitted(text, 20, widest)

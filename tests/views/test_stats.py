@@ -17,7 +17,7 @@ from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.testing import half_info, small_header, small_scenario, write_made_up_run
 from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.records.writer import RecordWriter
-from rcj_challenges.scenario.load import load
+from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.replay import write_replay
 from rcj_challenges.views.stats import DEFINITIONS, Stats, run_stats, stats_as_json, together
@@ -59,6 +59,19 @@ def test_a_seat_attacks_the_end_where_the_rules_give_it_points(name: str, ends: 
     assert attacked_ends(loaded.scenario, loaded.roster) == ends
     assert own_end(UP) == -1
     assert own_end(BOTH) is None
+
+
+@pytest.mark.parametrize(
+    ("each", "trigger"),
+    [("goals", "entity: ball, zone: each"), ("balls", "entity: each, zone: goals")],
+)
+def test_a_rule_over_goals_or_balls_gives_points_at_the_ends_of_all_its_goals(each: str, trigger: str) -> None:
+    loaded = load_text(
+        "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\ngroups: {goals: [blue_goal, yellow_goal]}\n"
+        f"rules: {{goal: {{for_each: {each}, triggers: [{{trigger: enters, {trigger}}}], "
+        "actions: [{action: score, entrant: yellow}]}}\n"
+    )
+    assert attacked_ends(loaded.scenario, loaded.roster)["yellow"] == BOTH
 
 
 # --- touches -------------------------------------------------------------------------------------------------------------
@@ -334,14 +347,31 @@ def test_a_run_without_a_log_is_all_play(tmp_path: Path) -> None:
     assert not math.isnan(run_stats(folder).teams["Hanse"].total.distance_m)
 
 
-@settings(max_examples=50, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(
+DAMAGED = given(
     name=st.sampled_from(["result.json", "scenario.json", "referee.jsonl", "trajectory.npz", "half-1.sensors", "logo"]),
     damage=st.lists(st.tuples(st.integers(0, 120_000), st.integers(0, 255)), min_size=1, max_size=12),
 )
+IN_ONE_FOLDER = [HealthCheck.function_scoped_fixture]
+
+
+@settings(max_examples=25, deadline=None, suppress_health_check=IN_ONE_FOLDER)
+@DAMAGED
 def test_whatever_is_damaged_figures_and_page_are_made_or_refused_with_a_message(
     name: str, damage: list, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
+    assert_made_or_refused(name, damage, tmp_path_factory)
+
+
+@pytest.mark.nightly
+@settings(max_examples=1_000, deadline=None, suppress_health_check=IN_ONE_FOLDER)
+@DAMAGED
+def test_of_many_damaged_records_figures_and_page_are_made_or_refused_with_a_message(
+    name: str, damage: list, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    assert_made_or_refused(name, damage, tmp_path_factory)
+
+
+def assert_made_or_refused(name: str, damage: list, tmp_path_factory: pytest.TempPathFactory) -> None:
     folder = tmp_path_factory.mktemp("runs") / "run"
     shutil.copytree(Path(__file__).parents[1] / "records" / "version-1", folder)
     path = next(path for path in folder.rglob("*") if path.is_file() and name in path.name)

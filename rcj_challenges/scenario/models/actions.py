@@ -16,7 +16,7 @@ from rcj_challenges.scenario.models.base import (
     described,
 )
 from rcj_challenges.scenario.models.places import At, Facing, Kick, MayKick, Mirror
-from rcj_challenges.scenario.models.state import Amount, DrawValue, Points, Value
+from rcj_challenges.scenario.models.state import DrawValue, Points, Value
 
 
 class LastToucher(Strict):
@@ -49,13 +49,15 @@ class Count(Strict):
     action: Literal["count"]
     counter: Name = described(..., "the counter")
     entity: Name | None = described(None, "for a counter kept per entity: whose; each; left out: all of them")
-    by: Amount | None = described(
+    by: Points | None = described(
         None,
-        "what is added, a number, {counter, flag, draw, timer, way or word: NAME} or {distance: [A, B]}; 1 if neither "
-        "`by` nor `to` is given",
+        "what is added, a number, {counter, flag, draw, timer, way or word: NAME} or {distance: [A, B]}, or a list "
+        "that is added up, each with a weight; 1 if neither `by` nor `to` is given",
     )
-    to: Amount | None = described(
-        None, "what it is set to, a number, {counter, flag, draw, timer, way or word: NAME} or {distance: [A, B]}"
+    to: Points | None = described(
+        None,
+        "what it is set to, a number, {counter, flag, draw, timer, way or word: NAME} or {distance: [A, B]}, or a list "
+        "that is added up, each with a weight",
     )
 
 
@@ -111,7 +113,12 @@ class DrawAction(Strict):
 
     action: Literal["draw"]
     draw: Name = described(..., "the draw")
-    as_: Scalar | None = Field(None, alias="as", description="set it to this value instead of drawing")
+    as_: Scalar | None = Field(
+        None,
+        alias="as",
+        description="set it to this value instead of drawing; each: to the name of the one for whom the rule is "
+        "(for_each); other: of the one touched",
+    )
 
 
 class Place(MayKick):

@@ -26,9 +26,15 @@ class _Condition(Strict):
 
 
 class _Compared(_Condition):
-    at_least: Bound | None = described(None, "holds from this value on; a number or {counter: NAME}")
-    at_most: Bound | None = described(None, "holds up to this value; a number or {counter: NAME}")
-    equals: Bound | None = described(None, "holds at this value only; a number or {counter: NAME}")
+    at_least: Bound | None = described(
+        None, "holds from this value on; a number, {counter: NAME}, {lowest: NAME} or {highest: NAME}"
+    )
+    at_most: Bound | None = described(
+        None, "holds up to this value; a number, {counter: NAME}, {lowest: NAME} or {highest: NAME}"
+    )
+    equals: Bound | None = described(
+        None, "holds at this value only; a number, {counter: NAME}, {lowest: NAME} or {highest: NAME}"
+    )
 
 
 class InZone(_Condition):
@@ -36,7 +42,7 @@ class InZone(_Condition):
 
     condition: Literal["in_zone"]
     entity: Names = described(..., "an entity, each, or a group with `of`")
-    zone: Names = described(..., "a zone; with a list or group: in any of them")
+    zone: Names = described(..., "a zone, or each; with a list or group: in any of them")
     of: Quantifier = described("any", "how many of a group must be in")
 
 
@@ -113,7 +119,10 @@ class Drawn(_Condition):
 
     condition: Literal["drawn"]
     draw: Name = described(..., "a draw")
-    equals: Scalar = described(..., "the value it must have")
+    equals: Scalar = described(
+        ...,
+        "the value it must have; each: the name of the one for whom the rule is (for_each); other: of the one touched",
+    )
 
 
 class TimerIs(_Compared):
@@ -153,7 +162,7 @@ class SequenceAt(_Condition):
 
     condition: Literal["sequence_at"]
     sequence: Name = described(..., "a sequence")
-    step: Name = described(..., "the zone or gate reached last")
+    step: Name = described(..., "the zone or gate reached last, or each")
 
 
 class HalfIs(_Condition):

@@ -11,7 +11,9 @@ class Match(Strict):
     """How many halves of what length, and whether the entrants change sides between them."""
 
     halves: int = described(1, "how many halves are played", ge=1, le=10)
-    half_s: DurationS = described(600.0, "simulated length of a half in s")
+    half_s: DurationS | Annotated[tuple[DurationS, ...], Field(strict=False, min_length=1)] = described(
+        600.0, "simulated length of a half in s; or a list with a length for each half"
+    )
     swap_sides: bool = described(False, "whether two entrants change sides after each half; scores follow the team")
 
 

@@ -15,6 +15,7 @@ from rcj_challenges.scenario.models.base import (
     Strict,
     described,
 )
+from rcj_challenges.scenario.models.state import CounterValue
 
 
 class _Zone(Grown):
@@ -207,18 +208,30 @@ class Mirror(Strict):
     when: Name | None = described(None, "a flag; mirrored only while it is true. Left out: always")
 
 
-_KickSpeed = Annotated[float, Field(gt=0, le=3)]
+MAX_KICK_MPS = 3
 """Up to what the walls are known to hold, with a margin (ADR 2)."""
+_KickSpeed = Annotated[float, Field(gt=0, le=MAX_KICK_MPS)]
+
+
+class DrawnSpeed(Strict):
+    """The speed that a draw decided, when the ball is set down."""
+
+    draw: Name = described(..., "a draw whose values are speeds in m/s, over 0 and up to 3")
 
 
 class Kick(Strict):
     """A ball rolls away from where it is put; what mirrors its place mirrors its aim too. In tests it stays there."""
 
     towards: At = described(..., "where it rolls to: any word of `at`; chance decides anew each time")
-    speed_mps: _KickSpeed | Annotated[tuple[_KickSpeed, _KickSpeed], Field(strict=False)] = described(
-        ..., "how fast it sets off, in m/s, over 0 and up to 3; or [least, most]: every speed between equally likely",
+    speed_mps: (
+        _KickSpeed | Annotated[tuple[_KickSpeed, _KickSpeed], Field(strict=False)] | DrawnSpeed | CounterValue
+    ) = described(
+        ...,
+        "how fast it sets off, in m/s, over 0 and up to 3; [least, most]: every speed between equally likely; "
+        "{draw: NAME}: what that has decided; {counter: NAME}: what that is when the ball is set down: more than 3 is "
+        "3, and at 0 or less it lies still",
         union_mode="left_to_right",
-    )  # fmt: skip
+    )
 
 
 class MayKick(Grown):

@@ -25,7 +25,10 @@ class Rule(Strict):
     triggers: tuple[Trigger, ...] = Field(..., strict=False, min_length=1, description="edges; one suffices")
     conditions: tuple[Condition, ...] = Field((), strict=False, description="levels; all must hold (any_of is 'or')")
     actions: tuple[Action, ...] = Field(..., strict=False, min_length=1, description="what happens, in order")
-    for_each: Name | None = described(None, "a group or entity: the rule exists once for each member, named `each`")
+    for_each: Name | None = described(
+        None,
+        "a group of entities, zones or gates, or one of them: the rule exists once for each member, named `each`",
+    )
     phases: Literal["any"] | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)] = Field(
         ("play",), description="the phases in which it lives; any: all of them"
     )
@@ -41,8 +44,8 @@ class Rule(Strict):
     max_executions: int | None = described(
         None, "how often it may fire in a half: with for_each for each member, else in all", ge=1
     )
-    says: str = described("", "the sentence for the sheet, the referee's log and the page; {entity}, {other}, {team}, "
-                          "{measured}, {limit}, {points} and params by name, {goal_points}, are filled in",
+    says: str = described("", "the sentence for the sheet, the referee's log and the page; {entity}, {each}, {other}, "
+                          "{team}, {measured}, {limit}, {points} and params by name, {goal_points}, are filled in",
                           max_length=500)  # fmt: skip
 
 
@@ -154,7 +157,11 @@ class Expectation(Strict):
 
     seed: int = described(1, "seed of the draws", ge=0)
     half: int = described(1, "which half is played; teams keep their seats' names in all", ge=1)
-    draws: dict[Name, Scalar] = described({}, "draws decided beforehand; they stand until a rule draws anew")
+    draws: dict[Name, Scalar | Annotated[tuple[Scalar, ...], Field(strict=False, min_length=1)]] = described(
+        {},
+        "draws decided beforehand: a value stands until a rule draws anew; of a list each draw takes the next value, "
+        "and chance decides again after the last",
+    )
     given: Given = described(Given(), "score, counters and flags when the half begins")
     keyframes: tuple[Keyframe, ...] = Field(..., strict=False, min_length=1, description="the script, in order of time")
     lasts_s: DurationS = described(..., "how long it is played, in s")
@@ -184,7 +191,7 @@ class Scenario(Strict):
     title: str = described(..., "what people call it", min_length=1, max_length=120)
     description: str = described("", "what it is about, for the rule sheet", max_length=4000)
     extends: str | None = described(
-        None, "a shipped preset (soccersim_v2, soccersim_2021) or scenario (match, …), or a relative path"
+        None, "a shipped preset (soccersim_v2, soccersim_2021, empty_field) or scenario (match, …), or a relative path"
     )
     params: dict[Name, Scalar] = described({}, "named values; {param: NAME} stands for them anywhere")
     match: Match = described(Match(), "halves and their length")

@@ -22,21 +22,26 @@ class Draw(Grown):
     keep: Literal["half", "match"] = described("half", "match: the value lives on in the next half, undrawn")
 
 
-class Counter(Strict):
+class Counter(Grown):
     """A number that rules count up and down. Scores are readable like counters, under the entrant's name.
 
     Both are exact to 9 decimals, as on paper: three times 0.1 is 0.3.
     """
 
-    initial: float = described(0.0, "value at the start of a half")
-    per: Name | None = described(None, "a group: one counter for each of its members")
+    later_keys = frozenset({"keep"})
+
+    initial: float = described(0.0, "value at the start of a half; with keep: match at the start of the match")
+    per: Name | None = described(None, "a group, also of zones or gates: one counter for each of its members")
+    keep: Literal["half", "match"] | None = described(
+        None, "match: the value lives on in the next half, with the robot, not the team; half, or left out: it does not"
+    )
 
 
 class Flag(Strict):
     """A yes or no that rules set."""
 
     initial: bool = described(False, "value at the start")
-    per: Name | None = described(None, "a group: one flag for each of its members")
+    per: Name | None = described(None, "a group, also of zones or gates: one flag for each of its members")
     keep: Literal["half", "match"] = described("half", "match: the value lives on in the next half")
 
 
@@ -59,7 +64,7 @@ class Timer(Strict):
     lasts_s: Lasts = described(
         ..., "its length in s, or {draw: NAME}: what that has decided when the timer starts from 0"
     )
-    per: Name | None = described(None, "a group: one timer for each of its members")
+    per: Name | None = described(None, "a group, also of zones or gates: one timer for each of its members")
     starts: bool = described(False, "True: it runs from the start of the half")
 
 
@@ -86,8 +91,10 @@ class Sequence(Strict):
     )
 
 
-class Phase(Strict):
+class Phase(Grown):
     """A time in which only the rules that live in it run. ``play`` always exists."""
+
+    later_keys = frozenset({"robots"})
 
     lasts_s: Lasts | None = described(
         None,
@@ -97,6 +104,11 @@ class Phase(Strict):
     next: Name = described("play", "the phase that follows")
     waiting_for_kickoff: bool = described(False, "what programs are told meanwhile")
     clock: Literal["runs", "stops"] = described("runs", "whether the time of the half goes on")
+    robots: Literal["free", "held"] | None = described(
+        None,
+        "held: all wheels stand braked meanwhile; programs run on, and what they command acts when the phase is over; "
+        "free, or left out: robots drive",
+    )
 
 
 class CounterValue(Strict):
@@ -127,20 +139,21 @@ class WordValue(Strict):
     """A fact of the match by its word."""
 
     word: Literal[
-        "robot_name", "entity_name", "other_name", "team_name", "entrant", "score", "halftime", "match_id",
+        "robot_name", "entity_name", "each_name", "other_name", "team_name", "entrant", "score", "halftime", "match_id",
         "total_match_time_s", "time_s", "time_left_s", "measured", "limit", "phase", "seed_id",
-    ] = described(..., "the word; times have fractions; measured, limit: the trigger's (of holds: in s); other_name: "
-                  "of the one touched, in a rule of touches")  # fmt: skip
+    ] = described(..., "the word; times have fractions; measured, limit: the trigger's (of holds: in s); each_name: "
+                  "of the member of for_each; other_name: of the one touched, in a rule of touches")  # fmt: skip
     of: Name | None = described(None, "for team_name and score: the entrant; left out: that of the current entity")
 
 
 class PositionValue(Strict):
     """Where an entity is when the rule fires: [x, y, yaw] in m and rad; null while it is off the field.
 
-    Placements are carried out after all actions of the tick: what this rule places is told where it was before.
+    Placements are carried out after all actions of the tick: what this rule places is told where it was before. A spot
+    looks no way: [x, y] in m, where it is in that moment if rules set it.
     """
 
-    position_of: Name = described(..., "an entity")
+    position_of: Name = described(..., "an entity, each, or a spot")
 
 
 class DistanceValue(Strict):
@@ -290,23 +303,40 @@ def _which_number(value: Any) -> str | None:
     return "parts" if isinstance(value, (list, tuple)) else _which_part(value)
 
 
+class LowestOfOthers(Strict):
+    """The lowest value that a counter kept per entity has of all others.
+
+    Who is off the field does not count. Where nobody else is left, or `each` is off the field, no comparison holds, and
+    each that is negated does.
+    """
+
+    lowest: Name = described(..., "a counter kept per entity: the lowest of all but `each`; without for_each: of all")
+
+
+class HighestOfOthers(Strict):
+    """The highest value that a counter kept per entity has of all others; see the lowest."""
+
+    highest: Name = described(..., "a counter kept per entity: the highest of all but `each`; without for_each: of all")
+
+
+def _which_bound(value: Any) -> str:
+    if isinstance(value, dict):
+        return next((key for key in ("lowest", "highest") if key in value), "counter")
+    if isinstance(value, CounterValue):
+        return "counter"
+    if isinstance(value, LowestOfOthers):
+        return "lowest"
+    return "highest" if isinstance(value, HighestOfOthers) else "number"
+
+
 Bound = Annotated[
-    Annotated[int | float, Tag("number")] | Annotated[CounterValue, Tag("counter")],
-    Discriminator(lambda value: "counter" if isinstance(value, (dict, CounterValue)) else "number"),
-]
-"""What is compared with."""
-Amount = Annotated[
     Annotated[int | float, Tag("number")]
     | Annotated[CounterValue, Tag("counter")]
-    | Annotated[FlagValue, Tag("flag")]
-    | Annotated[NumberDraw, Tag("draw")]
-    | Annotated[NumberWord, Tag("word")]
-    | Annotated[DistanceValue, Tag("distance")]
-    | Annotated[WayValue, Tag("way")]
-    | Annotated[TimerValue, Tag("timer")],
-    Discriminator(_which_number),
+    | Annotated[LowestOfOthers, Tag("lowest")]
+    | Annotated[HighestOfOthers, Tag("highest")],
+    Discriminator(_which_bound),
 ]
-"""How much is counted."""
+"""What is compared with."""
 Points = Annotated[
     Annotated[int | float, Tag("number")]
     | Annotated[CounterValue, Tag("counter")]
@@ -319,4 +349,4 @@ Points = Annotated[
     | Annotated[tuple[Part, ...], Field(strict=False), Tag("parts")],
     Discriminator(_which_number),
 ]
-"""How many points are given."""
+"""How many points are given, and how much is counted."""

@@ -60,7 +60,7 @@ class Enters(Strict):
 
     trigger: Literal["enters"]
     entity: Names = described(..., _ENTITY)
-    zone: Names = described(..., "a zone; with a list or group: into any of them from none of them")
+    zone: Names = described(..., "a zone, or each; with a list or group: into any of them from none of them")
 
 
 class Leaves(Strict):
@@ -68,7 +68,7 @@ class Leaves(Strict):
 
     trigger: Literal["leaves"]
     entity: Names = described(..., _ENTITY)
-    zone: Names = described(..., "a zone; with a list or group: from any of them to none of them")
+    zone: Names = described(..., "a zone, or each; with a list or group: from any of them to none of them")
 
 
 class Crosses(Strict):
@@ -76,7 +76,7 @@ class Crosses(Strict):
 
     trigger: Literal["crosses"]
     entity: Names = described(..., _ENTITY)
-    gate: Names = described(..., "a gate, or several: any of them")
+    gate: Names = described(..., "a gate, each, or several: any of them")
     direction: Literal["forward", "backward", "either"] = described("either", "which way, seen from the gate")
 
 
@@ -125,7 +125,7 @@ class StaysIn(Strict):
 
     trigger: Literal["stays_in"]
     entity: Names = described(..., _ENTITY)
-    zone: Names = described(..., "a zone; with a list or group: in any of them")
+    zone: Names = described(..., "a zone, or each; with a list or group: in any of them")
     limit_s: DurationS = described(..., "fires as soon as the stay is longer than this, in s")
     grace_s: NotNegative = described(0.0, "an absence of up to this time counts as inside, in s")
 

@@ -11,7 +11,17 @@ from typing import NamedTuple
 from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.models.actions import Place, Remove
 from rcj_challenges.scenario.models.base import Names
-from rcj_challenges.scenario.models.places import At, AtPoint, AtSpot, Facing, Mirror, Placing, RelativeTo, Start
+from rcj_challenges.scenario.models.places import (
+    At,
+    AtPoint,
+    AtSpot,
+    Choice,
+    Facing,
+    Mirror,
+    Placing,
+    RelativeTo,
+    Start,
+)
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import DrawValue
 from rcj_challenges.scenario.other import written_others
@@ -168,13 +178,16 @@ class _Walk:
             self._remember(names, placing.kick.towards, (0.0, 0.0), flip, aim=True)
 
     def _remember(self, names: tuple[str, ...], at: At | None, noise_m: Point, flip: Flip, *, aim: bool) -> None:
-        if not isinstance(at, RelativeTo) or self._roster.expand(at.relative_to)[0] not in self._roster.entities:
+        if not isinstance(at, RelativeTo):
             return
         if at.relative_to in names and not any(at.offset_m):
             return  # it stays where it is
-        for pose in self._beside(at, flip):
-            x, y = (round(value, _DIGITS) + 0.0 for value in pose.at)  # adding 0 makes no -0
-            self.found.append(Beside(names, (x, y), _sum(pose.noise_m, noise_m), aim))
+        for anchor in self._anchors(at.relative_to):
+            if anchor not in self._roster.entities:
+                continue  # beside a spot: known without the rule
+            for pose in self._beside(anchor, at, flip):
+                x, y = (round(value, _DIGITS) + 0.0 for value in pose.at)  # adding 0 makes no -0
+                self.found.append(Beside(names, (x, y), _sum(pose.noise_m, noise_m), aim))
 
     def _poses(self, entity: str, at: At | None, flip: Flip) -> tuple[_Pose, ...]:
         """Return where an entity may be after it was put somewhere; empty if nobody knows."""
@@ -184,14 +197,31 @@ class _Walk:
                 return (_Pose(flipped(home(self._scenario, entity), flip), noise_m),)
             case AtPoint():
                 return (_Pose(flipped(at.point, flip)),)
-            case AtSpot() if at.spot in self._spots:
-                return (_Pose(flipped(self._spots[at.spot], flip)),)
+            case AtSpot():
+                return self._on_any((at.spot,), flip)
+            case Choice():
+                return self._on_any(at.choice, flip)
             case RelativeTo():
-                return self._beside(at, flip)
+                several = [self._beside(anchor, at, flip) for anchor in self._anchors(at.relative_to)]
+                return tuple(pose for poses in several for pose in poses) if all(several) else ()
         return ()
 
-    def _beside(self, at: RelativeTo, flip: Flip) -> tuple[_Pose, ...]:
-        anchor = self._roster.expand(at.relative_to)[0]
+    def _on_any(self, options: tuple[str | Point, ...], flip: Flip) -> tuple[_Pose, ...]:
+        """Return the poses on one of several spots or points; empty if a rule sets one of the spots."""
+        named = [name for option in options if isinstance(option, str) for name in self._anchors(option)]
+        points = [option for option in options if not isinstance(option, str)]
+        points += [self._spots[name] for name in named if name in self._spots]
+        known = all(name in self._spots for name in named)
+        return tuple(_Pose(flipped(point, flip)) for point in dict.fromkeys(points)) if known else ()
+
+    def _anchors(self, name: str) -> tuple[str, ...]:
+        """Return what a name may stand for: all values of a draw, the members of a group of spots, or one thing."""
+        scenario = self._scenario
+        is_draw = name in scenario.draws and name not in (*self._roster.entities, *scenario.spots)
+        names = tuple(map(str, scenario.draws[name].values)) if is_draw else (name,)
+        return tuple(dict.fromkeys(member for one in names for member in self._roster.expand(one)))
+
+    def _beside(self, anchor: str, at: RelativeTo, flip: Flip) -> tuple[_Pose, ...]:
         if anchor in self._spots:
             return (_Pose(flipped(_sum(self._spots[anchor], at.offset_m), flip)),)
         poses = self.board.get(anchor, ())

@@ -16,6 +16,7 @@ from rcj_challenges.views.drawing.areas import placement_areas
 from rcj_challenges.views.drawing.flips import flipped
 from rcj_challenges.views.drawing.labels import Point
 from rcj_challenges.views.drawing.paper import Paper
+from rcj_challenges.views.drawing.reaches import reaches
 from rcj_challenges.views.drawing.shapes import (
     box,
     floor_of,
@@ -58,7 +59,8 @@ def draw_scenario(scenario: Scenario, roster: Roster) -> str:
     """Return the drawing as an SVG document, with a legend that gives every number in m.
 
     Robots are drawn where they start; dashed boxes show the noise of start poses, hatching shows where things may be
-    put by chance. Zones that are ``drawn`` have solid outlines, the others dashed ones.
+    put by chance. Zones that are ``drawn`` have solid outlines, the others dashed ones. Dotted circles are distances
+    that rules measure from a spot or a point.
     """
     field = scenario.field
     depth = max((goal.depth_m for goal in field.goals.values()), default=0.0)
@@ -67,6 +69,7 @@ def draw_scenario(scenario: Scenario, roster: Roster) -> str:
     _ground(paper, scenario)
     _zones(paper, scenario)
     _placement_areas(paper, scenario, roster)
+    _reaches(paper, scenario, roster)
     _gates(paper, scenario)
     paper.leaders_here()
     _obstacles(paper, scenario)
@@ -147,6 +150,14 @@ def _placement_areas(paper: Paper, scenario: Scenario, roster: Roster) -> None:
 
 def _start(scenario: Scenario, name: str) -> Point | None:
     return home(scenario, name) if name in scenario.robots or name in scenario.balls else None
+
+
+def _reaches(paper: Paper, scenario: Scenario, roster: Roster) -> None:
+    remembered = remembered_spots(scenario)
+    for reach in reaches(scenario, roster):
+        is_set = reach.spot in remembered
+        style = f'fill="none" stroke="{_PUT if is_set else "#495057"}" stroke-dasharray="1 4" class="reach"'
+        paper.circle(reach.centre_m, reach.radius_m, style, f"{reach.words(' m')}{_SET if is_set else ''}")
 
 
 def _gates(paper: Paper, scenario: Scenario) -> None:
@@ -285,10 +296,12 @@ def _legend_entries(scenario: Scenario, roster: Roster) -> list[tuple[str, list[
         for name, r in scenario.robots.items()
     ]
     put = [f"{', '.join(who)}: {area.words()}" for area, who in placement_areas(scenario, roster).items()]
+    remote = [reach.words() for reach in reaches(scenario, roster)]
     return [
         ("Zones (m)", zones),
         ("Gates (m; the short mark points forward)", gates),
         ("Spots (m)", spots),
+        ("Distances that rules measure (m)", remote),
         ("Robots' starts (m, rad)", starts),
         ("Put by rules (m)", put),
     ]

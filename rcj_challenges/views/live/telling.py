@@ -19,6 +19,7 @@ from rcj_challenges.match.watching import Silent
 from rcj_challenges.records.lines import json_line
 from rcj_challenges.records.reflog import event_line, events_of, firing_line
 from rcj_challenges.records.sensors import SensedRobot, SensorListener
+from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.live.feed import Feed, poses, said
 from rcj_challenges.views.live.pace import Pace
@@ -48,7 +49,7 @@ def live_facts(scenario: Scenario, titles: dict[str, str], seed: int) -> dict[st
         **visible_things(scenario),
         "teams": [{"name": team, "title": titles.get(team) or team} for team in scenario.entrants],
         "halves_planned": scenario.match.halves,
-        "half_ticks_planned": ticks_from_s(scenario.match.half_s),
+        "half_ticks_planned": [ticks_from_s(half_s) for half_s in half_lengths_s(scenario.match)],
         "channels": [{"name": name, "unit": unit} for name, unit in units(_unit_m(scenario)).items()],
         "halves": [],
         "events": [],

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
+from rcj_challenges.scenario.models.state import CounterValue
 from rcj_challenges.views.sheet.nouns import Nouns, Subject, plain, quoted
 from rcj_challenges.views.sheet.phrases import amount, number
 
 
 def counter_words(nouns: Nouns, c: Any) -> str:
     """Return a condition on a counter or a score."""
-    if c.at_least is None and c.at_most is None and not isinstance(c.equals, (int, float, type(None))):
+    if isinstance(c.equals, CounterValue):
         return _equal(nouns, c)
     who = _asked(nouns, "counter", c.counter, c)
     if who is not None:

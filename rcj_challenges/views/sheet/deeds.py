@@ -8,6 +8,7 @@ from typing import Any
 from rcj_challenges.scenario.catalogue import BOUND, EACH
 from rcj_challenges.scenario.models import places
 from rcj_challenges.scenario.models.actions import LastToucher
+from rcj_challenges.scenario.models.state import CounterValue
 from rcj_challenges.views.sheet.mirrored import mirrored_aim_words, mirrored_layout_words, mirrored_words
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
 from rcj_challenges.views.sheet.phrases import amount, heading, metres, number, seconds, value
@@ -89,10 +90,18 @@ def _kicked(nouns: Nouns, placing: Any, *, several: bool) -> str:
 def _rolling(nouns: Nouns, placing: Any) -> str:
     """Return how fast it rolls off, and where to."""
     kick = placing.kick
-    speeds = kick.speed_mps if isinstance(kick.speed_mps, tuple) else (kick.speed_mps,)
-    fast = " to ".join(dict.fromkeys(map(number, speeds)))
     aim = AIMS[type(kick.towards)](nouns, kick.towards)
-    return f"at {fast} m/s towards {aim}{mirrored_aim_words(nouns, placing)}"
+    return f"{_how_fast(nouns, kick.speed_mps)} towards {aim}{mirrored_aim_words(nouns, placing)}"
+
+
+def _how_fast(nouns: Nouns, speed: Any) -> str:
+    if isinstance(speed, places.DrawnSpeed):
+        drawn = sorted({float(mps) for mps in nouns.scenario.draws[speed.draw].values})
+        return f"at {listed([number(mps) for mps in drawn], 'or')} m/s, as {quoted(speed.draw)} is drawn,"
+    if isinstance(speed, CounterValue):
+        return f"at as many m/s as {amount(nouns, speed)} tells, {places.MAX_KICK_MPS} at most,"
+    speeds = speed if isinstance(speed, tuple) else (speed,)
+    return f"at {' to '.join(dict.fromkeys(map(number, speeds)))} m/s"
 
 
 def _beside(nouns: Nouns, at: Any) -> str:
@@ -165,7 +174,9 @@ def _timer(nouns: Nouns, action: Any) -> str:
 def _draw(nouns: Nouns, action: Any) -> str:
     if action.as_ is None:
         return f"{quoted(action.draw)} is drawn anew"
-    return f"{quoted(action.draw)} becomes “{plain(value(nouns, action.as_))}”"
+    who = nouns.drawn(action.draw, action.as_)
+    # Of somebody whom the rule is about people say what he becomes.
+    return f"{quoted(action.draw)} becomes {who}" if who.startswith("“") else f"{who} becomes {quoted(action.draw)}"
 
 
 def _sequence(_nouns: Nouns, action: Any) -> str:

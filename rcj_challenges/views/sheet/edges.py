@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from rcj_challenges.scenario.models.state import CounterValue
+from rcj_challenges.scenario.models.state import CounterValue, HighestOfOthers, LowestOfOthers
 from rcj_challenges.views.sheet.comparing import (
     counter_words,
     distance_words,
@@ -14,8 +14,8 @@ from rcj_challenges.views.sheet.comparing import (
     timer_words,
     way_words,
 )
-from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
-from rcj_challenges.views.sheet.phrases import degrees, heading, metres, number, seconds, value
+from rcj_challenges.views.sheet.nouns import Nouns, listed, quoted
+from rcj_challenges.views.sheet.phrases import degrees, heading, metres, number, seconds
 
 
 def trigger_words(nouns: Nouns, trigger: Any, each: str | None = None) -> str:
@@ -153,9 +153,9 @@ def _is_several(condition: Any) -> bool:
 
 
 def _asks_a_counter(condition: Any) -> bool:
-    """Return whether a condition compares with a counter."""
+    """Return whether a condition compares with a counter, or with those of others."""
     limits = (getattr(condition, limit, None) for limit in ("at_least", "at_most", "equals"))
-    return any(isinstance(limit, CounterValue) for limit in limits)
+    return any(isinstance(limit, CounterValue | LowestOfOthers | HighestOfOthers) for limit in limits)
 
 
 def _is_negative(condition: Any) -> bool:
@@ -205,7 +205,7 @@ CONDITIONS: dict[str, Callable[[Nouns, Any], str]] = {
     "all_of": _all_of,
     "counter": counter_words,
     "flag": flag_words,
-    "drawn": lambda n, c: f"“{plain(value(n, c.equals))}” was {'not ' if c.negate else ''}drawn as {quoted(c.draw)}",
+    "drawn": lambda n, c: f"{n.drawn(c.draw, c.equals)} was {'not ' if c.negate else ''}drawn as {quoted(c.draw)}",
     "timer": timer_words,
     "last_touch": _last_touch,
     "spot_free": lambda n, c: _is(n, c, c.spot, "free"),

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from rcj_challenges.scenario.catalogue import OTHER
+from rcj_challenges.scenario.catalogue import BOUND, OTHER
+from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.conditions import AtLeast
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.other import names_other, others_of
@@ -73,25 +74,32 @@ class Nouns:
         scenario: the scenario; its references have been checked.
         roster: its roster.
         other: what ``other`` is in the rule that is told.
+        each: over what that rule goes, or None.
     """
 
-    def __init__(self, scenario: Scenario, roster: Roster, other: str = "what is touched") -> None:
+    def __init__(
+        self, scenario: Scenario, roster: Roster, other: str = "what is touched", each: str | None = None
+    ) -> None:
         self.scenario = scenario
         self.roster = roster
         self.other = other
+        self.each = each
 
     def within(self, rule: Rule) -> Nouns:
-        """Return the nouns of one rule, which say what ``other`` is there: ``the robot it touches``."""
-        if not names_other(rule, self.scenario):
-            return self
+        """Return the nouns of one rule, which know what ``each`` and ``other`` are there."""
+        other = self._touched(rule) if names_other(rule, self.scenario) else self.other
+        return Nouns(self.scenario, self.roster, other, rule.for_each)
+
+    def _touched(self, rule: Rule) -> str:
+        """Return what ``other`` is in a rule: ``the robot it touches``."""
         others = others_of(rule, rule.for_each, self.roster)
         if len(others) == 1:
-            return Nouns(self.scenario, self.roster, self.thing(others[0]))
+            return self.thing(others[0])
         kind = self.one_kind(others)
         # "It" is whom a rule goes over. Where somebody else touches, nobody is.
         active = all(getattr(trigger, "entity", None) == "each" for trigger in rule.triggers)
         thing = f"the {kind}" if kind else "what" if active else "what is"
-        return Nouns(self.scenario, self.roster, f"{thing} {'it touches' if active else 'touched'}")
+        return f"{thing} {'it touches' if active else 'touched'}"
 
     def one_kind(self, names: Names) -> str:
         """Return of what kind things are; an empty text if they are of several, or of none."""
@@ -118,6 +126,12 @@ class Nouns:
         # A name with a number, as most robots have one, is said without article.
         proper = kind in ("", "robot") or first == "the" or any(character.isdigit() for character in name)
         return plain(name) if proper else f"the {plain(name)}"
+
+    def drawn(self, draw: str, written: Scalar) -> str:
+        """Return a value of a draw: ``“west”``; of a name that the rule has whom it stands for: ``it``."""
+        if isinstance(written, str) and written in BOUND and written not in self.scenario.draws[draw].values:
+            return self.thing(written)
+        return quoted(str(written).lower() if isinstance(written, bool) else str(written))
 
     def any_of(self, names: Names) -> str:
         """Return the one of several that a rule is about: ``one of the robots``, ``Y1 or Y2``."""
@@ -194,6 +208,14 @@ class Nouns:
         if entity or one is None or one.per is None:
             return self.kept(kind, name, entity)
         return f"the {kind} {quoted(name)} of {self.each_of(one.per)}"
+
+    def all_but_each(self, counter: str) -> str:
+        """Return whose lowest or highest counter is meant: ``all others on the field``; without ``each`` of all."""
+        per = self.scenario.counters[counter].per or ""
+        owners = self.roster.expand(per)
+        goes_over = () if self.each is None else self.roster.expand(self.each)
+        who = self.all_of(per).text if set(owners).isdisjoint(goes_over) else "all others"
+        return f"{who} on the field" if owners[0] in self.roster.entities else who
 
     def kinds_of(self, names: Names) -> str:
         """Return of what kind one of several is: ``robot``, or ``robot or ball``."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.actions import DrawAction, Place, Score, SequenceAction
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Result, Rule, Scenario
 from rcj_challenges.scenario.models.state import AnyStep, Draw, Phase, Sequence
@@ -47,10 +48,12 @@ def _goal(scenario: Scenario, _nouns: Nouns) -> Iterator[Block]:
 def _course(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     match = scenario.match
     yield Heading(2, "Course")
+    lengths_s = half_lengths_s(match)
     halves = "One half" if match.halves == 1 else f"{match.halves} halves"
+    of = seconds(lengths_s[0]) if len(set(lengths_s)) == 1 else listed([seconds(one) for one in lengths_s], "and")
     swap = "; the teams change sides between halves" if match.swap_sides and match.halves > 1 else ""
     first = f" A half begins in the phase {quoted(scenario.first_phase)}." if scenario.first_phase != "play" else ""
-    yield Paragraph(f"{halves} of {seconds(match.half_s)}{swap}.{first} Everything is judged on every tick of 32 ms.")
+    yield Paragraph(f"{halves} of {of}{swap}.{first} Everything is judged on every tick of 32 ms.")
     entries = [
         *(_phase_words(nouns, name, phase) for name, phase in scenario.phases.items()),
         *(
@@ -75,7 +78,8 @@ def _phase_words(nouns: Nouns, name: str, phase: Phase) -> str:
     )
     told = "; meanwhile a kick-off is awaited" if phase.waiting_for_kickoff else ""
     clock = "goes on" if phase.clock == "runs" else "stands still"
-    return f"The phase {quoted(name)} {lasts}; the clock {clock}{told}."
+    held = " All robots are held meanwhile: their wheels stand still, whatever their programs say."
+    return f"The phase {quoted(name)} {lasts}; the clock {clock}{told}.{held if phase.robots == 'held' else ''}"
 
 
 def _beginnings(scenario: Scenario, nouns: Nouns) -> Iterator[str]:
@@ -84,8 +88,10 @@ def _beginnings(scenario: Scenario, nouns: Nouns) -> Iterator[str]:
     Whose they are, the sentences that name them tell.
     """
     for name, counter in scenario.counters.items():
-        if counter.initial:
-            yield f"{_kept_words(nouns, 'counter', name)} {number(counter.initial)} when a half starts."
+        stays = counter.keep == "match" and scenario.match.halves > 1
+        if counter.initial or stays:
+            when = "the match starts; it goes on from half to half" if stays else "a half starts"
+            yield f"{_kept_words(nouns, 'counter', name)} {number(counter.initial)} when {when}."
     for name, flag in scenario.flags.items():
         stays = flag.keep == "match" and scenario.match.halves > 1
         if flag.initial or stays:

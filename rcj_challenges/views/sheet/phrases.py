@@ -59,11 +59,15 @@ def value(nouns: Nouns, value: Any) -> str:
 
 
 def amount(nouns: Nouns, value: Any) -> str:
-    """Return points or counts: a number, a counter, or a sum of weighted parts."""
+    """Return points, counts or limits: a number, a counter, a sum of weighted parts, or the most or least of others."""
     if isinstance(value, (int, float)):
         return number(value)
     if isinstance(value, tuple):
         return _sum(nouns, value)
+    if isinstance(value, state.LowestOfOthers):
+        return f"the lowest counter {quoted(value.lowest)} of {nouns.all_but_each(value.lowest)}"
+    if isinstance(value, state.HighestOfOthers):
+        return f"the highest counter {quoted(value.highest)} of {nouns.all_but_each(value.highest)}"
     return _counted(nouns, value) or nouns.kept("counter", value.counter, value.entity)
 
 
@@ -128,6 +132,7 @@ def _word(_nouns: Nouns, model: state.WordValue) -> str:
 _WORDS = {
     "robot_name": "the name of the robot",
     "entity_name": "the name of the one concerned",
+    "each_name": "the name of the one that the rule is for",
     "other_name": "the name of the other one",
     "team_name": "the team name",
     "entrant": "the entrant",

@@ -37,6 +37,7 @@ def spoken(nouns: Nouns, rule: Rule) -> str:
         return ""
     filled = {
         "{entity}": _subject(nouns, rule),
+        "{each}": "" if rule.for_each is None else f"the {nouns.kinds_of(rule.for_each)}",
         "{other}": _other(nouns, rule),
         "{team}": _team(nouns, rule),
         "{measured}": OPEN,
@@ -47,16 +48,39 @@ def spoken(nouns: Nouns, rule: Rule) -> str:
     if filled["{team}"] == _SOME_TEAM:
         # What is of one of the teams, nobody says of it.
         words = words.replace("{entity} of {team}", "{entity}")
+    words = _first_of_a_group(nouns, rule, words)
     for blank, known in filled.items():
         words = words.replace(blank, known)
     return f"{words[:1].upper()}{words[1:]}{end}"
 
 
+def _first_of_a_group(nouns: Nouns, rule: Rule, words: str) -> str:
+    """Say of which group one is where a sentence names it first: “one of the red fruits”, later “the ball”.
+
+    Two rules of one kind of thing would say the same otherwise. What belongs to it is said to be “the ball's”.
+    """
+    before, blank, after = words.partition("{entity}")
+    group = rule.for_each if rule.for_each in nouns.scenario.groups and _goes_over_entities(nouns, rule) else None
+    belongs = after.startswith(("'", "\N{RIGHT SINGLE QUOTATION MARK}"))
+    if not blank or belongs or group is None or len(nouns.roster.expand(group)) == 1:
+        return words
+    return f"{before}{nouns.any_of(group)}{after}"
+
+
 def _subject(nouns: Nouns, rule: Rule) -> str:
-    if rule.for_each is not None:
-        return f"the {nouns.kinds_of(rule.for_each)}"
+    if _goes_over_entities(nouns, rule):
+        return f"the {nouns.kinds_of(rule.for_each or ())}"
     names = _concerned(nouns, rule)
     return nouns.any_of(names) if names else "the one concerned"
+
+
+def _goes_over_entities(nouns: Nouns, rule: Rule) -> bool:
+    return rule.for_each is not None and _is_on_the_field(nouns, rule.for_each)
+
+
+def _is_on_the_field(nouns: Nouns, name: str) -> bool:
+    """Return whether a name stands for robots, balls or obstacles: zones and gates are nobody."""
+    return nouns.roster.expand(name)[0] in nouns.roster.entities
 
 
 def _other(nouns: Nouns, rule: Rule) -> str:
@@ -65,13 +89,13 @@ def _other(nouns: Nouns, rule: Rule) -> str:
     if len(others) == 1:
         return nouns.thing(others[0])
     kind = nouns.one_kind(others)
-    touching = nouns.one_kind(_concerned(nouns, rule) if rule.for_each is None else rule.for_each)
+    touching = nouns.one_kind(rule.for_each or () if _goes_over_entities(nouns, rule) else _concerned(nouns, rule))
     return f"the {kind}" if kind and kind != touching else f"the other {kind or 'one'}"
 
 
 def _team(nouns: Nouns, rule: Rule) -> str:
     """Return the team of all that a rule can be about, if it is one and the same."""
-    names = _concerned(nouns, rule) if rule.for_each is None else (rule.for_each,)
+    names = (rule.for_each or "",) if _goes_over_entities(nouns, rule) else _concerned(nouns, rule)
     entrants = nouns.scenario.entrants.items()
     seats = {
         next((seat for seat, entrant in entrants if member in entrant.robots), None)
@@ -108,7 +132,9 @@ def _of_trigger(nouns: Nouns, trigger: Any) -> tuple[str, ...]:
         case "sequence_completed" | "sequence_broken":
             names = scenario.sequences[trigger.sequence].entity
         case "timer_expired":
-            names = scenario.timers[trigger.timer].per
+            per = scenario.timers[trigger.timer].per
+            # Of a zone or a gate the rule is not told which one it was.
+            names = per if per is not None and _is_on_the_field(nouns, per) else None
         case "holds" if trigger.condition.condition in _OF_ITS_PLACE:
             names = trigger.condition.entity
     return () if names is None else (names,) if isinstance(names, str) else names

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import json
 import struct
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from rcj_challenges.devices.channels import entrant_of
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.models.actions import Emit
+from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.robots import Kit, SupervisorReceiverDevice
 from rcj_challenges.scenario.models.scenario import Broadcast, Scenario
+from rcj_challenges.scenario.models.state import DrawValue, PositionValue, WordValue
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table
 from rcj_challenges.views.sheet.machines import has
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain
@@ -98,7 +101,26 @@ def _broadcast(broadcast: Broadcast, kits: dict[str, Kit], nouns: Nouns) -> Iter
     else:
         # It is made on a tick on which the official packet may be missing; then it waits, and a newer one replaces it.
         yield Paragraph(f"One JSON object is made {_every(every)}; the newest follows the next packet, on its channel:")
-    yield Table(("key", "value"), tuple((key, value(nouns, entry)) for key, entry in broadcast.fields.items()))
+    told = ((key, value(nouns, entry) + _exactly(nouns.scenario, entry)) for key, entry in broadcast.fields.items())
+    yield Table(("key", "value"), tuple(told))
+
+
+def _exactly(scenario: Scenario, entry: object) -> str:
+    """Return what of a value a program must know to the letter: what it compares with, and what a list holds."""
+    match entry:
+        case DrawValue():
+            values: Sequence[Scalar] = scenario.draws[entry.draw].values
+        case WordValue(word="phase"):
+            values = ("play", *(phase for phase in scenario.phases if phase != "play"))
+        case PositionValue(position_of=name) if name in scenario.spots:
+            return ": [x, y] in m"
+        case PositionValue():
+            return ": [x, y, yaw] in m and rad, null while it is off the field"
+        case _:
+            return ""
+    # As JSON, since 1 and true are one to Python.
+    written = dict.fromkeys(json.dumps(one, ensure_ascii=False) for one in values)
+    return f": {listed(list(written), 'or')}"
 
 
 def _events(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:

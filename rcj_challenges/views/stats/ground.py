@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.models.actions import Score
 from rcj_challenges.scenario.models.field import FieldModel
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
@@ -57,8 +58,8 @@ def _ends_entered(rule: Rule, scenario: Scenario, roster: Roster) -> set[int]:
     balls = set(scenario.balls)
     ends = set()
     for trigger in rule.triggers:
-        if isinstance(trigger, Enters) and balls & set(_members(trigger.entity, roster)):
-            for name in _members(trigger.zone, roster):
+        if isinstance(trigger, Enters) and balls & set(_members(trigger.entity, rule, roster)):
+            for name in _members(trigger.zone, rule, roster):
                 zone = scenario.zones.get(name)
                 y = 0.0 if zone is None else _middle_y(zone, scenario.field)
                 if abs(y) > _AT_THE_END * scenario.field.length_m / 2:
@@ -66,9 +67,10 @@ def _ends_entered(rule: Rule, scenario: Scenario, roster: Roster) -> set[int]:
     return ends
 
 
-def _members(names: str | tuple[str, ...], roster: Roster) -> list[str]:
+def _members(names: str | tuple[str, ...], rule: Rule, roster: Roster) -> list[str]:
     every = (names,) if isinstance(names, str) else names
-    return [member for name in every for member in roster.groups.get(name, (name,))]
+    meant = (rule.for_each if name == EACH and rule.for_each is not None else name for name in every)
+    return [member for name in meant for member in roster.groups.get(name, (name,))]
 
 
 def _middle_y(zone: Zone, field: FieldModel) -> float:

@@ -173,7 +173,7 @@ class LiveRecording extends Recording {
     if (this.over || !this.halves.length) return;
     const current = this.halves[this.halves.length - 1];
     const missing = Math.max(0, current.facts.planned_ticks - current.ticks);
-    this.span = this.last + missing + (this.facts.halves_planned - this.halves.length) * (this.facts.half_ticks_planned + 1);
+    this.span = this.last + missing + this.facts.half_ticks_planned.slice(this.halves.length).reduce((sum, ticks) => sum + ticks + 1, 0);
   }
 
   /** What happened on a tick; returns the events that were added. */

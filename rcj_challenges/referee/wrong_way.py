@@ -1,0 +1,108 @@
+"""Gates crossed the wrong way in a test: they count for nothing, which is often why nothing came."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from typing import NamedTuple
+
+from rcj_challenges.facts.play import Pose2
+from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.referee.regions import crossing
+from rcj_challenges.referee.sequences import seen_from
+from rcj_challenges.scenario.catalogue import EACH
+from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.models.state import AnyStep, Sequence
+from rcj_challenges.scenario.models.triggers import Crosses
+from rcj_challenges.scenario.roster import Roster
+
+_WAYS = {1: "forward", -1: "backward"}
+_WRONG = {"forward": -1, "backward": 1}
+
+
+class _Passage(NamedTuple):
+    """An entity that crosses a gate this way (1 forward, -1 backward) has done nothing for somebody who counts."""
+
+    entity: int
+    gate: str
+    way: int
+    without_effect: str
+
+
+class WrongWays:
+    """Notes which gates were crossed the way that a sequence, or a rule with a direction, does not count.
+
+    Attributes:
+        passages: what would be noted; if it is empty, nobody needs to look.
+    """
+
+    def __init__(self, scenario: Scenario, roster: Roster) -> None:
+        self._roster = roster
+        self._gates = scenario.gates
+        sequences = (
+            passage for name, sequence in scenario.sequences.items() for passage in self._of_sequence(name, sequence)
+        )
+        rules = (passage for name, rule in scenario.rules.items() for passage in self._of_rule(name, rule))
+        self.passages = tuple(dict.fromkeys((*sequences, *rules)))
+        self._first: dict[_Passage, int] = {}
+
+    def _of_sequence(self, name: str, sequence: Sequence) -> Iterable[_Passage]:
+        entity = self._entities(sequence.entity, None)[0]
+        steps = (one for step in sequence.steps for one in (step.any_of if isinstance(step, AnyStep) else (step,)))
+        for gate in self._members(tuple(steps), None):
+            if gate in self._gates:
+                yield _Passage(entity, gate, -1, f"no step of {name}, which counts gates crossed forward only")
+
+    def _of_rule(self, name: str, rule: Rule) -> Iterable[_Passage]:
+        for trigger in rule.triggers:
+            if not isinstance(trigger, Crosses) or trigger.direction == "either":
+                continue
+            unheard = f"not heard by the rule {name}, which has direction: {trigger.direction}"
+            for each in (None,) if rule.for_each is None else self._members(rule.for_each, None):
+                for entity in self._entities(trigger.entity, each):
+                    for gate in self._members(trigger.gate, each):
+                        yield _Passage(entity, gate, _WRONG[trigger.direction], unheard)
+
+    def _members(self, names: str | tuple[str, ...], each: str | None) -> tuple[str, ...]:
+        listed = (names,) if isinstance(names, str) else names
+        return tuple(
+            member for name in listed for member in ((each,) if name == EACH and each else self._roster.expand(name))
+        )
+
+    def _entities(self, names: str | tuple[str, ...], each: str | None) -> tuple[int, ...]:
+        return tuple(self._roster.index[name] for name in self._members(names, each))
+
+    def look(self, tick: int, before: list[Pose2], substeps: list[list[Pose2]], parked: Collection[int]) -> None:
+        """Note what is crossed in a tick.
+
+        Args:
+            tick: the tick.
+            before: poses by entity before its first sub-step.
+            substeps: ``[sub-step][entity]``.
+            parked: who is off the field; they cross nothing, nor do others cross a gate that is fixed to them.
+        """
+        for passage in self.passages:
+            if passage in self._first or passage.entity in parked:
+                continue
+            was = before
+            for now in substeps:
+                if now is not was and self._way(passage, was, now, parked) == passage.way:
+                    self._first[passage] = tick
+                    break
+                was = now
+
+    def _way(self, passage: _Passage, was: list[Pose2], now: list[Pose2], parked: Collection[int]) -> int:
+        gate, entity = self._gates[passage.gate], passage.entity
+        start, end = was[entity][:2], now[entity][:2]
+        if gate.anchor is not None:
+            anchor = self._roster.index[gate.anchor]
+            if anchor in parked:
+                return 0
+            start, end = seen_from(was[anchor], was[entity]), seen_from(now[anchor], now[entity])
+        return crossing(start, end, gate.from_m, gate.to_m)
+
+    def notes(self) -> Iterable[str]:
+        """Return what was crossed the wrong way, each with its first time, in s."""
+        for passage, tick in sorted(self._first.items(), key=lambda entry: entry[1]):
+            name = self._roster.entities[passage.entity]
+            when = f"{s_from_ticks(tick):g} s"
+            yield f"note: {name} crossed {passage.gate} {_WAYS[passage.way]} at {when}: {passage.without_effect}"

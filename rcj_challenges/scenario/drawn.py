@@ -1,0 +1,55 @@
+"""Which values a draw can decide next: shared by the referee, which draws, and by checks of what tests decide."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rcj_challenges.scenario.models.base import Scalar
+from rcj_challenges.scenario.models.state import Draw
+
+Series = Scalar | tuple[Scalar, ...]
+"""What a test decides of a draw: its first value, or its first values in order."""
+
+
+def series_of(decided: Series) -> tuple[Scalar, ...]:
+    """Return the values that a test decides, in order."""
+    return decided if isinstance(decided, tuple) else (decided,)
+
+
+def drawable(draw: Draw, left: Sequence[Scalar], last: Sequence[Scalar]) -> tuple[Sequence[Scalar], Sequence[Scalar]]:
+    """Return the values that may be drawn now, and what is left of the round in which they are drawn.
+
+    Args:
+        draw: the draw.
+        left: of a draw with ``not_again`` what has not been drawn in this round, else all its values.
+        last: the value that it has, or nothing if it has none yet.
+    """
+    values = _others(draw, left, last)
+    if values:
+        return values, left
+    # The round is over, or what is left of it is what may not come twice running.
+    return _others(draw, draw.values, last) or draw.values, draw.values
+
+
+def _others(draw: Draw, values: Sequence[Scalar], last: Sequence[Scalar]) -> Sequence[Scalar]:
+    return tuple(value for value in values if value not in last) if draw.not_last and last else values
+
+
+def never_drawn(draw: Draw, series: Sequence[Scalar]) -> int | None:
+    """Return the index of the first value that cannot follow those before it, or None if chance can bring them all."""
+    left: Sequence[Scalar] = draw.values
+    last: tuple[Scalar, ...] = ()
+    for index, value in enumerate(series):
+        values, left = drawable(draw, left, last)
+        if value not in values:
+            return index
+        if draw.not_again is not None:
+            left = _without_one(left, value)
+        last = (value,)
+    return None
+
+
+def _without_one(values: Sequence[Scalar], value: Scalar) -> Sequence[Scalar]:
+    found = list(values)
+    found.remove(value)
+    return found

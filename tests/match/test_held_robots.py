@@ -1,0 +1,128 @@
+"""A phase that holds the robots, in real matches: programs run, wheels stand, and what was commanded acts afterwards.
+
+Sentence 5.8 of ADR 1.
+"""
+
+import json
+
+import numpy as np
+import pytest
+
+from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.scenario.load import load
+from tests.match.playing import Place
+from tests.match.test_same_again import rejudged, without_datetime
+
+COUNTDOWN = """schema_version: 1
+id: countdown
+title: Countdown
+extends: soccersim_v2
+match: {halves: 1, half_s: 3, swap_sides: false}
+phases:
+  countdown: {lasts_s: 1, robots: held}
+  stop: {lasts_s: 0.5, robots: held}
+first_phase: countdown
+rules:
+  go:
+    triggers: [{trigger: phase_entered, phase: play, from: countdown}]
+    actions: [{action: emit, event: GO}]
+    says: Go.
+  stop:
+    triggers: [{trigger: time_reached, at_s: 2}]
+    actions: [{action: emit, event: STOP}, {action: set_phase, phase: stop}]
+    says: Stop.
+"""
+DRIVES_AND_TELLS = """
+from controller import Robot
+robot = Robot()
+motors = [robot.getDevice(side + " wheel motor") for side in ("left", "right")]
+sensor = robot.getDevice("left wheel sensor")
+sensor.enable(32)
+for motor in motors:
+    motor.setPosition(float("inf"))
+    motor.setVelocity(10)
+steps = 0
+while robot.step(32) != -1:
+    steps += 1
+    if steps in (20, 60):
+        print("held" if steps < 30 else "free", steps, round(sensor.getValue(), 3), motors[0].getVelocity())
+"""
+DRIVES_LATE = DRIVES_AND_TELLS.replace("motor.setVelocity(10)", "motor.setVelocity(0)").replace(
+    "    steps += 1\n",
+    "    steps += 1\n    if steps == 10:\n        for motor in motors:\n            motor.setVelocity(8)\n",
+)
+GO, STOP = ticks_from_s(1), ticks_from_s(2)
+
+
+@pytest.fixture(scope="module")
+def countdown(tmp_path_factory):
+    """Return what plays the countdown, with these overrides."""
+    place = Place(tmp_path_factory.mktemp("countdown"))
+    scenario = place.folder / "countdown.yaml"
+    scenario.write_text(COUNTDOWN, encoding="utf-8")
+    team = place.team_folder(DRIVES_AND_TELLS, DRIVES_LATE)
+    return lambda *overrides: place.play(*overrides, scenario=str(scenario), yellow=team)
+
+
+@pytest.fixture(scope="module")
+def run(countdown):
+    return countdown()
+
+
+def ways(run, robot, half=0):
+    """Return how far a robot has come in each tick, in m: [0] is that of tick 2."""
+    entity = run.trajectory.entities.index(robot)
+    path = run.trajectory.halves[half].substeps[:, -1, entity, :2].astype(float)
+    return np.hypot(*np.diff(path, axis=0).T)
+
+
+@pytest.mark.parametrize("robot", ["Y1", "Y2"])
+def test_5_8_robots_stand_while_the_phase_lasts_and_drive_in_the_tick_after_it(run, robot):
+    before, after = ways(run, robot)[: GO - 1], ways(run, robot)[GO : GO + 10]
+    assert before.max() < 1e-6
+    assert after.min() > 1e-4
+
+
+def test_it_is_over_exactly_with_the_phase(run):
+    (go,) = run.events("GO")
+    assert go["matchtime"] == pytest.approx(GO * 0.032)
+    first = (ways(run, "Y1") > 1e-5).argmax() + 2
+    assert first == GO + 1  # the phase is over when tick GO is judged, and its physics came before
+
+
+def test_who_drives_when_it_begins_is_braked_and_drives_on_afterwards(run):
+    way, on = ways(run, "Y1"), STOP + ticks_from_s(0.5)
+    assert way[STOP - 4 : STOP - 1].min() > 0.004  # up to tick STOP
+    assert way[STOP + 6 : on - 1].max() < 1e-5
+    assert way[on : on + 3].min() > 1e-4
+
+
+def test_programs_run_on_and_sensors_tell_the_truth(run):
+    assert "held 20 0.0 10.0" in run.log("Y1")  # the wheel has not turned; what the motor is commanded is 10 rad/s
+
+
+def test_the_referee_judges_the_trajectory_alone_as_it_judged_the_match(run):
+    assert rejudged(run) == [without_datetime(line) for line in run.reflog]
+
+
+def test_the_same_again_gives_the_same_digest(countdown, run):
+    assert countdown().result["digest"] == run.result["digest"]
+
+
+def test_in_a_free_phase_they_drive(countdown):
+    free = countdown("phases.countdown.robots=free")
+    assert ways(free, "Y1")[10:20].min() > 1e-3
+
+
+def test_a_second_half_begins_as_its_first_phase_says(countdown):
+    # The first half ends within the phase that stops the robots.
+    both = countdown("match.halves=2", "match.half_s=2.2", "first_phase=play")
+    assert ways(both, "Y1", 1)[:20].min() > 1e-5
+    held = countdown("match.halves=2", "match.half_s=1.5")
+    assert ways(held, "Y1", 1)[: GO - 1].max() < 1e-6
+
+
+def test_a_scenario_without_it_is_written_as_before(run):
+    scenario = json.loads((run.folder / "scenario.json").read_text("utf-8"))
+    assert scenario["phases"]["countdown"]["robots"] == "held"
+    assert "robots" not in load("match").resolved["phases"]["goal_pause"]

@@ -1,0 +1,67 @@
+"""Every benchmark still runs, in its smallest form, and measures something: their figures are compared by people."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+SMALLEST = {
+    "exchange": ["--ticks", "50", "--rounds", "1", "--json"],
+    "physics_floor": ["1"],
+    "sensing_cost": ["--ticks", "50"],
+    "referee_cost": ["--ticks", "100", "--repeats", "1", "--json"],
+    "challenges": ["--rounds", "1", "--json"],
+    "watching": ["--rounds", "1", "--json"],
+    "__main__": ["--quick", "--json"],
+}
+"""How each is started; the last three measure no less than what their bars are about."""
+WITH_BARS = {"challenges", "watching", "__main__"}
+NO_BENCHMARKS = {"__init__", "rows"}
+
+
+def measured(name: str) -> Any:
+    """Return what a benchmark prints. A bar that is missed, on whatever machine this is, is none of our business."""
+    if name == "watching" and sys.platform != "linux":
+        pytest.skip("its films are drawn without a screen, which is sure to work on Linux only")
+    module = "benchmarks" if name == "__main__" else f"benchmarks.{name}"
+    done = subprocess.run(
+        [sys.executable, "-m", module, *SMALLEST[name]],
+        cwd=ROOT, env=dict(os.environ), capture_output=True, encoding="utf-8", timeout=900, check=False,
+    )  # fmt: skip
+    assert done.returncode in ((0, 1) if name in WITH_BARS else (0,)), done.stderr
+    assert "Traceback" not in done.stderr, done.stderr
+    return json.loads(done.stdout)
+
+
+def numbers(told: Any) -> list[float]:
+    """Return all numbers of what was printed."""
+    if isinstance(told, dict):
+        return [number for value in told.values() for number in numbers(value)]
+    return [float(told)] if isinstance(told, (int, float)) else []
+
+
+def test_each_benchmark_is_tried() -> None:
+    assert {path.stem for path in (ROOT / "benchmarks").glob("*.py")} - NO_BENCHMARKS == SMALLEST.keys()
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("name", sorted(SMALLEST.keys() - WITH_BARS))
+def test_a_benchmark_of_a_part_tells_its_figures(name: str) -> None:
+    told = measured(name)
+    assert told
+    assert max(numbers(told)) > 0
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("name", sorted(WITH_BARS))
+def test_a_table_of_bars_has_a_figure_in_each_row(name: str) -> None:
+    rows = measured(name)
+    assert len(rows) >= 5
+    for row in rows:
+        assert row["what"]
+        assert isinstance(row["measured"], (int, float))

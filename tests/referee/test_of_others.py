@@ -1,0 +1,125 @@
+"""A counter that is compared with the lowest or highest of all others: who is last, who leads."""
+
+import pytest
+
+from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.load import load_text
+
+TOLD = """
+counters: {visits: {per: robots}, limit: {initial: 2}}
+rules:
+  told:
+    for_each: robots
+    triggers: [{trigger: time_reached, at_s: 1}]
+    conditions: [%s]
+    actions: [{action: emit, event: TOLD, payload: {who: {word: robot_name}}}]
+"""
+COUNTED = """
+rules:
+  counted:
+    triggers: [{trigger: half_started}]
+    actions: [%s]
+"""
+
+
+def told(stage, condition: str, visits: dict[str, float], off: str = "") -> list[str]:
+    """Return of whom a condition holds, when the robots have these counters and one of them has been taken off."""
+    counts = [f"{{action: count, counter: visits, entity: {robot}, to: {to}}}" for robot, to in visits.items()]
+    removed = [f"{{action: remove, entity: {robot}}}" for robot in off.split()]
+    play = stage(TOLD % condition, COUNTED % ", ".join([*counts, *removed]))
+    play.play(40)
+    return [event.payload["who"] for event in play.events_named("TOLD")]
+
+
+LAST = "{condition: counter, counter: visits, entity: each, at_most: {lowest: visits}}"
+ALONE_LAST = "{condition: counter, counter: visits, entity: each, at_least: {lowest: visits}, negate: true}"
+FIRST = "{condition: counter, counter: visits, entity: each, at_least: {highest: visits}}"
+AS_THE_FIRST = "{condition: counter, counter: visits, entity: each, equals: {highest: visits}}"
+VISITS = {"B1": 3, "B2": 1.5, "Y1": 2, "Y2": 7}
+
+
+class TestTheLowestAndTheHighestOfOthers:
+    @pytest.mark.parametrize(("condition", "who"), [(LAST, ["B2"]), (ALONE_LAST, ["B2"]), (FIRST, ["Y2"])])
+    def test_one_is_last_and_one_is_first(self, stage, condition, who):
+        assert told(stage, condition, VISITS) == who
+
+    @pytest.mark.parametrize(
+        ("condition", "who"),
+        [(LAST, ["B2", "Y1"]), (ALONE_LAST, []), (FIRST, ["B1", "Y2"]), (AS_THE_FIRST, ["B1", "Y2"])],
+    )
+    def test_several_that_are_equal(self, stage, condition, who):
+        assert told(stage, condition, {"B1": 4, "B2": 1, "Y1": 1, "Y2": 4}) == who
+
+    @pytest.mark.parametrize(("condition", "who"), [(LAST, ["Y1"]), (FIRST, ["B1"])])
+    def test_who_is_off_the_field_neither_counts_nor_is_it(self, stage, condition, who):
+        assert told(stage, condition, VISITS, off="B2 Y2") == who
+
+    def test_where_nobody_else_is_left_nothing_compares(self, stage):
+        assert told(stage, LAST, VISITS, off="B1 B2 Y2") == []
+        assert told(stage, FIRST, VISITS, off="B1 B2 Y2") == []
+
+    def test_what_is_asked_for_by_negation_holds_then_too(self, stage):
+        # docs/authoring.md says so, and what to ask beside it.
+        on_the_field = "{condition: in_zone, entity: each, zone: pitch}"
+        assert told(stage, ALONE_LAST, VISITS, off="B2") == ["B2", "Y1"]
+        assert told(stage, f"{ALONE_LAST}, {on_the_field}", VISITS, off="B2") == ["Y1"]
+
+    def test_without_for_each_it_is_that_of_all(self, stage):
+        rule = """
+        counters: {visits: {per: robots}, level: {initial: %s}}
+        rules:
+          low:
+            triggers: [{trigger: time_reached, at_s: 1}]
+            conditions: [{condition: counter, counter: level, at_most: {lowest: visits}}]
+            actions: [{action: emit, event: LOW}]
+          counted: {triggers: [{trigger: half_started}], actions: [{action: count, counter: visits, to: 2}]}
+        """
+        for level, names in ((2, ["LOW"]), (2.5, [])):
+            play = stage(rule % level)
+            play.play(40)
+            assert play.names() == names
+
+    def test_places_are_never_off_the_field(self, stage):
+        rule = """
+        counters: {visits: {per: sides}}
+        groups: {sides: [left, right, middle]}
+        rules:
+          counted: {triggers: [{trigger: half_started}], actions: [{action: count, counter: visits, entity: middle, to: -1}]}
+          told:
+            for_each: sides
+            triggers: [{trigger: time_reached, at_s: 1}]
+            conditions: [{condition: counter, counter: visits, entity: each, at_most: {lowest: visits}}]
+            actions: [{action: emit, event: TOLD, payload: {where: {word: each_name}}}]
+        """
+        play = stage(rule)
+        play.play(40)
+        assert [event.payload["where"] for event in play.events_named("TOLD")] == ["middle"]
+
+    def test_anything_that_is_compared_may_be_compared_with_it(self, stage):
+        # Y1 stands 0.64 m from the ball, all others 0.64 m too: nearer than the limit of another is nobody.
+        near = "{condition: distance, entity: each, to: ball, at_least: {highest: visits}}"
+        assert told(stage, near, {"B1": 0.5, "B2": 0.5, "Y1": 0.9, "Y2": 0.5}) == ["Y1"]
+
+
+class TestItsChecks:
+    HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\n"
+
+    def test_a_counter_that_is_kept_once_has_no_others(self):
+        rule = (
+            "counters: {laps: {}}\nrules: {it: {triggers: [{trigger: half_started}], conditions: "
+            "[{condition: counter, counter: laps, at_most: {lowest: laps}}], actions: [{action: end}]}}\n"
+        )
+        with pytest.raises(ScenarioError) as caught:
+            load_text(self.HEAD + rule, file="it.yaml")
+        assert str(caught.value) == (
+            "it.yaml:6:118: rules.it.conditions[0] (counter): counter 'laps' is not kept per entity: there "
+            "are no others; give it per: robots, or write {counter: laps}"
+        )
+
+    def test_a_counter_that_does_not_exist(self):
+        rule = (
+            "counters: {laps: {per: robots}}\nrules: {it: {for_each: robots, triggers: [{trigger: half_started}], conditions: "
+            "[{condition: counter, counter: laps, entity: each, at_most: {highest: lap}}], actions: [{action: end}]}}\n"
+        )
+        with pytest.raises(ScenarioError, match="unknown counter 'lap'"):
+            load_text(self.HEAD + rule, file="it.yaml")

@@ -1,0 +1,172 @@
+"""Rules over each of several gates or zones, with counters, flags and timers kept for each of them."""
+
+import pytest
+
+from rcj_challenges.records.reflog import firing_line
+
+GATES = """
+gates:
+  west: {from_m: [-0.5, 0], to_m: [-0.3, 0]}
+  middle: {from_m: [-0.1, 0], to_m: [0.1, 0]}
+  east: {from_m: [0.3, 0], to_m: [0.5, 0]}
+groups: {posts: [west, middle, east]}
+"""
+PASSED = """
+flags: {passed: {per: posts}}
+counters: {times: {per: posts}}
+rules:
+  passed:
+    for_each: posts
+    triggers: [{trigger: crosses, entity: robots, gate: each, direction: forward}]
+    conditions: [{condition: flag, flag: passed, entity: each, negate: true}]
+    actions:
+      - {action: set_flag, flag: passed, entity: each}
+      - {action: emit, event: PASSED, payload: {gate: {word: each_name}, who: {word: robot_name}, named: {word: entity_name}}}
+    says: "{entity} of {team} has passed {each}."
+  counted:
+    for_each: posts
+    triggers: [{trigger: crosses, entity: robots, gate: each}]
+    actions: [{action: count, counter: times, entity: each}]
+  all_passed:
+    triggers: [{trigger: holds, condition: {condition: flag, flag: passed, of: all}}]
+    actions: [{action: emit, event: ALL_PASSED}]
+"""
+
+
+def pass_at(play, x_m, entity="Y1"):
+    # Where a hand puts something is a way too: it goes back beside the posts.
+    for x, y in ((-0.6, 0.1), (-0.6, -0.1), (x_m, -0.1)):
+        play.place(entity, x, y)
+        play.play()
+    play.glide(entity, (x_m, 0.1), 4)
+    play.play(4)
+
+
+class TestGates:
+    def test_each_gate_is_a_rule_of_its_own_and_the_event_is_about_who_crossed_it(self, stage):
+        play = stage(GATES, PASSED)
+        pass_at(play, -0.4)
+        pass_at(play, 0.4, "B2")
+        pass_at(play, -0.4, "B2")
+        assert [event.payload for event in play.events] == [
+            {"gate": "west", "who": "Y1", "named": "Y1"},
+            {"gate": "east", "who": "B2", "named": "B2"},
+        ]
+        assert play.referee.flags["passed"] == {"west": True, "middle": False, "east": True}
+        said = [firing for firing in play.firings if firing.rule == "passed"]
+        assert [firing.says for firing in said] == [
+            "Y1 of Yellow Sub has passed west.",
+            "B2 of Blue Moon has passed east.",
+        ]
+
+    def test_the_log_names_gate_and_entity(self, stage):
+        play = stage(GATES, PASSED)
+        pass_at(play, -0.4)
+        line = firing_line(1, next(firing for firing in play.firings if firing.rule == "passed"))
+        assert (line["entity"], line["place"]) == ("Y1", "west")
+
+    def test_the_log_of_another_rule_is_as_before(self, stage):
+        play = stage(GATES, PASSED)
+        for x_m in (-0.4, 0.0, 0.4):
+            pass_at(play, x_m)
+        play.play()
+        assert play.names()[-1] == "ALL_PASSED"
+        assert "place" not in firing_line(1, play.firings[-1])
+
+    @pytest.mark.parametrize(
+        ("limit", "counted"), [("max_executions: 1", 2), ("cooldown_s: 10", 2), ("priority: 1", 4)]
+    )
+    def test_limits_count_for_each_gate(self, stage, limit, counted):
+        rules = (
+            "rules: {counted: {for_each: posts, triggers: [{trigger: crosses, entity: Y1, gate: each}], "
+            f"actions: [{{action: emit, event: CROSSED, payload: {{gate: {{word: each_name}}}}}}], {limit}}}}}"
+        )
+        play = stage(GATES, rules)
+        for x_m in (-0.4, 0.4, -0.4, 0.4):
+            pass_at(play, x_m)
+        crossed = [event.payload["gate"] for event in play.events]
+        assert crossed == ["west", "east", "west", "east"][:counted]
+
+    @pytest.mark.parametrize("gate", ["west", "middle", "east"])
+    def test_the_gate_that_is_drawn_counts(self, stage, gate):
+        play = stage(
+            GATES,
+            "draws: {next: {values: [west, middle, east]}}",
+            "rules: {passed: {for_each: posts, triggers: [{trigger: crosses, entity: Y1, gate: each}], conditions: "
+            "[{condition: drawn, draw: next, equals: each}], actions: [{action: emit, event: PASSED, "
+            "payload: {gate: {word: each_name}}}]}}",
+            draws={"next": gate},
+        )
+        for x_m in (-0.4, 0.0, 0.4):
+            pass_at(play, x_m)
+        assert [event.payload["gate"] for event in play.events] == [gate]
+
+    def test_a_timer_for_each_gate_is_heard_by_the_rule_of_that_gate(self, stage):
+        play = stage(
+            GATES,
+            "timers: {closed: {lasts_s: 0.64, per: posts}}",
+            """
+            rules:
+              starts:
+                for_each: posts
+                triggers: [{trigger: crosses, entity: Y1, gate: each}]
+                actions: [{action: timer, timer: closed, entity: each}]
+              ends:
+                for_each: posts
+                triggers: [{trigger: timer_expired, timer: closed}]
+                actions: [{action: emit, event: OPEN, payload: {gate: {word: each_name}}}]
+            """,
+        )
+        pass_at(play, 0.4)
+        play.play(25)
+        assert [event.payload["gate"] for event in play.events] == ["east"]
+
+
+class TestZones:
+    def test_each_zone_hears_who_comes_in_and_counts_for_itself(self, stage):
+        play = stage(
+            "groups: {sides: [left, right]}",
+            "counters: {visits: {per: sides}}",
+            """
+            rules:
+              visited:
+                for_each: sides
+                triggers: [{trigger: enters, entity: ball, zone: each}]
+                actions: [{action: count, counter: visits, entity: each}]
+              both_in:
+                for_each: sides
+                triggers: [{trigger: enters, entity: Y1, zone: each}]
+                conditions: [{condition: in_zone, entity: ball, zone: each}]
+                actions: [{action: emit, event: TOGETHER, payload: {zone: {word: each_name}}}]
+                says: "{entity} has come to the ball in {each}."
+              all_together:
+                triggers: [{trigger: holds, condition: {condition: counter, counter: visits, at_least: 4}}]
+                actions: [{action: emit, event: FOUR}]
+            """,
+        )
+        play.place("Y1", 0.0, 0.0)
+        for x_m in (0.3, -0.3, 0.3, -0.3):
+            play.place("ball", x_m, 0.0)
+            play.play()
+        assert play.referee.counters["visits"] == {"left": 2, "right": 2}
+        play.place("Y1", 0.3, 0.2)
+        play.play()
+        play.place("Y1", -0.3, 0.2)
+        play.play()
+        assert play.names() == ["FOUR", "TOGETHER"]
+        assert play.firings[-1].says == "Y1 has come to the ball in left."
+
+    def test_a_sequence_is_asked_for_its_step(self, stage):
+        play = stage(
+            "groups: {sides: [left, right]}",
+            "sequences: {round: {entity: ball, steps: [left, right]}}",
+            "rules: {r: {for_each: sides, triggers: [{trigger: program_fault}], conditions: "
+            "[{condition: sequence_at, sequence: round, step: each}], actions: [{action: emit, event: AT, payload: "
+            "{step: {word: each_name}}}]}}",
+        )
+        for x_m in (-0.3, 0.3):
+            play.place("ball", x_m, 0.0)
+            play.play()
+            play.fail("B1")
+            play.play()
+        assert [event.payload["step"] for event in play.events] == ["left", "right"]

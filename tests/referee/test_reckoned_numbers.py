@@ -1,0 +1,116 @@
+"""Numbers that are reckoned when they are needed: how fast a ball is kicked, and how much is counted."""
+
+import math
+
+import pytest
+
+from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.load import load_text
+from tests.referee.test_kicks import kick, kicking
+
+TO_THE_RIGHT = "{towards: {point: [0.4, 0]}, speed_mps: %s}"
+HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\n"
+
+
+def speed(play) -> float:
+    vx, vy = kick(play)
+    assert vy == 0
+    return vx
+
+
+class TestKicksAsFastAsADrawSays:
+    DRAWS = "draws: {power: {values: [0.5, 1.25]}}\n"
+
+    def play(self, stage, **more):
+        return stage(self.DRAWS, kicking("{point: [0, 0]}", TO_THE_RIGHT % "{draw: power}"), **more)
+
+    @pytest.mark.parametrize("decided", [0.5, 1.25])
+    def test_it_is_what_was_drawn(self, stage, decided):
+        assert speed(self.play(stage, draws={"power": decided})) == pytest.approx(decided)
+
+    def test_all_values_come_with_other_seeds(self, stage):
+        speeds = {round(speed(self.play(stage, seed=seed)), 6) for seed in range(1, 12)}
+        assert speeds == {0.5, 1.25}
+
+    @pytest.mark.parametrize(
+        ("values", "said"),
+        [
+            ("[0.5, 3.5]", "a kick's speed is over 0 and at most 3 m/s, found 3.5"),
+            ("[0, 1]", "a kick's speed is over 0 and at most 3 m/s, found 0"),
+            ("[fast, 1]", "expected a number, found 'fast'"),
+        ],
+    )
+    def test_a_draw_of_anything_else_is_refused(self, values, said):
+        rule = (
+            "rules: {go: {triggers: [{trigger: half_started}], actions: [{action: place, entity: ball, at: start, "
+            "kick: {towards: {spot: middle_blue}, speed_mps: {draw: power}}}]}}\n"
+        )
+        with pytest.raises(ScenarioError) as caught:
+            load_text(f"{HEAD}draws: {{power: {{values: {values}}}}}\n{rule}", file="it.yaml")
+        assert said in str(caught.value)
+
+
+class TestKicksAsFastAsACounterSays:
+    @pytest.mark.parametrize(("counted", "rolls"), [(0.75, 0.75), (3, 3), (3.01, 3), (1000, 3), (0, 0), (-2, 0)])
+    def test_more_than_3_is_3_and_at_0_or_less_it_lies_still(self, stage, counted, rolls):
+        counter = f"counters: {{power: {{initial: {counted}}}}}\n"
+        play = stage(counter, kicking("{point: [0, 0]}", TO_THE_RIGHT % "{counter: power}"))
+        assert speed(play) == pytest.approx(rolls)
+
+    def test_what_the_same_rule_counts_before_counts(self, stage):
+        rule = """
+        counters: {power: {}}
+        rules:
+          harder:
+            triggers: [{trigger: program_fault, robot: Y1}]
+            actions:
+              - {action: count, counter: power, by: 0.25}
+              - {action: place, entity: ball, at: {point: [0, 0]}, kick: {towards: {point: [0, 1]}, speed_mps: {counter: power}}}
+        """
+        play = stage(rule)
+        assert [math.hypot(*kick(play)) for _ in range(3)] == pytest.approx([0.25, 0.5, 0.75])
+
+    def test_a_counter_of_each_is_its_own(self, stage):
+        rule = """
+        counters: {power: {per: yellow, initial: 1}}
+        rules:
+          second: {triggers: [{trigger: half_started}], actions: [{action: count, counter: power, entity: Y2, to: 2}]}
+          shot:
+            for_each: yellow
+            triggers: [{trigger: touches, entity: each, other: ball}]
+            actions:
+              - action: place
+                entity: ball
+                at: {relative_to: ball}
+                kick: {towards: {point: [0, 0.7]}, speed_mps: {counter: power, entity: each}}
+        """
+        for robot, rolls in (("Y1", 1), ("Y2", 2)):
+            play = stage(rule)
+            play.touch(robot, "ball")
+            play.play()
+            ((_, placement),) = [one for one in play.placements if one[1].vy_mps]
+            assert placement.vy_mps == pytest.approx(rolls)
+
+
+class TestCountsThatAreReckoned:
+    def counted(self, stage, change, more=""):
+        play = stage(
+            "counters: {sum: {initial: 2}, laps: {initial: 4}}\nflags: {bonus: {initial: true}}\n" + more,
+            f"rules: {{it: {{triggers: [{{trigger: time_reached, at_s: 3.2}}], actions: [{{action: count, counter: sum, {change}}}]}}}}",
+        )
+        play.play(101)
+        return play.referee.counters["sum"]
+
+    def test_to_a_sum_with_weights(self, stage):
+        change = "to: [1, {counter: laps, weight: 0.5}, {flag: bonus, weight: 10}, {word: time_s, weight: -1}]"
+        assert self.counted(stage, change) == 1 + 2 + 10 - 3
+
+    def test_by_a_sum_of_which_its_own_old_value_may_be_a_part(self, stage):
+        assert self.counted(stage, "by: [{counter: sum, weight: 0.5}, -0.1]") == 2.9
+
+    def test_first_to_then_by(self, stage):
+        assert self.counted(stage, "to: [1, {counter: laps}]") == 5
+
+    def test_the_sum_of_many_kept_ones(self, stage):
+        more = "draws: {times: {values: [3]}}\n"
+        assert self.counted(stage, "to: [{draw: times, weight: 2}, {distance: [B1, B2], weight: 10}]", more) == 14

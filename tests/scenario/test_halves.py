@@ -1,0 +1,126 @@
+"""Halves of different length: what is read, what is refused, what checks and tests take for the length of a half."""
+
+import pytest
+
+from rcj_challenges.referee.script import half_of, try_expectation
+from rcj_challenges.scenario.dump import dumped
+from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.halves import half_length_s, half_lengths_s, longest_half_s
+from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.load import load
+from tests.scenario.writing import HEAD, complaints, loaded, rule, scenario
+
+
+@pytest.mark.parametrize(
+    ("match", "lengths_s"),
+    [
+        ("{half_s: 20}", (20,)),
+        ("{halves: 3, half_s: 20}", (20, 20, 20)),
+        ("{halves: 2, half_s: [20, 10]}", (20, 10)),
+        ("{half_s: [20]}", (20,)),
+    ],
+)
+def test_each_half_has_its_length(match, lengths_s):
+    section = scenario(f"match: {match}\n").match
+    assert half_lengths_s(section) == lengths_s
+    assert [half_length_s(section, half) for half in range(1, len(lengths_s) + 1)] == list(lengths_s)
+    assert longest_half_s(section) == max(lengths_s)
+
+
+@pytest.mark.parametrize(
+    ("overrides", "lengths_s"),
+    [
+        (["match.half_s=5"], (5, 5)),
+        (["match.halves=1"], (20,)),
+        (["match.halves=3"], (20, 10, 10)),
+        (["match.half_s=[3, 4]"], (3, 4)),
+        (["match.half_s=[3, 4, 5]"], (3, 4)),
+    ],
+)
+def test_the_command_line_sets_them_all_or_their_number(overrides, lengths_s):
+    assert half_lengths_s(scenario("match: {halves: 2, half_s: [20, 10]}\n", overrides).match) == lengths_s
+
+
+@pytest.mark.parametrize(
+    ("match", "message"),
+    [
+        (
+            "{halves: 2, half_s: [5]}",
+            "match.half_s: 1 length in half_s for 2 halves; give each half its length, or one number for all",
+        ),
+        (
+            "{half_s: [5, 6]}",
+            "match.half_s: 2 lengths in half_s for 1 half; give each half its length, or one number for all",
+        ),
+        (
+            "{half_s: [5, 0.01], halves: 2}",
+            "match.half_s[1]: a duration must be at least one tick (0.032 s), found 0.01",
+        ),
+        ("{half_s: []}", "match.half_s: must have at least 1 entry, found an empty list"),
+        ("{half_s: long}", "match.half_s: expected a number or a list, found 'long'"),
+    ],
+)
+def test_what_fits_no_half_is_refused(match, message):
+    assert complaints(f"match: {match}\n") == [message]
+
+
+@pytest.mark.parametrize(("key", "own"), [("halves", "{halves: 3}"), ("half_s", "{half_s: [5, 6, 7]}")])
+def test_it_is_told_in_the_file_of_the_author_not_in_its_base(key, own, tmp_path):
+    (tmp_path / "base.yaml").write_text(f"{HEAD}match: {{halves: 2, half_s: [20, 10]}}\n", encoding="utf-8")
+    mine = tmp_path / "mine.yaml"
+    mine.write_text(f"extends: base.yaml\nid: mine\nmatch: {own}\n", encoding="utf-8")
+    with pytest.raises(ScenarioError) as refused:
+        load(mine)
+    (problem,) = refused.value.problems
+    assert (problem.file, problem.path) == (str(mine), f"match.{key}")
+
+
+def test_one_number_is_written_as_before_there_were_lists():
+    assert dumped(scenario("match: {halves: 2, half_s: 20}\n"))["match"] == {
+        "halves": 2, "half_s": 20.0, "swap_sides": False,
+    }  # fmt: skip
+    several = scenario("match: {halves: 2, half_s: [20, 10]}\n")
+    assert type(several).model_validate(dumped(several)) == several
+
+
+def test_the_referee_knows_the_length_of_the_half_that_is_played():
+    several = scenario("match: {halves: 2, half_s: [20, 10]}\n")
+    assert [half_of(several, half).ticks for half in (1, 2)] == [625, 313]
+
+
+TOLD = rule(
+    "{trigger: half_ended}",
+    "{action: emit, event: OVER, payload: {length_s: {word: total_match_time_s}}}",
+    "    says: It is over.\n"
+    "expect:\n"
+    "  the_first_half: {keyframes: [{at_s: 0}], lasts_s: 4, events: [{event: OVER, at_s: 4, payload: {length_s: 4}}]}\n"
+    "  the_second_half: {half: 2, keyframes: [{at_s: 0}], lasts_s: %s, events: [{event: OVER, at_s: 2, payload: {length_s: 2}}]}\n",
+)
+
+
+def test_tests_play_the_half_at_its_length():
+    one = loaded("match: {halves: 2, half_s: [4, 2]}\n" + TOLD % 2)
+    assert [try_expectation(one, name).differences for name in one.scenario.expect] == [(), ()]
+
+
+def test_a_test_is_no_longer_than_its_own_half():
+    assert complaints("match: {halves: 2, half_s: [4, 2]}\n" + TOLD % 3) == [
+        "expect.the_second_half.lasts_s: 3 s is longer than a half, 2 s"
+    ]
+
+
+def test_a_time_or_a_limit_of_the_longest_half_is_reached():
+    at_8_s = rule("{trigger: time_reached, at_s: 8}", "{action: score, entrant: yellow}", "    says: So.\n")
+    assert lint(loaded("match: {halves: 2, half_s: [5, 9]}\n" + at_8_s)) == []
+    assert complaints("match: {halves: 2, half_s: [5, 7]}\n" + at_8_s) == [
+        "rules.r.triggers[0] (time_reached): 8 s is never reached; a half lasts 7 s"
+    ]
+    stays = rule(
+        "{trigger: stays_in, entity: ball, zone: pitch, limit_s: 8}",
+        "{action: score, entrant: yellow}",
+        "    says: So.\n",
+    )
+    kinds = [
+        [one.kind for one in lint(loaded(f"match: {{halves: 2, half_s: [5, {last}]}}\n" + stays))] for last in (9, 7)
+    ]
+    assert kinds == [[], ["limit_longer_than_the_half"]]

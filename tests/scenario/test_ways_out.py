@@ -1,0 +1,46 @@
+"""Errors of who takes one thing for another say what it is, and how what was meant is written."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.scenario.writing import complaints, rule
+
+PLACE = "{action: place, entity: ball, at: %s}"
+
+
+def test_a_point_is_written_with_its_word():
+    assert complaints(rule(action=PLACE % "[0.1, -0.2]"))[0].endswith(
+        "found a list of 2; a point is written {point: [0.1, -0.2]}"
+    )
+    assert complaints(rule(action=PLACE % "[0.1]"))[0].endswith("found a list of 1")
+    assert complaints(rule(action=PLACE % "[centre, ball]"))[0].endswith("found a list of 2")
+
+
+@pytest.mark.parametrize(
+    ("action", "more", "told"),
+    [
+        ("{action: set_spot, spot: centre, to: place}", "draws: {place: {values: [centre]}}\n",
+         "unknown entity or spot 'place', which is a draw; there are"),
+        ("{action: score, entrant: Y1}", "", "unknown entrant 'Y1', which is a robot; there are blue, yellow"),
+        ("{action: set_flag, flag: n}", "flags: {f: {}}\ncounters: {n: {}}\n", "unknown flag 'n', which is a counter; there is only f"),
+        ("{action: set_phase, phase: nap}", "timers: {nap: {lasts_s: 1}}\n", "unknown phase 'nap', which is a timer; there is only play"),
+        ("{action: place, layout: in_play}", "placements: {a: [{entity: ball, at: start}]}\n",
+         "unknown layout 'in_play', which is a group; there is only a"),
+        ("{action: score, entrant: nobody}", "", "unknown entrant 'nobody'; there are blue, yellow"),
+    ],
+)  # fmt: skip
+def test_a_name_of_something_else_is_told_to_be_one(action, more, told):
+    assert any(told in complaint for complaint in complaints(more + rule(action=action)))
+
+
+@pytest.mark.parametrize(
+    ("trigger", "action", "told"),
+    [
+        ("{trigger: every, every_s: 10}", "{action: end}", "; every so often is a timer that the rule restarts when it expires"),
+        ("{trigger: half_started}", "{action: wait, for_s: 2}", "; a pause is a phase, and what comes later waits for a timer"),
+        ("{trigger: half_started}", "{action: if}", "; what depends on something is a rule of its own, with conditions"),
+    ],
+)  # fmt: skip
+def test_a_word_of_other_languages_leads_to_the_one_here(trigger, action, told):
+    assert complaints(rule(trigger, action))[0].endswith(told)

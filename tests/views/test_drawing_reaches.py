@@ -1,0 +1,79 @@
+"""Distances that rules measure from a spot or a point are circles in the drawing, with their numbers in the legend."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from rcj_challenges.scenario.load import load_text
+from rcj_challenges.views.drawing import draw_scenario
+
+SMALL = """schema_version: 1
+id: small
+title: Small
+extends: soccersim_v2
+spots: {hill: {x_m: 0.1, y_m: 0.2}}
+groups: {marks: [hill, centre]}
+rules:
+  near:
+    triggers: [{trigger: half_started}]
+    conditions: [%s]
+    actions: [%s]
+"""
+NEAR = "{condition: distance, entity: Y1, to: %s, %s}"
+CIRCLE = re.compile(r'<circle cx="([\d.]+)" cy="([\d.]+)" r="([\d.]+)"[^>]*class="reach"[^>]*><title>([^<]*)</title>')
+PX_PER_M, HALF_WIDTH_M, HALF_LENGTH_M = 460.0, 0.75, 0.95  # with the margin of 0.1 m and a goal's depth
+
+
+def drawn(conditions: str, action: str = "{action: end}") -> str:
+    loaded = load_text(SMALL % (conditions, action))
+    return draw_scenario(loaded.scenario, loaded.roster)
+
+
+def reaches(picture: str) -> list[tuple[float, float, float, str]]:
+    """Return the circles as x, y and radius in m, with their titles."""
+    found = [(*map(float, one[:3]), one[3]) for one in CIRCLE.findall(picture)]
+    return [
+        (round(x / PX_PER_M - HALF_WIDTH_M, 2), round(HALF_LENGTH_M - y / PX_PER_M, 2), round(r / PX_PER_M, 3), words)
+        for x, y, r, words in found
+    ]
+
+
+@pytest.mark.parametrize(
+    ("condition", "circles"),
+    [
+        (NEAR % ("hill", "at_most: 0.2"), [(0.1, 0.2, 0.2, "0.2 m from hill")]),
+        (NEAR % ("[-0.3, 0]", "at_least: 0.15"), [(-0.3, 0.0, 0.15, "0.15 m from (-0.3, 0)")]),
+        (
+            NEAR % ("hill", "at_least: 0.1, at_most: 0.2"),
+            [(0.1, 0.2, 0.1, "0.1 m from hill"), (0.1, 0.2, 0.2, "0.2 m from hill")],
+        ),
+        (NEAR % ("marks", "at_most: 0.1"), [(0.1, 0.2, 0.1, "0.1 m from hill"), (0.0, 0.0, 0.1, "0.1 m from centre")]),
+        (NEAR % ("ball", "at_most: 0.1"), []),  # it moves
+        (NEAR % ("hill", "at_most: 0.2") + ", " + NEAR % ("hill", "at_most: 0.2"), [(0.1, 0.2, 0.2, "0.2 m from hill")]),
+        ("{condition: any_of, conditions: [" + NEAR % ("hill", "at_most: 0.2") + "]}", [(0.1, 0.2, 0.2, "0.2 m from hill")]),
+    ],
+)  # fmt: skip
+def test_a_distance_is_a_circle(condition, circles):
+    assert reaches(drawn(condition)) == circles
+
+
+def test_the_legend_has_its_number():
+    picture = drawn(NEAR % ("hill", "at_most: 0.2"))
+    assert ">Distances that rules measure (m)<" in picture
+    assert ">0.2 from hill<" in picture
+    assert "Distances" not in drawn("")
+
+
+def test_of_a_spot_that_rules_set_it_is_drawn_where_the_half_begins():
+    (circle,) = reaches(drawn(NEAR % ("hill", "at_most: 0.2"), "{action: set_spot, spot: hill, to: ball}"))
+    assert circle == (0.1, 0.2, 0.2, "0.2 m from hill when a half starts; rules set it")
+
+
+def test_from_where_something_may_not_be_moved():
+    text = (SMALL % ("", "{action: end}")).replace(
+        "{trigger: half_started}", "{trigger: displaced, entity: B1, from: [0.3, 0.3], distance_m: 0.05}"
+    )
+    loaded = load_text(text)
+    assert reaches(draw_scenario(loaded.scenario, loaded.roster)) == [(0.3, 0.3, 0.05, "0.05 m from (0.3, 0.3)")]

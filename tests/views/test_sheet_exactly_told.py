@@ -1,0 +1,64 @@
+"""What a rule sheet tells exactly: the values that programs compare with, and whom a sentence is about."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.views.sheets import sheet
+
+TOLD = """
+draws: {%s}
+phases: {show_first: {lasts_s: 2}}
+balls: {ball: {}}
+broadcast: {fields: {%s}}
+rules: {it: {triggers: [{trigger: half_started}], actions: [{action: score, entrant: blue}], says: So.}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("draw", "field", "words"),
+    [
+        (
+            "place: {values: [corner_blue_left, centre]}",
+            "{draw: place}",
+            'what was drawn as “place”: "corner_blue_left" or "centre"',
+        ),
+        ("tile: {values: [1, 2.5, true]}", "{draw: tile}", "what was drawn as “tile”: 1, 2.5 or true"),
+        ("tile: {values: [1]}", "{word: phase}", 'the phase: "play" or "show_first"'),
+        (
+            "tile: {values: [1]}",
+            "{position_of: ball}",
+            "the position of the ball: [x, y, yaw] in m and rad, null while it is off the field",
+        ),
+        ("tile: {values: [1]}", "{position_of: centre}", "the position of the spot “centre”: [x, y] in m"),
+    ],
+)
+def test_what_programs_compare_with_is_told_as_they_get_it(draw, field, words):
+    assert f"| it | {words} |" in sheet(TOLD % (draw, f"it: {field}"))
+
+
+FRUITS = """
+balls: {ball: null, green_1: {start_m: [0.3, 0]}, green_2: {start_m: [-0.3, 0]}, red_1: {}, red_2: {start_m: [0, 0.2]}}
+groups: {green_fruits: [green_1, green_2], red_fruits: [red_1, red_2]}
+rules:
+  green: {for_each: green_fruits, triggers: [{trigger: enters, entity: each, zone: blue_goal}], actions: [{action: score, entrant: blue}], says: "%s"}
+  red: {for_each: red_fruits, triggers: [{trigger: enters, entity: each, zone: blue_goal}], actions: [{action: score, entrant: blue, points: 3}], says: "{entity} for blue."}
+"""
+
+
+def test_a_sentence_about_each_of_a_group_names_the_group():
+    text = sheet(FRUITS % "{entity} for blue.")
+    assert "| One of the green fruits for blue. | blue | 1 |" in text
+    assert "| One of the red fruits for blue. | blue | 3 |" in text
+
+
+def test_it_names_the_group_once_and_not_where_something_belongs_to_the_one():
+    text = sheet(FRUITS % "{entity} is in; {entity} is gone.")
+    assert "One of the green fruits is in; the ball is gone." in text
+    assert "The ball's way is over; the ball is gone." in sheet(FRUITS % "{entity}'s way is over; {entity} is gone.")
+
+
+def test_of_a_group_that_always_exists_it_says_the_kind():
+    text = sheet("rules: {it: {for_each: robots, triggers: [{trigger: tips_over, entity: each}], "
+                 "actions: [{action: remove, entity: each}], says: '{entity} fell.'}}\n")  # fmt: skip
+    assert "[it] The robot fell." in text

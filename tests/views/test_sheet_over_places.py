@@ -1,0 +1,98 @@
+"""The rule sheet tells rules over gates and zones, and who was drawn, as people say it."""
+
+import pytest
+
+from tests.views.sheets import sentence, sheet
+
+pytestmark = pytest.mark.usefixtures("without_drawing")
+
+GATES = """gates: {west: {from_m: [-0.5, 0], to_m: [-0.3, 0]}, east: {from_m: [0.3, 0], to_m: [0.5, 0]}}
+groups: {doors: [west, east]}
+flags: {passed: {per: doors}}
+draws: {catcher: {values: [B1, B2, B3, Y1, Y2, Y3]}, next: {values: [west, east]}, poisoned: {values: [ball, nobody]}}
+"""
+CROSSES = "for_each: doors, triggers: [{trigger: crosses, entity: yellow, gate: each}]"
+TOUCHES = "for_each: robots, triggers: [{trigger: touches, entity: each, other: robots}]"
+END = "actions: [{action: end}]"
+
+
+def test_a_rule_over_gates_speaks_of_the_gate():
+    words = sentence(
+        f"{CROSSES}, conditions: [{{condition: flag, flag: passed, entity: each, negate: true}}], "
+        "actions: [{action: set_flag, flag: passed, entity: each}]",
+        GATES,
+    )
+    assert words == (
+        "For each of the doors, when one of the yellow robots crosses it, provided that its flag “passed” is not set: "
+        "its flag “passed” is set."
+    )
+
+
+def test_what_it_says_is_about_who_crosses_and_names_the_gate():
+    words = sentence(f'{CROSSES}, {END}, says: "{{entity}} of {{team}} has passed {{each}}."', GATES)
+    assert words.startswith("One of the yellow robots of yellow has passed the gate. For each of the doors, when")
+
+
+def test_a_rule_over_robots_says_each_as_entity():
+    says = sentence(f'{TOUCHES}, {END}, says: "{{each}} or {{entity}}."', GATES).partition(". ")[0]
+    assert says == "The robot or the robot"
+
+
+def test_whose_timer_runs_out_is_the_one_concerned_only_if_it_is_on_the_field():
+    said = 'triggers: [{trigger: timer_expired, timer: %s}], actions: [{action: end}], says: "{entity} may go."'
+    timers = f"{GATES}timers: {{closed: {{lasts_s: 3, per: doors}}, tired: {{lasts_s: 3, per: yellow}}}}\n"
+    assert sentence(said % "tired", timers).startswith("One of the yellow robots may go. ")
+    assert sentence(said % "closed", timers).startswith("The one concerned may go. ")
+
+
+def test_the_name_of_the_gate_is_told():
+    told = sentence(f"{CROSSES}, actions: [{{action: emit, event: E, payload: {{gate: {{word: each_name}}}}}}]", GATES)
+    assert told.endswith("E is announced (gate: the name of the one that the rule is for).")
+
+
+def test_a_rule_over_zones_speaks_of_the_zone():
+    rule = "for_each: penalty_areas, triggers: [{trigger: enters, entity: ball, zone: each}]"
+    condition = "conditions: [{condition: in_zone, entity: Y1, zone: each}]"
+    assert sentence(f"{rule}, {condition}, {END}") == (
+        "For each of the penalty areas, when the ball enters it, provided that Y1 is in it: the half ends."
+    )
+
+
+def test_gates_of_which_each_has_a_flag_are_told_in_the_course():
+    text = sheet(GATES.replace("{per: doors}", "{per: doors, initial: true}"))
+    assert "- There is a flag “passed” for each of the doors; it is set when a half starts." in text.splitlines()
+
+
+DRAWN = [
+    ("drawn, draw: catcher, equals: each", "it was drawn as “catcher”"),
+    ("drawn, draw: catcher, equals: other, negate: true", "the robot it touches was not drawn as “catcher”"),
+    ("drawn, draw: catcher, equals: Y1", "“Y1” was drawn as “catcher”"),
+    ("drawn, draw: poisoned, equals: nobody", "“nobody” was drawn as “poisoned”"),
+]
+
+
+@pytest.mark.parametrize(("condition", "words"), DRAWN)
+def test_who_was_drawn(condition, words):
+    said = sentence(f"{TOUCHES}, conditions: [{{condition: {condition}}}], {END}", GATES)
+    assert said.endswith(f", provided that {words}: the half ends.")
+
+
+MADE = [
+    ("other", "the robot it touches becomes “catcher”"),
+    ("each", "it becomes “catcher”"),
+    ("Y2", "“catcher” becomes “Y2”"),
+]
+
+
+@pytest.mark.parametrize(("value", "words"), MADE)
+def test_who_becomes_what_is_drawn(value, words):
+    said = sentence(f"{TOUCHES}, actions: [{{action: draw, draw: catcher, as: {value}}}]", GATES)
+    assert said.endswith(f": {words}.")
+
+
+def test_a_value_called_other_is_told_as_a_value():
+    more = "draws: {which: {values: [one, other]}}\n"
+    rule = "triggers: [{trigger: half_started}], conditions: [{condition: drawn, draw: which, equals: other}]"
+    assert sentence(f"{rule}, {END}", more) == (
+        "When a half starts, provided that “other” was drawn as “which”: the half ends."
+    )

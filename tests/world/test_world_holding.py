@@ -1,0 +1,83 @@
+"""Robots that are held: braked wheels, whatever is commanded, until they are let go."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from tests.world.physics_stage import FULL, Stage
+
+
+@pytest.fixture
+def stage():
+    made = Stage()
+    made.put("Y1", 0.0, 0.0)
+    made.put("B1", 0.0, 0.4)
+    return made
+
+
+def test_what_is_commanded_meanwhile_acts_when_they_are_let_go(stage):
+    stage.world.hold_robots(held=True)
+    stage.drive("Y1", FULL, FULL)
+    stage.play(0.5)
+    assert stage.pose("Y1") == pytest.approx((0.0, 0.0, 0.0), abs=1e-6)
+    assert stage.world.wheel_angles()[stage.index("Y1")] == [0.0, 0.0]
+    stage.world.hold_robots(held=False)
+    stage.play(0.5)
+    assert stage.pose("Y1")[0] > 0.05
+    assert stage.pose("B1") == pytest.approx((0.0, 0.4, 0.0), abs=1e-6)  # nobody has commanded it
+
+
+def test_who_drives_is_braked_and_drives_on_afterwards(stage):
+    stage.drive("Y1", FULL, FULL)
+    stage.play(0.5)
+    assert stage.speed("Y1") > 0.15
+    stage.world.hold_robots(held=True)
+    stage.play(0.5)
+    assert stage.speed("Y1") < 1e-6
+    x = stage.pose("Y1")[0]
+    stage.world.hold_robots(held=False)
+    stage.play(0.5)
+    assert stage.pose("Y1")[0] > x + 0.05
+
+
+def test_a_wheel_on_its_way_to_an_angle_waits_and_goes_there_afterwards(stage):
+    robot = stage.index("Y1")
+    stage.world.hold_robots(held=True)
+    for side in ("left", "right"):
+        stage.world.set_wheel(robot, side, FULL, 2.0)
+    stage.play(0.3)
+    assert stage.world.wheel_angles()[robot] == [0.0, 0.0]
+    stage.world.hold_robots(held=False)
+    stage.play(3)
+    assert stage.world.wheel_angles()[robot] == pytest.approx([2.0, 2.0], abs=1e-5)
+
+
+def test_who_is_put_elsewhere_is_held_there_too(stage):
+    stage.drive("Y1", FULL, FULL)
+    stage.world.hold_robots(held=True)
+    stage.put("Y1", 0.2, -0.3, math.pi / 2)
+    stage.play(0.5)
+    assert stage.pose("Y1") == pytest.approx((0.2, -0.3, math.pi / 2), abs=1e-6)
+
+
+def test_who_is_off_the_field_stays_stopped_when_the_others_are_let_go(stage):
+    stage.drive("Y1", FULL, FULL)
+    stage.park("Y1")
+    stage.world.hold_robots(held=True)
+    stage.world.hold_robots(held=False)
+    stage.play(0.3)
+    assert stage.world.wheel_angles()[stage.index("Y1")] == [0.0, 0.0]
+    stage.put("Y1", 0.0, 0.0)
+    stage.play(0.5)
+    assert stage.pose("Y1")[0] > 0.05
+
+
+def test_a_new_half_begins_free(stage):
+    stage.world.hold_robots(held=True)
+    stage.world.reset()
+    stage.drive("Y1", FULL, FULL)
+    start = stage.pose("Y1")
+    stage.play(0.5)
+    assert math.dist(stage.pose("Y1")[:2], start[:2]) > 0.05
