@@ -223,7 +223,12 @@ def sheet(
     scenario: _Scenario,
     out: Annotated[
         Path | None,
-        typer.Option("--out", "-o", metavar="FILE", help=".md or .html; left out: Markdown to the terminal."),
+        typer.Option(
+            "--out",
+            "-o",
+            metavar="FILE",
+            help=".html, or .md with an .svg beside it; left out: Markdown to the terminal.",
+        ),
     ] = None,
     set_: _Set = None,
 ) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import sys
 from pathlib import Path
 
@@ -36,6 +37,8 @@ def draw(scenario: str, out: Path | None, overrides: list[str]) -> int:
 def sheet(scenario: str, out: Path | None, overrides: list[str]) -> int:
     """Write the rule sheet of a scenario: HTML if the file is called ``.html``, Markdown if ``.md``.
 
+    HTML has the drawing in it. Beside Markdown it is a file of its own: sites that show Markdown show no inline SVG.
+
     Raises:
         RcjError: wrong input; also a file that is called otherwise, or that cannot be written.
     """
@@ -44,8 +47,20 @@ def sheet(scenario: str, out: Path | None, overrides: list[str]) -> int:
 
     _check_ending(out, (".md", *_HTML), "its name must end in .md or .html")
     loaded = load(scenario, overrides)
-    make = sheet_html if out is not None and out.suffix.lower() in _HTML else sheet_markdown
-    return _deliver(make(loaded.scenario, loaded.roster), out)
+    if out is None:
+        # Who reads it in a terminal does not read a drawing's source; a file or another program gets all of it.
+        command = f"rcj-challenge draw {shlex.quote(scenario)} --out field.svg"
+        picture = f"The drawing: `{command}`" if sys.stdout.isatty() else None
+        return _deliver(sheet_markdown(loaded.scenario, loaded.roster, picture), None)
+    if out.suffix.lower() in _HTML:
+        return _deliver(sheet_html(loaded.scenario, loaded.roster), out)
+    from urllib.parse import quote
+
+    from rcj_challenges.views.drawing import draw_scenario
+
+    drawing = out.with_suffix(".svg")
+    _deliver(draw_scenario(loaded.scenario, loaded.roster), drawing)
+    return _deliver(sheet_markdown(loaded.scenario, loaded.roster, f"![The field]({quote(drawing.name)})"), out)
 
 
 def _check_ending(out: Path | None, endings: tuple[str, ...], told: str) -> None:

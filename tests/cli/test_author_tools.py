@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
+from rcj_challenges.cli import author
 from rcj_challenges.cli.app import app
 from rcj_challenges.cli.author import OutputError
 from rcj_challenges.cli.starter import StarterError
@@ -263,6 +264,30 @@ class TestDraw:
 
     def test_a_place_that_cannot_be_written_is_named(self, tmp_path):
         assert isinstance(call("draw", "match", "--out", tmp_path / "none" / "field.svg").exception, OutputError)
+
+
+class TestSheet:
+    def test_the_drawing_lies_beside_the_markdown_that_shows_it(self, tmp_path):
+        done = call("sheet", "match", "--out", tmp_path / "the match.md")
+        assert done.exit_code == 0
+        assert done.stdout.split("\n")[:2] == [str(tmp_path / "the match.svg"), str(tmp_path / "the match.md")]
+        text = (tmp_path / "the match.md").read_text(encoding="utf-8")
+        assert "![The field](the%20match.svg)" in text
+        assert "<svg" not in text
+        assert (tmp_path / "the match.svg").read_text(encoding="utf-8").startswith("<svg")
+
+    def test_in_a_page_and_in_a_pipe_it_stands_itself(self, tmp_path):
+        assert call("sheet", "match", "--out", tmp_path / "match.html").exit_code == 0
+        assert [file.name for file in tmp_path.iterdir()] == ["match.html"]
+        assert "<svg" in (tmp_path / "match.html").read_text(encoding="utf-8")
+        assert "<svg" in call("sheet", "match").stdout
+
+    def test_a_terminal_shows_how_to_draw_it_and_not_the_source_of_a_drawing(self, monkeypatch, capsys):
+        monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
+        assert author.sheet("match", None, []) == 0
+        said = capsys.readouterr().out
+        assert "<svg" not in said
+        assert "rcj-challenge draw match --out field.svg" in said
 
 
 class TestEndings:

@@ -58,9 +58,16 @@ th{background:#8882}svg{max-width:100%;height:auto;background:#fff;border-radius
 """
 
 
-def as_markdown(blocks: Iterable[Block]) -> str:
-    """Return the blocks as Markdown; pictures stand in it as inline SVG."""
-    return "\n\n".join(_markdown(block) for block in blocks) + "\n"
+def as_markdown(blocks: Iterable[Block], picture: str | None = None) -> str:
+    """Return the blocks as Markdown.
+
+    Args:
+        blocks: in order.
+        picture: what stands for pictures, such as a link to a file; None: they stand in it themselves, as inline SVG,
+            which most sites that show Markdown leave out.
+    """
+    shown = (picture if picture is not None and isinstance(block, Picture) else _markdown(block) for block in blocks)
+    return "\n\n".join(shown) + "\n"
 
 
 def as_html(title: str, blocks: Iterable[Block]) -> str:

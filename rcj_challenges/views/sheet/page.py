@@ -22,9 +22,9 @@ from rcj_challenges.views.sheet.spoken import spoken
 from rcj_challenges.views.sheet.told import told_blocks
 
 
-def sheet_markdown(scenario: Scenario, roster: Roster) -> str:
-    """Return the rule sheet as Markdown."""
-    return as_markdown(sheet_blocks(scenario, roster))
+def sheet_markdown(scenario: Scenario, roster: Roster, picture: str | None = None) -> str:
+    """Return the rule sheet as Markdown; ``picture`` is what stands for the drawing, None: itself, as inline SVG."""
+    return as_markdown(sheet_blocks(scenario, roster), picture)
 
 
 def sheet_html(scenario: Scenario, roster: Roster) -> str:
