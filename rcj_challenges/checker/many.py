@@ -8,9 +8,7 @@ import os
 import signal
 import subprocess
 import sys
-import threading
 from collections.abc import Callable, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -22,11 +20,10 @@ from rcj_challenges.checker.many_given import Called, called
 from rcj_challenges.checker.report import FileReport
 from rcj_challenges.controllers.team import TeamError
 from rcj_challenges.facts.errors import told_of
+from rcj_challenges.match.apart import Running, do_all, python
 from rcj_challenges.scenario.load import Loaded, load_resolved
 from rcj_challenges.scenario.models.scenario import Limits
 
-_POLL_S = 0.2
-_LEAVE_S = 5.0
 _SLACK_S = 120.0
 _MOST_SHORT_MATCHES = 12
 _ATTEMPTS = 2
@@ -62,24 +59,12 @@ def check_many(
         KeyboardInterrupt: after the running checks have been ended.
     """
     worker = _Worker(_told(loaded, options), _patience_s(loaded.scenario.limits, len(loaded.scenario.robots)))
-    running = _Running()
-    with ThreadPoolExecutor(max_workers=max(1, jobs)) as pool:
-        futures: list[Future[FileReport]] = [
-            pool.submit(_check_apart, path, named, worker, running)
-            for path, named in zip(paths, called(paths), strict=True)
-        ]
-        try:
-            pending = set(futures)
-            while pending:
-                done, pending = wait(pending, timeout=_POLL_S, return_when=FIRST_COMPLETED)
-                for future in sorted(done, key=futures.index):
-                    on_done(future.result())
-        except BaseException:
-            for future in futures:
-                future.cancel()
-            running.end_all()
-            raise
-    return [future.result() for future in futures]
+    running: Running[bytes] = Running(_interrupt)
+
+    def check(job: tuple[Path, Called]) -> FileReport:
+        return _check_apart(*job, worker, running)
+
+    return do_all(list(zip(paths, called(paths), strict=True)), check, running, jobs, on_done)
 
 
 def work() -> None:
@@ -110,59 +95,27 @@ def _leave(*_: object) -> None:
     raise KeyboardInterrupt
 
 
-class _Running:
-    """The processes that run at present."""
-
-    def __init__(self) -> None:
-        self._lock = threading.Lock()
-        self._processes: set[subprocess.Popen[bytes]] = set()
-        self._stopped = False
-
-    @property
-    def stopped(self) -> bool:
-        """Whether no process shall be started any more."""
-        return self._stopped
-
-    def start(self) -> subprocess.Popen[bytes] | None:
-        """Start a process; None if all shall end."""
-        # -P: what lies in the current folder, perhaps the submissions, is not to be imported.
-        command = [sys.executable, "-P", "-c", _START, str(Path(__file__).resolve().parents[2])]
-        with self._lock:
-            if self._stopped:
-                return None
-            process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-            self._processes.add(process)
-            return process
-
-    def forget(self, process: subprocess.Popen[bytes]) -> None:
-        """Take note that a process is over."""
-        with self._lock:
-            self._processes.discard(process)
-
-    def end_all(self) -> None:
-        """End all processes, so that they can remove what they have on the disk."""
-        with self._lock:
-            self._stopped = True
-            left = list(self._processes)
-        for process in left:
-            if os.name == "posix":
-                process.send_signal(signal.SIGINT)
-            else:
-                process.terminate()
-        for process in left:
-            try:
-                process.wait(_LEAVE_S)
-            except subprocess.TimeoutExpired:
-                process.kill()
+def _interrupt(process: subprocess.Popen[bytes]) -> None:
+    """Let a check end so that it can remove what it has on the disk."""
+    if os.name == "posix":
+        process.send_signal(signal.SIGINT)
+    else:
+        process.terminate()
 
 
-def _check_apart(path: Path, named: Called, worker: _Worker, running: _Running) -> FileReport:
+def _start() -> subprocess.Popen[bytes]:
+    return subprocess.Popen(
+        python(_START), stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    )  # fmt: skip
+
+
+def _check_apart(path: Path, named: Called, worker: _Worker, running: Running[bytes]) -> FileReport:
     """Check a submission in a process of its own; one that dies for a reason of its own is tried once more."""
     told = json.dumps({**worker.told, "path": str(path), "called": asdict(named)}).encode()
     report = unchecked_report(named, "the check was interrupted")
     for _ in range(_ATTEMPTS):
         try:
-            process = running.start()
+            process = running.begin(_start)
         except OSError as error:
             return unchecked_report(named, f"no process could be started for it: {told_of(error)}")
         if process is None:

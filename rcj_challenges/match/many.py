@@ -5,18 +5,14 @@ from __future__ import annotations
 import json
 import os
 import subprocess
-import sys
-import threading
 from collections.abc import Callable, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass
-from pathlib import Path
+from operator import methodcaller
 from typing import Any
 
 from rcj_challenges.facts.errors import told_of
+from rcj_challenges.match.apart import Running, do_all, python
 
-_POLL_S = 0.2
-_LEAVE_S = 5.0
 _WRONG_INPUT = 2
 _START = "import sys; sys.path.append(sys.argv.pop(1)); from rcj_challenges.cli.child import main; main()"
 
@@ -66,86 +62,57 @@ def play_many(jobs: Sequence[Job], at_once: int, on_done: Callable[[Outcome], No
     Raises:
         KeyboardInterrupt: after the running matches have been ended.
     """
-    running = _Running()
+    running = _Matches()
 
     def play(job: Job) -> Outcome:
         outcome = _play_one(job, running)
         retry = outcome.result is None and not outcome.wrong_input and not running.stopped
         return _play_one(job, running) if retry else outcome
 
-    with ThreadPoolExecutor(max_workers=max(1, at_once)) as pool:
-        futures: list[Future[Outcome]] = [pool.submit(play, job) for job in jobs]
-        try:
-            pending = set(futures)
-            while pending:
-                done, pending = wait(pending, timeout=_POLL_S, return_when=FIRST_COMPLETED)
-                for future in sorted(done, key=futures.index):
-                    on_done(future.result())
-        except BaseException:
-            for future in futures:
-                future.cancel()
-            running.end_all()
-            raise
-    return [future.result() for future in futures]
+    return do_all(jobs, play, running, at_once, on_done)
 
 
-class _Running:
-    """The processes that run at present.
+class _Matches(Running[str]):
+    """The matches that run at present.
 
     Standard input of each is a pipe, its lifeline: that ends when this process does, and it with it. One for all would
     do, but on Windows a process cannot start while another one reads from the pipe that it is given.
     """
 
     def __init__(self) -> None:
-        self._lock = threading.Lock()
+        super().__init__(methodcaller("terminate"))
         self._lifelines: dict[subprocess.Popen[str], int] = {}
-        self.stopped = False
 
     def start(self, arguments: Sequence[str]) -> subprocess.Popen[str] | None:
-        """Start a process; None if all shall end.
+        """Start a match; None if all shall end.
 
         Raises:
             OSError: it cannot be started.
         """
-        # -P: what lies in the current folder, perhaps submissions, is not to be imported.
-        command = [sys.executable, "-P", "-c", _START, str(Path(__file__).resolve().parents[2]), *arguments]
-        with self._lock:
-            if self.stopped:
-                return None
-            lifeline, our_end = os.pipe()
-            try:
-                process = subprocess.Popen(
-                    command, stdin=lifeline, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",
-                    errors="replace",
-                )  # fmt: skip
-            except BaseException:
-                os.close(our_end)
-                raise
-            finally:
-                os.close(lifeline)
-            self._lifelines[process] = our_end
-            return process
+        return self.begin(lambda: self._process(arguments))
 
     def forget(self, process: subprocess.Popen[str]) -> None:
-        """Take note that a process is over."""
-        with self._lock:
-            os.close(self._lifelines.pop(process))
+        """Take note that a match is over."""
+        super().forget(process)
+        os.close(self._lifelines.pop(process))
 
-    def end_all(self) -> None:
-        """Interrupt all processes, so that they can close their records, then end them."""
-        with self._lock:
-            self.stopped = True
-            left = list(self._lifelines)
-        for process in left:
-            process.terminate()
-        for process in left:
-            try:
-                process.wait(_LEAVE_S)
-            except subprocess.TimeoutExpired:
-                process.kill()
+    def _process(self, arguments: Sequence[str]) -> subprocess.Popen[str]:
+        lifeline, our_end = os.pipe()
+        try:
+            process = subprocess.Popen(
+                python(_START, *arguments), stdin=lifeline, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                encoding="utf-8", errors="replace",
+            )  # fmt: skip
+        except BaseException:
+            os.close(our_end)
+            raise
+        finally:
+            os.close(lifeline)
+        self._lifelines[process] = our_end
+        return process
 
 
-def _play_one(job: Job, running: _Running) -> Outcome:
+def _play_one(job: Job, running: _Matches) -> Outcome:
     try:
         process = running.start(["run", *job.arguments, "--seed", str(job.seed), "--json"])
     except OSError as error:

@@ -13,16 +13,12 @@ from rcj_challenges.records.result import read_result
 
 COMMAND = [sys.executable, "-m", "rcj_challenges"]
 POSIX = pytest.mark.skipif(os.name != "posix", reason="files are closed and pipes broken as POSIX has it")
-STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
-ONE_ROBOT = [f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
 
 
 @pytest.fixture
-def match(tmp_path: Path) -> list[str]:
+def match(duel: list[str]) -> list[str]:
     """A command that plays a short match."""
-    Path(tmp_path, "team.py").write_text(STAND, encoding="utf-8")
-    team = str(tmp_path / "team.py")
-    return [*COMMAND, "run", "match", "--blue", team, "--yellow", team, "--duration=0.5", "--halves=1", *ONE_ROBOT]
+    return [*COMMAND, "run", *duel, "--duration=0.5"]
 
 
 def in_shell(line: str, command: list[str], cwd: Path, **more: object) -> subprocess.CompletedProcess[str]:

@@ -14,17 +14,13 @@ from rcj_challenges.records.result import read_result
 
 COMMAND = [sys.executable, "-m", "rcj_challenges"]
 POSIX = pytest.mark.skipif(os.name != "posix", reason="processes are listed and killed as POSIX has it")
-STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
-ONE_ROBOT = [f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
 ENDS_WITHIN_S = 3.0  # one second, and a busy machine
 
 
 @pytest.fixture
-def many(tmp_path: Path) -> list[str]:
+def many(duel: list[str]) -> list[str]:
     """A command that plays several matches of one robot against another."""
-    Path(tmp_path, "team.py").write_text(STAND, encoding="utf-8")
-    team = str(tmp_path / "team.py")
-    return [*COMMAND, "simulate", "match", "--blue", team, "--yellow", team, "--halves=1", *ONE_ROBOT]
+    return [*COMMAND, "simulate", *duel]
 
 
 def descendants_of(pid: int) -> dict[int, str]:

@@ -18,16 +18,6 @@ from rcj_challenges.records.result import read_result
 
 COMMAND = [sys.executable, "-m", "rcj_challenges"]
 POSIX = pytest.mark.skipif(os.name != "posix", reason="the limit for the size of files is POSIX's")
-STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
-ONE_ROBOT = [f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
-
-
-@pytest.fixture
-def match(tmp_path: Path) -> list[str]:
-    """The scenario and teams of a match of one robot against another, for ``run`` and ``simulate``."""
-    Path(tmp_path, "team.py").write_text(STAND, encoding="utf-8")
-    team = str(tmp_path / "team.py")
-    return ["match", "--blue", team, "--yellow", team, "--halves=1", *ONE_ROBOT]
 
 
 def command(folder: Path, *arguments: str, line: str = 'exec "$@"') -> subprocess.CompletedProcess[str]:
@@ -42,8 +32,8 @@ def command(folder: Path, *arguments: str, line: str = 'exec "$@"') -> subproces
 
 @POSIX
 @pytest.mark.parametrize("more", [[], ["--record", "sensors"]], ids=["poses", "sensors"])
-def test_a_full_disk_is_told_with_the_file_and_what_helps(tmp_path: Path, match: list[str], more: list[str]) -> None:
-    arguments = ["run", *match, "--duration=60", "--no-replay", "--quiet", *more]
+def test_a_full_disk_is_told_with_the_file_and_what_helps(tmp_path: Path, duel: list[str], more: list[str]) -> None:
+    arguments = ["run", *duel, "--duration=60", "--no-replay", "--quiet", *more]
     done = command(tmp_path, *arguments, line='ulimit -f 60; exec "$@"')
     assert done.returncode == 2
     (folder,) = tmp_path.glob("runs/*")
@@ -57,9 +47,9 @@ def test_a_full_disk_is_told_with_the_file_and_what_helps(tmp_path: Path, match:
 
 
 @POSIX
-def test_a_record_that_somebody_deletes_meanwhile_is_no_fault_of_ours(tmp_path: Path, match: list[str]) -> None:
+def test_a_record_that_somebody_deletes_meanwhile_is_no_fault_of_ours(tmp_path: Path, duel: list[str]) -> None:
     process = subprocess.Popen(
-        [*COMMAND, "run", *match, "--duration=20", "--quiet"], cwd=tmp_path, stderr=subprocess.PIPE, text=True
+        [*COMMAND, "run", *duel, "--duration=20", "--quiet"], cwd=tmp_path, stderr=subprocess.PIPE, text=True
     )
     until = time.monotonic() + 60
     while not list(tmp_path.glob("runs/*/trajectory.part/half-1.poses")):
@@ -76,25 +66,25 @@ def test_a_record_that_somebody_deletes_meanwhile_is_no_fault_of_ours(tmp_path: 
 
 
 @pytest.mark.parametrize("name", ["a file", "a file/runs"])
-def test_a_file_is_no_folder(tmp_path: Path, match: list[str], name: str) -> None:
+def test_a_file_is_no_folder(tmp_path: Path, duel: list[str], name: str) -> None:
     (tmp_path / "a file").write_text("", encoding="utf-8")
-    done = command(tmp_path, "run", *match, "--duration=1", "--out", name)
+    done = command(tmp_path, "run", *duel, "--duration=1", "--out", name)
     assert done.returncode == 2
     assert done.stderr == (
         f"cannot make a folder for the record in {Path(name)}: a file is not a folder; give another folder with --out\n"
     )
 
 
-def test_many_matches_are_not_begun_where_none_can_be_recorded(tmp_path: Path, match: list[str]) -> None:
+def test_many_matches_are_not_begun_where_none_can_be_recorded(tmp_path: Path, duel: list[str]) -> None:
     (tmp_path / "a file").write_text("", encoding="utf-8")
-    done = command(tmp_path, "simulate", *match, "--seeds=1..500", "--out", "a file", "--json")
+    done = command(tmp_path, "simulate", *duel, "--seeds=1..500", "--out", "a file", "--json")
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr.startswith("cannot make a folder for the records in a file: a file is not a folder")
     assert len(done.stderr.splitlines()) == 1
 
 
-def test_a_page_that_must_not_be_written_is_named(tmp_path: Path, match: list[str], monkeypatch, capsys) -> None:
-    done = command(tmp_path, "run", *match, "--duration=0.5", "--no-replay", "--json")
+def test_a_page_that_must_not_be_written_is_named(tmp_path: Path, duel: list[str], monkeypatch, capsys) -> None:
+    done = command(tmp_path, "run", *duel, "--duration=0.5", "--no-replay", "--json")
     assert json.loads(done.stdout)["complete"]
     (folder,) = tmp_path.glob("runs/*")
 
