@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 
 from fake_match import FakeMatch
@@ -76,6 +78,21 @@ print(len(packet), read, np.fromstring("1 2", sep=" "), np.array([3, 8]).ptp(), 
 robot.step(32)
 """
     assert match.play(STEPS + program, 1).said == ["8 [1.5 2. ] [1. 2.] 5 [1.] VisibleDeprecationWarning"]
+
+
+def test_methods_of_arrays_are_restored_where_python_has_looked_them_up_before() -> None:
+    """Python remembers what it has looked up in a class: by its address, so a method that was freed ended the program."""
+    program = """
+import numpy
+before = [getattr(numpy.ndarray, name, None) is None for name in ("ptp", "tostring") * 3]
+del before
+from rcj_challenges.controllers.pupil.controller._numpy import restore_old_names
+restore_old_names(numpy)
+other_things = [bytearray(72) for _ in range(10_000)]
+print(numpy.array([3, 8]).ptp(), len(numpy.array([0.5, 2.0]).tostring()))
+"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False)
+    assert (done.stdout, done.stderr, done.returncode) == ("5 16\n", "", 0)
 
 
 def test_names_that_scipy_had_in_those_years_are_there(match: FakeMatch) -> None:

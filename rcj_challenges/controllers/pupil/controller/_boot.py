@@ -7,6 +7,7 @@ from __future__ import annotations
 import builtins
 import os
 import sys
+import types  # noqa: F401 - on Linux the layers need it: so a team's own `types.py` is never read on any system
 
 from . import _chance, _clock, _confine, _hub, _older, _report, _signals, _waits
 from ._hooks import AfterImport

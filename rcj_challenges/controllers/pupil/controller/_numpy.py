@@ -71,12 +71,25 @@ def _reading_bytes(numpy: Any) -> Any:
     return fromstring
 
 
+_replaced: list[Any] = []
+"""What stood in numpy's dictionary before. Python may still know it by its address: it must not be freed."""
+
+
 def _restore_methods(numpy: Any) -> None:
-    """Give arrays back methods that they had. Their class takes none from Python, but the dictionary behind it does."""
+    """Give arrays back methods that they had. Their class takes none from Python, but the dictionary behind it does.
+
+    Nobody tells Python that the class has changed, so it forgets what it has looked up in any class.
+    """
     with suppress(Exception):  # without them only programs that use them suffer
         (methods,) = gc.get_referents(numpy.ndarray.__dict__)
-        methods["tostring"] = numpy.ndarray.tobytes
-        methods["ptp"] = lambda array, axis=None, out=None: numpy.ptp(array, axis, out)  # since 2.0 it only complains
+        forget = getattr(sys, "_clear_internal_caches", None) or sys._clear_type_cache  # noqa: SLF001
+        restored = {
+            "tostring": numpy.ndarray.tobytes,
+            "ptp": lambda array, axis=None, out=None: numpy.ptp(array, axis, out),  # since 2.0 it only complains
+        }
+        _replaced.extend(methods.get(name) for name in restored)
+        methods.update(restored)
+        forget()
 
 
 def restore_names_of_numpy(scipy: Any) -> None:
