@@ -204,8 +204,9 @@ CHAPTERS = (
     Chapter(
         "Values",
         "What may stand in a payload or a broadcast, besides a literal; in `points:` and `count` too: `counter`, "
-        "`flag`, `timer` (whole seconds, rounded down), `distance` (0 while it is null), `way`, and `draw` and `word` "
-        "if they are numbers; in `points:` also a list of which all is added: numbers, and these with weights.",
+        "`flag`, `timer` (whole seconds, rounded down, or with `fraction: true`), `distance` (0 while it is null), "
+        "`way`, and `draw` and `word` if they are numbers; in `points:` also a list of which all is added: numbers, "
+        "and these with weights.",
         (
             Word("counter", state.CounterValue, example="counter_value"),
             Word("flag", state.FlagValue, example="flag_value"),

@@ -13,10 +13,11 @@ from rcj_challenges.checker.archives import Inspection, TeamError, inspect
 from rcj_challenges.checker.findings import STAGES, Finding, Stage, StageName
 from rcj_challenges.checker.many_given import Called, called
 from rcj_challenges.checker.report import FileReport, MatchReport, gravest, match_report, stage_report
-from rcj_challenges.checker.report_files import copy_page, ensure_room
+from rcj_challenges.checker.report_files import copy_page
 from rcj_challenges.checker.sources import check_sources
 from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.private_folders import PrivateFolders
+from rcj_challenges.controllers.scratch import ensure_room
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.errors import HostError, RcjError, is_of_the_host, told_of
 from rcj_challenges.facts.shown import shown, shown_block

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from pathlib import PurePosixPath
 
 from rcj_challenges.checker.mains import reached_from
@@ -19,7 +20,8 @@ _STEP = rb"[\w.]{1,80}\.step\([\w\s.*/+,=-]{0,80}(?:\([\w\s.*/+-]{0,80}\))?\)"
 # Loops that go on only as long as step returns something other than 0, which it does at the end of the match.
 _ENDS_AT_ZERO = re.compile(rb"while[ \t(]{1,4}" + _STEP + rb"[ \t]{0,4}(?:==[ \t]?-?1|!=[ \t]?0|>[ \t]?0)?[ \t)]{0,4}:")
 _FUNCTION = re.compile(rb"def[ \t]+(\w{1,80})[ \t]*\(")
-_USE = re.compile(rb"(?<!def )\b\w+")
+_CLASS = re.compile(rb"class[ \t]+(\w{1,80})")
+_USE = re.compile(rb"(?<!def )(?<!class )\b\w+")
 
 
 def why_it_ended(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> str:
@@ -38,16 +40,46 @@ def why_it_ended(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> 
                     f"step returns 0 while the match goes on and -1 at its end, so the loop in line {number}{place} "
                     "ends at once: write while robot.step(32) != -1:"
                 )
-    loops = dict(_functions_that_step(programs.get(entry, b"")))
-    called = {name[0] for content in programs.values() for name in _USE.finditer(content)} if loops else set()
-    for name, number in loops.items():
-        if name not in called:
-            told = shown(name)
-            return (
-                f"the loop with step is in {told}(), line {number}, and nothing calls it: call {told}() at the end of "
-                "the program"
-            )
-    return ""
+    loops = list(_functions_that_step(programs.get(entry, b"")))
+    used = {name[0] for content in programs.values() for name in _USE.finditer(content)} if loops else set()
+    return next((_told(loop) for loop in loops if loop.is_reached_by not in used), "")
+
+
+@dataclass(frozen=True)
+class _Loop:
+    """A loop with step.
+
+    Attributes:
+        name: of the function or method that it is in.
+        owner: class of the method; empty of a function.
+        line: where the function begins.
+    """
+
+    name: bytes
+    owner: bytes
+    line: int
+
+    @property
+    def is_reached_by(self) -> bytes:
+        """The name that must be used for it to be reached: methods with underscores are called by Python itself."""
+        return self.owner if self.owner and self.name.startswith(b"__") else self.name
+
+
+def _told(loop: _Loop) -> str:
+    name, owner, place = shown(loop.name), shown(loop.owner), f"line {loop.line}"
+    if not owner:
+        return (
+            f"the loop with step is in {name}(), {place}, and nothing calls it: call {name}() at the end of the program"
+        )
+    if loop.is_reached_by == loop.owner:
+        return (
+            f"the loop with step is in {name}() of {owner}, {place}, and nothing makes a {owner}: make one at the "
+            "end of the program"
+        )
+    return (
+        f"the loop with step is in the method {name}() of {owner}, {place}, and nothing calls it: make a {owner} at "
+        f"the end of the program and call its {name}()"
+    )
 
 
 def _lines(content: bytes) -> Iterator[tuple[int, int, bytes]]:
@@ -58,16 +90,21 @@ def _lines(content: bytes) -> Iterator[tuple[int, int, bytes]]:
             yield number, len(line) - len(line.lstrip()), code
 
 
-def _functions_that_step(content: bytes) -> Iterator[tuple[bytes, int]]:
-    """Return names and lines of the functions and methods in which a loop calls step."""
-    name, at, indentation, loops = b"", 0, 0, False
+def _functions_that_step(content: bytes) -> Iterator[_Loop]:
+    """Return the functions and methods in which a loop calls step."""
+    around: list[tuple[int, bytes]] = []  # indentation, and name if it is a class, of what the line is in
+    function, owner, at, loops = b"", b"", 0, False
     for number, depth, code in _lines(content):
-        if name and depth <= indentation:
-            name = b""
-        function = _FUNCTION.match(code)
-        if function is not None:
-            name, at, indentation, loops = function[1], number, depth, False
+        while around and depth <= around[-1][0]:
+            around.pop()
+            function = b""
+        found = _FUNCTION.match(code)
+        if found is not None:
+            function, at, owner, loops = found[1], number, around[-1][1] if around else b"", False
+            around.append((depth, b""))
+        elif (found := _CLASS.match(code)) is not None:
+            around.append((depth, found[1]))
         loops = loops or code.startswith(b"while")
-        if name and loops and b".step(" in code:
-            yield name, at
-            name = b""
+        if function and loops and b".step(" in code:
+            yield _Loop(function, owner, at)
+            function = b""

@@ -5,24 +5,10 @@ from __future__ import annotations
 import errno
 import os
 import shutil
-import tempfile
 from pathlib import Path
 
+from rcj_challenges.controllers.scratch import ensure_room
 from rcj_challenges.records.folder import replaced
-
-_ROOM_BYTES = 1_000_000
-"""More than a page of some teams needs, and a replay of ten seconds."""
-
-
-def ensure_room(folder: Path) -> None:
-    """Find out whether files can be written into a folder; nothing of it stays.
-
-    Raises:
-        OSError: they cannot, or there is no room for them.
-    """
-    with tempfile.TemporaryFile(dir=folder, prefix=".rcj-check-") as file:
-        file.write(bytes(_ROOM_BYTES))
-        file.flush()
 
 
 def ensure_folder(folder: Path) -> None:

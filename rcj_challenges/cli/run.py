@@ -125,7 +125,7 @@ def _tell(options: RunOptions, console: Console, scenario: Scenario, outcome: Pl
             written = True
     finally:
         if options.json:
-            say_json(outcome.result)
+            say_json({**outcome.result, "folder": str(outcome.folder)})
         else:
             _summary(console, scenario, outcome, replay=written)
 

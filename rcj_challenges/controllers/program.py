@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import errno
 import math
 import os
+import re
 import tempfile
 import time
 from dataclasses import dataclass
@@ -32,6 +34,8 @@ _FOLDER_LOOKED_AT_EVERY = 256  # ticks; walking through a folder is slow
 _OUTPUT_SLACK_BYTES = 65_536  # what the interpreter and the match itself add to a log
 _FAREWELL_S = 1.0
 _LAST_WORDS_S = 1.0  # a thread reads them where pipes cannot be polled
+_NO_ROOM = re.compile(rf"\[Errno ({errno.ENOSPC}|{getattr(errno, 'EDQUOT', errno.ENOSPC)})\]|\[WinError 112\]")
+"""What errors of a full disk, or of a quota, have in their words in every language."""
 
 
 @dataclass(frozen=True)
@@ -85,6 +89,7 @@ class Program:
         self._output_limit = isolation.output_bytes(self._limits) + _OUTPUT_SLACK_BYTES
         self._scratch_limit = isolation.megabytes(self._limits.scratch_mb) + assignment.team.size_bytes()
         self._portable = processes.NEEDS_LIFELINE if assignment.portable is None else assignment.portable
+        self._place = Path()
         self._folder: Path | None = None
         self._log: ProgramLog | None = None
         self._look_at_s, self._look_at_tick = _SLICE_S, _FOLDER_LOOKED_AT_EVERY
@@ -124,6 +129,7 @@ class Program:
         layers = isolation.active_layers(self._assignment.sandbox)
         if self._assignment.debug:
             layers = tuple(layer for layer in layers if layer not in ("resource_limits", "bubblewrap"))
+        self._place = place
         self._log = ProgramLog(self._assignment.log_path, self._output_limit, place)
         self._say(f"--- half {self._assignment.half}: {self._assignment.entry} ---\n")
         self._launched_at = time.perf_counter()
@@ -147,6 +153,9 @@ class Program:
 
         The first time, the limit is ``start_s`` since the launch; then it is ``step_s`` since this call, and
         ``half_s`` for all calls together.
+
+        Raises:
+            HostError: it failed because the temporary folder is full.
         """
         if self._channel is None:
             return self.fault or self._fail("start", "the program was not started")
@@ -346,7 +355,26 @@ class Program:
     def _ended(self, kind: str, detail: str, traceback: str = "") -> Fault:
         """Tell how a program ended, or what made it end: at the system's limit for files a flood ends in a crash."""
         trespass = self._trespass(look_at_folder=True)
-        return self._fail(kind, detail, traceback) if trespass is None else self._fail(*trespass)
+        if trespass is not None:
+            return self._fail(*trespass)
+        if _NO_ROOM.search(detail + traceback):
+            self._raise_if_full()
+        return self._fail(kind, detail, traceback)
+
+    def _raise_if_full(self) -> None:
+        """Look whether the temporary folder is as full as the program says: it may say what it likes.
+
+        Raises:
+            HostError: it is.
+        """
+        try:
+            scratch.ensure_room(self._place)
+        except OSError as error:
+            raise HostError(
+                f"the temporary folder is full: the program of {self.name} could not write at tick {self._tick} "
+                f"({s_from_ticks(self._tick):.3f} s): {told_of(error)}; "
+                "make room there, or let TMPDIR name another folder"
+            ) from error
 
     def _trespass(self, *, look_at_folder: bool) -> tuple[str, str] | None:
         """Return what it took too much of, if anything: kind and detail of the fault."""

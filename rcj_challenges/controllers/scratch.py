@@ -11,6 +11,7 @@ import math
 import os
 import stat
 import sys
+import tempfile
 from pathlib import Path
 
 _ENTRY_BYTES = 4096
@@ -18,6 +19,20 @@ _ENTRY_BYTES = 4096
 
 _LONGEST_PATH = 512
 """Letters of a path below the private folder. Longer ones are nobody's honest work, and soon no call takes them."""
+
+_ROOM_BYTES = 1_000_000
+"""More than a program writes at once, than a page of some teams needs, and a replay of ten seconds."""
+
+
+def ensure_room(folder: Path) -> None:
+    """Find out whether files can be written into a folder; nothing of it stays.
+
+    Raises:
+        OSError: they cannot, or there is no room for them.
+    """
+    with tempfile.TemporaryFile(dir=folder, prefix=".rcj-room-") as file:
+        file.write(bytes(_ROOM_BYTES))
+        file.flush()
 
 
 def has_more_than(folder: Path, limit_bytes: float) -> bool:

@@ -79,8 +79,14 @@ class _Matches(Running[str]):
     do, but on Windows a process cannot start while another one reads from the pipe that it is given.
     """
 
-    def __init__(self) -> None:
-        super().__init__(methodcaller("terminate"))
+    def __init__(self, *, by_lifeline: bool = os.name != "posix") -> None:
+        """Build it with no match.
+
+        Args:
+            by_lifeline: whether a match is interrupted by the end of its lifeline, which lets it close its record;
+                on Windows a signal would not.
+        """
+        super().__init__(self._cut_lifeline if by_lifeline else methodcaller("terminate"))
         self._lifelines: dict[subprocess.Popen[str], int] = {}
 
     def start(self, arguments: Sequence[str]) -> subprocess.Popen[str] | None:
@@ -94,7 +100,12 @@ class _Matches(Running[str]):
     def forget(self, process: subprocess.Popen[str]) -> None:
         """Take note that a match is over."""
         super().forget(process)
-        os.close(self._lifelines.pop(process))
+        self._cut_lifeline(process)
+
+    def _cut_lifeline(self, process: subprocess.Popen[str]) -> None:
+        our_end = self._lifelines.pop(process, None)  # whoever gets it closes it
+        if our_end is not None:
+            os.close(our_end)
 
     def _process(self, arguments: Sequence[str]) -> subprocess.Popen[str]:
         lifeline, our_end = os.pipe()

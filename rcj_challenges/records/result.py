@@ -128,6 +128,12 @@ class RunResult(_Part):
     versions: Versions
     sandbox: dict[str, Any] = _described("how programs were isolated: what was asked for and which layers were active")
     marks: list[str] = _described("what makes this run special, such as debug: it does not count as a fair one")
+    folder: str = Field(
+        default="",
+        exclude=True,  # no file holds a path
+        description="the record's folder, beginning where `--out` begins; only in what `run --json` prints: "
+        "`result.json` lies in it",
+    )
 
 
 def versions() -> Versions:

@@ -7,10 +7,11 @@ with what is there: the ticks up to the damage, and where no pose is left, every
 from __future__ import annotations
 
 import ast
+import contextlib
 import math
 import struct
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -20,12 +21,12 @@ import numpy.typing as npt
 
 from rcj_challenges.facts.errors import told_of
 from rcj_challenges.facts.play import HalfInfo
-from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, ticks_from_s
+from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, s_from_ticks, ticks_from_s
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SCENARIO, TRAJECTORY, TRAJECTORY_PARTS
 from rcj_challenges.records.result import RunResult, read_result
 from rcj_challenges.records.track import row_dtype
-from rcj_challenges.records.trajectory import DAMAGE, HalfTrack, Trajectory, read_notes
+from rcj_challenges.records.trajectory import DAMAGE, HalfTrack, Trajectory, read_notes, read_parts
 from rcj_challenges.records.upgrades import read_scenario
 from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.models.field import Wall
@@ -69,10 +70,26 @@ def read_run(folder: Path) -> RunRecord:
     """
     result = read_result(folder)
     scenario = read_scenario(folder, result.record)
-    problems = []
-    if not result.complete:
-        why = f" ({result.stopped})" if result.stopped else ""
-        problems.append(f"This run was not played to its end{why}: what was recorded is shown.")
+    halves, problems = read_halves(folder, scenario, result)
+    return RunRecord(folder, result, scenario, halves, problems)
+
+
+def read_halves(
+    folder: Path, scenario: Scenario, result: RunResult | None, *, standing: bool = True
+) -> tuple[tuple[HalfTrack, ...], tuple[str, ...]]:
+    """Return the halves with at least one tick, as far as they go, and sentences about what is missing or damaged.
+
+    Args:
+        folder: of the run.
+        scenario: as it was played.
+        result: of the run; None if that cannot be read.
+        standing: whether halves of which no pose is left are returned with everything at its start: for who shows
+            their events.
+
+    Raises:
+        RecordError: there is nothing in the folder that could be shown.
+    """
+    damage = ""
     try:
         trajectory = Trajectory.open(folder)
         _must_belong(trajectory, scenario, folder)
@@ -80,14 +97,23 @@ def read_run(folder: Path) -> RunRecord:
     except RecordError as error:
         if not _can_be_salvaged(folder):
             raise
-        halves, problem = _salvaged(folder, scenario, result)
+        halves, damage = _salvaged(folder, scenario, result, standing=standing)
         if not halves:
             raise
-        problems.append(f"{problem} ({error})")
+        damage += f" ({error})"
     halves = tuple(_fitting(half, scenario) for half in halves if half.ticks)
     if not halves:
         raise RecordError(f"{folder.name}: the run was stopped before its first tick: there is nothing to show")
-    return RunRecord(folder, result, scenario, halves, tuple(problems))
+    problems = [damage] if damage else []
+    if result is not None and not result.complete:
+        why = f" ({result.stopped})" if result.stopped else ""
+        problems.insert(0, f"This run was not played to its end{why}: what was recorded is shown, {_so_far(halves)}.")
+    return halves, tuple(problems)
+
+
+def _so_far(halves: Iterable[HalfTrack]) -> str:
+    """Return how far a record goes, in words."""
+    return ", ".join(f"{s_from_ticks(half.ticks):.1f} s of half {half.info.half}" for half in halves)
 
 
 def _must_belong(trajectory: Trajectory, scenario: Scenario, folder: Path) -> None:
@@ -121,25 +147,37 @@ def _can_be_salvaged(folder: Path) -> bool:
     return (folder / SCENARIO).exists() and ((folder / TRAJECTORY).exists() or (folder / TRAJECTORY_PARTS).exists())
 
 
-def _salvaged(folder: Path, scenario: Scenario, result: RunResult) -> tuple[tuple[HalfTrack, ...], str]:
+def _salvaged(
+    folder: Path, scenario: Scenario, result: RunResult | None, *, standing: bool
+) -> tuple[tuple[HalfTrack, ...], str]:
     """Return the halves that can be shown, and the sentence that says what is wrong."""
     roster = Roster.of(scenario)
+    numbers = range(1, scenario.match.halves + 1)
     path = folder / TRAJECTORY
     try:
-        arrays = _arrays(path.read_bytes()) if path.exists() else {}
+        arrays = _arrays(path.read_bytes()) if path.exists() else _loose(folder, numbers, len(roster.entities))
     except OSError as error:
         raise RecordError(f"{folder.name}: {TRAJECTORY} cannot be read: {told_of(error)}") from error
-    numbers = range(1, scenario.match.halves + 1)
-    tracks = {half: _track(arrays, half, scenario, result, len(roster.entities)) for half in numbers}
-    whole = {half: track for half, track in tracks.items() if track is not None}
-    if whole:
-        ticks = sum(track.ticks for track in whole.values())
-        return tuple(whole.values()), f"The recorded poses are damaged: {ticks} ticks of them could be read."
+    tracks = [_track(arrays, half, scenario, result, len(roster.entities)) for half in numbers]
+    found = tuple(track for track in tracks if track is not None)
+    if found:
+        ticks = sum(track.ticks for track in found)
+        return found, f"The recorded poses are damaged: {ticks} ticks of them could be read, {_so_far(found)}."
     still = tuple(
         _standing(_info(scenario, result, half.half), min(half.ticks, _MOST_TICKS), scenario, roster)
-        for half in result.halves
+        for half in (result.halves if result is not None and standing else ())
     )
     return still, "The recorded poses are damaged: events and scores are shown, everything stands at its start."
+
+
+def _loose(folder: Path, halves: Iterable[int], entities: int) -> dict[str, Array]:
+    """Return the arrays of halves that were not packed yet, without those that cannot be read at all."""
+    found: dict[str, Array] = {}
+    for half in halves:
+        with contextlib.suppress(*DAMAGE):
+            fields = read_parts(folder / TRAJECTORY_PARTS, half, entities)
+            found |= {f"half{half}_{name}": array for name, array in fields.items()}
+    return found
 
 
 def _arrays(data: bytes) -> dict[str, Array]:
@@ -181,7 +219,7 @@ def _rows(data: bytes) -> Array | None:
 
 
 def _track(
-    arrays: Mapping[str, Array], half: int, scenario: Scenario, result: RunResult, entities: int
+    arrays: Mapping[str, Array], half: int, scenario: Scenario, result: RunResult | None, entities: int
 ) -> HalfTrack | None:
     """Return one half up to the damage: what is not poses may be lost without the poses being so."""
     dtype = row_dtype(entities)
@@ -213,21 +251,22 @@ def _filled(found: Array | None, resting: Array) -> Array:
     return resting
 
 
-def _info(scenario: Scenario, result: RunResult, half: int) -> HalfInfo:
-    """Return a half's facts from the result, where its own notes are lost."""
+def _info(scenario: Scenario, result: RunResult | None, half: int) -> HalfInfo:
+    """Return a half's facts from the result, where its own notes are lost; from the scenario alone without one."""
     seats = list(scenario.entrants)
-    played = next((one for one in result.halves if one.half == half), None)
+    played = {one.half: one for one in result.halves} if result is not None else {}
+    entrants = result.entrants if result is not None else {}
     swapped = scenario.match.swap_sides and half % 2 == 0
-    teams = dict(played.sides) if played else dict(zip(seats, seats[::-1] if swapped else seats, strict=True))
-    before = next((one.score for one in result.halves if one.half == half - 1), {})
+    teams = played[half].sides if half in played else dict(zip(seats, seats[::-1] if swapped else seats, strict=True))
+    before = played[half - 1].score if half - 1 in played else {}
     return HalfInfo(
         half=half,
         halves=scenario.match.halves,
         ticks=ticks_from_s(half_length_s(scenario.match, half)),
-        match_seed=result.seed,
-        match_id=result.match_id,
-        team_names={seat: result.entrants[team].name for seat, team in teams.items() if team in result.entrants},
-        teams=teams,
+        match_seed=result.seed if result is not None else 0,
+        match_id=result.match_id if result is not None else 1,
+        team_names={seat: entrants[team].name if team in entrants else team for seat, team in teams.items()},
+        teams=dict(teams),
         scores={seat: before.get(team, 0) for seat, team in teams.items()},
     )
 

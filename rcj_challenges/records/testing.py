@@ -56,6 +56,7 @@ def small_scenario(robots_per_team: int = 3, halves: int = 2, half_s: float = 60
         },
         "gates": {"half_way": {"from_m": [-0.65, 0], "to_m": [0.65, 0]}},
         "spots": {"centre": {"x_m": 0, "y_m": 0}},
+        "phases": {"play": {}, "goal_pause": {"lasts_s": 3, "robots": "held"}},
         "rules": {
             "goal": {
                 "triggers": [{"trigger": "enters", "entity": "ball", "zone": "blue_goal"}],

@@ -162,7 +162,7 @@ class Trajectory:
         roster = Roster.of(read_scenario(folder, result.record))
         halves: list[HalfTrack] = []
         for half in sorted(int(path.stem.partition("-")[2]) for path in parts.glob("half-*.poses")):
-            fields = _read_parts(parts, half, len(roster.entities))
+            fields = read_parts(parts, half, len(roster.entities))
             if fields["notes"].size:  # else killed before the half's first line was written
                 halves.append(_half(fields.__getitem__, len(roster.entities), half))
         header = {
@@ -185,14 +185,19 @@ class Trajectory:
         )
 
 
-def _read_parts(parts: Path, half: int, entities: int) -> dict[str, Array]:
-    """Return the arrays of a half that was not packed, up to its last whole tick."""
+def read_parts(parts: Path, half: int, entities: int) -> dict[str, Array]:
+    """Return the arrays of a half that was not packed, up to its last whole tick.
+
+    Raises:
+        OSError: a file of it is missing or cannot be read.
+    """
     poses, touches, notes = part_paths(parts, half)
     dtype = row_dtype(entities)
     rows = np.fromfile(poses, dtype, poses.stat().st_size // dtype.itemsize)
     fields = {name: np.ascontiguousarray(rows[name]) for name in dtype.names or ()}
     pairs = int(fields["touch_counts"].sum(dtype=np.int64))
-    fields["touch_pairs"] = np.fromfile(touches, "<u2", 2 * pairs).reshape(-1, 2)
+    things = np.fromfile(touches, "<u2", 2 * pairs)
+    fields["touch_pairs"] = things[: len(things) // 2 * 2].reshape(-1, 2)
     text = notes.read_bytes()
     fields["notes"] = np.frombuffer(text[: text.rfind(b"\n") + 1], np.uint8)
     return fields

@@ -287,7 +287,11 @@ def try_expectation(loaded: HasScenario, name: str) -> Trial:
     expected = loaded.scenario.expect[name]
     scenario = _as_given(loaded.scenario, expected.given)
     half = half_of(scenario, expected.half, expected.seed)
-    half = replace(half, scores=half.scores | {seat: on_paper(score) for seat, score in expected.given.score.items()})
+    half = replace(
+        half,
+        scores=half.scores | {seat: on_paper(score) for seat, score in expected.given.score.items()},
+        kept=half.kept | _kept(scenario, loaded.roster, expected.given),
+    )
     play = ScriptedPlay(scenario, loaded.roster, half, expected.draws)
     last = ticks_from_s(expected.lasts_s)
     before = 0
@@ -326,17 +330,48 @@ def _not_drawn(play: ScriptedPlay, expected: Expectation) -> Iterable[str]:
 
 
 def _as_given(scenario: Scenario, given: Given) -> Scenario:
-    """Return the scenario with what a test presets as the initial values of its counters and flags."""
-    presets: list[tuple[str, Mapping[str, Any], Mapping[str, Scalar]]] = [
-        ("counters", scenario.counters, given.counters),
-        ("flags", scenario.flags, given.flags),
-    ]
+    """Return the scenario with what a test presets as the initial values of its counters and flags.
+
+    What is preset for single entities is kept from the half before instead: see `_kept`.
+    """
     changed = {
-        section: {**entries, **{name: entries[name].model_copy(update={"initial": preset[name]}) for name in preset}}
-        for section, entries, preset in presets
+        section: {
+            **entries,
+            **{
+                name: entries[name].model_copy(
+                    update={"keep": "match"} if isinstance(value, dict) else {"initial": value}
+                )
+                for name, value in preset.items()
+            },
+        }
+        for section, entries, preset in _presets(scenario, given)
         if preset
     }
     return scenario.model_copy(update=changed) if changed else scenario
+
+
+def _kept(scenario: Scenario, roster: Roster, given: Given) -> dict[str, dict[str, dict[str, Scalar]]]:
+    """Return what a test presets for single entities, as the half before would have left it; others are at first."""
+    return {
+        section: {
+            name: {
+                member: one if isinstance(one, bool) else on_paper(one)
+                for member, one in (
+                    dict.fromkeys(roster.expand(entries[name].per), entries[name].initial) | value
+                ).items()
+            }
+            for name, value in preset.items()
+            if isinstance(value, dict)
+        }
+        for section, entries, preset in _presets(scenario, given)
+    }
+
+
+def _presets(
+    scenario: Scenario, given: Given
+) -> tuple[tuple[str, Mapping[str, Any], Mapping[str, Scalar | dict[str, Any]]], ...]:
+    """Return sections of a scenario with their entries, and what a test presets of them."""
+    return ("counters", scenario.counters, given.counters), ("flags", scenario.flags, given.flags)
 
 
 def _play_until(play: ScriptedPlay, tick: int) -> None:
@@ -364,10 +399,16 @@ def _differences(play: ScriptedPlay, expected: Expectation) -> Iterable[str]:
     for entrant, score in expected.score.items():
         yield from _difference(f"score of {entrant}", score, referee.scores.get(entrant))
     for name, count in expected.counters.items():
-        yield from _difference(f"counter {name}", count, _number(referee, name))
+        if isinstance(count, dict):
+            yield from _of_each(f"counter {name}", count, referee.counters.get(name))
+        else:
+            yield from _difference(f"counter {name}", count, _number(referee, name))
     for name, flag in expected.flags.items():
         value = referee.flags.get(name)
-        yield from _difference(f"flag {name}", flag, any(value.values()) if isinstance(value, dict) else value)
+        if isinstance(flag, dict):
+            yield from _of_each(f"flag {name}", flag, value)
+        else:
+            yield from _difference(f"flag {name}", flag, any(value.values()) if isinstance(value, dict) else value)
     if expected.phase is not None:
         yield from _difference("phase", expected.phase, referee.phase)
     for name, (x, y) in expected.poses.items():
@@ -382,6 +423,13 @@ def _differences(play: ScriptedPlay, expected: Expectation) -> Iterable[str]:
 def _number(referee: Referee, name: str) -> Number | None:
     value = referee.counters.get(name, referee.scores.get(name))
     return on_paper(sum(value.values())) if isinstance(value, dict) else value
+
+
+def _of_each(what: str, expected: Mapping[str, Scalar], found: object) -> Iterable[str]:
+    """Return where what is kept for each of several is different."""
+    kept = found if isinstance(found, dict) else {}
+    for member, value in expected.items():
+        yield from _difference(f"{what} of {member}", value, kept.get(member))
 
 
 def _difference(what: str, expected: Scalar, found: Scalar | None) -> Iterable[str]:

@@ -81,6 +81,7 @@ class SequenceWatch(PositionWatch):
         self._state = workshop.state
         self._cyclic = sequence.cyclic
         self._breaks = sequence.wrong_step == "break"
+        self._goes_on = sequence.when_placed == "goes_on"
         self._steps = [
             workshop.members(step.any_of if isinstance(step, AnyStep) else step, None) for step in sequence.steps
         ]
@@ -96,13 +97,22 @@ class SequenceWatch(PositionWatch):
 
     def restart(self) -> None:
         """Stand at the first step if the entity is in it, else before it."""
-        self._inside = set()
         self._at, self.reached = _NOT_BEGUN, None
-        if not self._state.present[self.entity]:
-            return
+        self._look_around()
+        if self._state.present[self.entity]:
+            self._stand_at_first()
+
+    def moved(self) -> None:
+        """Begin anew, or keep the steps made: then the place where the entity was put is no step."""
+        if self._goes_on:
+            self._look_around()
+        else:
+            self.restart()
+
+    def _look_around(self) -> None:
+        """Take note of the zones in which the entity is; off the field it is in none."""
         x, y, _ = self._state.poses[self.entity]
-        self._inside = self._zones_at(x, y)
-        self._stand_at_first()
+        self._inside = self._zones_at(x, y) if self._state.present[self.entity] else set()
 
     def _zones_at(self, x_m: float, y_m: float) -> set[str]:
         return {name for name, region in self._zones.items() if region.contains(x_m, y_m)}

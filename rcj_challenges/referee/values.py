@@ -20,6 +20,7 @@ from rcj_challenges.scenario.models.state import (
     HighestOfOthers,
     LastTouchValue,
     LowestOfOthers,
+    NumberTimer,
     NumberWord,
     PositionValue,
     TimerValue,
@@ -148,8 +149,8 @@ def compile_amount(amount: Any, workshop: Workshop, each: str | None) -> Callabl
 
 def _counted(amount: Any) -> Callable[[Any], Number] | None:
     """Return what makes a number to be counted of what is told; None if it is one."""
-    if isinstance(amount, TimerValue) or (isinstance(amount, NumberWord) and amount.word in _TIMES):
-        return floor
+    if isinstance(amount, NumberTimer) or (isinstance(amount, NumberWord) and amount.word in _TIMES):
+        return None if amount.fraction else floor
     if isinstance(amount, FlagValue):
         return int
     return _or_zero if isinstance(amount, NumberWord | DistanceValue) else None

@@ -16,7 +16,7 @@ from rcj_challenges.scenario.models import actions, conditions, places, state
 from rcj_challenges.scenario.models.base import LONGEST_S
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
-from rcj_challenges.scenario.references import REFERENCES, Field, Named, Reference
+from rcj_challenges.scenario.references import Field, Named, Reference, references_of
 from rcj_challenges.scenario.shape import Shape, bare, chosen, is_model, step_into
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, in_names, mark_of, node_at
 from rcj_challenges.scenario.wording import found_text
@@ -44,7 +44,7 @@ _UNKNOWN = {
 }
 _WORDED = ("triggers", "conditions", "actions")
 _READS = (conditions.CounterIs, conditions.FlagIs, conditions.TimerIs, state.CounterValue, state.FlagValue,
-          state.TimerValue)  # fmt: skip
+          state.TimerValue, state.NumberTimer)  # fmt: skip
 _WEIGHTED = (state.WeightedCounter, state.WeightedFlag, state.WeightedTimer)
 _WRITES = (actions.Count, actions.SetFlag, actions.ToggleFlag, actions.TimerAction)
 _OF_OTHERS: dict[Any, str] = {state.LowestOfOthers: "lowest", state.HighestOfOthers: "highest"}
@@ -86,13 +86,15 @@ class _Walker:
             return  # not of any known form, which is reported as such; or enough is wrong already
         if isinstance(node, Items):
             for index, item in enumerate(node.items):
-                self.walk(item, step_into(shape, node, index), (*path, index), bound)
+                if not isinstance(item, Leaf):  # in which nothing is
+                    self.walk(item, step_into(shape, node, index), (*path, index), bound)
         elif isinstance(node, Entries):
             model = bare(shape).kind
             if is_model(model):
                 bound = self._model(model, node, path, bound)
             for key, inner in node.entries.items():
-                self.walk(inner, step_into(shape, node, key), (*path, key), bound)
+                if not isinstance(inner, Leaf):
+                    self.walk(inner, step_into(shape, node, key), (*path, key), bound)
 
     def add(self, path: Path, mark: Mark, message: str) -> None:
         self.problems.append(mark.problem(shown_path(self.root, path), message))
@@ -110,16 +112,12 @@ class _Walker:
             bound = self._bound_in(node)
         if model is Kit and path[-1] not in self.kits_in_use:
             return bound  # a preset's kit may list robots that this scenario has not
-        for name, info in model.model_fields.items():
-            key = info.alias or name
-            reference = REFERENCES.get((model, key))
-            if reference is None:
-                continue
+        for key, reference, default in references_of(model):
             if key in node.entries:
                 for text, at, mark in self._named_in(reference, node, key, path):
                     self._check(reference, text, at, mark, bound)
-            elif isinstance(info.default, str):
-                self._check(reference, info.default, path, mark_of(self.root, path), bound)
+            elif isinstance(default, str):
+                self._check(reference, default, path, mark_of(self.root, path), bound)
         self._special(model, node, path, bound)
         if model is actions.Score:
             self._receiver(node.entries.get("entrant"), (*path, "entrant"), bound)

@@ -75,8 +75,10 @@ def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str:
         likeness: how like it a word must be, from 0 to 1.
     """
     by_folded: dict[str, str] = {}
+    written = set(word.casefold().split("_"))
+    may_turn = [words for words in _CONTRARY if written & words]
     for name in islice(known, _COMPARED):
-        if not _is_contrary(word, name):
+        if not may_turn or not _is_contrary(written, name, may_turn):
             by_folded.setdefault(name.casefold(), name)
     for folded, name in by_folded.items():
         if folded.startswith(f"{word.casefold()}_"):  # the unit was forgotten
@@ -86,9 +88,9 @@ def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str:
     return f"; did you mean {by_folded[found[0]]!r}?" if found else ""
 
 
-def _is_contrary(word: str, name: str) -> bool:
-    written, meant = set(word.casefold().split("_")), set(name.casefold().split("_"))
-    return any(written & words and meant & words and not written & meant & words for words in _CONTRARY)
+def _is_contrary(written: set[str], name: str, may_turn: list[frozenset[str]]) -> bool:
+    meant = set(name.casefold().split("_"))
+    return any(meant & words and not written & meant & words for words in may_turn)
 
 
 def known_text(names: Iterable[str], noun: str) -> str:

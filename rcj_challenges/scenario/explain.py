@@ -15,7 +15,7 @@ from pydantic import ConfigDict, TypeAdapter, ValidationError
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, listing, nearest
 from rcj_challenges.scenario.models.actions import Action
 from rcj_challenges.scenario.models.conditions import Condition
-from rcj_challenges.scenario.models.triggers import Trigger
+from rcj_challenges.scenario.models.triggers import TimerExpired, Trigger
 from rcj_challenges.scenario.shape import (
     Shape,
     bare,
@@ -202,6 +202,8 @@ class _Explainer:
         model = self._model_at(above)
         allowed = list(fields(model)) if model else []
         why = " (a param stands for a single value only)" if key == "param" else ""
+        if model is TimerExpired and key == "entity":
+            why = "; of a timer kept per entity for_each says whose is meant, without it any of them"
         message = f"unknown key '{key[:64]}'; allowed are {listing(allowed, 40)}{nearest(key, allowed)}{why}"
         message += self._as_list(above, key)
         return mark_of(self.root, (*above, key), at_key=True).problem(in_names(self.root, above), message)

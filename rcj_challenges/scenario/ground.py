@@ -187,6 +187,9 @@ def _bodies(scenario: Scenario) -> Iterator[Found]:
     yield from _overlaps(bodies)
 
 
+_APART = "move one of them; who is to come there later is put there by a rule"
+
+
 def _overlaps(bodies: list[Body]) -> Iterator[Found]:
     """Sweep along x, so that a file with thousands of bodies does not cost millions of comparisons."""
     order = {body.name: rank for rank, body in enumerate(bodies)}
@@ -197,7 +200,7 @@ def _overlaps(bodies: list[Body]) -> Iterator[Found]:
         for _, other in open_:
             if not (body.fixed and other.fixed) and body.outline.overlaps(other.outline):
                 first, second = sorted((body, other), key=lambda one: order[one.name])
-                message = f"'{second.name}' overlaps '{first.name}' at the start"
+                message = f"'{second.name}' overlaps '{first.name}' at the start; {_APART}"
                 yield Found(second.path, message, other=first.path)
         open_.append((x_1, body))
 

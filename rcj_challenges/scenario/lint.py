@@ -25,6 +25,7 @@ from rcj_challenges.scenario.lint_held import check_held
 from rcj_challenges.scenario.lint_kicks import check_kicks
 from rcj_challenges.scenario.lint_moments import check_moments
 from rcj_challenges.scenario.lint_numbers import check_numbers
+from rcj_challenges.scenario.lint_others import check_others
 from rcj_challenges.scenario.lint_result import check_ranking
 from rcj_challenges.scenario.lint_says import check_broadcast, check_sentences
 from rcj_challenges.scenario.lint_sides import check_sides
@@ -38,7 +39,7 @@ from rcj_challenges.scenario.lint_state import (
     check_unused,
 )
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
-from rcj_challenges.scenario.lint_times import check_halves, check_rests, check_times
+from rcj_challenges.scenario.lint_times import check_halves, check_reached, check_rests, check_times
 from rcj_challenges.scenario.lint_touched import check_touched
 from rcj_challenges.scenario.lint_unheard import check_unheard
 from rcj_challenges.scenario.lint_units import check_units
@@ -70,6 +71,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_edges,
     check_exclusive_groups,
     check_state,
+    check_others,
     check_draws,
     check_drawn_names,
     check_spots,
@@ -77,6 +79,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_unused,
     check_times,
     check_halves,
+    check_reached,
     check_rests,
     check_sides,
     check_places,

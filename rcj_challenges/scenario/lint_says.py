@@ -67,16 +67,19 @@ _OF_ENTITY = (
 _NOBODY = "no trigger of this rule is about one entity, and it has no for_each over entities"
 _TELL_ABOUT = "use a trigger with an entity, or for_each"
 _WRITE_OUT = "write out what is meant, or leave it out"
+_WHY_EMPTY = {"entity": "is about nobody in particular", "measured": "measures nothing", "limit": "has no limit"}
 _MEASURE = "leave it out, or use a trigger that measures, such as stays_in"
 
 
 def check_sentences(subject: Subject) -> Iterator[Suspect]:
-    """Blanks that no rule fills or that this rule never can; payload words that stay empty."""
+    """Blanks that no rule fills, or that this rule never or not always can; payload words that stay empty."""
     for name, rule in subject.scenario.rules.items():
         lacks = _lacks(rule, subject)
         for blank in in_braces(rule.says):
             if blank in BLANKS or blank not in subject.scenario.params:
                 yield from _blank(blank, ("rules", name, "says"), lacks, tuple(subject.scenario.params))
+            if blank not in lacks:
+                yield from _at_times_empty(blank, name, rule, subject)
         for model, path in visit(rule, ("rules", name)):
             if isinstance(model, WordValue):
                 yield from _word(model, path, lacks)
@@ -127,7 +130,31 @@ def _blank(blank: str, path: Path, lacks: dict[str, _Lack], params: tuple[str, .
     elif blank in lacks:
         lack = lacks[blank]
         empty = "is no single number" if blank == "points" else "stays empty"
-        yield Suspect("placeholder_never_filled", path, f"{shown} {empty}: {lack.reason}", lack.remedy)
+        hidden = f", or give the param '{blank}' another name: it is not meant here" if blank in params else ""
+        yield Suspect("placeholder_never_filled", path, f"{shown} {empty}: {lack.reason}", f"{lack.remedy}{hidden}")
+
+
+def _at_times_empty(blank: str, name: str, rule: Rule, subject: Subject) -> Iterator[Suspect]:
+    """Yield a blank that one trigger of a rule fills and another leaves empty."""
+    if blank == "entity" and rule.for_each is not None and subject.members("each", rule) & set(subject.roster.entities):
+        return
+    without = [trigger.trigger for trigger in rule.triggers if not _fills(trigger, blank, rule, subject)]
+    if without:
+        yield Suspect(
+            "placeholder_at_times_empty",
+            ("rules", name, "says"),
+            f"{quoted(f'{{{blank}}}')} stays empty when '{without[0]}' sets the rule off, which {_WHY_EMPTY[blank]}",
+            "give that trigger a rule of its own, or leave it out",
+        )
+
+
+def _fills(trigger: Trigger, blank: str, rule: Rule, subject: Subject) -> bool:
+    """Return whether a blank is known when a trigger has set a rule off."""
+    if blank == "entity":
+        return bool(_found_by(trigger, rule, subject) & set(subject.roster.entities))
+    if blank == "measured":
+        return isinstance(trigger, (*_WITH_LIMIT, *_OF_SEQUENCES))
+    return blank != "limit" or isinstance(trigger, _WITH_LIMIT)
 
 
 def _word(value: WordValue, path: Path, lacks: dict[str, _Lack]) -> Iterator[Suspect]:

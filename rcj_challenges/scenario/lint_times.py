@@ -1,4 +1,4 @@
-"""Lint of times: limits that a half is too short for, halves that are not played, repeats that a rest swallows."""
+"""Lint of times: limits longer than a half, halves that are not played or too short, repeats that a rest swallows."""
 
 from __future__ import annotations
 
@@ -6,14 +6,16 @@ import math
 from collections.abc import Iterator
 
 from rcj_challenges.facts.timing import TICK_S, ticks_from_s
-from rcj_challenges.scenario.halves import longest_half_s
+from rcj_challenges.scenario.halves import half_lengths_s, longest_half_s
+from rcj_challenges.scenario.lint_logic import range_of, ways_to_hold
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lengths_s
 from rcj_challenges.scenario.models.actions import Remove
 from rcj_challenges.scenario.models.base import Strict
-from rcj_challenges.scenario.models.conditions import HalfIs
+from rcj_challenges.scenario.models.conditions import Condition, HalfIs
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import DrawnDuration, Phase, Timer
-from rcj_challenges.scenario.models.triggers import Holds, NoProgress, StaysIn, Touches
+from rcj_challenges.scenario.models.triggers import Holds, NoProgress, StaysIn, TimeReached, Touches
+from rcj_challenges.scenario.tree import Path
 
 _NEVER = "it never fires"
 
@@ -46,6 +48,50 @@ def check_halves(subject: Subject) -> Iterator[Suspect]:
                 f"only {played} played: the condition {'always' if model.negate else 'never'} holds",
                 "correct the number of the half, or raise match.halves",
             )
+
+
+def check_reached(subject: Subject) -> Iterator[Suspect]:
+    """Times that a shorter half does not reach."""
+    lengths_s = half_lengths_s(subject.scenario.match)
+    for name, rule in subject.standing():
+        asked = _halves_of(rule, len(lengths_s))
+        for index, trigger in enumerate(rule.triggers):
+            # Beyond every half there are only times that a length on the command line has cut off.
+            if not isinstance(trigger, TimeReached) or trigger.at_s > max(lengths_s):
+                continue
+            late = [half for half in asked if trigger.at_s > lengths_s[half - 1]]
+            if late:
+                yield _late(("rules", name, "triggers", index), trigger.at_s, late, never=late == asked)
+
+
+def _late(path: Path, at_s: float, halves: list[int], *, never: bool) -> Suspect:
+    which = f"half {halves[0]} is" if len(halves) == 1 else f"halves {', '.join(map(str, halves))} are"
+    before = f"{which} over before {at_s:g} s"
+    if never:
+        reason = f"{before}, and the rule asks for no other: it never fires"
+        return Suspect("rule_never_fires", path, reason, "correct the time, or the half")
+    return Suspect(
+        "time_not_in_every_half",
+        path,
+        f"{before}: it does not fire there",
+        "correct the time, or say which halves are meant: {condition: half, …}",
+    )
+
+
+def _halves_of(rule: Rule, halves: int) -> list[int]:
+    """Return the halves in which the conditions of a rule may hold."""
+    ways = ways_to_hold(rule.conditions)
+    played = range(1, halves + 1)
+    if ways is None:
+        return []  # too many to tell
+    return [half for half in played if any(all(_may_hold_in(half, one) for one in way) for way in ways)]
+
+
+def _may_hold_in(half: int, condition: Condition) -> bool:
+    if not isinstance(condition, HalfIs):
+        return True
+    low, high = range_of(condition)
+    return (low <= half <= high) != condition.negate
 
 
 def check_rests(subject: Subject) -> Iterator[Suspect]:

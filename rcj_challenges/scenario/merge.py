@@ -46,13 +46,16 @@ class Merger:
         if isinstance(node, Leaf) and node.value is None:
             self._null(base, key, node, key_mark, shape, path)
             return
+        before = base.entries.get(key)
+        if path == ("params",) and isinstance(before, Leaf):
+            self.replaced[key] = before
+        if isinstance(node, Leaf):
+            base.put(key, node, key_mark)
+            return
         inner = step_into(shape, base, key)
         if inner is None and tag_of(shape, base) is None:
             # The base does not say yet which member of a union this is; the file itself may.
             inner = step_into(shape, Entries({key: node}, key_mark), key)
-        before = base.entries.get(key)
-        if path == ("params",) and isinstance(before, Leaf):
-            self.replaced[key] = before
         if isinstance(before, Entries) and isinstance(node, Entries) and self._same_kind(before, node, inner):
             base.put(key, self.merge(before, node, inner, here), key_mark)
         else:
@@ -68,19 +71,21 @@ class Merger:
                     self.merge_entry(fresh, key, inner, node.key_marks[key], shape, path)
                     continue
                 # The whole mapping tells what its keys mean; filled key by key it would not yet.
-                if isinstance(inner, Leaf) and inner.value is None:
-                    self._null(fresh, key, inner, node.key_marks[key], shape, path)
-                else:
+                if not isinstance(inner, Leaf):
                     inner_shape = step_into(shape, node, key)
                     fresh.put(key, self.adopt(inner, inner_shape, (*path, key)), node.key_marks[key])
+                elif inner.value is None:
+                    self._null(fresh, key, inner, node.key_marks[key], shape, path)
+                else:
+                    fresh.put(key, inner, node.key_marks[key])
             return fresh
         if isinstance(node, Items):
             for index, item in enumerate(node.items):
-                where = (*path, index)
-                if isinstance(item, Leaf) and item.value is None:
+                if not isinstance(item, Leaf):
+                    node.items[index] = self.adopt(item, step_into(shape, node, index), (*path, index))
+                elif item.value is None:
                     what = "an empty list entry" if item.empty else "null stands for nothing here"
-                    self._add(item.mark, where, f"{what}; write a value, or leave the entry out")
-                node.items[index] = self.adopt(item, step_into(shape, node, index), where)
+                    self._add(item.mark, (*path, index), f"{what}; write a value, or leave the entry out")
         return node
 
     def _same_kind(self, before: Entries, node: Entries, shape: Shape) -> bool:

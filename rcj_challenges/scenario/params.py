@@ -175,9 +175,11 @@ def _resolved(node: Node, shape: Shape, path: Path, values: dict[str, Node], roo
         return Leaf(value.value, use.mark, note=f"param '{name}'")
     if isinstance(node, Entries):
         for key, inner in node.entries.items():
-            node.entries[key] = _resolved(inner, step_into(shape, node, key), (*path, key), values, root, merger)
+            if not isinstance(inner, Leaf):  # which is none, nor has any
+                node.entries[key] = _resolved(inner, step_into(shape, node, key), (*path, key), values, root, merger)
     elif isinstance(node, Items):
         for index, item in enumerate(node.items):
-            inner_shape = step_into(shape, node, index)
-            node.items[index] = _resolved(item, inner_shape, (*path, index), values, root, merger)
+            if not isinstance(item, Leaf):
+                inner_shape = step_into(shape, node, index)
+                node.items[index] = _resolved(item, inner_shape, (*path, index), values, root, merger)
     return node

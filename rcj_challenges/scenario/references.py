@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
+from typing import Any
 
 from pydantic import BaseModel
 
@@ -165,6 +167,8 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (state.NumberDraw, "draw"): _DRAW,
     (state.DrawnDuration, "draw"): _DRAW,
     (state.NumberWord, "of"): _ENTRANT,
+    (state.NumberTimer, "timer"): _TIMER,
+    (state.NumberTimer, "entity"): _WHOSE,
     (state.WeightedCounter, "counter"): _READABLE,
     (state.WeightedCounter, "entity"): _WHOSE,
     (state.WeightedFlag, "flag"): _FLAG,
@@ -239,3 +243,10 @@ DEFINITIONS: frozenset[tuple[type[BaseModel], str]] = frozenset[tuple[type[BaseM
     }
 )
 """Fields whose names are chosen there. The section ``groups`` names things too; its checks are in `naming`."""
+
+
+@cache
+def references_of(model: type[BaseModel]) -> list[tuple[str, Reference, Any]]:
+    """Return the fields of a model that name something: the key in the file, what it may name, and the default."""
+    keyed = ((info.alias or name, info.default) for name, info in model.model_fields.items())
+    return [(key, REFERENCES[model, key], default) for key, default in keyed if (model, key) in REFERENCES]

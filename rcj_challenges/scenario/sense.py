@@ -7,6 +7,7 @@ from itertools import count
 
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.drawn import never_drawn
+from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.halves import half_length_s, longest_half_s
 from rcj_challenges.scenario.models.actions import Count, DrawAction, Place
 from rcj_challenges.scenario.models.base import Scalar, Strict
@@ -26,8 +27,8 @@ from rcj_challenges.scenario.models.conditions import (
 from rcj_challenges.scenario.models.field import Match
 from rcj_challenges.scenario.models.places import Kick
 from rcj_challenges.scenario.models.robots import LidarDevice
-from rcj_challenges.scenario.models.scenario import Expectation, Scenario
-from rcj_challenges.scenario.models.state import Draw
+from rcj_challenges.scenario.models.scenario import Expectation, Given, Scenario
+from rcj_challenges.scenario.models.state import Draw, NumberWord
 from rcj_challenges.scenario.models.triggers import Holds, StaysIn, TimeReached
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import Path
@@ -51,6 +52,8 @@ def check_sense(scenario: Scenario, *, half_is_set: bool) -> Iterator[Found]:
         yield from _draw(model, path)
         if isinstance(model, Expectation):
             yield from _series(model, path, scenario)
+        if isinstance(model, Expectation | Given):
+            yield from _one_by_one(model, path, scenario, roster)
         if isinstance(model, LidarDevice) and model.min_range_m >= model.max_range_m:
             yield Found((*path, "min_range_m"), "must be less than max_range_m")
     yield from _robots(scenario, roster)
@@ -86,6 +89,24 @@ def _series(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Found
         yield Found((*path, "draws", name, index), f"{_as_written(decided[index])} is not drawn {why}")
 
 
+def _one_by_one(test: Expectation | Given, path: Path, scenario: Scenario, roster: Roster) -> Iterator[Found]:
+    """Yield what a test tells of single owners of a counter or flag that has no such owners."""
+    for noun, told, known in (("counter", test.counters, scenario.counters), ("flag", test.flags, scenario.flags)):
+        for name, values in told.items():
+            kept = known.get(name)
+            if kept is None or not isinstance(values, dict):
+                continue
+            where = (*path, f"{noun}s", name)
+            if kept.per is None:
+                yield Found(where, f"{noun} '{name}' is one for all; write its value alone")
+                continue
+            owners = roster.expand(kept.per)
+            for owner in values:
+                if owner not in owners:
+                    message = f"there is no {noun} '{name}' of '{owner}'; it is kept for {listing(owners, 12)}"
+                    yield Found((*where, owner), message, at_key=True)
+
+
 def _as_written(value: Scalar) -> str:
     return f"'{value}'" if isinstance(value, str) else str(value).lower() if isinstance(value, bool) else str(value)
 
@@ -105,6 +126,8 @@ def _place(model: Strict, path: Path) -> Iterator[Found]:
                 )
         case Count(by=by, to=to) if by is not None and to is not None:
             yield Found((*path, "by"), "count needs either 'by' or 'to', not both")
+        case NumberWord(fraction=True, word=word) if not word.endswith("_s"):
+            yield Found((*path, "fraction"), f"'{word}' is never rounded; leave fraction out, it is for times")
         case Kick(speed_mps=(least, most)) if least > most:
             yield Found((*path, "speed_mps"), f"no speed is at least {least:g} and at most {most:g}")
         case Looks(towards=None, heading_rad=None):

@@ -97,6 +97,36 @@ def fields(model: type[BaseModel]) -> dict[str, Shape]:
     return {info.alias or name: hints[name] for name, info in model.model_fields.items()}
 
 
+class _Inside(NamedTuple):
+    """What a shape says of the values that are in one, without looking at it.
+
+    Attributes:
+        is_union: whether nothing can be said until a member has been chosen.
+        fields: of a model, by key; None for anything else.
+        named: what stands under each name of a mapping.
+        listed: what stands at each place of a list of any length.
+        placed: what stands at the places of a list of a fixed length.
+    """
+
+    is_union: bool
+    fields: dict[str, Shape] | None = None
+    named: Shape = None
+    listed: Shape = None
+    placed: tuple[Shape, ...] = ()
+
+
+@_once_a_shape
+def _inside(shape: Shape) -> _Inside:
+    kind = bare(shape).kind
+    origin, arguments = get_origin(kind), get_args(kind)
+    if origin is not tuple:
+        known = fields(kind) if is_model(kind) else None
+        return _Inside(is_union(kind), fields=known, named=arguments[1] if origin is dict else None)
+    if len(arguments) == 2 and arguments[1] is Ellipsis:
+        return _Inside(is_union=False, listed=arguments[0])
+    return _Inside(is_union=False, placed=arguments)
+
+
 @_once_a_shape
 def members(shape: Shape) -> tuple[Shape, ...]:
     """Return the members of a union, or the shape alone."""
@@ -133,9 +163,9 @@ def tag_of(shape: Shape, node: Node) -> str | None:
 
 def chosen(shape: Shape, node: Node) -> Shape:
     """Return the member of a union that fits a value's form (not its content); None if none does."""
-    kind, discriminator = bare(shape)
-    if not is_union(kind):
+    if not _inside(shape).is_union:
         return shape
+    kind, discriminator = bare(shape)
     if discriminator is not None:
         return tags(shape).get(tag_of(shape, node) or "")
     fitting = [member for member in members(kind) if _fits(bare(member).kind, node)]
@@ -174,17 +204,12 @@ def _fits(kind: Any, node: Node) -> bool:
 
 def step_into(shape: Shape, node: Node, step: Step) -> Shape:
     """Return what is expected one step into a value; None where the models know nothing."""
-    kind = bare(chosen(shape, node)).kind
+    inside = _inside(shape)
+    if inside.is_union:
+        inside = _inside(chosen(shape, node))
     if isinstance(step, str):
-        if is_model(kind):
-            return fields(kind).get(step)
-        return get_args(kind)[1] if get_origin(kind) is dict else None
-    if get_origin(kind) is not tuple:
-        return None
-    arguments = get_args(kind)
-    if len(arguments) == 2 and arguments[1] is Ellipsis:
-        return arguments[0]
-    return arguments[step] if step < len(arguments) else None
+        return inside.named if inside.fields is None else inside.fields.get(step)
+    return inside.placed[step] if step < len(inside.placed) else inside.listed
 
 
 def shape_at(shape: Shape, root: Node, path: Path) -> Shape:

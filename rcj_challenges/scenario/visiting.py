@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 from typing import Any, NamedTuple
 
 from rcj_challenges.scenario.models.base import Strict
@@ -26,14 +27,34 @@ class Found(NamedTuple):
 
 
 def visit(value: Any, path: Path = ()) -> Iterator[tuple[Strict, Path]]:
-    """Yield every model in a value, itself included, with its path as the file writes it."""
+    """Return every model in a value, itself included, with its path as the file writes it."""
+    found: list[tuple[Strict, Path]] = []
+    _gather(value, path, found)
+    return iter(found)
+
+
+def _gather(value: Any, path: Path, found: list[tuple[Strict, Path]]) -> None:
     if isinstance(value, Strict):
-        yield value, path
-        for name, info in type(value).model_fields.items():
-            yield from visit(getattr(value, name), (*path, info.alias or name))
+        found.append((value, path))
+        for name, key in _keys(type(value)):
+            inner = getattr(value, name)
+            if isinstance(inner, _HOLDS_MORE):
+                _gather(inner, (*path, key), found)
     elif isinstance(value, dict):
         for key, inner in value.items():
-            yield from visit(inner, (*path, key))
+            if isinstance(inner, _HOLDS_MORE):
+                _gather(inner, (*path, key), found)
     elif isinstance(value, tuple):
         for index, inner in enumerate(value):
-            yield from visit(inner, (*path, index))
+            if isinstance(inner, _HOLDS_MORE):
+                _gather(inner, (*path, index), found)
+
+
+_HOLDS_MORE = (Strict, dict, tuple)
+"""All else is a single value."""
+
+
+@cache
+def _keys(model: type[Strict]) -> tuple[tuple[str, str], ...]:
+    """Return the names of a model's fields, each with the key that the file uses."""
+    return tuple((name, info.alias or name) for name, info in model.model_fields.items())

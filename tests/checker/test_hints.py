@@ -259,6 +259,49 @@ def test_a_loop_that_nobody_comes_to_is_named(check, last):
     )
 
 
+METHOD = """
+class Bot(Robot):
+    def other(self):
+        def inner():
+            pass
+    def run(self):
+        while self.step(32) != -1:
+            pass
+"""
+INIT = METHOD.replace("run", "__init__")
+
+
+@pytest.mark.parametrize(
+    ("program", "remedy"),
+    [
+        (
+            METHOD + "def main():\n    pass\nBot()\n",
+            (
+                "the loop with step is in the method run() of Bot, line 6, and nothing calls it: "
+                "make a Bot at the end of the program and call its run()"
+            ),
+        ),
+        (
+            INIT,
+            (
+                "the loop with step is in __init__() of Bot, line 6, and nothing makes a Bot: "
+                "make one at the end of the program"
+            ),
+        ),
+        (INIT + "bot = Bot()\n", ""),
+        (METHOD + "Bot().run()\n", ""),
+        (METHOD.replace("run", "__call__") + "Bot()()\n", ""),
+        (
+            "if True:\n  class A:\n    x = 1\n  def play():\n    while robot.step(32) != -1:\n      pass\n",
+            "the loop with step is in play(), line 4, and nothing calls it: call play() at the end of the program",
+        ),
+    ],
+)
+def test_a_loop_in_a_method_that_nobody_comes_to_is_told_with_its_class(program, remedy):
+    entry = PurePosixPath("a.py")
+    assert why_it_ended({entry: program.encode()}, entry) == remedy
+
+
 def test_among_very_many_functions_and_files_it_is_found_out_at_once():
     began_s = time.monotonic()
     loops = "".join(f"def f{number}():\n    while 1: x.step(1)\nf{number}()\n" for number in range(20_000))

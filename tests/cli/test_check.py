@@ -15,9 +15,11 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from rcj_challenges.checker import many
 from rcj_challenges.checker.report import schema_text
 from rcj_challenges.cli.check import CheckCommand, CheckUsageError, check_submissions, submissions
 from rcj_challenges.facts.errors import RcjError
+from tests.cli.in_this_process import one_after_the_other
 
 COMMAND = [sys.executable, "-m", "rcj_challenges", "check"]
 PLAYER = """\
@@ -75,20 +77,21 @@ def test_a_good_submission_is_played_and_ends_with_0(tmp_path, good):
     assert sorted(path.name for path in (tmp_path / "replays").iterdir()) == ["good-blue.html", "good-yellow.html"]
 
 
-def test_a_bad_submission_ends_with_1_and_says_what_to_do(tmp_path, bad):
-    done = command(bad, cwd=tmp_path)
-    assert done.returncode == 1, done.stderr
-    assert "rcj_soccer_team_blue/rcj_soccer_team_blue.py:1:5" in done.stdout
-    assert "→ correct this line" in done.stdout or "-> correct this line" in done.stdout  # Windows has no arrows
-    assert not set(done.stdout) & set("\x1b\u202e")
-    assert done.stderr == ""
+def test_a_bad_submission_ends_with_1_and_says_what_to_do(bad, capsys):
+    assert check(bad, play=True) == 1
+    out, err = capsys.readouterr()
+    assert "rcj_soccer_team_blue/rcj_soccer_team_blue.py:1:5" in out
+    assert "→ correct this line" in out or "-> correct this line" in out  # Windows has no arrows
+    assert not set(out) & set("\x1b\u202e")
+    assert err == ""
 
 
-def test_json_prints_the_report_and_nothing_else(tmp_path, good, bad):
-    done = command(good, bad, "--no-play", "--json", cwd=tmp_path)
-    assert done.returncode == 1
-    assert done.stderr == ""
-    report = json.loads(done.stdout)
+def test_json_prints_the_report_and_nothing_else(good, bad, capsys, monkeypatch):
+    monkeypatch.setattr(many, "check_many", one_after_the_other)
+    assert check(good, bad, json=True) == 1
+    out, err = capsys.readouterr()
+    assert err == ""
+    report = json.loads(out)
     jsonschema.validate(report, json.loads(schema_text()))
     assert [file["level"] for file in report["files"]] == ["passed", "failure"]
     assert report["summary"] == {"files": 2, "passed": 1, "warning": 0, "failure": 1, "unchecked": 0}

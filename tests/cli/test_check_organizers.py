@@ -7,14 +7,16 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
 
 import pytest
 
-from rcj_challenges.checker import many, report_files
+from rcj_challenges.checker import many
 from rcj_challenges.cli.check import CheckUsageError
 from tests.checker.small_team import PLAYER, write_team
+from tests.cli.in_this_process import one_after_the_other
 from tests.cli.test_check import check
 
 COMMAND = [sys.executable, "-m", "rcj_challenges", "check"]
@@ -34,7 +36,7 @@ def never(*_, **__):
     raise AssertionError("nothing was to be checked")
 
 
-def test_what_lies_in_the_folder_and_was_not_looked_at_is_in_every_summary(team, tmp_path, capsys):
+def test_what_lies_in_the_folder_and_was_not_looked_at_is_in_every_summary(team, tmp_path, capsys, monkeypatch):
     team("subs/a.zip")
     team("subs/b.zip")
     (tmp_path / "subs" / "stray.py").write_text("x = 1\n")
@@ -46,6 +48,7 @@ def test_what_lies_in_the_folder_and_was_not_looked_at_is_in_every_summary(team,
     page = (tmp_path / "report.html").read_text("utf-8")
     assert "stray.py" in page
     assert "team c" in page
+    monkeypatch.setattr(many, "check_many", one_after_the_other)
     assert check(tmp_path / "subs", json=True) == 0
     left_out = json.loads(capsys.readouterr().out)["left_out"]
     assert [Path(other["file"]).name for other in left_out] == ["stray.py", "team c"]
@@ -59,7 +62,8 @@ def test_with_one_archive_the_rest_of_the_folder_is_named_too(team, tmp_path, ca
     assert ".hidden.zip" in (tmp_path / "report.html").read_text("utf-8")
 
 
-def test_rows_of_the_same_file_name_are_told_apart(team, capsys):
+def test_rows_of_the_same_file_name_are_told_apart(team, capsys, monkeypatch):
+    monkeypatch.setattr(many, "check_many", one_after_the_other)
     check(team("a/team.zip"), team("b/team.zip"))
     out = capsys.readouterr().out
     assert "a/team.zip" in out
@@ -81,7 +85,7 @@ def test_replays_that_cannot_be_kept_are_refused_before_anything_is_played(team,
     def full(*_, **__):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(report_files.tempfile, "TemporaryFile", full)
+    monkeypatch.setattr(tempfile, "TemporaryFile", full)
     with pytest.raises(CheckUsageError, match="No space left on device") as told:
         check(good, replays=tmp_path / "replays", play=True)
     assert told.value.exit_code == 2
@@ -111,10 +115,9 @@ def test_an_interruption_tells_what_was_checked_so_far(team, tmp_path, monkeypat
     paths = [team("slow.zip"), team("fast.zip")]
 
     def interrupted(given, loaded, options, jobs, on_done):
-        on_done(next(iter(checked(given[1:], loaded, options, jobs, lambda _: None))))
+        one_after_the_other(given[1:], loaded, options, jobs, on_done)
         raise KeyboardInterrupt
 
-    checked = many.check_many
     monkeypatch.setattr(many, "check_many", interrupted)
     for as_json in (False, True):
         page = tmp_path / f"{as_json}.html"

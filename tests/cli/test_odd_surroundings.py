@@ -10,6 +10,7 @@ import pytest
 
 from rcj_challenges.cli.says import say_json
 from rcj_challenges.records.result import read_result
+from tests.cli.in_this_process import here
 
 COMMAND = [sys.executable, "-m", "rcj_challenges"]
 POSIX = pytest.mark.skipif(os.name != "posix", reason="files are closed and pipes broken as POSIX has it")
@@ -79,9 +80,12 @@ def test_a_folder_that_is_gone_is_no_fault_of_ours(tmp_path: Path, match: list[s
 
 
 @POSIX
-def test_a_name_that_is_no_text_is_shown_as_far_as_it_can_be(tmp_path: Path, match: list[str]) -> None:
-    done = in_shell("exec \"$@\" --team-name $'blue=Ha\\xffn\\nse'", [*match, "--quiet"], tmp_path)
-    assert (done.returncode, done.stderr) == (0, "")
+def test_a_name_that_is_no_text_is_shown_as_far_as_it_can_be(
+    tmp_path: Path, duel: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    name = os.fsdecode(b"blue=Ha\xffn\nse")  # as Python hands on what it is started with
+    assert here(monkeypatch, tmp_path, "run", *duel, "--duration=0.5", "--quiet", "--team-name", name) == 0
+    assert capsys.readouterr().err == ""
     assert read_result(the_record(tmp_path)).entrants["blue"].name == "Ha n se"
     assert Path(the_record(tmp_path), "replay.html").exists()
 

@@ -1,7 +1,6 @@
 """``rcj-challenge run`` as its users meet it: real processes, exit codes, nothing half written."""
 
 import errno
-import gc
 import json
 import os
 import re
@@ -13,9 +12,9 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges import cli
-from rcj_challenges.records.result import read_result
+from rcj_challenges.records.result import RunResult, read_result
 from rcj_challenges.records.trajectory import Trajectory
+from tests.cli.in_this_process import here
 
 COMMAND = [sys.executable, "-m", "rcj_challenges"]
 POSIX = pytest.mark.skipif(os.name != "posix", reason="signals are sent as POSIX has them")
@@ -42,18 +41,6 @@ def command(*arguments, cwd, **more):
     )
 
 
-def here(monkeypatch, folder, *arguments):
-    """Run the command in this process, which is quicker and comes to the same; returns its exit code."""
-    monkeypatch.chdir(folder)
-    monkeypatch.setattr(sys, "argv", ["rcj-challenge", *arguments])
-    # This process has more to do than one command.
-    monkeypatch.setattr(gc, "set_threshold", lambda *_: None)
-    monkeypatch.setattr(cli, "_end_gently", list)
-    with pytest.raises(SystemExit) as left:
-        cli.main()
-    return left.value.code
-
-
 def short(team, *more):
     return ["run", "match", "--blue", team, "--yellow", team, "--duration", "1", "--halves", "1", *more]
 
@@ -74,14 +61,18 @@ def test_json_prints_the_result_and_nothing_else(tmp_path, team):
     assert result["score"] == {"blue": 0, "yellow": 0}
     assert result["simulated_s"] == 1.024
     assert done.stderr == ""
+    RunResult.model_validate(result)
+    folder = result.pop("folder")
+    assert Path(folder).parts[:-1] == ("runs",)
+    assert json.loads((tmp_path / folder / "result.json").read_bytes()) == result
 
 
-def test_without_a_terminal_there_are_plain_lines_and_the_path_of_the_record(tmp_path, team):
-    done = command(*short(team, *DUEL), cwd=tmp_path)
-    assert done.returncode == 0, done.stderr
-    assert "\x1b" not in done.stdout
-    assert "KICKOFF" in done.stdout
-    folder = next(line.split(None, 1)[1] for line in done.stdout.splitlines() if line.startswith("record:"))
+def test_without_a_terminal_there_are_plain_lines_and_the_path_of_the_record(tmp_path, monkeypatch, capsys, team):
+    assert here(monkeypatch, tmp_path, *short(team, *DUEL)) == 0
+    said = capsys.readouterr().out
+    assert "\x1b" not in said
+    assert "KICKOFF" in said
+    folder = next(line.split(None, 1)[1] for line in said.splitlines() if line.startswith("record:"))
     assert (tmp_path / folder / "result.json").is_file()
     assert (tmp_path / folder / "replay.html").is_file()
 
@@ -146,7 +137,7 @@ WRONG = {
 }
 
 
-AS_A_PROCESS = {"no such scenario", "a zip that is none", "a wrong option"}
+AS_A_PROCESS = {"no such scenario", "a wrong option"}
 """The others are told by the same code in this process, which is quicker."""
 
 
@@ -309,15 +300,11 @@ def test_two_runs_at_once_never_share_a_folder(tmp_path, team):
     assert len(list((tmp_path / "runs").iterdir())) == 2
 
 
-def test_a_fault_of_ours_leaves_a_report_and_exit_code_3(tmp_path, team):
-    breaks = (
-        "import rcj_challenges.match.match as m\nm.play_match = None\nfrom rcj_challenges.cli import main\nmain()\n"
-    )
-    done = subprocess.run(
-        [sys.executable, "-c", breaks, *short(team)], cwd=tmp_path, capture_output=True, text=True, check=False
-    )
-    assert done.returncode == 3
+def test_a_fault_of_ours_leaves_a_report_and_exit_code_3(tmp_path, monkeypatch, capsys, team):
+    monkeypatch.setattr("rcj_challenges.match.match.play_match", None)
+    assert here(monkeypatch, tmp_path, *short(team)) == 3
     (report,) = tmp_path.glob("rcj-challenge-report-*.txt")
     assert "Traceback" in report.read_text("utf-8")
-    assert report.name in done.stderr
-    assert "Traceback" not in done.stderr
+    complaint = capsys.readouterr().err
+    assert report.name in complaint
+    assert "Traceback" not in complaint

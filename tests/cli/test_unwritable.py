@@ -1,7 +1,6 @@
 """Where a record cannot be written: the message names the place and what to do; exit code 2, no traceback, no report."""
 
 import errno
-import gc
 import json
 import os
 import re
@@ -13,29 +12,37 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges import cli
 from rcj_challenges.records.result import read_result
+from tests.cli.in_this_process import here
 
 COMMAND = [sys.executable, "-m", "rcj_challenges"]
 POSIX = pytest.mark.skipif(os.name != "posix", reason="the limit for the size of files is POSIX's")
 
 
-def command(folder: Path, *arguments: str, line: str = 'exec "$@"') -> subprocess.CompletedProcess[str]:
-    done = subprocess.run(
-        ["bash", "-c", line, "bash", *COMMAND, *arguments] if os.name == "posix" else [*COMMAND, *arguments],
-        cwd=folder, capture_output=True, text=True, encoding="utf-8", timeout=120, check=False,
-    )  # fmt: skip
-    assert "Traceback" not in done.stderr
-    assert not list(folder.glob("rcj-challenge-report-*")), done.stderr
-    return done
+@pytest.fixture
+def command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]):
+    """Run a command in the test's folder; returns its exit code and what it said."""
+
+    def run(*arguments: str) -> tuple[object, str, str]:
+        code = here(monkeypatch, tmp_path, *arguments)
+        out, complaint = capsys.readouterr()
+        assert "Traceback" not in complaint
+        assert not list(tmp_path.glob("rcj-challenge-report-*")), complaint
+        return code, out, complaint
+
+    return run
 
 
 @POSIX
 @pytest.mark.parametrize("more", [[], ["--record", "sensors"]], ids=["poses", "sensors"])
 def test_a_full_disk_is_told_with_the_file_and_what_helps(tmp_path: Path, duel: list[str], more: list[str]) -> None:
     arguments = ["run", *duel, "--duration=60", "--no-replay", "--quiet", *more]
-    done = command(tmp_path, *arguments, line='ulimit -f 60; exec "$@"')
+    done = subprocess.run(
+        ["bash", "-c", 'ulimit -f 60; exec "$@"', "bash", *COMMAND, *arguments],
+        cwd=tmp_path, capture_output=True, text=True, encoding="utf-8", timeout=120, check=False,
+    )  # fmt: skip
     assert done.returncode == 2
+    assert not list(tmp_path.glob("rcj-challenge-report-*"))
     (folder,) = tmp_path.glob("runs/*")
     where = re.escape(str(folder.relative_to(tmp_path)))
     assert re.fullmatch(
@@ -66,26 +73,26 @@ def test_a_record_that_somebody_deletes_meanwhile_is_no_fault_of_ours(tmp_path: 
 
 
 @pytest.mark.parametrize("name", ["a file", "a file/runs"])
-def test_a_file_is_no_folder(tmp_path: Path, duel: list[str], name: str) -> None:
+def test_a_file_is_no_folder(tmp_path: Path, duel: list[str], name: str, command) -> None:
     (tmp_path / "a file").write_text("", encoding="utf-8")
-    done = command(tmp_path, "run", *duel, "--duration=1", "--out", name)
-    assert done.returncode == 2
-    assert done.stderr == (
+    code, _, complaint = command("run", *duel, "--duration=1", "--out", name)
+    assert code == 2
+    assert complaint == (
         f"cannot make a folder for the record in {Path(name)}: a file is not a folder; give another folder with --out\n"
     )
 
 
-def test_many_matches_are_not_begun_where_none_can_be_recorded(tmp_path: Path, duel: list[str]) -> None:
+def test_many_matches_are_not_begun_where_none_can_be_recorded(tmp_path: Path, duel: list[str], command) -> None:
     (tmp_path / "a file").write_text("", encoding="utf-8")
-    done = command(tmp_path, "simulate", *duel, "--seeds=1..500", "--out", "a file", "--json")
-    assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr.startswith("cannot make a folder for the records in a file: a file is not a folder")
-    assert len(done.stderr.splitlines()) == 1
+    code, told, complaint = command("simulate", *duel, "--seeds=1..500", "--out", "a file", "--json")
+    assert (code, told) == (2, "")
+    assert complaint.startswith("cannot make a folder for the records in a file: a file is not a folder")
+    assert len(complaint.splitlines()) == 1
 
 
-def test_a_page_that_must_not_be_written_is_named(tmp_path: Path, duel: list[str], monkeypatch, capsys) -> None:
-    done = command(tmp_path, "run", *duel, "--duration=0.5", "--no-replay", "--json")
-    assert json.loads(done.stdout)["complete"]
+def test_a_page_that_must_not_be_written_is_named(tmp_path: Path, duel: list[str], monkeypatch, command) -> None:
+    _, told, _ = command("run", *duel, "--duration=0.5", "--no-replay", "--json")
+    assert json.loads(told)["complete"]
     (folder,) = tmp_path.glob("runs/*")
 
     opens = Path.open
@@ -96,21 +103,13 @@ def test_a_page_that_must_not_be_written_is_named(tmp_path: Path, duel: list[str
         return opens(path, *arguments, **options)
 
     monkeypatch.setattr(Path, "open", refuses)
-    monkeypatch.setattr(gc, "set_threshold", lambda *_: None)
-    monkeypatch.setattr(gc, "freeze", lambda: None)
-    monkeypatch.setattr(cli, "_end_gently", list)
-    monkeypatch.setattr(sys, "argv", ["rcj-challenge", "replay", str(folder)])
-    monkeypatch.chdir(tmp_path)
-    with pytest.raises(SystemExit) as left:
-        cli.main()
-    assert left.value.code == 2
-    told = capsys.readouterr().err
-    assert told == f"this computer cannot go on: Permission denied: {folder / 'replay.html.tmp'}\n"
-    assert not list(tmp_path.glob("rcj-challenge-report-*"))
+    code, _, complaint = command("replay", str(folder))
+    assert code == 2
+    assert complaint == f"this computer cannot go on: Permission denied: {folder / 'replay.html.tmp'}\n"
 
 
-def test_a_folder_without_a_result_is_told_what_it_lacks(tmp_path: Path) -> None:
+def test_a_folder_without_a_result_is_told_what_it_lacks(tmp_path: Path, command) -> None:
     (tmp_path / "moved").mkdir()
     for reads in ("stats", "replay", "view"):
-        done = command(tmp_path, reads, "moved")
-        assert (done.returncode, done.stderr) == (2, "no record 'moved': there is no result.json in this folder\n")
+        code, _, complaint = command(reads, "moved")
+        assert (code, complaint) == (2, "no record 'moved': there is no result.json in this folder\n")

@@ -8,6 +8,7 @@ import pytest
 
 from rcj_challenges.cli.app import app
 from rcj_challenges.cli.simulate import rank_summary
+from rcj_challenges.match import many
 from rcj_challenges.match.many import Job, Outcome
 from rcj_challenges.scenario.models.scenario import Result
 from rcj_challenges.views.scoreboard import ranking_lines, score_line
@@ -126,7 +127,9 @@ def test_json_of_simulate_holds_what_was_compared(tmp_path, capsys, still):
     assert told["matches"] == [{"seed": 1, "ranking": placed((1, "blue", [0, 0]), (1, "yellow", [0, 0]))}]
 
 
-def test_the_plain_match_is_told_by_its_score(capsys, still):
+def test_the_plain_match_is_told_by_its_score(capsys, still, monkeypatch):
+    outcomes, play_many = [], many.play_many
+    monkeypatch.setattr(many, "play_many", lambda *given: outcomes or outcomes.extend(play_many(*given)) or outcomes)
     assert run("simulate", "match", "--seeds", "1", *still, "--json") == 0
     assert "ranking" not in json.loads(capsys.readouterr().out)
     assert run("simulate", "match", "--seeds", "1", *still, "--quiet") == 0

@@ -16,8 +16,7 @@ import pytest
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="Windows names files in Unicode whatever the locale")
 
-NARROW = {"LC_ALL": "C", "PYTHONUTF8": "0"}
-SURROUNDINGS = [NARROW, NARROW | {"PYTHONCOERCECLOCALE": "0"}]
+NARROW = {"LC_ALL": "C", "PYTHONUTF8": "0"}  # where it is LC_ALL that says C, Python takes no other locale by itself
 DUEL = [f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
 """One robot on each side has a program, which starts a third as many."""
 STANDS = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
@@ -69,13 +68,12 @@ def verdict(report: str) -> list[Any]:
 
 
 def test_a_check_finds_the_same_as_where_names_are_in_unicode(tmp_path: Path, submission: str) -> None:
-    here, *elsewhere = (
-        played(tmp_path, ["check", submission, "--json", *DUEL], env) for env in ({"PYTHONUTF8": "1"}, *SURROUNDINGS)
+    here, there = (
+        played(tmp_path, ["check", submission, "--json", *DUEL], env) for env in ({"PYTHONUTF8": "1"}, NARROW)
     )
-    for there in elsewhere:
-        assert verdict(there.stdout) == verdict(here.stdout)
-        assert there.returncode == here.returncode == 1
-        assert "größe.py, line 2" in str(verdict(there.stdout))
+    assert verdict(there.stdout) == verdict(here.stdout)
+    assert there.returncode == here.returncode == 1
+    assert "größe.py, line 2" in str(verdict(there.stdout))
 
 
 def test_a_match_is_the_same_and_its_logs_name_files_as_the_team_knows_them(tmp_path: Path, submission: str) -> None:

@@ -13,7 +13,7 @@ from types import SimpleNamespace
 import pytest
 from fake_match import FakeMatch
 
-from rcj_challenges.controllers import pipes, processes
+from rcj_challenges.controllers import pipes, processes, scratch
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.facts.errors import HostError
 from rcj_challenges.facts.play import Fault
@@ -395,6 +395,35 @@ def test_what_this_computer_lacks_is_no_fault_of_a_program(
     monkeypatch.setattr(processes, "start", refuse)
     with pytest.raises(HostError, match="the program of Y1 cannot be started here: it is lacking"):
         fault_of(match, "faults/never_steps")
+
+
+FINDS_NO_ROOM = """
+from controller import Robot
+Robot().step(32)
+try:
+    raise OSError(28, "No space left on device")  # as of a write
+except OSError as error:
+    raise ValueError("my notes") from error
+"""
+
+
+def test_a_temporary_folder_without_room_is_no_fault_of_a_program(
+    match: FakeMatch, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(_: Path) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(scratch, "ensure_room", full)
+    with pytest.raises(HostError) as raised:
+        match.play(FINDS_NO_ROOM, 3)
+    assert str(raised.value) == (
+        "the temporary folder is full: the program of Y1 could not write at tick 1 (0.032 s): No space left on device; "
+        "make room there, or let TMPDIR name another folder"
+    )
+
+
+def test_who_only_says_that_there_is_no_room_has_crashed(match: FakeMatch) -> None:
+    assert fault_of(match, FINDS_NO_ROOM).kind == "crash"
 
 
 @pytest.mark.parametrize(

@@ -58,6 +58,17 @@ def test_a_match_that_cannot_be_started_takes_no_other_with_it(monkeypatch):
     assert len(started) == 3
 
 
+def test_where_no_signal_lets_a_match_close_its_record_the_end_of_its_lifeline_does(monkeypatch):
+    """As on Windows. The process ends by itself, and not by a signal."""
+    monkeypatch.setattr(many, "_START", "import sys; sys.exit(len(sys.stdin.read()))")
+    matches = many._Matches(by_lifeline=True)
+    process = matches.start([])
+    matches.end_all()
+    assert process.returncode == 0
+    matches.forget(process)
+    process.communicate()
+
+
 def test_a_match_that_could_not_be_played_is_named_with_its_seed():
     told = summary([Outcome(Job(4, ()), None, "it broke")])
     assert told["failed"] == [{"seed": 4, "message": "it broke"}]

@@ -13,6 +13,22 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
 
+COMMAND = """\
+#!/bin/sh
+echo "$*" >> "{folder}/started"
+said="{folder}/said $(echo "$*" | tr / _)"
+if [ -f "$said" ]; then
+    cat "$said" >&2
+    exit 2
+fi
+"{python}" -m rcj_challenges "$@" 2> "$said"
+code=$?
+cat "$said" >&2
+[ "$code" = 2 ] || rm "$said"
+exit "$code"
+"""
+"""The command; what it refused it refuses in the same words when it is asked again, without a process of its own."""
+
 pytestmark = pytest.mark.skipif(os.name != "posix" or shutil.which("bash") is None, reason="it is a script for bash")
 
 
@@ -36,9 +52,7 @@ def test_the_cup_is_played_and_what_is_played_is_not_played_again(tmp_path):
     zipped(tmp_path, "kogge", STAND)
     zipped(tmp_path, "nobody", None)
     command = tmp_path / "rcj-challenge"
-    command.write_text(
-        f'#!/bin/sh\necho "$*" >> "{tmp_path}/started"\nexec "{sys.executable}" -m rcj_challenges "$@"\n'
-    )
+    command.write_text(COMMAND.format(folder=tmp_path, python=sys.executable), encoding="utf-8")
     command.chmod(0o755)
 
     def play() -> list[str]:

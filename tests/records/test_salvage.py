@@ -11,9 +11,18 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.salvage import read_run
-from rcj_challenges.records.testing import write_made_up_run
+from rcj_challenges.records.folder import TRAJECTORY_PARTS
+from rcj_challenges.records.salvage import read_halves, read_run
+from rcj_challenges.records.testing import (
+    half_info,
+    made_up_play,
+    small_header,
+    small_scenario,
+    write_made_up_run,
+)
 from rcj_challenges.records.trajectory import Trajectory
+from rcj_challenges.records.upgrades import read_scenario
+from rcj_challenges.records.writer import RecordWriter
 
 TICKS = 60
 
@@ -50,6 +59,7 @@ def test_of_a_file_that_lost_its_end_the_first_half_is_whole(good: Path, tmp_pat
     assert second.info.teams == {"blue": "yellow", "yellow": "blue"}
     assert "damaged" in run.problems[0]
     assert str(first.ticks + second.ticks) in run.problems[0]
+    assert f"1.9 s of half 1, {second.ticks * 0.032:.1f} s of half 2" in run.problems[0]
 
 
 def test_of_a_file_that_lost_the_facts_of_its_half_the_poses_are_kept(good: Path, tmp_path: Path) -> None:
@@ -69,6 +79,42 @@ def test_where_no_pose_is_left_everything_stands_at_its_start_for_the_events_to_
     assert [half.ticks for half in run.halves] == [TICKS, TICKS]
     assert run.halves[0].substeps[5, 3, 0].tolist() == pytest.approx([-0.3, 0.3, -1.57])
     assert "stands at its start" in run.problems[0]
+
+
+def test_who_shows_poses_gets_none_that_nobody_recorded(good: Path, tmp_path: Path) -> None:
+    folder = damaged(good, tmp_path / "run", b"nothing of ours")
+    with pytest.raises(RecordError, match="the trajectory is damaged"):
+        read_halves(folder, read_scenario(folder), None, standing=False)
+
+
+def test_of_a_file_whose_facts_are_lost_with_the_result_teams_are_called_by_their_seats(
+    good: Path, tmp_path: Path
+) -> None:
+    folder = damaged(good, tmp_path / "run", whole(good)[:9000])
+    (half,), _ = read_halves(folder, read_scenario(folder), None)
+    assert half.info.team_names == {"blue": "blue", "yellow": "yellow"}
+    assert half.info.scores == {"blue": 0, "yellow": 0}
+
+
+def test_of_a_killed_run_whose_touches_are_lost_the_poses_are_kept(tmp_path: Path) -> None:
+    """As after a power cut: what was written last need not be on the disk."""
+    scenario = small_scenario(1, 1)
+    header = small_header(scenario)
+    writer = RecordWriter(tmp_path, header)
+    writer.begin_half(half_info(scenario, 1, 1000, header))
+    for snapshot, verdict in made_up_play(2, 100):
+        writer.tick(snapshot, verdict, b"")
+    killed = Path(shutil.copytree(writer.folder, tmp_path / "killed"))
+    writer.finish({"complete": False})
+    sound = read_run(killed)
+    (touches,) = (killed / TRAJECTORY_PARTS).glob("half-1.touches")
+    assert touches.stat().st_size
+    touches.write_bytes(touches.read_bytes()[:-2])
+    run = read_run(killed)
+    assert np.array_equal(run.halves[0].substeps, sound.halves[0].substeps)
+    assert len(sound.problems) == 1
+    assert run.problems[0] == sound.problems[0]
+    assert "3.2 s of half 1" in run.problems[1]
 
 
 def test_a_flipped_bit_costs_nothing_but_a_warning(good: Path, tmp_path: Path) -> None:

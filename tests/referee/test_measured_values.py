@@ -118,6 +118,16 @@ class TestValueTimer:
         play.play_until(92)
         assert paid(play) == 2
 
+    def test_with_its_fraction_it_counts_to_the_tick(self, stage):
+        play = stage(self.TIMERS, scoring("{timer: lap, fraction: true}"))
+        play.play_until(92)
+        assert paid(play) == 2.976
+
+    def test_a_part_with_its_fraction_is_exact_on_paper(self, stage):
+        play = stage(self.TIMERS, scoring("[10, {timer: lap, fraction: true, weight: -1}]"))
+        play.play_until(99)
+        assert paid(play) == 6.8
+
     def test_what_is_left_of_it_is_its_length_less_the_time_it_has_run(self, stage):
         play = stage(self.TIMERS, scoring("[10, {timer: lap, weight: -1}]"))
         play.play_until(99)

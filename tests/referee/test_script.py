@@ -154,6 +154,27 @@ class TestExpect:
         ) == []  # fmt: skip
         assert differences("given: {score: {blue: 2.5}}, " + GOAL + ", score: {yellow: 1, blue: 2.5}") == []
 
+    def test_what_is_kept_for_each_of_several_can_be_told_one_by_one(self, small):
+        def run(block: str) -> list[str]:
+            scenario = small(
+                "counters: {laps: {per: robots, initial: 1}}",
+                "flags: {out: {per: robots}}",
+                "rules: {lap: {triggers: [{trigger: touches, entity: Y1, other: ball}], "
+                "actions: [{action: count, counter: laps, entity: Y1}, {action: set_flag, flag: out, entity: Y1}]}}",
+                f"expect: {{it: {{lasts_s: 1, keyframes: [{{at_s: 0.5, touch: [[Y1, ball]]}}], {block}}}}}",
+            )
+            return run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it")
+
+        given = "given: {counters: {laps: {B2: 7}}, flags: {out: {B2: true}}}"
+        assert (
+            run(f"{given}, counters: {{laps: {{Y1: 2, B2: 7, B1: 1}}}}, flags: {{out: {{B2: true, B1: false}}}}") == []
+        )
+        assert run(f"{given}, counters: {{laps: 11}}, flags: {{out: true}}") == []
+        assert run("counters: {laps: {Y1: 3, B1: 1}}, flags: {out: {B1: true}}") == [
+            "counter laps of Y1: expected 3, is 2",
+            "flag out of B1: expected true, is false",
+        ]
+
     def test_what_is_given_stands_before_the_first_rule_and_for_each_entity(self, small):
         scenario = small(
             "counters: {laps: {per: yellow}}",

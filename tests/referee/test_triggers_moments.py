@@ -293,6 +293,19 @@ class TestTriggerHolds:
         self.inside(play, inside=True, ticks=20)
         assert told(play) == [23]
 
+    @pytest.mark.parametrize(("for_s", "heard"), [(0, []), (0.05, [4])])
+    def test_what_a_removal_makes_true_is_heard_by_what_must_last(self, stage, for_s, heard):
+        empty = "{condition: in_zone, entity: [ball, Y1], zone: right, of: none}"
+        play = stage(
+            emitting(f"{{trigger: holds, condition: {empty}, for_s: {for_s}}}"),
+            "rules: {gone: {triggers: [{trigger: touches, entity: Y2, other: ball}], "
+            "actions: [{action: remove, entity: ball}]}}",
+        )
+        self.inside(play, inside=True, ticks=1)
+        play.touch("Y2", "ball")  # in tick 2, at whose end it is taken off
+        play.play(9)
+        assert told(play) == heard
+
     def test_without_a_time_it_fires_when_the_condition_comes_true(self, stage):
         play = stage(self.rules("for_s: 0"))
         self.inside(play, inside=True, ticks=3)

@@ -160,6 +160,55 @@ class TestTriggerSequenceCompleted:
         assert play.names() == ["DONE"]
 
 
+PUT_BACK = """
+rules:
+  back: {triggers: [{trigger: touches, entity: Y1, other: ball}],
+         actions: [{action: place, entity: ball, at: {point: %s}}]}
+  gone: {triggers: [{trigger: touches, entity: Y2, other: ball}], actions: [{action: remove, entity: ball}]}
+"""
+
+
+class TestSequenceWhoseEntityIsPutElsewhere:
+    GOES_ON = SEQUENCE % "when_placed: goes_on"
+
+    def put(self, play):
+        play.touch("Y1", "ball")
+        play.play(2)
+
+    def test_it_begins_anew_unless_it_shall_go_on(self, stage):
+        for way, done in ((SEQUENCE % "when_placed: begins_anew", []), (self.GOES_ON, ["DONE"])):
+            play = stage(way, PUT_BACK % "[-0.2, 0.3]")
+            walk(play, "ball", A, B)
+            self.put(play)
+            walk(play, "ball", C)
+            assert play.names() == done
+
+    def test_being_put_into_a_step_is_no_step(self, stage):
+        play = stage(self.GOES_ON, PUT_BACK % "[0, 0]")
+        walk(play, "ball", A)
+        self.put(play)
+        walk(play, "ball", C)
+        assert play.names() == []
+        walk(play, "ball", B, C)
+        assert play.names() == ["DONE"]
+
+    def test_being_put_into_a_wrong_step_breaks_nothing(self, stage):
+        play = stage(SEQUENCE % "when_placed: goes_on, wrong_step: break", PUT_BACK % "[-0.4, 0]")
+        walk(play, "ball", A, B)
+        self.put(play)
+        walk(play, "ball", A_LOW, C_LOW, C)
+        assert play.names() == ["DONE"]
+
+    def test_it_goes_on_also_after_a_time_off_the_field(self, stage):
+        play = stage(self.GOES_ON, PUT_BACK % "[-0.2, 0.3]")
+        walk(play, "ball", A, B)
+        play.touch("Y2", "ball")
+        play.play(2)
+        self.put(play)
+        walk(play, "ball", C)
+        assert play.names() == ["DONE"]
+
+
 class TestTriggerSequenceBroken:
     def test_another_of_its_steps_breaks_it(self, stage):
         play = stage(SEQUENCE % "cyclic: true, wrong_step: break")

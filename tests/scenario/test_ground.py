@@ -138,11 +138,14 @@ def obstacle(text):
     return f"obstacles: {{post: {{{text}}}}}\n"
 
 
+APART = "move one of them; who is to come there later is put there by a rule"
+
+
 def test_a_fixed_obstacle_may_reach_into_the_walls_but_not_into_robots():
     assert loaded(obstacle("shape: wall, from_m: [-0.65, 0.1], to_m: [-0.4, 0.1]"))
     assert loaded(obstacle("shape: box, centre_m: [0.65, 0], size_m: [0.1, 0.1]"))
     assert complaints(obstacle("shape: wall, from_m: [-0.65, 0.3], to_m: [-0.3, 0.3]")) == [
-        "obstacles.post: 'post' overlaps 'B2' at the start"
+        f"obstacles.post: 'post' overlaps 'B2' at the start; {APART}"
     ]
 
 
@@ -151,7 +154,7 @@ def test_a_movable_obstacle_must_stand_free():
         "obstacles.post: 'post' stands outside the field or in a wall"
     )
     assert complaints(obstacle("shape: box, centre_m: [0.1, 0], size_m: [0.17, 0.02], movable: true")) == [
-        "obstacles.post: 'post' overlaps 'ball' at the start"
+        f"obstacles.post: 'post' overlaps 'ball' at the start; {APART}"
     ]
 
 
@@ -164,9 +167,9 @@ def test_a_turned_box_covers_other_ground():
 def test_all_overlaps_are_reported():
     body = "balls: {a: {start_m: [0, 0.1]}, b: {start_m: [0.01, 0.1]}, c: {start_m: [0.02, 0.1]}}\n"
     assert sorted(complaints(body)) == [
-        "balls.b.start_m: 'b' overlaps 'a' at the start",
-        "balls.c.start_m: 'c' overlaps 'a' at the start",
-        "balls.c.start_m: 'c' overlaps 'b' at the start",
+        f"balls.b.start_m: 'b' overlaps 'a' at the start; {APART}",
+        f"balls.c.start_m: 'c' overlaps 'a' at the start; {APART}",
+        f"balls.c.start_m: 'c' overlaps 'b' at the start; {APART}",
     ]
 
 

@@ -36,7 +36,7 @@ def told(trigger: str, says: str = "", payload: str = "", more: str = "") -> lis
     return [finding for finding in found if finding.kind in KINDS]
 
 
-KINDS = {"placeholder_unknown", "placeholder_never_filled", "word_never_filled"}
+KINDS = {"placeholder_unknown", "placeholder_never_filled", "placeholder_at_times_empty", "word_never_filled"}
 
 ENTERS = "{trigger: enters, entity: %s, zone: a}"
 IN_A = "{condition: in_zone, entity: %s, zone: a}"
@@ -124,6 +124,41 @@ class TestUnknownBlanks:
         assert told(ENTERS % "Y1", "entity} and {measured") == []
 
 
+class TestABlankThatOneTriggerFillsAndAnotherDoesNot:
+    TIME = "{trigger: time_reached, at_s: 1}"
+    STAYS = "{trigger: stays_in, entity: Y1, zone: a, limit_s: 1}"
+
+    @pytest.mark.parametrize(
+        ("triggers", "blank", "message"),
+        [
+            (
+                f"{ENTERS % 'Y1'}, {TIME}",
+                "entity",
+                "'time_reached' sets the rule off, which is about nobody in particular",
+            ),
+            (f"{STAYS}, {ENTERS % 'Y1'}", "measured", "'enters' sets the rule off, which measures nothing"),
+            (f"{ENTERS % 'Y1'}, {STAYS}", "limit", "'enters' sets the rule off, which has no limit"),
+        ],
+    )
+    def test_it_is_named_with_the_trigger_that_leaves_it_empty(self, triggers, blank, message):
+        (finding,) = told(triggers, f"{{{blank}}} is it")
+        assert finding.kind == "placeholder_at_times_empty"
+        assert finding.problem.message == f"'{{{blank}}}' stays empty when {message}"
+        assert finding.remedy == "give that trigger a rule of its own, or leave it out"
+
+    def test_where_both_fill_it_or_the_rule_knows_whom_it_is_for_nothing_is_said(self):
+        assert told(f"{self.STAYS}, {self.TIME}", "{measured} of {limit}") == []
+        assert told(f"{self.STAYS}, {ENTERS % 'Y2'}", "{entity}") == []
+        assert told(f"{ENTERS % 'each'}, {self.TIME}", "{entity}", more=FOR_EACH) == []
+
+    def test_a_param_that_a_blank_hides_is_named(self):
+        (finding,) = told(ENTERS % "Y1", "After {limit} strokes", more="params: {limit: 8}\n")
+        assert finding.remedy == (
+            "leave it out, or use a trigger that measures, such as stays_in, or give the param 'limit' another name: "
+            "it is not meant here"
+        )
+
+
 class TestWhoItIsAbout:
     @pytest.mark.parametrize(("trigger", "known"), ABOUT)
     def test_an_entity_is_known_if_a_trigger_finds_one(self, trigger, known):
@@ -135,8 +170,9 @@ class TestWhoItIsAbout:
     def test_with_for_each_it_is_always_known(self, trigger, known):
         assert told(trigger, "{entity} of {team}", "robot: {word: robot_name}", FOR_EACH) == []
 
-    def test_one_trigger_that_finds_one_is_enough(self):
-        assert told(f"{{trigger: half_started}}, {ENTERS % 'Y1'}", "{entity} of {team}") == []
+    def test_with_one_trigger_that_finds_one_it_is_not_always_empty(self):
+        (finding,) = told(f"{{trigger: half_started}}, {ENTERS % 'Y1'}", "{entity} of {team}")
+        assert finding.kind == "placeholder_at_times_empty"
 
     @pytest.mark.parametrize("entity", ["ball", "crate", "loose"])
     def test_what_is_no_robot_has_a_name_and_no_team(self, entity):
@@ -179,9 +215,9 @@ class TestWhatIsMeasured:
             f"'{n}'" for n in missing
         )
 
-    def test_one_trigger_that_measures_is_enough(self):
+    def test_with_one_trigger_that_measures_it_is_not_always_empty(self):
         both = f"{ENTERS % 'Y1'}, {{trigger: stays_in, entity: Y1, zone: b, limit_s: 1}}"
-        assert told(both, "{measured} of {limit}") == []
+        assert {finding.kind for finding in told(both, "{measured} of {limit}")} == {"placeholder_at_times_empty"}
 
 
 BLANKS = ("entity", "team", "measured", "limit")

@@ -271,7 +271,7 @@ def test_what_is_mirrored_is_drawn_where_it_is_put():
     assert {"B2: (0.15, 0.25)", "B2: (0.15, -0.25)"} <= set(labels)
     # Its start and the spot are drawn as such: where the mirror puts it is a place of its own.
     start = scenario.robots["Y1"].start
-    assert f"Y1: ({start.x_m:g}, {-start.y_m:g})" in labels
+    assert f"Y1: ({start.x_m:g}, {-start.y_m:g}), ± 0.075, 0.075" in labels
     assert "ball: (-0.2, -0.05)" in labels
     assert "B3: in garden, mirrored (x becomes -x and y becomes -y)" in labels
     (area,) = [path for path in picture.iter(f"{SVG}path") if path.findtext(f"{SVG}title") == "put B3 anywhere in here"]

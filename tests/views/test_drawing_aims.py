@@ -66,6 +66,26 @@ def test_a_kick_at_a_spot_and_at_the_start_is_drawn_as_an_aim():
     assert places(kick("{start: true}")) == ["(0.1, 0)", "rolls towards (0, 0)"]
 
 
+NOISE = ", noise_m: [0.08, 0.02]"
+
+
+def test_noise_around_a_spot_or_a_start_is_drawn():
+    assert places(put("{spot: left}", NOISE)) == ["(-0.3, 0.05), ± 0.08, 0.02"]
+    assert places(put("start", NOISE)) == ["(0, 0), ± 0.08, 0.02"]
+    assert places(put("{relative_to: left}", NOISE)) == ["(-0.3, 0.05), ± 0.08, 0.02"]
+
+
+def test_where_a_robot_is_put_at_its_start_with_noise_that_of_the_start_is_around_it():
+    one = loaded(f"{{action: place, entity: Y1, at: start{NOISE}}}, {{action: place, entity: Y2, at: start}}")
+    areas = placement_areas(one.scenario, one.roster)
+    assert {area.words(): who for area, who in areas.items()} == {"(-0.3, -0.3), ± 0.155, 0.095": ["Y1"]}
+
+
+def test_a_mirrored_start_keeps_its_noise():
+    one = loaded("{action: place, entity: Y1, at: start, mirror: {axis: x}}")
+    assert [area.words() for area in placement_areas(one.scenario, one.roster)] == ["(0.3, -0.3), ± 0.075, 0.075"]
+
+
 def test_what_is_told_by_its_way_from_a_spot_is_drawn():
     beside = "{relative_to: left, offset_m: [0.1, 0]}"
     assert places(put(beside)) == ["(-0.2, 0.05)"]

@@ -94,6 +94,7 @@ def test_a_second_goal_is_in_sight_after_the_filter_and_one_click_lands_on_it(
     settled(page)
     assert shown_moment(page) == [1, 800]
     assert page.locator("#clock").inner_text() == "0:25.6"
+    assert page.locator("#phase").inner_text() == "goal pause · robots held"
     assert [score.inner_text() for score in page.locator(".score").all()] == ["0", "2"]
     assert "GOAL" in page.locator("#caption").inner_text()
 

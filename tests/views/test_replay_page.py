@@ -212,6 +212,7 @@ def test_zones_spots_and_what_stands_on_the_field_are_in_the_page(page: str) -> 
     assert facts["spots"] == [{"name": "centre", "x_m": 0.0, "y_m": 0.0}]
     assert facts["gates"][0]["name"] == "half_way"
     assert facts["fixed"][0]["shape"] == "cylinder"
+    assert facts["held_phases"] == ["goal_pause"]
     assert [entity["name"] for entity in facts["entities"]] == ["B1", "B2", "B3", "Y1", "Y2", "Y3", "ball"]
 
 

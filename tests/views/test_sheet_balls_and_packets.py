@@ -118,6 +118,16 @@ def test_the_sheet_says_of_a_ball_that_slows_down_by_how_much():
     assert f"While second rolls, {told}" in sheet("balls: {second: {start_m: [0.3, 0], slows_mps2: 0.05}}\n" + RULE)
 
 
+def test_balls_that_slow_down_alike_share_a_sentence():
+    slow = "balls: {ball: null, red: {start_m: [0.3, 0], slows_mps2: %s}, green: {slows_mps2: 0.05}}\n"
+    assert "\nWhile one of the balls rolls, it loses 0.05 m/s in each second.\n" in sheet(slow % 0.05 + RULE)
+    text = sheet(slow % 0.1 + RULE)
+    assert "While red rolls, it loses 0.1 m/s in each second." in text
+    assert "While green rolls, it loses 0.05 m/s in each second." in text
+    third = slow.replace("}}\n", "}, white: {start_m: [-0.3, 0]}}\n")
+    assert "While red or green rolls, it loses 0.05 m/s in each second." in sheet(third % 0.05 + RULE)
+
+
 def test_without_balls_the_sheet_says_so():
     assert "There is no ball." in sheet("balls: {ball: null}\n" + RULE)
 
@@ -217,6 +227,20 @@ def test_robots_that_cannot_hear_the_referee_are_told_nothing():
     written = sheet(f"robots: {{{deaf}}}\nbroadcast: {{fields: {{now: {{word: time_s}}}}}}\n" + RULE)
     assert "No robot has a receiver of the referee's packets." in written
     assert "JSON" not in written
+
+
+@pytest.mark.parametrize(
+    ("deaf", "words"),
+    [
+        (("Y2",), ", but for Y2, which has no receiver for it,"),
+        (("Y2", "Y3"), ", but for Y2 and Y3, which have no receiver for it,"),
+        ((), ""),
+    ],
+)
+def test_of_robots_of_one_kit_that_do_not_all_hear_the_referee_it_is_said_who_does_not(deaf, words):
+    robots = ", ".join(f"{name}: {{without: [supervisor receiver]}}" for name in deaf)
+    written = sheet(f"robots: {{{robots}}}\n" + RULE)
+    assert f"The referee sends robots of the kit v2{words} a packet every tick (0.032 s). It is one byte" in written
 
 
 BROADCASTS = {

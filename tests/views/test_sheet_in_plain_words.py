@@ -101,6 +101,14 @@ LEVELS = {
     "condition: timer, timer: rest, of: all, at_least: 2": (
         "all of the yellow robots have a timer “rest” that has run for at least 2 s"
     ),
+    "condition: timer, timer: rest, entity: Y1, at_most: 20, negate: true": "the timer “rest” of Y1 has run for more than 20 s",
+    "condition: timer, timer: rest, entity: Y1, at_least: 2, negate: true": "the timer “rest” of Y1 has run for less than 2 s",
+    "condition: timer, timer: rest, entity: Y1, at_least: 2, at_most: 5, negate: true": (
+        "the timer “rest” of Y1 has not run for at least 2 s and at most 5 s"
+    ),
+    "condition: timer, timer: rest, entity: Y1, at_most: {counter: wide}, negate: true": (
+        "the timer “rest” of Y1 has run longer than the counter “wide” says in s"
+    ),
     "condition: timer, timer: rest, of: all, negate: true": "not all of the yellow robots have the timer “rest” running",
     "condition: distance, entity: Y1, to: ball, at_most: 0.5, negate: true": "Y1 is more than 0.5 m from the ball",
     "condition: distance, entity: Y1, to: ball, at_least: 0.5, negate: true": "Y1 is less than 0.5 m from the ball",

@@ -78,12 +78,43 @@ TIMERS = "timers: {rest: {lasts_s: 9}, own: {lasts_s: 9, per: yellow}}\ncounters
             "{timer: own}",
             "the time in s that the longest running timer “own” of the yellow robots has run (rounded down)",
         ),
+        ("{timer: rest, fraction: true}", "the time in s that the timer “rest” has run (with its fraction)"),
+        (
+            "[9, {word: time_left_s, fraction: true, weight: -1}]",
+            "9, minus the time left in s (with its fraction)",
+        ),
         ("{timer: own, entity: Y1}", "the time in s that the timer “own” of Y1 has run (rounded down)"),
     ],
 )
 def test_points_of_several_parts_are_one_sentence(points, words):
     rule = f"triggers: [{{trigger: half_started}}], actions: [{{action: score, entrant: blue, points: {points}}}]"
     assert f": blue gets points: {words}." in sentence(rule, TIMERS)
+
+
+MEASURED = {
+    "trigger: displaced, entity: ball, distance_m: 0.1": "the distance in m by which it was displaced",
+    "trigger: no_progress, entity: ball, distance_m: 0.1, within_s: 2": "the length in m of its path",
+    "trigger: stays_in, entity: ball, zone: pitch, limit_s: 2": "the time in s of the stay",
+    "trigger: tips_over, entity: Y1": "its tilt in rad",
+    "trigger: holds, condition: {condition: speed, entity: ball, at_most: 0.1}": "the time in s for which that has held",
+    "trigger: time_reached, at_s: 2": "the time in s",
+    "trigger: timer_expired, timer: rest": "the length in s of the timer",
+    "trigger: sequence_completed, sequence: way": "the time in s since the first step of the sequence",
+    "trigger: half_started": "what was measured",
+}
+
+
+@pytest.mark.parametrize(("trigger", "words"), MEASURED.items(), ids=list(MEASURED.values()))
+def test_it_is_said_what_a_rule_counts_that_was_measured(trigger, words):
+    count = "actions: [{action: count, counter: tries, to: {word: measured}}]"
+    sequence = f"{TIMERS}\nsequences: {{way: {{entity: ball, steps: [blue_goal, yellow_goal]}}}}"
+    assert sentence(f"triggers: [{{{trigger}}}], {count}", sequence).endswith(f"“tries” is set to {words}.")
+
+
+def test_what_different_triggers_measure_is_only_said_to_be_measured():
+    both = "triggers: [{trigger: time_reached, at_s: 2}, {trigger: tips_over, entity: Y1}]"
+    said = sentence(f"{both}, actions: [{{action: count, counter: tries, to: {{word: measured}}}}]", TIMERS)
+    assert said.endswith("is set to what was measured.")
 
 
 def test_what_is_told_is_said_with_its_unit():

@@ -30,7 +30,29 @@ def test_a_rule_over_gates_speaks_of_the_gate():
 
 def test_what_it_says_is_about_who_crosses_and_names_the_gate():
     words = sentence(f'{CROSSES}, {END}, says: "{{entity}} of {{team}} has passed {{each}}."', GATES)
-    assert words.startswith("One of the yellow robots of yellow has passed the gate. For each of the doors, when")
+    assert words.startswith(
+        "One of the yellow robots of yellow has passed one of the doors. For each of the doors, when"
+    )
+
+
+@pytest.mark.parametrize(
+    ("says", "words"),
+    [
+        ("{each} is open; who crosses {each} closes it.", "One of the doors is open; who crosses the gate closes it."),
+        ("{entity} has passed the gate {each}.", "One of the yellow robots has passed one of the doors."),
+        ("Gate {each} is passed.", "One of the doors is passed."),
+        ("The gate's name is {each}.", "The gate's name is one of the doors."),
+        ("The colour of {each}'s posts counts.", "The colour of the gate's posts counts."),
+    ],
+)
+def test_it_is_said_of_which_group_the_gate_is(says, words):
+    assert sentence(f'{CROSSES}, {END}, says: "{says}"', GATES).startswith(f"{words} For each of the doors, ")
+
+
+def test_a_rule_over_robots_says_of_which_group_each_is_once():
+    touches = "for_each: backs, triggers: [{trigger: touches, entity: each, other: ball}]"
+    said = sentence(f'{touches}, {END}, says: "{{each}} has it, and {{entity}} may go."', "groups: {backs: [B1, B2]}\n")
+    assert said.startswith("One of the backs has it, and the robot may go. ")
 
 
 def test_a_rule_over_robots_says_each_as_entity():

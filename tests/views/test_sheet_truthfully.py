@@ -208,6 +208,21 @@ def test_a_sequence_that_ignores_says_that_nothing_is_lost():
     )
 
 
+STEPS_KEPT = "When a rule puts Y1 somewhere or takes it off the field, the steps made so far are kept."
+
+
+@pytest.mark.parametrize(
+    ("more", "again"),
+    [
+        ("", f"It begins anew when it is complete. {STEPS_KEPT}"),
+        (", wrong_step: break", f"It begins anew also when it is complete. {STEPS_KEPT}"),
+        (", cyclic: true", f"Back at the first step it is complete, and the next round has begun. {STEPS_KEPT}"),
+    ],
+)
+def test_a_sequence_that_goes_on_where_its_entity_is_put_says_that_nothing_is_lost(more, again):
+    assert way(f", when_placed: goes_on{more}").endswith(again)
+
+
 def test_a_sequence_says_in_which_phases_it_is_followed_unless_it_is_in_all():
     heard = "triggers: [{trigger: sequence_completed, sequence: abc}], " + DOES
     text = (

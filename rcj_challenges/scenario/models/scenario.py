@@ -144,11 +144,14 @@ class Given(Strict):
     """What a test finds when its half begins, before the first rule: as if a half or a long play went before."""
 
     score: dict[Name, float] = described({}, "entrant -> points; left out: 0")
-    counters: dict[Name, float] = described(
-        {}, "counter -> value, of one kept per entity for each of them; left out: its initial value"
+    counters: dict[Name, float | dict[Name, float]] = described(
+        {},
+        "counter -> value, of one kept per entity for each of them, or {entity: value, …}; left out: its initial value",
     )
-    flags: dict[Name, bool] = described(
-        {}, "flag -> true or false, of one kept per entity for each of them; left out: its initial value"
+    flags: dict[Name, bool | dict[Name, bool]] = described(
+        {},
+        "flag -> true or false, of one kept per entity for each of them, or {entity: true or false, …}; left out: its "
+        "initial value",
     )
 
 
@@ -174,8 +177,12 @@ class Expectation(Strict):
         description="events left out of the comparison, unless they are expected by name",
     )
     score: dict[Name, float] = described({}, "score by entrant at the end")
-    counters: dict[Name, float] = described({}, "counters at the end; of one kept per entity the sum")
-    flags: dict[Name, bool] = described({}, "flags at the end")
+    counters: dict[Name, float | dict[Name, float]] = described(
+        {}, "counters at the end; of one kept per entity the sum, or {entity: value, …}"
+    )
+    flags: dict[Name, bool | dict[Name, bool]] = described(
+        {}, "flags at the end; of one kept per entity whether any is set, or {entity: true or false, …}"
+    )
     phase: Name | None = described(None, "the phase at the end")
     poses: dict[Name, Annotated[tuple[float, float], Field(strict=False)]] = described(
         {}, "entity or spot -> [x, y] at the end in m"

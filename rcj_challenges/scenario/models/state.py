@@ -74,12 +74,14 @@ class AnyStep(Strict):
     any_of: tuple[Name, ...] = Field(..., strict=False, min_length=1, description="zones or gates")
 
 
-class Sequence(Strict):
+class Sequence(Grown):
     """Steps to be made in order: zones are entered, gates are crossed forward.
 
-    It begins anew when it is complete (a cyclic one goes on), when the action `sequence` says so, and when a rule puts
-    its entity somewhere or takes it off the field.
+    It begins anew when it is complete (a cyclic one goes on), when the action `sequence` says so, and, unless it shall
+    go on, when a rule puts its entity somewhere or takes it off the field.
     """
+
+    later_keys = frozenset({"when_placed"})
 
     entity: Name = described(..., "whose way is followed")
     steps: tuple[Name | AnyStep, ...] = Field(..., strict=False, min_length=2, description="zones or gates in order")
@@ -88,6 +90,11 @@ class Sequence(Strict):
         "ignore",
         "what another of its steps does that is neither the last reached nor the next: ignore: nothing; "
         "break: after the first step, the sequence begins anew",
+    )
+    when_placed: Literal["begins_anew", "goes_on"] | None = described(
+        None,
+        "what becomes of it when a rule puts its entity somewhere or takes it off: goes_on: the steps made are kept; "
+        "begins_anew, or left out: they are lost",
     )
 
 
@@ -218,13 +225,28 @@ class NumberDraw(DrawValue):
     draw: Name = described(..., "a draw of numbers")
 
 
-class NumberWord(WordValue):
-    """A number of the match by its word; times count in whole seconds, rounded down, so that scores stay exact."""
+class NumberWord(WordValue, Grown):
+    """A number of the match by its word; times count in whole seconds, rounded down, or with their fraction."""
+
+    later_keys = frozenset({"fraction"})
 
     word: Literal[
         "score", "halftime", "total_match_time_s", "time_s", "time_left_s", "measured", "limit"
     ] = described(..., "the word; measured and limit keep their fraction, 0 if nothing was measured")  # fmt: skip
     of: Name | None = described(None, "for score: the entrant; left out: that of the current entity")
+    fraction: bool | None = described(
+        None, "for times: True: with their fraction; left out: whole seconds, rounded down"
+    )
+
+
+class NumberTimer(TimerValue, Grown):
+    """How long a timer has run, in whole seconds, rounded down, or with its fraction."""
+
+    later_keys = frozenset({"fraction"})
+
+    fraction: bool | None = described(
+        None, "True: with its fraction, to the tick; left out: whole seconds, rounded down"
+    )
 
 
 class WeightedCounter(CounterValue):
@@ -254,7 +276,7 @@ class WeightedDraw(NumberDraw):
 
 
 class WeightedWord(NumberWord):
-    """A part of a score: a number of the match times a weight; times in whole seconds, rounded down."""
+    """A part of a score: a number of the match times a weight; times in whole seconds or with their fraction."""
 
     weight: float = described(1.0, "points for each")
 
@@ -271,8 +293,8 @@ class WeightedWay(WayValue):
     weight: float = described(1.0, "points for each metre")
 
 
-class WeightedTimer(TimerValue):
-    """A part of a score: how long a timer has run, in whole seconds, rounded down, times a weight."""
+class WeightedTimer(NumberTimer):
+    """A part of a score: how long a timer has run, in whole seconds or with its fraction, times a weight."""
 
     timer: Name = described(..., "a timer")
     entity: Name | None = described(
@@ -345,7 +367,7 @@ Points = Annotated[
     | Annotated[NumberWord, Tag("word")]
     | Annotated[DistanceValue, Tag("distance")]
     | Annotated[WayValue, Tag("way")]
-    | Annotated[TimerValue, Tag("timer")]
+    | Annotated[NumberTimer, Tag("timer")]
     | Annotated[tuple[Part, ...], Field(strict=False), Tag("parts")],
     Discriminator(_which_number),
 ]

@@ -52,7 +52,9 @@ class TimerExpired(Strict):
     """Fires when a timer reaches its length."""
 
     trigger: Literal["timer_expired"]
-    timer: Name = described(..., "the timer")
+    timer: Name = described(
+        ..., "the timer; of one kept per entity: with for_each over those that of the current one, else any of them"
+    )
 
 
 class Enters(Strict):
@@ -175,7 +177,9 @@ class Holds(Strict):
     trigger: Literal["holds"]
     condition: Condition = described(..., "the condition")
     for_s: NotNegative = described(
-        0.0, "how long it must hold, in s; 0: when it comes true, and not if it was true when the rule came to life"
+        0.0,
+        "how long it must hold, in s; 0: when it comes true, and not if it was true when the rule came to life, or a "
+        "rule made it true that puts things somewhere or takes them off",
     )
     grace_s: NotNegative = described(0.0, "an interruption of up to this time counts as holding, in s")
     every_s: DurationS | None = described(

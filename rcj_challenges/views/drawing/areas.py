@@ -67,13 +67,26 @@ def placement_areas(scenario: Scenario, roster: Roster) -> dict[Area, list[str]]
     """
     found: dict[Area, list[str]] = {}
     for names, at, noise_m, flip, aim in _placings(scenario):
-        for place, own in _areas(scenario, roster, at, names, marked=aim or flip != AS_WRITTEN):
-            who = found.setdefault(_area(place, noise_m, flip, aim=aim), [])
+        marked = aim or flip != AS_WRITTEN or any(noise_m)
+        for place, own in _areas(scenario, roster, at, names, marked=marked):
+            around_m = noise_m if aim else _with_noise_of_start(scenario, at, own, noise_m)
+            who = found.setdefault(_area(place, around_m, flip, aim=aim), [])
             who.extend(name for name in own if name not in who)
     for names, at_m, noise_m, aim in places_beside(scenario, roster):
         who = found.setdefault(Area(at_m, noise_m, aim=aim), [])
         who.extend(name for name in names if name not in who)
     return found
+
+
+def _with_noise_of_start(scenario: Scenario, at: At | None, names: tuple[str, ...], noise_m: Point) -> Point:
+    """Return the noise around a start: that of the placement, and around it that of the start itself."""
+    robot = scenario.robots.get(names[0]) if _is_start(at) else None
+    own_m = (0.0, 0.0) if robot is None else robot.start.noise_m
+    return noise_m[0] + own_m[0], noise_m[1] + own_m[1]
+
+
+def _is_start(at: At | None) -> bool:
+    return at == "start" or isinstance(at, Start)
 
 
 def _area(place: str | OnLine | Point, noise_m: Point, flip: Flip, *, aim: bool) -> Area:
@@ -124,7 +137,7 @@ def _areas(
         roster: its roster.
         at: the word.
         names: what is put there.
-        marked: whether spots and starts, which are drawn anyway, are marked too: where mirrored, and as an aim.
+        marked: whether spots and starts, which are drawn anyway, are marked too: where mirrored, with noise, as an aim.
     """
     if isinstance(at, OnLine):
         yield at, names
@@ -132,7 +145,7 @@ def _areas(
         yield from ((zone, names) for zone in roster.expand(at.uniform_in) if zone in scenario.zones)
     elif isinstance(at, AtPoint):
         yield at.point, names
-    elif at == "start" or isinstance(at, Start):
+    elif _is_start(at):
         things = {**scenario.robots, **scenario.balls, **scenario.obstacles}
         own = [name for name in roster.expand(names) if name in things] if marked else []
         yield from ((home(scenario, name), (name,)) for name in own)

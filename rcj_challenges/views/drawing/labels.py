@@ -319,16 +319,22 @@ class _Grid(Generic[_Thing]):
         for cell in _cells(box):
             self._cells[cell].pop(k, None)
 
-    def near(self, box: Box) -> Iterator[_Thing]:
+    def near(self, box: Box) -> Iterable[_Thing]:
         found: dict[int, _Thing] = {}
         for cell in _cells(box):
-            found.update(self._cells.get(cell, {}))
-        return iter(found.values())
+            here = self._cells.get(cell)
+            if here:
+                found.update(here)
+        return found.values()
 
 
-def _cells(box: Box) -> Iterator[tuple[int, int]]:
-    left, top, right, bottom = (int(edge // _CELL_PX) for edge in box)
-    return ((column, row) for column in range(left, right + 1) for row in range(top, bottom + 1))
+def _cells(box: Box) -> list[tuple[int, int]]:
+    # Asked for a hundred thousand times a picture, mostly of labels in one cell or two.
+    left, top = int(box[0] // _CELL_PX), int(box[1] // _CELL_PX)
+    right, bottom = int(box[2] // _CELL_PX), int(box[3] // _CELL_PX)
+    if left == right and top == bottom:
+        return [(left, top)]
+    return [(column, row) for column in range(left, right + 1) for row in range(top, bottom + 1)]
 
 
 def _shared(a: Box, b: Box) -> float:
@@ -374,10 +380,11 @@ def _is_inside(point: Point, outline: Sequence[Point]) -> bool:
     """Return whether a point lies in a polygon: a ray from it crosses the outline an odd number of times."""
     x, y = point
     inside = False
-    for k, (x1, y1) in enumerate(outline):
-        x2, y2 = outline[k - 1]
+    x2, y2 = outline[-1]
+    for x1, y1 in outline:
         if (y1 > y) != (y2 > y) and x < x1 + (y - y1) / (y2 - y1) * (x2 - x1):
             inside = not inside
+        x2, y2 = x1, y1
     return inside
 
 

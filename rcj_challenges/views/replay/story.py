@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -50,7 +50,7 @@ class Story:
     unreadable: int = 0
 
 
-def tell(folder: Path, scenario: Scenario, halves: list[HalfTrack], result: RunResult) -> Story:
+def tell(folder: Path, scenario: Scenario, halves: Sequence[HalfTrack], result: RunResult) -> Story:
     """Return the story of a run from the referee's log, as far as it can be read."""
     lines, unreadable = read_referee_log(folder)
     story = Story(unreadable=unreadable)

@@ -19,7 +19,7 @@ def shown_colour(colour: str) -> str:
 
 
 def visible_things(scenario: Scenario) -> dict[str, Any]:
-    """Return field, entities (in the roster's order), fixed obstacles, zones, gates and spots."""
+    """Return field, entities (in the roster's order), fixed obstacles, zones, gates, spots and when robots are held."""
     roster = Roster.of(scenario)
     field = scenario.field
     return {
@@ -46,6 +46,7 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
         # So with spots: where rules have set one no frame tells.
         "spots": [{"name": name, **spot.model_dump(mode="json")} for name, spot in fixed_spots(scenario).items()],
         "seats": [_seat(scenario, name) for name in scenario.entrants],
+        "held_phases": [name for name, phase in scenario.phases.items() if phase.robots == "held"],
     }
 
 

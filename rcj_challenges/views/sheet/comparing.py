@@ -43,7 +43,13 @@ def timer_words(nouns: Nouns, c: Any) -> str:
     owners = nouns.owners("timer", c.timer)
     if who is not None and owners is not None:
         timer = f"the longest running timer {quoted(c.timer)} of {nouns.all_of(owners).text}"
-    return f"{timer} has{no} run for {run_for}"
+    limit = _only_limit(c) if c.negate else None
+    if limit is None:
+        return f"{timer} has{no} run for {run_for}"
+    if isinstance(limit, (int, float)):
+        return f"{timer} has run for {'less' if c.at_most is None else 'more'} than {number(limit)} s"
+    how = "shorter" if c.at_most is None else "longer"
+    return f"{timer} has run {how} than {amount(nouns, limit)} says in s"
 
 
 def distance_words(nouns: Nouns, c: Any) -> str:

@@ -82,9 +82,10 @@ def _balls(nouns: Nouns) -> Iterator[Block]:
         yield Paragraph("Balls; the start is where the centre lies if no rule puts the ball elsewhere, x and y in m:")
         head = ("ball", "start", "diameter", "mass", *(("colour",) if colours else ()), "sends infra-red")
         yield Table(head, tuple(_ball_row(name, ball, colours=colours) for name, ball in balls.items()))
-        for name, ball in balls.items():
-            if ball.slows_mps2:
-                yield Paragraph(f"While {plain(name)} rolls, it loses {ball.slows_mps2:g} m/s in each second.")
+        for slows_mps2 in dict.fromkeys(ball.slows_mps2 for ball in balls.values() if ball.slows_mps2):
+            alike = [plain(name) for name, ball in balls.items() if ball.slows_mps2 == slows_mps2]
+            who = "one of the balls" if len(alike) == len(balls) else listed(alike, "or")
+            yield Paragraph(f"While {who} rolls, it loses {slows_mps2:g} m/s in each second.")
 
 
 def _ball_words(who: str, ball: models.Ball) -> str:

@@ -15,6 +15,22 @@ from rcj_challenges.scenario.roster import WALLS, Roster
 
 Names = str | tuple[str, ...]
 
+_MEASURED = {
+    "displaced": "the distance in m by which it was displaced",
+    "no_progress": "the length in m of its path",
+    "stays_in": "the time in s of the stay",
+    "tips_over": "its tilt in rad",
+    "holds": "the time in s for which that has held",
+    "time_reached": "the time in s",
+    "timer_expired": "the length in s of the timer",
+    "sequence_completed": "the time in s since the first step of the sequence",
+    "sequence_broken": "the time in s since the first step of the sequence",
+}
+"""What a trigger measures."""
+
+_MEASURED_BY_SEVERAL = "what was measured"
+"""Said where triggers of one rule measure different things."""
+
 _GROUPS_OF_ALL = ("robots", "balls", "obstacles")
 _WITHOUT_ARTICLE = frozenset(
     ("a", "above", "all", "an", "another", "any", "around", "at", "behind", "below", "beside", "between", "beyond",
@@ -75,20 +91,29 @@ class Nouns:
         roster: its roster.
         other: what ``other`` is in the rule that is told.
         each: over what that rule goes, or None.
+        measured: what the triggers of that rule measure.
     """
 
     def __init__(
-        self, scenario: Scenario, roster: Roster, other: str = "what is touched", each: str | None = None
+        self,
+        scenario: Scenario,
+        roster: Roster,
+        other: str = "what is touched",
+        each: str | None = None,
+        measured: str = _MEASURED_BY_SEVERAL,
     ) -> None:
         self.scenario = scenario
         self.roster = roster
         self.other = other
         self.each = each
+        self.measured = measured
 
     def within(self, rule: Rule) -> Nouns:
-        """Return the nouns of one rule, which know what ``each`` and ``other`` are there."""
+        """Return the nouns of one rule, which know what ``each``, ``other`` and ``measured`` are there."""
         other = self._touched(rule) if names_other(rule, self.scenario) else self.other
-        return Nouns(self.scenario, self.roster, other, rule.for_each)
+        measured = {_MEASURED.get(trigger.trigger, _MEASURED_BY_SEVERAL) for trigger in rule.triggers}
+        only = measured.pop() if len(measured) == 1 else _MEASURED_BY_SEVERAL
+        return Nouns(self.scenario, self.roster, other, rule.for_each, only)
 
     def _touched(self, rule: Rule) -> str:
         """Return what ``other`` is in a rule: ``the robot it touches``."""

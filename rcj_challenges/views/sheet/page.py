@@ -138,11 +138,16 @@ def _sequence_words(nouns: Nouns, name: str, sequence: Sequence) -> str:
         wrong, also = f"{made} out of turn changes nothing", ""
     causes = [] if sequence.cyclic else ["when it is complete"]
     causes += _resets(nouns, name)
-    causes.append(f"{'and ' if causes else ''}when a rule puts {who} somewhere or takes it off the field")
+    placed = f"when a rule puts {who} somewhere or takes it off the field"
+    goes_on = sequence.when_placed == "goes_on"
+    causes += [] if goes_on else [placed]
     # The end of a round is the first step of the next one: nothing is lost there.
     rounds = "Back at the first step it is complete, and the next round has begun. " if sequence.cyclic else ""
-    again = f"{rounds}It begins anew {also}{', '.join(causes)}."
-    return f"The sequence {quoted(name)} is the way of {who}: {way}; {wrong}. {again}{_followed_words(nouns, name)}"
+    before_last = ", ".join(causes[:-1]) + ", and " if len(causes) > 1 else ""
+    again = f"{rounds}It begins anew {also}{before_last}{causes[-1]}. " if causes else rounds
+    again += f"{placed[:1].upper()}{placed[1:]}, the steps made so far are kept." if goes_on else ""
+    followed = _followed_words(nouns, name)
+    return f"The sequence {quoted(name)} is the way of {who}: {way}; {wrong}. {again.strip()}{followed}"
 
 
 def _resets(nouns: Nouns, name: str) -> list[str]:

@@ -76,14 +76,18 @@ def _counted(nouns: Nouns, model: Any) -> str:
     if isinstance(model, state.FlagValue):
         return f"1 if {nouns.kept('flag', model.flag, model.entity)} is set"
     if isinstance(model, state.NumberWord):
-        return _word(nouns, model) + (" (rounded down)" if model.word.endswith("_s") else "")
-    if isinstance(model, state.TimerValue):
-        return f"{_ran(nouns, model)} (rounded down)"
+        return _word(nouns, model) + (_fraction(model) if model.word.endswith("_s") else "")
+    if isinstance(model, state.NumberTimer):
+        return f"{_ran(nouns, model)}{_fraction(model)}"
     if isinstance(model, state.DistanceValue):
         return _apart(nouns, model)
     if isinstance(model, state.WayValue):
         return _come(nouns, model)
     return _VALUES[state.DrawValue](nouns, model) if isinstance(model, state.DrawValue) else ""
+
+
+def _fraction(model: Any) -> str:
+    return f" ({'with its fraction' if model.fraction else 'rounded down'})"
 
 
 def _sum(nouns: Nouns, parts: Sequence[Any]) -> str:
@@ -124,8 +128,8 @@ def _ran(nouns: Nouns, model: state.TimerValue) -> str:
     return f"the time in s that {timer} has run"
 
 
-def _word(_nouns: Nouns, model: state.WordValue) -> str:
-    words = _WORDS[model.word]
+def _word(nouns: Nouns, model: state.WordValue) -> str:
+    words = nouns.measured if model.word == "measured" else _WORDS[model.word]
     return f"{words} of {plain(model.of)}" if model.of else words
 
 
@@ -142,7 +146,6 @@ _WORDS = {
     "total_match_time_s": "the length of the half in s",
     "time_s": "the time in s",
     "time_left_s": "the time left in s",
-    "measured": "what was measured",
     "limit": "the limit",
     "phase": "the phase",
     "seed_id": "a mark of the seed",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from rcj_challenges.scenario.blanks import partly_filled
@@ -57,13 +58,22 @@ def spoken(nouns: Nouns, rule: Rule) -> str:
 def _first_of_a_group(nouns: Nouns, rule: Rule, words: str) -> str:
     """Say of which group one is where a sentence names it first: “one of the red fruits”, later “the ball”.
 
-    Two rules of one kind of thing would say the same otherwise. What belongs to it is said to be “the ball's”.
+    Two rules of one kind of thing would say the same otherwise. What belongs to it is said to be “the ball's”. “The
+    gate {each}” is “one of the doors” as well: before a name the kind makes sense, before a group it does not.
     """
-    before, blank, after = words.partition("{entity}")
-    group = rule.for_each if rule.for_each in nouns.scenario.groups and _goes_over_entities(nouns, rule) else None
-    belongs = after.startswith(("'", "\N{RIGHT SINGLE QUOTATION MARK}"))
-    if not blank or belongs or group is None or len(nouns.roster.expand(group)) == 1:
+    group = rule.for_each if rule.for_each in nouns.scenario.groups else None
+    if group is None or len(nouns.roster.expand(group)) == 1:
         return words
+    blanks = ("{each}", "{entity}") if _goes_over_entities(nouns, rule) else ("{each}",)
+    first = min((blank for blank in blanks if blank in words), key=words.index, default=None)
+    if first is None:
+        return words
+    before, _, after = words.partition(first)
+    if after.startswith(("'", "\N{RIGHT SINGLE QUOTATION MARK}")):
+        return words
+    kind = nouns.one_kind(group)
+    if kind:
+        before = re.sub(rf"\b(the )?{kind} $", "", before, flags=re.IGNORECASE)
     return f"{before}{nouns.any_of(group)}{after}"
 
 

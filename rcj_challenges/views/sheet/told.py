@@ -48,7 +48,8 @@ def _kits_that_hear(scenario: Scenario) -> dict[str, Kit]:
 
 def _packet(name: str, kit: Kit, nouns: Nouns) -> Iterator[Block]:
     """Return what the official packet to the robots of a kit holds."""
-    often = f"The referee sends robots of the kit {name} a packet {_every(kit.packet_every_ticks)}."
+    to_whom = f"robots of the kit {name}{_but_the_deaf(name, nouns)}"
+    often = f"The referee sends {to_whom} a packet {_every(kit.packet_every_ticks)}."
     if kit.messages != "2021":
         yield Paragraph(f"{often} {_FLAG_PACKETS[kit.messages]}")
         return
@@ -59,6 +60,15 @@ def _packet(name: str, kit: Kit, nouns: Nouns) -> Iterator[Block]:
     yield Paragraph(f"{often} It holds, in this order:")
     yield Items(parts, numbered=True)
     yield Paragraph(_reading_2021(kit, len(nouns.scenario.balls)))
+
+
+def _but_the_deaf(kit: str, nouns: Nouns) -> str:
+    """Return which robots of a kit do not hear the referee as others of it do: a device was taken from them alone."""
+    scenario = nouns.scenario
+    alike = {name: scenario.robots[name] for name in entrant_of(scenario) if scenario.robots[name].kit == kit}
+    deaf = [plain(name) for name, robot in alike.items() if not has(scenario, robot, SupervisorReceiverDevice)]
+    have = "have" if len(deaf) > 1 else "has"
+    return f", but for {listed(deaf, 'and')}, which {have} no receiver for it," if deaf else ""
 
 
 def _parts_2021(kit: Kit, nouns: Nouns) -> Iterator[str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import SimpleNamespace
@@ -11,15 +11,15 @@ from typing import Any, cast
 
 import numpy as np
 import numpy.typing as npt
-from pydantic import ValidationError
 
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import SUBSTEP_S, SUBSTEPS_PER_TICK, TICK_S, s_from_ticks
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.folder import SCENARIO
+from rcj_challenges.records.folder import RECORD_VERSION
 from rcj_challenges.records.result import RunResult, read_result
-from rcj_challenges.records.trajectory import HalfTrack, Trajectory
-from rcj_challenges.scenario.models.base import AS_RECORDED
+from rcj_challenges.records.salvage import read_halves
+from rcj_challenges.records.trajectory import HalfTrack
+from rcj_challenges.records.upgrades import read_scenario
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.replay.story import Story, tell
@@ -155,14 +155,10 @@ class Footage:
             RecordError: what is left is not enough for a picture: scenario or trajectory cannot be read.
         """
         warnings: list[str] = []
-        scenario = _read_scenario(folder)
         result = _read_result(folder, warnings)
-        tracks = [track for track in Trajectory.open(folder).halves if track.ticks]
-        if not tracks:
-            raise RecordError(f"{folder.name}: the run was stopped before its first tick: there is nothing to show")
-        roster = Roster.of(scenario)
-        if tracks[0].substeps.shape[2] != len(roster.entities):
-            raise RecordError(f"{folder.name}: {SCENARIO} and trajectory are not of the same run")
+        scenario = read_scenario(folder, RECORD_VERSION if result is None else result.record)
+        tracks, problems = read_halves(folder, scenario, result, standing=False)
+        warnings += problems
         story = _tell(folder, scenario, tracks, result, warnings)
         events: dict[int, list[dict[str, Any]]] = {}
         for event in story.events:
@@ -170,7 +166,7 @@ class Footage:
         return cls(
             name=folder.name,
             scenario=scenario,
-            roster=roster,
+            roster=Roster.of(scenario),
             things=visible_things(scenario),
             halves=tuple(HalfFootage.of(track) for track in tracks),
             story=story,
@@ -222,29 +218,16 @@ def _start(track: HalfTrack) -> tuple[npt.NDArray[np.float32], npt.NDArray[np.fl
     return poses, np.array(track.start.heights, np.float32)
 
 
-def _read_scenario(folder: Path) -> Scenario:
-    try:
-        return Scenario.model_validate_json((folder / SCENARIO).read_bytes(), context=AS_RECORDED)
-    except FileNotFoundError:
-        raise RecordError(f"{folder.name}: {SCENARIO} is missing: without it nobody knows the field") from None
-    except (OSError, ValidationError) as error:
-        raise RecordError(f"{folder.name}: {SCENARIO} is damaged: it is not the scenario of a run") from error
-
-
 def _read_result(folder: Path, warnings: list[str]) -> RunResult | None:
     try:
-        result = read_result(folder)
+        return read_result(folder)
     except RecordError as error:
         warnings.append(f"{error}; names are those that the trajectory knows")
         return None
-    if not result.complete:
-        why = f" ({result.stopped})" if result.stopped else ""
-        warnings.append(f"{folder.name} was not played to its end{why}: what was recorded is shown")
-    return result
 
 
 def _tell(
-    folder: Path, scenario: Scenario, tracks: list[HalfTrack], result: RunResult | None, warnings: list[str]
+    folder: Path, scenario: Scenario, tracks: Sequence[HalfTrack], result: RunResult | None, warnings: list[str]
 ) -> Story:
     try:
         # Without a result there are still the lines of the referee's log.

@@ -32,7 +32,8 @@ class Board {
     this.shown = key;
     const length = Recording.clockText(track.facts.planned_ticks * recording.tickSeconds).replace(/\.0$/, "");
     this.half.textContent = recording.facts.halves_planned > 1 ? `half ${track.facts.half} of ${recording.facts.halves_planned} · ${length}` : `of ${length}`;
-    this.phase.textContent = phase.name === "play" ? "" : phase.name.replaceAll("_", " ");
+    const name = phase.name === "play" ? "" : phase.name.replaceAll("_", " ");
+    this.phase.textContent = [name, phase.held ? "robots held" : ""].filter(Boolean).join(" · ");
     this.phase.hidden = !this.phase.textContent;
     for (const { team, chip, score } of this.rows) {
       const seat = recording.facts.seats.find((candidate) => track.facts.sides[candidate.name] === team.name);

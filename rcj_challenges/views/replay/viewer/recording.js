@@ -165,12 +165,12 @@ class Recording {
     return scores;
   }
 
-  /** {name, waiting} of the referee's phase at a place. */
+  /** {name, waiting, held} of the referee's phase at a place. */
   phase(place) {
     const { track, tick } = this.at(place);
     let phase = { name: "", waiting: false };
     for (const [at, name, waiting] of track.facts.phases) if (at <= tick) phase = { name, waiting };
-    return phase;
+    return { ...phase, held: this.facts.held_phases.includes(phase.name) };
   }
 
   /** Where an entity was in the `seconds` before a place: pieces of path, cut where it was put elsewhere. */

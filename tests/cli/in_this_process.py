@@ -1,0 +1,38 @@
+"""What commands do, done in the process of the tests: it comes to the same, and nothing has to be loaded anew."""
+
+import gc
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import pytest
+
+from rcj_challenges import cli
+from rcj_challenges.checker.check import CheckOptions, check_file
+from rcj_challenges.checker.many_given import called
+from rcj_challenges.checker.report import FileReport
+from rcj_challenges.scenario.load import Loaded
+
+
+def here(monkeypatch: pytest.MonkeyPatch, folder: Path, *arguments: str) -> object:
+    """Run the command in a folder; returns its exit code."""
+    with monkeypatch.context() as patched:
+        patched.chdir(folder)
+        patched.setattr(sys, "argv", ["rcj-challenge", *arguments])
+        # This process has more to do than one command.
+        patched.setattr(gc, "set_threshold", lambda *_: None)
+        patched.setattr(gc, "freeze", lambda: None)
+        patched.setattr(cli, "_end_gently", list)
+        with pytest.raises(SystemExit) as left:
+            cli.main()
+    return left.value.code
+
+
+def one_after_the_other(
+    paths: Sequence[Path], loaded: Loaded, options: CheckOptions, jobs: int, on_done: Callable[[FileReport], None]
+) -> list[FileReport]:
+    """Check as `check_many` does, where it does not matter that each submission has a process of its own."""
+    reports = [check_file(path, loaded, options, named=one) for path, one in zip(paths, called(paths), strict=True)]
+    for report in reports:
+        on_done(report)
+    return reports
