@@ -2,4 +2,8 @@
 
 from __future__ import annotations
 
+from rcj_challenges import windows_runtime
+
 __version__ = "0.1.0"
+
+windows_runtime.find()

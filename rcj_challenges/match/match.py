@@ -19,6 +19,7 @@ from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.facts.traffic import RobotSpec
 from rcj_challenges.match.clerk import HalfClerk
 from rcj_challenges.match.half import HalfOutcome, HalfPlay
+from rcj_challenges.match.loading import load_stage
 from rcj_challenges.match.overhearing import Overhearing
 from rcj_challenges.match.ranking import Tally, ranking
 from rcj_challenges.match.seats import by_seat, by_team, teams_by_seat
@@ -181,9 +182,7 @@ class _MatchPlay:
         with overhearing, Crew(crew_plan) as crew:
             drivers = self._launch(crew, specs, half)
             # While programs start, and not before: loading the physics takes as long as they do.
-            from rcj_challenges.match.stage import build_stage  # noqa: PLC0415
-
-            stage = build_stage(scenario, roster, half, overhearing.on(drivers))
+            stage = load_stage()(scenario, roster, half, overhearing.on(drivers))
             referee, rack = stage.referee, stage.rack
             clerk = HalfClerk(half, referee, record, self._watcher, crew, plan.show_output, real_time=plan.real_time)
             record.begin_half(half)

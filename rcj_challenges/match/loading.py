@@ -1,0 +1,43 @@
+"""Loads the physics, which nothing else of a match needs; where that fails, the computer lacks something."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from rcj_challenges.facts.errors import HostError, interruption_behind
+from rcj_challenges.windows_runtime import PACKAGE
+
+if TYPE_CHECKING:
+    from rcj_challenges.match.stage import HalfStage
+
+
+def load_stage(load: Callable[[str], Any] = import_module, system: str = sys.platform) -> Callable[..., HalfStage]:
+    """Return `rcj_challenges.match.stage.build_stage`.
+
+    Args:
+        load: imports a module.
+        system: as `sys.platform` calls it.
+
+    Raises:
+        HostError: MuJoCo or numpy cannot be loaded on this computer.
+    """
+    try:
+        builder: Callable[..., HalfStage] = load("rcj_challenges.match.stage").build_stage
+    except (ImportError, OSError) as error:
+        ours = (getattr(error, "name", None) or "").startswith("rcj_challenges")
+        if ours or interruption_behind(error) is not None:
+            raise
+        raise HostError(f"the physics cannot be loaded: {error}; {_remedy(system)}") from error
+    return builder
+
+
+def _remedy(system: str) -> str:
+    if system == "win32":
+        return (
+            f"on Windows it mostly lacks Microsoft's Visual C++ runtime: python -m pip install {PACKAGE} brings it, "
+            'or the "Visual C++ Redistributable" that Microsoft offers'
+        )
+    return "install it anew: python -m pip install --force-reinstall --no-cache-dir mujoco numpy"
