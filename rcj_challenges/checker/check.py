@@ -19,7 +19,7 @@ from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.private_folders import PrivateFolders
 from rcj_challenges.controllers.scratch import ensure_room
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.facts.errors import HostError, RcjError, is_of_the_host, told_of
+from rcj_challenges.facts.errors import HostError, RcjError, interruption_behind, is_of_the_host, told_of
 from rcj_challenges.facts.shown import shown, shown_block
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.scenario.load import Loaded
@@ -251,6 +251,7 @@ def _carried_out(found: _Findings, name: StageName, stage: Callable[[], Stage]) 
 
     Raises:
         HostError: it goes wrong because of this computer, which is no finding about a team.
+        KeyboardInterrupt: also in place of an error that a library has made of one.
     """
     obstacle = found.obstacle(name)
     if obstacle:
@@ -261,7 +262,9 @@ def _carried_out(found: _Findings, name: StageName, stage: Callable[[], Stage]) 
     except RcjError as error:
         _raise_if_of_the_host(error)
         found.stages[name] = Stage(name, [Finding(f"{name}.impossible", "failure", shown(error), _OUR_REMEDY)])
-    except Exception as error:  # noqa: BLE001 - whatever a program does to us, its team gets a verdict
+    except Exception as error:  # whatever a program does to us, its team gets a verdict
+        if interruption_behind(error) is not None:
+            raise KeyboardInterrupt from error
         _raise_if_of_the_host(error)
         found.stages[name] = Stage(name, [_stumbled(name, error)])
 

@@ -21,6 +21,7 @@ _STEP = rb"[\w.]{1,80}\.step\([\w\s.*/+,=-]{0,80}(?:\([\w\s.*/+-]{0,80}\))?\)"
 _ENDS_AT_ZERO = re.compile(rb"while[ \t(]{1,4}" + _STEP + rb"[ \t]{0,4}(?:==[ \t]?-?1|!=[ \t]?0|>[ \t]?0)?[ \t)]{0,4}:")
 _FUNCTION = re.compile(rb"def[ \t]+(\w{1,80})[ \t]*\(")
 _CLASS = re.compile(rb"class[ \t]+(\w{1,80})")
+_VOWELS = frozenset("AEIOaeio")
 _USE = re.compile(rb"(?<!def )(?<!class )\b\w+")
 
 
@@ -67,17 +68,18 @@ class _Loop:
 
 def _told(loop: _Loop) -> str:
     name, owner, place = shown(loop.name), shown(loop.owner), f"line {loop.line}"
+    one = f"{'an' if owner[:1] in _VOWELS else 'a'} {owner}"
     if not owner:
         return (
             f"the loop with step is in {name}(), {place}, and nothing calls it: call {name}() at the end of the program"
         )
     if loop.is_reached_by == loop.owner:
         return (
-            f"the loop with step is in {name}() of {owner}, {place}, and nothing makes a {owner}: make one at the "
+            f"the loop with step is in {name}() of {owner}, {place}, and nothing makes {one}: make one at the "
             "end of the program"
         )
     return (
-        f"the loop with step is in the method {name}() of {owner}, {place}, and nothing calls it: make a {owner} at "
+        f"the loop with step is in the method {name}() of {owner}, {place}, and nothing calls it: make {one} at "
         f"the end of the program and call its {name}()"
     )
 

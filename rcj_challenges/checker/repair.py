@@ -7,6 +7,7 @@ import os
 import tempfile
 import zipfile
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 
@@ -288,7 +289,8 @@ def _write(out: Path, data: bytes) -> None:
         raise RepairError(f"{told(out, MOST_PATH_SHOWN)}: cannot be written: {error.strerror or error}") from error
     finally:
         if temporary is not None:
-            temporary.unlink(missing_ok=True)
+            with suppress(OSError):  # gone, or a virus scanner has it open
+                temporary.unlink()
 
 
 def _give_name(temporary: Path, out: Path) -> None:

@@ -66,9 +66,12 @@ def _exit_code(heard: list[int]) -> int:
     code: object = OK
     try:
         heard += _end_gently(interrupted_at_s)
-        from rcj_challenges.cli.says import open_what_is_closed, say_no_more
+        from rcj_challenges.cli.says import know_gone_readers, lack_letters_gently, open_what_is_closed, say_no_more
 
         open_what_is_closed()
+        if sys.platform == "win32":
+            know_gone_readers()
+        lack_letters_gently()
         _start_quickly()
         from rcj_challenges.cli.app import app
 
@@ -101,7 +104,7 @@ def _told(error: BaseException, *, begun: bool, interrupted: bool = False) -> in
             their own of it, behind which nothing else can be seen.
     """
     from rcj_challenges.cli.faults import report_our_fault
-    from rcj_challenges.facts.errors import RcjError, interruption_behind, is_of_the_host, told_of
+    from rcj_challenges.facts.errors import RcjError, interruption_behind, is_held, is_of_the_host, told_of
 
     if isinstance(error, RcjError):
         _complain(str(error))
@@ -113,7 +116,8 @@ def _told(error: BaseException, *, begun: bool, interrupted: bool = False) -> in
         return INTERRUPTED
     if is_of_the_host(error) or isinstance(error, PermissionError):
         where = f": {error.filename}" if isinstance(error, OSError) and error.filename else ""
-        _complain(f"this computer cannot go on: {told_of(error)}{where}")
+        remedy = "; close the program that may have it open" if isinstance(error, OSError) and is_held(error) else ""
+        _complain(f"this computer cannot go on: {told_of(error)}{where}{remedy}")
         return WRONG_INPUT
     usage = _usage_error(error)
     if usage is None and interrupted:
@@ -142,7 +146,7 @@ def _end_gently(interrupted_at_s: list[float]) -> list[int]:
             raise KeyboardInterrupt
 
     heard = []
-    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+    for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"):  # the last one is Ctrl-Break on Windows
         number = getattr(signal, name, None)
         # Who starts us under nohup wants us to go on.
         if number is not None and signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler):

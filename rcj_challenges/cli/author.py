@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import shlex
 import sys
 from pathlib import Path
 
+from rcj_challenges.cli.says import typed
 from rcj_challenges.facts.errors import RcjError
 
 _HTML = (".html", ".htm")
@@ -49,7 +49,7 @@ def sheet(scenario: str, out: Path | None, overrides: list[str]) -> int:
     loaded = load(scenario, overrides)
     if out is None:
         # Who reads it in a terminal does not read a drawing's source; a file or another program gets all of it.
-        command = f"rcj-challenge draw {shlex.quote(scenario)} --out field.svg"
+        command = f"rcj-challenge draw {typed(scenario)} --out field.svg"
         picture = f"The drawing: `{command}`" if sys.stdout.isatty() else None
         return _deliver(sheet_markdown(loaded.scenario, loaded.roster, picture), None)
     if out.suffix.lower() in _HTML:
@@ -61,6 +61,15 @@ def sheet(scenario: str, out: Path | None, overrides: list[str]) -> int:
     drawing = out.with_suffix(".svg")
     _deliver(draw_scenario(loaded.scenario, loaded.roster), drawing)
     return _deliver(sheet_markdown(loaded.scenario, loaded.roster, f"![The field]({quote(drawing.name)})"), out)
+
+
+def _to_stdout(document: str) -> None:
+    """Write a document as other files of it are, in UTF-8; a terminal gets the letters that it has."""
+    if sys.stdout.isatty():
+        sys.stdout.write(document)
+    else:
+        sys.stdout.flush()
+        sys.stdout.buffer.write(document.encode("utf-8"))
 
 
 def _check_ending(out: Path | None, endings: tuple[str, ...], told: str) -> None:
@@ -75,7 +84,7 @@ def _check_ending(out: Path | None, endings: tuple[str, ...], told: str) -> None
 
 def _deliver(content: str | bytes, out: Path | None) -> int:
     if out is None:
-        sys.stdout.write(str(content))  # pictures of bytes always have a file
+        _to_stdout(str(content))  # pictures of bytes always have a file
         return 0
     try:
         # Bytes, so that no system changes the ends of lines.

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rcj_challenges.cli.says import say_json
+from rcj_challenges.cli.says import say_json, typed
 from rcj_challenges.cli.seating import UsageError, assignments, known, open_teams
 from rcj_challenges.facts.timing import TICK_S
 
@@ -155,7 +155,7 @@ def _tell_of_interruption(console: Console, scenario: Scenario, error: MatchInte
         where += f": {score_line(names, result['score'])}"
     lines = [f"interrupted {where}", f"record: {folder}"]
     if result["halves"]:
-        lines.append(f"watch:  rcj-challenge view {folder}")
+        lines.append(f"watch:  rcj-challenge view {typed(folder)}")
     if error.trouble:
         lines.append(f"the record could not be closed: {error.trouble}")
     for line in lines:

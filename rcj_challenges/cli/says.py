@@ -4,13 +4,21 @@ from __future__ import annotations
 
 import codecs
 import contextlib
+import errno
 import io
 import json
 import os
+import re
+import shlex
+import stat
 import sys
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from _typeshed import ReadableBuffer
 
 from rcj_challenges.facts.errors import HostError, told_of
+from rcj_challenges.facts.letters import READABLE
 
 
 def say_json(value: Any) -> None:
@@ -35,12 +43,72 @@ def say_json(value: Any) -> None:
         raise HostError(f"the output cannot be written: {told_of(error)}") from error
 
 
+def typed(path: object) -> str:
+    """Return a path as it is typed into a shell: in double quotes, which every shell knows, if it needs quotes."""
+    text = str(path)
+    if os.sep == "/" and re.search(r'[$`"\\!]', text):  # these mean something to a POSIX shell within double quotes
+        return shlex.quote(text)
+    return text if re.fullmatch(r"[\w./\\:@+,=-]+", text) else f'"{text}"'
+
+
 def say_no_more(stream: Any) -> None:
     """Let what is still printed there go nowhere: else the interpreter complains of it at its end."""
     with contextlib.suppress(OSError, ValueError), contextlib.ExitStack() as stack:
         nowhere = os.open(os.devnull, os.O_WRONLY)
         stack.callback(os.close, nowhere)
         os.dup2(nowhere, stream.fileno())
+
+
+def lack_letters_gently() -> None:
+    """Let letters that the encoding of our output lacks be no error: on Windows a path may have them, and a title.
+
+    There Python's own choice is ``surrogateescape``. Where that keeps the bytes of names (``LC_ALL=C``), it stays.
+    """
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            of_names = stream.errors == "surrogateescape" and codecs.lookup(stream.encoding).name in ("ascii", "utf-8")
+            if stream.errors in ("strict", "surrogateescape") and not of_names:
+                stream.reconfigure(errors=READABLE)
+
+
+def know_gone_readers() -> None:
+    """Let output that nobody reads any more be a broken pipe also where the system tells it otherwise (Windows)."""
+    for name in ("stdout", "stderr"):
+        stream = getattr(sys, name)
+        with contextlib.suppress(OSError, AttributeError):
+            if stat.S_ISFIFO(os.fstat(stream.fileno()).st_mode):
+                setattr(sys, name, _to_reader(stream))
+
+
+def _to_reader(stream: io.TextIOWrapper) -> io.TextIOWrapper:
+    return io.TextIOWrapper(
+        io.BufferedWriter(_ToReader(stream.fileno())),
+        encoding=stream.encoding,
+        errors=stream.errors,
+        line_buffering=stream.line_buffering,
+        write_through=stream.write_through,
+    )
+
+
+class _ToReader(io.RawIOBase):
+    """One end of a pipe. Of a reader who is gone Windows says that the argument is invalid."""
+
+    def __init__(self, fd: int) -> None:
+        self._fd = fd
+
+    def fileno(self) -> int:
+        return self._fd
+
+    def writable(self) -> bool:
+        return True
+
+    def write(self, data: ReadableBuffer, /) -> int:
+        try:
+            return os.write(self._fd, data)
+        except OSError as error:
+            if error.errno != errno.EINVAL:
+                raise
+            raise BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE)) from error
 
 
 def open_what_is_closed() -> None:

@@ -6,6 +6,7 @@ import re
 import sys
 from pathlib import Path
 
+from rcj_challenges.cli.says import typed
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.resources import names_in, starters_folder
@@ -43,23 +44,18 @@ def new_scenario(name: str, preset: str) -> int:
     text = (starters_folder() / f"{preset}.yaml").read_text(encoding="utf-8")
     title = " ".join(part for part in re.split(r"[-_\s]+", file.stem) if part).capitalize()[:_LONGEST_TITLE]
     text = text.replace("id: starter", f"id: {short}", 1).replace("title: Starter", f'title: "{title}"', 1)
-    text = text.replace("FILE_NAME", _typed(file.name)).replace("TEAM_FOLDER", _typed(program.parent.name))
+    text = text.replace("FILE_NAME", typed(file.name)).replace("TEAM_FOLDER", typed(program.parent.name))
     _write(file, text)
     _write(program, (starters_folder() / f"{preset}.robot.txt").read_text(encoding="utf-8"))
     sys.stdout.write(f"""{file}
 {program}
 Now:
-  rcj-challenge validate {_typed(file)}
-  rcj-challenge test {_typed(file)}
-  rcj-challenge draw {_typed(file)} --out {_typed(file.with_suffix(".svg"))}
-  rcj-challenge run {_typed(file)} --yellow {_typed(program.parent)}
+  rcj-challenge validate {typed(file)}
+  rcj-challenge test {typed(file)}
+  rcj-challenge draw {typed(file)} --out {typed(file.with_suffix(".svg"))}
+  rcj-challenge run {typed(file)} --yellow {typed(program.parent)}
 """)
     return 0
-
-
-def _typed(path: Path | str) -> str:
-    """Return a path as it is typed: in double quotes, which every shell knows, if it has a space."""
-    return f'"{path}"' if any(character.isspace() for character in str(path)) else str(path)
 
 
 def _identifier(stem: str) -> str:

@@ -105,7 +105,9 @@ def read_contents(path: Path) -> Contents:
         if path.is_dir():
             return _from_folder(path)
         if not path.exists():
-            raise TeamError(f"{told(path, MOST_PATH_SHOWN)}: there is no such file or folder")
+            # There "my team\\" --blue … is read as one name: the backslash makes the quotation mark a letter.
+            swallowed = "; leave away the backslash at its end" if os.sep == "\\" and '"' in str(path) else ""
+            raise TeamError(f"{told(path, MOST_PATH_SHOWN)}: there is no such file or folder{swallowed}")
         if not path.is_file():
             raise TeamError(f"{told(path, MOST_PATH_SHOWN)}: this is neither a file nor a folder")
         if path.suffix == ".py":

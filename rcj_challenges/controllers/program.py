@@ -67,6 +67,21 @@ class Assignment:
     portable: bool | None = None
 
 
+@dataclass(frozen=True)
+class Sharing:
+    """How the programs of a half share the temporary folder.
+
+    Attributes:
+        place: in it, where each has its private folder.
+        share_bytes: whoever has written more than this has filled it, when it is full.
+        programs: all of them.
+    """
+
+    place: Path
+    share_bytes: float
+    programs: tuple[Program, ...]
+
+
 class Program:
     """A team's program in a process of its own. After its first `Fault` it is gone until the next half.
 
@@ -89,7 +104,7 @@ class Program:
         self._output_limit = isolation.output_bytes(self._limits) + _OUTPUT_SLACK_BYTES
         self._scratch_limit = isolation.megabytes(self._limits.scratch_mb) + assignment.team.size_bytes()
         self._portable = processes.NEEDS_LIFELINE if assignment.portable is None else assignment.portable
-        self._place = Path()
+        self._sharing = Sharing(Path(), math.inf, ())
         self._folder: Path | None = None
         self._log: ProgramLog | None = None
         self._look_at_s, self._look_at_tick = _SLICE_S, _FOLDER_LOOKED_AT_EVERY
@@ -115,11 +130,11 @@ class Program:
         """How many times it has called ``step``."""
         return self._requests
 
-    def launch(self, place: Path) -> None:
+    def launch(self, sharing: Sharing) -> None:
         """Start the process; it runs to its first ``step``, which `collect` waits for.
 
         Args:
-            place: the folder that its private folder is made in.
+            sharing: where its private folder is made, and who else has one there.
 
         Raises:
             IsolationError: strict isolation cannot be had here.
@@ -129,7 +144,7 @@ class Program:
         layers = isolation.active_layers(self._assignment.sandbox)
         if self._assignment.debug:
             layers = tuple(layer for layer in layers if layer not in ("resource_limits", "bubblewrap"))
-        self._place = place
+        self._sharing, place = sharing, sharing.place
         self._log = ProgramLog(self._assignment.log_path, self._output_limit, place)
         self._say(f"--- half {self._assignment.half}: {self._assignment.entry} ---\n")
         self._launched_at = time.perf_counter()
@@ -155,7 +170,7 @@ class Program:
         ``half_s`` for all calls together.
 
         Raises:
-            HostError: it failed because the temporary folder is full.
+            HostError: it failed because the temporary folder is full, and no program has filled it.
         """
         if self._channel is None:
             return self.fault or self._fail("start", "the program was not started")
@@ -203,6 +218,8 @@ class Program:
         Args:
             tick: of the match, now.
         """
+        if self.fault is not None:  # found out when another one had no room
+            return self.fault
         if self._log is not None:
             self._log.take_over()
         trespass = self._trespass(look_at_folder=True)
@@ -258,11 +275,14 @@ class Program:
     def close(self) -> None:
         """End it and remove its private folder. `new_output` still tells what it said last."""
         self.kill()
+        self._remove_folder()
+        if self._log is not None:
+            self._log.close()
+
+    def _remove_folder(self) -> None:
         if self._folder is not None:
             scratch.remove(self._folder)
             self._folder = None
-        if self._log is not None:
-            self._log.close()
 
     def keep_output(self) -> None:
         """Put into its log what it has printed until now; otherwise that is done now and then."""
@@ -358,23 +378,52 @@ class Program:
         if trespass is not None:
             return self._fail(*trespass)
         if _NO_ROOM.search(detail + traceback):
-            self._raise_if_full()
+            greedy = self._end_greedy()
+            if self.fault is not None:
+                return self.fault
+            detail += f"; the temporary folder was full of what {', '.join(greedy)} had written" if greedy else ""
         return self._fail(kind, detail, traceback)
 
-    def _raise_if_full(self) -> None:
-        """Look whether the temporary folder is as full as the program says: it may say what it likes.
+    def _end_greedy(self) -> list[str]:
+        """End the programs that have filled the temporary folder, if that is as full as this one says.
+
+        This one is ended first, so that files which it only held open take no room.
+
+        Returns:
+            Their names; none if there is room, for a program may say what it likes.
 
         Raises:
-            HostError: it is.
+            HostError: it is full, and no program has written more than its share.
         """
+        self.kill()
         try:
-            scratch.ensure_room(self._place)
+            scratch.ensure_room(self._sharing.place)
         except OSError as error:
-            raise HostError(
-                f"the temporary folder is full: the program of {self.name} could not write at tick {self._tick} "
-                f"({s_from_ticks(self._tick):.3f} s): {told_of(error)}; "
-                "make room there, or let TMPDIR name another folder"
-            ) from error
+            greedy = [program.name for program in self._sharing.programs if program.end_if_greedy(self._tick)]
+            if not greedy:
+                raise HostError(
+                    f"the temporary folder is full: the program of {self.name} could not write at tick {self._tick} "
+                    f"({s_from_ticks(self._tick):.3f} s): {told_of(error)}; "
+                    "make room there, or let TMPDIR name another folder"
+                ) from error
+            return greedy
+        return []
+
+    def end_if_greedy(self, tick: int) -> bool:
+        """End it if it has written more than its share of the temporary folder, which is full; return whether it has.
+
+        Args:
+            tick: of the match, now.
+        """
+        share_bytes = self._sharing.share_bytes
+        if self.fault is not None or self._folder is None or not self._has_written_more_than(self._folder, share_bytes):
+            return False
+        self._tick = tick
+        self._fail(
+            "output_flood",
+            f"the program wrote more than its share, {share_bytes / 1e6:.1f} MB, until the temporary folder was full",
+        )
+        return True
 
     def _trespass(self, *, look_at_folder: bool) -> tuple[str, str] | None:
         """Return what it took too much of, if anything: kind and detail of the fault."""
@@ -386,13 +435,16 @@ class Program:
         if not look_at_folder:
             return None
         self._look_at_s, self._look_at_tick = self.waited_s + _SLICE_S, self._tick + _FOLDER_LOOKED_AT_EVERY
-        nameless = 0 if self._process is None else self._process.nameless_bytes(self._output_fd())
-        if self._folder is not None and scratch.has_more_than(self._folder, self._scratch_limit - nameless):
+        if self._folder is not None and self._has_written_more_than(self._folder, self._scratch_limit):
             return "output_flood", f"the program wrote more than {limits.scratch_mb:g} MB into its folder"
         # Beside those that it may start it has its first one, and the one that watches over it.
         if self._process is not None and self._process.threads() > limits.processes + 2:
             return "memory", f"the program runs more than {limits.processes} threads"
         return None
+
+    def _has_written_more_than(self, folder: Path, limit_bytes: float) -> bool:
+        nameless = 0 if self._process is None else self._process.nameless_bytes(self._output_fd())
+        return scratch.has_more_than(folder, limit_bytes - nameless)
 
     def _output_fd(self) -> int:
         return -1 if self._log is None else self._log.fd
@@ -404,6 +456,7 @@ class Program:
         where = self._log.take_dump(self._folder / "team") if self._log is not None and self._folder is not None else ""
         told = f"It was here, the innermost call first:\n{where}" if where else traceback
         self._say(f"{told}[{kind}] {self.name} at {at}: {detail}\n")
+        self._remove_folder()  # others may need the room
         return self.fault
 
     def _say(self, text: str) -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import math
 import os
+import shutil
 import stat
 import sys
 import tempfile
@@ -23,6 +24,9 @@ _LONGEST_PATH = 512
 _ROOM_BYTES = 1_000_000
 """More than a program writes at once, than a page of some teams needs, and a replay of ten seconds."""
 
+_OF_FILES = 0.9
+"""Part of a disk that files take, as they are counted here: the rest is lists of them and halves of blocks."""
+
 
 def ensure_room(folder: Path) -> None:
     """Find out whether files can be written into a folder; nothing of it stays.
@@ -33,6 +37,17 @@ def ensure_room(folder: Path) -> None:
     with tempfile.TemporaryFile(dir=folder, prefix=".rcj-room-") as file:
         file.write(bytes(_ROOM_BYTES))
         file.flush()
+
+
+def share_bytes(folder: Path, sharers: int) -> float:
+    """Return how much each of several may write into a folder's disk until it is full; infinite if it is so already.
+
+    When it is full (`ensure_room`) and only they have written, at least one of them has written more than this.
+    """
+    free_bytes = shutil.disk_usage(folder).free
+    if free_bytes < 2 * _ROOM_BYTES:
+        return math.inf
+    return _OF_FILES * (free_bytes - _ROOM_BYTES) / max(1, sharers)
 
 
 def has_more_than(folder: Path, limit_bytes: float) -> bool:

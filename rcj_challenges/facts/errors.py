@@ -32,6 +32,15 @@ def is_of_the_host(error: BaseException) -> bool:
     return isinstance(error, OSError) and error.errno in _OF_THE_HOST
 
 
+_HELD = frozenset({5, 32})
+"""What Windows says (``winerror``) where another program has a file open: access denied, sharing violation."""
+
+
+def is_held(error: OSError) -> bool:
+    """Return whether an error may mean that another program has the file open; only on Windows it does."""
+    return getattr(error, "winerror", None) in _HELD
+
+
 def told_of(error: BaseException) -> str:
     """Return what an error says, of the system's errors without paths: they go into records that are published."""
     return (error.strerror if isinstance(error, OSError) else None) or str(error)

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import subprocess
 import sys
+import tempfile
 import threading
 from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
 from pathlib import Path
 from typing import AnyStr, Generic, TypeVar
+
+from rcj_challenges.controllers.private_folders import remove_left_overs
 
 _POLL_S = 0.2
 _LEAVE_S = 5.0
@@ -65,7 +68,10 @@ class Running(Generic[AnyStr]):
             self._processes.discard(process)
 
     def end_all(self) -> None:
-        """Interrupt all processes, so that they can put their things in order, then end them."""
+        """Interrupt all processes, so that they can put their things in order, then end them.
+
+        On a busy computer one may not be ready with that in time: what it leaves in the temporary folder is removed.
+        """
         with self._lock:
             self.stopped = True
             left = list(self._processes)
@@ -76,6 +82,8 @@ class Running(Generic[AnyStr]):
                 process.wait(_LEAVE_S)
             except subprocess.TimeoutExpired:
                 process.kill()
+                process.wait()
+        remove_left_overs(Path(tempfile.gettempdir()))
 
 
 def do_all(

@@ -6,7 +6,7 @@ import errno
 from pathlib import Path
 from typing import Self
 
-from rcj_challenges.facts.errors import HostError, RcjError, told_of
+from rcj_challenges.facts.errors import HostError, RcjError, is_held, told_of
 from rcj_challenges.facts.shown import shown
 
 
@@ -27,10 +27,11 @@ class UnwritableError(HostError, RecordError):
         """
         if not isinstance(error.filename, str) or not Path(error.filename).is_relative_to(place):
             return None
-        advice = _ADVICE.get(error.errno or 0, "")
+        advice = _HELD_ADVICE if is_held(error) else _ADVICE.get(error.errno or 0, "")
         return cls(f"the record cannot be written: {shown(error.filename)}: {told_of(error)}{advice}")
 
 
+_HELD_ADVICE = "; close the program that may have it open, or give a folder with --out in which you may write"
 _ADVICE = {
     **dict.fromkeys(
         (getattr(errno, name) for name in ("ENOSPC", "EDQUOT", "EFBIG") if hasattr(errno, name)),

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import BinaryIO
 
-from rcj_challenges.facts.errors import told_of
+from rcj_challenges.facts.errors import is_held, told_of
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.records.errors import RecordError
 
@@ -27,6 +28,10 @@ SENSORS = "sensors"
 REPLAY = "replay.html"
 
 _MOST_RUNS_A_SECOND = 10_000
+
+_WAIT_FOR_OTHERS_S = 2.0
+"""Virus scanners and indexers look into what was just written for a few tenths of a second."""
+_ASK_AGAIN_S = 0.02
 
 
 def utc_now() -> datetime:
@@ -96,11 +101,40 @@ def replaced(path: Path) -> Iterator[BinaryIO]:
             yield file
             file.flush()
             os.fsync(file.fileno())
-        temporary.replace(path)
+        _put(temporary, path)
     except BaseException:
         with suppress(OSError):
             temporary.unlink()
         raise
+
+
+def _put(temporary: Path, path: Path) -> None:
+    try:
+        when_free(lambda: temporary.replace(path))
+    except OSError as error:
+        error.filename = str(path)  # that is the one somebody has open, or may not be changed
+        raise
+
+
+def when_free(do: Callable[[], object]) -> None:
+    """Rename or remove files; Windows refuses that while another program has one open, which is waited for a while.
+
+    Args:
+        do: the work; it may be begun several times.
+
+    Raises:
+        OSError: it cannot be done, or the other program still has the file.
+    """
+    until_s = time.monotonic() + _WAIT_FOR_OTHERS_S
+    while True:
+        try:
+            do()
+        except OSError as error:
+            if not is_held(error) or time.monotonic() >= until_s:
+                raise
+        else:
+            return
+        time.sleep(_ASK_AGAIN_S)
 
 
 @contextmanager

@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from rcj_challenges.records.folder import RECORD_VERSION, TRAJECTORY, TRAJECTORY_PARTS, replaced
+from rcj_challenges.facts.errors import is_held
+from rcj_challenges.records.folder import RECORD_VERSION, TRAJECTORY, TRAJECTORY_PARTS, replaced, when_free
 from rcj_challenges.records.track import part_paths, row_dtype
 
 _ROWS_AT_ONCE = 2048
@@ -38,8 +39,17 @@ def pack_trajectory(folder: Path, header: Mapping[str, Any], halves: Sequence[in
         _add(archive, "header", [_as_bytes({**header, "record": RECORD_VERSION, "halves": list(halves)})])
         for half in halves:
             _pack_half(archive, parts, half, len(header["entities"]))
-    shutil.rmtree(parts)
+    _remove(parts)
     return path
+
+
+def _remove(parts: Path) -> None:
+    """Remove the parts. What another program has open (Windows) stays: all of it is in the trajectory."""
+    try:
+        when_free(lambda: shutil.rmtree(parts))
+    except OSError as error:
+        if not is_held(error):
+            raise
 
 
 def _pack_half(archive: zipfile.ZipFile, parts: Path, half: int, entities: int) -> None:

@@ -103,8 +103,8 @@ class SequenceWatch(PositionWatch):
             self._stand_at_first()
 
     def moved(self) -> None:
-        """Begin anew, or keep the steps made: then the place where the entity was put is no step."""
-        if self._goes_on:
+        """Begin anew, or keep the steps made, if there are any: then the place where the entity was put is no step."""
+        if self._goes_on and self._at != _NOT_BEGUN:
             self._look_around()
         else:
             self.restart()

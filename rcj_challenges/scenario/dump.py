@@ -10,7 +10,7 @@ from typing import Any
 
 from rcj_challenges.scenario.models.scenario import Scenario
 
-_INTERRUPTS = ("SIGINT", "SIGTERM", "SIGHUP")
+_INTERRUPTS = ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK")
 
 
 def dumped(scenario: Scenario) -> dict[str, Any]:

@@ -67,7 +67,12 @@ _OF_ENTITY = (
 _NOBODY = "no trigger of this rule is about one entity, and it has no for_each over entities"
 _TELL_ABOUT = "use a trigger with an entity, or for_each"
 _WRITE_OUT = "write out what is meant, or leave it out"
-_WHY_EMPTY = {"entity": "is about nobody in particular", "measured": "measures nothing", "limit": "has no limit"}
+_WHY_EMPTY = {
+    "entity": "is about nobody in particular",
+    "team": "is about no robot of a team",
+    "measured": "measures nothing",
+    "limit": "has no limit",
+}
 _MEASURE = "leave it out, or use a trigger that measures, such as stays_in"
 
 
@@ -136,7 +141,7 @@ def _blank(blank: str, path: Path, lacks: dict[str, _Lack], params: tuple[str, .
 
 def _at_times_empty(blank: str, name: str, rule: Rule, subject: Subject) -> Iterator[Suspect]:
     """Yield a blank that one trigger of a rule fills and another leaves empty."""
-    if blank == "entity" and rule.for_each is not None and subject.members("each", rule) & set(subject.roster.entities):
+    if rule.for_each is not None and subject.members("each", rule) & _told_by(blank, subject):
         return
     without = [trigger.trigger for trigger in rule.triggers if not _fills(trigger, blank, rule, subject)]
     if without:
@@ -150,11 +155,22 @@ def _at_times_empty(blank: str, name: str, rule: Rule, subject: Subject) -> Iter
 
 def _fills(trigger: Trigger, blank: str, rule: Rule, subject: Subject) -> bool:
     """Return whether a blank is known when a trigger has set a rule off."""
-    if blank == "entity":
-        return bool(_found_by(trigger, rule, subject) & set(subject.roster.entities))
+    if blank in {"entity", "team"}:
+        return bool(_found_by(trigger, rule, subject) & _told_by(blank, subject))
     if blank == "measured":
         return isinstance(trigger, (*_WITH_LIMIT, *_OF_SEQUENCES))
     return blank != "limit" or isinstance(trigger, _WITH_LIMIT)
+
+
+def _told_by(blank: str, subject: Subject) -> frozenset[str]:
+    """Return of which entities a blank tells something."""
+    if blank == "team":
+        return _in_teams(subject)
+    return frozenset(subject.roster.entities if blank == "entity" else ())
+
+
+def _in_teams(subject: Subject) -> frozenset[str]:
+    return frozenset(robot for entrant in subject.scenario.entrants.values() for robot in entrant.robots)
 
 
 def _word(value: WordValue, path: Path, lacks: dict[str, _Lack]) -> Iterator[Suspect]:
@@ -184,7 +200,7 @@ def _lacks(rule: Rule, subject: Subject) -> dict[str, _Lack]:
         lacks = dict.fromkeys(("entity", "robot", "team"), _Lack(_NOBODY, _TELL_ABOUT))
     elif not about & set(scenario.robots):
         lacks = dict.fromkeys(("robot", "team"), _Lack("this rule is never about a robot", _WRITE_OUT))
-    elif not about & {robot for entrant in scenario.entrants.values() for robot in entrant.robots}:
+    elif not about & _in_teams(subject):
         lacks["team"] = _Lack("this rule is never about a robot of a team", _WRITE_OUT)
     if not with_limit:
         lacks["limit"] = _Lack("no trigger of this rule has a limit", _MEASURE)

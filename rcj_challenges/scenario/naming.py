@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from rcj_challenges.facts.colours import CSS_COLOURS, hex_colour
@@ -12,6 +13,8 @@ from rcj_challenges.scenario.tree import Items, Mark, Path, child, in_names, mar
 
 _SECTIONS = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups")
 """What a group may gather, and groups: in any of the places where one of them is named, so may be another."""
+_DEVICES = re.compile(r"con|prn|aux|nul|(com|lpt)[0-9]", re.IGNORECASE)
+"""What no file of Windows may be called; each robot has a log of its name."""
 _MEANINGS = {EACH: "names the current entity of a rule", OTHER: "names what is touched in a rule"}
 
 
@@ -43,6 +46,9 @@ def _namespace(catalogue: Catalogue) -> Iterator[Problem]:
                 yield _problem(catalogue, path, message, at_key=True)
             seen.setdefault(name.casefold(), (name, section, mark))
     for robot in catalogue.names("robots"):
+        if _DEVICES.fullmatch(robot):
+            message = f"'{robot}' is a device on Windows, where no log can have that name; choose another name"
+            yield _problem(catalogue, ("robots", robot), message, at_key=True)
         colour = catalogue.leaf("robots", robot, "colour")
         if isinstance(colour, str) and (colour in (*ALWAYS, *BOUND) or colour.casefold() in seen):
             where = "reserved" if colour in (*ALWAYS, *BOUND) else f"a name in {seen[colour.casefold()][1]} already"

@@ -97,6 +97,8 @@ def _one_by_one(test: Expectation | Given, path: Path, scenario: Scenario, roste
             if kept is None or not isinstance(values, dict):
                 continue
             where = (*path, f"{noun}s", name)
+            if not values:
+                yield Found(where, "names nobody; write {entity: value, …}, or leave it out")
             if kept.per is None:
                 yield Found(where, f"{noun} '{name}' is one for all; write its value alone")
                 continue

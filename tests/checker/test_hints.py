@@ -268,7 +268,7 @@ class Bot(Robot):
         while self.step(32) != -1:
             pass
 """
-INIT = METHOD.replace("run", "__init__")
+INIT = METHOD.replace("run", "__init__").replace("Bot", "Attacker")
 
 
 @pytest.mark.parametrize(
@@ -284,11 +284,11 @@ INIT = METHOD.replace("run", "__init__")
         (
             INIT,
             (
-                "the loop with step is in __init__() of Bot, line 6, and nothing makes a Bot: "
+                "the loop with step is in __init__() of Attacker, line 6, and nothing makes an Attacker: "
                 "make one at the end of the program"
             ),
         ),
-        (INIT + "bot = Bot()\n", ""),
+        (INIT + "bot = Attacker()\n", ""),
         (METHOD + "Bot().run()\n", ""),
         (METHOD.replace("run", "__call__") + "Bot()()\n", ""),
         (

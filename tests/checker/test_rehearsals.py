@@ -392,6 +392,18 @@ def test_a_fault_of_ours_becomes_a_verdict_too(pack, monkeypatch):
     assert check_file(pack(BEGIN + LOOP), MATCH, SHORT).stages[0].findings[0].code == "archive.stumbled"
 
 
+def test_an_interruption_that_a_library_made_an_error_of_ends_the_check(pack, monkeypatch):
+    def imported(*_):
+        try:
+            raise KeyboardInterrupt
+        except KeyboardInterrupt:
+            raise ImportError("physics")  # noqa: B904 - as imports do that are broken off
+
+    monkeypatch.setattr(check_module, "check_sources", imported)
+    with pytest.raises(KeyboardInterrupt):
+        check_file(pack(BEGIN + LOOP), MATCH, SHORT)
+
+
 def test_names_of_replays_are_legal_everywhere_and_never_the_same():
     names = ["team.zip", "a/../b", "ü.zip", "ö.zip", "con trol", "x" * 200 + ".zip", "x" * 199 + "y.zip", ".zip"]
     slugs = [file_slug(name) for name in names]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import shlex
 import subprocess
 import sys
@@ -15,6 +16,7 @@ from typer.testing import CliRunner
 from rcj_challenges.cli import author
 from rcj_challenges.cli.app import app
 from rcj_challenges.cli.author import OutputError
+from rcj_challenges.cli.says import typed
 from rcj_challenges.cli.starter import StarterError
 from rcj_challenges.scenario.load import load
 
@@ -222,11 +224,12 @@ class TestNew:
 
     def test_what_it_says_to_type_can_be_typed(self, tmp_path, monkeypatch):
         monkeypatch.chdir(tmp_path)
-        typed = [shlex.split(line) for line in call("new", "My chairs").stdout.splitlines() if "rcj-challenge" in line]
+        said = call("new", "My chairs").stdout.splitlines()
+        commands = [shlex.split(line) for line in said if "rcj-challenge" in line]
         lines = Path("My chairs.yaml").read_text().splitlines()
         written = [shlex.split(line) for line in lines if "rcj-challenge v" in line]
-        assert [words[2] for words in typed] == ["My chairs.yaml"] * 4
-        assert typed[3][-1] == "My chairs_team"
+        assert [words[2] for words in commands] == ["My chairs.yaml"] * 4
+        assert commands[3][-1] == "My chairs_team"
         assert written[0][3] == "My chairs.yaml"
 
     @pytest.mark.parametrize("existing", ["it.yaml", "it_team/robot.py"])
@@ -288,6 +291,29 @@ class TestSheet:
         said = capsys.readouterr().out
         assert "<svg" not in said
         assert "rcj-challenge draw match --out field.svg" in said
+
+    @pytest.mark.parametrize(
+        ("path", "separator", "told"),
+        [
+            ("match", "/", "match"),
+            ("kurse/slalom.yaml", "/", "kurse/slalom.yaml"),
+            ("Grün/slalom.yaml", "/", "Grün/slalom.yaml"),
+            ("my slalom.yaml", "/", '"my slalom.yaml"'),
+            ("you & me.yaml", "/", '"you & me.yaml"'),
+            ("a$b.yaml", "/", "'a$b.yaml'"),
+            (r"C:\kurse\slalom.yaml", "\\", r"C:\kurse\slalom.yaml"),
+            (r"kurse\my slalom.yaml", "\\", r'"kurse\my slalom.yaml"'),
+            (r"\\server\kurse\a$b.yaml", "\\", r'"\\server\kurse\a$b.yaml"'),
+        ],
+    )
+    def test_a_path_is_told_as_the_shell_of_this_system_takes_it(self, monkeypatch, path, separator, told):
+        """The shells of Windows know no single quotes, and a backslash is nothing special there."""
+        with monkeypatch.context() as system:
+            system.setattr(os, "sep", separator)
+            said = typed(path)
+        assert said == told
+        if separator == "/":
+            assert shlex.split(told) == [path]
 
 
 class TestEndings:

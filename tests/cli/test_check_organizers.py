@@ -11,9 +11,11 @@ import tempfile
 import time
 from pathlib import Path
 
+import jsonschema
 import pytest
 
 from rcj_challenges.checker import many
+from rcj_challenges.checker.report import schema_text
 from rcj_challenges.cli.check import CheckUsageError
 from tests.checker.small_team import PLAYER, write_team
 from tests.cli.in_this_process import one_after_the_other
@@ -136,7 +138,8 @@ def test_an_interruption_tells_what_was_checked_so_far(team, tmp_path, monkeypat
 
 
 @pytest.mark.skipif(os.name != "posix", reason="there are no such signals")
-def test_ctrl_c_ends_with_130_and_leaves_no_temporary_folder(team, tmp_path):
+def test_ctrl_c_ends_with_130_a_report_in_json_and_no_temporary_folder(team, tmp_path):
+    """The one test of several submissions with the command, its pipes and all processes as users have them."""
     paths = [
         team("bad.zip", "x = (\n"),
         team("slow_1.zip", SLOW),
@@ -144,7 +147,7 @@ def test_ctrl_c_ends_with_130_and_leaves_no_temporary_folder(team, tmp_path):
     ]
     temporary = tmp_path / "temporary"
     temporary.mkdir()
-    command = [*COMMAND, *map(str, paths), "--html", str(tmp_path / "report.html"), "--jobs", "2"]
+    command = [*COMMAND, *map(str, paths), "--html", str(tmp_path / "report.html"), "--jobs", "2", "--json"]
     with subprocess.Popen(
         command,
         stdout=subprocess.PIPE,
@@ -161,6 +164,11 @@ def test_ctrl_c_ends_with_130_and_leaves_no_temporary_folder(team, tmp_path):
         os.killpg(process.pid, signal.SIGINT)  # as a terminal does: to all processes
         out, err = process.communicate(timeout=60)
     assert process.returncode == 130, err
-    assert "interrupted, 1 submission: 0 ok, 0 warnings, 1 failure" in out, out
-    assert "slow_1.zip" in (tmp_path / "report.html").read_text("utf-8")
+    report = json.loads(out)  # and nothing else
+    jsonschema.validate(report, json.loads(schema_text()))
+    assert [(file["file"], file["level"]) for file in report["files"]] == [("bad.zip", "failure")]
+    assert [other["file"] for other in report["left_out"]] == ["slow_1.zip", "slow_2.zip"]
+    page = (tmp_path / "report.html").read_text("utf-8")
+    assert "interrupted, 1 submission: 0 ok, 0 warnings, 1 failure" in page
+    assert "slow_1.zip" in page
     assert list(temporary.iterdir()) == []

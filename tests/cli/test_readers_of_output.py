@@ -1,16 +1,20 @@
 """Whoever reads what the command prints may go away: the match is played to its end all the same."""
 
+import errno
+import io
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
+from rcj_challenges.cli import author, says
+
 STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="a pipe without a reader is told otherwise")
 def test_a_match_goes_on_when_nobody_reads_its_lines_any_more(tmp_path: Path) -> None:
     Path(tmp_path, "team.py").write_text(STAND, encoding="utf-8")
     teams = ["--blue", "team.py", "--yellow", "team.py"]
@@ -24,3 +28,68 @@ def test_a_match_goes_on_when_nobody_reads_its_lines_any_more(tmp_path: Path) ->
     assert (playing.returncode, told) == (0, "")
     (result,) = Path(tmp_path, "runs").glob("*/result.json")
     assert json.loads(result.read_text(encoding="utf-8"))["complete"]
+
+
+def printing(monkeypatch: pytest.MonkeyPatch, errors: str, encoding: str = "cp1252") -> io.BytesIO:
+    """Let standard output be as on Windows where it goes into a file; return what gets there."""
+    file = io.BytesIO()
+    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(file, encoding=encoding, errors=errors, newline="\r\n"))
+    return file
+
+
+@pytest.mark.parametrize("errors", ["strict", "surrogateescape"])  # the second is Python's choice on Windows
+def test_a_path_with_letters_that_the_output_lacks_is_told_all_the_same(monkeypatch, errors: str) -> None:
+    file = printing(monkeypatch, errors)
+    says.lack_letters_gently()
+    print("Grün → Łódź.mp4", flush=True)
+    assert file.getvalue() == "Grün -> ?ód?.mp4\r\n".encode("cp1252")
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "utf-8"])
+def test_the_bytes_of_names_stay_what_they_are(monkeypatch: pytest.MonkeyPatch, encoding: str) -> None:
+    file = printing(monkeypatch, "surrogateescape", encoding)
+    says.lack_letters_gently()
+    print("\udcc5.mp4", flush=True)
+    assert file.getvalue() == b"\xc5.mp4\r\n"
+
+
+def test_a_document_is_utf_8_wherever_it_goes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A redirected sheet or drawing is a file as ``--out`` writes it, whatever code page the system has."""
+    file = printing(monkeypatch, "strict")
+    assert author._deliver("π = 180°\n<svg/>\n", None) == 0
+    sys.stdout.flush()
+    assert file.getvalue() == "π = 180°\n<svg/>\n".encode()
+
+
+@pytest.mark.parametrize(
+    ("told", "raised"), [(errno.EINVAL, BrokenPipeError), (errno.EPIPE, BrokenPipeError), (errno.ENOSPC, OSError)]
+)
+def test_a_reader_who_is_gone_is_known_however_the_system_tells_it(monkeypatch, told: int, raised: type) -> None:
+    """Windows says of such a pipe that the argument is invalid."""
+    read_fd, write_fd = os.pipe()
+    try:
+        with os.fdopen(write_fd, "w", encoding="cp850", errors="backslashreplace", closefd=False) as usual:
+            monkeypatch.setattr(sys, "stdout", usual)
+            monkeypatch.setattr(sys, "stderr", usual)
+            says.know_gone_readers()
+            stream = sys.stdout
+            assert stream is not usual
+            assert stream.fileno() == write_fd
+            print("grün \N{PENCIL}")
+            stream.flush()
+            assert os.read(read_fd, 100).splitlines() == ["grün \\u270f".encode("cp850")]
+
+            def refuse(*_: object) -> int:
+                raise OSError(told, os.strerror(told))
+
+            with monkeypatch.context() as gone:
+                gone.setattr(os, "write", refuse)
+                print("nobody")
+                with pytest.raises(OSError, match=r"\[Errno") as caught:
+                    stream.flush()
+            assert type(caught.value) is raised
+            says.say_no_more(stream)
+            stream.flush()
+    finally:
+        os.close(read_fd)
+        os.close(write_fd)

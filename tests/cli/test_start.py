@@ -1,6 +1,7 @@
 """How the command line starts: quickly, and without losing a word about what is wrong."""
 
 import gc
+import signal
 from pathlib import Path
 
 import pytest
@@ -43,6 +44,17 @@ def test_the_help_lists_all_commands(arguments, capsys):
     arguments("--help")
     told = capsys.readouterr().out
     assert [name for name in ("run", "validate", "test", "draw", "sheet", "simulate") if name not in told] == []
+
+
+def test_ctrl_break_of_windows_interrupts_as_ctrl_c_does(monkeypatch):
+    if not hasattr(signal, "SIGBREAK"):
+        monkeypatch.setattr(signal, "SIGBREAK", signal.SIGUSR1, raising=False)
+    handlers = {}
+    monkeypatch.setattr(signal, "signal", handlers.__setitem__)
+    heard = cli._end_gently([])
+    assert signal.SIGBREAK in heard
+    with pytest.raises(KeyboardInterrupt):
+        handlers[signal.SIGBREAK]()
 
 
 def test_the_models_are_written_so_that_their_annotations_are_compiled_once():

@@ -62,6 +62,7 @@ REFUSED = {  # x86_64, aarch64
     "fchownat": (260, 54),
     "utimensat": (280, 88),
     "truncate": (76, 45),
+    "fallocate": (285, 47),
     "setxattr": (188, 5),
     "setuid": (105, 146),
     "capset": (126, 91),

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import os
+import shutil
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from fake_match import FakeMatch
@@ -85,6 +88,16 @@ def test_folders_without_permissions_are_removed(tmp_path: Path) -> None:
 def test_a_folder_that_is_not_there_is_no_error(tmp_path: Path) -> None:
     scratch.remove(tmp_path / "none")
     assert not scratch.has_more_than(tmp_path / "none", 0)
+
+
+def test_whoever_fills_a_disk_has_written_more_than_a_share(monkeypatch: pytest.MonkeyPatch) -> None:
+    def share_bytes(free_bytes: int) -> float:
+        monkeypatch.setattr(shutil, "disk_usage", lambda _: SimpleNamespace(free=free_bytes))
+        return scratch.share_bytes(Path(), 4)
+
+    # It is full when less than a megabyte is left: of four that wrote alike each has more than this then.
+    assert share_bytes(41_000_000) == 9_000_000
+    assert share_bytes(1_500_000) == math.inf, "full before anybody wrote"
 
 
 @posix

@@ -11,12 +11,13 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from fake_match import FakeMatch
+from fake_match import FakeMatch, robot_spec, values_at
 
 from rcj_challenges.controllers import pipes, processes, scratch
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.facts.errors import HostError
 from rcj_challenges.facts.play import Fault
+from rcj_challenges.facts.traffic import Observation, Request
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="POSIX only")
 
@@ -407,19 +408,60 @@ except OSError as error:
 """
 
 
-def test_a_temporary_folder_without_room_is_no_fault_of_a_program(
-    match: FakeMatch, monkeypatch: pytest.MonkeyPatch
-) -> None:
+@pytest.fixture
+def _full(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The temporary folder is full, and one has filled it that has written more than 100 kB."""
+
     def full(_: Path) -> None:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     monkeypatch.setattr(scratch, "ensure_room", full)
+    monkeypatch.setattr(scratch, "share_bytes", lambda *_: 100_000)
+
+
+@pytest.mark.usefixtures("_full")
+def test_a_temporary_folder_without_room_is_no_fault_of_a_program(match: FakeMatch) -> None:
     with pytest.raises(HostError) as raised:
         match.play(FINDS_NO_ROOM, 3)
     assert str(raised.value) == (
         "the temporary folder is full: the program of Y1 could not write at tick 1 (0.032 s): No space left on device; "
         "make room there, or let TMPDIR name another folder"
     )
+
+
+WRITES_MUCH = """
+from controller import Robot
+with open("much", "wb") as file:
+    file.write(bytes(200_000))
+robot = Robot()
+while robot.step(32) != -1:
+    pass
+"""
+
+
+@pytest.mark.usefixtures("_full")
+def test_who_has_filled_the_temporary_folder_pays_and_the_match_goes_on(match: FakeMatch) -> None:
+    with match.crew() as crew:
+        programs = {}
+        for name, program in (("Y1", WRITES_MUCH), ("B1", FINDS_NO_ROOM)):
+            team = match.team(program)
+            programs[name] = crew.add(robot_spec(name), team, team.entry_for(name, "robot.py"))
+        crew.launch()
+        greedy, poor = programs.values()
+        assert isinstance(greedy.collect(), Request)
+        poor.collect()
+        poor.release(Observation(1, values_at(1), []))
+        fault = poor.collect()
+        assert (fault.robot, fault.kind) == ("B1", "crash")
+        assert fault.detail.endswith("; the temporary folder was full of what Y1 had written")
+        # It is told when its turn comes, or when somebody looks after it because it stays away.
+        greedy.release(Observation(1, values_at(1), []))
+        assert greedy.collect() is greedy.overstepped(1)
+        assert (greedy.fault.kind, greedy.fault.detail) == (
+            "output_flood",
+            "the program wrote more than its share, 0.1 MB, until the temporary folder was full",
+        )
+        assert not any(path.is_dir() for path in crew._folders.place.iterdir()), "the room is there again"
 
 
 def test_who_only_says_that_there_is_no_room_has_crashed(match: FakeMatch) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import os
 import stat
 import sys
 import unicodedata
@@ -186,8 +187,11 @@ def refusal(path: Path) -> str:
     return str(caught.value)
 
 
-def test_nothing_at_the_path_is_said_plainly(tmp_path: Path) -> None:
+def test_nothing_at_the_path_is_said_plainly(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert refusal(tmp_path / "nothing").endswith("nothing: there is no such file or folder")
+    with monkeypatch.context() as windows:
+        windows.setattr(os, "sep", "\\")
+        assert refusal(tmp_path / 'my team" --blue x').endswith("file or folder; leave away the backslash at its end")
     (tmp_path / "empty").mkdir()
     assert "there are no files in it" in refusal(tmp_path / "empty")
 

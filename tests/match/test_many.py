@@ -3,11 +3,13 @@
 import errno
 import os
 import subprocess
+import tempfile
 
 import pytest
 
 from rcj_challenges.cli.simulate import SeedsError, parse_seeds, summary
-from rcj_challenges.match import many
+from rcj_challenges.controllers.private_folders import PrivateFolders
+from rcj_challenges.match import apart, many
 from rcj_challenges.match.many import Job, Outcome
 
 
@@ -67,6 +69,26 @@ def test_where_no_signal_lets_a_match_close_its_record_the_end_of_its_lifeline_d
     assert process.returncode == 0
     matches.forget(process)
     process.communicate()
+
+
+def test_what_a_process_that_had_to_be_killed_leaves_in_the_temporary_folder_is_removed(tmp_path, monkeypatch):
+    """It takes too long to put its things in order; its lock is gone with it, that of another one is not."""
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    busy, other = PrivateFolders(), PrivateFolders()
+
+    class Busy:
+        def wait(self, timeout_s=None):
+            if timeout_s is not None:
+                raise subprocess.TimeoutExpired("match", timeout_s)
+
+        def kill(self):
+            os.close(busy._lock_fd)
+
+    running = apart.Running(lambda _: None)
+    running.begin(Busy)
+    running.end_all()
+    assert list(tmp_path.iterdir()) == [other.place]
+    other.close()
 
 
 def test_a_match_that_could_not_be_played_is_named_with_its_seed():

@@ -192,6 +192,28 @@ class TestSequenceWhoseEntityIsPutElsewhere:
         walk(play, "ball", B, C)
         assert play.names() == ["DONE"]
 
+    def test_where_no_step_is_made_none_is_to_keep_and_being_put_into_the_first_one_makes_it(self, stage):
+        play = stage(self.GOES_ON, PUT_BACK % "[-0.4, 0]")
+        self.put(play)
+        walk(play, "ball", B, C)
+        assert play.names() == ["DONE"]
+        self.put(play)  # for the next attempt
+        walk(play, "ball", B, C)
+        assert play.names() == ["DONE", "DONE"]
+
+    def test_after_a_phase_in_which_nobody_hears_of_it_it_begins_anew(self, stage):
+        pause = (
+            "phases: {play: {}, pause: {lasts_s: 1, next: play}}\n"
+            "rules: {fell: {triggers: [{trigger: tips_over, entity: Y1}], actions: [{action: set_phase, phase: pause}]}}"
+        )
+        for phases, done in (("", []), ("phases: any, ", ["DONE"])):
+            play = stage(self.GOES_ON.replace("{triggers", "{" + phases + "triggers", 1), pause)
+            walk(play, "ball", A, B)
+            play.tip("Y1")
+            play.play(40)
+            walk(play, "ball", C)
+            assert play.names() == done
+
     def test_being_put_into_a_wrong_step_breaks_nothing(self, stage):
         play = stage(SEQUENCE % "when_placed: goes_on, wrong_step: break", PUT_BACK % "[-0.4, 0]")
         walk(play, "ball", A, B)

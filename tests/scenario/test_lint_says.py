@@ -136,6 +136,11 @@ class TestABlankThatOneTriggerFillsAndAnotherDoesNot:
                 "entity",
                 "'time_reached' sets the rule off, which is about nobody in particular",
             ),
+            (
+                f"{ENTERS % 'Y1'}, {ENTERS % 'ball'}",
+                "team",
+                "'enters' sets the rule off, which is about no robot of a team",
+            ),
             (f"{STAYS}, {ENTERS % 'Y1'}", "measured", "'enters' sets the rule off, which measures nothing"),
             (f"{ENTERS % 'Y1'}, {STAYS}", "limit", "'enters' sets the rule off, which has no limit"),
         ],
@@ -149,7 +154,7 @@ class TestABlankThatOneTriggerFillsAndAnotherDoesNot:
     def test_where_both_fill_it_or_the_rule_knows_whom_it_is_for_nothing_is_said(self):
         assert told(f"{self.STAYS}, {self.TIME}", "{measured} of {limit}") == []
         assert told(f"{self.STAYS}, {ENTERS % 'Y2'}", "{entity}") == []
-        assert told(f"{ENTERS % 'each'}, {self.TIME}", "{entity}", more=FOR_EACH) == []
+        assert told(f"{ENTERS % 'each'}, {self.TIME}", "{entity} of {team}", more=FOR_EACH) == []
 
     def test_a_param_that_a_blank_hides_is_named(self):
         (finding,) = told(ENTERS % "Y1", "After {limit} strokes", more="params: {limit: 8}\n")
@@ -171,8 +176,8 @@ class TestWhoItIsAbout:
         assert told(trigger, "{entity} of {team}", "robot: {word: robot_name}", FOR_EACH) == []
 
     def test_with_one_trigger_that_finds_one_it_is_not_always_empty(self):
-        (finding,) = told(f"{{trigger: half_started}}, {ENTERS % 'Y1'}", "{entity} of {team}")
-        assert finding.kind == "placeholder_at_times_empty"
+        findings = told(f"{{trigger: half_started}}, {ENTERS % 'Y1'}", "{entity} of {team}")
+        assert [finding.kind for finding in findings] == ["placeholder_at_times_empty"] * 2
 
     @pytest.mark.parametrize("entity", ["ball", "crate", "loose"])
     def test_what_is_no_robot_has_a_name_and_no_team(self, entity):

@@ -79,6 +79,8 @@ BAD = [
     ("draws: {d: {values: [x, x], not_last: true}}\n", "draws.d.not_last: one value alone"),
     ("counters: {laps: {}}\n" + expectation("keyframes: [{at_s: 1}], counters: {laps: {Y1: 2}}"),
      "expect.t.counters.laps: counter 'laps' is one for all; write its value alone"),
+    ("counters: {laps: {per: robots}}\n" + expectation("keyframes: [{at_s: 1}], counters: {laps: {}}"),
+     "expect.t.counters.laps: names nobody; write {entity: value, …}, or leave it out"),
     ("flags: {out: {per: yellow}}\n" + expectation("keyframes: [{at_s: 1}], given: {flags: {out: {B1: true}}}"),
      "expect.t.given.flags.out.B1: there is no flag 'out' of 'B1'; it is kept for Y1, Y2, Y3"),
     (expectation("keyframes: [{at_s: 1}, {at_s: 1}]"), "expect.t.keyframes[1].at_s: 1 s does not come after 1 s"),

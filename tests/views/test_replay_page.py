@@ -313,7 +313,14 @@ def test_a_record_is_found_by_folder_file_name_or_the_beginning_of_its_name(runs
     assert find_run(None, runs).name == "20210620-100000-match"
 
 
-@pytest.mark.parametrize(("name", "says"), [("20210618", "fits several"), ("1999", "no record")])
+@pytest.mark.parametrize(
+    ("name", "says"),
+    [
+        ("20210618", "fits several"),
+        ("1999", "no record '1999': give its folder"),
+        (r"old\runs", r"no record 'old\\runs': give its folder"),  # each backslash of Windows once
+    ],
+)
 def test_a_record_that_is_not_there_is_said_so(name: str, says: str, runs: Path) -> None:
     with pytest.raises(RecordError, match=says):
         find_run(Path(name), runs)

@@ -1,5 +1,6 @@
 """Videos: what an MP4 shows, how long it is, and that it is whole or not there."""
 
+import errno
 import json
 import shutil
 import subprocess
@@ -235,6 +236,34 @@ def test_an_interrupted_video_is_kept_under_another_name_and_can_be_played(foota
             write_video(made_in, shown, path, size=SIZE, fps=FPS, speed=1.0, progress=interrupt)
     assert [found.name for found in tmp_path.iterdir()] == ["v.part.mp4"]
     assert caught.value.frames == len(decoded(caught.value.kept)[0]) == 20
+
+
+def test_a_video_that_cannot_take_the_place_of_one_that_is_shown_is_kept(footage, tmp_path, monkeypatch):
+    """Windows lets nobody rename over a file that a player has open."""
+    replace = Path.replace
+
+    def refuses(path, target):
+        if Path(target).name == "v.mp4":
+            refused = PermissionError(errno.EACCES, "Access is denied", str(path))
+            refused.winerror = 5
+            raise refused
+        return replace(path, target)
+
+    monkeypatch.setattr(Path, "replace", refuses)
+    monkeypatch.setattr("rcj_challenges.records.folder._WAIT_FOR_OTHERS_S", 0.01)
+    path = tmp_path / "v.mp4"
+    path.write_bytes(b"the old one")
+    shown = stretch(footage, 0.0, 0.2, None)
+    with (
+        studio(footage, Look(SIZE, renderer="top")) as made_in,
+        pytest.raises(
+            VideoError, match=r"v\.mp4: cannot be written: Access is denied; close .* kept in .*v\.part\.mp4$"
+        ),
+    ):
+        write_video(made_in, shown, path, size=SIZE, fps=FPS, speed=1.0)
+    assert path.read_bytes() == b"the old one"
+    assert sorted(found.name for found in tmp_path.iterdir()) == ["v.mp4", "v.part.mp4"]
+    assert len(decoded(tmp_path / "v.part.mp4")[0]) == frame_count(shown, 25.0, 1.0)
 
 
 def test_a_video_that_fails_leaves_nothing_and_spares_the_old_one(footage, tmp_path):

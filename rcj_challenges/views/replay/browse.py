@@ -7,6 +7,7 @@ import webbrowser
 from dataclasses import dataclass
 from pathlib import Path
 
+from rcj_challenges.facts.shown import shown
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, RESULT
 from rcj_challenges.records.result import RunResult, read_result
@@ -69,8 +70,8 @@ def find_run(run: Path | None, out: Path) -> Path:
         names = ", ".join(sorted(folder.name for folder in fitting)[:5])
         raise RecordError(f"{run.name!r} fits several records: {names}")
     if run.is_dir():
-        raise RecordError(f"no record {str(run)!r}: there is no {RESULT} in this folder")
-    raise RecordError(f"no record {str(run)!r}: give its folder, or its name in {out}")
+        raise RecordError(f"no record '{shown(run)}': there is no {RESULT} in this folder")
+    raise RecordError(f"no record '{shown(run)}': give its folder, or its name in {out}")
 
 
 def open_replay(folder: Path) -> tuple[Path, bool]:

@@ -14,6 +14,8 @@ import av
 import numpy as np
 from PIL import Image
 
+from rcj_challenges.facts.errors import is_held
+from rcj_challenges.records.folder import when_free
 from rcj_challenges.views.video.errors import FilmInterruptedError, VideoError
 
 _WAITING_FRAMES = 4
@@ -101,7 +103,7 @@ class Film:
                 self._raise_error()
             self._container.close()
             if kind is None:
-                self._temporary.replace(self.path)
+                self._take_place()
             elif issubclass(kind, KeyboardInterrupt) and self._error is None and self._written:
                 self._temporary.replace(self.part)
                 raise FilmInterruptedError(self.part, self._written) from error
@@ -109,6 +111,20 @@ class Film:
             raise VideoError(f"{self.path}: cannot be written: {failure.strerror or failure}") from failure
         finally:
             self._discard()
+
+    def _take_place(self) -> None:
+        """Give the finished film its name. Whatever forbids that, such as a player that shows an old one: it stays.
+
+        Raises:
+            VideoError: it is kept beside it.
+        """
+        try:
+            when_free(lambda: self._temporary.replace(self.path))
+        except OSError as failure:
+            self._temporary.replace(self.part)
+            told = f"{self.path}: cannot be written: {failure.strerror or failure}"
+            told += "; close the program that may show it" if is_held(failure) else ""
+            raise VideoError(f"{told}. The whole video is kept in {self.part}") from failure
 
     def _compress(self) -> None:
         """Take frames until there are no more; after an error they are only taken."""
@@ -141,4 +157,5 @@ class Film:
         if self._container is not None:
             with suppress(OSError, ValueError):  # what is thrown away need not be whole
                 self._container.close()
-        self._temporary.unlink(missing_ok=True)
+        with suppress(OSError):  # a virus scanner may have it open
+            self._temporary.unlink()

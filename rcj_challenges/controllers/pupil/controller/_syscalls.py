@@ -11,7 +11,7 @@ from __future__ import annotations
 # path: Landlock does not look at these (at truncate only since Linux 6.2) and would leave all files of this user in
 # reach (the same holds for chmod, see `PASSED_OVER`); memfd_create, message queues and shared memory of System V,
 # which hold memory that no limit counts; setpriority and sched_set…, which slow others down; sync, which waits for
-# everybody's files.
+# everybody's files; fallocate, which fills a disk at once, with files that are said to be empty.
 CALLS: dict[str, tuple[int | None, int | None]] = {
     # files and folders: Landlock decides which
     "read": (0, 63),
@@ -64,7 +64,6 @@ CALLS: dict[str, tuple[int | None, int | None]] = {
     "symlinkat": (266, 36),
     "umask": (95, 166),
     "ftruncate": (77, 46),
-    "fallocate": (285, 47),
     "fsync": (74, 82),
     "fdatasync": (75, 83),
     "fadvise64": (221, 223),

@@ -1,0 +1,100 @@
+"""Files that another program has open: Windows lets nobody rename over them or remove them, so that is done later."""
+
+import errno
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from rcj_challenges.facts.play import Verdict
+from rcj_challenges.records import folder as record_folder
+from rcj_challenges.records.errors import UnwritableError
+from rcj_challenges.records.folder import TRAJECTORY, TRAJECTORY_PARTS, replaced
+from rcj_challenges.records.result import read_result
+from rcj_challenges.records.testing import half_info, made_up_snapshot, small_header, small_scenario
+from rcj_challenges.records.trajectory import Trajectory
+from rcj_challenges.records.writer import RecordWriter
+
+ACCESS_DENIED, SHARING_VIOLATION = 5, 32
+
+
+def held(path: Path, winerror: int | None) -> PermissionError:
+    """Return what Windows raises of a file that is open elsewhere; without ``winerror`` any system's refusal."""
+    error = PermissionError(errno.EACCES, "Access is denied", str(path))
+    if winerror is not None:
+        error.winerror = winerror  # type: ignore[attr-defined, unused-ignore]
+    return error
+
+
+@pytest.fixture
+def refuse(monkeypatch: pytest.MonkeyPatch) -> Callable[[object, str, int | None, float], list[Path]]:
+    """Let a function refuse a number of times; what it returns grows by each refusal."""
+
+    def refuse(owner: object, name: str, winerror: int | None, times: float) -> list[Path]:
+        original, refused = getattr(owner, name), []
+
+        def refusing(path: Path, *arguments: object, **named: object) -> object:
+            if len(refused) < times:
+                refused.append(path)
+                raise held(path, winerror)
+            return original(path, *arguments, **named)
+
+        monkeypatch.setattr(owner, name, refusing)
+        return refused
+
+    monkeypatch.setattr(record_folder, "_ASK_AGAIN_S", 0.0)
+    return refuse
+
+
+@pytest.mark.parametrize("winerror", [ACCESS_DENIED, SHARING_VIOLATION])
+def test_a_file_that_is_open_elsewhere_for_a_moment_is_replaced_after_that(tmp_path: Path, refuse, winerror) -> None:
+    path = tmp_path / "result.json"
+    path.write_bytes(b"old")
+    refused = refuse(Path, "replace", winerror, 3)
+    with replaced(path) as file:
+        file.write(b"new")
+    assert path.read_bytes() == b"new"
+    assert len(refused) == 3
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_who_keeps_a_file_open_is_not_waited_for_without_end(tmp_path: Path, refuse, monkeypatch) -> None:
+    monkeypatch.setattr(record_folder, "_WAIT_FOR_OTHERS_S", 0.01)
+    path = tmp_path / "result.json"
+    path.write_bytes(b"old")
+    refuse(Path, "replace", ACCESS_DENIED, float("inf"))
+    with pytest.raises(PermissionError) as caught, replaced(path) as file:
+        file.write(b"new")
+    assert path.read_bytes() == b"old"
+    assert list(tmp_path.iterdir()) == [path]
+    told = str(UnwritableError.of(caught.value, tmp_path))
+    assert "result.json: Access is denied; close the program that may have it open, or give a folder with --out" in told
+
+
+def test_what_is_refused_for_another_reason_is_asked_once(tmp_path: Path, refuse) -> None:
+    refused = refuse(Path, "replace", None, float("inf"))
+    with pytest.raises(PermissionError), replaced(tmp_path / "result.json") as file:
+        file.write(b"new")
+    assert len(refused) == 1
+
+
+@pytest.mark.parametrize(("times", "stays"), [(3, False), (float("inf"), True)])
+def test_parts_that_are_open_elsewhere_do_not_cost_the_result(
+    tmp_path: Path, refuse, monkeypatch, times: float, *, stays: bool
+) -> None:
+    monkeypatch.setattr(record_folder, "_WAIT_FOR_OTHERS_S", 0.01 if stays else 2.0)
+    scenario = small_scenario(1, 1)
+    header = small_header(scenario)
+    writer = RecordWriter(tmp_path, header)
+    writer.begin_half(half_info(scenario, 1, 9, header))
+    for tick in range(10):
+        writer.tick(made_up_snapshot(tick, 2), Verdict(), b"")
+    writer.end_half(Verdict())
+    refused = refuse(shutil, "rmtree", SHARING_VIOLATION, times)
+    writer.finish()
+    assert len(refused) >= 3
+    assert read_result(writer.folder).complete
+    assert Trajectory.open(writer.folder).finished
+    assert (writer.folder / TRAJECTORY).exists()
+    assert (writer.folder / TRAJECTORY_PARTS).exists() == stays
