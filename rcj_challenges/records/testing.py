@@ -132,6 +132,17 @@ def write_made_up_run(
     return writer.finish({"wall_s": 1.0})
 
 
+def begun_run(out: Path, ticks: int) -> RecordWriter:
+    """Return the writer of a run in its first half, with one robot a team: whoever kills a run leaves such a folder."""
+    scenario = small_scenario(1, 1)
+    header = small_header(scenario)
+    writer = RecordWriter(out, header)
+    writer.begin_half(half_info(scenario, 1, 10 * ticks, header))
+    for snapshot, verdict in made_up_play(2, ticks):
+        writer.tick(snapshot, verdict, b"")
+    return writer
+
+
 def _verdict(tick: int, robots: int) -> Verdict:
     if tick == 0:
         return Verdict(events=(Event(0, "KICKOFF", {"robot_name": "B3", "team_name": "B"}), Event(0, "MATCH_START")))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from importlib import metadata
 from pathlib import Path
 from types import SimpleNamespace
@@ -77,6 +76,9 @@ def test_windows_looks_into_the_package_where_the_system_has_no_runtime(tmp_path
     assert windows_runtime.packaged_beside(system) is None
 
 
-def test_without_the_package_nothing_is_done(tmp_path):
-    if sys.platform != "win32":
-        assert windows_runtime.packaged_beside(tmp_path) is None
+def test_without_the_package_nothing_is_done(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def not_installed(name: str) -> None:
+        raise metadata.PackageNotFoundError(name)
+
+    monkeypatch.setattr(metadata, "distribution", not_installed)
+    assert windows_runtime.packaged_beside(tmp_path) is None

@@ -14,15 +14,11 @@ from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import TRAJECTORY_PARTS
 from rcj_challenges.records.salvage import read_halves, read_run
 from rcj_challenges.records.testing import (
-    half_info,
-    made_up_play,
-    small_header,
-    small_scenario,
+    begun_run,
     write_made_up_run,
 )
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.records.upgrades import read_scenario
-from rcj_challenges.records.writer import RecordWriter
 
 TICKS = 60
 
@@ -98,12 +94,7 @@ def test_of_a_file_whose_facts_are_lost_with_the_result_teams_are_called_by_thei
 
 def test_of_a_killed_run_whose_touches_are_lost_the_poses_are_kept(tmp_path: Path) -> None:
     """As after a power cut: what was written last need not be on the disk."""
-    scenario = small_scenario(1, 1)
-    header = small_header(scenario)
-    writer = RecordWriter(tmp_path, header)
-    writer.begin_half(half_info(scenario, 1, 1000, header))
-    for snapshot, verdict in made_up_play(2, 100):
-        writer.tick(snapshot, verdict, b"")
+    writer = begun_run(tmp_path, 100)
     killed = Path(shutil.copytree(writer.folder, tmp_path / "killed"))
     writer.finish({"complete": False})
     sound = read_run(killed)

@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from rcj_challenges.facts.play import HalfInfo, Placement
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.testing import (
+    begun_run,
     half_info,
     made_up_play,
     small_header,
@@ -220,12 +221,7 @@ def test_zones_spots_and_what_stands_on_the_field_are_in_the_page(page: str) -> 
 
 
 def test_a_run_that_was_killed_shows_what_was_recorded_and_says_so(tmp_path: Path) -> None:
-    scenario = small_scenario(1, 1)
-    header = small_header(scenario)
-    writer = RecordWriter(tmp_path, header)
-    writer.begin_half(half_info(scenario, 1, 1000, header))
-    for snapshot, verdict in made_up_play(2, 100):
-        writer.tick(snapshot, verdict, b"")
+    writer = begun_run(tmp_path, 100)
     facts = _facts(write_replay(writer.folder).read_text("utf-8"))
     assert facts["halves"][0]["ticks"] == 100
     assert facts["halves"][0]["planned_ticks"] == 1000
