@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from itertools import chain
 
-from rcj_challenges.scenario.models.robots import SupervisorReceiverDevice
+from rcj_challenges.scenario.models.robots import Device, SupervisorReceiverDevice
 from rcj_challenges.scenario.models.scenario import Scenario
 
 ANY_CHANNEL = -1
@@ -31,7 +32,7 @@ def team_channels(scenario: Scenario) -> dict[str, int]:
     already taken gets the next free one.
     """
     owners = entrant_of(scenario)
-    referee = _referee_channels(scenario)
+    referee = referee_channels(scenario)
     by_entrant: dict[str, int] = {}
     for name, entrant in scenario.entrants.items():
         channel = entrant.radio_channel
@@ -41,7 +42,16 @@ def team_channels(scenario: Scenario) -> dict[str, int]:
     return {robot: by_entrant[entrant] for robot, entrant in owners.items()}
 
 
-def _referee_channels(scenario: Scenario) -> set[int]:
+def listening_channels(scenario: Scenario, devices: Iterable[Device]) -> tuple[int, ...]:
+    """Return the channels on which the referee hears a robot with these devices, if it listens at all.
+
+    They are those on which it speaks to that robot, or to any, if this one has no receiver for it.
+    """
+    own = tuple(device.channel for device in devices if isinstance(device, SupervisorReceiverDevice))
+    return own or tuple(sorted(referee_channels(scenario)))
+
+
+def referee_channels(scenario: Scenario) -> set[int]:
     """Return all channels on which a referee speaks to some robot."""
     kits = (device for kit in scenario.kits.values() for device in kit.devices.values())
     robots = (device for robot in scenario.robots.values() for device in robot.devices.values())

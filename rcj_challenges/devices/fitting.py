@@ -7,8 +7,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from rcj_challenges.devices.channels import ANY_CHANNEL, team_channels
+from rcj_challenges.devices.channels import ANY_CHANNEL, listening_channels, team_channels
 from rcj_challenges.facts.traffic import DeviceSpec, RobotSpec
+from rcj_challenges.scenario.heard import referee_listens
 from rcj_challenges.scenario.models import robots as models
 from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -48,6 +49,7 @@ class _Surroundings:
     own_channel: int
     foreign_channels: tuple[int, ...]
     referee_channels: tuple[int, ...]
+    open_channels: tuple[int, ...]  # those of the referee's on which it listens
 
 
 @dataclass(frozen=True)
@@ -72,12 +74,16 @@ def _team_receiver_facts(receiver: models.TeamReceiverDevice, around: _Surroundi
 
 
 def _team_emitter_facts(emitter: models.TeamEmitterDevice, around: _Surroundings) -> dict[str, Any]:
+    heard_by_referee = {"referee_channels": list(around.open_channels)} if around.open_channels else {}
     return {
+        **heard_by_referee,
         "channel": around.own_channel,
         "range": emitter.range_m,
         "baud_rate": emitter.baud,
         "max_packet_bytes": around.max_packet_bytes,
-        "refused_channels": sorted({ANY_CHANNEL, *around.foreign_channels, *around.referee_channels}),
+        "refused_channels": sorted(
+            {ANY_CHANNEL, *around.foreign_channels, *around.referee_channels} - {*around.open_channels}
+        ),
     }
 
 
@@ -166,6 +172,7 @@ def devices_of(scenario: Scenario, robot_name: str) -> dict[str, models.Device]:
 def fit(scenario: Scenario, roster: Roster) -> list[Fitted]:
     """Return all devices of all driven robots, by robot, then by device."""
     channels = team_channels(scenario)
+    listens = referee_listens(scenario)
     fitted = []
     for robot in driven_robots(scenario, roster):
         name = roster.entities[robot]
@@ -178,6 +185,7 @@ def fit(scenario: Scenario, roster: Roster) -> list[Fitted]:
             referee_channels=tuple(
                 d.channel for d in devices.values() if isinstance(d, models.SupervisorReceiverDevice)
             ),
+            open_channels=listening_channels(scenario, devices.values()) if listens else (),
         )
         slot = 0
         for index, (device_name, device) in enumerate(devices.items()):

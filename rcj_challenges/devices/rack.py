@@ -85,6 +85,10 @@ class DeviceRack:
         self._senses[robot].close(self._tick)
         self._find_uneven()
 
+    def told_referee(self, tick: int) -> tuple[tuple[int, str], ...]:
+        """Return what robots have told the referee by ``tick``, as `Snapshot.heard`; empty if it does not listen."""
+        return self._radio.told_referee(tick, self._poses)
+
     def sense(self, tick: int, verdict_now: Verdict) -> None:
         """Sense for all robots: `begin_sensing`, then `finish_sensing` for each."""
         self.begin_sensing(tick, verdict_now)

@@ -33,6 +33,7 @@ class Emitter:
         device: index of the emitter among its robot's devices.
         range_m: how far it is heard, in m.
         waiting: (tick of arrival, channel, data) of what has not arrived.
+        to_referee: (tick of arrival, data) of what the referee has not heard.
     """
 
     def __init__(self, robot: int, device: int, range_m: float, baud: int, max_packet_bytes: int) -> None:
@@ -44,18 +45,31 @@ class Emitter:
         self._max_packet_bytes = max_packet_bytes
         self._free_from = 0
         self.waiting: deque[tuple[int, int, bytes]] = deque()
+        self.to_referee: deque[tuple[int, bytes]] = deque()
         self._bytes = 0
 
     def send(self, channel: int, data: bytes, now: int) -> None:
         """Queue a packet for a channel at tick ``now``; it is on the air as soon as those before it are out."""
-        room = len(self.waiting) < BACKLOG_PACKETS and self._bytes + len(data) <= BACKLOG_BYTES
-        if not data or len(data) > self._max_packet_bytes or (self.waiting and not room):
-            return
+        arrives = self._arrival(data, now)
+        if arrives is not None:
+            self.waiting.append((arrives, channel, data))
+
+    def tell_referee(self, data: bytes, now: int) -> None:
+        """Queue a packet for the referee: it is on the air as any other, and no robot hears it."""
+        arrives = self._arrival(data, now)
+        if arrives is not None:
+            self.to_referee.append((arrives, data))
+
+    def _arrival(self, data: bytes, now: int) -> int | None:
+        """Return the tick at which a packet arrives that is sent at tick ``now``; None: it is lost."""
+        waiting = len(self.waiting) + len(self.to_referee)
+        room = waiting < BACKLOG_PACKETS and self._bytes + len(data) <= BACKLOG_BYTES
+        if not data or len(data) > self._max_packet_bytes or (waiting and not room):
+            return None
         begin = max(self._free_from, now * self._per_tick)
         self._free_from = begin + len(data) * _BITS_PER_BYTE * _MS_PER_S
-        arrives = -(-self._free_from // self._per_tick)
-        self.waiting.append((arrives, channel, data))
         self._bytes += len(data)
+        return -(-self._free_from // self._per_tick)
 
     def arriving(self, tick: int) -> list[tuple[int, bytes]]:
         """Return (channel, data) of the packets whose last bit arrives by ``tick``, in order."""
@@ -66,9 +80,18 @@ class Emitter:
             arrived.append((channel, data))
         return arrived
 
+    def told_referee(self, tick: int) -> bytes | None:
+        """Return the next packet for the referee that has arrived by ``tick``, None if there is none."""
+        if not self.to_referee or self.to_referee[0][0] > tick:
+            return None
+        _, data = self.to_referee.popleft()
+        self._bytes -= len(data)
+        return data
+
     def fall_silent(self) -> None:
         """Drop all that has not arrived."""
         self.waiting.clear()
+        self.to_referee.clear()
         self._bytes = 0
         self._free_from = 0
 

@@ -12,6 +12,7 @@ from rcj_challenges.devices.poses import Poses
 from rcj_challenges.devices.radio import Emitter, TeamRadio
 from rcj_challenges.devices.receivers import TRIM_EVERY_TICKS, Queue, Receiver
 from rcj_challenges.devices.referee_radio import RefereeRadio
+from rcj_challenges.facts.messages import message_text
 from rcj_challenges.facts.play import HalfInfo, Verdict
 from rcj_challenges.scenario.models.robots import BallReceiverDevice, SupervisorReceiverDevice, TeamEmitterDevice
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -44,6 +45,7 @@ class RadioRoom:
         self._slow: dict[int, list[Receiver]] = {}  # by robot; robots without one are absent
         self._emitters: dict[tuple[int, int], Emitter] = {}
         self._refused: dict[tuple[int, int], frozenset[int]] = {}
+        self._referees: dict[tuple[int, int], frozenset[int]] = {}
         radios: list[tuple[Fitted, Receiver]] = []
         ears: list[InfraredEar] = []
         for one in fitted:
@@ -61,6 +63,8 @@ class RadioRoom:
                 self._emitters[key] = Emitter(*key, facts["range"], facts["baud_rate"], facts["max_packet_bytes"])
             if "refused_channels" in facts:
                 self._refused[key] = frozenset(facts["refused_channels"])
+            if "referee_channels" in facts:
+                self._referees[key] = frozenset(facts["referee_channels"])
         owners = entrant_of(scenario)
         teams = {one.robot: owners[one.robot_name] for one in fitted}
         self._infrared = Infrared(scenario, roster, ground, ears)
@@ -84,11 +88,26 @@ class RadioRoom:
             self._retune()
 
     def send(self, robot: int, device: int, channel: int, data: bytes, now: int) -> None:
-        """Queue what a program sends; on another team's channel or the referee's it is lost."""
+        """Queue what a program sends; another team's channel, or that of a referee who does not listen, loses it."""
         key = (robot, device)
         emitter = self._emitters.get(key)
-        if emitter is not None and channel not in self._refused[key]:
+        if emitter is None or channel in self._refused[key]:
+            return
+        if channel in self._referees.get(key, ()):
+            emitter.tell_referee(data, now)
+        else:
             emitter.send(channel, data, now)
+
+    def told_referee(self, tick: int, poses: Poses) -> tuple[tuple[int, str], ...]:
+        """Return what the referee hears at ``tick``: of each robot on the field its next message that has arrived."""
+        heard: dict[int, str] = {}
+        for robot, device in self._referees:
+            emitter = self._emitters[robot, device]
+            if poses.robots[robot].parked:
+                emitter.fall_silent()
+            elif robot not in heard and (data := emitter.told_referee(tick)) is not None:
+                heard[robot] = message_text(data)
+        return tuple(heard.items())
 
     def fall_silent(self, robot: int) -> None:
         """Drop all that a robot's emitters have not sent, and let its receivers hear nothing more."""

@@ -52,6 +52,8 @@ class Snapshot(NamedTuple):
         uprights: ``[entity] -> `` cosine of the tilt (the body's z axis on the world's); 1.0 is upright. 1.0 for balls.
         touches: ``[sub-step] -> `` pairs of thing indices, the smaller first, that touched in this sub-step.
         faults: programs that failed since the last snapshot.
+        heard: what robots have told the referee by radio since the last snapshot: (entity, text), in the order of
+            robots, one message of each at most. Empty where no rule listens.
     """
 
     tick: int
@@ -60,6 +62,7 @@ class Snapshot(NamedTuple):
     uprights: list[float]
     touches: tuple[tuple[tuple[int, int], ...], ...]
     faults: tuple[Fault, ...] = ()
+    heard: tuple[tuple[int, str], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

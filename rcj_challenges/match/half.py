@@ -139,6 +139,9 @@ class HalfPlay:
             self._apply_what_was_late(tick)
         faults, self._faults = tuple(self._faults), []
         snapshot = stage.world.step(tick, faults)
+        heard = stage.rack.told_referee(tick)
+        if heard:
+            snapshot = snapshot._replace(heard=heard)
         state = stage.world.state_bytes()
         verdict = stage.referee.judge(snapshot)
         if verdict.placements:

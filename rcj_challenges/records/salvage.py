@@ -26,7 +26,7 @@ from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SCENARIO, TRAJECTORY, TRAJECTORY_PARTS
 from rcj_challenges.records.result import RunResult, read_result
 from rcj_challenges.records.track import row_dtype
-from rcj_challenges.records.trajectory import DAMAGE, HalfTrack, Trajectory, read_notes, read_parts
+from rcj_challenges.records.trajectory import DAMAGE, HalfTrack, Notes, Trajectory, read_notes, read_parts
 from rcj_challenges.records.upgrades import read_scenario
 from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.models.field import Wall
@@ -237,10 +237,13 @@ def _track(
         counts, pairs, wanted = np.zeros_like(counts), np.zeros((0, 2), "<u2"), 0
     try:
         text = arrays[f"half{half}_notes"].tobytes()
-        info, start, placements, faults = read_notes(text.rpartition(b"\n")[0], ticks)
+        notes = read_notes(text.rpartition(b"\n")[0], ticks)
     except DAMAGE:  # the half's facts are known from the result as well
-        info, start, placements, faults = _info(scenario, result, half), None, {}, {}
-    return HalfTrack(info, start, substeps, heights, uprights, counts, pairs[:wanted], placements, faults)
+        notes = Notes(_info(scenario, result, half), None, {}, {}, {})
+    return HalfTrack(
+        notes.info, notes.start, substeps, heights, uprights, counts, pairs[:wanted], notes.placements, notes.faults,
+        notes.heard,
+    )  # fmt: skip
 
 
 def _filled(found: Array | None, resting: Array) -> Array:

@@ -73,8 +73,9 @@ class TrackWriter:
         """
         tick = snapshot.tick
         if tick == 0:
-            faults = [asdict(fault) for fault in snapshot.faults]
-            self._notes += json_line({"tick": 0, "start": {**snapshot._asdict(), "faults": faults}})
+            start = {**snapshot._asdict(), "faults": [asdict(fault) for fault in snapshot.faults]}
+            del start["heard"]  # nobody has said anything before the half begins
+            self._notes += json_line({"tick": 0, "start": start})
         elif tick != self.ticks + 1:
             raise ValueError(f"tick {tick} after tick {self.ticks}: a record takes every tick once, in order")
         else:
@@ -83,6 +84,8 @@ class TrackWriter:
             self._notes += json_line({"tick": tick, "placements": [_placement_list(p) for p in placements]})
         if snapshot.faults and tick:
             self._notes += json_line({"tick": tick, "faults": [asdict(fault) for fault in snapshot.faults]})
+        if snapshot.heard:
+            self._notes += json_line({"tick": tick, "heard": snapshot.heard})
         if tick % TICKS_BETWEEN_WRITES == 0:
             self._write()
 

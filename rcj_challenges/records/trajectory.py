@@ -11,9 +11,9 @@ import warnings
 import zipfile
 import zlib
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -49,6 +49,7 @@ class HalfTrack:
         touch_pairs: ``[N, 2]``, pairs of thing indices, one after the other.
         placements: what was put elsewhere after a tick, by tick.
         faults: programs that failed, by the tick at which the referee heard of it.
+        heard: what robots told the referee by radio, by the tick at which it heard it: (entity, text).
     """
 
     info: HalfInfo
@@ -60,6 +61,7 @@ class HalfTrack:
     touch_pairs: Array
     placements: Mapping[int, tuple[Placement, ...]]
     faults: Mapping[int, tuple[Fault, ...]]
+    heard: Mapping[int, tuple[tuple[int, str], ...]] = field(default_factory=dict)
 
     @property
     def ticks(self) -> int:
@@ -83,6 +85,7 @@ class HalfTrack:
                     uprights=uprights[offset],
                     touches=self._touches(counts[offset], stop),
                     faults=self.faults.get(tick, ()),
+                    heard=self.heard.get(tick, ()),
                 )
 
     def _touches(self, counts: list[int], stop: int) -> tuple[tuple[tuple[int, int], ...], ...]:
@@ -210,17 +213,18 @@ def _half(field: Callable[[str], Array], entities: int, half: int) -> HalfTrack:
         ValueError: they do not fit each other.
     """
     substeps = field("substeps")
-    info, start, placements, faults = read_notes(field("notes").tobytes(), len(substeps))
+    notes = read_notes(field("notes").tobytes(), len(substeps))
     track = HalfTrack(
-        info,
-        start,
+        notes.info,
+        notes.start,
         substeps,
         field("heights"),
         field("uprights"),
         field("touch_counts"),
         field("touch_pairs"),
-        placements,
-        faults,
+        notes.placements,
+        notes.faults,
+        notes.heard,
     )
     ticks, dtype = track.ticks, row_dtype(entities)
     for name in dtype.names or ():
@@ -232,10 +236,18 @@ def _half(field: Callable[[str], Array], entities: int, half: int) -> HalfTrack:
     return track
 
 
-def read_notes(
-    text: bytes, ticks: int
-) -> tuple[HalfInfo, Snapshot | None, dict[int, tuple[Placement, ...]], dict[int, tuple[Fault, ...]]]:
-    """Return what the lines of notes hold: the half's facts, its start, placements and faults by tick.
+class Notes(NamedTuple):
+    """What the lines of notes hold: the half's facts, its start, and by tick what is rare; see `HalfTrack`."""
+
+    info: HalfInfo
+    start: Snapshot | None
+    placements: dict[int, tuple[Placement, ...]]
+    faults: dict[int, tuple[Fault, ...]]
+    heard: dict[int, tuple[tuple[int, str], ...]]
+
+
+def read_notes(text: bytes, ticks: int) -> Notes:
+    """Return what the lines of notes hold.
 
     A kill may leave notes of ticks whose poses were never written; they are left out.
     """
@@ -243,6 +255,7 @@ def read_notes(
     start: Snapshot | None = None
     placements: dict[int, tuple[Placement, ...]] = {}
     faults: dict[int, tuple[Fault, ...]] = {}
+    heard: dict[int, tuple[tuple[int, str], ...]] = {}
     for line in lines:
         if line["tick"] > ticks:
             break
@@ -252,7 +265,9 @@ def read_notes(
             placements[line["tick"]] = tuple(Placement(*placement) for placement in line["placements"])
         if "faults" in line:
             faults[line["tick"]] = tuple(Fault(**fault) for fault in line["faults"])
-    return HalfInfo(**first["half"]), start, placements, faults
+        if "heard" in line:
+            heard[line["tick"]] = tuple((int(entity), str(said)) for entity, said in line["heard"])
+    return Notes(HalfInfo(**first["half"]), start, placements, faults, heard)
 
 
 def _snapshot(data: dict[str, Any]) -> Snapshot:

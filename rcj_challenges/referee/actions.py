@@ -10,6 +10,7 @@ from dataclasses import replace
 from typing import Any
 
 from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.messages import position_in
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.places import compile_putting, spot_name, where_now
@@ -21,7 +22,7 @@ from rcj_challenges.referee.values import compile_points, compile_value
 from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.models import actions as models
 from rcj_challenges.scenario.models.places import Mirror
-from rcj_challenges.scenario.models.state import DrawValue
+from rcj_challenges.scenario.models.state import DrawValue, HeardValue
 
 Act = Callable[[Occasion], None]
 
@@ -149,12 +150,22 @@ def sequence(model: models.SequenceAction, workshop: Workshop, _rule: StandingRu
 def set_spot(model: models.SetSpot, workshop: Workshop, rule: StandingRule) -> Act:
     """Set a spot to where something is now; what is off the field leaves it where it is."""
     spots, name = workshop.state.spots, spot_name(workshop, model.spot)
-    where = where_now(workshop, model.to, rule.each)
+    where = (
+        _heard(workshop, model.to, rule)
+        if isinstance(model.to, HeardValue)
+        else where_now(workshop, model.to, rule.each)
+    )
 
     def act(_occasion: Occasion) -> None:
         spots[name] = where() or spots[name]
 
     return act
+
+
+def _heard(workshop: Workshop, told: HeardValue, rule: StandingRule) -> Callable[[], tuple[float, float] | None]:
+    """Return what tells the position that a robot has told by radio; None if it was none."""
+    heard, robot = workshop.state.heard, workshop.members(told.heard, rule.each)[0]
+    return lambda: position_in(heard.get(robot, ""))
 
 
 def draw(model: models.DrawAction, workshop: Workshop, rule: StandingRule) -> Act:

@@ -37,6 +37,7 @@ class Moments:
     events: dict[str, list[Listener]] = field(default_factory=dict)
     times: dict[int, list[tuple[Listener, float]]] = field(default_factory=dict)
     faults: dict[str, list[Listener]] = field(default_factory=dict)
+    messages: dict[str, list[tuple[Callable[[str], bool], Listener]]] = field(default_factory=dict)
 
 
 class Workshop:

@@ -7,6 +7,7 @@ from math import atan2, cos, sin, sqrt
 from typing import Any
 
 from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.messages import is_said, number_in, position_in
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.places import spots_of, where_now
@@ -16,6 +17,8 @@ from rcj_challenges.referee.setting_down import Board
 from rcj_challenges.referee.state import Number
 from rcj_challenges.referee.values import compile_bound
 from rcj_challenges.scenario.models import conditions as models
+from rcj_challenges.scenario.models.base import Scalar
+from rcj_challenges.scenario.models.state import DrawValue
 
 
 def compile_condition(model: models.Condition, workshop: Workshop, each: str | None) -> Test:
@@ -252,6 +255,31 @@ def last_touch(model: models.LastTouch, workshop: Workshop, each: str | None) ->
     return lambda: contacts.last(entity) in by
 
 
+def compile_message(model: models.Message, workshop: Workshop) -> Callable[[str], bool]:
+    """Return what tells whether a message is as it must be."""
+    draws, text = workshop.state.draws, model.text
+    reads = {None: None, "number": number_in, "position": position_in}[model.is_a]
+
+    def wanted() -> tuple[Scalar, ...]:
+        if isinstance(text, DrawValue):
+            return (draws[text.draw],)
+        return text if isinstance(text, tuple) else (text,) if text is not None else ()
+
+    def says(message: str) -> bool:
+        if reads is not None and reads(message) is None:
+            return False
+        return text is None or any(is_said(message, one) for one in wanted())
+
+    return says
+
+
+def heard(model: models.Heard, workshop: Workshop, each: str | None) -> Test:
+    """What a robot has told the referee by radio, the last time."""
+    told, of, says = workshop.state.heard, model.of, compile_message(model, workshop)
+    robots = workshop.members(model.entity, each)
+    return lambda: _quantified(of, (robot in told and says(told[robot]) for robot in robots))
+
+
 def spot_free(model: models.SpotFree, workshop: Workshop, each: str | None) -> Test:
     """Whether no robot's or ball's centre is near a spot."""
     state, bodies, of, clearance = workshop.state, workshop.bodies, model.of, model.clearance_m
@@ -290,6 +318,7 @@ CONDITIONS: dict[str, Callable[[Any, Workshop, str | None], Test]] = {
     "drawn": drawn,
     "timer": timer,
     "last_touch": last_touch,
+    "heard": heard,
     "spot_free": spot_free,
     "sequence_at": sequence_at,
     "half": half,

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+from rcj_challenges.facts.messages import number_in
 from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Snapshot, Verdict
 from rcj_challenges.referee.assembling import assemble
 from rcj_challenges.referee.compiling import Workshop
@@ -156,6 +157,8 @@ class Referee:
         if self._contacts.used:
             self._contacts.advance(snapshot.touches)
         heard = self._entered or self._emitted
+        if snapshot.heard:
+            self._listen(snapshot.heard)
         if changed_phase:
             self._enter_phase(state.scenario.phases[state.phase].next)
         self._lookout.advance(substeps, changed_phase=changed_phase)
@@ -198,6 +201,17 @@ class Referee:
     def _hear_faults(self, faults: tuple[Fault, ...]) -> None:
         for fault in faults:
             self._hits.report(self._moments.faults.get(fault.robot, []))
+
+    def _listen(self, heard: tuple[tuple[int, str], ...]) -> None:
+        """Take in what robots have told by radio; those off the field are not heard."""
+        state = self._state
+        for entity, text in heard:
+            if state.present[entity]:
+                name = state.roster.entities[entity]
+                state.heard[name] = text
+                for says, listener in self._moments.messages.get(name, ()):
+                    if says(text):
+                        self._hits.report([listener], number_in(text))
 
     # --- firing -----------------------------------------------------------------------------------------------------
 

@@ -105,6 +105,7 @@ class ScriptedPlay:
         self._glides: dict[int, _Glide] = {}
         self._touching: dict[tuple[int, int], int] = {}
         self._faults: list[Fault] = []
+        self._told: dict[int, str] = {}
         self._none_touch: tuple[tuple[tuple[int, int], ...], ...] = ((),) * SUBSTEPS_PER_TICK
         self._frozen: list[list[Pose2]] | None = None
         self._parked: set[int] = set()
@@ -139,6 +140,10 @@ class ScriptedPlay:
     def fail(self, robot: str) -> None:
         """Let the program of a robot fail in the next tick."""
         self._faults.append(Fault(robot, "crash", self.tick + 1, 1, "scripted"))
+
+    def tell(self, robot: str, text: str) -> None:
+        """Let a robot tell the referee something by radio; it is heard in the next tick."""
+        self._told[self.roster.index[robot]] = text
 
     def play(self, ticks: int = 1) -> Verdict:
         """Judge so many ticks and return the last verdict."""
@@ -193,7 +198,8 @@ class ScriptedPlay:
             touches = (tuple(sorted(self._touching)),) * SUBSTEPS_PER_TICK
             self._touching = {pair: left - 1 for pair, left in self._touching.items() if left > 1}
         faults, self._faults = tuple(self._faults), []
-        return Snapshot(self.tick, substeps, self._heights, self._uprights, touches, faults)
+        heard, self._told = tuple(sorted(self._told.items())), {}
+        return Snapshot(self.tick, substeps, self._heights, self._uprights, touches, faults, heard)
 
     def _glided(self) -> list[Pose2]:
         """Move what glides by one sub-step; each step is the rest of the way over the sub-steps that are left."""
@@ -388,6 +394,8 @@ def _act(play: ScriptedPlay, keyframe: Keyframe) -> None:
         play.tip(robot)
     for robot in keyframe.fault:
         play.fail(robot)
+    for robot, said in (keyframe.tells or {}).items():
+        play.tell(robot, " ".join(map(str, said)) if isinstance(said, tuple) else str(said))
 
 
 def _differences(play: ScriptedPlay, expected: Expectation) -> Iterable[str]:

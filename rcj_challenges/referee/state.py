@@ -67,6 +67,7 @@ class State:
         ways: by entity whose way somebody asks for, how far it has driven or rolled in the half, in m.
         spots: by name, [x, y] where it is now: where the scenario says, until a rule sets it.
         scores: by entrant, as seated in this half.
+        heard: by robot, what it has told the referee by radio, the last time in this half.
         counters, flags: by name; a mapping by entity for those kept per entity.
         timers: by name, then entity (None for one that is not kept per entity).
         draws: by name, the value drawn.
@@ -88,6 +89,7 @@ class State:
         self.uprights: list[float] = []
         self.present = [True] * len(roster.entities)
         self.put_at: list[tuple[float, float]] = []
+        self.heard: dict[str, str] = {}
         self.scores: dict[str, Number] = {name: half.scores.get(name, 0) for name in scenario.entrants}
         self.counters: dict[str, Number | dict[str, Number]] = {}
         self.flags: dict[str, bool | dict[str, bool]] = {}

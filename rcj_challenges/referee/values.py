@@ -7,6 +7,7 @@ from math import floor, nan
 from typing import Any
 
 from rcj_challenges.facts.amounts import on_paper, plain
+from rcj_challenges.facts.messages import number_in
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.measuring import distance_reader, timer_reader, way_reader
@@ -17,9 +18,11 @@ from rcj_challenges.scenario.models.state import (
     DistanceValue,
     DrawValue,
     FlagValue,
+    HeardValue,
     HighestOfOthers,
     LastTouchValue,
     LowestOfOthers,
+    NumberHeard,
     NumberTimer,
     NumberWord,
     PositionValue,
@@ -58,17 +61,20 @@ def _reader_of_now(value: Any, workshop: Workshop, each: str | None) -> Callable
     """Return the reader of a value that is the same whichever rule fires; None for any other."""
     match value:
         case CounterValue():
-            return counter_reader(value, workshop, each)
+            read: Callable[[], Any] | None = counter_reader(value, workshop, each)
         case DistanceValue():
-            return distance_reader(value, workshop, each)
+            read = distance_reader(value, workshop, each)
         case WayValue():
-            return way_reader(value, workshop, each)
+            read = way_reader(value, workshop, each)
         case TimerValue():
-            return timer_reader(value, workshop, each)
+            read = timer_reader(value, workshop, each)
         case LastTouchValue():
-            return _last_toucher(value, workshop, each)
+            read = _last_toucher(value, workshop, each)
+        case HeardValue():
+            read = _heard(value, workshop, each)
         case _:
-            return None
+            read = None
+    return read
 
 
 def _position_reader(value: PositionValue, workshop: Workshop, each: str | None) -> Reader:
@@ -89,6 +95,14 @@ def _last_toucher(value: LastTouchValue, workshop: Workshop, each: str | None) -
         return None if robot is None else workshop.roster.entities[robot]
 
     return read
+
+
+def _heard(value: HeardValue, workshop: Workshop, each: str | None) -> Callable[[], str | Number | None]:
+    """Return what tells what a robot has told the referee last; where a number is counted, 0 if it was none."""
+    told, robot = workshop.state.heard, workshop.members(value.heard, each)[0]
+    if isinstance(value, NumberHeard):
+        return lambda: on_paper(number_in(told.get(robot, "")) or 0)
+    return lambda: told.get(robot)
 
 
 def counter_reader(value: CounterValue, workshop: Workshop, each: str | None) -> Callable[[], Number]:

@@ -62,6 +62,7 @@ _OF_ENTITY = (
     triggers.NoProgress,
     triggers.StaysIn,
     triggers.TipsOver,
+    triggers.Hears,
 )
 
 _NOBODY = "no trigger of this rule is about one entity, and it has no for_each over entities"
@@ -143,13 +144,16 @@ def _at_times_empty(blank: str, name: str, rule: Rule, subject: Subject) -> Iter
     """Yield a blank that one trigger of a rule fills and another leaves empty."""
     if rule.for_each is not None and subject.members("each", rule) & _told_by(blank, subject):
         return
-    without = [trigger.trigger for trigger in rule.triggers if not _fills(trigger, blank, rule, subject)]
-    if without:
+    without = next((trigger for trigger in rule.triggers if not _fills(trigger, blank, rule, subject)), None)
+    if without is not None:
+        hears_no_number = blank == "measured" and isinstance(without, triggers.Hears)
+        why = "may hear what is no number" if hears_no_number else _WHY_EMPTY[blank]
+        remedy = "give that trigger a rule of its own, or leave it out"
         yield Suspect(
             "placeholder_at_times_empty",
             ("rules", name, "says"),
-            f"{quoted(f'{{{blank}}}')} stays empty when '{without[0]}' sets the rule off, which {_WHY_EMPTY[blank]}",
-            "give that trigger a rule of its own, or leave it out",
+            f"{quoted(f'{{{blank}}}')} stays empty when '{without.trigger}' sets the rule off, which {why}",
+            f"write is_a: number there, or {remedy}" if hears_no_number else remedy,
         )
 
 
@@ -158,8 +162,15 @@ def _fills(trigger: Trigger, blank: str, rule: Rule, subject: Subject) -> bool:
     if blank in {"entity", "team"}:
         return bool(_found_by(trigger, rule, subject) & _told_by(blank, subject))
     if blank == "measured":
-        return isinstance(trigger, (*_WITH_LIMIT, *_OF_SEQUENCES))
+        return _measures(trigger) and not (isinstance(trigger, triggers.Hears) and trigger.is_a is None)
     return blank != "limit" or isinstance(trigger, _WITH_LIMIT)
+
+
+def _measures(trigger: Trigger) -> bool:
+    """Return whether a trigger measures something, or hears a number."""
+    if isinstance(trigger, triggers.Hears):
+        return trigger.is_a != "position"
+    return isinstance(trigger, (*_WITH_LIMIT, *_OF_SEQUENCES))
 
 
 def _told_by(blank: str, subject: Subject) -> frozenset[str]:
@@ -204,7 +215,7 @@ def _lacks(rule: Rule, subject: Subject) -> dict[str, _Lack]:
         lacks["team"] = _Lack("this rule is never about a robot of a team", _WRITE_OUT)
     if not with_limit:
         lacks["limit"] = _Lack("no trigger of this rule has a limit", _MEASURE)
-        if not any(isinstance(trigger, _OF_SEQUENCES) for trigger in rule.triggers):
+        if not any(map(_measures, rule.triggers)):
             lacks["measured"] = _Lack("no trigger of this rule measures anything", _MEASURE)
     if rule.for_each is None:
         lacks["each"] = _Lack("this rule has no for_each", "write out what is meant, or give it a for_each")

@@ -62,6 +62,7 @@ _ENTITY = Field("entity", _MOVING, each=True)
 _ONE_ENTITY = Field("entity", _MOVING)
 _THINGS = Field("entity or obstacle", _MOVING | {"fixed obstacle", "walls"}, groups=True, each=True)
 _ROBOTS = Field("robot", _ROBOT, groups=True, each=True)
+_ONE_ROBOT = Field("robot", _ROBOT, each=True)
 _ZONES = Field("zone", _ZONE, groups=True, each=True)
 _PUT_IN = Field("zone", _ZONE, groups=True)
 _GATES = Field("gate", _GATE, groups=True, each=True)
@@ -109,6 +110,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (triggers.SequenceCompleted, "sequence"): _SEQUENCE,
     (triggers.SequenceBroken, "sequence"): _SEQUENCE,
     (triggers.ProgramFault, "robot"): _ROBOTS,
+    (triggers.Hears, "entity"): _ROBOTS,
     # conditions
     (conditions.InZone, "entity"): _ENTITIES,
     (conditions.InZone, "zone"): _ZONES,
@@ -127,6 +129,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (conditions.TimerIs, "entity"): _WHOSE_OF,
     (conditions.LastTouch, "entity"): _ENTITY,
     (conditions.LastTouch, "by"): _ROBOTS,
+    (conditions.Heard, "entity"): _ROBOTS,
     (conditions.SpotFree, "spot"): _SPOTS,
     (conditions.SequenceAt, "sequence"): _SEQUENCE,
     (conditions.SequenceAt, "step"): _MADE_STEP,
@@ -164,6 +167,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (state.TimerValue, "timer"): _TIMER,
     (state.TimerValue, "entity"): _WHOSE,
     (state.LastTouchValue, "last_touch"): _ENTITY,
+    (state.HeardValue, "heard"): _ONE_ROBOT,
     (state.NumberDraw, "draw"): _DRAW,
     (state.DrawnDuration, "draw"): _DRAW,
     (state.NumberWord, "of"): _ENTRANT,
@@ -177,6 +181,8 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (state.WeightedWord, "of"): _ENTRANT,
     (state.WeightedDistance, "distance"): Field("entity or spot", _MOVING | _SPOT, groups=True, each=True),
     (state.WeightedWay, "way"): _ENTITY,
+    (state.NumberHeard, "heard"): _ONE_ROBOT,
+    (state.WeightedHeard, "heard"): _ONE_ROBOT,
     (state.WeightedTimer, "timer"): _TIMER,
     (state.WeightedTimer, "entity"): _WHOSE,
     # state
@@ -215,6 +221,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (scenario.Keyframe, "touch"): Field("entity or obstacle", _MOVING | {"fixed obstacle", "walls"}),
     (scenario.Keyframe, "tips"): Field("robot", _ROBOT),
     (scenario.Keyframe, "fault"): Field("robot", _ROBOT),
+    (scenario.Keyframe, "tells"): Field("robot", _ROBOT, keys=True),
     (scenario.Expectation, "draws"): Named("draw", ("draws",), keys=True),
     (scenario.Given, "score"): Named("entrant", ("entrants",), keys=True),
     (scenario.Given, "counters"): Named("counter", ("counters",), keys=True),

@@ -10,6 +10,7 @@ from rcj_challenges.facts.colours import CSS_COLOURS
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.models.base import Colour, EventName, Name, Names, Point
+from rcj_challenges.scenario.models.conditions import SaidText
 from rcj_challenges.scenario.models.places import At
 from rcj_challenges.scenario.models.robots import EntryPoint
 from rcj_challenges.scenario.shape import Shape, bare, is_model, is_named, is_union, members, without_none
@@ -196,6 +197,8 @@ def _wrong_form(shape: Shape, node: Node | None) -> str:
         return f"{shown} is no colour: a CSS colour name or #rrggbb{hint}"
     if shape == EntryPoint:
         return f"{shown} is no entry point: a relative path with / to a .py file"
+    if shape == SaidText:
+        return f"{shown} is never heard: a message has single blanks between its words, and none at its ends"
     if shape == Name:
         return f"{shown} is no name: {NAME_RULE}"
     return f"{shown} does not have the form that is needed: {expectation(shape)}"

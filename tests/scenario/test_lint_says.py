@@ -86,6 +86,8 @@ MEASURES = [
     ("{trigger: touches, entity: Y1, other: walls}", "neither"),
     ("{trigger: half_started}", "neither"),
     ("{trigger: program_fault}", "neither"),
+    ("{trigger: hears, entity: Y1, is_a: number}", "measured"),
+    ("{trigger: hears, entity: Y1, is_a: position}", "neither"),
 ]
 
 
@@ -242,8 +244,10 @@ def test_what_lint_calls_empty_is_what_the_referee_leaves_empty(trigger):
     play.touch("Y1", "walls")
     play.tip("Y1")
     play.fail("Y2")
+    play.tell("Y1", "3")
     for _ in range(60):
         play.play()
+    play.tell("Y1", "3 4")
     play.glide("Y1", (-0.5, 0), 10)
     while play.verdict.ended is None and not play.referee.time_is_up:
         play.play()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.conditions import compile_message
 from rcj_challenges.referee.rules import Listener, StandingRule
 from rcj_challenges.referee.state import Clock
 from rcj_challenges.referee.watching import NEVER, DueWatch
@@ -43,6 +44,14 @@ def program_fault(model: models.ProgramFault, rule: StandingRule, position: int,
     for entity in workshop.entities(model.robot, rule.each):
         listener = workshop.listener(rule, position, model.trigger, entity)
         workshop.moments.faults.setdefault(workshop.roster.entities[entity], []).append(listener)
+
+
+def hears(model: models.Hears, rule: StandingRule, position: int, workshop: Workshop) -> None:
+    """Fires when a robot has told the referee something by radio."""
+    says = compile_message(model, workshop)
+    for entity in workshop.entities(model.entity, rule.each):
+        listener = workshop.listener(rule, position, model.trigger, entity)
+        workshop.moments.messages.setdefault(workshop.roster.entities[entity], []).append((says, listener))
 
 
 def timer_expired(model: models.TimerExpired, rule: StandingRule, position: int, workshop: Workshop) -> None:

@@ -16,7 +16,7 @@ from rcj_challenges.scenario.models.base import (
     described,
 )
 from rcj_challenges.scenario.models.places import At, Facing, Kick, MayKick, Mirror
-from rcj_challenges.scenario.models.state import DrawValue, Points, Value
+from rcj_challenges.scenario.models.state import DrawValue, HeardValue, Points, Value
 
 
 class LastToucher(Strict):
@@ -100,12 +100,15 @@ class SequenceAction(Strict):
 class SetSpot(Strict):
     """Set a spot to where something is now, and so remember that place; each half begins with that of the file.
 
-    What is off the field leaves it where it is. What is placed in the same tick is still where it was before.
+    What is off the field leaves it where it is, and so does a message that is no position. What is placed in the same
+    tick is still where it was before.
     """
 
     action: Literal["set_spot"]
     spot: Name = described(..., "the spot")
-    to: Name | Point = described(..., "an entity, each, a spot, or [x, y] in m")
+    to: Name | Point | HeardValue = described(
+        ..., "an entity, each, a spot, [x, y] in m, or {heard: NAME}: the position that a robot has told by radio"
+    )
 
 
 class DrawAction(Strict):

@@ -3,10 +3,19 @@
 from math import pi
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import Field, StringConstraints
 
+from rcj_challenges.facts.messages import MOST_LETTERS
 from rcj_challenges.scenario.models.base import Name, Names, NotNegative, Point, Scalar, Strict, described
-from rcj_challenges.scenario.models.state import Bound
+from rcj_challenges.scenario.models.state import Bound, DrawValue
+
+SaidText = Annotated[
+    str,
+    StringConstraints(min_length=1, max_length=MOST_LETTERS, pattern=r"^[^\s]+( [^\s]+)*$"),
+    Field(description="text as a robot says it, with single blanks between its words"),
+]
+Said = SaidText | int | float
+"""What a robot may say."""
 
 
 class AtLeast(Strict):
@@ -148,6 +157,30 @@ class LastTouch(_Condition):
     by: Names = described(..., "a robot, each, or a group: any of them")
 
 
+class Message(Strict):
+    """What a message of a robot must be."""
+
+    text: Said | Annotated[tuple[Said, ...], Field(strict=False, min_length=1)] | DrawValue | None = described(
+        None,
+        "what it must say: text, a number, a list of which it must be one, or {draw: NAME}: what that has decided; "
+        "without the blanks around it; left out: anything",
+    )
+    is_a: Literal["number", "position"] | None = described(
+        None, "number: it must be one number; position: two numbers, x and y in m; left out: anything"
+    )
+
+
+class Heard(_Condition, Message):
+    """What a robot has told the referee by radio, the last time in this half; before that nothing holds.
+
+    Without `text` and `is_a`: whether it has told anything.
+    """
+
+    condition: Literal["heard"]
+    entity: Names = described(..., "a robot, each, or a group with `of`")
+    of: Quantifier = described("any", "how many of a group must have said so")
+
+
 class SpotFree(_Condition):
     """Whether a spot is free."""
 
@@ -185,6 +218,7 @@ Single = (
     | Drawn
     | TimerIs
     | LastTouch
+    | Heard
     | SpotFree
     | SequenceAt
     | HalfIs

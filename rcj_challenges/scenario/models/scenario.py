@@ -5,8 +5,18 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from rcj_challenges.scenario.models.actions import Action
-from rcj_challenges.scenario.models.base import DurationS, EventName, Grown, Name, Scalar, Strict, WallTimeS, described
-from rcj_challenges.scenario.models.conditions import Condition
+from rcj_challenges.scenario.models.base import (
+    DurationS,
+    EventName,
+    Grown,
+    Name,
+    Point,
+    Scalar,
+    Strict,
+    WallTimeS,
+    described,
+)
+from rcj_challenges.scenario.models.conditions import Condition, Said
 from rcj_challenges.scenario.models.field import Ball, FieldModel, Match, Obstacle
 from rcj_challenges.scenario.models.places import Gate, Layout, Spot, Zone
 from rcj_challenges.scenario.models.robots import Entrant, Kit, Robot
@@ -108,9 +118,9 @@ class Limits(Strict):
 
 
 class Keyframe(Grown):
-    """A moment of a scripted play: where things are put by hand, what touches what, whose program fails."""
+    """A moment of a scripted play: where things are put by hand, what touches, whose program fails, who tells what."""
 
-    later_keys = frozenset({"touch_lasts_s"})
+    later_keys = frozenset({"touch_lasts_s", "tells"})
 
     at_s: float = described(..., "time in the half in s", ge=0, le=86_400)
     place: dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]] = described(
@@ -129,6 +139,9 @@ class Keyframe(Grown):
     )
     tips: tuple[Name, ...] = Field((), strict=False, description="robots that lie on their side from here on")
     fault: tuple[Name, ...] = Field((), strict=False, description="robots whose program fails here")
+    tells: dict[Name, Said | Point] | None = described(
+        None, "robot -> what it tells the referee by radio: text, a number, or [x, y] in m"
+    )
 
 
 class ExpectedEvent(Strict):

@@ -195,8 +195,14 @@ class LastTouchValue(Strict):
     last_touch: Name = described(..., "what was touched: an entity, or each")
 
 
+class HeardValue(Strict):
+    """What a robot has told the referee by radio, the last time in this half: its text; null if nothing yet."""
+
+    heard: Name = described(..., "a robot, or each")
+
+
 def _which_value(value: Any) -> str | None:
-    keys = ("counter", "flag", "draw", "word", "position_of", "distance", "way", "timer", "last_touch")
+    keys = ("counter", "flag", "draw", "word", "position_of", "distance", "way", "timer", "last_touch", "heard")
     if isinstance(value, dict):
         return next((key for key in keys if key in value), None)
     if isinstance(value, Strict):
@@ -214,7 +220,8 @@ Value = Annotated[
     | Annotated[DistanceValue, Tag("distance")]
     | Annotated[WayValue, Tag("way")]
     | Annotated[TimerValue, Tag("timer")]
-    | Annotated[LastTouchValue, Tag("last_touch")],
+    | Annotated[LastTouchValue, Tag("last_touch")]
+    | Annotated[HeardValue, Tag("heard")],
     Discriminator(_which_value),
 ]
 
@@ -247,6 +254,10 @@ class NumberTimer(TimerValue, Grown):
     fraction: bool | None = described(
         None, "True: with its fraction, to the tick; left out: whole seconds, rounded down"
     )
+
+
+class NumberHeard(HeardValue):
+    """The number that a robot has told the referee by radio, the last time in this half; 0 if it was none."""
 
 
 class WeightedCounter(CounterValue):
@@ -303,6 +314,12 @@ class WeightedTimer(NumberTimer):
     weight: float = described(1.0, "points for each second")
 
 
+class WeightedHeard(NumberHeard):
+    """A part of a score: the number that a robot has told the referee by radio times a weight."""
+
+    weight: float = described(1.0, "points for each")
+
+
 def _which_part(value: Any) -> str | None:
     which = _which_value(value)
     return "number" if which == "literal" else which
@@ -316,7 +333,8 @@ Part = Annotated[
     | Annotated[WeightedWord, Tag("word")]
     | Annotated[WeightedDistance, Tag("distance")]
     | Annotated[WeightedWay, Tag("way")]
-    | Annotated[WeightedTimer, Tag("timer")],
+    | Annotated[WeightedTimer, Tag("timer")]
+    | Annotated[WeightedHeard, Tag("heard")],
     Discriminator(_which_part),
 ]
 
@@ -368,6 +386,7 @@ Points = Annotated[
     | Annotated[DistanceValue, Tag("distance")]
     | Annotated[WayValue, Tag("way")]
     | Annotated[NumberTimer, Tag("timer")]
+    | Annotated[NumberHeard, Tag("heard")]
     | Annotated[tuple[Part, ...], Field(strict=False), Tag("parts")],
     Discriminator(_which_number),
 ]

@@ -16,7 +16,7 @@ from rcj_challenges.scenario.models.base import (
     Strict,
     described,
 )
-from rcj_challenges.scenario.models.conditions import Condition
+from rcj_challenges.scenario.models.conditions import Condition, Message
 
 _ENTITY = "whose: an entity (a robot, a ball or a movable obstacle), a group (any of them), or each"
 
@@ -171,6 +171,16 @@ class ProgramFault(Strict):
     robot: Names = described("robots", "which robot, a group, or each")
 
 
+class Hears(Message):
+    """Fires when a robot has told the referee something by radio, on the channel on which the referee speaks.
+
+    One message of each robot in a tick, in the order sent. In messages and sentences ``measured`` is the number told.
+    """
+
+    trigger: Literal["hears"]
+    entity: Names = described("robots", "whose: a robot, a group (any of them), or each")
+
+
 class Holds(Strict):
     """Fires when a condition has held for a time, and again at intervals if asked."""
 
@@ -205,6 +215,7 @@ Trigger = Annotated[
     | SequenceBroken
     | OnEvent
     | ProgramFault
+    | Hears
     | Holds,
     Field(discriminator="trigger"),
 ]

@@ -8,7 +8,7 @@ from typing import Any
 from rcj_challenges.scenario.catalogue import BOUND, EACH
 from rcj_challenges.scenario.models import places
 from rcj_challenges.scenario.models.actions import LastToucher
-from rcj_challenges.scenario.models.state import CounterValue
+from rcj_challenges.scenario.models.state import CounterValue, HeardValue
 from rcj_challenges.views.sheet.mirrored import mirrored_aim_words, mirrored_layout_words, mirrored_words
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
 from rcj_challenges.views.sheet.phrases import amount, heading, metres, number, seconds, value
@@ -184,7 +184,10 @@ def _sequence(_nouns: Nouns, action: Any) -> str:
 
 
 def _set_spot(nouns: Nouns, action: Any) -> str:
-    where = nouns.owned("place", action.to) if isinstance(action.to, str) else nouns.point(action.to)
+    if isinstance(action.to, HeardValue):
+        where = f"the position that {nouns.thing(action.to.heard)} has told the referee"
+    else:
+        where = nouns.owned("place", action.to) if isinstance(action.to, str) else nouns.point(action.to)
     return f"{where} is remembered as {nouns.thing(action.spot)}"
 
 

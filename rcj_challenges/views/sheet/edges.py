@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from rcj_challenges.scenario.models.state import CounterValue, HighestOfOthers, LowestOfOthers
+from rcj_challenges.scenario.models.state import CounterValue, DrawValue, HighestOfOthers, LowestOfOthers
 from rcj_challenges.views.sheet.comparing import (
     counter_words,
     distance_words,
@@ -15,7 +15,7 @@ from rcj_challenges.views.sheet.comparing import (
     way_words,
 )
 from rcj_challenges.views.sheet.nouns import Nouns, listed, quoted
-from rcj_challenges.views.sheet.phrases import degrees, heading, metres, number, seconds
+from rcj_challenges.views.sheet.phrases import degrees, heading, metres, number, seconds, value
 
 
 def trigger_words(nouns: Nouns, trigger: Any, each: str | None = None) -> str:
@@ -107,6 +107,25 @@ def _last_touch(nouns: Nouns, c: Any) -> str:
     return f"it {was} {last}" if c.by == "each" else f"{last} {was} {nouns.any_of(c.by)}"
 
 
+def _said(nouns: Nouns, message: Any) -> str:
+    """Return what a message must be: ``“FOUND”``, ``2``, ``a number``; an empty text if it may be anything."""
+    if isinstance(message.text, DrawValue):
+        return value(nouns, message.text)
+    if message.text is not None:
+        wanted = message.text if isinstance(message.text, tuple) else (message.text,)
+        return listed([number(one) if isinstance(one, int | float) else quoted(one) for one in wanted], "or")
+    return {None: "", "number": "a number", "position": "a position (two numbers, x and y in m)"}[message.is_a]
+
+
+def _hears(nouns: Nouns, t: Any) -> str:
+    return f"the referee hears {_said(nouns, t) or 'a message'} from {nouns.any_of(t.entity)}"
+
+
+def _heard(nouns: Nouns, c: Any) -> str:
+    said = _said(nouns, c)
+    return _is(nouns, c, c.entity, f"last heard to say {said}" if said else "heard by the referee before")
+
+
 def _any_of(nouns: Nouns, c: Any) -> str:
     parts = c.conditions
     if c.negate and (len(parts) == 1 or any(_is_negative(one) or _is_several(one) for one in parts)):
@@ -180,6 +199,7 @@ TRIGGERS: dict[str, Callable[[Nouns, Any], str]] = {
     "sequence_completed": lambda _, t: f"the sequence {quoted(t.sequence)} is complete",
     "sequence_broken": lambda _, t: f"the sequence {quoted(t.sequence)} is broken",
     "event": lambda _, t: f"{t.event} was announced",
+    "hears": _hears,
     "program_fault": lambda n, t: f"{n.owned('program', t.robot)} fails",
     "holds": _holds,
 }
@@ -208,6 +228,7 @@ CONDITIONS: dict[str, Callable[[Nouns, Any], str]] = {
     "drawn": lambda n, c: f"{n.drawn(c.draw, c.equals)} was {'not ' if c.negate else ''}drawn as {quoted(c.draw)}",
     "timer": timer_words,
     "last_touch": _last_touch,
+    "heard": _heard,
     "spot_free": lambda n, c: _is(n, c, c.spot, "free"),
     "sequence_at": lambda n, c: (
         f"the sequence {quoted(c.sequence)} {'does not stand' if c.negate else 'stands'} at {n.thing(c.step)}"

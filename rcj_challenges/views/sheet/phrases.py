@@ -83,7 +83,7 @@ def _counted(nouns: Nouns, model: Any) -> str:
         return _apart(nouns, model)
     if isinstance(model, state.WayValue):
         return _come(nouns, model)
-    return _VALUES[state.DrawValue](nouns, model) if isinstance(model, state.DrawValue) else ""
+    return _VALUES[type(model)](nouns, model) if isinstance(model, state.DrawValue | state.NumberHeard) else ""
 
 
 def _fraction(model: Any) -> str:
@@ -151,14 +151,28 @@ _WORDS = {
     "seed_id": "a mark of the seed",
 }
 
+
+def _number_heard(nouns: Nouns, model: state.NumberHeard) -> str:
+    return f"the number that {nouns.thing(model.heard)} has told the referee last"
+
+
+def _drawn(_nouns: Nouns, model: state.DrawValue) -> str:
+    return f"what was drawn as {quoted(model.draw)}"
+
+
 _VALUES: dict[type, Callable[[Nouns, Any], str]] = {
     state.CounterValue: lambda nouns, model: nouns.kept("counter", model.counter, model.entity),
     state.FlagValue: lambda nouns, model: f"whether {nouns.kept('flag', model.flag, model.entity)} is set",
-    state.DrawValue: lambda _, model: f"what was drawn as {quoted(model.draw)}",
+    state.DrawValue: _drawn,
+    state.NumberDraw: _drawn,
+    state.WeightedDraw: _drawn,
     state.WordValue: _word,
     state.PositionValue: lambda nouns, model: f"the position of {nouns.thing(model.position_of)}",
     state.DistanceValue: _apart,
     state.WayValue: _come,
     state.TimerValue: _ran,
     state.LastTouchValue: lambda nouns, model: f"the name of the last to touch {nouns.thing(model.last_touch)}",
+    state.HeardValue: lambda nouns, model: f"what {nouns.thing(model.heard)} has told the referee last",
+    state.NumberHeard: _number_heard,
+    state.WeightedHeard: _number_heard,
 }

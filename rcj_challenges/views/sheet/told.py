@@ -6,8 +6,11 @@ import json
 import struct
 from collections.abc import Iterator, Sequence
 
-from rcj_challenges.devices.channels import entrant_of
+from rcj_challenges.devices.channels import entrant_of, listening_channels
+from rcj_challenges.devices.fitting import devices_of
+from rcj_challenges.facts.messages import MOST_LETTERS
 from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.scenario.heard import referee_listens, robots_that_speak
 from rcj_challenges.scenario.models.actions import Emit
 from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.robots import Kit, SupervisorReceiverDevice
@@ -36,6 +39,8 @@ def told_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
         yield from _packet(name, kit, nouns)
     if kits and scenario.broadcast is not None:
         yield from _broadcast(scenario.broadcast, kits, nouns)
+    if referee_listens(scenario):
+        yield from _to_referee(scenario, nouns)
     yield from _events(scenario, nouns)
 
 
@@ -131,6 +136,25 @@ def _exactly(scenario: Scenario, entry: object) -> str:
     # As JSON, since 1 and true are one to Python.
     written = dict.fromkeys(json.dumps(one, ensure_ascii=False) for one in values)
     return f": {listed(list(written), 'or')}"
+
+
+def _to_referee(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
+    """Return how robots tell the referee something, and which of them can."""
+    yield Heading(2, "What programs can tell the referee")
+    by_channels: dict[tuple[int, ...], list[str]] = {}
+    for name in robots_that_speak(scenario):
+        channels = listening_channels(scenario, devices_of(scenario, name).values())
+        if channels:
+            by_channels.setdefault(channels, []).append(name)
+    for channels, names in by_channels.items():
+        who = nouns.all_of(tuple(names)).text
+        where = listed([str(channel) for channel in channels], "or")
+        yield Paragraph(
+            f"The referee hears what {who} {'sends' if len(names) == 1 else 'send'} with the team emitter on channel "
+            f"{where}: text of up to {MOST_LETTERS} letters, or one or two numbers. In a tick it hears one message of "
+            "each robot, the tick after it is sent at the earliest; other robots do not hear it. In Python: "
+            f'emitter.setChannel({channels[0]}), emitter.send("…"), then back to the own channel.'
+        )
 
 
 def _events(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:

@@ -1,0 +1,73 @@
+"""What robots tell the referee by radio: from the bytes of a packet to text, a number or a position."""
+
+from __future__ import annotations
+
+import re
+import struct
+from math import isfinite
+
+MOST_LETTERS = 200
+"""Of a message; what is beyond is not heard."""
+
+_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,3})?"
+_ONE_NUMBER = re.compile(_NUMBER, re.ASCII)
+# Two numbers as people and programs write them: "0.1 -0.2", "0.1, -0.2", "[0.1, -0.2]", "(0.1,-0.2)".
+_POSITION = re.compile(rf"[\[(]?\s*({_NUMBER})(?:\s*[,;]\s*|\s+)({_NUMBER})\s*[\])]?", re.ASCII)
+_DOUBLE = 8
+
+
+def message_text(data: bytes) -> str:
+    """Return what a packet says: text without the blanks around it, and without what cannot be read.
+
+    Packets of one or two doubles (``send([0.1, -0.2])``) are numbers; a packet that is text as well is text.
+    """
+    # A text may end with one zero byte. The bytes of doubles hold more of them as a rule.
+    body = data.removesuffix(b"\0")
+    text = None if b"\0" in body else _readable(body)
+    if not text and len(data) in (_DOUBLE, 2 * _DOUBLE):
+        numbers = struct.unpack(f"<{len(data) // _DOUBLE}d", data)
+        if all(map(isfinite, numbers)):
+            return " ".join(map(repr, numbers))
+    if not text:
+        text = data.split(b"\0", 1)[0].decode("utf-8", "replace")
+        text = "".join(letter if letter.isprintable() else " " for letter in text)
+    return text.strip()[:MOST_LETTERS].strip()
+
+
+def _readable(data: bytes) -> str | None:
+    """Return the text that bytes are, None if they are none."""
+    try:
+        text = data.decode()
+    except UnicodeDecodeError:
+        return None
+    text = " ".join(text.split())  # ends of lines and tabs are blanks
+    return text if text.isprintable() else None
+
+
+def number_in(text: str) -> float | None:
+    """Return the number that a message is; None if it is none."""
+    number = float(text) if _ONE_NUMBER.fullmatch(text) else None
+    return number if number is not None and isfinite(number) else None
+
+
+def position_in(text: str) -> tuple[float, float] | None:
+    """Return the position [x, y] in m that a message is; None if it is none."""
+    found = _POSITION.fullmatch(text)
+    if found is None:
+        return None
+    x, y = float(found[1]), float(found[2])
+    return (x, y) if isfinite(x) and isfinite(y) else None
+
+
+def is_said(text: str, wanted: str | float | bool) -> bool:
+    """Return whether a message says what is wanted: the same text, or for a number the same number.
+
+    Args:
+        text: of the message.
+        wanted: text, a number, or true or false (as the value of a draw may be): then "true", "True" and the like.
+    """
+    if isinstance(wanted, bool):
+        return text.lower() == str(wanted).lower()
+    if isinstance(wanted, str):
+        return text == wanted or (number_in(wanted) is not None and number_in(text) == number_in(wanted))
+    return number_in(text) == wanted

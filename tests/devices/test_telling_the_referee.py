@@ -1,0 +1,97 @@
+"""Robots that tell the referee something: on its channel, as fast as the radio is, and no robot hears it."""
+
+from __future__ import annotations
+
+import pytest
+
+from rcj_challenges.facts.traffic import RobotSpec
+from tests.devices.device_bench import Bench
+
+LISTENS = {
+    "rules": {
+        "told": {
+            "triggers": [{"trigger": "hears", "entity": "robots"}],
+            "actions": [{"action": "emit", "event": "TOLD"}],
+        }
+    }
+}
+ROBOTS = ("B1", "B2", "B3", "Y1", "Y2", "Y3")
+
+
+@pytest.fixture
+def bench() -> Bench:
+    bench = Bench(change=LISTENS)
+    for index, robot in enumerate(ROBOTS):
+        bench.place(robot, -0.5 + 0.2 * index, 0)
+        bench.enable(robot, "team receiver", "supervisor receiver")
+    return bench
+
+
+def told(bench: Bench) -> dict[str, str]:
+    """Let a tick pass; return what the referee hears at its judgement."""
+    heard = bench.rack.told_referee(bench.tick + 1)
+    bench.sense()
+    return {ROBOTS[robot]: text for robot, text in heard}
+
+
+def emitter_of(spec: RobotSpec) -> dict[str, object]:
+    return next(device.facts for device in spec.devices if device.kind == "emitter")
+
+
+def test_9_4_it_hears_in_the_tick_after_it_was_sent(bench: Bench) -> None:
+    bench.send("Y1", b"FOUND", channel=1)
+    assert told(bench) == {"Y1": "FOUND"}
+    assert told(bench) == {}
+
+
+def test_no_robot_hears_it_and_what_goes_to_the_team_the_referee_does_not_hear(bench: Bench) -> None:
+    bench.send("Y1", b"FOUND", channel=1)
+    bench.send("Y2", b"hello")
+    assert told(bench) == {"Y1": "FOUND"}
+    heard = {robot: [p.data for p in bench.heard(robot, "team receiver")] for robot in ROBOTS}
+    assert heard == {robot: [b"hello"] if robot in {"Y1", "Y3"} else [] for robot in ROBOTS}
+    assert all(p.data != b"FOUND" for robot in ROBOTS for p in bench.heard(robot, "supervisor receiver"))
+
+
+def test_of_each_robot_it_hears_one_message_a_tick_in_the_order_sent(bench: Bench) -> None:
+    bench.send("B2", b"1", b"2", channel=1)
+    bench.send("Y3", b"3", channel=1)
+    assert [told(bench) for _ in range(3)] == [{"B2": "1", "Y3": "3"}, {"B2": "2"}, {}]
+
+
+def test_a_long_message_takes_its_time_on_the_air_as_any_other(bench: Bench) -> None:
+    bench.send("Y1", b"x" * 1000, channel=1)  # 1000 / 460.8 = 2.17 ticks
+    bench.send("Y1", b"after")
+    assert [bool(told(bench)) for _ in range(3)] == [False, False, True]
+    assert [p.data for p in bench.heard("Y2", "team receiver")] == [b"after"]
+
+
+def test_who_is_taken_off_the_field_or_silenced_is_not_heard(bench: Bench) -> None:
+    bench.send("Y1", b"a", b"b", channel=1)
+    bench.send("Y2", b"a", b"b", channel=1)
+    assert told(bench) == {"Y1": "a", "Y2": "a"}
+    bench.park("Y1")
+    bench.rack.silence(ROBOTS.index("Y2"))
+    bench.sense()
+    assert told(bench) == {}
+    bench.place("Y1", 0, 0)
+    bench.sense()
+    assert told(bench) == {}
+
+
+def test_the_emitter_may_be_set_to_its_channel_only_where_a_rule_listens(bench: Bench) -> None:
+    listening = emitter_of(bench.rack.specs[0])
+    assert listening["referee_channels"] == [1]
+    assert listening["refused_channels"] == [-1, 3]
+    silent = Bench()
+    facts = emitter_of(silent.rack.specs[0])
+    assert "referee_channels" not in facts
+    assert facts["refused_channels"] == [-1, 1, 3]
+    silent.send("B1", b"FOUND", channel=1)
+    assert silent.rack.told_referee(1) == ()
+
+
+def test_on_the_other_teams_channel_it_hears_nothing(bench: Bench) -> None:
+    bench.send("Y1", b"FOUND", channel=2)
+    bench.send("Y1", b"FOUND", channel=7)
+    assert told(bench) == {}

@@ -1,0 +1,73 @@
+"""A program tells the referee something by radio: it is judged in the tick after, recorded, and judged alike again."""
+
+import pytest
+
+from tests.match.playing import Place
+from tests.match.programs import STAND
+from tests.match.test_same_again import rejudged, without_datetime
+
+TREASURE = """schema_version: 1
+id: treasure
+title: Treasure
+extends: soccersim_v2
+match: {halves: 1, half_s: 2}
+spots: {guess: {x_m: 0, y_m: 0}, treasure: {x_m: 0.3, y_m: 0.2}}
+rules:
+  guessed:
+    for_each: yellow
+    triggers: [{trigger: hears, entity: each, is_a: position}]
+    actions:
+      - {action: set_spot, spot: guess, to: {heard: each}}
+      - {action: emit, event: GUESS, payload: {told: {heard: each}, off_m: {distance: [guess, treasure]}}}
+    says: '{entity} tells where the treasure is.'
+  over:
+    triggers: [{trigger: hears, entity: Y2, text: DONE}]
+    actions: [{action: emit, event: DONE}]
+    says: Done.
+"""
+TELLS = """
+from controller import Robot
+robot = Robot()
+emitter = robot.getDevice("team emitter")
+mine = emitter.getChannel()
+emitter.setChannel(1)
+steps = 0
+while robot.step(32) != -1:
+    steps += 1
+    if steps == 10:
+        emitter.send([0.3, 0.1])
+        emitter.send("0.3, 0.2")
+print("told on", emitter.getChannel(), "and not on", mine)
+"""
+SAYS_DONE = TELLS.replace("emitter.send([0.3, 0.1])", "pass").replace("0.3, 0.2", "DONE")
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory):
+    place = Place(tmp_path_factory.mktemp("telling"))
+    scenario = place.folder / "treasure.yaml"
+    scenario.write_text(TREASURE, encoding="utf-8")
+    return place.play(scenario=str(scenario), yellow=place.team_folder(TELLS, SAYS_DONE, STAND))
+
+
+def test_it_is_heard_in_the_tick_after_one_message_of_each_robot(run):
+    told = [(round(line["matchtime"] / 0.032), line["event"], line["payload"]) for line in run.reflog]
+    assert told == [
+        (11, "GUESS", {"told": "0.3 0.1", "off_m": 0.1}),
+        (11, "DONE", {}),
+        (12, "GUESS", {"told": "0.3, 0.2", "off_m": 0}),
+    ]
+
+
+def test_the_program_may_use_the_referees_channel(run):
+    assert run.log("Y1").endswith("told on 1 and not on 3\n")
+
+
+def test_the_record_keeps_what_was_told(run):
+    entities, (half,) = run.trajectory.entities, run.trajectory.halves
+    told = {tick: [(entities[who], text) for who, text in heard] for tick, heard in half.heard.items()}
+    assert told == {11: [("Y1", "0.3 0.1"), ("Y2", "DONE")], 12: [("Y1", "0.3, 0.2")]}
+
+
+def test_the_referee_judges_the_record_alone_alike(run):
+    assert rejudged(run) == [without_datetime(line) for line in run.reflog]

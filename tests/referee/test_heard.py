@@ -1,0 +1,248 @@
+"""What robots tell the referee by radio: the trigger, the condition, the value, the position."""
+
+import math
+import struct
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rcj_challenges.facts.messages import MOST_LETTERS, is_said, message_text, number_in, position_in
+from rcj_challenges.referee.script import ScriptedPlay
+from rcj_challenges.scenario.load import load_text
+from tests.referee.test_values import payload, telling
+
+NUMBERS = st.floats(allow_nan=False, allow_infinity=False, width=64)
+
+
+def hearing(trigger="", each="robots", actions="[{action: score, entrant: each}]", more=""):
+    """Return a rule that gives a point for each message."""
+    return f"""
+    rules:
+      told: {{for_each: {each}, triggers: [{{trigger: hears, entity: each{trigger}}}], {more} actions: {actions}}}
+    """
+
+
+def told(play, *messages, robot="Y1"):
+    """Let a robot tell one message a tick; return the score of its team."""
+    for message in messages:
+        play.tell(robot, message)
+        play.play()
+    return play.referee.scores["yellow" if robot.startswith("Y") else "blue"]
+
+
+class TestTriggerHears:
+    def test_each_message_sets_it_off_in_the_tick_in_which_it_is_heard(self, stage):
+        play = stage(hearing())
+        assert told(play, "a", "b", "b") == 3
+        play.play(10)
+        assert play.referee.scores == {"yellow": 3, "blue": 0}
+
+    @pytest.mark.parametrize(
+        ("wanted", "counted"),
+        [
+            ("FOUND", 1),
+            ("Found it", 1),
+            ("[FOUND, '2']", 3),
+            ("2", 2),
+            ("2.5", 0),
+            ("{draw: number}", 2),
+            ("{draw: colour}", 1),
+            ("{draw: sure}", 1),
+        ],
+    )
+    def test_it_may_ask_for_a_text_or_a_number_one_of_several_or_what_is_drawn(self, stage, wanted, counted):
+        draws = "draws: {number: {values: [2, 2]}, colour: {values: [red, red]}, sure: {values: [true, true]}}"
+        play = stage(draws, hearing(f", text: {wanted}"))
+        assert told(play, "FOUND", "found", "Found it", "2", "2.0", "red", "2 2", "True", "FOUND IT") == counted
+
+    @pytest.mark.parametrize(("kind", "counted"), [("number", 2), ("position", 3)])
+    def test_it_may_ask_for_a_number_or_a_position(self, stage, kind, counted):
+        play = stage(hearing(f", is_a: {kind}"))
+        assert told(play, "3", "-0.5", "1 2", "[0.1, -.2]", "(1;2)", "here", "1 2 3", "nan", "inf", "1e999") == counted
+
+    def test_both_must_fit(self, stage):
+        assert told(stage(hearing(", text: ['1', far], is_a: number")), "1", "far", "2") == 1
+
+    def test_of_a_group_any_and_without_for_each_one_a_tick(self, stage):
+        play = stage("rules: {r: {triggers: [{trigger: hears}], actions: [{action: score, entrant: blue}]}}")
+        for robot in ("B1", "Y1"):
+            play.tell(robot, "hello")
+        play.play()
+        play.tell("Y2", "hello")
+        play.play()
+        assert play.referee.scores["blue"] == 2
+
+    def test_the_number_told_is_what_was_measured(self, stage):
+        emit = "[{action: emit, event: TOLD, payload: {number: {word: measured}, who: {word: robot_name}}}]"
+        play = stage(hearing(actions=emit, more="says: '{entity} tells {measured}.',"))
+        told(play, "0.25", "hello")
+        assert [event.payload for event in play.events] == [
+            {"number": 0.25, "who": "Y1"},
+            {"number": None, "who": "Y1"},
+        ]
+        assert [firing.says for firing in play.firings] == ["Y1 tells 0.25.", "Y1 tells ."]
+
+    def test_nobody_hears_a_robot_that_is_off_the_field(self, stage):
+        play = stage(
+            "rules: {gone: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: remove, entity: Y1}]}}",
+            hearing(),
+        )
+        play.play_until(15)
+        assert told(play, "a") == 0
+        assert told(play, "a", robot="Y2") == 1
+
+    def test_a_rule_that_does_not_live_in_the_phase_misses_it(self, stage):
+        play = stage("phases: {pause: {}}", "first_phase: pause", hearing())
+        assert told(play, "a") == 0
+
+
+class TestConditionHeard:
+    @pytest.mark.parametrize(
+        ("condition", "holds"),
+        [
+            ("entity: Y1", [False, True, True, True]),
+            ("entity: Y1, text: GO", [False, True, False, False]),
+            ("entity: Y1, text: GO, negate: true", [True, False, True, True]),
+            ("entity: Y1, is_a: number", [False, False, False, True]),
+            ("entity: [Y1, Y2], text: GO, of: all", [False] * 4),
+            ("entity: [Y1, Y2], text: GO, of: none", [True, False, True, True]),
+            ("entity: Y2", [False] * 4),
+        ],
+    )
+    def test_the_last_message_counts(self, stage, condition, holds):
+        play = stage(
+            f"""
+            rules:
+              asked: {{triggers: [{{trigger: program_fault, robot: B1}}], conditions: [{{condition: heard, {condition}}}],
+                       actions: [{{action: score, entrant: yellow}}]}}
+            """
+        )
+        found, before = [], 0
+        for message in (None, "GO", "STOP", "7"):
+            if message is not None:
+                play.tell("Y1", message)
+            play.fail("B1")
+            play.play()
+            found.append(play.referee.scores["yellow"] > before)
+            before = play.referee.scores["yellow"]
+        assert found == holds
+
+    def test_it_may_have_to_hold_for_a_time(self, stage):
+        hold = "{trigger: holds, for_s: 0.32, condition: {condition: heard, entity: Y1, text: READY}}"
+        play = stage(f"rules: {{r: {{triggers: [{hold}], actions: [{{action: emit, event: SURE}}]}}}}")
+        told(play, "READY")
+        play.play(8)
+        told(play, "NO", "READY")
+        play.play(20)
+        assert [event.tick for event in play.events] == [21]
+
+    def test_in_a_new_half_nothing_has_been_said(self):
+        scenario = load_text(
+            """
+            schema_version: 1
+            id: t
+            title: T
+            extends: soccersim_v2
+            match: {halves: 2, half_s: 2}
+            rules: {r: {triggers: [{trigger: time_reached, at_s: 1}], conditions: [{condition: heard, entity: robots}],
+                        actions: [{action: score, entrant: yellow}]}}
+            """
+        )
+        play = ScriptedPlay(scenario.scenario, scenario.roster)
+        play.tell("Y1", "x")
+        play.play_until(40)
+        assert play.referee.scores["yellow"] == 1
+        assert "heard" not in play.referee.kept
+
+
+class TestValueHeard:
+    def test_it_is_told_as_it_was_said_and_null_before(self, stage):
+        play = stage(telling("{said: {heard: Y1}}"))
+        assert payload(play) == {"said": None}
+        play.tell("Y1", "0.50")
+        assert payload(play) == {"said": "0.50"}
+
+    @pytest.mark.parametrize(
+        ("points", "given"),
+        [("{heard: Y1}", 7), ("[1, {heard: Y1, weight: -2}]", -13), ("[1, {heard: Y2}]", 1)],
+    )
+    def test_points_and_counts_take_its_number_and_0_if_it_is_none(self, stage, points, given):
+        rule = (
+            "{triggers: [{trigger: program_fault, robot: B1}], actions: [{action: score, entrant: yellow, points: %s}]}"
+        )
+        play = stage(f"rules: {{r: {rule % points}}}")
+        play.tell("Y1", "7")
+        play.tell("Y2", "seven")
+        play.fail("B1")
+        play.play()
+        assert play.referee.scores["yellow"] == given
+
+    def test_a_broadcast_tells_it(self, stage):
+        play = stage("broadcast: {fields: {said: {heard: Y1}}}")
+        play.tell("Y1", "hello")
+        assert play.play().broadcast == {"said": "hello"}
+
+    def test_a_spot_is_set_to_the_position_told_and_stays_where_it_is_otherwise(self, stage):
+        guess = hearing(actions="[{action: set_spot, spot: guess, to: {heard: each}}]")
+        play = stage("spots: {guess: {x_m: 0, y_m: 0}}", guess)
+        told(play, "0.25 -0.5")
+        assert play.referee.spots["guess"] == (0.25, -0.5)
+        told(play, "over there", "3")
+        assert play.referee.spots["guess"] == (0.25, -0.5)
+
+
+class TestMessages:
+    @pytest.mark.parametrize(
+        ("data", "text"),
+        [
+            (b"FOUND", "FOUND"),
+            (b"  two\twords\n", "two words"),
+            ("ä".encode(), "ä"),
+            (b"end\0", "end"),
+            (b"done\0rest", "done"),
+            (b"", ""),
+            (struct.pack("<d", 0.5), "0.5"),
+            (struct.pack("<d", 0.0), "0.0"),
+            (struct.pack("<2d", 0.25, -0.5), "0.25 -0.5"),
+            (struct.pack("<2d", math.nan, 1.0), ""),
+            (b"\xff\xfe!", "\ufffd\ufffd!"),
+            (b"a\x07b", "a b"),
+            (b"x" * 500, "x" * MOST_LETTERS),
+        ],
+    )
+    def test_bytes_are_read_as_text_or_as_one_or_two_doubles(self, data, text):
+        assert message_text(data) == text
+
+    @given(st.binary(max_size=600))
+    def test_whatever_is_sent_is_one_printable_line(self, data):
+        text = message_text(data)
+        assert len(text) <= MOST_LETTERS
+        assert text.isprintable()
+        assert text == text.strip()
+
+    @given(NUMBERS)
+    def test_a_number_is_heard_as_it_was_sent(self, number):
+        assert number_in(message_text(repr(number).encode())) == number
+
+    @given(NUMBERS.filter(lambda number: abs(number) > 1e-3), NUMBERS)
+    def test_two_doubles_are_the_position_that_they_were(self, x, y):
+        data = struct.pack("<2d", x, y)
+        if not data.decode("utf-8", "replace").replace("\ufffd", "\0").isprintable():  # else it is text
+            assert position_in(message_text(data)) == (x, y)
+
+    @given(NUMBERS, NUMBERS, st.sampled_from(["{} {}", "[{}, {}]", "({},{})", "{};{}", " {} , {} "]))
+    def test_a_position_is_read_as_people_write_it(self, x, y, form):
+        assert position_in(message_text(form.format(x, y).encode())) == (x, y)
+
+    @pytest.mark.parametrize("text", ["", "1,", "1 2 3", "x 1", "1 nan", "0x10 1", "1_0 2", "1 1e999", "[1 2", "٣ ٤"])
+    def test_what_is_no_position_is_none(self, text):
+        assert position_in(text) is None or text == "[1 2"
+
+    @pytest.mark.parametrize(
+        ("text", "wanted", "same"),
+        [("2", 2, True), ("2.0", 2, True), ("2", "2.0", True), ("two", 2, False), ("true", True, True), ("1", True, False),
+         ("FALSE", False, True), ("a", "A", False)],
+    )  # fmt: skip
+    def test_numbers_are_compared_as_numbers_and_text_letter_by_letter(self, text, wanted, same):
+        assert is_said(text, wanted) is same
