@@ -14,6 +14,7 @@ _ONE_NUMBER = re.compile(_NUMBER, re.ASCII)
 # Two numbers as people and programs write them: "0.1 -0.2", "0.1, -0.2", "[0.1, -0.2]", "(0.1,-0.2)".
 _POSITION = re.compile(rf"[\[(]?\s*({_NUMBER})(?:\s*[,;]\s*|\s+)({_NUMBER})\s*[\])]?", re.ASCII)
 _DOUBLE = 8
+_BLANKS = str.maketrans("\t\r\n", "   ")
 
 
 def message_text(data: bytes) -> str:
@@ -40,8 +41,8 @@ def _readable(data: bytes) -> str | None:
         text = data.decode()
     except UnicodeDecodeError:
         return None
-    text = " ".join(text.split())  # ends of lines and tabs are blanks
-    return text if text.isprintable() else None
+    text = text.translate(_BLANKS)
+    return " ".join(text.split()) if text.isprintable() else None
 
 
 def number_in(text: str) -> float | None:
