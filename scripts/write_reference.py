@@ -216,6 +216,7 @@ CHAPTERS = (
             Word("distance", state.DistanceValue, example="distance_value"),
             Word("way", state.WayValue, example="way_value"),
             Word("timer", state.TimerValue, example="timer_value"),
+            Word("held", state.HeldValue, example="held_value"),
             Word("last_touch", state.LastTouchValue, example="last_touch_value"),
             Word("weighted_counter", state.WeightedCounter, own_example=False),
             Word("weighted_flag", state.WeightedFlag, own_example=False),

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from math import inf
 from typing import Any
 
 from rcj_challenges.facts.amounts import on_paper
@@ -238,6 +239,19 @@ def remove(model: models.Remove, workshop: Workshop, rule: StandingRule) -> Act:
     return act
 
 
+def hold(model: models.Hold, workshop: Workshop, rule: StandingRule) -> Act:
+    """Hold robots, for a time or until something lets them go."""
+    state, robots = workshop.state, workshop.entities(model.entity, rule.each)
+    lasts = inf if model.for_s is None else ticks_from_s(model.for_s)
+    return lambda _occasion: state.held.hold(robots, state.tick + lasts)
+
+
+def release(model: models.Release, workshop: Workshop, rule: StandingRule) -> Act:
+    """Let robots go that rules hold."""
+    held, lookout, robots = workshop.state.held, workshop.lookout, workshop.entities(model.entity, rule.each)
+    return lambda _occasion: lookout.let_go(held.release(robots))
+
+
 def set_phase(model: models.SetPhase, workshop: Workshop, _rule: StandingRule) -> Act:
     """Enter a phase, at once."""
     phase = model.phase
@@ -277,6 +291,8 @@ ACTIONS: dict[str, Callable[[Any, Workshop, StandingRule], Act]] = {
     "draw": draw,
     "place": place,
     "remove": remove,
+    "hold": hold,
+    "release": release,
     "set_phase": set_phase,
     "emit": emit,
     "end": end,

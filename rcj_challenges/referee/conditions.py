@@ -177,6 +177,13 @@ def looks(model: models.Looks, workshop: Workshop, each: str | None) -> Test:
     return lambda: _quantified(of, (looks_there(entity) for entity in entities if state.present[entity]))
 
 
+def held(model: models.IsHeld, workshop: Workshop, each: str | None) -> Test:
+    """Whether robots are held, by a rule or by the phase; also those off the field."""
+    who, of = workshop.state.held, model.of
+    robots = workshop.entities(model.entity, each)
+    return lambda: _quantified(of, (who.holds(robot) for robot in robots))
+
+
 def any_of(model: models.AnyOf, workshop: Workshop, each: str | None) -> Test:
     """Whether at least one of several conditions holds."""
     tests = tuple(compile_condition(one, workshop, each) for one in model.conditions)
@@ -283,6 +290,7 @@ CONDITIONS: dict[str, Callable[[Any, Workshop, str | None], Test]] = {
     "distance": distance,
     "way": way,
     "looks": looks,
+    "held": held,
     "any_of": any_of,
     "all_of": all_of,
     "counter": counter,

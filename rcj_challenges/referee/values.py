@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from math import floor, nan
 from typing import Any
 
@@ -17,6 +18,7 @@ from rcj_challenges.scenario.models.state import (
     DistanceValue,
     DrawValue,
     FlagValue,
+    HeldValue,
     HighestOfOthers,
     LastTouchValue,
     LowestOfOthers,
@@ -56,19 +58,9 @@ def compile_value(value: Any, workshop: Workshop, each: str | None) -> Reader:
 
 def _reader_of_now(value: Any, workshop: Workshop, each: str | None) -> Callable[[], Any] | None:
     """Return the reader of a value that is the same whichever rule fires; None for any other."""
-    match value:
-        case CounterValue():
-            return counter_reader(value, workshop, each)
-        case DistanceValue():
-            return distance_reader(value, workshop, each)
-        case WayValue():
-            return way_reader(value, workshop, each)
-        case TimerValue():
-            return timer_reader(value, workshop, each)
-        case LastTouchValue():
-            return _last_toucher(value, workshop, each)
-        case _:
-            return None
+    makers = (make for kind, make in _READERS_OF_NOW.items() if isinstance(value, kind))
+    make = next(makers, None)
+    return None if make is None else make(value, workshop, each)
 
 
 def _position_reader(value: PositionValue, workshop: Workshop, each: str | None) -> Reader:
@@ -91,11 +83,25 @@ def _last_toucher(value: LastTouchValue, workshop: Workshop, each: str | None) -
     return read
 
 
+def _whether_held(value: HeldValue, workshop: Workshop, each: str | None) -> Callable[[], bool]:
+    """Return what tells whether a robot is held."""
+    return partial(workshop.state.held.holds, workshop.entity(value.held, each))
+
+
 def counter_reader(value: CounterValue, workshop: Workshop, each: str | None) -> Callable[[], Number]:
     """Return what reads a counter, or an entrant's score."""
     state, name, whose = workshop.state, value.counter, workshop.whose(value.entity, each)
     return lambda: state.counter(name, whose)
 
+
+_READERS_OF_NOW: dict[type, Callable[[Any, Workshop, str | None], Callable[[], Any]]] = {
+    CounterValue: counter_reader,
+    DistanceValue: distance_reader,
+    WayValue: way_reader,
+    TimerValue: timer_reader,
+    LastTouchValue: _last_toucher,
+    HeldValue: _whether_held,
+}
 
 Bound = Number | CounterValue | LowestOfOthers | HighestOfOthers
 """What is compared with, as the scenario's models have it."""

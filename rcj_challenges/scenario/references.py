@@ -118,6 +118,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (conditions.WayIs, "entity"): _ENTITIES,
     (conditions.Looks, "entity"): _ROBOTS,
     (conditions.Looks, "towards"): Field("entity or spot", _MOVING | _SPOT, each=True),
+    (conditions.IsHeld, "entity"): _ROBOTS,
     (conditions.CounterIs, "counter"): _READABLE,
     (conditions.CounterIs, "entity"): _WHOSE_OF,
     (conditions.FlagIs, "flag"): _FLAG,
@@ -148,6 +149,8 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (actions.Place, "layout"): _LAYOUT,
     (actions.Place, "entity"): _ENTITIES,
     (actions.Remove, "entity"): _ENTITIES,
+    (actions.Hold, "entity"): _ROBOTS,
+    (actions.Release, "entity"): _ROBOTS,
     (actions.SetPhase, "phase"): _PHASE,
     # values
     (state.CounterValue, "counter"): _READABLE,
@@ -163,6 +166,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (state.WayValue, "way"): _ENTITY,
     (state.TimerValue, "timer"): _TIMER,
     (state.TimerValue, "entity"): _WHOSE,
+    (state.HeldValue, "held"): Field("robot", _ROBOT, each=True),
     (state.LastTouchValue, "last_touch"): _ENTITY,
     (state.NumberDraw, "draw"): _DRAW,
     (state.DrawnDuration, "draw"): _DRAW,
@@ -223,6 +227,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (scenario.Expectation, "counters"): Named("counter", ("counters",), keys=True),
     (scenario.Expectation, "flags"): Named("flag", ("flags",), keys=True),
     (scenario.Expectation, "phase"): _PHASE,
+    (scenario.Expectation, "held"): Field("robot", _ROBOT, keys=True),
     (scenario.Expectation, "poses"): Field("entity or spot", _MOVING | _SPOT, keys=True),
     (scenario.Scenario, "first_phase"): _PHASE,
 }

@@ -51,10 +51,10 @@ CASES = [
      "rules.r.triggers[0] (holds).condition.at_least: expected a number, {counter: …}, {lowest: …} or {highest: …}, found a mapping with timer"),
     (rule("{trigger: holds, condition: [{condition: flag, flag: f}, {condition: flag, flag: g}]}"),
      ("rules.r.triggers[0] (holds).condition: expected a mapping with 'condition', found a list of 2; it takes a single one of in_zone, "
-      "speed, distance, way, looks, counter, flag, drawn, timer, last_touch, spot_free, sequence_at, half, any_of, all_of (its opposite by negate: true); for "
+      "speed, distance, way, looks, held, counter, flag, drawn, timer, last_touch, spot_free, sequence_at, half, any_of, all_of (its opposite by negate: true); for "
       "several write {condition: all_of, conditions: […]}; what else must hold when the rule fires stands in its 'conditions'")),
     (rule("{trigger: holds, condition: {condition: any_of, conditions: [{condition: any_of, conditions: []}]}}"),
-     ("rules.r.triggers[0] (holds).condition.conditions[0] (any_of): unknown condition 'any_of'; there are in_zone, speed, distance, way, looks, "
+     ("rules.r.triggers[0] (holds).condition.conditions[0] (any_of): unknown condition 'any_of'; there are in_zone, speed, distance, way, looks, held, "
       "counter, flag, drawn, timer, last_touch, spot_free, sequence_at, half, all_of; 'any_of' cannot stand in itself: write all "
       "conditions into one list")),
     (rule("{trigger: event, event: Goal}"), "rules.r.triggers[0] (event).event: 'Goal' is no event's name: capitals, digits and _, such as GOAL"),
@@ -90,7 +90,7 @@ CASES = [
      ("rules.r.actions[0] (count).by.word: expected score, halftime, total_match_time_s, time_s, time_left_s, measured or limit, "
       "found 'time_lft_s'; did you mean 'time_left_s'?")),
     (rule(action="{action: emit, event: E, payload: {a: {}}}"), ("rules.r.actions[0] (emit).payload.a: expected a text, a number or "
-     "true/false, {counter: …}, {flag: …}, {draw: …}, {word: …}, {position_of: …}, {distance: …}, {way: …}, {timer: …} or {last_touch: …}, "
+     "true/false, {counter: …}, {flag: …}, {draw: …}, {word: …}, {position_of: …}, {distance: …}, {way: …}, {timer: …}, {held: …} or {last_touch: …}, "
      "found an empty mapping")),
     (rule(action="{action: emit, event: E, payload: {a: {word: scor}}}"),
      ("rules.r.actions[0] (emit).payload.a.word: expected robot_name, entity_name, each_name, other_name, team_name, entrant, score, halftime, match_id, "

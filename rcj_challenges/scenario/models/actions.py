@@ -153,6 +153,29 @@ class Remove(Strict):
     facing: Facing = described("start", "which way it looks when it comes back")
 
 
+class Hold(Strict):
+    """Hold robots: from the next tick on their wheels stand braked, whatever their programs command.
+
+    Programs run on, and the last command acts when they are let go. Who is held already stays so until the later of
+    the two ends. Being put elsewhere or taken off the field ends nothing, and the time runs on; a new half begins with
+    nobody held. What a phase with `robots: held` does is another matter: a robot stands as long as either holds it.
+    """
+
+    action: Literal["hold"]
+    entity: Names = described(..., "who is held: robots, groups, or each")
+    for_s: DurationS | None = described(None, "how long, in s; left out: until a rule lets it go (release)")
+
+
+class Release(Strict):
+    """Let robots go that rules hold: they drive again from the next tick on; who is not held stays as it is.
+
+    What a phase with `robots: held` holds stays held until the phase is over.
+    """
+
+    action: Literal["release"]
+    entity: Names = described(..., "who is let go: robots, groups, or each")
+
+
 class SetPhase(Strict):
     """Enter a phase."""
 
@@ -191,6 +214,8 @@ Action = Annotated[
     | DrawAction
     | Place
     | Remove
+    | Hold
+    | Release
     | SetPhase
     | Emit
     | End,

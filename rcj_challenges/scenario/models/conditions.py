@@ -84,6 +84,14 @@ class Looks(_Condition):
     of: Quantifier = described("any", "how many of a group must do so")
 
 
+class IsHeld(_Condition):
+    """Whether a robot is held, by a rule or because the phase holds all robots; also off the field."""
+
+    condition: Literal["held"]
+    entity: Names = described(..., "a robot, each, or a group with `of`")
+    of: Quantifier = described("any", "how many of a group must be held")
+
+
 class CounterIs(_Compared):
     """The value of a counter, or of an entrant's score."""
 
@@ -180,6 +188,7 @@ Single = (
     | Distance
     | WayIs
     | Looks
+    | IsHeld
     | CounterIs
     | FlagIs
     | Drawn

@@ -189,6 +189,12 @@ class TimerValue(Strict):
     )
 
 
+class HeldValue(Strict):
+    """Whether a robot is held, by a rule or because the phase holds all robots: true or false."""
+
+    held: Name = described(..., "a robot, or each")
+
+
 class LastTouchValue(Strict):
     """The name of the robot that touched something last since it was put where it is; null if none has."""
 
@@ -196,7 +202,7 @@ class LastTouchValue(Strict):
 
 
 def _which_value(value: Any) -> str | None:
-    keys = ("counter", "flag", "draw", "word", "position_of", "distance", "way", "timer", "last_touch")
+    keys = ("counter", "flag", "draw", "word", "position_of", "distance", "way", "timer", "held", "last_touch")
     if isinstance(value, dict):
         return next((key for key in keys if key in value), None)
     if isinstance(value, Strict):
@@ -214,6 +220,7 @@ Value = Annotated[
     | Annotated[DistanceValue, Tag("distance")]
     | Annotated[WayValue, Tag("way")]
     | Annotated[TimerValue, Tag("timer")]
+    | Annotated[HeldValue, Tag("held")]
     | Annotated[LastTouchValue, Tag("last_touch")],
     Discriminator(_which_value),
 ]

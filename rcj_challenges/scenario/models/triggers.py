@@ -114,7 +114,10 @@ class Displaced(Strict):
 
 
 class NoProgress(Strict):
-    """Fires when the length of an entity's path over a sliding window falls short; a window that is not full cannot."""
+    """Fires when the length of an entity's path over a sliding window falls short; a window that is not full cannot.
+
+    A robot that a rule holds (action `hold`) is not judged meanwhile; its window begins when it is let go.
+    """
 
     trigger: Literal["no_progress"]
     entity: Names = described(..., _ENTITY)

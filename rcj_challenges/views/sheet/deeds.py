@@ -152,6 +152,12 @@ def _remove(nouns: Nouns, action: Any) -> str:
     return f"{gone} and after {seconds(action.for_s)} {back}{_facing(nouns, action, action.back_at, plural=who.plural)}"
 
 
+def _hold(nouns: Nouns, action: Any) -> str:
+    who = nouns.all_of(action.entity)
+    lasts = f"for {seconds(action.for_s)}" if action.for_s else f"until {'they are' if who.plural else 'it is'} let go"
+    return f"{who.does('is', 'are')} held still {lasts}"
+
+
 def _count(nouns: Nouns, action: Any) -> str:
     counter = nouns.every_kept("counter", action.counter, action.entity)
     if action.to is not None:
@@ -225,6 +231,8 @@ ACTIONS: dict[str, Callable[[Nouns, Any], str]] = {
     "draw": _draw,
     "place": _place,
     "remove": _remove,
+    "hold": _hold,
+    "release": lambda n, a: f"{n.all_of(a.entity).does('is', 'are')} let go",
     "set_phase": lambda _, a: f"the phase {quoted(a.phase)} begins",
     "emit": _emit,
     "end": lambda _, a: f"the {a.what} ends" + (f" ({a.reason})" if a.reason else ""),

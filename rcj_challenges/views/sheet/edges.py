@@ -201,6 +201,7 @@ CONDITIONS: dict[str, Callable[[Nouns, Any], str]] = {
     "distance": distance_words,
     "way": way_words,
     "looks": _looks,
+    "held": lambda n, c: _is(n, c, c.entity, "held"),
     "any_of": _any_of,
     "all_of": _all_of,
     "counter": counter_words,

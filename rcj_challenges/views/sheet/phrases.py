@@ -160,5 +160,6 @@ _VALUES: dict[type, Callable[[Nouns, Any], str]] = {
     state.DistanceValue: _apart,
     state.WayValue: _come,
     state.TimerValue: _ran,
+    state.HeldValue: lambda nouns, model: f"whether {nouns.thing(model.held)} is held",
     state.LastTouchValue: lambda nouns, model: f"the name of the last to touch {nouns.thing(model.last_touch)}",
 }
