@@ -199,6 +199,34 @@ rules:
         assert [(event.tick, event.payload) for event in play.events] == [(11, {"held": False})]
 
 
+class TestValueHeld:
+    TOLD = """
+rules:
+  hold: {triggers: [{trigger: touches, entity: Y1, other: ball}], actions: [{action: hold, entity: Y1, for_s: 0.064}]}
+  told:
+    for_each: yellow
+    triggers: [{trigger: touches, entity: Y2, other: ball}]
+    actions: [{action: emit, event: TOLD, payload: {held: {held: each}}}]
+broadcast: {fields: {Y1: {held: Y1}, B1: {held: B1}}}
+"""
+
+    def test_in_a_payload_robot_by_robot(self, stage):
+        play = stage(self.TOLD)
+        play.touch("Y1", "ball")
+        play.touch("Y2", "ball")
+        play.play()
+        assert [event.payload for event in play.events] == [{"held": True}, {"held": False}]
+
+    def test_in_the_broadcast_from_the_tick_in_which_a_rule_holds_it(self, stage):
+        play = stage(self.TOLD)
+        play.touch("Y1", "ball")
+        assert [play.play().broadcast for _ in range(3)] == [{"Y1": held, "B1": False} for held in (True, True, False)]
+
+    def test_also_while_a_phase_holds_all(self, stage):
+        play = stage(self.TOLD, "phases: {play: {robots: held}}")
+        assert play.verdict.broadcast == {"Y1": True, "B1": True}
+
+
 class TestNoProgressOfHeldRobots:
     LAZY = """
 rules:
