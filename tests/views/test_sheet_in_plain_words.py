@@ -277,5 +277,13 @@ def test_what_it_means_to_be_held_is_said_once_where_rules_hold_robots():
     assert MEANS not in sheet(f"rules: {{it: {{{GOAL}, {END}}}}}\n")
 
 
+def test_where_who_does_not_move_is_judged_the_sheet_says_that_who_is_held_is_not():
+    lazy = f"lazy: {{triggers: [{{trigger: no_progress, entity: Y1, distance_m: 0.1, within_s: 5}}], {END}}}"
+    held = f"it: {{{HOLD % 'hold, entity: Y1'}}}"
+    counts = f"{MEANS} That it does not move counts only from then on."
+    assert counts in sheet(f"rules: {{{held}, {lazy}}}\n")
+    assert counts not in sheet(f"rules: {{{held}}}\n")
+
+
 def test_programs_are_told_who_is_held():
     assert "| Y1 | whether Y1 is held |" in sheet("broadcast: {fields: {Y1: {held: Y1}}}\n")

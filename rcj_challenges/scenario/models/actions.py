@@ -163,7 +163,11 @@ class Hold(Strict):
 
     action: Literal["hold"]
     entity: Names = described(..., "who is held: robots, groups, or each")
-    for_s: DurationS | None = described(None, "how long, in s; left out: until a rule lets it go (release)")
+    for_s: DurationS | None = described(
+        None,
+        "how long, in s, also while it is off the field; left out: until a rule lets it go (release); who is held "
+        "already stays so until the later of the two ends",
+    )
 
 
 class Release(Strict):

@@ -122,7 +122,9 @@ class NoProgress(Strict):
     trigger: Literal["no_progress"]
     entity: Names = described(..., _ENTITY)
     distance_m: Positive = described(..., "path length that is expected, in m")
-    within_s: DurationS = described(..., "length of the window in s")
+    within_s: DurationS = described(
+        ..., "length of the window in s; of a robot that a rule holds it begins when it is let go"
+    )
 
 
 class StaysIn(Strict):

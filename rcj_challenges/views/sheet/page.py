@@ -8,6 +8,7 @@ from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.actions import DrawAction, Hold, Place, Score, SequenceAction
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Result, Rule, Scenario
 from rcj_challenges.scenario.models.state import AnyStep, Draw, Phase, Sequence
+from rcj_challenges.scenario.models.triggers import NoProgress
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.visiting import visit
 from rcj_challenges.views.drawing.beside import layouts_of
@@ -85,10 +86,12 @@ def _phase_words(nouns: Nouns, name: str, phase: Phase) -> str:
 
 def _held_words(nouns: Nouns) -> Iterator[str]:
     """Return what it means to be held, where rules hold robots."""
-    if any(isinstance(action, Hold) for rule in nouns.scenario.rules.values() for action in rule.actions):
+    rules = nouns.scenario.rules.values()
+    if any(isinstance(action, Hold) for rule in rules for action in rule.actions):
+        judged = any(isinstance(trigger, NoProgress) for rule in rules for trigger in rule.triggers)
         yield (
             "A robot that is held still stands with braked wheels, whatever its program says, until its time is over "
-            "or it is let go."
+            f"or it is let go.{' That it does not move counts only from then on.' if judged else ''}"
         )
 
 
