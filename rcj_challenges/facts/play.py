@@ -139,7 +139,9 @@ class Verdict:
         ended: None, or the reason for which an ``end`` action ended the half.
         ends_match: True if that action ended the whole match: no half follows.
         broadcast: the JSON object that programs are told beyond the official packet, or None.
-        robots_held: whether all wheels stand braked from the next tick on, whatever programs command.
+        robots_held: whether the phase holds all robots: their wheels stand braked from the next tick on, whatever
+            programs command.
+        held: indices of the robots that rules hold, in the same way; the same object as long as nothing changes.
     """
 
     events: tuple[Event, ...] = ()
@@ -151,6 +153,7 @@ class Verdict:
     ends_match: bool = False
     broadcast: dict[str, Any] | None = None
     robots_held: bool = False
+    held: frozenset[int] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)

@@ -90,7 +90,8 @@ class HalfPlay:
         self._due = dict.fromkeys(stage.drivers, 0)
         self._later: list[tuple[int, int, Request]] = []
         self._faults: list[Fault] = []
-        self._held = False
+        self._all_held = False
+        self._held: frozenset[int] = frozenset()
         self.tick = 0
 
     def play(self) -> HalfOutcome:
@@ -125,8 +126,8 @@ class HalfPlay:
         snapshot = stage.world.judged()
         verdict = stage.referee.start(snapshot)
         stage.world.place(verdict.placements)
-        if verdict.robots_held:
-            self._hold(held=True)
+        if verdict.robots_held or verdict.held:
+            self._hold(verdict)
         stage.rack.begin(verdict)
         self._on_tick(snapshot, verdict, stage.world.state_bytes())
         for robot in list(self._alive):
@@ -146,8 +147,8 @@ class HalfPlay:
         verdict = stage.referee.judge(snapshot)
         if verdict.placements:
             stage.world.place(verdict.placements)
-        if verdict.robots_held is not self._held:
-            self._hold(held=verdict.robots_held)
+        if verdict.held is not self._held or verdict.robots_held is not self._all_held:
+            self._hold(verdict)
         stage.rack.begin_sensing(tick, verdict)
         self.tick = tick
 
@@ -158,10 +159,11 @@ class HalfPlay:
             self._look_after_those_away(tick)
         return verdict
 
-    def _hold(self, *, held: bool) -> None:
-        """Hold all robots from the next tick on, or let them go."""
-        self._held = held
-        self._stage.world.hold_robots(held=held)
+    def _hold(self, verdict: Verdict) -> None:
+        """Hold robots from the next tick on, all or some, and let the others go."""
+        self._all_held, self._held = verdict.robots_held, verdict.held
+        world = self._stage.world
+        world.hold_robots(range(world.tables.robots) if verdict.robots_held else verdict.held)
 
     def _look_after_those_away(self, tick: int) -> None:
         for robot, due in list(self._due.items()):

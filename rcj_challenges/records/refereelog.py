@@ -1,4 +1,4 @@
-"""Reading ``referee.jsonl``: events, firings and phases, as far as the file can be read."""
+"""Reading ``referee.jsonl``: events, firings, phases and who is held, as far as the file can be read."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ _NEEDED: dict[str, dict[str, type]] = {
     "firing": {"rule": str, "trigger": str, "scored": dict},
     "event": {"event": str, "payload": dict},
     "phase": {"phase": str, "waiting_for_kickoff": bool},
+    "held": {"robots": list},
 }
 """What a line of each kind must have, and what that must be."""
 

@@ -14,6 +14,7 @@ from rcj_challenges.records.writer import RecordWriter, RunHeader
 from rcj_challenges.scenario.models.scenario import Scenario
 
 GOAL_EVERY_TICKS = 400
+_HELD, _HELD_IN_TICKS, _NOBODY = frozenset({0}), (200, 260), frozenset[int]()
 _SEATS = ("blue", "yellow")
 
 
@@ -109,7 +110,7 @@ def made_up_snapshot(tick: int, robots: int, *, faults: tuple[Fault, ...] = ()) 
 
 
 def made_up_play(robots: int, ticks: int) -> Iterator[tuple[Snapshot, Verdict]]:
-    """Yield tick 0 and on: a goal and a kick-off now and then, a program that fails at tick 300."""
+    """Yield tick 0 and on: a goal and a kick-off now and then, a robot held for a time, a fault at tick 300."""
     for tick in range(ticks + 1):
         fault = Fault("Y1", "crash", tick, 1, "ZeroDivisionError: division by zero", "Traceback …\n  robot.py, 7")
         snapshot = made_up_snapshot(tick, robots, faults=(fault,) if tick == 300 else ())
@@ -156,7 +157,8 @@ def _verdict(tick: int, robots: int) -> Verdict:
             waiting_for_kickoff=True,
         )
     pausing = tick > GOAL_EVERY_TICKS and tick % GOAL_EVERY_TICKS < 94
-    return Verdict(phase="goal_pause" if pausing else "play", waiting_for_kickoff=pausing)
+    held = _HELD if _HELD_IN_TICKS[0] <= tick < _HELD_IN_TICKS[1] else _NOBODY
+    return Verdict(phase="goal_pause" if pausing else "play", waiting_for_kickoff=pausing, held=held)
 
 
 def _poses(time_s: float, robots: int) -> list[Pose2]:

@@ -85,7 +85,7 @@ class TrackWriter:
         if snapshot.faults and tick:
             self._notes += json_line({"tick": tick, "faults": [asdict(fault) for fault in snapshot.faults]})
         if snapshot.heard:
-            self._notes += json_line({"tick": tick, "heard": snapshot.heard})
+            self._notes += json_line({"tick": tick, "told": snapshot.heard})
         if tick % TICKS_BETWEEN_WRITES == 0:
             self._write()
 

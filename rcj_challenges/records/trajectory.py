@@ -265,8 +265,8 @@ def read_notes(text: bytes, ticks: int) -> Notes:
             placements[line["tick"]] = tuple(Placement(*placement) for placement in line["placements"])
         if "faults" in line:
             faults[line["tick"]] = tuple(Fault(**fault) for fault in line["faults"])
-        if "heard" in line:
-            heard[line["tick"]] = tuple((int(entity), str(said)) for entity, said in line["heard"])
+        if "told" in line:
+            heard[line["tick"]] = tuple((int(entity), str(said)) for entity, said in line["told"])
     return Notes(HalfInfo(**first["half"]), start, placements, faults, heard)
 
 

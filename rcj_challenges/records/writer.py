@@ -114,6 +114,7 @@ class RecordWriter:
         self._track: TrackWriter | None = None
         self._half: HalfInfo | None = None
         self._phase: tuple[str, bool] | None = None
+        self._held: frozenset[int] = frozenset()
         self._events: list[dict[str, Any]] = []
         self._faults: list[dict[str, Any]] = []
         self._halves: list[dict[str, Any]] = []
@@ -133,7 +134,7 @@ class RecordWriter:
         self._track = TrackWriter(self._parts, half, len(self._roster.entities))
         self._begun.append(half.half)
         self._half = half
-        self._phase = None
+        self._phase, self._held = None, frozenset()
         self._scores |= {half.teams[seat]: points for seat, points in half.scores.items()}
         self._digest.half(half.half)
 
@@ -155,6 +156,8 @@ class RecordWriter:
         if (verdict.phase, verdict.waiting_for_kickoff) != self._phase:
             self._phase = (verdict.phase, verdict.waiting_for_kickoff)
             self._note_phase(snapshot.tick, verdict)
+        if verdict.held is not self._held:
+            self._note_held(snapshot.tick, verdict.held)
 
     def end_half(self, closing: Verdict, scores: Mapping[str, Score] | None = None, ended: str | None = None) -> None:
         """End the half.
@@ -251,6 +254,15 @@ class RecordWriter:
         assert half is not None  # noqa: S101 - only called within a half
         line = {"half": half.half, "kind": "phase", "tick": tick, "phase": verdict.phase}
         write_all(self._referee_log, bytearray(json_line(line | {"waiting_for_kickoff": verdict.waiting_for_kickoff})))
+
+    def _note_held(self, tick: int, held: frozenset[int]) -> None:
+        """Note which robots rules hold, where that changed."""
+        half, before, self._held = self._half, self._held, held
+        assert half is not None  # noqa: S101 - only called within a half
+        if held != before:
+            robots = [self._roster.entities[robot] for robot in sorted(held)]
+            line = {"half": half.half, "kind": "held", "tick": tick, "robots": robots}
+            write_all(self._referee_log, bytearray(json_line(line)))
 
     def _add_points(self, firing: Firing, half: HalfInfo) -> None:
         if firing.suppressed is None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from math import inf
 from typing import Any
 
 from rcj_challenges.facts.amounts import on_paper
@@ -22,7 +23,7 @@ from rcj_challenges.referee.values import compile_points, compile_value
 from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.models import actions as models
 from rcj_challenges.scenario.models.places import Mirror
-from rcj_challenges.scenario.models.state import DrawValue, HeardValue
+from rcj_challenges.scenario.models.state import DrawValue, ToldValue
 
 Act = Callable[[Occasion], None]
 
@@ -152,7 +153,7 @@ def set_spot(model: models.SetSpot, workshop: Workshop, rule: StandingRule) -> A
     spots, name = workshop.state.spots, spot_name(workshop, model.spot)
     where = (
         _heard(workshop, model.to, rule)
-        if isinstance(model.to, HeardValue)
+        if isinstance(model.to, ToldValue)
         else where_now(workshop, model.to, rule.each)
     )
 
@@ -162,9 +163,9 @@ def set_spot(model: models.SetSpot, workshop: Workshop, rule: StandingRule) -> A
     return act
 
 
-def _heard(workshop: Workshop, told: HeardValue, rule: StandingRule) -> Callable[[], tuple[float, float] | None]:
+def _heard(workshop: Workshop, told: ToldValue, rule: StandingRule) -> Callable[[], tuple[float, float] | None]:
     """Return what tells the position that a robot has told by radio; None if it was none."""
-    heard, robot = workshop.state.heard, workshop.members(told.heard, rule.each)[0]
+    heard, robot = workshop.state.heard, workshop.members(told.told, rule.each)[0]
     return lambda: position_in(heard.get(robot, ""))
 
 
@@ -249,6 +250,19 @@ def remove(model: models.Remove, workshop: Workshop, rule: StandingRule) -> Act:
     return act
 
 
+def hold(model: models.Hold, workshop: Workshop, rule: StandingRule) -> Act:
+    """Hold robots, for a time or until something lets them go."""
+    state, robots = workshop.state, workshop.entities(model.entity, rule.each)
+    lasts = inf if model.for_s is None else ticks_from_s(model.for_s)
+    return lambda _occasion: state.held.hold(robots, state.tick + lasts)
+
+
+def release(model: models.Release, workshop: Workshop, rule: StandingRule) -> Act:
+    """Let robots go that rules hold."""
+    held, lookout, robots = workshop.state.held, workshop.lookout, workshop.entities(model.entity, rule.each)
+    return lambda _occasion: lookout.let_go(held.release(robots))
+
+
 def set_phase(model: models.SetPhase, workshop: Workshop, _rule: StandingRule) -> Act:
     """Enter a phase, at once."""
     phase = model.phase
@@ -288,6 +302,8 @@ ACTIONS: dict[str, Callable[[Any, Workshop, StandingRule], Act]] = {
     "draw": draw,
     "place": place,
     "remove": remove,
+    "hold": hold,
+    "release": release,
     "set_phase": set_phase,
     "emit": emit,
     "end": end,

@@ -180,6 +180,13 @@ def looks(model: models.Looks, workshop: Workshop, each: str | None) -> Test:
     return lambda: _quantified(of, (looks_there(entity) for entity in entities if state.present[entity]))
 
 
+def held(model: models.IsHeld, workshop: Workshop, each: str | None) -> Test:
+    """Whether robots are held, by a rule or by the phase; also those off the field."""
+    who, of = workshop.state.held, model.of
+    robots = workshop.entities(model.entity, each)
+    return lambda: _quantified(of, (who.holds(robot) for robot in robots))
+
+
 def any_of(model: models.AnyOf, workshop: Workshop, each: str | None) -> Test:
     """Whether at least one of several conditions holds."""
     tests = tuple(compile_condition(one, workshop, each) for one in model.conditions)
@@ -273,11 +280,11 @@ def compile_message(model: models.Message, workshop: Workshop) -> Callable[[str]
     return says
 
 
-def heard(model: models.Heard, workshop: Workshop, each: str | None) -> Test:
+def told(model: models.Told, workshop: Workshop, each: str | None) -> Test:
     """What a robot has told the referee by radio, the last time."""
-    told, of, says = workshop.state.heard, model.of, compile_message(model, workshop)
+    heard, of, says = workshop.state.heard, model.of, compile_message(model, workshop)
     robots = workshop.members(model.entity, each)
-    return lambda: _quantified(of, (robot in told and says(told[robot]) for robot in robots))
+    return lambda: _quantified(of, (robot in heard and says(heard[robot]) for robot in robots))
 
 
 def spot_free(model: models.SpotFree, workshop: Workshop, each: str | None) -> Test:
@@ -311,6 +318,7 @@ CONDITIONS: dict[str, Callable[[Any, Workshop, str | None], Test]] = {
     "distance": distance,
     "way": way,
     "looks": looks,
+    "held": held,
     "any_of": any_of,
     "all_of": all_of,
     "counter": counter,
@@ -318,7 +326,7 @@ CONDITIONS: dict[str, Callable[[Any, Workshop, str | None], Test]] = {
     "drawn": drawn,
     "timer": timer,
     "last_touch": last_touch,
-    "heard": heard,
+    "told": told,
     "spot_free": spot_free,
     "sequence_at": sequence_at,
     "half": half,

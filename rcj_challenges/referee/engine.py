@@ -60,7 +60,7 @@ class Referee:
         self._moments, self._track = self._workshop.moments, self._workshop.track
         self._all_present = True
         self._clock_runs = self._clock_ran = True
-        self._waiting = self._held = False
+        self._waiting = False
         self._phase_ends = NEVER
         self._entered: list[tuple[str, str]] = []
         self._emitted: list[str] = []
@@ -90,6 +90,12 @@ class Referee:
     def flags(self) -> dict[str, bool | dict[str, bool]]:
         """Flags by name; those kept per entity as a mapping."""
         return self._state.flags
+
+    @property
+    def held(self) -> dict[str, bool]:
+        """By robot, whether it is held, by a rule or by the phase."""
+        roster = self._state.roster
+        return {name: self._state.held.holds(robot) for robot, name in enumerate(roster.entities[: roster.robots])}
 
     @property
     def draws(self) -> dict[str, Scalar]:
@@ -144,21 +150,13 @@ class Referee:
         tick = state.tick = snapshot.tick
         substeps = snapshot.substeps
         changed_phase = tick >= self._phase_ends
+        if tick >= state.held.ends:
+            self._lookout.let_go(state.held.let_go_at(tick))
         self._clock_ran = self._clock_runs
         if self._clock_ran:
             state.clock += 1
-        state.before = state.poses
-        state.poses = substeps[-1] if self._all_present else self._without_parked(substeps[-1])
-        state.uprights = snapshot.uprights
-        if state.ways:
-            state.add_ways()
-        if self._track.used:
-            self._track.add(substeps[-1])
-        if self._contacts.used:
-            self._contacts.advance(snapshot.touches)
+        self._take_in(snapshot)
         heard = self._entered or self._emitted
-        if snapshot.heard:
-            self._listen(snapshot.heard)
         if changed_phase:
             self._enter_phase(state.scenario.phases[state.phase].next)
         self._lookout.advance(substeps, changed_phase=changed_phase)
@@ -169,6 +167,21 @@ class Referee:
         if self._events or self._firings or self._queue.busy or self._broadcast is not None:
             return self._verdict()
         return self._quiet_verdict()
+
+    def _take_in(self, snapshot: Snapshot) -> None:
+        """Remember what a snapshot shows, before anything is judged."""
+        state, judged = self._state, snapshot.substeps[-1]
+        state.before = state.poses
+        state.poses = judged if self._all_present else self._without_parked(judged)
+        state.uprights = snapshot.uprights
+        if state.ways:
+            state.add_ways()
+        if self._track.used:
+            self._track.add(judged)
+        if self._contacts.used:
+            self._contacts.advance(snapshot.touches)
+        if snapshot.heard:
+            self._listen(snapshot.heard)
 
     def finish(self) -> Verdict:
         """Run the ``half_ended`` rules after the last tick; one of them may still end the match."""
@@ -284,7 +297,7 @@ class Referee:
         model = self._state.phase_model(phase)
         self._clock_runs = model.clock == "runs"
         self._waiting = model.waiting_for_kickoff
-        self._held = model.robots == "held"
+        self._state.held.by_phase = model.robots == "held"
         self._phase_ends = NEVER
         if model.lasts_s is not None:
             self._phase_ends = self._state.tick + self._state.lasting_ticks(model.lasts_s)
@@ -346,15 +359,21 @@ class Referee:
             ended=self._state.ended,
             ends_match=self._state.match_over,
             broadcast=self._told(),
-            robots_held=self._held,
+            robots_held=self._state.held.by_phase,
+            held=self._state.held.by_rules,
         )
 
     def _quiet_verdict(self) -> Verdict:
-        """Return the verdict of an uneventful tick: one object per phase, shared by all such ticks."""
-        phase = self._state.phase
+        """Return the verdict of an uneventful tick: one object per phase, shared by all such ticks.
+
+        It is made anew only where rules hold others than they did.
+        """
+        phase, held = self._state.phase, self._state.held
         found = self._quiet.get(phase)
-        if found is None:
-            found = self._quiet[phase] = Verdict(phase=phase, waiting_for_kickoff=self._waiting, robots_held=self._held)
+        if found is None or found.held is not held.by_rules:
+            found = self._quiet[phase] = Verdict(
+                phase=phase, waiting_for_kickoff=self._waiting, robots_held=held.by_phase, held=held.by_rules
+            )
         return found
 
     def _compile_broadcast(self) -> tuple[int, dict[str, Any]] | None:

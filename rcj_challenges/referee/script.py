@@ -419,8 +419,14 @@ def _differences(play: ScriptedPlay, expected: Expectation) -> Iterable[str]:
             yield from _difference(f"flag {name}", flag, any(value.values()) if isinstance(value, dict) else value)
     if expected.phase is not None:
         yield from _difference("phase", expected.phase, referee.phase)
+    for name, is_held in (expected.held or {}).items():
+        yield from _difference(f"{name} held", is_held, referee.held.get(name))
+    yield from _pose_differences(play, expected)
+
+
+def _pose_differences(play: ScriptedPlay, expected: Expectation) -> Iterable[str]:
     for name, (x, y) in expected.poses.items():
-        here = referee.spots.get(name) or play.pose(name)
+        here = play.referee.spots.get(name) or play.pose(name)
         off = hypot(here[0] - x, here[1] - y)
         if off > expected.tolerance_m:
             found = f"({here[0]:.4g}, {here[1]:.4g}), {off:.3g} m off"

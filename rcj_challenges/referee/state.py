@@ -12,6 +12,7 @@ from rcj_challenges.facts.amounts import on_paper, plain
 from rcj_challenges.facts.play import HalfInfo, Pose2
 from rcj_challenges.facts.streams import random_stream, stream_seed
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
+from rcj_challenges.referee.held import Held
 from rcj_challenges.scenario.drawn import Series, drawable, series_of
 from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.models.base import Scalar
@@ -63,6 +64,7 @@ class State:
         before: by entity, where it was a tick ago (or was put then).
         uprights: by entity, cosine of the tilt.
         present: by entity, whether it is on the field.
+        held: who is held, by the phase or by rules; also of those off the field.
         put_at: by entity, [x, y] where it was last put, or started.
         ways: by entity whose way somebody asks for, how far it has driven or rolled in the half, in m.
         spots: by name, [x, y] where it is now: where the scenario says, until a rule sets it.
@@ -88,6 +90,7 @@ class State:
         self.spots = {name: (spot.x_m, spot.y_m) for name, spot in scenario.spots.items()}
         self.uprights: list[float] = []
         self.present = [True] * len(roster.entities)
+        self.held = Held()
         self.put_at: list[tuple[float, float]] = []
         self.heard: dict[str, str] = {}
         self.scores: dict[str, Number] = {name: half.scores.get(name, 0) for name in scenario.entrants}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from math import floor, nan
 from typing import Any
 
@@ -18,15 +19,16 @@ from rcj_challenges.scenario.models.state import (
     DistanceValue,
     DrawValue,
     FlagValue,
-    HeardValue,
+    HeldValue,
     HighestOfOthers,
     LastTouchValue,
     LowestOfOthers,
-    NumberHeard,
     NumberTimer,
+    NumberTold,
     NumberWord,
     PositionValue,
     TimerValue,
+    ToldValue,
     WayValue,
     WordValue,
 )
@@ -59,22 +61,9 @@ def compile_value(value: Any, workshop: Workshop, each: str | None) -> Reader:
 
 def _reader_of_now(value: Any, workshop: Workshop, each: str | None) -> Callable[[], Any] | None:
     """Return the reader of a value that is the same whichever rule fires; None for any other."""
-    match value:
-        case CounterValue():
-            read: Callable[[], Any] | None = counter_reader(value, workshop, each)
-        case DistanceValue():
-            read = distance_reader(value, workshop, each)
-        case WayValue():
-            read = way_reader(value, workshop, each)
-        case TimerValue():
-            read = timer_reader(value, workshop, each)
-        case LastTouchValue():
-            read = _last_toucher(value, workshop, each)
-        case HeardValue():
-            read = _heard(value, workshop, each)
-        case _:
-            read = None
-    return read
+    makers = (make for kind, make in _READERS_OF_NOW.items() if isinstance(value, kind))
+    make = next(makers, None)
+    return None if make is None else make(value, workshop, each)
 
 
 def _position_reader(value: PositionValue, workshop: Workshop, each: str | None) -> Reader:
@@ -97,12 +86,17 @@ def _last_toucher(value: LastTouchValue, workshop: Workshop, each: str | None) -
     return read
 
 
-def _heard(value: HeardValue, workshop: Workshop, each: str | None) -> Callable[[], str | Number | None]:
+def _heard(value: ToldValue, workshop: Workshop, each: str | None) -> Callable[[], str | Number | None]:
     """Return what tells what a robot has told the referee last; where a number is counted, 0 if it was none."""
-    told, robot = workshop.state.heard, workshop.members(value.heard, each)[0]
-    if isinstance(value, NumberHeard):
+    told, robot = workshop.state.heard, workshop.members(value.told, each)[0]
+    if isinstance(value, NumberTold):
         return lambda: on_paper(number_in(told.get(robot, "")) or 0)
     return lambda: told.get(robot)
+
+
+def _whether_held(value: HeldValue, workshop: Workshop, each: str | None) -> Callable[[], bool]:
+    """Return what tells whether a robot is held."""
+    return partial(workshop.state.held.holds, workshop.entity(value.held, each))
 
 
 def counter_reader(value: CounterValue, workshop: Workshop, each: str | None) -> Callable[[], Number]:
@@ -110,6 +104,16 @@ def counter_reader(value: CounterValue, workshop: Workshop, each: str | None) ->
     state, name, whose = workshop.state, value.counter, workshop.whose(value.entity, each)
     return lambda: state.counter(name, whose)
 
+
+_READERS_OF_NOW: dict[type, Callable[[Any, Workshop, str | None], Callable[[], Any]]] = {
+    CounterValue: counter_reader,
+    DistanceValue: distance_reader,
+    WayValue: way_reader,
+    TimerValue: timer_reader,
+    LastTouchValue: _last_toucher,
+    ToldValue: _heard,
+    HeldValue: _whether_held,
+}
 
 Bound = Number | CounterValue | LowestOfOthers | HighestOfOthers
 """What is compared with, as the scenario's models have it."""

@@ -78,6 +78,9 @@ class DueWatch(Watch):
     def reckon(self) -> None:
         """Set ``due`` anew after an action changed what it depends on; by default it depends on nothing."""
 
+    def let_go(self, robots: frozenset[int]) -> None:
+        """Set ``due`` anew after robots that rules held were let go; by default it does not depend on them."""
+
 
 class TickWatch(Watch):
     """A watch that looks on every tick."""
@@ -183,6 +186,13 @@ class Lookout:
         for watch in self._alive.due:
             watch.reckon()
         self._next_due()
+
+    def let_go(self, robots: frozenset[int]) -> None:
+        """Tell all watches that these robots, which rules held, may move again."""
+        if robots:
+            for watch in self._alive.due:
+                watch.let_go(robots)
+            self._next_due()
 
     def restart(self, watch: Watch) -> None:
         """Begin one watch anew, because a rule says so."""

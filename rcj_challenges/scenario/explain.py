@@ -257,12 +257,16 @@ _USUAL = {
     "score": "counter, with the entrant as the counter: a score is read like one",
     "phase": "phases: […] beside 'conditions': a rule lives in the phases of that list",
     "time_s": "timer, of a timer with starts: true",
+    "frozen": "held",
+    "hold": "held",
 }
 """What others call a condition, and how it is written here."""
 
 
 _REPEATED = "every so often is a timer that the rule restarts when it expires"
 _LATER = "a pause is a phase, and what comes later waits for a timer"
+_HELD = "'hold' keeps a robot where it is, for_s or until 'release'"
+_LET_GO = "'release' lets a robot go that 'hold' holds"
 _ELSEWHERE = {
     ("trigger", "every"): _REPEATED,
     ("trigger", "interval"): _REPEATED,
@@ -270,6 +274,14 @@ _ELSEWHERE = {
     ("action", "wait"): _LATER,
     ("action", "sleep"): _LATER,
     ("action", "pause"): _LATER,
+    ("trigger", "hold"): "what waits for a condition is 'holds'; 'hold' is an action that keeps robots still",
+    ("action", "holds"): _HELD,
+    ("action", "freeze"): _HELD,
+    ("action", "stop"): _HELD,
+    ("action", "held"): _HELD,
+    ("action", "unfreeze"): _LET_GO,
+    ("action", "free"): _LET_GO,
+    ("action", "let_go"): _LET_GO,
     ("action", "if"): "what depends on something is a rule of its own, with conditions",
 }
 """What other languages have a trigger or an action for, and how it is said here."""

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from rcj_challenges.scenario.models.conditions import Heard
+from rcj_challenges.scenario.models.conditions import Told
 from rcj_challenges.scenario.models.robots import TeamEmitterDevice
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.models.state import HeardValue
-from rcj_challenges.scenario.models.triggers import Hears
+from rcj_challenges.scenario.models.state import ToldValue
+from rcj_challenges.scenario.models.triggers import Tells
 from rcj_challenges.scenario.visiting import visit
 
-_LISTENING = (Hears, Heard, HeardValue)
+_LISTENING = (Tells, Told, ToldValue)
 
 
 def referee_listens(scenario: Scenario) -> bool:

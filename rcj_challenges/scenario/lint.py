@@ -22,7 +22,7 @@ from rcj_challenges.scenario.lint_flow import (
 )
 from rcj_challenges.scenario.lint_ground import check_entities, check_layouts, check_obstacles, check_places
 from rcj_challenges.scenario.lint_heard import check_heard
-from rcj_challenges.scenario.lint_held import check_held
+from rcj_challenges.scenario.lint_held import check_held, check_holds
 from rcj_challenges.scenario.lint_kicks import check_kicks
 from rcj_challenges.scenario.lint_moments import check_moments
 from rcj_challenges.scenario.lint_numbers import check_numbers
@@ -98,6 +98,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_idle_robots,
     check_held,
     check_heard,
+    check_holds,
     check_inherited_tests,
 )
 

@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 from rcj_challenges.scenario.heard import robots_that_speak
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
-from rcj_challenges.scenario.models.conditions import Heard
-from rcj_challenges.scenario.models.state import HeardValue
-from rcj_challenges.scenario.models.triggers import Hears
+from rcj_challenges.scenario.models.conditions import Told
+from rcj_challenges.scenario.models.state import ToldValue
+from rcj_challenges.scenario.models.triggers import Tells
 from rcj_challenges.scenario.visiting import visit
 
 
@@ -17,10 +17,10 @@ def check_heard(subject: Subject) -> Iterator[Suspect]:
     speaking = frozenset(robots_that_speak(subject.scenario))
     for name, rule in subject.scenario.rules.items():
         for model, path in visit(rule, ("rules", name)):
-            if isinstance(model, Hears | Heard):
+            if isinstance(model, Tells | Told):
                 key, names = "entity", model.entity
-            elif isinstance(model, HeardValue):
-                key, names = "heard", model.heard
+            elif isinstance(model, ToldValue):
+                key, names = "told", model.told
             else:
                 continue
             if not subject.members(names, rule) & speaking:

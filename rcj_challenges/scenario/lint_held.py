@@ -1,28 +1,33 @@
-"""Lint of phases that hold the robots."""
+"""Lint of phases and rules that hold robots."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from math import inf
+from typing import NamedTuple
 
 from rcj_challenges.scenario.errors import listing
+from rcj_challenges.scenario.halves import longest_half_s
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lengths_s, lives_in
+from rcj_challenges.scenario.models.actions import Hold, Release
+from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.scenario.models.conditions import IsHeld
 from rcj_challenges.scenario.models.scenario import Rule
+from rcj_challenges.scenario.models.state import HeldValue
 from rcj_challenges.scenario.models.triggers import NoProgress
+from rcj_challenges.scenario.tree import Path
+from rcj_challenges.scenario.visiting import visit
+
+_NO_PROGRAM = "no robot has a program, and so none drives"
+_WHO_DRIVES = "leave it out, or name who drives under entrants:"
 
 
 def check_held(subject: Subject) -> Iterator[Suspect]:
     """Phases that hold robots in vain or for ever, and rules that expect held robots to move."""
-    scenario = subject.scenario
-    held = [name for name, phase in scenario.phases.items() if phase.robots == "held" and name in subject.reached]
-    driven = {robot for entrant in scenario.entrants.values() for robot in entrant.robots}
+    held = _holding_phases(subject)
+    driven = _driven(subject)
     if held and not driven:
-        yield Suspect(
-            "hold_without_effect",
-            ("phases", held[0], "robots"),
-            "no robot has a program, and so none drives",
-            "leave it out, or name who drives under entrants:",
-        )
+        yield Suspect("hold_without_effect", ("phases", held[0], "robots"), _NO_PROGRAM, _WHO_DRIVES)
     elif held and subject.reached == set(held):
         yield Suspect(
             "robots_never_free",
@@ -33,6 +38,16 @@ def check_held(subject: Subject) -> Iterator[Suspect]:
     else:
         for name, rule in subject.standing():
             yield from _expected_to_move(name, rule, held, driven, subject)
+
+
+def _holding_phases(subject: Subject) -> list[str]:
+    phases = subject.scenario.phases.items()
+    return [name for name, phase in phases if phase.robots == "held" and name in subject.reached]
+
+
+def _driven(subject: Subject) -> set[str]:
+    """Return the robots that have a program."""
+    return {robot for entrant in subject.scenario.entrants.values() for robot in entrant.robots}
 
 
 def _expected_to_move(name: str, rule: Rule, held: list[str], driven: set[str], subject: Subject) -> Iterator[Suspect]:
@@ -53,3 +68,75 @@ def _expected_to_move(name: str, rule: Rule, held: list[str], driven: set[str], 
 def _longest_s(phase: str, subject: Subject) -> float:
     lasts_s = subject.scenario.phases[phase].lasts_s
     return inf if lasts_s is None else max(lengths_s(lasts_s, subject.scenario))
+
+
+# --- rules that hold robots -------------------------------------------------------------------------------------------
+
+
+class _Naming(NamedTuple):
+    """A part of a rule that holds robots, lets them go, or asks whether they are held, and whom it names."""
+
+    model: Strict
+    path: Path
+    robots: frozenset[str]
+
+
+def check_holds(subject: Subject) -> Iterator[Suspect]:
+    """Rules that hold robots in vain or for ever, let go whom no rule holds, or ask for what never is."""
+    named = list(_named(subject))
+    held = {robot for one in named if isinstance(one.model, Hold) for robot in one.robots}
+    freed = {robot for one in named if isinstance(one.model, Release) for robot in one.robots}
+    driven, phases = _driven(subject), _holding_phases(subject)
+    for one in named:
+        match one.model:
+            case Hold(for_s=for_s):
+                yield from _hold(one, driven, freed, subject, lasts=for_s is None)
+            case Release() if not one.robots & held:
+                yield _release(one, phases)
+            case IsHeld() | HeldValue() if not one.robots & held and not phases:
+                yield Suspect(
+                    "never_held",
+                    one.path,
+                    f"it asks whether {listing(sorted(one.robots))} is held, and no rule or phase holds it",
+                    "write a rule that does: {action: hold, entity: …}, or leave it out",
+                )
+
+
+def _named(subject: Subject) -> Iterator[_Naming]:
+    for name, rule in subject.standing():
+        for model, path in visit(rule, ("rules", name)):
+            if isinstance(model, Hold | Release | IsHeld):
+                yield _Naming(model, path, subject.members(model.entity, rule))
+            elif isinstance(model, HeldValue):
+                yield _Naming(model, path, subject.members(model.held, rule))
+    for model, path in visit(subject.scenario.broadcast, ("broadcast",)):
+        if isinstance(model, HeldValue):
+            yield _Naming(model, path, frozenset(subject.roster.expand(model.held)))
+
+
+def _hold(one: _Naming, driven: set[str], freed: set[str], subject: Subject, *, lasts: bool) -> Iterator[Suspect]:
+    if not one.robots & driven:
+        who = listing(sorted(one.robots))
+        reason = f"no program drives {who}: nothing but a push moves {'it' if len(one.robots) == 1 else 'them'} anyway"
+        yield Suspect("hold_without_effect", one.path, reason, _WHO_DRIVES)
+        return
+    for_ever = one.robots & driven - freed
+    if lasts and for_ever:
+        half_s = longest_half_s(subject.scenario.match)
+        yield Suspect(
+            "held_for_ever",
+            one.path,
+            f"it has no for_s, and no rule lets {listing(sorted(for_ever))} go again",
+            f"give it for_s, or write a rule with {{action: release, entity: …}}; to the end of the half is for_s: "
+            f"{half_s:g}",
+        )
+
+
+def _release(one: _Naming, phases: list[str]) -> Suspect:
+    also = f"; what phase '{phases[0]}' holds is held until it is over, whatever rules do" if phases else ""
+    return Suspect(
+        "release_without_effect",
+        one.path,
+        f"no rule holds {listing(sorted(one.robots))}{also}",
+        "leave it out, or hold them by a rule: {action: hold, entity: …}",
+    )

@@ -62,7 +62,7 @@ _OF_ENTITY = (
     triggers.NoProgress,
     triggers.StaysIn,
     triggers.TipsOver,
-    triggers.Hears,
+    triggers.Tells,
 )
 
 _NOBODY = "no trigger of this rule is about one entity, and it has no for_each over entities"
@@ -146,7 +146,7 @@ def _at_times_empty(blank: str, name: str, rule: Rule, subject: Subject) -> Iter
         return
     without = next((trigger for trigger in rule.triggers if not _fills(trigger, blank, rule, subject)), None)
     if without is not None:
-        hears_no_number = blank == "measured" and isinstance(without, triggers.Hears)
+        hears_no_number = blank == "measured" and isinstance(without, triggers.Tells)
         why = "may hear what is no number" if hears_no_number else _WHY_EMPTY[blank]
         remedy = "give that trigger a rule of its own, or leave it out"
         yield Suspect(
@@ -162,13 +162,13 @@ def _fills(trigger: Trigger, blank: str, rule: Rule, subject: Subject) -> bool:
     if blank in {"entity", "team"}:
         return bool(_found_by(trigger, rule, subject) & _told_by(blank, subject))
     if blank == "measured":
-        return _measures(trigger) and not (isinstance(trigger, triggers.Hears) and trigger.is_a is None)
+        return _measures(trigger) and not (isinstance(trigger, triggers.Tells) and trigger.is_a is None)
     return blank != "limit" or isinstance(trigger, _WITH_LIMIT)
 
 
 def _measures(trigger: Trigger) -> bool:
     """Return whether a trigger measures something, or hears a number."""
-    if isinstance(trigger, triggers.Hears):
+    if isinstance(trigger, triggers.Tells):
         return trigger.is_a != "position"
     return isinstance(trigger, (*_WITH_LIMIT, *_OF_SEQUENCES))
 

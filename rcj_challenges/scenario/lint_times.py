@@ -9,7 +9,7 @@ from rcj_challenges.facts.timing import TICK_S, ticks_from_s
 from rcj_challenges.scenario.halves import half_lengths_s, longest_half_s
 from rcj_challenges.scenario.lint_logic import range_of, ways_to_hold
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lengths_s
-from rcj_challenges.scenario.models.actions import Remove
+from rcj_challenges.scenario.models.actions import Hold, Remove
 from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.conditions import Condition, HalfIs
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
@@ -138,6 +138,8 @@ def _limits(model: Strict, scenario: Scenario) -> Iterator[tuple[str, float, boo
             yield _lasting(model.lasts_s, scenario, "the phase never ends by itself")
         case Remove() if model.for_s is not None:
             yield "for_s", model.for_s, False, "what is taken off does not come back"
+        case Hold() if model.for_s is not None:
+            yield "for_s", model.for_s, False, "who is held stays so until the half ends"
         case Rule() if model.cooldown_s is not None:
             yield "cooldown_s", model.cooldown_s, False, "the rule fires once (max_executions: 1 says so)"
 

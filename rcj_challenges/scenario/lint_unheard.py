@@ -18,12 +18,13 @@ from rcj_challenges.scenario.models.actions import (
     DrawAction,
     Emit,
     End,
+    Hold,
     Score,
     SetFlag,
     SetPhase,
     ToggleFlag,
 )
-from rcj_challenges.scenario.models.conditions import AllOf, AnyOf, Condition, CounterIs, Drawn, FlagIs
+from rcj_challenges.scenario.models.conditions import AllOf, AnyOf, Condition, CounterIs, Drawn, FlagIs, IsHeld
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.triggers import HalfEnded, Holds, OnEvent, Trigger
 from rcj_challenges.scenario.tree import Path, node_at
@@ -157,6 +158,8 @@ def _what_makes_true(condition: Condition, subject: Subject) -> _Makes | None:
             return _what_counts(condition, subject)
         case FlagIs(flag=flag, negate=negate):
             return lambda action: _turns_flag(action, flag, to=not negate)
+        case IsHeld(negate=False) if all(phase.robots != "held" for phase in subject.scenario.phases.values()):
+            return lambda action: isinstance(action, Hold)
         case Drawn(negate=False):
             return lambda action: (
                 isinstance(action, DrawAction)

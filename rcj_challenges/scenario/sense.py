@@ -18,6 +18,7 @@ from rcj_challenges.scenario.models.conditions import (
     FlagIs,
     HalfIs,
     InZone,
+    IsHeld,
     Looks,
     Speed,
     SpotFree,
@@ -151,7 +152,7 @@ def _comparison(model: Strict, path: Path) -> Iterator[Found]:
         yield Found((*path, "at_least"), f"nothing is at least {least:g} and at most {most:g}")
 
 
-_QUANTIFIED = InZone | Speed | Distance | WayIs | Looks | SpotFree | CounterIs | FlagIs | TimerIs
+_QUANTIFIED = InZone | Speed | Distance | WayIs | Looks | IsHeld | SpotFree | CounterIs | FlagIs | TimerIs
 
 
 def _quantifier(model: Strict, path: Path, roster: Roster) -> Iterator[Found]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from typing import Any
 
 import mujoco
@@ -59,7 +59,7 @@ class World:
         self.data: Any = mujoco.MjData(self.model)
         self.tables = WorldTables.of(self.model, roster)
         self.parked: list[bool] = [False] * len(roster.entities)
-        self._robots_held = False
+        self._held: frozenset[int] = frozenset()
         chassis = [chassis_of(scenario, name) for name in roster.entities[: roster.robots]]
         self._names = roster.entities
         self._starts = _start_placements(scenario, roster)
@@ -80,7 +80,7 @@ class World:
         """Put everything at its start pose without noise, at rest, wheels at angle 0 and braked, nothing parked."""
         mujoco.mj_resetData(self.model, self.data)
         self.parked[:] = [False] * len(self.parked)
-        self._robots_held = False
+        self._held = frozenset()
         self._traction.brake_all()
         self.place(self._starts)
 
@@ -106,11 +106,11 @@ class World:
         """
         self._traction.set_wheel(robot, side, velocity_radps, position_rad)
 
-    def hold_robots(self, *, held: bool) -> None:
-        """Brake all wheels until they are let go; what is commanded meanwhile acts then."""
-        self._robots_held = held
+    def hold_robots(self, held: Collection[int]) -> None:
+        """Brake the wheels of these robots until they are let go; all others are. What is commanded acts then."""
+        self._held = frozenset(held)
         for robot in range(self.tables.robots):
-            self._traction.set_stopped(robot, stopped=held or self.parked[robot])
+            self._traction.set_stopped(robot, stopped=robot in self._held or self.parked[robot])
 
     def wheel_angles(self) -> list[list[float]]:
         """Return the angles of [left, right] wheel in rad, by robot; they grow while it drives along its +x."""
@@ -158,7 +158,7 @@ class World:
         entity = placement.entity
         self.parked[entity] = placement.parked
         if entity < self.tables.robots:
-            self._traction.set_stopped(entity, stopped=placement.parked or self._robots_held)
+            self._traction.set_stopped(entity, stopped=placement.parked or entity in self._held)
         x, y, yaw = placement.x_m, placement.y_m, placement.yaw_rad
         if placement.parked:
             x, y, yaw = PARKING_X_M + entity * PARKING_GAP_M, 0.0, 0.0

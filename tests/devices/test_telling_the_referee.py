@@ -10,7 +10,7 @@ from tests.devices.device_bench import Bench
 LISTENS = {
     "rules": {
         "told": {
-            "triggers": [{"trigger": "hears", "entity": "robots"}],
+            "triggers": [{"trigger": "tells", "entity": "robots"}],
             "actions": [{"action": "emit", "event": "TOLD"}],
         }
     }

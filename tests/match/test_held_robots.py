@@ -1,4 +1,4 @@
-"""A phase that holds the robots, in real matches: programs run, wheels stand, and what was commanded acts afterwards.
+"""Phases and rules that hold robots, in real matches: programs run, wheels stand, what was commanded acts afterwards.
 
 Sentence 5.8 of ADR 1.
 """
@@ -31,6 +31,15 @@ rules:
     triggers: [{trigger: time_reached, at_s: 2}]
     actions: [{action: emit, event: STOP}, {action: set_phase, phase: stop}]
     says: Stop.
+  one_alone:
+    triggers: [{trigger: time_reached, at_s: 1.4}]
+    actions: [{action: hold, entity: Y2, for_s: 0.32}]
+  drives_again:
+    triggers: [{trigger: holds, condition: {condition: held, entity: Y2, negate: true}}]
+    actions: [{action: emit, event: DRIVES_AGAIN}]
+  for_good:
+    triggers: [{trigger: time_reached, at_s: 1.9}]
+    actions: [{action: hold, entity: Y2}]
 """
 DRIVES_AND_TELLS = """
 from controller import Robot
@@ -97,6 +106,31 @@ def test_who_drives_when_it_begins_is_braked_and_drives_on_afterwards(run):
     assert way[on : on + 3].min() > 1e-4
 
 
+def test_one_robot_that_a_rule_holds_stands_for_its_time_and_others_drive(run):
+    held = ticks_from_s(1.4)
+    way = ways(run, "Y2")[held - 2 :]  # [0] is that of tick `held`
+    assert way[0] > 1e-3
+    assert way[6:11].max() < 1e-5
+    assert way[11:14].min() > 1e-4  # after ten ticks
+    assert ways(run, "Y1")[held : held + 11].min() > 1e-3
+    assert [event["matchtime"] for event in run.events("DRIVES_AGAIN")] == [pytest.approx((held + 10) * 0.032)]
+
+
+def test_who_is_held_by_a_rule_when_a_phase_lets_all_go_stands_on(run):
+    on = STOP + ticks_from_s(0.5)
+    assert ways(run, "Y2")[on:].max() < 1e-5
+    assert ways(run, "Y1")[on : on + 3].min() > 1e-4
+
+
+def test_the_record_says_from_when_on_rules_hold_whom(run):
+    lines = [json.loads(line) for line in (run.folder / "referee.jsonl").read_text("utf-8").splitlines()]
+    first, last = ticks_from_s(1.4), ticks_from_s(1.9)
+    assert [line for line in lines if line["kind"] == "held"] == [
+        {"half": 1, "kind": "held", "tick": tick, "robots": robots}
+        for tick, robots in ((first, ["Y2"]), (first + 10, []), (last, ["Y2"]))
+    ]
+
+
 def test_programs_run_on_and_sensors_tell_the_truth(run):
     assert "held 20 0.0 10.0" in run.log("Y1")  # the wheel has not turned; what the motor is commanded is 10 rad/s
 
@@ -114,10 +148,12 @@ def test_in_a_free_phase_they_drive(countdown):
     assert ways(free, "Y1")[10:20].min() > 1e-3
 
 
-def test_a_second_half_begins_as_its_first_phase_says(countdown):
+def test_a_second_half_begins_as_its_first_phase_says_and_no_rule_holds_anybody(countdown):
     # The first half ends within the phase that stops the robots.
     both = countdown("match.halves=2", "match.half_s=2.2", "first_phase=play")
     assert ways(both, "Y1", 1)[:20].min() > 1e-5
+    assert ways(both, "Y2", 0)[-3:].max() < 1e-5  # held by a rule, for good
+    assert ways(both, "Y2", 1)[14:20].min() > 1e-3
     held = countdown("match.halves=2", "match.half_s=1.5")
     assert ways(held, "Y1", 1)[: GO - 1].max() < 1e-6
 

@@ -15,13 +15,13 @@ spots: {guess: {x_m: 0, y_m: 0}, treasure: {x_m: 0.3, y_m: 0.2}}
 rules:
   guessed:
     for_each: yellow
-    triggers: [{trigger: hears, entity: each, is_a: position}]
+    triggers: [{trigger: tells, entity: each, is_a: position}]
     actions:
-      - {action: set_spot, spot: guess, to: {heard: each}}
-      - {action: emit, event: GUESS, payload: {told: {heard: each}, off_m: {distance: [guess, treasure]}}}
+      - {action: set_spot, spot: guess, to: {told: each}}
+      - {action: emit, event: GUESS, payload: {told: {told: each}, off_m: {distance: [guess, treasure]}}}
     says: '{entity} tells where the treasure is.'
   over:
-    triggers: [{trigger: hears, entity: Y2, text: DONE}]
+    triggers: [{trigger: tells, entity: Y2, text: DONE}]
     actions: [{action: emit, event: DONE}]
     says: Done.
 """

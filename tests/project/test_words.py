@@ -92,7 +92,7 @@ def test_there_is_a_recipe_for_each_kind_that_is_promised():
     assert titles == [
         "A race through gates", "Keep-away in a zone", "Defend the goal", "Relay between halves", "Timed deliveries",
         "Obstacle courses", "Red light, green light", "Gates in a drawn order", "The poisoned ball", "Tag",
-            "The last one is out", "Search and report",
+            "Freeze tag", "The last one is out", "Search and report",
     ]  # fmt: skip
     assert len(RECIPES) == len(titles)
 

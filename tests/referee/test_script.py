@@ -74,6 +74,22 @@ class TestExpect:
             "ball: expected at (0, 0.3), is at (0, 0.25), 0.05 m off; up to 0.001 m off is allowed, more by tolerance_m",
         ]
 
+    def test_who_is_held_at_the_end_is_compared_robot_by_robot(self, small):
+        hold = "rules: {hold: {triggers: [{trigger: touches, entity: Y1, other: ball}], actions: [{action: hold, entity: Y1, for_s: 1}]}}"
+
+        def compared(lasts_s, held, more="{}"):
+            block = f"{{lasts_s: {lasts_s}, keyframes: [{{at_s: 1, touch: [[Y1, ball]]}}], held: {held}}}"
+            scenario = small(hold, more, f"expect: {{it: {block}}}")
+            return run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it")
+
+        assert compared(1.9, "{Y1: true, Y2: false}") == []
+        assert compared(1.9, "{Y1: false, Y2: true}") == [
+            "Y1 held: expected false, is true",
+            "Y2 held: expected true, is false",
+        ]
+        assert compared(2.1, "{Y1: false}") == []
+        assert compared(2.1, "{Y1: true}", "phases: {play: {robots: held}}") == []
+
     def test_a_late_event_says_what_the_test_allowed(self, differences):
         assert differences(GOAL + ", events: [{event: GOAL, at_s: 1, tolerance_s: 0.5}]") == [
             "event 1 (GOAL): expected at 1 s, came at 0.32 s; up to 0.5 s off is allowed, more by tolerance_s beside at_s"

@@ -37,6 +37,16 @@ def test_a_zone_without_a_colour_is_written_as_before_there_were_any():
     assert type(scenario).model_validate(dumped(scenario)) == scenario
 
 
+def test_a_test_that_does_not_ask_who_is_held_is_written_as_before():
+    block = "{keyframes: [{at_s: 0}], lasts_s: 1%s}"
+    expect = f"expect: {{plain: {block % ''}, asking: {block % ', held: {Y1: false}'}}}"
+    scenario = load_text(f"schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\n{expect}\n").scenario
+    written = dumped(scenario)["expect"]
+    assert "held" not in written["plain"]
+    assert written["asking"]["held"] == {"Y1": False}
+    assert type(scenario).model_validate(dumped(scenario)) == scenario
+
+
 # The command line lets SIGTERM, the end of a service, mean the same.
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda number: number.name)
 def test_ctrl_c_while_a_scenario_is_written_waits_until_that_is_done_and_is_not_lost(monkeypatch, number):

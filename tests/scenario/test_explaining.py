@@ -15,7 +15,7 @@ from tests.scenario.writing import HEAD, complaints, problems_of, rule
 
 TRIGGERS = (
     "half_started, half_ended, phase_entered, time_reached, timer_expired, enters, leaves, crosses, touches, displaced, "
-    "no_progress, stays_in, tips_over, sequence_completed, sequence_broken, event, program_fault, hears, holds"
+    "no_progress, stays_in, tips_over, sequence_completed, sequence_broken, event, program_fault, tells, holds"
 )
 
 
@@ -51,11 +51,11 @@ CASES = [
      "rules.r.triggers[0] (holds).condition.at_least: expected a number, {counter: …}, {lowest: …} or {highest: …}, found a mapping with timer"),
     (rule("{trigger: holds, condition: [{condition: flag, flag: f}, {condition: flag, flag: g}]}"),
      ("rules.r.triggers[0] (holds).condition: expected a mapping with 'condition', found a list of 2; it takes a single one of in_zone, "
-      "speed, distance, way, looks, counter, flag, drawn, timer, last_touch, heard, spot_free, sequence_at, half, any_of, all_of (its opposite by negate: true); for "
+      "speed, distance, way, looks, held, counter, flag, drawn, timer, last_touch, told, spot_free, sequence_at, half, any_of, all_of (its opposite by negate: true); for "
       "several write {condition: all_of, conditions: […]}; what else must hold when the rule fires stands in its 'conditions'")),
     (rule("{trigger: holds, condition: {condition: any_of, conditions: [{condition: any_of, conditions: []}]}}"),
-     ("rules.r.triggers[0] (holds).condition.conditions[0] (any_of): unknown condition 'any_of'; there are in_zone, speed, distance, way, looks, "
-      "counter, flag, drawn, timer, last_touch, heard, spot_free, sequence_at, half, all_of; 'any_of' cannot stand in itself: write all "
+     ("rules.r.triggers[0] (holds).condition.conditions[0] (any_of): unknown condition 'any_of'; there are in_zone, speed, distance, way, looks, held, "
+      "counter, flag, drawn, timer, last_touch, told, spot_free, sequence_at, half, all_of; 'any_of' cannot stand in itself: write all "
       "conditions into one list")),
     (rule("{trigger: event, event: Goal}"), "rules.r.triggers[0] (event).event: 'Goal' is no event's name: capitals, digits and _, such as GOAL"),
     (rule(rest="    phases: all\n"), "rules.r.phases: expected any or a list of names, found 'all'"),
@@ -75,22 +75,22 @@ CASES = [
      "rules.r.actions[0] (place).facing.towards: expected a name or two numbers [x, y], found a list of 1"),
     (place("at: start, mirror: x"), "rules.r.actions[0] (place).mirror: expected {axis: …}, found 'x'"),
     (rule(action="{action: score, entrant: blue, points: [{weight: 2}]}"),
-     ("rules.r.actions[0] (score).points[0]: expected a number, {counter: …}, {flag: …}, {draw: …}, {word: …}, {distance: …}, {way: …}, {timer: …} or {heard: …}, "
+     ("rules.r.actions[0] (score).points[0]: expected a number, {counter: …}, {flag: …}, {draw: …}, {word: …}, {distance: …}, {way: …}, {timer: …} or {told: …}, "
       "found a mapping with weight")),
     (rule(action="{action: score, entrant: blue, points: [5, '3']}"),
-     ("rules.r.actions[0] (score).points[1]: expected a number, {counter: …}, {flag: …}, {draw: …}, {word: …}, {distance: …}, {way: …}, {timer: …} or {heard: …}, "
+     ("rules.r.actions[0] (score).points[1]: expected a number, {counter: …}, {flag: …}, {draw: …}, {word: …}, {distance: …}, {way: …}, {timer: …} or {told: …}, "
       "found '3'; leave the quotes out")),
     (rule(action="{action: score, entrant: blue, points: {distance: [ball]}}"),
      "rules.r.actions[0] (score).points.distance: expected a list of 2, found a list of 1"),
     (rule(action="{action: score, entrant: blue, points: {position_of: ball}}"), ("rules.r.actions[0] (score).points: expected a number, "
-     "{counter: …}, {flag: …}, {draw: …}, {word: …}, {distance: …}, {way: …}, {timer: …}, {heard: …} or a list, found a mapping with position_of")),
+     "{counter: …}, {flag: …}, {draw: …}, {word: …}, {distance: …}, {way: …}, {timer: …}, {told: …} or a list, found a mapping with position_of")),
     (rule(action="{action: score, entrant: blue, points: {word: phase}}"), ("rules.r.actions[0] (score).points.word: expected score, halftime, "
      "total_match_time_s, time_s, time_left_s, measured or limit, found 'phase'")),
     (rule(action="{action: count, counter: c, by: {word: time_lft_s}}") + "counters: {c: {}}\n",
      ("rules.r.actions[0] (count).by.word: expected score, halftime, total_match_time_s, time_s, time_left_s, measured or limit, "
       "found 'time_lft_s'; did you mean 'time_left_s'?")),
     (rule(action="{action: emit, event: E, payload: {a: {}}}"), ("rules.r.actions[0] (emit).payload.a: expected a text, a number or "
-     "true/false, {counter: …}, {flag: …}, {draw: …}, {word: …}, {position_of: …}, {distance: …}, {way: …}, {timer: …}, {last_touch: …} or {heard: …}, "
+     "true/false, {counter: …}, {flag: …}, {draw: …}, {word: …}, {position_of: …}, {distance: …}, {way: …}, {timer: …}, {held: …}, {last_touch: …} or {told: …}, "
      "found an empty mapping")),
     (rule(action="{action: emit, event: E, payload: {a: {word: scor}}}"),
      ("rules.r.actions[0] (emit).payload.a.word: expected robot_name, entity_name, each_name, other_name, team_name, entrant, score, halftime, match_id, "
@@ -155,7 +155,7 @@ def test_two_mistakes_in_one_mapping_give_two_sentences():
         (Name | None, "a name"),
         (
             Points,
-            "a number, {counter: …}, {flag: …}, {draw: …}, {word: …}, {distance: …}, {way: …}, {timer: …}, {heard: …} or a list",
+            "a number, {counter: …}, {flag: …}, {draw: …}, {word: …}, {distance: …}, {way: …}, {timer: …}, {told: …} or a list",
         ),
         (Facing, "start or keep, a number, {towards: …} or {random: …}"),
         (float, "a number"),

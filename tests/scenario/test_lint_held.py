@@ -1,4 +1,4 @@
-"""Lint of phases that hold the robots."""
+"""Lint of phases and rules that hold robots."""
 
 from __future__ import annotations
 
@@ -8,7 +8,10 @@ from rcj_challenges.scenario.lint import lint
 from rcj_challenges.scenario.load import load_text
 
 HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n"
-KINDS = ("hold_without_effect", "robots_never_free", "held_robot_makes_no_progress")
+KINDS = (
+    "hold_without_effect", "robots_never_free", "held_robot_makes_no_progress", "held_for_ever", "release_without_effect",
+    "never_held", "limit_longer_than_the_half", "rule_never_fires",
+)  # fmt: skip
 COUNTDOWN = "phases: {countdown: {lasts_s: %s, robots: held}}\nfirst_phase: countdown\n"
 LAZY = (
     "rules:\n  lazy:\n    phases: %s\n"
@@ -19,7 +22,7 @@ NOBODY = "entrants: {blue: null, yellow: null}\n"
 
 
 def found(text: str) -> list[str]:
-    """Return what is said about phases that hold the robots."""
+    """Return what is said about holding robots."""
     return [str(one) for one in lint(load_text(HEAD + text, file="it.yaml")) if one.kind in KINDS]
 
 
@@ -71,3 +74,84 @@ class TestHeldRobotsThatMustMove:
     def test_the_longest_that_a_draw_may_decide_counts(self):
         drawn = "draws: {wait: {values: [2, 6]}}\n" + COUNTDOWN % "{draw: wait}"
         assert len(found(drawn + LAZY % ("any", "robots"))) == 1
+
+
+def rules(*actions: str, conditions: str = "") -> str:
+    """Return rules with one action each."""
+    lines = "".join(
+        f"  r{number}:\n    triggers: [{{trigger: touches, entity: Y1, other: ball}}]\n    conditions: [{conditions}]\n"
+        f"    actions: [{action}]\n"
+        for number, action in enumerate(actions)
+    )
+    return f"rules:\n{lines}"
+
+
+class TestRulesThatHoldRobots:
+    @pytest.mark.parametrize(
+        "actions",
+        [
+            ["{action: hold, entity: Y1, for_s: 5}"],
+            ["{action: hold, entity: Y1, for_s: 60}"],  # to the end of the half
+            ["{action: hold, entity: yellow}", "{action: release, entity: robots}"],
+        ],
+    )
+    def test_for_a_time_or_until_a_rule_lets_them_go(self, actions):
+        assert found(rules(*actions)) == []
+
+    def test_nothing_lets_some_of_them_go(self):
+        assert found(rules("{action: hold, entity: yellow}", "{action: release, entity: [Y1, Y3]}")) == [
+            (
+                "it.yaml:10:15: warning: rules.r0.actions[0] (hold): it has no for_s, and no rule lets Y2 go again; give it "
+                "for_s, or write a rule with {action: release, entity: …}; to the end of the half is for_s: 60 [held_for_ever]"
+            )
+        ]
+
+    def test_no_program_drives_them(self):
+        idle = "robots: {X1: {colour: red, number: 1, kit: v2, idle: true, start: {x_m: 0.5, y_m: 0, yaw_rad: 0}}}\n"
+        assert found(idle + rules("{action: hold, entity: X1, for_s: 5}")) == [
+            (
+                "it.yaml:11:15: warning: rules.r0.actions[0] (hold): no program drives X1: nothing but a push moves it "
+                "anyway; leave it out, or name who drives under entrants: [hold_without_effect]"
+            )
+        ]
+        assert found(idle + rules("{action: hold, entity: robots, for_s: 5}")) == []
+
+    def test_longer_than_the_half(self):
+        assert [
+            "limit_longer_than_the_half" in one for one in found(rules("{action: hold, entity: Y1, for_s: 5000}"))
+        ] == [True]
+
+    def test_let_go_whom_no_rule_holds(self):
+        release = "{action: release, entity: Y1}"
+        assert found(rules(release, "{action: hold, entity: Y2, for_s: 1}")) == [
+            (
+                "it.yaml:10:15: warning: rules.r0.actions[0] (release): no rule holds Y1; leave it out, or hold them by a "
+                "rule: {action: hold, entity: …} [release_without_effect]"
+            )
+        ]
+        (told,) = found(COUNTDOWN % 3 + rules(release))
+        assert "; what phase 'countdown' holds is held until it is over, whatever rules do; " in told
+
+    @pytest.mark.parametrize("negate", ["", ", negate: true"])
+    def test_asked_of_whom_nothing_holds(self, negate):
+        asking = rules("{action: score, entrant: blue}", conditions=f"{{condition: held, entity: Y1{negate}}}")
+        assert found(asking) == [
+            (
+                "it.yaml:9:18: warning: rules.r0.conditions[0] (held): it asks whether Y1 is held, and no rule or phase "
+                "holds it; write a rule that does: {action: hold, entity: …}, or leave it out [never_held]"
+            )
+        ]
+        assert found(COUNTDOWN % 3 + asking) == []
+
+    def test_told_to_programs_of_whom_nothing_holds(self):
+        told = "broadcast: {fields: {Y1: {held: Y1}}}\n"
+        assert ["[never_held]" in one for one in found(told)] == [True]
+        assert found(told + rules("{action: hold, entity: yellow, for_s: 1}")) == []
+
+    def test_waiting_in_play_for_a_hold_that_comes_with_a_pause(self):
+        pause = "phases: {pause: {lasts_s: 1}}\n" + rules(
+            "{action: hold, entity: Y1, for_s: 1}, {action: set_phase, phase: pause}"
+        )
+        waits = "  waits:\n    triggers: [{trigger: holds, condition: {condition: held, entity: Y1}}]\n    actions: [{action: end}]\n"
+        assert ["[rule_never_fires]" in one for one in found(pause + waits)] == [True]
+        assert found(pause + waits.replace("}}]", "}, for_s: 0.1}]")) == []

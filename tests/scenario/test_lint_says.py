@@ -86,8 +86,8 @@ MEASURES = [
     ("{trigger: touches, entity: Y1, other: walls}", "neither"),
     ("{trigger: half_started}", "neither"),
     ("{trigger: program_fault}", "neither"),
-    ("{trigger: hears, entity: Y1, is_a: number}", "measured"),
-    ("{trigger: hears, entity: Y1, is_a: position}", "neither"),
+    ("{trigger: tells, entity: Y1, is_a: number}", "measured"),
+    ("{trigger: tells, entity: Y1, is_a: position}", "neither"),
 ]
 
 

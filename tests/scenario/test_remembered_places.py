@@ -49,7 +49,7 @@ def kinds(body):
         ),
         (
             "{action: set_spot, spot: found}",
-            "rules.r.actions[0] (set_spot): 'to' is missing: an entity, each, a spot, [x, y] in m, or {heard: NAME}: the position that a robot has told by radio",
+            "rules.r.actions[0] (set_spot): 'to' is missing: an entity, each, a spot, [x, y] in m, or {told: NAME}: the position that a robot has told by radio",
         ),
     ],
 )

@@ -39,6 +39,9 @@ def test_a_name_of_something_else_is_told_to_be_one(action, more, told):
     [
         ("{trigger: every, every_s: 10}", "{action: end}", "; every so often is a timer that the rule restarts when it expires"),
         ("{trigger: half_started}", "{action: wait, for_s: 2}", "; a pause is a phase, and what comes later waits for a timer"),
+        ("{trigger: half_started}", "{action: freeze, entity: Y1}", "; 'hold' keeps a robot where it is, for_s or until 'release'"),
+        ("{trigger: half_started}", "{action: let_go, entity: Y1}", "; 'release' lets a robot go that 'hold' holds"),
+        ("{trigger: hold}", "{action: end}", "; what waits for a condition is 'holds'; 'hold' is an action that keeps robots still"),
         ("{trigger: half_started}", "{action: if}", "; what depends on something is a rule of its own, with conditions"),
     ],
 )  # fmt: skip

@@ -60,7 +60,7 @@ def test_it_ends_as_a_replay_that_has_everything(
       const { recording } = replay;
       return [
         recording.last, recording.span, recording.events,
-        recording.halves.map(({ facts }) => [facts.scores, facts.score_changes, facts.phases, facts.faults, facts.sides]),
+        recording.halves.map(({ facts }) => [facts.scores, facts.score_changes, facts.phases, facts.held, facts.faults, facts.sides]),
         recording.halves.map((track) => recording.entities.map((_, entity) => [...track.jumps[entity]])),
       ];
     }"""

@@ -315,6 +315,21 @@ def test_a_failed_program_is_said_on_the_robots_card(show: Callable[..., Any], r
     assert "program failed at 0:09.6: crash: ZeroDivisionError" in card.inner_text()
 
 
+def test_a_robot_that_a_rule_holds_is_told_beside_the_clock_and_on_its_card(
+    show: Callable[..., Any], run: Path
+) -> None:
+    page = show(run, "#h1t199")
+    page.click("#tab-robots")
+    settled(page)
+    assert page.locator("#phase").is_hidden()
+    page.keyboard.press(".")
+    settled(page)
+    assert page.locator("#phase").inner_text() == "B1 held"
+    assert [card.split()[-1] == "held" for card in page.locator(".robot .numbers").all_inner_texts()] == [True] + 6 * [
+        False
+    ]
+
+
 def test_a_zone_that_has_a_colour_is_shown_in_it(show: Callable[..., Any], run: Path) -> None:
     viewer = Path(rcj_challenges.__file__).parent / "views" / "replay" / "viewer"
     parts = "\n".join((viewer / f"{name}.js").read_text(encoding="utf-8") for name in PARTS_OF_THE_FLOOR)

@@ -195,6 +195,7 @@ def test_an_event_tells_what_the_referee_measured_and_how_it_stood(page: str) ->
 def test_phases_and_score_are_told_by_half(page: str) -> None:
     first, second = _facts(page)["halves"]
     assert first["phases"][:3] == [[0, "play", False], [400, "goal_pause", True], [494, "play", False]]
+    assert first["held"] == [[200, ["B1"]], [260, []]]
     assert first["sides"] == {"blue": "blue", "yellow": "yellow"}
     assert second["sides"] == {"blue": "yellow", "yellow": "blue"}
     assert first["score_changes"][0] == [400, {"blue": 0, "yellow": 1}]

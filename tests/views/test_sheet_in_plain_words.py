@@ -238,3 +238,52 @@ def test_a_layout_that_no_rule_uses_is_not_told():
     text = sheet(f"{layout}rules: {{it: {{{GOAL}, actions: [{{action: place, layout: b}}]}}}}\n")
     assert "“b”: Y2 is put at its start." in text
     assert "“a”" not in text
+
+
+# --- robots that are held -----------------------------------------------------------------------------------------------
+
+HOLD = "triggers: [{trigger: touches, entity: Y1, other: ball}], actions: [{action: %s}]"
+MEANS = "A robot that is held still stands with braked wheels, whatever its program says, until its time is over or it is let go."
+
+
+@pytest.mark.parametrize(
+    ("action", "said"),
+    [
+        ("hold, entity: Y1, for_s: 5", "Y1 is held still for 5 s"),
+        ("hold, entity: Y1", "Y1 is held still until it is let go"),
+        ("hold, entity: yellow", "the yellow robots are held still until they are let go"),
+        ("release, entity: [Y1, B1]", "Y1 and B1 are let go"),
+    ],
+)
+def test_who_is_held_for_how_long_and_who_is_let_go(action, said):
+    assert sentence(HOLD % action) == f"When Y1 touches the ball: {said}."
+
+
+@pytest.mark.parametrize(
+    ("written", "said"),
+    [
+        ("condition: held, entity: Y1", "Y1 is held"),
+        ("condition: held, entity: Y1, negate: true", "Y1 is not held"),
+        ("condition: held, entity: yellow, of: all", "all of the yellow robots are held"),
+    ],
+)
+def test_who_must_be_held(written, said):
+    assert condition(written) == said
+
+
+def test_what_it_means_to_be_held_is_said_once_where_rules_hold_robots():
+    told = sheet(f"rules: {{it: {{{HOLD % 'hold, entity: Y1'}}}, also: {{{HOLD % 'hold, entity: B1'}}}}}\n")
+    assert told.count(MEANS) == 1
+    assert MEANS not in sheet(f"rules: {{it: {{{GOAL}, {END}}}}}\n")
+
+
+def test_where_who_does_not_move_is_judged_the_sheet_says_that_who_is_held_is_not():
+    lazy = f"lazy: {{triggers: [{{trigger: no_progress, entity: Y1, distance_m: 0.1, within_s: 5}}], {END}}}"
+    held = f"it: {{{HOLD % 'hold, entity: Y1'}}}"
+    counts = f"{MEANS} That it does not move counts only from then on."
+    assert counts in sheet(f"rules: {{{held}, {lazy}}}\n")
+    assert counts not in sheet(f"rules: {{{held}}}\n")
+
+
+def test_programs_are_told_who_is_held():
+    assert "| Y1 | whether Y1 is held |" in sheet("broadcast: {fields: {Y1: {held: Y1}}}\n")

@@ -62,6 +62,10 @@ class Stage:
     def park(self, name: str) -> None:
         self.world.place([Placement(self.index(name), 0, 0, 0, parked=True)])
 
+    def hold(self, *names: str) -> None:
+        """Hold these robots and no others."""
+        self.world.hold_robots([self.index(name) for name in names])
+
     def roll(self, name: str, vx: float, vy: float) -> None:
         """Let a ball roll without sliding."""
         ball, radius = self.index(name), self.scenario.balls[name].radius_m

@@ -18,12 +18,12 @@ def stage():
 
 
 def test_what_is_commanded_meanwhile_acts_when_they_are_let_go(stage):
-    stage.world.hold_robots(held=True)
+    stage.hold("Y1", "B1")
     stage.drive("Y1", FULL, FULL)
     stage.play(0.5)
     assert stage.pose("Y1") == pytest.approx((0.0, 0.0, 0.0), abs=1e-6)
     assert stage.world.wheel_angles()[stage.index("Y1")] == [0.0, 0.0]
-    stage.world.hold_robots(held=False)
+    stage.hold()
     stage.play(0.5)
     assert stage.pose("Y1")[0] > 0.05
     assert stage.pose("B1") == pytest.approx((0.0, 0.4, 0.0), abs=1e-6)  # nobody has commanded it
@@ -33,30 +33,30 @@ def test_who_drives_is_braked_and_drives_on_afterwards(stage):
     stage.drive("Y1", FULL, FULL)
     stage.play(0.5)
     assert stage.speed("Y1") > 0.15
-    stage.world.hold_robots(held=True)
+    stage.hold("Y1", "B1")
     stage.play(0.5)
     assert stage.speed("Y1") < 1e-6
     x = stage.pose("Y1")[0]
-    stage.world.hold_robots(held=False)
+    stage.hold()
     stage.play(0.5)
     assert stage.pose("Y1")[0] > x + 0.05
 
 
 def test_a_wheel_on_its_way_to_an_angle_waits_and_goes_there_afterwards(stage):
     robot = stage.index("Y1")
-    stage.world.hold_robots(held=True)
+    stage.hold("Y1", "B1")
     for side in ("left", "right"):
         stage.world.set_wheel(robot, side, FULL, 2.0)
     stage.play(0.3)
     assert stage.world.wheel_angles()[robot] == [0.0, 0.0]
-    stage.world.hold_robots(held=False)
+    stage.hold()
     stage.play(3)
     assert stage.world.wheel_angles()[robot] == pytest.approx([2.0, 2.0], abs=1e-5)
 
 
 def test_who_is_put_elsewhere_is_held_there_too(stage):
     stage.drive("Y1", FULL, FULL)
-    stage.world.hold_robots(held=True)
+    stage.hold("Y1", "B1")
     stage.put("Y1", 0.2, -0.3, math.pi / 2)
     stage.play(0.5)
     assert stage.pose("Y1") == pytest.approx((0.2, -0.3, math.pi / 2), abs=1e-6)
@@ -65,8 +65,8 @@ def test_who_is_put_elsewhere_is_held_there_too(stage):
 def test_who_is_off_the_field_stays_stopped_when_the_others_are_let_go(stage):
     stage.drive("Y1", FULL, FULL)
     stage.park("Y1")
-    stage.world.hold_robots(held=True)
-    stage.world.hold_robots(held=False)
+    stage.hold("Y1", "B1")
+    stage.hold()
     stage.play(0.3)
     assert stage.world.wheel_angles()[stage.index("Y1")] == [0.0, 0.0]
     stage.put("Y1", 0.0, 0.0)
@@ -75,9 +75,34 @@ def test_who_is_off_the_field_stays_stopped_when_the_others_are_let_go(stage):
 
 
 def test_a_new_half_begins_free(stage):
-    stage.world.hold_robots(held=True)
+    stage.hold("Y1", "B1")
     stage.world.reset()
     stage.drive("Y1", FULL, FULL)
     start = stage.pose("Y1")
     stage.play(0.5)
     assert math.dist(stage.pose("Y1")[:2], start[:2]) > 0.05
+
+
+def test_only_those_that_are_held_stand(stage):
+    for robot in ("Y1", "B1"):
+        stage.drive(robot, FULL, FULL)
+    stage.hold("Y1")
+    stage.play(0.5)
+    assert stage.pose("Y1") == pytest.approx((0.0, 0.0, 0.0), abs=1e-6)
+    assert stage.pose("B1")[0] > 0.05
+    stage.hold("B1")
+    stage.play(0.5)
+    assert stage.pose("Y1")[0] > 0.05
+    assert stage.speed("B1") < 1e-6
+
+
+def test_who_is_held_and_taken_off_stands_where_it_is_put_until_it_is_let_go(stage):
+    stage.drive("Y1", FULL, FULL)
+    stage.hold("Y1")
+    stage.park("Y1")
+    stage.put("Y1", 0.2, -0.3)
+    stage.play(0.3)
+    assert stage.pose("Y1") == pytest.approx((0.2, -0.3, 0.0), abs=1e-6)
+    stage.hold()
+    stage.play(0.5)
+    assert stage.pose("Y1")[0] > 0.25

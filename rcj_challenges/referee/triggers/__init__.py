@@ -20,7 +20,7 @@ TRIGGERS: dict[str, Callable[[Any, StandingRule, int, Workshop], None]] = {
     "timer_expired": moments.timer_expired,
     "event": moments.event,
     "program_fault": moments.program_fault,
-    "hears": moments.hears,
+    "tells": moments.tells,
     "enters": zones.enters,
     "leaves": zones.leaves,
     "stays_in": zones.stays_in,

@@ -46,7 +46,7 @@ def program_fault(model: models.ProgramFault, rule: StandingRule, position: int,
         workshop.moments.faults.setdefault(workshop.roster.entities[entity], []).append(listener)
 
 
-def hears(model: models.Hears, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def tells(model: models.Tells, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when a robot has told the referee something by radio."""
     says = compile_message(model, workshop)
     for entity in workshop.entities(model.entity, rule.each):

@@ -29,7 +29,8 @@ class PathWatch(DueWatch):
     length that is asked for, nothing can happen until they slide out. So the usual tick costs nothing.
 
     The first judged position after a placement begins the path (the placed pose is not a judged one); a window of
-    469 pieces is therefore full at the 470th tick after it.
+    469 pieces is therefore full at the 470th tick after it. Who is held by a rule could not move: it is not judged
+    meanwhile, and its path begins when it is let go.
 
     Attributes:
         listeners: ears.
@@ -56,8 +57,16 @@ class PathWatch(DueWatch):
         self._short = False
         self.due = self._first + self._pieces if self._state.present[self._entity] else NEVER
 
+    def let_go(self, robots: frozenset[int]) -> None:
+        """Forget the path of one that could not move."""
+        if self._entity in robots:
+            self.restart()
+
     def look(self) -> None:
         """Measure the window, report when it falls short, and reckon when it could next."""
+        if self._entity in self._state.held.by_rules:
+            self.due = NEVER  # until it is let go
+            return
         self._add_up()
         paths, tick = self._paths, self._state.tick
         path = paths[-1] - paths[-1 - self._pieces]

@@ -16,7 +16,7 @@ from rcj_challenges.scenario.models.base import (
     described,
 )
 from rcj_challenges.scenario.models.places import At, Facing, Kick, MayKick, Mirror
-from rcj_challenges.scenario.models.state import DrawValue, HeardValue, Points, Value
+from rcj_challenges.scenario.models.state import DrawValue, Points, ToldValue, Value
 
 
 class LastToucher(Strict):
@@ -106,8 +106,8 @@ class SetSpot(Strict):
 
     action: Literal["set_spot"]
     spot: Name = described(..., "the spot")
-    to: Name | Point | HeardValue = described(
-        ..., "an entity, each, a spot, [x, y] in m, or {heard: NAME}: the position that a robot has told by radio"
+    to: Name | Point | ToldValue = described(
+        ..., "an entity, each, a spot, [x, y] in m, or {told: NAME}: the position that a robot has told by radio"
     )
 
 
@@ -156,6 +156,33 @@ class Remove(Strict):
     facing: Facing = described("start", "which way it looks when it comes back")
 
 
+class Hold(Strict):
+    """Hold robots: from the next tick on their wheels stand braked, whatever their programs command.
+
+    Programs run on, and the last command acts when they are let go. Who is held already stays so until the later of
+    the two ends. Being put elsewhere or taken off the field ends nothing, and the time runs on; a new half begins with
+    nobody held. What a phase with `robots: held` does is another matter: a robot stands as long as either holds it.
+    """
+
+    action: Literal["hold"]
+    entity: Names = described(..., "who is held: robots, groups, or each")
+    for_s: DurationS | None = described(
+        None,
+        "how long, in s, also while it is off the field; left out: until a rule lets it go (release); who is held "
+        "already stays so until the later of the two ends",
+    )
+
+
+class Release(Strict):
+    """Let robots go that rules hold: they drive again from the next tick on; who is not held stays as it is.
+
+    What a phase with `robots: held` holds stays held until the phase is over.
+    """
+
+    action: Literal["release"]
+    entity: Names = described(..., "who is let go: robots, groups, or each")
+
+
 class SetPhase(Strict):
     """Enter a phase."""
 
@@ -194,6 +221,8 @@ Action = Annotated[
     | DrawAction
     | Place
     | Remove
+    | Hold
+    | Release
     | SetPhase
     | Emit
     | End,

@@ -93,6 +93,14 @@ class Looks(_Condition):
     of: Quantifier = described("any", "how many of a group must do so")
 
 
+class IsHeld(_Condition):
+    """Whether a robot is held, by a rule or because the phase holds all robots; also off the field."""
+
+    condition: Literal["held"]
+    entity: Names = described(..., "a robot, each, or a group with `of`")
+    of: Quantifier = described("any", "how many of a group must be held")
+
+
 class CounterIs(_Compared):
     """The value of a counter, or of an entrant's score."""
 
@@ -170,13 +178,13 @@ class Message(Strict):
     )
 
 
-class Heard(_Condition, Message):
+class Told(_Condition, Message):
     """What a robot has told the referee by radio, the last time in this half; before that nothing holds.
 
     Without `text` and `is_a`: whether it has told anything.
     """
 
-    condition: Literal["heard"]
+    condition: Literal["told"]
     entity: Names = described(..., "a robot, each, or a group with `of`")
     of: Quantifier = described("any", "how many of a group must have said so")
 
@@ -213,12 +221,13 @@ Single = (
     | Distance
     | WayIs
     | Looks
+    | IsHeld
     | CounterIs
     | FlagIs
     | Drawn
     | TimerIs
     | LastTouch
-    | Heard
+    | Told
     | SpotFree
     | SequenceAt
     | HalfIs

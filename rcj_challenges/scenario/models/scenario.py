@@ -168,8 +168,10 @@ class Given(Strict):
     )
 
 
-class Expectation(Strict):
+class Expectation(Grown):
     """A test inside the file: scripted poses and touches fed straight to the referee, and what must follow."""
+
+    later_keys = frozenset({"held"})
 
     seed: int = described(1, "seed of the draws", ge=0)
     half: int = described(1, "which half is played; teams keep their seats' names in all", ge=1)
@@ -197,6 +199,9 @@ class Expectation(Strict):
         {}, "flags at the end; of one kept per entity whether any is set, or {entity: true or false, …}"
     )
     phase: Name | None = described(None, "the phase at the end")
+    held: dict[Name, bool] | None = described(
+        None, "robot -> whether it is held at the end, true or false, by a rule or by the phase"
+    )
     poses: dict[Name, Annotated[tuple[float, float], Field(strict=False)]] = described(
         {}, "entity or spot -> [x, y] at the end in m"
     )

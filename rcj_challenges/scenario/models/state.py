@@ -189,20 +189,26 @@ class TimerValue(Strict):
     )
 
 
+class HeldValue(Strict):
+    """Whether a robot is held, by a rule or because the phase holds all robots: true or false."""
+
+    held: Name = described(..., "a robot, or each")
+
+
 class LastTouchValue(Strict):
     """The name of the robot that touched something last since it was put where it is; null if none has."""
 
     last_touch: Name = described(..., "what was touched: an entity, or each")
 
 
-class HeardValue(Strict):
+class ToldValue(Strict):
     """What a robot has told the referee by radio, the last time in this half: its text; null if nothing yet."""
 
-    heard: Name = described(..., "a robot, or each")
+    told: Name = described(..., "a robot, or each")
 
 
 def _which_value(value: Any) -> str | None:
-    keys = ("counter", "flag", "draw", "word", "position_of", "distance", "way", "timer", "last_touch", "heard")
+    keys = ("counter", "flag", "draw", "word", "position_of", "distance", "way", "timer", "held", "last_touch", "told")
     if isinstance(value, dict):
         return next((key for key in keys if key in value), None)
     if isinstance(value, Strict):
@@ -220,8 +226,9 @@ Value = Annotated[
     | Annotated[DistanceValue, Tag("distance")]
     | Annotated[WayValue, Tag("way")]
     | Annotated[TimerValue, Tag("timer")]
+    | Annotated[HeldValue, Tag("held")]
     | Annotated[LastTouchValue, Tag("last_touch")]
-    | Annotated[HeardValue, Tag("heard")],
+    | Annotated[ToldValue, Tag("told")],
     Discriminator(_which_value),
 ]
 
@@ -256,7 +263,7 @@ class NumberTimer(TimerValue, Grown):
     )
 
 
-class NumberHeard(HeardValue):
+class NumberTold(ToldValue):
     """The number that a robot has told the referee by radio, the last time in this half; 0 if it was none."""
 
 
@@ -314,7 +321,7 @@ class WeightedTimer(NumberTimer):
     weight: float = described(1.0, "points for each second")
 
 
-class WeightedHeard(NumberHeard):
+class WeightedTold(NumberTold):
     """A part of a score: the number that a robot has told the referee by radio times a weight."""
 
     weight: float = described(1.0, "points for each")
@@ -334,7 +341,7 @@ Part = Annotated[
     | Annotated[WeightedDistance, Tag("distance")]
     | Annotated[WeightedWay, Tag("way")]
     | Annotated[WeightedTimer, Tag("timer")]
-    | Annotated[WeightedHeard, Tag("heard")],
+    | Annotated[WeightedTold, Tag("told")],
     Discriminator(_which_part),
 ]
 
@@ -386,7 +393,7 @@ Points = Annotated[
     | Annotated[DistanceValue, Tag("distance")]
     | Annotated[WayValue, Tag("way")]
     | Annotated[NumberTimer, Tag("timer")]
-    | Annotated[NumberHeard, Tag("heard")]
+    | Annotated[NumberTold, Tag("told")]
     | Annotated[tuple[Part, ...], Field(strict=False), Tag("parts")],
     Discriminator(_which_number),
 ]

@@ -114,12 +114,17 @@ class Displaced(Strict):
 
 
 class NoProgress(Strict):
-    """Fires when the length of an entity's path over a sliding window falls short; a window that is not full cannot."""
+    """Fires when the length of an entity's path over a sliding window falls short; a window that is not full cannot.
+
+    A robot that a rule holds (action `hold`) is not judged meanwhile; its window begins when it is let go.
+    """
 
     trigger: Literal["no_progress"]
     entity: Names = described(..., _ENTITY)
     distance_m: Positive = described(..., "path length that is expected, in m")
-    within_s: DurationS = described(..., "length of the window in s")
+    within_s: DurationS = described(
+        ..., "length of the window in s; of a robot that a rule holds it begins when it is let go"
+    )
 
 
 class StaysIn(Strict):
@@ -171,13 +176,13 @@ class ProgramFault(Strict):
     robot: Names = described("robots", "which robot, a group, or each")
 
 
-class Hears(Message):
+class Tells(Message):
     """Fires when a robot has told the referee something by radio, on the channel on which the referee speaks.
 
     One message of each robot in a tick, in the order sent. In messages and sentences ``measured`` is the number told.
     """
 
-    trigger: Literal["hears"]
+    trigger: Literal["tells"]
     entity: Names = described("robots", "whose: a robot, a group (any of them), or each")
 
 
@@ -215,7 +220,7 @@ Trigger = Annotated[
     | SequenceBroken
     | OnEvent
     | ProgramFault
-    | Hears
+    | Tells
     | Holds,
     Field(discriminator="trigger"),
 ]

@@ -21,6 +21,7 @@ from rcj_challenges.records.reflog import event_line, events_of, firing_line
 from rcj_challenges.records.sensors import SensedRobot, SensorListener
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.live.feed import Feed, poses, said
 from rcj_challenges.views.live.pace import Pace
 from rcj_challenges.views.live.senses import HalfSenses
@@ -84,6 +85,9 @@ class LiveWatcher(Silent):
         self._scores: dict[str, int | float] = {}
         self._phase: tuple[str, bool] | None = None
         self._phase_kept: tuple[str, bool] | None = None
+        self._held: frozenset[int] = frozenset()
+        self._held_kept: frozenset[int] = frozenset()
+        self._names = Roster.of(scenario).entities
         self._entities = 0
         self._row = struct.Struct("")
         self._waiting: deque[_Kept] = deque()
@@ -100,9 +104,9 @@ class LiveWatcher(Silent):
         phase = verdict.phase, verdict.waiting_for_kickoff
         is_news = (
             verdict.events or verdict.firings or verdict.placements or snapshot.faults
-            or phase != self._phase_kept or not snapshot.tick
+            or phase != self._phase_kept or verdict.held is not self._held_kept or not snapshot.tick
         )  # fmt: skip
-        self._phase_kept = phase
+        self._phase_kept, self._held_kept = phase, verdict.held
         self._waiting.append((snapshot.tick, row, (snapshot, verdict) if is_news else None))
 
     def half_started(self, half: HalfInfo) -> None:
@@ -112,6 +116,7 @@ class LiveWatcher(Silent):
             self._half = half
             self._senses = None
             self._phase = self._phase_kept = None
+            self._held = self._held_kept = frozenset()
             self._teams[half.half] = half.teams
             self._scores = {half.teams[seat]: points for seat, points in half.scores.items()}
             self._story.score_changes[half.half] = []
@@ -164,7 +169,7 @@ class LiveWatcher(Silent):
         self._feed.append(poses(half.half, first, rows) + b"".join(news))
 
     def _news(self, snapshot: Snapshot, verdict: Verdict, *, phase: bool = True) -> bytes:
-        """Return what happened on a tick, framed: events, score, phase, faults, and who was put elsewhere."""
+        """Return what happened on a tick, framed: events, score, phase, who is held, faults, who was put elsewhere."""
         half = self._half
         assert half is not None  # noqa: S101 - only called within a half
         tick = snapshot.tick
@@ -175,6 +180,9 @@ class LiveWatcher(Silent):
         if phase and (verdict.phase, verdict.waiting_for_kickoff) != self._phase:
             self._phase = (verdict.phase, verdict.waiting_for_kickoff)
             news["phase"] = self._phase
+        if phase and verdict.held != self._held:
+            self._held = verdict.held
+            news["held"] = [self._names[robot] for robot in sorted(verdict.held)]
         if verdict.placements and tick:
             news["jumps"] = sorted({placement.entity for placement in verdict.placements})
         if snapshot.faults:
@@ -208,6 +216,7 @@ class LiveWatcher(Silent):
             "scores": dict(self._scores),
             "score_changes": [],
             "phases": [],
+            "held": [],
             "jumps": [],
             "faults": [],
         }

@@ -139,6 +139,7 @@ def _half(half: HalfTrack, frames: Frames, story: Story) -> dict[str, Any]:
         "scores": {info.teams[seat]: points for seat, points in info.scores.items()},
         "score_changes": story.score_changes[info.half],
         "phases": story.phases[info.half],
+        "held": story.held[info.half],
         "jumps": [list(ticks) for ticks in frames.jumps],
         "faults": [
             {"robot": fault.robot, "tick": fault.tick, "kind": fault.kind, "detail": fault.detail[:_LONGEST_DETAIL]}

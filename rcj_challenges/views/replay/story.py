@@ -1,4 +1,4 @@
-"""What happened, for the page: events with what the referee measured, the score as it went, phases."""
+"""What happened, for the page: events with what the referee measured, the score as it went, phases, who is held."""
 
 from __future__ import annotations
 
@@ -40,12 +40,14 @@ class Story:
     Attributes:
         events: in order, as the page shows them.
         phases: by half, ``[tick, phase, waiting for kick-off]`` from each change on.
+        held: by half, ``[tick, robots that rules hold]`` from each change on.
         score_changes: by half, ``[tick, points by team]`` from each change on.
         unreadable: how many lines of the log were damaged.
     """
 
     events: list[dict[str, Any]] = field(default_factory=list)
     phases: dict[int, list[list[Any]]] = field(default_factory=dict)
+    held: dict[int, list[list[Any]]] = field(default_factory=dict)
     score_changes: dict[int, list[list[Any]]] = field(default_factory=dict)
     unreadable: int = 0
 
@@ -63,6 +65,11 @@ def tell(folder: Path, scenario: Scenario, halves: Sequence[HalfTrack], result: 
             [line["tick"], line["phase"], line["waiting_for_kickoff"]]
             for line in lines
             if line["kind"] == "phase" and line["half"] == half.info.half
+        ]
+        story.held[half.info.half] = [
+            [line["tick"], line["robots"]]
+            for line in lines
+            if line["kind"] == "held" and line["half"] == half.info.half
         ]
     told = Teller(scenario, {half.info.half: half.info.teams for half in halves}, firings, story)
     story.events = [told.event(line) for line in lines if line["kind"] == "event"]

@@ -8,7 +8,7 @@ from typing import Any
 from rcj_challenges.scenario.catalogue import BOUND, EACH
 from rcj_challenges.scenario.models import places
 from rcj_challenges.scenario.models.actions import LastToucher
-from rcj_challenges.scenario.models.state import CounterValue, HeardValue
+from rcj_challenges.scenario.models.state import CounterValue, ToldValue
 from rcj_challenges.views.sheet.mirrored import mirrored_aim_words, mirrored_layout_words, mirrored_words
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
 from rcj_challenges.views.sheet.phrases import amount, heading, metres, number, seconds, value
@@ -152,6 +152,12 @@ def _remove(nouns: Nouns, action: Any) -> str:
     return f"{gone} and after {seconds(action.for_s)} {back}{_facing(nouns, action, action.back_at, plural=who.plural)}"
 
 
+def _hold(nouns: Nouns, action: Any) -> str:
+    who = nouns.all_of(action.entity)
+    lasts = f"for {seconds(action.for_s)}" if action.for_s else f"until {'they are' if who.plural else 'it is'} let go"
+    return f"{who.does('is', 'are')} held still {lasts}"
+
+
 def _count(nouns: Nouns, action: Any) -> str:
     counter = nouns.every_kept("counter", action.counter, action.entity)
     if action.to is not None:
@@ -184,8 +190,8 @@ def _sequence(_nouns: Nouns, action: Any) -> str:
 
 
 def _set_spot(nouns: Nouns, action: Any) -> str:
-    if isinstance(action.to, HeardValue):
-        where = f"the position that {nouns.thing(action.to.heard)} has told the referee"
+    if isinstance(action.to, ToldValue):
+        where = f"the position that {nouns.thing(action.to.told)} has told the referee"
     else:
         where = nouns.owned("place", action.to) if isinstance(action.to, str) else nouns.point(action.to)
     return f"{where} is remembered as {nouns.thing(action.spot)}"
@@ -228,6 +234,8 @@ ACTIONS: dict[str, Callable[[Nouns, Any], str]] = {
     "draw": _draw,
     "place": _place,
     "remove": _remove,
+    "hold": _hold,
+    "release": lambda n, a: f"{n.all_of(a.entity).does('is', 'are')} let go",
     "set_phase": lambda _, a: f"the phase {quoted(a.phase)} begins",
     "emit": _emit,
     "end": lambda _, a: f"the {a.what} ends" + (f" ({a.reason})" if a.reason else ""),

@@ -199,7 +199,7 @@ TRIGGERS: dict[str, Callable[[Nouns, Any], str]] = {
     "sequence_completed": lambda _, t: f"the sequence {quoted(t.sequence)} is complete",
     "sequence_broken": lambda _, t: f"the sequence {quoted(t.sequence)} is broken",
     "event": lambda _, t: f"{t.event} was announced",
-    "hears": _hears,
+    "tells": _hears,
     "program_fault": lambda n, t: f"{n.owned('program', t.robot)} fails",
     "holds": _holds,
 }
@@ -221,6 +221,7 @@ CONDITIONS: dict[str, Callable[[Nouns, Any], str]] = {
     "distance": distance_words,
     "way": way_words,
     "looks": _looks,
+    "held": lambda n, c: _is(n, c, c.entity, "held"),
     "any_of": _any_of,
     "all_of": _all_of,
     "counter": counter_words,
@@ -228,7 +229,7 @@ CONDITIONS: dict[str, Callable[[Nouns, Any], str]] = {
     "drawn": lambda n, c: f"{n.drawn(c.draw, c.equals)} was {'not ' if c.negate else ''}drawn as {quoted(c.draw)}",
     "timer": timer_words,
     "last_touch": _last_touch,
-    "heard": _heard,
+    "told": _heard,
     "spot_free": lambda n, c: _is(n, c, c.spot, "free"),
     "sequence_at": lambda n, c: (
         f"the sequence {quoted(c.sequence)} {'does not stand' if c.negate else 'stands'} at {n.thing(c.step)}"

@@ -25,7 +25,7 @@ _MEASURED = {
     "timer_expired": "the length in s of the timer",
     "sequence_completed": "the time in s since the first step of the sequence",
     "sequence_broken": "the time in s since the first step of the sequence",
-    "hears": "the number told",
+    "tells": "the number told",
 }
 """What a trigger measures."""
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rcj_challenges.scenario.halves import half_lengths_s
-from rcj_challenges.scenario.models.actions import DrawAction, Place, Score, SequenceAction
+from rcj_challenges.scenario.models.actions import DrawAction, Hold, Place, Score, SequenceAction
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Result, Rule, Scenario
 from rcj_challenges.scenario.models.state import AnyStep, Draw, Phase, Sequence
+from rcj_challenges.scenario.models.triggers import NoProgress
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.visiting import visit
 from rcj_challenges.views.drawing.beside import layouts_of
@@ -62,6 +63,7 @@ def _course(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
             + ("; it starts with the half." if timer.starts else ".")
             for name, timer in scenario.timers.items()
         ),
+        *_held_words(nouns),
         *_beginnings(scenario, nouns),
         *(_draw_words(nouns, name, draw) for name, draw in scenario.draws.items()),
         *(_sequence_words(nouns, name, sequence) for name, sequence in scenario.sequences.items()),
@@ -80,6 +82,17 @@ def _phase_words(nouns: Nouns, name: str, phase: Phase) -> str:
     clock = "goes on" if phase.clock == "runs" else "stands still"
     held = " All robots are held meanwhile: their wheels stand still, whatever their programs say."
     return f"The phase {quoted(name)} {lasts}; the clock {clock}{told}.{held if phase.robots == 'held' else ''}"
+
+
+def _held_words(nouns: Nouns) -> Iterator[str]:
+    """Return what it means to be held, where rules hold robots."""
+    rules = nouns.scenario.rules.values()
+    if any(isinstance(action, Hold) for rule in rules for action in rule.actions):
+        judged = any(isinstance(trigger, NoProgress) for rule in rules for trigger in rule.triggers)
+        yield (
+            "A robot that is held still stands with braked wheels, whatever its program says, until its time is over "
+            f"or it is let go.{' That it does not move counts only from then on.' if judged else ''}"
+        )
 
 
 def _beginnings(scenario: Scenario, nouns: Nouns) -> Iterator[str]:

@@ -83,7 +83,7 @@ def _counted(nouns: Nouns, model: Any) -> str:
         return _apart(nouns, model)
     if isinstance(model, state.WayValue):
         return _come(nouns, model)
-    return _VALUES[type(model)](nouns, model) if isinstance(model, state.DrawValue | state.NumberHeard) else ""
+    return _VALUES[type(model)](nouns, model) if isinstance(model, state.DrawValue | state.NumberTold) else ""
 
 
 def _fraction(model: Any) -> str:
@@ -152,8 +152,8 @@ _WORDS = {
 }
 
 
-def _number_heard(nouns: Nouns, model: state.NumberHeard) -> str:
-    return f"the number that {nouns.thing(model.heard)} has told the referee last"
+def _number_heard(nouns: Nouns, model: state.NumberTold) -> str:
+    return f"the number that {nouns.thing(model.told)} has told the referee last"
 
 
 def _drawn(_nouns: Nouns, model: state.DrawValue) -> str:
@@ -171,8 +171,9 @@ _VALUES: dict[type, Callable[[Nouns, Any], str]] = {
     state.DistanceValue: _apart,
     state.WayValue: _come,
     state.TimerValue: _ran,
+    state.HeldValue: lambda nouns, model: f"whether {nouns.thing(model.held)} is held",
     state.LastTouchValue: lambda nouns, model: f"the name of the last to touch {nouns.thing(model.last_touch)}",
-    state.HeardValue: lambda nouns, model: f"what {nouns.thing(model.heard)} has told the referee last",
-    state.NumberHeard: _number_heard,
-    state.WeightedHeard: _number_heard,
+    state.ToldValue: lambda nouns, model: f"what {nouns.thing(model.told)} has told the referee last",
+    state.NumberTold: _number_heard,
+    state.WeightedTold: _number_heard,
 }

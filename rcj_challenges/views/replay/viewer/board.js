@@ -20,6 +20,12 @@ class Board {
     this.teams.classList.toggle("pair", this.rows.length === 2);
   }
 
+  /** Beside the clock there is room for some names only. */
+  static heldText(robots) {
+    if (!robots.length) return "";
+    return `${robots.length > 3 ? `${robots.length} robots` : robots.join(", ")} held`;
+  }
+
   show(place) {
     const { recording } = this;
     const { track } = recording.at(place);
@@ -27,13 +33,14 @@ class Board {
     if (clock !== this.clock) this.clockText.textContent = this.clock = clock;
     const phase = recording.phase(place);
     const scores = recording.scores(place);
-    const key = JSON.stringify([track.facts.half, phase, scores]);
+    const held = phase.held ? "robots held" : Board.heldText(recording.held(place));
+    const key = JSON.stringify([track.facts.half, phase, held, scores]);
     if (key === this.shown) return;
     this.shown = key;
     const length = Recording.clockText(track.facts.planned_ticks * recording.tickSeconds).replace(/\.0$/, "");
     this.half.textContent = recording.facts.halves_planned > 1 ? `half ${track.facts.half} of ${recording.facts.halves_planned} · ${length}` : `of ${length}`;
     const name = phase.name === "play" ? "" : phase.name.replaceAll("_", " ");
-    this.phase.textContent = [name, phase.held ? "robots held" : ""].filter(Boolean).join(" · ");
+    this.phase.textContent = [name, held].filter(Boolean).join(" · ");
     this.phase.hidden = !this.phase.textContent;
     for (const { team, chip, score } of this.rows) {
       const seat = recording.facts.seats.find((candidate) => track.facts.sides[candidate.name] === team.name);

@@ -182,6 +182,7 @@ class LiveRecording extends Recording {
     const { facts } = track;
     if (news.score) facts.score_changes.push([news.tick, news.score]);
     if (news.phase) facts.phases.push([news.tick, ...news.phase]);
+    if (news.held) facts.held.push([news.tick, news.held]);
     for (const entity of news.jumps || []) track.jumps[entity].add(news.tick);
     facts.faults.push(...(news.faults || []));
     const added = this.placed(news.events);

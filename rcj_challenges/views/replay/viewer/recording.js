@@ -165,12 +165,20 @@ class Recording {
     return scores;
   }
 
-  /** {name, waiting, held} of the referee's phase at a place. */
+  /** {name, waiting, held} of the referee's phase at a place; held: whether it holds all robots. */
   phase(place) {
     const { track, tick } = this.at(place);
     let phase = { name: "", waiting: false };
     for (const [at, name, waiting] of track.facts.phases) if (at <= tick) phase = { name, waiting };
     return { ...phase, held: this.facts.held_phases.includes(phase.name) };
+  }
+
+  /** The names of the robots that rules hold at a place. */
+  held(place) {
+    const { track, tick } = this.at(place);
+    let held = [];
+    for (const [at, robots] of track.facts.held) if (at <= tick) held = robots;
+    return held;
   }
 
   /** Where an entity was in the `seconds` before a place: pieces of path, cut where it was put elsewhere. */

@@ -57,13 +57,15 @@ class RobotList {
   show(place, failed) {
     const { recording } = this;
     const { track, tick } = recording.at(place);
+    const all = recording.phase(place).held, held = recording.held(place);
     this.cards.forEach((card, index) => {
       const { entity } = card;
       const pose = recording.pose(index, place);
       const degrees = Math.round((pose.yaw * 180) / Math.PI);
       const speed = track.speed(index, tick, recording.tickSeconds);
       const looks = entity.kind === "robot" ? `   yaw ${degrees}°` : "";
-      card.numbers.textContent = `x ${pose.x.toFixed(3)}   y ${pose.y.toFixed(3)} m${looks}   ${speed.toFixed(2)} m/s`;
+      const stands = entity.kind === "robot" && (all || held.includes(entity.name)) ? "   held" : "";
+      card.numbers.textContent = `x ${pose.x.toFixed(3)}   y ${pose.y.toFixed(3)} m${looks}   ${speed.toFixed(2)} m/s${stands}`;
       const team = recording.facts.teams.find((candidate) => candidate.name === track.facts.sides[entity.seat]);
       card.team.textContent = team ? team.title : entity.idle ? "no program" : "";
       const fault = failed.get(index);

@@ -20,7 +20,7 @@ def hearing(trigger="", each="robots", actions="[{action: score, entrant: each}]
     """Return a rule that gives a point for each message."""
     return f"""
     rules:
-      told: {{for_each: {each}, triggers: [{{trigger: hears, entity: each{trigger}}}], {more} actions: {actions}}}
+      told: {{for_each: {each}, triggers: [{{trigger: tells, entity: each{trigger}}}], {more} actions: {actions}}}
     """
 
 
@@ -32,7 +32,7 @@ def told(play, *messages, robot="Y1"):
     return play.referee.scores["yellow" if robot.startswith("Y") else "blue"]
 
 
-class TestTriggerHears:
+class TestTriggerTells:
     def test_each_message_sets_it_off_in_the_tick_in_which_it_is_heard(self, stage):
         play = stage(hearing())
         assert told(play, "a", "b", "b") == 3
@@ -66,7 +66,7 @@ class TestTriggerHears:
         assert told(stage(hearing(", text: ['1', far], is_a: number")), "1", "far", "2") == 1
 
     def test_of_a_group_any_and_without_for_each_one_a_tick(self, stage):
-        play = stage("rules: {r: {triggers: [{trigger: hears}], actions: [{action: score, entrant: blue}]}}")
+        play = stage("rules: {r: {triggers: [{trigger: tells}], actions: [{action: score, entrant: blue}]}}")
         for robot in ("B1", "Y1"):
             play.tell(robot, "hello")
         play.play()
@@ -98,7 +98,7 @@ class TestTriggerHears:
         assert told(play, "a") == 0
 
 
-class TestConditionHeard:
+class TestConditionTold:
     @pytest.mark.parametrize(
         ("condition", "holds"),
         [
@@ -115,7 +115,7 @@ class TestConditionHeard:
         play = stage(
             f"""
             rules:
-              asked: {{triggers: [{{trigger: program_fault, robot: B1}}], conditions: [{{condition: heard, {condition}}}],
+              asked: {{triggers: [{{trigger: program_fault, robot: B1}}], conditions: [{{condition: told, {condition}}}],
                        actions: [{{action: score, entrant: yellow}}]}}
             """
         )
@@ -130,7 +130,7 @@ class TestConditionHeard:
         assert found == holds
 
     def test_it_may_have_to_hold_for_a_time(self, stage):
-        hold = "{trigger: holds, for_s: 0.32, condition: {condition: heard, entity: Y1, text: READY}}"
+        hold = "{trigger: holds, for_s: 0.32, condition: {condition: told, entity: Y1, text: READY}}"
         play = stage(f"rules: {{r: {{triggers: [{hold}], actions: [{{action: emit, event: SURE}}]}}}}")
         told(play, "READY")
         play.play(8)
@@ -146,7 +146,7 @@ class TestConditionHeard:
             title: T
             extends: soccersim_v2
             match: {halves: 2, half_s: 2}
-            rules: {r: {triggers: [{trigger: time_reached, at_s: 1}], conditions: [{condition: heard, entity: robots}],
+            rules: {r: {triggers: [{trigger: time_reached, at_s: 1}], conditions: [{condition: told, entity: robots}],
                         actions: [{action: score, entrant: yellow}]}}
             """
         )
@@ -154,19 +154,19 @@ class TestConditionHeard:
         play.tell("Y1", "x")
         play.play_until(40)
         assert play.referee.scores["yellow"] == 1
-        assert "heard" not in play.referee.kept
+        assert "told" not in play.referee.kept
 
 
-class TestValueHeard:
+class TestValueTold:
     def test_it_is_told_as_it_was_said_and_null_before(self, stage):
-        play = stage(telling("{said: {heard: Y1}}"))
+        play = stage(telling("{said: {told: Y1}}"))
         assert payload(play) == {"said": None}
         play.tell("Y1", "0.50")
         assert payload(play) == {"said": "0.50"}
 
     @pytest.mark.parametrize(
         ("points", "given"),
-        [("{heard: Y1}", 7), ("[1, {heard: Y1, weight: -2}]", -13), ("[1, {heard: Y2}]", 1)],
+        [("{told: Y1}", 7), ("[1, {told: Y1, weight: -2}]", -13), ("[1, {told: Y2}]", 1)],
     )
     def test_points_and_counts_take_its_number_and_0_if_it_is_none(self, stage, points, given):
         rule = (
@@ -180,12 +180,12 @@ class TestValueHeard:
         assert play.referee.scores["yellow"] == given
 
     def test_a_broadcast_tells_it(self, stage):
-        play = stage("broadcast: {fields: {said: {heard: Y1}}}")
+        play = stage("broadcast: {fields: {said: {told: Y1}}}")
         play.tell("Y1", "hello")
         assert play.play().broadcast == {"said": "hello"}
 
     def test_a_spot_is_set_to_the_position_told_and_stays_where_it_is_otherwise(self, stage):
-        guess = hearing(actions="[{action: set_spot, spot: guess, to: {heard: each}}]")
+        guess = hearing(actions="[{action: set_spot, spot: guess, to: {told: each}}]")
         play = stage("spots: {guess: {x_m: 0, y_m: 0}}", guess)
         told(play, "0.25 -0.5")
         assert play.referee.spots["guess"] == (0.25, -0.5)

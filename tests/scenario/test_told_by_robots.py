@@ -8,7 +8,7 @@ from rcj_challenges.scenario.load import load, load_text
 from tests.scenario.writing import complaints
 
 HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n"
-RULE = "rules: {r: {triggers: [{trigger: hears, %s}], actions: [{action: emit, event: E}], says: Told.}}\n"
+RULE = "rules: {r: {triggers: [{trigger: tells, %s}], actions: [{action: emit, event: E}], says: Told.}}\n"
 
 
 def found(more: str, *kinds: str) -> list[str]:
@@ -19,17 +19,17 @@ def found(more: str, *kinds: str) -> list[str]:
 @pytest.mark.parametrize(
     ("trigger", "complaint"),
     [
-        ("entity: ball", "rules.r.triggers[0] (hears): 'ball' is a ball; expected a robot"),
-        ("text: {draw: no}", "rules.r.triggers[0] (hears): unknown draw 'no'"),
-        ("is_a: text", "rules.r.triggers[0] (hears).is_a: expected number or position, found 'text'"),
+        ("entity: ball", "rules.r.triggers[0] (tells): 'ball' is a ball; expected a robot"),
+        ("text: {draw: no}", "rules.r.triggers[0] (tells): unknown draw 'no'"),
+        ("is_a: text", "rules.r.triggers[0] (tells).is_a: expected number or position, found 'text'"),
         (
             "text: 'a '",
             (
-                "rules.r.triggers[0] (hears).text: 'a ' is never heard: a message has single blanks between its words, and none "
+                "rules.r.triggers[0] (tells).text: 'a ' is never heard: a message has single blanks between its words, and none "
                 "at its ends"
             ),
         ),
-        ("text: []", "rules.r.triggers[0] (hears).text: must have at least 1 entry, found an empty list"),
+        ("text: []", "rules.r.triggers[0] (tells).text: must have at least 1 entry, found an empty list"),
     ],
 )
 def test_what_cannot_be_listened_for_is_refused(trigger, complaint):
@@ -47,14 +47,14 @@ def test_what_cannot_be_listened_for_is_refused(trigger, complaint):
         ),
         (
             (
-                "rules: {r: {triggers: [{trigger: half_ended}], conditions: [{condition: heard, entity: Y1}],\n"
+                "rules: {r: {triggers: [{trigger: half_ended}], conditions: [{condition: told, entity: Y1}],\n"
                 "            actions: [{action: emit, event: E}], says: Told.}}\n"
             ),
             "entrants: {yellow: {robots: {Y1: null}}}",
         ),
         (
             (
-                "rules: {r: {triggers: [{trigger: half_ended}], actions: [{action: score, entrant: blue, points: {heard: Y1}}],\n"
+                "rules: {r: {triggers: [{trigger: half_ended}], actions: [{action: score, entrant: blue, points: {told: Y1}}],\n"
                 "            says: Told.}}\n"
             ),
             "entrants: {yellow: {robots: {Y1: null}}}",
@@ -85,7 +85,7 @@ def test_a_number_in_a_sentence_must_be_told(trigger, kind):
 
 
 def test_with_another_trigger_that_measures_it_may_stay_empty():
-    triggers = "[{trigger: time_reached, at_s: 1}, {trigger: hears, entity: Y1%s}]"
+    triggers = "[{trigger: time_reached, at_s: 1}, {trigger: tells, entity: Y1%s}]"
     rule = "rules: {r: {triggers: %s, actions: [{action: emit, event: E}], says: 'After {measured}.'}}\n"
     (told,) = found(rule % (triggers % ""), "placeholder_at_times_empty")
     assert "which may hear what is no number; write is_a: number there, or give that trigger a rule of its own" in told
@@ -95,7 +95,7 @@ def test_with_another_trigger_that_measures_it_may_stay_empty():
 def test_the_referee_listens_only_where_a_rule_or_the_broadcast_asks():
     assert not referee_listens(load("match").scenario)
     assert referee_listens(load_text(HEAD + RULE % "entity: Y1").scenario)
-    assert referee_listens(load_text(HEAD + "broadcast: {fields: {said: {heard: Y1}}}\n").scenario)
+    assert referee_listens(load_text(HEAD + "broadcast: {fields: {said: {told: Y1}}}\n").scenario)
 
 
 def test_robots_of_2021_have_no_emitter_unless_they_are_given_one():

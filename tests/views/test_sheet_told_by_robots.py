@@ -21,7 +21,7 @@ OPEN = "What programs can tell the referee"
 )
 def test_what_is_heard_is_said(trigger, words):
     more = "draws: {colour: {values: [red, green]}}\n"
-    assert sentence(f"triggers: [{{trigger: hears, {trigger}}}], {END}", more).startswith(f"{words}:")
+    assert sentence(f"triggers: [{{trigger: tells, {trigger}}}], {END}", more).startswith(f"{words}:")
 
 
 @pytest.mark.parametrize(
@@ -34,19 +34,19 @@ def test_what_is_heard_is_said(trigger, words):
     ],
 )
 def test_what_was_heard_last_is_said(condition, words):
-    text = sentence(f"triggers: [{{trigger: half_started}}], conditions: [{{condition: heard, {condition}}}], {END}")
+    text = sentence(f"triggers: [{{trigger: half_started}}], conditions: [{{condition: told, {condition}}}], {END}")
     assert f"provided that {words}:" in text
 
 
 def test_what_is_done_with_it_is_said():
-    actions = "actions: [{action: set_spot, spot: guess, to: {heard: Y1}}, {action: score, entrant: yellow, points: {heard: Y1}}]"
-    text = sentence(f"triggers: [{{trigger: hears, entity: Y1}}], {actions}", "spots: {guess: {x_m: 0, y_m: 0}}\n")
+    actions = "actions: [{action: set_spot, spot: guess, to: {told: Y1}}, {action: score, entrant: yellow, points: {told: Y1}}]"
+    text = sentence(f"triggers: [{{trigger: tells, entity: Y1}}], {actions}", "spots: {guess: {x_m: 0, y_m: 0}}\n")
     assert "the position that Y1 has told the referee is remembered as the spot “guess”" in text
     assert "yellow gets points: the number that Y1 has told the referee last" in text
 
 
 def test_programs_learn_on_which_channel_they_are_heard_and_who_has_no_emitter():
-    rule = f"rules: {{it: {{triggers: [{{trigger: hears}}], {END}, says: Told.}}}}\n"
+    rule = f"rules: {{it: {{triggers: [{{trigger: tells}}], {END}, says: Told.}}}}\n"
     told = sheet(
         rule + "robots: {Y1: {without: [team emitter]}}\nentrants: {yellow: {robots: {Y2: null}}}\n"
     ).partition(OPEN)[2]
