@@ -105,7 +105,9 @@ class SetSpot(Strict):
 
     action: Literal["set_spot"]
     spot: Name = described(..., "the spot")
-    to: Name | Point = described(..., "an entity, each, a spot, or [x, y] in m")
+    to: Name | Point = described(
+        ..., "an entity, each, a spot, a zone with a centre (a circle, a rect with four sides), or [x, y] in m"
+    )
 
 
 class DrawAction(Strict):
