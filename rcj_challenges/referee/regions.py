@@ -119,7 +119,7 @@ class Rect(Outlined):
         x_min, x_max, y_min, y_max = self._sides
         beyond_x, beyond_y = max(x_min - x_m, x_m - x_max), max(y_min - y_m, y_m - y_max)
         if beyond_x <= 0.0 and beyond_y <= 0.0:
-            return -max(beyond_x, beyond_y)
+            return abs(max(beyond_x, beyond_y))  # never -0.0, which would be told as such
         beyond_x, beyond_y = max(0.0, beyond_x), max(0.0, beyond_y)
         return sqrt(beyond_x * beyond_x + beyond_y * beyond_y)
 

@@ -217,6 +217,11 @@ class TestValueDistanceToPlaces:
         play.place("ball", 0.0, 0.1)
         assert payload(play) == {"far": far}
 
+    def test_on_the_line_itself_it_is_0_without_a_sign(self, stage):
+        play = stage(PLACES, telling("{far: {distance: [ball, band]}, in: {distance: [ball, field]}}"))
+        play.place("ball", 0.6, -0.4)
+        assert str(payload(play)) == "{'far': 0.0, 'in': 0.0}"
+
     @pytest.mark.parametrize("off", ["ball", "Y1"])
     def test_while_the_ball_or_the_robot_of_the_gate_is_off_the_field_there_is_none(self, stage, off):
         play = stage(PLACES, telling("{far: {distance: [ball, nose]}}"), TAKEN_OFF % off)
