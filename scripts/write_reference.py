@@ -43,7 +43,8 @@ an idea to a published challenge, [recipes.md](recipes.md) shows what belongs to
 Lengths are in metres, times in seconds, angles in radians; x runs along the short side of the field, y along the long
 side, the origin is the centre, and blue defends the goal at +y. Names carry their unit: `_m`, `_s`, `_rad`, `_mps`.
 Durations are rounded up to ticks of 0.032 s. A field without a default must be given. For any single value
-`{{param: NAME}}` may stand. Everything that has a name is a mapping keyed by that name.
+`{{param: NAME}}` may stand, of a number also `{{param: NAME, times: -1, plus: 0.02}}`: the param times a number plus a
+number, either of the two may be left out. Everything that has a name is a mapping keyed by that name.
 
 Every example is a whole scenario if these lines stand above it, and every one is run as a test:
 

@@ -9,6 +9,10 @@ from math import isfinite
 MOST_LETTERS = 200
 """Of a message; what is beyond is not heard."""
 
+LARGEST_NUMBER = 1e9
+FURTHEST_M = 1000.0
+"""Beyond these a number or a position is none: what is reckoned with them must stay a number."""
+
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,3})?"
 _ONE_NUMBER = re.compile(_NUMBER, re.ASCII)
 # Two numbers as people and programs write them: "0.1 -0.2", "0.1, -0.2", "[0.1, -0.2]", "(0.1,-0.2)".
@@ -48,7 +52,7 @@ def _readable(data: bytes) -> str | None:
 def number_in(text: str) -> float | None:
     """Return the number that a message is; None if it is none."""
     number = float(text) if _ONE_NUMBER.fullmatch(text) else None
-    return number if number is not None and isfinite(number) else None
+    return number if number is not None and abs(number) <= LARGEST_NUMBER else None
 
 
 def position_in(text: str) -> tuple[float, float] | None:
@@ -57,7 +61,7 @@ def position_in(text: str) -> tuple[float, float] | None:
     if found is None:
         return None
     x, y = float(found[1]), float(found[2])
-    return (x, y) if isfinite(x) and isfinite(y) else None
+    return (x, y) if max(abs(x), abs(y)) <= FURTHEST_M else None
 
 
 def is_said(text: str, wanted: str | float | bool) -> bool:

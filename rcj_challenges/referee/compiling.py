@@ -12,7 +12,7 @@ from typing import TypeVar
 
 from rcj_challenges.referee.contacts import Contacts
 from rcj_challenges.referee.outlines import Bodies
-from rcj_challenges.referee.regions import AnyOf, Region, region_of
+from rcj_challenges.referee.regions import AnyOf, Outlined, Region, region_of
 from rcj_challenges.referee.rules import Hits, Listener, StandingRule
 from rcj_challenges.referee.setting_down import Putting, Queue
 from rcj_challenges.referee.state import State
@@ -133,7 +133,7 @@ class Workshop:
         """
         return any_of(tuple(self.zone(name) for name in self.members(names, each)))
 
-    def zone(self, name: str) -> Region:
+    def zone(self, name: str) -> Outlined:
         """Return the region of one zone.
 
         Raises:

@@ -10,6 +10,7 @@ from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.facts.messages import is_said, number_in, position_in
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks
 from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.nearness import targets_of
 from rcj_challenges.referee.places import spots_of, where_now
 from rcj_challenges.referee.rules import Test
 from rcj_challenges.referee.sequences import sequence_watch
@@ -48,12 +49,9 @@ def watched_entities(model: models.Condition, workshop: Workshop, each: str | No
 
 
 def _anchors(to: str | tuple[float, float], workshop: Workshop, each: str | None) -> tuple[int, ...]:
-    """Return the entities among what a distance is measured to."""
-    if isinstance(to, tuple):
-        return ()
-    entities = len(workshop.roster.entities)
-    found = (workshop.roster.index.get(name, entities) for name in workshop.members(to, each))
-    return tuple(index for index in found if index < entities)
+    """Return the entities among what is measured or looked to, and those with which its gates move."""
+    found = (target.entity for target in targets_of(to, workshop, each))
+    return tuple(dict.fromkeys(entity for entity in found if entity is not None))
 
 
 # --- comparing and counting -----------------------------------------------------------------------------------------
@@ -127,25 +125,21 @@ def speed(model: models.Speed, workshop: Workshop, each: str | None) -> Test:
 
 
 def distance(model: models.Distance, workshop: Workshop, each: str | None) -> Test:
-    """How far centres are from another entity (the nearest of a group), a spot or a point, in m."""
-    state, of, to = workshop.state, model.of, model.to
+    """How far centres are from another entity (the nearest of a group), a spot, a point, a zone or a gate, in m."""
+    state, of = workshop.state, model.of
     entities, holds = workshop.entities(model.entity, each), _comparison(model, workshop, each)
-    anchors = _anchors(to, workshop, each)
-    fixed = None if anchors else (lambda: (to,)) if isinstance(to, tuple) else spots_of(workshop, to, each)
+    targets = targets_of(model.to, workshop, each)
     # Nothing is measured from itself.
-    others = {entity: tuple(anchor for anchor in anchors if anchor != entity) for entity in entities}
+    others = {entity: tuple(target.away_m for target in targets if not target.is_with(entity)) for entity in entities}
 
     def results() -> Iterable[bool]:
         for entity in entities:
             if state.present[entity]:
                 x, y, _ = state.poses[entity]
-                points = (
-                    [state.poses[anchor][:2] for anchor in others[entity] if state.present[anchor]]
-                    if fixed is None
-                    else fixed()
-                )
-                if points:
-                    yield holds(min(sqrt((x - px) ** 2 + (y - py) ** 2) for px, py in points))
+                found = (away_m(x, y) for away_m in others[entity])
+                nearest = min((one for one in found if one is not None), default=None)
+                if nearest is not None:
+                    yield holds(nearest)
 
     return lambda: _quantified(of, results())
 

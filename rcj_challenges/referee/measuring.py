@@ -3,51 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import sqrt
 
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.compiling import Workshop
-from rcj_challenges.referee.places import spot_name
+from rcj_challenges.referee.nearness import targets_of
 from rcj_challenges.scenario.models.state import DistanceValue, TimerValue, WayValue
-
-_Point = tuple[float, float]
-_End = int | str | _Point
-"""What is measured from or to: the index of an entity, the name of a spot, or a point."""
 
 _MM_DIGITS = 3
 
 
 def distance_reader(value: DistanceValue, workshop: Workshop, each: str | None) -> Callable[[], float | None]:
     """Return what measures in m, to the millimetre, how far two things are apart now; None if one is off the field."""
-    here, there = (_ends(end, workshop, each) for end in value.distance)
-    # Nothing is measured from itself.
-    pairs = [(one, other) for one in here for other in there if one != other or not isinstance(one, int)]
-    state = workshop.state
-
-    def at(end: _End) -> _Point:
-        if isinstance(end, int):
-            return state.poses[end][:2]
-        return state.spots[end] if isinstance(end, str) else end
+    here, there = (targets_of(end, workshop, each) for end in value.distance)
+    if any(one.place is None for one in here):
+        here, there = there, here  # from what is a point to a zone or a gate
+    pairs = [
+        (one.place, other.away_m)
+        for one in here
+        for other in there
+        if one.place is not None and not other.is_with(one.entity)
+    ]
 
     def read() -> float | None:
-        ends = (
-            (at(one), at(other))
-            for one, other in pairs
-            if all(state.present[end] for end in (one, other) if isinstance(end, int))
-        )
-        nearest = min((sqrt((x - px) ** 2 + (y - py) ** 2) for (x, y), (px, py) in ends), default=None)
+        starts = ((place(), away_m) for place, away_m in pairs)
+        found = (away_m(*start) for start, away_m in starts if start is not None)
+        nearest = min((one for one in found if one is not None), default=None)
         return None if nearest is None else round(nearest, _MM_DIGITS)
 
     return read
-
-
-def _ends(named: str | _Point, workshop: Workshop, each: str | None) -> tuple[_End, ...]:
-    """Return between what is measured."""
-    if isinstance(named, tuple):
-        return (named,)
-    index, entities = workshop.roster.index, workshop.roster.entities
-    members = workshop.members(named, each)
-    return tuple(index[name] if name in entities else spot_name(workshop, name) for name in members)
 
 
 def way_reader(value: WayValue, workshop: Workshop, each: str | None) -> Callable[[], float]:

@@ -12,6 +12,7 @@ from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.outlines import obstacle_outline
 from rcj_challenges.referee.random_points import point_sampler
 from rcj_challenges.referee.setting_down import Board, Kick, Point, Putting, Request, Where
+from rcj_challenges.scenario.measured import centre_of
 from rcj_challenges.scenario.models import places as models
 from rcj_challenges.scenario.models.state import CounterValue
 
@@ -47,10 +48,13 @@ def spots_of(workshop: Workshop, names: str | tuple[str, ...], each: str | None)
 
 
 def where_now(workshop: Workshop, what: str | Point, each: str | None) -> Callable[[], Point | None]:
-    """Return what tells where an entity, a spot or a point is now; None while it is off the field."""
+    """Return what tells where an entity, a spot, a zone's centre or a point is now; None while it is off the field."""
     if isinstance(what, tuple):
         return lambda: what
     state, name = workshop.state, workshop.members(what, each)[0]
+    if name in workshop.scenario.zones:
+        centre = centre_of(workshop.scenario.zones[name])
+        return lambda: centre
     if name not in workshop.roster.entities:
         spot = spot_name(workshop, name)
         return lambda: state.spots[spot]

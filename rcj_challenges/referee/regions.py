@@ -1,4 +1,4 @@
-"""Plane geometry of zones and gates: is a centre inside, and around it, how far nothing can change.
+"""Plane geometry of zones and gates: is a centre inside, how far is it, and around it, how far nothing can change.
 
 A *cell* is a box around a centre in which the answer is the same everywhere. The lookout checks one box per entity and
 sub-step instead of every zone of every rule; only a centre that leaves its box is looked at closely. A cell is
@@ -78,7 +78,19 @@ class Region(ABC):
         """Return a cell around the point in which `contains` gives the same answer."""
 
 
-class Rect(Region):
+class Outlined(Region):
+    """A part of the plane with a line around it, or beside it: what a zone is."""
+
+    @abstractmethod
+    def outline_m(self, x_m: float, y_m: float) -> float:
+        """Return how far a point is from the nearest point of the outline, in m, from inside and from outside."""
+
+    def away_m(self, x_m: float, y_m: float) -> float:
+        """Return how far a point is from the nearest point of the region, in m: 0 inside and on the outline."""
+        return 0.0 if self.contains(x_m, y_m) else self.outline_m(x_m, y_m)
+
+
+class Rect(Outlined):
     """An upright rectangle; open sides are infinite."""
 
     def __init__(self, x_min_m: float, x_max_m: float, y_min_m: float, y_max_m: float) -> None:
@@ -102,8 +114,17 @@ class Rect(Region):
             return (-inf, inf, y_max, inf)
         return self._sides
 
+    def outline_m(self, x_m: float, y_m: float) -> float:
+        """Return the distance to the nearest side that is not open, or from outside to the nearest corner."""
+        x_min, x_max, y_min, y_max = self._sides
+        beyond_x, beyond_y = max(x_min - x_m, x_m - x_max), max(y_min - y_m, y_m - y_max)
+        if beyond_x <= 0.0 and beyond_y <= 0.0:
+            return abs(max(beyond_x, beyond_y))  # never -0.0, which would be told as such
+        beyond_x, beyond_y = max(0.0, beyond_x), max(0.0, beyond_y)
+        return sqrt(beyond_x * beyond_x + beyond_y * beyond_y)
 
-class Circle(Region):
+
+class Circle(Outlined):
     """A disc."""
 
     def __init__(self, centre_m: tuple[float, float], radius_m: float) -> None:
@@ -119,8 +140,13 @@ class Circle(Region):
         """Return a box that stays clear of the circle's line."""
         return cell_beside_circle(x_m, y_m, (self._x, self._y), self._radius)
 
+    def outline_m(self, x_m: float, y_m: float) -> float:
+        """Return the distance to the circle's line."""
+        dx, dy = x_m - self._x, y_m - self._y
+        return abs(sqrt(dx * dx + dy * dy) - self._radius)
 
-class HalfPlane(Region):
+
+class HalfPlane(Outlined):
     """All points beyond a line, on the side that the normal shows to."""
 
     def __init__(self, through_m: tuple[float, float], normal: tuple[float, float]) -> None:
@@ -137,10 +163,14 @@ class HalfPlane(Region):
 
     def cell(self, x_m: float, y_m: float) -> Cell:
         """Return a box that stays clear of the line."""
-        return box_around(x_m, y_m, abs(self._height(x_m, y_m)))
+        return box_around(x_m, y_m, self.outline_m(x_m, y_m))
+
+    def outline_m(self, x_m: float, y_m: float) -> float:
+        """Return the distance to the line."""
+        return abs(self._height(x_m, y_m))
 
 
-class Polygon(Region):
+class Polygon(Outlined):
     """A simple polygon."""
 
     def __init__(self, points_m: tuple[tuple[float, float], ...]) -> None:
@@ -163,14 +193,17 @@ class Polygon(Region):
 
     def cell(self, x_m: float, y_m: float) -> Cell:
         """Return a box that stays clear of the outline."""
-        clear = min(distance_to_segment_m(x_m, y_m, *a, *b) for a, b in self._edges)
-        return box_around(x_m, y_m, clear)
+        return box_around(x_m, y_m, self.outline_m(x_m, y_m))
+
+    def outline_m(self, x_m: float, y_m: float) -> float:
+        """Return the distance to the nearest edge."""
+        return min(distance_to_segment_m(x_m, y_m, *a, *b) for a, b in self._edges)
 
 
-class Outside(Region):
-    """Everything but a region."""
+class Outside(Outlined):
+    """Everything but a region; its outline is the same."""
 
-    def __init__(self, region: Region) -> None:
+    def __init__(self, region: Outlined) -> None:
         self._region = region
 
     def contains(self, x_m: float, y_m: float) -> bool:
@@ -180,6 +213,10 @@ class Outside(Region):
     def cell(self, x_m: float, y_m: float) -> Cell:
         """Return the region's own cell: the answer changes in the same places."""
         return self._region.cell(x_m, y_m)
+
+    def outline_m(self, x_m: float, y_m: float) -> float:
+        """Return the distance to the region's own outline."""
+        return self._region.outline_m(x_m, y_m)
 
 
 class AnyOf(Region):
@@ -234,13 +271,13 @@ class FarFrom(Region):
         return beside(x_m, y_m, self.anchor, self._limit)
 
 
-def region_of(zone: Strict) -> Region:
+def region_of(zone: Strict) -> Outlined:
     """Return the region of a zone of the scenario.
 
     Raises:
         TypeError: the zone is of no known shape.
     """
-    region: Region
+    region: Outlined
     match zone:
         case RectZone():
             region = Rect(

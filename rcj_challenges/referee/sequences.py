@@ -45,6 +45,15 @@ class GateLine:
             return NOWHERE
         return box_around(x_m, y_m, distance_to_segment_m(x_m, y_m, *self._from, *self._to))
 
+    def distance_m(self, x_m: float, y_m: float) -> float | None:
+        """Return how far a point is from it now, in m; None while what it moves with is off the field."""
+        if self.anchor is None:
+            return distance_to_segment_m(x_m, y_m, *self._from, *self._to)
+        if not self._state.present[self.anchor]:
+            return None
+        seen = seen_from(self._state.poses[self.anchor], (x_m, y_m, 0.0))
+        return distance_to_segment_m(*seen, *self._from, *self._to)
+
     def crossed(self, entity: int, was: list[Pose2], now: list[Pose2]) -> int:
         """Return 1 if the entity crossed it forward in this sub-step, -1 backward, 0 if it did not."""
         if self.anchor is None:

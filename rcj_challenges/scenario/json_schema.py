@@ -30,8 +30,12 @@ _Json = dict[str, Any]
 
 _PARAM = {
     "type": "object",
-    "description": "The value of a param: {param: NAME} stands for any single value.",
-    "properties": {"param": {"type": "string", "description": "a name of the section params"}},
+    "description": "The value of a param: {param: NAME} stands for any single value; of a number also reckoned.",
+    "properties": {
+        "param": {"type": "string", "description": "a name of the section params"},
+        "times": {"type": "number", "description": "the param times this number; left out: 1"},
+        "plus": {"type": "number", "description": "and this number added; left out: 0"},
+    },
     "required": ["param"],
     "additionalProperties": False,
 }

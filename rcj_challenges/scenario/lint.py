@@ -13,6 +13,7 @@ from typing import Any
 from rcj_challenges.scenario.crossrefs import shown_path
 from rcj_challenges.scenario.errors import Problem
 from rcj_challenges.scenario.lint_denied import check_contradictions
+from rcj_challenges.scenario.lint_distances import check_distances
 from rcj_challenges.scenario.lint_edges import check_edges, check_exclusive_groups
 from rcj_challenges.scenario.lint_flow import (
     check_events,
@@ -84,6 +85,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_rests,
     check_sides,
     check_places,
+    check_distances,
     check_obstacles,
     check_entities,
     check_layouts,

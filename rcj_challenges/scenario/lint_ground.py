@@ -15,9 +15,11 @@ from rcj_challenges.scenario.lint_shapes import (
     share_in,
     zone_has_floor,
 )
-from rcj_challenges.scenario.lint_suspect import Subject, Suspect
+from rcj_challenges.scenario.lint_suspect import Subject, Suspect, on_field
 from rcj_challenges.scenario.models import places
 from rcj_challenges.scenario.models.actions import Place, Remove
+from rcj_challenges.scenario.models.conditions import Distance
+from rcj_challenges.scenario.models.state import DistanceValue
 from rcj_challenges.scenario.models.triggers import HalfStarted
 from rcj_challenges.scenario.outlines import Disc, Outline, Point, robot_outline
 from rcj_challenges.scenario.remembered import fixed_spots
@@ -33,15 +35,26 @@ def check_places(subject: Subject) -> Iterator[Suspect]:
     """Zones, gates and spots without a point on the field."""
     scenario = subject.scenario
     parts = floor_parts(scenario.field)
+    measured = _only_measured(subject)
     for name, zone in scenario.zones.items():
-        if not zone_has_floor(zone, parts):
+        if name not in measured and not zone_has_floor(zone, parts):
             yield _off_field("zone", ("zones", name), f"zone '{name}' has no point on the field: nothing enters it")
     for name, gate in scenario.gates.items():
-        if gate.anchor is None and not segment_has_floor(gate.from_m, gate.to_m, parts):
+        moves = gate.anchor is not None
+        if not moves and name not in measured and not segment_has_floor(gate.from_m, gate.to_m, parts):
             yield _off_field("gate", ("gates", name), f"gate '{name}' has no point on the field: nothing crosses it")
     for name, spot in fixed_spots(scenario).items():
         if not on_floor((spot.x_m, spot.y_m), parts):
             yield _off_field("spot", ("spots", name), f"spot '{name}' is off the field: nothing can be put there")
+
+
+def _only_measured(subject: Subject) -> frozenset[str]:
+    """Return what rules only measure distances to: that may lie in a wall or behind it."""
+    measured: set[str] = set()
+    met: set[str] = set()
+    for use in filter(on_field, subject.uses):
+        (measured if issubclass(use.model, Distance | DistanceValue) else met).update(subject.roster.expand(use.name))
+    return frozenset(measured - met)
 
 
 def _off_field(noun: str, path: Path, reason: str) -> Suspect:

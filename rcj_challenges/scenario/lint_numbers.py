@@ -104,7 +104,7 @@ def _depends(rule: str, param: str, subject: Subject) -> bool:
     """Return whether a param stands in a rule, or in a timer or a phase on which the rule waits."""
     model = subject.scenario.rules[rule]
     paths: list[Path] = [("rules", rule), *_waited_for(model)]
-    return any(_stands_in(node_at(subject.tree, path), f"param '{param}'") for path in paths)
+    return any(_stands_in(node_at(subject.tree, path), param) for path in paths)
 
 
 def _waited_for(rule: Rule) -> Iterator[Path]:
@@ -116,8 +116,8 @@ def _waited_for(rule: Rule) -> Iterator[Path]:
                 yield "phases", model.phase
 
 
-def _stands_in(node: Node | None, note: str) -> bool:
+def _stands_in(node: Node | None, param: str) -> bool:
     if isinstance(node, Leaf):
-        return node.note == note
+        return node.param == param
     inner = node.entries.values() if isinstance(node, Entries) else node.items if isinstance(node, Items) else ()
-    return any(_stands_in(one, note) for one in inner)
+    return any(_stands_in(one, param) for one in inner)

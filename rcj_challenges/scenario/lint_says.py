@@ -268,5 +268,8 @@ def _read(condition: Condition, rule: Rule, subject: Subject) -> list[str]:
         return []
     other = condition.to if isinstance(condition, Distance) else None
     other = condition.towards if isinstance(condition, Looks) else other
-    others = subject.members(other, rule) & set(subject.roster.entities) if isinstance(other, str) else ()
+    named = subject.members(other, rule) if isinstance(other, str) else ()
+    gates = subject.scenario.gates
+    moved_with = (gates[name].anchor if name in gates else name for name in named)
+    others = {name for name in moved_with if name in subject.roster.entities and name is not None}
     return [*subject.members(condition.entity, rule), *others]

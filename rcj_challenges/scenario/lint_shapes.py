@@ -111,10 +111,18 @@ def _distance(point: Point, part: Corners) -> float:
     edges = [*pairwise(part), (part[-1], part[0])]
     if all(_side(a, b, point) >= 0 for a, b in edges):
         return 0.0
-    return min(_to_segment(point, a, b) for a, b in edges)
+    return min(to_segment_m(point, a, b) for a, b in edges)
 
 
-def _to_segment(point: Point, a: Point, b: Point) -> float:
+def away_m(zone: Zone, point: Point) -> float:
+    """Return how far a point is from a zone that is convex and not inverted, in m; 0 inside."""
+    if isinstance(zone, CircleZone):
+        return max(0.0, hypot(point[0] - zone.centre_m[0], point[1] - zone.centre_m[1]) - zone.radius_m)
+    return _distance(point, _corners(zone))
+
+
+def to_segment_m(point: Point, a: Point, b: Point) -> float:
+    """Return how far a point is from a segment, in m."""
     dx, dy = b[0] - a[0], b[1] - a[1]
     along = ((point[0] - a[0]) * dx + (point[1] - a[1]) * dy) / (dx * dx + dy * dy)
     share = min(1.0, max(0.0, along))

@@ -178,10 +178,10 @@ def _how_to_read(noun: str, name: str) -> str:
 
 def check_params(subject: Subject) -> Iterator[Suspect]:
     """Params of the author's own file for which nothing stands. What a base brought is not the author's to tidy up."""
-    used = set(_notes(subject.tree))
+    used = set(_params_in(subject.tree))
     told = {name for rule in subject.scenario.rules.values() for name in in_braces(rule.says)} - set(BLANKS)
     for name in subject.scenario.params:
-        if name in told or f"param '{name}'" in used:
+        if name in told or name in used:
             continue
         if subject.tree.mark.file == file_of(subject.tree, "params", name):
             yield Suspect(
@@ -193,11 +193,11 @@ def check_params(subject: Subject) -> Iterator[Suspect]:
             )
 
 
-def _notes(node: Node) -> Iterator[str]:
+def _params_in(node: Node) -> Iterator[str]:
     if isinstance(node, Leaf):
-        yield node.note
+        yield node.param
     for inner in node.entries.values() if isinstance(node, Entries) else node.items if isinstance(node, Items) else ():
-        yield from _notes(inner)
+        yield from _params_in(inner)
 
 
 def check_unused(subject: Subject) -> Iterator[Suspect]:

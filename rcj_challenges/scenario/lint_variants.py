@@ -54,10 +54,10 @@ def _where_set(path: Path, subject: Subject) -> Path:
 def _own_param(node: Node, subject: Subject) -> Path:
     """Return the param for which a value stands and which the own file sets, or an empty path."""
     params = subject.tree.entries.get("params")
-    if isinstance(node, Leaf) and node.note and isinstance(params, Entries):
-        for name, mark in params.key_marks.items():
-            if node.note == f"param '{name}'" and _is_own(mark, subject):
-                return ("params", name)
+    if isinstance(node, Leaf) and isinstance(params, Entries):
+        mark = params.key_marks.get(node.param)
+        if mark is not None and _is_own(mark, subject):
+            return ("params", node.param)
     return ()
 
 

@@ -120,8 +120,6 @@ class Merger:
 
 
 def is_param(node: Node) -> bool:
-    """Return whether a mapping reads ``{param: NAME}``."""
-    if not isinstance(node, Entries) or list(node.entries) != ["param"]:
-        return False
-    name = node.entries["param"]
+    """Return whether a mapping reads ``{param: NAME}``, whatever stands beside."""
+    name = node.entries.get("param") if isinstance(node, Entries) else None
     return isinstance(name, Leaf) and isinstance(name.value, str)

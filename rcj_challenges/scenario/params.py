@@ -1,4 +1,7 @@
-"""Params and overrides: ``{param: NAME}`` for any single value, ``--set PATH=VALUE`` from the command line."""
+"""Params and overrides: ``{param: NAME}`` for any single value, ``--set PATH=VALUE`` from the command line.
+
+What stands beside a param's name, ``times`` and ``plus``, is reckoned in `reckoning`.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from rcj_challenges.scenario.errors import Problem, ScenarioError, known_text, listing, nearest
 from rcj_challenges.scenario.merge import Merger, is_param
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.reckoning import KEYS, reckoned, written_out
 from rcj_challenges.scenario.shape import (
     Shape,
     bare,
@@ -153,7 +157,7 @@ def _unknown_name(node: Node, step: Step, here: str) -> str:
 
 
 def resolve_params(root: Entries, merger: Merger) -> None:
-    """Replace every ``{param: NAME}`` of the tree by the param's value, at the position of its use."""
+    """Replace every ``{param: NAME}`` of the tree by the value for which it stands, at the position of its use."""
     params = root.entries.get("params")
     values = params.entries if isinstance(params, Entries) else {}
     for key, node in root.entries.items():
@@ -162,18 +166,10 @@ def resolve_params(root: Entries, merger: Merger) -> None:
 
 
 def _resolved(node: Node, shape: Shape, path: Path, values: dict[str, Node], root: Entries, merger: Merger) -> Node:
-    if is_param(node) and may_be_scalar(shape) and isinstance(node, Entries):
-        use = node.entries["param"]
-        name = str(use.value) if isinstance(use, Leaf) else ""
-        value = values.get(name)
-        if not isinstance(value, Leaf):
-            # A value that is no scalar is reported where it is defined.
-            if value is None:
-                message = f"unknown param '{name}'{nearest(name, values) or known_text(values, 'param')}"
-                merger.problems.append(use.mark.problem(in_names(root, path), message))
-            return Leaf(None, use.mark, note="unknown param")
-        return Leaf(value.value, use.mark, note=f"param '{name}'")
     if isinstance(node, Entries):
+        # Where nothing is known, a mapping with other keys may be meant for anything.
+        if is_param(node) and may_be_scalar(shape) and (shape is not None or node.entries.keys() <= set(KEYS)):
+            return _stood_for(node, path, values, root, merger)
         for key, inner in node.entries.items():
             if not isinstance(inner, Leaf):  # which is none, nor has any
                 node.entries[key] = _resolved(inner, step_into(shape, node, key), (*path, key), values, root, merger)
@@ -183,3 +179,21 @@ def _resolved(node: Node, shape: Shape, path: Path, values: dict[str, Node], roo
                 inner_shape = step_into(shape, node, index)
                 node.items[index] = _resolved(item, inner_shape, (*path, index), values, root, merger)
     return node
+
+
+def _stood_for(node: Entries, path: Path, values: dict[str, Node], root: Entries, merger: Merger) -> Leaf:
+    """Return the value for which a use of a param stands; what is wrong with it is added to the problems."""
+    use = node.entries["param"]
+    name = str(use.value) if isinstance(use, Leaf) else ""
+    value = values.get(name)
+    if not isinstance(value, Leaf):
+        # A value that is no scalar is reported where it is defined.
+        if value is None:
+            hint = written_out(name, values) or nearest(name, values) or known_text(values, "param")
+            merger.problems.append(use.mark.problem(in_names(root, path), f"unknown param '{name}'{hint}"))
+        return Leaf(None, use.mark, note="unknown param")
+    leaf, refused = reckoned(node, name, value)
+    for refusal in refused:
+        where = (*path, refusal.key) if refusal.key else path
+        merger.problems.append(refusal.mark.problem(in_names(root, where), refusal.message))
+    return leaf

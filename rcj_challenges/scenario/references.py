@@ -67,6 +67,7 @@ _ZONES = Field("zone", _ZONE, groups=True, each=True)
 _PUT_IN = Field("zone", _ZONE, groups=True)
 _GATES = Field("gate", _GATE, groups=True, each=True)
 _SPOTS = Field("spot", _SPOT, groups=True)
+_MEASURED_TO = Field("entity, spot, zone or gate", _MOVING | _SPOT | _ZONE | _GATE, groups=True, each=True)
 _ANCHOR = Field("entity or spot", _MOVING | _SPOT, each=True, drawn=True)
 _KEEPING = _MOVING | _ZONE | _GATE
 """Of what there may be a rule, a counter, a flag or a timer each."""
@@ -116,7 +117,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (conditions.InZone, "zone"): _ZONES,
     (conditions.Speed, "entity"): _ENTITIES,
     (conditions.Distance, "entity"): _ENTITIES,
-    (conditions.Distance, "to"): Field("entity or spot", _MOVING | _SPOT, groups=True, each=True),
+    (conditions.Distance, "to"): _MEASURED_TO,
     (conditions.WayIs, "entity"): _ENTITIES,
     (conditions.Looks, "entity"): _ROBOTS,
     (conditions.Looks, "towards"): Field("entity or spot", _MOVING | _SPOT, each=True),
@@ -147,7 +148,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (actions.TimerAction, "entity"): _WHOSE,
     (actions.SequenceAction, "sequence"): _SEQUENCE,
     (actions.SetSpot, "spot"): Field("spot", _SPOT),
-    (actions.SetSpot, "to"): Field("entity or spot", _MOVING | _SPOT, each=True),
+    (actions.SetSpot, "to"): Field("entity, spot or zone", _MOVING | _SPOT | _ZONE, each=True),
     (actions.DrawAction, "draw"): _DRAW,
     (actions.Place, "layout"): _LAYOUT,
     (actions.Place, "entity"): _ENTITIES,
@@ -165,7 +166,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (state.DrawValue, "draw"): _DRAW,
     (state.WordValue, "of"): _ENTRANT,
     (state.PositionValue, "position_of"): Field("entity or spot", _MOVING | _SPOT, each=True),
-    (state.DistanceValue, "distance"): Field("entity or spot", _MOVING | _SPOT, groups=True, each=True),
+    (state.DistanceValue, "distance"): _MEASURED_TO,
     (state.WayValue, "way"): _ENTITY,
     (state.TimerValue, "timer"): _TIMER,
     (state.TimerValue, "entity"): _WHOSE,
@@ -183,7 +184,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (state.WeightedFlag, "entity"): _WHOSE,
     (state.WeightedDraw, "draw"): _DRAW,
     (state.WeightedWord, "of"): _ENTRANT,
-    (state.WeightedDistance, "distance"): Field("entity or spot", _MOVING | _SPOT, groups=True, each=True),
+    (state.WeightedDistance, "distance"): _MEASURED_TO,
     (state.WeightedWay, "way"): _ENTITY,
     (state.NumberTold, "told"): _ONE_ROBOT,
     (state.WeightedTold, "told"): _ONE_ROBOT,

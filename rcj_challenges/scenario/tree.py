@@ -41,13 +41,15 @@ class Leaf:
         value: text, number, true or false; None for a written ``null`` and for an empty value.
         mark: where it stands.
         empty: True if nothing was written at all.
-        note: where the value came from if not from here: ``param 'push_m'``.
+        note: where the value came from if not from here: ``param 'push_m' times 2``.
+        param: the param for which it stands; empty if it stands for none.
     """
 
     value: str | int | float | bool | None
     mark: Mark
     empty: bool = False
     note: str = ""
+    param: str = ""
 
 
 @dataclass(slots=True)

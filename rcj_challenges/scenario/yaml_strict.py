@@ -37,7 +37,7 @@ _OCTAL = re.compile(r"0o[0-7]+")
 _HEX = re.compile(r"0x[0-9a-fA-F]+")
 _FLOAT = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?")
 _NOT_FINITE = re.compile(r"[-+]?\.(inf|Inf|INF)|\.(nan|NaN|NAN)")
-_INT_LIMIT = 2**63
+INT_LIMIT = 2**63
 
 _SURROGATE = re.compile("[\ud800-\udfff]")
 # Listed one by one: the complement of what YAML 1.2 prints (section 5.1) takes 20 times as long to compile.
@@ -267,7 +267,7 @@ class _Builder:
         base = {"0o": 8, "0x": 16}.get(text[:2], 10)
         if len(text) <= 70:
             number = int(text, base)
-            if -_INT_LIMIT <= number < _INT_LIMIT:
+            if -INT_LIMIT <= number < INT_LIMIT:
                 return number
         self._refuse(mark, f"{text[:24]}… is too large a number; whole numbers have at most 64 bits")
         return 0

@@ -111,6 +111,8 @@ def test_every_word_has_its_sentence_where_it_is_chosen():
         rule(action="{action: score, entrant: {param: x}, points: {param: x}}"),
         rule(action="{action: emit, event: {param: x}, payload: {a: {param: x}}}"),
         "zones: {pitch: {x_min_m: {param: x}, inverted: {param: x}}}\n",
+        "zones: {pitch: {x_min_m: {param: x, times: -1}, x_max_m: {param: x, plus: 0.5}}}\n",
+        rule(action="{action: score, entrant: yellow, points: [{param: x, times: 2, plus: -1}]}"),
     ],
 )
 def test_a_param_may_stand_for_any_single_value(body):
@@ -118,8 +120,9 @@ def test_a_param_may_stand_for_any_single_value(body):
 
 
 @pytest.mark.parametrize(
-    "body", ["match: {param: x}\n", "params: {a: {param: b}}\n", "id: {param: x}\n", "extends: {param: x}\n"]
-)
+    "body", ["match: {param: x}\n", "params: {a: {param: b}}\n", "id: {param: x}\n", "extends: {param: x}\n",
+             "match: {half_s: {param: x, times: a}}\n", "match: {half_s: {param: x, time: 2}}\n", "match: {half_s: {times: 2}}\n"]
+)  # fmt: skip
 def test_a_param_may_not_stand_for_more(body):
     assert not accepts({**plain(parse_text(HEAD, "f")), **plain(parse_text(body, "f"))})
 

@@ -447,6 +447,14 @@ class TestGround:
     def test_a_zone_without_a_point_on_the_field(self, zone, has_floor):
         assert kinds(f"zones: {{z: {{{zone}}}}}", rules=self.USE) == ([] if has_floor else ["zone_off_the_field"])
 
+    def test_what_is_only_measured_to_may_lie_in_the_wall(self):
+        near = "{condition: distance, entity: ball, to: z, at_least: 0.2}, {condition: distance, entity: ball, to: g, at_least: 0.2}"
+        wall = "zones: {z: {shape: rect, x_min_m: 0.7}}\ngates: {g: {from_m: [-0.7, 0], to_m: [-0.7, 0.1]}}"
+        assert kinds(wall, rules=rule("a", "{trigger: half_started}", more=f", conditions: [{near}]")) == []
+        entered = "{trigger: enters, entity: ball, zone: z}, {trigger: crosses, entity: ball, gate: g}"
+        found = kinds(wall, rules=rule("a", entered, more=f", conditions: [{near}]"))
+        assert found == ["zone_off_the_field", "gate_off_the_field"]
+
     def test_a_gate_or_a_spot_off_the_field(self):
         cross = rule("a", "{trigger: crosses, entity: ball, gate: g}")
         assert kinds("gates: {g: {from_m: [0.7, 0], to_m: [0.9, 0]}}", rules=cross) == ["gate_off_the_field"]

@@ -17,6 +17,7 @@ title: Told
 extends: soccersim_v2
 match: {half_s: 60}
 zones: {a: {shape: rect, x_min_m: 0.3}, b: {shape: rect, x_max_m: -0.3}}
+gates: {line: {from_m: [0, 0], to_m: [0.1, 0]}, nose: {from_m: [0, 0], to_m: [0.1, 0], anchor: Y1}}
 counters: {n: {}}
 timers: {alone: {lasts_s: 2, starts: true}, many: {lasts_s: 2, per: robots, starts: true}}
 sequences: {way: {entity: Y1, steps: [a, b], wrong_step: break}}
@@ -58,6 +59,9 @@ ABOUT = [
     (HOLDS % "distance, entity: Y1, to: [0, 0], at_most: 1", True),
     (HOLDS % "distance, entity: Y1, to: centre, at_most: 1", True),
     (HOLDS % "distance, entity: Y1, to: ball, at_most: 1", False),
+    (HOLDS % "distance, entity: Y1, to: a, at_most: 1", True),
+    (HOLDS % "distance, entity: Y1, to: line, at_most: 1", True),
+    (HOLDS % "distance, entity: Y2, to: nose, at_most: 1", False),
     (HOLDS % "looks, entity: Y1, towards: centre, within_rad: 3.1", True),
     (HOLDS % "looks, entity: Y1, heading_rad: 1.57", True),
     (HOLDS % "looks, entity: Y1, towards: ball, within_rad: 3.1", False),
@@ -95,7 +99,7 @@ class TestUnknownBlanks:
     def test_it_stays_as_written_and_the_finding_says_where_and_what_is_filled_in(self):
         (finding,) = told(ENTERS % "Y1", "{entty} is there")
         assert str(finding) == (
-            "it.yaml:17:11: warning: rules.r.says: '{entty}' is not filled in, it stays as written; did you mean 'entity'? "
+            "it.yaml:18:11: warning: rules.r.says: '{entty}' is not filled in, it stays as written; did you mean 'entity'? "
             "what is filled in is {entity}, {each}, {other}, {team}, {measured}, {limit}, {points}, and params by their names "
             "[placeholder_unknown]"
         )
@@ -206,7 +210,7 @@ class TestWhoItIsAbout:
 
     def test_the_finding_stands_at_the_word(self):
         (finding,) = told("{trigger: half_started}", payload="a: {word: score}")
-        assert (finding.problem.line, finding.problem.path) == (16, "rules.r.actions[0] (emit)")
+        assert (finding.problem.line, finding.problem.path) == (17, "rules.r.actions[0] (emit)")
         assert finding.problem.message.startswith("'score' is always 0: no trigger of this rule is about one entity")
         assert finding.remedy.startswith("say whose with 'of', or")
 

@@ -44,12 +44,12 @@ def test_a_payload_may_have_a_key_called_param():
     assert found.rules["r"].actions[0].payload == {"param": "x"}
 
 
-def test_a_resolved_param_cannot_bring_another_param_or_arithmetic():
+def test_a_resolved_param_cannot_bring_another_param_or_a_formula():
     assert complaints("params: {a: {param: b}, b: 1}\nmatch: {half_s: {param: a}}\n") == [
         "params.a: expected a text, a number or true/false, found a mapping with param"
     ]
     assert complaints("params: {a: 1}\nmatch: {half_s: {param: a + 1}}\n") == [
-        "match.half_s: unknown param 'a + 1'; there is only a"
+        "match.half_s: unknown param 'a + 1'; write {param: a, plus: 1}"
     ]
 
 

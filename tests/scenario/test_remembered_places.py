@@ -6,14 +6,17 @@ from rcj_challenges.scenario.lint import lint
 from tests.scenario.writing import complaints, loaded, scenario
 
 SPOTS = "spots: {found: {x_m: 0, y_m: 0.2}, other_one: {x_m: 0.5, y_m: -0.5}}\ngroups: {both: [found, other_one]}\n"
+PLACES = (
+    "gates: {line: {from_m: [0, 0], to_m: [0.1, 0]}}\nzones:\n"
+    "  tri: {shape: polygon, points_m: [[0, 0], [0.1, 0], [0, 0.1]]}\n"
+    "  around: {shape: circle, centre_m: [0, 0], radius_m: 0.2, inverted: true}\n"
+)
 SET = "{action: set_spot, spot: found, to: ball}"
 
 
 def rules(*actions, conditions="", more=""):
     asked = f"conditions: [{conditions}], " if conditions else ""
-    return (
-        f"{SPOTS}{more}rules:\n  r: {{{asked}triggers: [{{trigger: half_started}}], actions: [{', '.join(actions)}]}}\n"
-    )
+    return f"{SPOTS}{PLACES}{more}rules:\n  r: {{{asked}triggers: [{{trigger: half_started}}], actions: [{', '.join(actions)}]}}\n"
 
 
 def found(body):
@@ -36,8 +39,29 @@ def kinds(body):
             "rules.r.actions[0] (set_spot): 'ball' is a ball; expected a spot",
         ),
         (
-            "{action: set_spot, spot: found, to: blue_goal}",
-            "rules.r.actions[0] (set_spot): 'blue_goal' is a zone; expected an entity or spot",
+            "{action: set_spot, spot: found, to: line}",
+            "rules.r.actions[0] (set_spot): 'line' is a gate; expected an entity, spot or zone",
+        ),
+        (
+            "{action: set_spot, spot: found, to: blue_penalty_area}",
+            (
+                "rules.r.actions[0] (set_spot): zone 'blue_penalty_area' has no end in some direction, and so no centre; set "
+                "the spot to an entity, a spot or [x, y]"
+            ),
+        ),
+        (
+            "{action: set_spot, spot: found, to: tri}",
+            (
+                "rules.r.actions[0] (set_spot): zone 'tri' is a polygon, which has no one centre; set the spot to an entity, "
+                "a spot or [x, y]"
+            ),
+        ),
+        (
+            "{action: set_spot, spot: found, to: around}",
+            (
+                "rules.r.actions[0] (set_spot): zone 'around' is everything but its shape, which has no centre; set the spot "
+                "to an entity, a spot or [x, y]"
+            ),
         ),
         (
             "{action: set_spot, spot: found, to: each}",
@@ -49,7 +73,11 @@ def kinds(body):
         ),
         (
             "{action: set_spot, spot: found}",
-            "rules.r.actions[0] (set_spot): 'to' is missing: an entity, each, a spot, [x, y] in m, or {told: NAME}: the position that a robot has told by radio",
+            (
+                "rules.r.actions[0] (set_spot): 'to' is missing: an entity, each, a spot, a zone with a "
+                "centre (a circle, a rect with four sides), [x, y] in m, or {told: NAME}: the position that a robot has told "
+                "by radio"
+            ),
         ),
     ],
 )

@@ -1,13 +1,16 @@
-"""Distances that rules measure from a spot or a point are circles in the drawing, with their numbers in the legend."""
+"""Distances that rules measure from what stands still are dotted lines in the drawing, with their numbers in the legend."""
 
 from __future__ import annotations
 
+import math
 import re
+from itertools import pairwise
 
 import pytest
 
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.views.drawing import draw_scenario
+from rcj_challenges.views.drawing.around import lines_around, measure
 
 SMALL = """schema_version: 1
 id: small
@@ -77,3 +80,63 @@ def test_from_where_something_may_not_be_moved():
     )
     loaded = load_text(text)
     assert reaches(draw_scenario(loaded.scenario, loaded.roster)) == [(0.3, 0.3, 0.05, "0.05 m from (0.3, 0.3)")]
+
+
+PLACES = """
+zones:
+  round: {shape: circle, centre_m: [0, 0.4], radius_m: 0.1}
+  ring: {shape: circle, centre_m: [0, 0], radius_m: 0.3, inverted: true}
+  ell: {shape: polygon, points_m: [[-0.4, -0.3], [-0.1, -0.3], [-0.1, -0.2], [-0.3, -0.2], [-0.3, 0.1], [-0.4, 0.1]]}
+  side: {shape: rect, x_min_m: 0.3}
+  box: {shape: rect, x_min_m: -0.2, x_max_m: 0.2, y_min_m: -0.1, y_max_m: 0.1}
+  edge: {shape: rect, x_min_m: -0.5, x_max_m: 0.5, y_min_m: -0.7, y_max_m: 0.7, inverted: true}
+  slope: {shape: half_plane, through_m: [0, -0.6], normal: [-1, -3]}
+gates: {line: {from_m: [-0.2, 0.1], to_m: [0.2, 0.2]}, nose: {from_m: [0, 0], to_m: [0.1, 0], anchor: Y1}}
+"""
+LINE = re.compile(r'<path d="([^"]*)"[^>]*class="reach"[^>]*><title>([^<]*)</title>')
+FAR_M = 0.07
+PAPER = (-HALF_WIDTH_M, -HALF_LENGTH_M, HALF_WIDTH_M, HALF_LENGTH_M)
+
+
+def scenario_with_places():
+    return load_text((SMALL % (NEAR % ("line", f"at_most: {FAR_M}"), "{action: end}")) + PLACES).scenario
+
+
+@pytest.mark.parametrize("name", ["round", "ring", "ell", "side", "box", "edge", "slope", "line"])
+def test_the_line_around_a_place_is_all_that_is_as_far_from_it(name):
+    scenario = scenario_with_places()
+    place = scenario.zones.get(name) or scenario.gates[name]
+    away_m = measure(place)
+    lines = lines_around(place, FAR_M, PAPER)
+    drawn_points = [one for line in lines for one in finely(line)]
+    assert drawn_points
+    assert all(abs(away_m(x, y) - FAR_M) < 5e-4 for x, y in drawn_points)
+    # Whoever looks for it on a grid finds no place of it that is not drawn.
+    left, bottom, right, top = PAPER
+    for x in (left + 0.05 * k for k in range(1, round((right - left) / 0.05))):
+        for y in (bottom + 0.05 * k for k in range(1, round((top - bottom) / 0.05))):
+            if abs(away_m(x, y) - FAR_M) < 0.02:
+                assert min(math.dist((x, y), one) for one in drawn_points) < 0.035
+
+
+def finely(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    shares = [k / 100 for k in range(101)] if len(line) == 2 else [0.0, 0.5]
+    pairs = pairwise(line)
+    return [(ax + s * (bx - ax), ay + s * (by - ay)) for (ax, ay), (bx, by) in pairs for s in shares]
+
+
+@pytest.mark.parametrize(
+    ("to", "titles"),
+    [
+        ("line", ["0.07 m from line"]),
+        ("box", ["0.07 m from box"]),
+        ("goals", ["0.07 m from blue_goal", "0.07 m from yellow_goal"]),
+        ("nose", []),  # it moves
+    ],
+)
+def test_a_distance_from_a_zone_or_a_gate_is_drawn_and_stands_in_the_legend(to, titles):
+    text = (SMALL % (NEAR % (to, f"at_most: {FAR_M}"), "{action: end}")) + PLACES
+    loaded = load_text(text.replace("groups: {", "groups: {goals: [blue_goal, yellow_goal], "))
+    picture = draw_scenario(loaded.scenario, loaded.roster)
+    assert [title for _, title in LINE.findall(picture)] == titles
+    assert all(f">{title.replace(' m from', ' from')}<" in picture for title in titles)

@@ -28,11 +28,19 @@ def set_to(what, spot="found"):
         ("Y1", "the place of Y1 is remembered as the spot “found”"),
         ("lost", "the place of the spot “lost” is remembered as the spot “found”"),
         ("[0.1, 0]", "(0.1, 0) is remembered as the spot “found”"),
+        ("blue_goal", "the centre of the blue goal is remembered as the spot “found”"),
     ],
 )
 def test_the_sheet_says_what_is_remembered(to, words):
     said = sentence(f"triggers: [{{trigger: half_started}}], actions: [{set_to(to)}]", SPOTS)
     assert said.startswith(f"When a half starts: {words}")
+
+
+def test_of_each_zone_the_sheet_says_its_centre():
+    goals = SPOTS + "groups: {goals: [blue_goal, yellow_goal]}\n"
+    rule = f"for_each: goals, triggers: [{{trigger: enters, entity: ball, zone: each}}], actions: [{set_to('each')}]"
+    goals = goals.replace("groups: {both: [found, lost]}\n", "")
+    assert "its centre is remembered as the spot “found”" in sentence(rule, goals)
 
 
 def test_of_each_the_sheet_says_its_place():

@@ -71,6 +71,7 @@ TIMERS = "timers: {rest: {lasts_s: 9}, own: {lasts_s: 9, per: yellow}}\ncounters
         ("[{counter: tries}, -2]", "the counter “tries”, minus 2"),
         ("[5, {distance: [Y3, ball], weight: -2}]", "5, minus 2 times the distance between Y3 and the ball in m"),
         ("{distance: [ball, [0, 0.5]]}", "the distance between the ball and (0, 0.5) in m"),
+        ("{distance: [blue_goal, ball]}", "the distance between the blue goal and the ball in m (0 inside)"),
         ("{distance: [ball, yellow]}", "the distance between the ball and the nearest of the yellow robots in m"),
         ("{timer: rest}", "the time in s that the timer “rest” has run (rounded down)"),
         ("[9, {timer: rest, weight: -1}]", "9, minus the time in s that the timer “rest” has run (rounded down)"),
@@ -142,3 +143,23 @@ def test_it_follows_what_is_set_on_the_command_line():
     )
     loaded = load_text(text, ["goal_points=5"])
     assert "[it\\] 5, 5. When" in sheet_markdown(loaded.scenario, loaded.roster)
+
+
+@pytest.mark.parametrize(
+    ("condition", "words"),
+    [
+        ("entity: ball, to: line, at_most: 0.1", "the ball is at most 0.1 m from the gate “line”"),
+        (
+            "entity: robots, to: blue_goal, at_least: 0.5, of: all",
+            "all of the robots are at least 0.5 m from the blue goal",
+        ),
+        (
+            "entity: ball, to: goals, at_most: 0.2, negate: true",
+            "the ball is more than 0.2 m from the nearest of the goals",
+        ),
+    ],
+)
+def test_a_distance_to_a_gate_a_zone_or_the_nearest_of_several(condition, words):
+    rule = f"triggers: [{{trigger: half_started}}], conditions: [{{condition: distance, {condition}}}], actions: [{{action: end}}]"
+    more = "gates: {line: {from_m: [0, 0], to_m: [0.1, 0]}}\ngroups: {goals: [blue_goal, yellow_goal]}\n"
+    assert sentence(rule, more).partition("provided that ")[2].partition(": ")[0] == words

@@ -107,7 +107,9 @@ class SetSpot(Strict):
     action: Literal["set_spot"]
     spot: Name = described(..., "the spot")
     to: Name | Point | ToldValue = described(
-        ..., "an entity, each, a spot, [x, y] in m, or {told: NAME}: the position that a robot has told by radio"
+        ...,
+        "an entity, each, a spot, a zone with a centre (a circle, a rect with four sides), [x, y] in m, or "
+        "{told: NAME}: the position that a robot has told by radio",
     )
 
 

@@ -64,11 +64,15 @@ class Speed(_Compared):
 
 
 class Distance(_Compared):
-    """How far an entity's centre is from another, a spot or a point, in m; off the field no comparison holds."""
+    """How far an entity's centre is from a robot, ball, spot, zone, gate or point, in m; off the field none holds."""
 
     condition: Literal["distance"]
     entity: Names = described(..., "an entity, each, or a group with `of`")
-    to: Name | Point = described(..., "an entity, each, a spot, a group (the nearest of it), or [x, y] in m")
+    to: Name | Point = described(
+        ...,
+        "an entity, each, a spot, a gate or zone (to its nearest point; inside a zone it is 0), a group (the nearest "
+        "of it), or [x, y] in m",
+    )
     of: Quantifier = described("any", "how many of a group must satisfy it")
 
 

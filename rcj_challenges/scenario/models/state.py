@@ -167,7 +167,9 @@ class DistanceValue(Strict):
     """How far the centres of two things are apart, in m to the millimetre; null while one of them is off the field."""
 
     distance: Annotated[tuple[Name | Point, Name | Point], Field(strict=False)] = described(
-        ..., "two of: an entity, each, a spot, a group (the nearest of it), or [x, y] in m"
+        ...,
+        "two of: an entity, each, a spot, a group (the nearest of it), [x, y] in m; one of them may be a gate or a "
+        "zone, of which the nearest point counts: inside a zone it is 0",
     )
 
 

@@ -13,6 +13,7 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.remembered import remembered_spots
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.drawing.areas import placement_areas
+from rcj_challenges.views.drawing.around import lines_around
 from rcj_challenges.views.drawing.flips import flipped
 from rcj_challenges.views.drawing.labels import Point
 from rcj_challenges.views.drawing.paper import Paper
@@ -60,7 +61,7 @@ def draw_scenario(scenario: Scenario, roster: Roster) -> str:
 
     Robots are drawn where they start; dashed boxes show the noise of start poses, hatching shows where things may be
     put by chance. Zones that are ``drawn`` have solid outlines, the others dashed ones. Dotted circles are distances
-    that rules measure from a spot or a point.
+    that rules measure from a spot or a point, other dotted lines such from a zone or a gate.
     """
     field = scenario.field
     depth = max((goal.depth_m for goal in field.goals.values()), default=0.0)
@@ -155,9 +156,15 @@ def _start(scenario: Scenario, name: str) -> Point | None:
 def _reaches(paper: Paper, scenario: Scenario, roster: Roster) -> None:
     remembered = remembered_spots(scenario)
     for reach in reaches(scenario, roster):
-        is_set = reach.spot in remembered
+        is_set = reach.name in remembered
         style = f'fill="none" stroke="{_PUT if is_set else "#495057"}" stroke-dasharray="1 4" class="reach"'
-        paper.circle(reach.centre_m, reach.radius_m, style, f"{reach.words(' m')}{_SET if is_set else ''}")
+        words = f"{reach.words(' m')}{_SET if is_set else ''}"
+        if reach.centre_m is not None:
+            paper.circle(reach.centre_m, reach.radius_m, style, words)
+            continue
+        place = scenario.zones.get(reach.name) or scenario.gates[reach.name]
+        lines = map(paper.stretch, lines_around(place, reach.radius_m, paper.bounds))
+        paper.path(" ".join(lines), style, words)
 
 
 def _gates(paper: Paper, scenario: Scenario) -> None:

@@ -63,6 +63,10 @@ class Paper:
         """Return the path description of a closed polygon."""
         return "M" + " L".join(f"{x:.1f} {y:.1f}" for x, y in map(self.px, points)) + " Z"
 
+    def stretch(self, points: Sequence[Point]) -> str:
+        """Return the path description of a line that is not closed."""
+        return "M" + " L".join(f"{x:.1f} {y:.1f}" for x, y in map(self.px, points))
+
     def circle(self, centre: Point, radius_m: float, style: str, title: str = "") -> None:
         """Draw a circle."""
         x, y = self.px(centre)

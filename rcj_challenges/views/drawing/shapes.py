@@ -16,7 +16,7 @@ _NOTHING_M2 = 1e-6  # an area that nobody sees: a square millimetre
 def zone_outline(zone: Zone, bounds: Box) -> list[Point]:
     """Return a zone's outline in m (``inverted`` not regarded), cut at the bounds; empty if it lies beyond them."""
     left, bottom, right, top = bounds
-    outline = _whole_outline(zone, bounds)
+    outline = whole_outline(zone, bounds)
     for through, normal in (((left, 0), (1, 0)), ((right, 0), (-1, 0)), ((0, bottom), (0, 1)), ((0, top), (0, -1))):
         outline = _beyond(outline, through, normal)
     return outline
@@ -75,7 +75,7 @@ def _area_m2(outline: list[Point]) -> float:
     return abs(doubled) / 2
 
 
-def _whole_outline(zone: Zone, bounds: Box) -> list[Point]:
+def whole_outline(zone: Zone, bounds: Box) -> list[Point]:
     """Return a zone's outline as far as it reaches; open sides end at the bounds."""
     left, bottom, right, top = bounds
     if isinstance(zone, RectZone):

@@ -192,8 +192,11 @@ def _sequence(_nouns: Nouns, action: Any) -> str:
 def _set_spot(nouns: Nouns, action: Any) -> str:
     if isinstance(action.to, ToldValue):
         where = f"the position that {nouns.thing(action.to.told)} has told the referee"
+    elif isinstance(action.to, str):
+        of_zone = any(name in nouns.scenario.zones for name in nouns.meant(action.to))
+        where = nouns.owned("centre" if of_zone else "place", action.to)
     else:
-        where = nouns.owned("place", action.to) if isinstance(action.to, str) else nouns.point(action.to)
+        where = nouns.point(action.to)
     return f"{where} is remembered as {nouns.thing(action.spot)}"
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from rcj_challenges.scenario.catalogue import BOUND, OTHER
+from rcj_challenges.scenario.catalogue import BOUND, EACH, OTHER
 from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.conditions import AtLeast
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
@@ -198,6 +198,12 @@ class Nouns:
         if not isinstance(at, str):
             return f"({at[0]:g}, {at[1]:g})"
         return f"the nearest of {self._group(at)}" if self._several(at) else self._one(at)
+
+    def meant(self, at: Any) -> tuple[str, ...]:
+        """Return the names for which a name may stand; none for a point."""
+        if not isinstance(at, str):
+            return ()
+        return self.roster.expand(self.each if at == EACH and self.each is not None else at)
 
     def owned(self, what: str, names: Names, name: str = "") -> str:
         """Return what belongs to one of several: ``its program``, ``the timer “rest” of one of the robots``."""

@@ -1,0 +1,88 @@
+"""Lint of distances that nothing on the floor reaches, or that all on it keep."""
+
+from __future__ import annotations
+
+import pytest
+
+from rcj_challenges.scenario.lint import Finding, lint
+from tests.scenario.writing import loaded
+
+# The floor reaches to x = ±0.65 and, in the goals, to y = ±0.85.
+PLACES = """
+zones:
+  house: {shape: circle, centre_m: [0, 0.5], radius_m: 0.1}
+  east: {shape: rect, x_min_m: 0.4}
+  all_of_it: {shape: rect, x_min_m: -2, x_max_m: 2, y_min_m: -2, y_max_m: 2}
+  around: {shape: circle, centre_m: [0, 0], radius_m: 0.2, inverted: true}
+  edges: {shape: rect, x_min_m: -0.5, x_max_m: 0.5, inverted: true}
+  south: {shape: half_plane, through_m: [0, 0], normal: [0, 1], inverted: true}
+  bay: {shape: polygon, points_m: [[-0.3, 0], [0.3, 0], [0.3, 0.3], [0.2, 0.1]]}
+  not_bay: {shape: polygon, points_m: [[-0.3, 0], [0.3, 0], [0.3, 0.3], [0.2, 0.1]], inverted: true}
+gates:
+  line: {from_m: [-0.3, 0.2], to_m: [0.3, 0.2]}
+  nose: {from_m: [0.1, -0.05], to_m: [0.1, 0.05], anchor: Y1}
+groups: {goals: [house, east]}
+spots: {hill: {x_m: 0, y_m: 0}}
+counters: {far: {}}
+"""
+
+
+def found(to: str, limits: str, rule: str = "") -> list[Finding]:
+    asked = f"{{condition: distance, entity: ball, to: {to}, {limits}}}"
+    body = f"rules: {{r: {{{rule}triggers: [{{trigger: half_started}}], conditions: [{asked}], actions: [{{action: end}}]}}}}"
+    return [one for one in lint(loaded(PLACES + body)) if one.kind == "distance_never_reached"]
+
+
+@pytest.mark.parametrize(
+    ("to", "far_m"),
+    [
+        ("house", 1.28),  # from the corner of the yellow goal to its middle, (0.2, -0.85) to (0, 0.5), less the radius
+        ("east", 1.05),
+        ("all_of_it", 0.0),
+        ("around", 0.2),
+        ("edges", 1.15),
+        ("south", 0.85),
+        ("line", 1.05),
+        ("hill", 0.95),  # the corners are cut by 0.06: (0.65, 0.69)
+        ("[0.65, 0]", 1.47),
+        ("goals", 1.28),
+        ("Y1", 1.90),
+        ("nose", 2.00),
+    ],
+)
+def test_a_limit_beyond_the_floor_is_said_and_one_within_it_is_not(to, far_m):
+    for key in ("at_least", "at_most", "equals"):
+        assert found(to, f"{key}: {max(0.0, far_m - 0.02)}") == []
+    (never,) = found(to, f"at_least: {far_m + 0.08}")
+    assert never.problem.message.startswith("it is never reached: nothing on the floor is further than ")
+    (always,) = found(to, f"at_most: {far_m + 0.08}")
+    assert always.problem.message.startswith("every distance keeps to it: nothing on the floor is further than ")
+
+
+def test_the_message_names_the_measure_and_the_remedy_the_unit():
+    (one,) = found("line", "at_least: 30")
+    assert one.problem.path == "rules.r.conditions[0] (distance)"
+    assert one.problem.message == "it is never reached: nothing on the floor is further than 1.05 m from 'line'"
+    assert one.remedy == "correct it; distances are in m"
+
+
+def test_a_negative_distance_does_not_mean_inside():
+    (one,) = found("house", "at_most: -0.05")
+    assert (one.problem.message, one.remedy) == (
+        "no distance is less than 0; inside a zone it is 0",
+        "ask for a smaller zone",
+    )
+    (one,) = found("line", "equals: -1")
+    assert (one.problem.message, one.remedy) == ("no distance is less than 0", "correct it")
+    assert found("line", "at_least: -1") == []
+
+
+def test_each_is_the_one_that_is_furthest_off():
+    assert found("each", "at_least: 1.25", "for_each: goals, ") == []
+    assert len(found("each", "at_least: 1.4", "for_each: goals, ")) == 1
+
+
+def test_what_is_not_known_is_not_said():
+    assert found("not_bay", "at_least: 0.5") == []
+    assert found("line", "at_least: {counter: far}") == []
+    assert len(found("bay", "at_least: 3")) == 1

@@ -1,0 +1,214 @@
+"""``{param: NAME, times: …, plus: …}``: a number reckoned from a param, wherever a param may stand."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import isfinite
+
+import pytest
+import yaml
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.load import load, load_text
+from rcj_challenges.scenario.reckoning import KEYS, reckoned
+from rcj_challenges.scenario.tree import Entries, Leaf, Mark
+from tests.scenario.writing import HEAD, loaded, rule, scenario
+from tests.views.sheets import sentence, sheet
+
+HERE = Mark("a.yaml", 1, 1)
+PAIR = """
+params: {gap_m: 0.15}
+zones:
+  west: {shape: rect, x_max_m: {param: gap_m, times: -1}}
+  east: {shape: rect, x_min_m: {param: gap_m}}
+"""
+
+wholes = st.integers(-(10**9), 10**9)
+decimals = st.decimals(-1000, 1000, allow_nan=False, places=6).map(float)
+numbers = wholes | decimals
+
+
+def result(value, times=None, plus=None):
+    """Return for what a param with a value stands, or the reasons why for nothing."""
+    given_ = {"param": "p", "times": times, "plus": plus}
+    use = {key: Leaf(given_[key], HERE) for key in KEYS if given_[key] is not None}
+    leaf, refused = reckoned(Entries(use, HERE, dict.fromkeys(use, HERE)), "p", Leaf(value, HERE))
+    return [one.message for one in refused] or leaf.value
+
+
+def on_paper(number: float) -> Fraction:
+    """Return a number as it is written, not as the binary one next to it."""
+    return Fraction(repr(number))
+
+
+class TestArithmetic:
+    @given(numbers, numbers, numbers)
+    @example(0.1, 3, 0)
+    @example(1.1, 1.1, 0)
+    @example(0.1, 1, 0.2)
+    @example(0.7, -1, 0.7)
+    def test_it_is_the_number_that_one_gets_on_paper(self, value, times, plus):
+        exact = on_paper(value) * on_paper(times) + on_paper(plus)
+        assert result(value, times, plus) == float(exact)
+
+    @given(st.floats(allow_nan=False, allow_infinity=False))
+    def test_times_minus_1_is_the_mirror_image_to_the_last_digit(self, value):
+        assert result(value, -1) == -value
+
+    @given(wholes, wholes, wholes)
+    def test_whole_numbers_stay_whole(self, value, times, plus):
+        found = result(value, times, plus)
+        assert (type(found), found) == (int, value * times + plus)
+
+    @given(numbers, numbers, numbers)
+    def test_what_comes_out_whole_is_a_whole_number(self, value, times, plus):
+        found = result(value, times, plus)
+        assert isinstance(found, int) == (on_paper(found).denominator == 1)
+
+    @given(numbers, numbers)
+    def test_what_is_left_out_changes_nothing(self, value, other):
+        assert result(value, other) == result(value, other, 0)
+        assert result(value, None, other) == result(value, 1, other)
+        alone = result(value)
+        assert (type(alone), alone) == (type(value), value)
+
+    @given(st.floats(allow_nan=False, allow_infinity=False), st.floats(allow_nan=False, allow_infinity=False))
+    def test_what_is_too_large_is_refused_and_all_else_is_finite(self, value, times):
+        found = result(value, times)
+        if isinstance(found, list):
+            assert found[0].endswith(" is no number that can be written: it is too large")
+            assert abs(on_paper(value) * on_paper(times)) > 1e308
+        else:
+            assert isfinite(found)
+
+    @pytest.mark.parametrize("value", ["left", True, False, "2"])
+    def test_texts_and_booleans_stand_as_they_are_and_are_not_reckoned_with(self, value):
+        assert result(value) is value
+        (message,) = result(value, 2)
+        assert message.endswith("; times and plus are for numbers")
+
+    def test_there_is_no_minus_nothing(self):
+        assert str(result(0.0, -1)) == "0"
+        assert str(result(0.3, 1, -0.3)) == "0"
+
+
+class TestWhereItStands:
+    def test_a_pair_of_zones_from_one_number(self):
+        zones = scenario(PAIR).zones
+        assert (zones["west"].x_max_m, zones["east"].x_min_m) == (-0.15, 0.15)
+
+    def test_in_lists_payloads_points_and_whole_numbers(self):
+        found = scenario(
+            "params: {n: 4, w: 0.3}\n"
+            "zones: {z: {shape: polygon, points_m: [[{param: w, times: -1}, 0], [{param: w}, 0], [0, {param: w, plus: 0.1}]]}}\n"
+            "draws: {d: {values: [{param: n}, {param: n, plus: 1}]}}\n"
+            + rule(
+                "{trigger: enters, entity: ball, zone: z}",
+                "{action: emit, event: E, payload: {a: {param: n, times: 2}, b: {param: w, times: 3}}}",
+                "    max_executions: {param: n, times: 0.5}\n"
+                "    conditions: [{condition: counter, counter: yellow, at_least: {param: n, plus: -1}}]\n",
+            )
+        )
+        assert found.zones["z"].points_m == ((-0.3, 0.0), (0.3, 0.0), (0.0, 0.4))
+        assert found.draws["d"].values == (4, 5)
+        (made,) = found.rules.values()
+        assert (made.max_executions, made.conditions[0].at_least) == (2, 3)
+        assert made.actions[0].payload == {"a": 8, "b": 0.9}
+
+    def test_a_weighted_sum_takes_it_as_a_number(self):
+        points = "[{param: n, times: 2}, {word: time_s, weight: {param: n, times: -0.1}}]"
+        found = scenario("params: {n: 3}\n" + rule(action=f"{{action: score, entrant: yellow, points: {points}}}"))
+        number, word = found.rules["r"].actions[0].points
+        assert (number, word.weight) == (6, -0.3)
+
+    @pytest.mark.parametrize("override", ["gap_m=0.2", "params.gap_m=0.2", "params={gap_m: 0.2}"])
+    def test_whoever_sets_the_param_sets_both(self, override):
+        zones = scenario(PAIR, [override]).zones
+        assert (zones["west"].x_max_m, zones["east"].x_min_m) == (-0.2, 0.2)
+
+    def test_an_override_may_be_one(self):
+        assert scenario(PAIR, ["match.half_s={param: gap_m, times: 200, plus: 30}"]).match.half_s == 60
+        assert scenario(PAIR, ["zones.west.x_max_m.times=-2"]).zones["west"].x_max_m == -0.3
+
+    def test_a_variant_sets_the_param_or_the_use(self, tmp_path):
+        (tmp_path / "base.yaml").write_text(HEAD + PAIR, encoding="utf-8")
+        mine = tmp_path / "mine.yaml"
+        mine.write_text(
+            "extends: base.yaml\nparams: {gap_m: 0.3}\nzones: {east: {x_min_m: {param: gap_m, times: 2}}}\n"
+        )
+        zones = load(mine).scenario.zones
+        assert (zones["west"].x_max_m, zones["east"].x_min_m) == (-0.3, 0.6)
+        mine.write_text("extends: base.yaml\nzones: {west: {x_max_m: {param: gap_m}}}\n")
+        assert load(mine).scenario.zones["west"].x_max_m == 0.15
+
+    def test_the_resolved_scenario_holds_the_number(self):
+        resolved = loaded(PAIR).resolved
+        assert (resolved["zones"]["west"]["x_max_m"], resolved["params"]) == (-0.15, {"gap_m": 0.15})
+
+    def test_a_test_may_expect_one(self):
+        found = scenario(
+            "params: {n: 2}\ncounters: {c: {initial: {param: n}}}\n"
+            + rule(action="{action: count, counter: c, by: {param: n, times: 3}}")
+            + "expect: {t: {keyframes: [{at_s: {param: n, times: 0.5}}], lasts_s: 2, counters: {c: {param: n, times: 4}}}}\n"
+        )
+        assert (found.expect["t"].keyframes[0].at_s, found.expect["t"].counters["c"]) == (1, 8)
+
+    def test_a_mapping_with_other_keys_is_what_it_was(self):
+        payload = "{param: x, times: 3, other: 2}"
+        found = scenario(rule(action=f"{{action: emit, event: E, payload: {payload}}}"))
+        assert found.rules["r"].actions[0].payload == yaml.safe_load(payload)
+
+
+class TestWhatIsSaid:
+    def test_the_place_of_the_use_and_how_it_was_reckoned(self):
+        with pytest.raises(ScenarioError) as caught:
+            load_text(
+                HEAD + "params: {pause_s: 3}\nphases: {p: {lasts_s: {param: pause_s, times: -2, plus: 1}}}\n",
+                file="a.yaml",
+            )
+        assert str(caught.value) == (
+            "a.yaml:6:31: phases.p.lasts_s: a duration must be at least one tick (0.032 s), found -5 "
+            "(param 'pause_s' times -2 plus 1)"
+        )
+
+    def test_sheets_say_the_number_of_the_paper(self):
+        rule_ = "triggers: [{trigger: stays_in, entity: ball, zone: blue_goal, limit_s: {param: step, times: 3}}], actions: [{action: end}]"
+        assert " more than 0.3 s" in sentence(rule_, "params: {step: 0.1}")
+        points = "{action: emit, event: E, payload: {a: {param: step, times: 3}}}"
+        assert "(a: 0.3)" in sheet(
+            f"params: {{step: 0.1}}\nrules: {{it: {{triggers: [{{trigger: half_started}}], actions: [{points}]}}}}\n"
+        )
+
+
+class TestLint:
+    def test_it_is_a_use_of_the_param(self):
+        kinds = [one.kind for one in lint(loaded("params: {m: 2}\nmatch: {half_s: {param: m, times: 60}}\n"))]
+        assert "param_never_used" not in kinds
+
+    def test_a_variant_that_sets_the_param_moves_the_zones_with_the_field(self, tmp_path):
+        body = "params: {w: 0.3}\nzones: {pair: {shape: rect, x_min_m: {param: w, times: -1}, x_max_m: {param: w}}}\n"
+        entered = rule("{trigger: enters, entity: ball, zone: [pair, pitch]}")
+        (tmp_path / "base.yaml").write_text(HEAD + body + entered, encoding="utf-8")
+        mine = tmp_path / "mine.yaml"
+
+        def said() -> str:
+            return "".join(one.problem.message for one in lint(load(mine)) if one.kind == "zones_of_another_field")
+
+        mine.write_text("extends: base.yaml\nfield: {width_m: 2.0}\n", encoding="utf-8")
+        assert "pair" in said()
+        mine.write_text("extends: base.yaml\nfield: {width_m: 2.0}\nparams: {w: 0.5}\n", encoding="utf-8")
+        assert "pair" not in said()
+        assert "pitch" in said()
+
+    def test_an_inherited_sentence_that_tells_the_old_number_is_said(self, tmp_path):
+        said = rule(
+            "{trigger: stays_in, entity: ball, zone: blue_goal, limit_s: {param: wait_s, times: 2}}",
+            rest="    says: After 3 seconds, twice, it counts.\n",
+        )
+        (tmp_path / "base.yaml").write_text(HEAD + "params: {wait_s: 3}\n" + said, encoding="utf-8")
+        mine = tmp_path / "mine.yaml"
+        mine.write_text("extends: base.yaml\nparams: {wait_s: 4}\n", encoding="utf-8")
+        assert "number_of_the_base" in [one.kind for one in lint(load(mine))]
