@@ -107,7 +107,9 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (triggers.StaysIn, "zone"): _ZONES,
     (triggers.TipsOver, "entity"): _ROBOTS,
     (triggers.SequenceCompleted, "sequence"): _SEQUENCE,
+    (triggers.SequenceCompleted, "entity"): _ENTITIES,
     (triggers.SequenceBroken, "sequence"): _SEQUENCE,
+    (triggers.SequenceBroken, "entity"): _ENTITIES,
     (triggers.ProgramFault, "robot"): _ROBOTS,
     # conditions
     (conditions.InZone, "entity"): _ENTITIES,
@@ -129,6 +131,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (conditions.LastTouch, "by"): _ROBOTS,
     (conditions.SpotFree, "spot"): _SPOTS,
     (conditions.SequenceAt, "sequence"): _SEQUENCE,
+    (conditions.SequenceAt, "entity"): _ENTITIES,
     (conditions.SequenceAt, "step"): _MADE_STEP,
     # actions
     (actions.Score, "entrant"): _RECEIVER,
@@ -142,6 +145,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (actions.TimerAction, "timer"): _TIMER,
     (actions.TimerAction, "entity"): _WHOSE,
     (actions.SequenceAction, "sequence"): _SEQUENCE,
+    (actions.SequenceAction, "entity"): _ENTITY,
     (actions.SetSpot, "spot"): Field("spot", _SPOT),
     (actions.SetSpot, "to"): Field("entity or spot", _MOVING | _SPOT, each=True),
     (actions.DrawAction, "draw"): _DRAW,
@@ -185,6 +189,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (state.Timer, "per"): _KEEPERS,
     (state.AnyStep, "any_of"): _STEP,
     (state.Sequence, "entity"): _ONE_ENTITY,
+    (state.Sequence, "per"): _MEMBERS,
     (state.Sequence, "steps"): _STEP,
     (state.Phase, "next"): _PHASE,
     # places

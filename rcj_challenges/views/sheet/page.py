@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rcj_challenges.scenario.followed import followed
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.actions import DrawAction, Place, Score, SequenceAction
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Result, Rule, Scenario
@@ -130,7 +131,8 @@ def _drawn_by_rules(nouns: Nouns, *, anew: bool) -> set[str]:
 def _sequence_words(nouns: Nouns, name: str, sequence: Sequence) -> str:
     places = [step.any_of if isinstance(step, AnyStep) else (step,) for step in sequence.steps]
     way = ", then ".join(map(nouns.any_of, places)) + (" and back to the first" if sequence.cyclic else "")
-    who, made = nouns.thing(sequence.entity), _step_words(nouns, [name for step in places for name in step])
+    owners, made = nouns.owners("sequence", name), _step_words(nouns, [name for step in places for name in step])
+    who = nouns.all_of(followed(sequence)).text if owners is None else f"that {nouns.kinds_of(owners)}"
     if sequence.wrong_step == "break":
         wrong = f"after the first step, {made} which is neither the last reached nor the next breaks it: it begins anew"
         also = "also "
@@ -146,8 +148,11 @@ def _sequence_words(nouns: Nouns, name: str, sequence: Sequence) -> str:
     before_last = ", ".join(causes[:-1]) + ", and " if len(causes) > 1 else ""
     again = f"{rounds}It begins anew {also}{before_last}{causes[-1]}. " if causes else rounds
     again += f"{placed[:1].upper()}{placed[1:]}, the steps made so far are kept." if goes_on else ""
-    followed = _followed_words(nouns, name)
-    return f"The sequence {quoted(name)} is the way of {who}: {way}; {wrong}. {again.strip()}{followed}"
+    when = _followed_words(nouns, name)
+    whose = f"The sequence {quoted(name)} is the way of {who}"
+    if owners is not None:
+        whose = f"There is a sequence {quoted(name)} for {nouns.each_of(owners)}, its own way"
+    return f"{whose}: {way}; {wrong}. {again.strip()}{when}"
 
 
 def _resets(nouns: Nouns, name: str) -> list[str]:
