@@ -19,11 +19,9 @@ from rcj_challenges.referee.regions import (
 )
 from rcj_challenges.referee.rules import Listener
 from rcj_challenges.referee.watching import PositionWatch, Watch
-from rcj_challenges.scenario.followed import followed
+from rcj_challenges.scenario.followed import followed, phases_of
 from rcj_challenges.scenario.models.places import Gate
-from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import AnyStep, Sequence
-from rcj_challenges.scenario.visiting import visit
 
 _NOT_BEGUN = -1
 
@@ -193,7 +191,7 @@ def sequence_watches(workshop: Workshop, name: str) -> dict[str | None, Sequence
     sequence, known = workshop.scenario.sequences[name], workshop.sequences
     followed_ones = workshop.members(followed(sequence), None)
     if any((name, one) not in known for one in followed_ones):
-        phases = _phases_of(workshop.scenario, name)
+        phases = phases_of(workshop.scenario, name)
         for one in followed_ones:
             known[name, one] = watch = SequenceWatch(sequence, one, workshop)
             watch.phases = phases
@@ -206,20 +204,3 @@ def _watch(found: Watch, name: str) -> SequenceWatch:
         message = f"not a sequence: {name!r}"
         raise TypeError(message)
     return found
-
-
-def _phases_of(scenario: Scenario, name: str) -> frozenset[str] | None:
-    phases: set[str] = set()
-    for rule in scenario.rules.values():
-        if not _mentions(rule, name):
-            continue
-        if rule.phases == "any":
-            return None
-        phases.update(rule.phases)
-    return frozenset(phases)
-
-
-def _mentions(rule: Rule, name: str) -> bool:
-    """Return whether a rule hears or asks a sequence; one that only begins it anew does not follow it."""
-    words = (word for word, _ in visit((rule.triggers, rule.conditions)))
-    return any(getattr(word, "sequence", None) == name for word in words)

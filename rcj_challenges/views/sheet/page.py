@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rcj_challenges.scenario.followed import followed
+from rcj_challenges.scenario.followed import followed, phases_of
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.actions import DrawAction, Place, Score, SequenceAction
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Result, Rule, Scenario
 from rcj_challenges.scenario.models.state import AnyStep, Draw, Phase, Sequence
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.visiting import visit
 from rcj_challenges.views.drawing.beside import layouts_of
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table, as_html, as_markdown
 from rcj_challenges.views.sheet.deeds import placing_words, receiver_words
@@ -151,7 +150,8 @@ def _sequence_words(nouns: Nouns, name: str, sequence: Sequence) -> str:
     when = _followed_words(nouns, name)
     whose = f"The sequence {quoted(name)} is the way of {who}"
     if owners is not None:
-        whose = f"There is a sequence {quoted(name)} for {nouns.each_of(owners)}, its own way"
+        each = nouns.each_of(owners)
+        whose = f"{each[:1].upper()}{each[1:]} has a sequence {quoted(name)} of its own"
     return f"{whose}: {way}; {wrong}. {again.strip()}{when}"
 
 
@@ -168,18 +168,11 @@ def _resets(nouns: Nouns, name: str) -> list[str]:
 def _followed_words(nouns: Nouns, name: str) -> str:
     """Return in which phases a sequence is followed, if not in all: those of the rules that name it."""
     everywhere = dict.fromkeys(("play", *nouns.scenario.phases))
-    rules = [rule for rule in nouns.scenario.rules.values() if name in _sequences_of(rule)]
-    lives = {phase for rule in rules for phase in (everywhere if rule.phases == "any" else rule.phases)}
+    lives = phases_of(nouns.scenario, name)
     if not lives or lives.issuperset(everywhere):
         return ""
     where = listed([quoted(phase) for phase in everywhere if phase in lives], "or")
     return f" It is followed in the phase {where} only, and begins anew after every other phase."
-
-
-def _sequences_of(rule: Rule) -> set[str]:
-    """Return the sequences that a rule hears or asks."""
-    words = (word for word, _ in visit((rule.triggers, rule.conditions)))
-    return {name for word in words if (name := getattr(word, "sequence", None)) is not None}
 
 
 def _step_words(nouns: Nouns, names: list[str]) -> str:
