@@ -14,7 +14,7 @@ title: It
 extends: soccersim_v2
 match: {half_s: 60, halves: 2}
 balls: {silver: {start_m: [-0.3, 0]}}
-groups: {goals: [blue_goal, yellow_goal]}
+groups: {goals: [blue_goal, yellow_goal], sides: [left, right]}
 zones: {left: {shape: rect, x_max_m: 0}, right: {shape: rect, x_min_m: 0}, disc: {shape: circle, centre_m: [0.3, 0], radius_m: 0.1}}
 draws: {side: {values: [a, b]}}
 flags: {hot: {}}
@@ -180,3 +180,9 @@ class TestRulesThatHearSequences:
         each = rule("a", more="for_each: robots, ", trigger=self.OF % ", entity: each", entity="each")
         assert found(each + rule("b", trigger=self.OF % ", entity: Y1", entity="Y1"))
         assert not found(each + rule("b", trigger=self.OF % ", entity: Y1", entity="Y2"))
+
+
+def test_of_a_step_that_each_stands_for_any_of_them_may_be_meant():
+    over = rule("a", AT % ("way", "each"), more="for_each: sides, ")
+    assert found(over + rule("b", AT % ("way", "right")))
+    assert not found(over.replace("sides", "left") + rule("b", AT % ("way", "right")))
