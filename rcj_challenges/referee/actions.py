@@ -16,7 +16,7 @@ from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.places import compile_putting, spot_name, where_now
 from rcj_challenges.referee.rules import Occasion, StandingRule
-from rcj_challenges.referee.sequences import sequence_watch
+from rcj_challenges.referee.sequences import sequence_watches
 from rcj_challenges.referee.setting_down import Job
 from rcj_challenges.referee.state import Clock, Number
 from rcj_challenges.referee.values import compile_points, compile_value
@@ -142,10 +142,16 @@ def timer(model: models.TimerAction, workshop: Workshop, rule: StandingRule) -> 
     return act
 
 
-def sequence(model: models.SequenceAction, workshop: Workshop, _rule: StandingRule) -> Act:
-    """Begin a sequence anew."""
-    watch = sequence_watch(workshop, model.sequence)
-    return lambda _occasion: workshop.lookout.restart(watch)
+def sequence(model: models.SequenceAction, workshop: Workshop, rule: StandingRule) -> Act:
+    """Begin a sequence anew: that of one, or of all who have one."""
+    watches, whose = sequence_watches(workshop, model.sequence), workshop.whose(model.entity, rule.each)
+    meant = tuple(watches.values()) if whose is None else (watches[whose],)
+
+    def act(_occasion: Occasion) -> None:
+        for watch in meant:
+            workshop.lookout.restart(watch)
+
+    return act
 
 
 def set_spot(model: models.SetSpot, workshop: Workshop, rule: StandingRule) -> Act:

@@ -54,7 +54,7 @@ class Workshop:
         queue: placements asked for.
         emit: writes an event; set by the engine.
         enter_phase: enters a phase; set by the engine.
-        sequences: their watches, by name.
+        sequences: their watches, by name and whose way they follow.
         layouts: compiled layouts by name, what ``each`` stands for, and mirror.
         timers_changed: to be called after a timer was started or stopped; the lookout reckons anew.
         remembered: the spots that rules set: they are to be read anew each time.
@@ -75,7 +75,7 @@ class Workshop:
         self.enter_phase: Callable[[str], None] = lambda _phase: None
         self.timers_changed: Callable[[], None] = self.lookout.reckon
         self.remembered = frozenset(remembered_spots(state.scenario))
-        self.sequences: dict[str, Watch] = {}
+        self.sequences: dict[tuple[str, str], Watch] = {}
         self.layouts: dict[tuple[str, str | None, Mirror | None], list[Putting]] = {}
         self._members: dict[tuple[Names, str | None], tuple[str, ...]] = {}
         self._shared: dict[tuple[object, ...], Watch] = {}
@@ -118,7 +118,7 @@ class Workshop:
         return index
 
     def whose(self, name: str | None, each: str | None) -> str | None:
-        """Return whose counter, flag or timer is meant; None: all of them, or the only one."""
+        """Return whose counter, flag, timer or sequence is meant; None: all of them, or the only one."""
         return each if name == EACH else name
 
     def drawn_value(self, value: Scalar, each: str | None) -> Scalar:

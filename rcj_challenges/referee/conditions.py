@@ -13,7 +13,7 @@ from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.nearness import targets_of
 from rcj_challenges.referee.places import spots_of, where_now
 from rcj_challenges.referee.rules import Test
-from rcj_challenges.referee.sequences import sequence_watch
+from rcj_challenges.referee.sequences import sequence_watches
 from rcj_challenges.referee.setting_down import Board
 from rcj_challenges.referee.state import Number
 from rcj_challenges.referee.values import compile_bound
@@ -207,7 +207,7 @@ def flag(model: models.FlagIs, workshop: Workshop, each: str | None) -> Test:
 
 
 def _of_kept(
-    model: models.CounterIs | models.FlagIs | models.TimerIs,
+    model: models.CounterIs | models.FlagIs | models.TimerIs | models.SequenceAt,
     workshop: Workshop,
     each: str | None,
     kept: object,
@@ -294,10 +294,16 @@ def spot_free(model: models.SpotFree, workshop: Workshop, each: str | None) -> T
 
 
 def sequence_at(model: models.SequenceAt, workshop: Workshop, each: str | None) -> Test:
-    """Which step of a sequence was reached last."""
-    watch = sequence_watch(workshop, model.sequence)
+    """Which step of a sequence was reached last; with ``of``: of so many."""
+    watches = sequence_watches(workshop, model.sequence)
+    everyone = tuple(watches.values())
     (step,) = workshop.members(model.step, each)
-    return lambda: watch.reached == step
+
+    def test(whose: str | None) -> bool:
+        meant = everyone if whose is None else (watches[whose],)
+        return any(watch.reached == step for watch in meant)
+
+    return _of_kept(model, workshop, each, watches, test)
 
 
 def half(model: models.HalfIs, workshop: Workshop, each: str | None) -> Test:

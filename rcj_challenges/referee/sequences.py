@@ -18,9 +18,9 @@ from rcj_challenges.referee.regions import (
     distance_to_segment_m,
 )
 from rcj_challenges.referee.rules import Listener
-from rcj_challenges.referee.watching import PositionWatch
+from rcj_challenges.referee.watching import PositionWatch, Watch
+from rcj_challenges.scenario.followed import followed, phases_of
 from rcj_challenges.scenario.models.places import Gate
-from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import AnyStep, Sequence
 
 _NOT_BEGUN = -1
@@ -80,8 +80,8 @@ class SequenceWatch(PositionWatch):
         completed, broken: ears.
     """
 
-    def __init__(self, sequence: Sequence, workshop: Workshop) -> None:
-        self.entity = workshop.entity(sequence.entity, None)
+    def __init__(self, sequence: Sequence, whose: str, workshop: Workshop) -> None:
+        self.entity = workshop.entity(whose, None)
         self.entities = (self.entity,)
         self.reached: str | None = None
         self.completed: list[Listener] = []
@@ -192,32 +192,24 @@ class SequenceWatch(PositionWatch):
         self._workshop.hits.report(listeners, measured=s_from_ticks(self._state.tick - self._begun))
 
 
-def sequence_watch(workshop: Workshop, name: str) -> SequenceWatch:
-    """Return the watch of a sequence: one for all rules; it lives wherever one of them does."""
-    found = workshop.sequences.get(name)
-    if found is None:
-        found = SequenceWatch(workshop.scenario.sequences[name], workshop)
-        found.phases = _phases_of(workshop.scenario, name)
-        workshop.sequences[name] = found
-        workshop.lookout.add(found)
+def sequence_watches(workshop: Workshop, name: str) -> dict[str | None, SequenceWatch]:
+    """Return the watches of a sequence by whose it is; None for one that is not kept per entity.
+
+    They are the same for all rules, and live wherever one of these does.
+    """
+    sequence, known = workshop.scenario.sequences[name], workshop.sequences
+    followed_ones = workshop.members(followed(sequence), None)
+    if any((name, one) not in known for one in followed_ones):
+        phases = phases_of(workshop.scenario, name)
+        for one in followed_ones:
+            known[name, one] = watch = SequenceWatch(sequence, one, workshop)
+            watch.phases = phases
+            workshop.lookout.add(watch)
+    return {None if sequence.per is None else one: _watch(known[name, one], name) for one in followed_ones}
+
+
+def _watch(found: Watch, name: str) -> SequenceWatch:
     if not isinstance(found, SequenceWatch):
         message = f"not a sequence: {name!r}"
         raise TypeError(message)
     return found
-
-
-def _phases_of(scenario: Scenario, name: str) -> frozenset[str] | None:
-    phases: set[str] = set()
-    for rule in scenario.rules.values():
-        if not _mentions(rule, name):
-            continue
-        if rule.phases == "any":
-            return None
-        phases.update(rule.phases)
-    return frozenset(phases)
-
-
-def _mentions(rule: Rule, name: str) -> bool:
-    conditions = (*rule.conditions, *(getattr(trigger, "condition", None) for trigger in rule.triggers))
-    inner = (one for condition in conditions for one in getattr(condition, "conditions", ()))
-    return any(getattr(word, "sequence", None) == name for word in (*rule.triggers, *conditions, *inner))

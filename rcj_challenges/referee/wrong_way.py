@@ -10,6 +10,7 @@ from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.regions import crossing
 from rcj_challenges.referee.sequences import seen_from
 from rcj_challenges.scenario.catalogue import EACH
+from rcj_challenges.scenario.followed import followed
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import AnyStep, Sequence
 from rcj_challenges.scenario.models.triggers import Crosses
@@ -46,10 +47,10 @@ class WrongWays:
         self._first: dict[_Passage, int] = {}
 
     def _of_sequence(self, name: str, sequence: Sequence) -> Iterable[_Passage]:
-        entity = self._entities(sequence.entity, None)[0]
         steps = (one for step in sequence.steps for one in (step.any_of if isinstance(step, AnyStep) else (step,)))
-        for gate in self._members(tuple(steps), None):
-            if gate in self._gates:
+        gates = [gate for gate in self._members(tuple(steps), None) if gate in self._gates]
+        for entity in self._entities(followed(sequence), None):
+            for gate in gates:
                 yield _Passage(entity, gate, -1, f"no step of {name}, which counts gates crossed forward only")
 
     def _of_rule(self, name: str, rule: Rule) -> Iterable[_Passage]:

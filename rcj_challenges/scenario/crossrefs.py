@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import Any
 
 from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.scenario.bound import Bound
 from rcj_challenges.scenario.catalogue import BOUND, EACH, OTHER, Catalogue, texts
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, known_text, listing, nearest
 from rcj_challenges.scenario.models import actions, conditions, places, state
@@ -19,37 +20,16 @@ from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
 from rcj_challenges.scenario.references import Field, Named, Reference, references_of
 from rcj_challenges.scenario.shape import Shape, bare, chosen, is_model, step_into
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, in_names, mark_of, node_at
+from rcj_challenges.scenario.whose import NAMING_ONE, check_whose
 from rcj_challenges.scenario.wording import found_text
-
-
-class _Bound(NamedTuple):
-    """Whom the names ``each`` and ``other`` may stand for; None where a name is not known.
-
-    Attributes:
-        each: the members of the rule's ``for_each``.
-        other: what its triggers may find to be touched, if all of them are touches.
-    """
-
-    each: tuple[str, ...] | None = None
-    other: tuple[str, ...] | None = None
-
-    def of(self, name: str) -> tuple[str, ...] | None:
-        """Return whom one of the two names stands for."""
-        return self.each if name == EACH else self.other
-
 
 _UNKNOWN = {
     EACH: "'each' is known only in a rule with for_each",
     OTHER: "'other' is known only in a rule whose triggers are all touches; give what else sets it off its own rule",
 }
 _WORDED = ("triggers", "conditions", "actions")
-_READS = (conditions.CounterIs, conditions.FlagIs, conditions.TimerIs, state.CounterValue, state.FlagValue,
-          state.TimerValue, state.NumberTimer)  # fmt: skip
-_WEIGHTED = (state.WeightedCounter, state.WeightedFlag, state.WeightedTimer)
-_WRITES = (actions.Count, actions.SetFlag, actions.ToggleFlag, actions.TimerAction)
 _OF_OTHERS: dict[Any, str] = {state.LowestOfOthers: "lowest", state.HighestOfOthers: "highest"}
 _PLACES = ("zone", "gate")
-_STATE_SECTIONS = {"counter": "counters", "flag": "flags", "timer": "timers"}
 
 
 def check_references(catalogue: Catalogue, removed: Mapping[Path, Mark]) -> list[Problem]:
@@ -60,7 +40,7 @@ def check_references(catalogue: Catalogue, removed: Mapping[Path, Mark]) -> list
         removed: where entries of a base were removed, for the message to who still names them.
     """
     walker = _Walker(catalogue, removed)
-    walker.walk(catalogue.root, Scenario, (), _Bound())
+    walker.walk(catalogue.root, Scenario, (), Bound())
     return walker.problems
 
 
@@ -79,7 +59,7 @@ class _Walker:
         self.told: set[Path] = set()
         self.kits_in_use = {catalogue.leaf("robots", robot, "kit") for robot in catalogue.names("robots")}
 
-    def walk(self, node: Node, shape: Shape, path: Path, bound: _Bound) -> None:
+    def walk(self, node: Node, shape: Shape, path: Path, bound: Bound) -> None:
         """Check a value and all that is in it."""
         shape = chosen(shape, node) if shape is not None else None
         if shape is None or len(self.problems) >= MAX_FOUND:
@@ -107,7 +87,7 @@ class _Walker:
 
     # --- one mapping ------------------------------------------------------------------------------------------------
 
-    def _model(self, model: Any, node: Entries, path: Path, bound: _Bound) -> _Bound:
+    def _model(self, model: Any, node: Entries, path: Path, bound: Bound) -> Bound:
         if model is Rule:
             bound = self._bound_in(node)
         if model is Kit and path[-1] not in self.kits_in_use:
@@ -119,17 +99,22 @@ class _Walker:
             elif isinstance(default, str):
                 self._check(reference, default, path, mark_of(self.root, path), bound)
         self._special(model, node, path, bound)
+        self._whom(model, node, path, bound)
+        return bound
+
+    def _whom(self, model: Any, node: Entries, path: Path, bound: Bound) -> None:
+        """Check whether it can be for those whom it names: one of several, who gets points, what is kicked."""
+        if model in NAMING_ONE:
+            for wrong in check_whose(model, node, path, bound, self.names):
+                self.add(*wrong)
         if model is actions.Score:
             self._receiver(node.entries.get("entrant"), (*path, "entrant"), bound)
         if model in (actions.Place, places.Placing) and "kick" in node.entries:
             self._only_balls(node.entries.get("entity"), (*path, "kick"), bound)
-        return bound
 
-    def _bound_in(self, rule: Entries) -> _Bound:
+    def _bound_in(self, rule: Entries) -> Bound:
         group = rule.entries.get("for_each")
-        bound = _Bound(
-            None if group is None else tuple(one for text in texts(group) for one in self.names.expand(text))
-        )
+        bound = Bound(None if group is None else tuple(one for text in texts(group) for one in self.names.expand(text)))
         triggers = rule.entries.get("triggers")
         listed = triggers.items if isinstance(triggers, Items) else ()
         if any(texts(child(trigger, "trigger")) != ("touches",) for trigger in listed):
@@ -138,15 +123,10 @@ class _Walker:
             other=tuple(dict.fromkeys(one for touch in listed for one in self._touched(touch, bound)))
         )
 
-    def _touched(self, touch: Node, bound: _Bound) -> Iterator[str]:
+    def _touched(self, touch: Node, bound: Bound) -> Iterator[str]:
         """Yield what may be touched; nothing touches itself."""
-        entities = self._meant(child(touch, "entity"), bound)
-        return (one for one in self._meant(child(touch, "other"), bound) if {*entities} != {one})
-
-    def _meant(self, names: Node | None, bound: _Bound) -> list[str]:
-        """Return what names stand for: groups expanded, ``each`` and ``other`` replaced."""
-        found = ((bound.of(text) or ()) if text in BOUND else self.names.expand(text) for text in texts(names))
-        return [one for members in found for one in members]
+        entities = bound.meant(child(touch, "entity"), self.names)
+        return (one for one in bound.meant(child(touch, "other"), self.names) if {*entities} != {one})
 
     def _named_in(self, reference: Reference, node: Entries, key: str, path: Path) -> Iterator[tuple[str, Path, Mark]]:
         """Yield the names of a field, each with its place."""
@@ -159,7 +139,7 @@ class _Walker:
 
     # --- one name ---------------------------------------------------------------------------------------------------
 
-    def _check(self, reference: Reference, name: str, path: Path, mark: Mark, bound: _Bound) -> None:
+    def _check(self, reference: Reference, name: str, path: Path, mark: Mark, bound: Bound) -> None:
         if name in reference.words:
             return
         if isinstance(reference, Named):
@@ -172,7 +152,7 @@ class _Walker:
         else:
             self._check_on_field(reference, name, path, mark)
 
-    def _check_bound(self, reference: Field, name: str, path: Path, mark: Mark, bound: _Bound) -> None:
+    def _check_bound(self, reference: Field, name: str, path: Path, mark: Mark, bound: Bound) -> None:
         members = bound.of(name)
         if name == OTHER and path[2:3] == ("triggers",):
             self.add(path, mark, "'other' is the one that was touched: a trigger says who may be, by name or group")
@@ -235,7 +215,7 @@ class _Walker:
             at: Path = ("draws", draw, "values", index)
             text = value.value if isinstance(value, Leaf) else None
             if isinstance(text, str):
-                self._check(reference, text, at, value.mark, _Bound())
+                self._check(reference, text, at, value.mark, Bound())
             else:
                 self.add(at, value.mark, f"expected {_a(reference.noun)}, found {found_text(value)}")
         needed = f" (needed by {shown_path(self.root, user)})"
@@ -262,10 +242,8 @@ class _Walker:
 
     # --- what a table cannot say ------------------------------------------------------------------------------------
 
-    def _special(self, model: Any, node: Entries, path: Path, bound: _Bound) -> None:
-        if model in (*_READS, *_WEIGHTED, *_WRITES):
-            self._per_entity(model, node, path, bound)
-        elif model is actions.Place:
+    def _special(self, model: Any, node: Entries, path: Path, bound: Bound) -> None:
+        if model is actions.Place:
             layout = node.entries.get("layout")
             drawn = child(layout, "draw")
             if isinstance(drawn, Leaf) and drawn.value in self.names.names("draws"):
@@ -301,7 +279,7 @@ class _Walker:
             for index, one in enumerate(value.items if isinstance(value, Items) else ()):
                 self._among_values(draw, one, (*path, name, index))
 
-    def _receiver(self, entrant: Node | None, path: Path, bound: _Bound) -> None:
+    def _receiver(self, entrant: Node | None, path: Path, bound: Bound) -> None:
         """Check that ``each`` or ``other`` stands for robots that somebody drives, where points are given to it."""
         name = entrant.value if isinstance(entrant, Leaf) else None
         if not isinstance(entrant, Leaf) or name not in BOUND or name in self.names.names("entrants"):
@@ -325,9 +303,11 @@ class _Walker:
         if idle is not None:
             self.add(path, entrant.mark, f"'{name}' stands for '{idle}' too, which no entrant drives")
 
-    def _only_balls(self, entity: Node | None, path: Path, bound: _Bound) -> None:
+    def _only_balls(self, entity: Node | None, path: Path, bound: Bound) -> None:
         """Check that only balls are kicked."""
-        other = next((one for one in self._meant(entity, bound) if self.names.kinds.get(one, "ball") != "ball"), None)
+        other = next(
+            (one for one in bound.meant(entity, self.names) if self.names.kinds.get(one, "ball") != "ball"), None
+        )
         if other is not None:
             message = f"only balls roll: '{other}' is {_a(self.names.kinds[other])}"
             self.add(path, mark_of(self.root, path), message)
@@ -341,7 +321,7 @@ class _Walker:
                 at: Path = ("draws", str(draw.value), "values", index) if isinstance(draw, Leaf) else user
                 self._add_once(at, at, value.mark, message, f" (needed by {shown_path(self.root, user)})")
 
-    def _decided(self, node: Entries, key: str, path: Path, bound: _Bound) -> None:
+    def _decided(self, node: Entries, key: str, path: Path, bound: Bound) -> None:
         """Check the value of a draw that a rule asks for or sets: ``each`` and ``other`` are names if it has them."""
         draw, value, at = node.entries.get("draw"), node.entries.get(key), (*path, key)
         name = value.value if isinstance(value, Leaf) else None
@@ -378,7 +358,7 @@ class _Walker:
             hint = nearest(str(value.value), shown) or f"; it draws from {listing(shown)}"
             self.add(path, value.mark, f"{found_text(value)} is never drawn{hint}")
 
-    def _among_steps(self, node: Entries, path: Path, bound: _Bound) -> None:
+    def _among_steps(self, node: Entries, path: Path, bound: Bound) -> None:
         sequence, step = node.entries.get("sequence"), node.entries.get("step")
         steps = node_at(self.root, ("sequences", str(sequence.value), "steps")) if isinstance(sequence, Leaf) else None
         if not isinstance(steps, Items) or not isinstance(step, Leaf) or not isinstance(step.value, str):
@@ -389,49 +369,6 @@ class _Walker:
         if members and all(self.names.kinds.get(one) in _PLACES and one not in known for one in members):
             what = f"'each' stands for '{members[0]}', which" if step.value == EACH else f"'{step.value}'"
             self.add((*path, "step"), step.mark, f"{what} is no step of it; its steps are {listing(known)}")
-
-    def _per_entity(self, model: Any, node: Entries, path: Path, bound: _Bound) -> None:
-        """Check that ``entity`` says whose counter, flag or timer is meant, where there is one for each."""
-        key = next(key for key in _STATE_SECTIONS if key in model.model_fields)
-        name, whose = node.entries.get(key), node.entries.get("entity")
-        if not isinstance(name, Leaf) or not isinstance(name.value, str):
-            return
-        entry = node_at(self.root, (_STATE_SECTIONS[key], name.value))
-        per = child(entry, "per")
-        if not isinstance(per, Leaf) or not isinstance(per.value, str):
-            surplus = next((one for one in ("entity", "of") if one in node.entries), None)
-            if surplus is not None and (entry is not None or name.value in self.names.names("entrants")):
-                message = f"{key} '{name.value}' is not kept per entity; leave '{surplus}' out"
-                self.add((*path, surplus), mark_of(self.root, (*path, surplus)), message)
-            return
-        quantified = "of" in model.model_fields and "of" in node.entries
-        owners = self.names.expand(per.value)
-        if whose is None:
-            if self._is_for_one_of(owners, bound) and model in _READS and not quantified:
-                message = f"{key} '{name.value}' is kept per {per.value}: say whose with 'entity', such as entity: each"
-                self.add(path, name.mark, message)
-            return
-        if "of" in model.model_fields and not quantified and self._is_several(whose):
-            what = "these are several" if isinstance(whose, Items) else f"'{texts(whose)[0]}' is a group"
-            message = f"{what}; name one entity, or say with 'of' how many of them: any, all, none, {{at_least: n}}"
-            self.add((*path, "entity"), whose.mark, message)
-            return
-        stranger = next(
-            (one for one in self._meant(whose, bound) if one not in owners and one in self.names.kinds), None
-        )
-        if stranger is not None:
-            message = f"{key} '{name.value}' is kept per {per.value}, and '{stranger}' is not among them"
-            self.add((*path, "entity"), whose.mark, message)
-
-    def _is_for_one_of(self, owners: tuple[str, ...], bound: _Bound) -> bool:
-        """Return whether a rule is for one of those that have something each, or for an entity at all."""
-        each = bound.each or ()
-        return any(one in owners or self.names.kinds.get(one) not in _PLACES for one in each)
-
-    def _is_several(self, whose: Node) -> bool:
-        return isinstance(whose, Items) or any(
-            text in self.names.groups and text not in self.names.kinds for text in texts(whose)
-        )
 
 
 def _leaves(node: Node, path: Path) -> Iterator[tuple[str, Path, Mark]]:

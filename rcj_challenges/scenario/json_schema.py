@@ -273,6 +273,7 @@ def _demand(shape: Shape) -> _Json:
         properties = {key: inner for key, inner in inner_demands.items() if inner}
         return {
             **({"required": required} if required else {}),
+            **({"oneOf": [{"required": [key]} for key in kind.either]} if kind.either else {}),
             **({"properties": properties} if properties else {}),
         }
     if get_origin(kind) is dict:

@@ -40,6 +40,7 @@ from rcj_challenges.scenario.lint_state import (
     check_state,
     check_unused,
 )
+from rcj_challenges.scenario.lint_steps import check_kept_steps
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
 from rcj_challenges.scenario.lint_times import check_halves, check_reached, check_rests, check_times
 from rcj_challenges.scenario.lint_touched import check_touched
@@ -83,6 +84,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_halves,
     check_reached,
     check_rests,
+    check_kept_steps,
     check_sides,
     check_places,
     check_distances,

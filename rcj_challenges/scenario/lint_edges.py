@@ -7,13 +7,13 @@ from itertools import combinations, product
 from typing import Any, NamedTuple
 
 from rcj_challenges.scenario.errors import listing, nearest
+from rcj_challenges.scenario.followed import heard
 from rcj_challenges.scenario.lint_logic import Way, exclude, ways_to_hold, with_each
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lives_in
-from rcj_challenges.scenario.models.actions import Place, Remove, SetPhase
+from rcj_challenges.scenario.models.actions import SetPhase
 from rcj_challenges.scenario.models.conditions import InZone
 from rcj_challenges.scenario.models.scenario import Rule
-from rcj_challenges.scenario.models.state import DrawValue
-from rcj_challenges.scenario.models.triggers import Crosses, PhaseEntered, Trigger
+from rcj_challenges.scenario.models.triggers import Crosses, PhaseEntered, SequenceBroken, SequenceCompleted, Trigger
 from rcj_challenges.scenario.other import for_other, has_other, names_other, others_of
 from rcj_challenges.scenario.tree import file_of
 
@@ -158,27 +158,14 @@ def _moved(mover: _Mover, subject: Subject) -> frozenset[str]:
     """Return the entities that a rule may put elsewhere or take off."""
     # Where it is known for whom the rule fires, `each` is that one and no other.
     rule = mover.rule if mover.each is None else mover.rule.model_copy(update={"for_each": mover.each})
-    moved: set[str] = set()
-    for action in rule.actions:
-        if isinstance(action, Place | Remove) and action.entity is not None:
-            moved |= subject.members(action.entity, rule)
-        if isinstance(action, Place) and action.layout is not None:
-            for layout in _layouts(action.layout, subject):
-                for placing in subject.scenario.placements.get(layout, ()):
-                    moved |= subject.members(placing.entity, rule)
-    return frozenset(moved)
-
-
-def _layouts(layout: str | DrawValue, subject: Subject) -> tuple[str, ...]:
-    if isinstance(layout, str):
-        return (layout,)
-    draw = subject.scenario.draws.get(layout.draw)
-    return tuple(str(value) for value in draw.values) if draw is not None else ()
+    return subject.moved(rule)
 
 
 def _edges(trigger: Trigger, rule: Rule, subject: Subject) -> Iterator[_Edge]:
     """Yield the single edges that a trigger waits for, so that equal ones are equal."""
     data = {key: value for key, value in trigger if key != "trigger"}
+    if isinstance(trigger, SequenceCompleted | SequenceBroken):
+        data["entity"] = heard(trigger, subject.scenario)
     axes = [[(key, name) for name in sorted(subject.members(data.pop(key), rule))] for key in _NAMES if key in data]
     if isinstance(trigger, Crosses) and data.pop("direction"):
         ways = ("forward", "backward") if trigger.direction == "either" else (trigger.direction,)

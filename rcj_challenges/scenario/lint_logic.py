@@ -7,6 +7,7 @@ from itertools import product
 from typing import Any
 
 from rcj_challenges.scenario.catalogue import BOUND
+from rcj_challenges.scenario.followed import followed
 from rcj_challenges.scenario.lint_suspect import Subject
 from rcj_challenges.scenario.models.conditions import (
     Condition,
@@ -16,6 +17,7 @@ from rcj_challenges.scenario.models.conditions import (
     HalfIs,
     InZone,
     LastTouch,
+    SequenceAt,
     Speed,
     TimerIs,
     WayIs,
@@ -112,8 +114,7 @@ def _have_nothing_in_common(one: Condition, other: Condition, rules: tuple[Rule,
         case LastTouch(), LastTouch():
             by, by_other = subject.members(one.by, rules[0]), subject.members(other.by, rules[1])
             return one.entity == other.entity not in BOUND and not by & by_other
-    # At which step a sequence stands: it cannot be two.
-    return hasattr(one, "step") and _same_but(one, other, frozenset({"step"})) and one.step != getattr(other, "step", 0)
+    return isinstance(one, SequenceAt) and isinstance(other, SequenceAt) and _at_two_steps(one, other, rules, subject)
 
 
 def _drawable(condition: Drawn, rule: Rule, subject: Subject) -> frozenset[Any]:
@@ -132,6 +133,20 @@ def _is_of_one(condition: Any, rule: Rule, subject: Subject) -> bool:
         return True
     names = condition.entity
     return condition.of == "any" and names is not None and len(subject.members(names, rule)) == 1
+
+
+def _at_two_steps(one: SequenceAt, other: SequenceAt, rules: tuple[Rule, Rule], subject: Subject) -> bool:
+    """Return whether a sequence would have to stand at two steps at once."""
+    steps, other_steps = subject.members(one.step, rules[0]), subject.members(other.step, rules[1])
+    same = _is_of_one_way(one, rules[0], subject) and _same_but(one, other, frozenset({"step"}))
+    return same and not steps & other_steps
+
+
+def _is_of_one_way(condition: SequenceAt, rule: Rule, subject: Subject) -> bool:
+    """Return whether a condition asks for the step of a single sequence, or of each of several."""
+    whose = condition.entity or followed(subject.scenario.sequences[condition.sequence])
+    asks_all = condition.of == "all" or (condition.of is None and condition.entity is not None)
+    return asks_all or (condition.of in (None, "any") and len(subject.members(whose, rule)) == 1)
 
 
 def _apart(one: Any, other: Any) -> bool:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from rcj_challenges.scenario.blanks import BLANKS, in_braces, points_of
 from rcj_challenges.scenario.errors import listing, nearest
+from rcj_challenges.scenario.followed import heard
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
 from rcj_challenges.scenario.models import triggers
 from rcj_challenges.scenario.models.conditions import AllOf, AnyOf, Condition, Distance, InZone, LastTouch, Looks, Speed
@@ -246,7 +247,7 @@ def _found_by(trigger: Trigger, rule: Rule, subject: Subject) -> frozenset[str]:
     elif isinstance(trigger, triggers.ProgramFault):
         names = trigger.robot
     elif isinstance(trigger, _OF_SEQUENCES):
-        names = subject.scenario.sequences[trigger.sequence].entity
+        names = heard(trigger, subject.scenario)
     elif isinstance(trigger, triggers.TimerExpired):
         names = subject.scenario.timers[trigger.timer].per or ()
     elif isinstance(trigger, triggers.Holds):

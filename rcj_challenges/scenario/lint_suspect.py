@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 
 from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.errors import Problem
-from rcj_challenges.scenario.models.actions import SetPhase
+from rcj_challenges.scenario.models.actions import Place, Remove, SetPhase
 from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.models.state import DrawnDuration
+from rcj_challenges.scenario.models.state import DrawnDuration, DrawValue
 from rcj_challenges.scenario.other import has_other, others_of
 from rcj_challenges.scenario.references import REFERENCES, Field, Reference
 from rcj_challenges.scenario.roster import Roster
@@ -130,6 +130,25 @@ class Subject:
             else:
                 found.update(self.roster.expand(rule.for_each if name == EACH and rule.for_each else name))
         return frozenset(found)
+
+    def moved(self, rule: Rule) -> frozenset[str]:
+        """Return the entities that a rule may put elsewhere or take off."""
+        moved: set[str] = set()
+        for action in rule.actions:
+            if isinstance(action, Place | Remove) and action.entity is not None:
+                moved |= self.members(action.entity, rule)
+            if isinstance(action, Place) and action.layout is not None:
+                for layout in _layouts(action.layout, self.scenario):
+                    for placing in self.scenario.placements.get(layout, ()):
+                        moved |= self.members(placing.entity, rule)
+        return frozenset(moved)
+
+
+def _layouts(layout: str | DrawValue, scenario: Scenario) -> tuple[str, ...]:
+    if isinstance(layout, str):
+        return (layout,)
+    draw = scenario.draws.get(layout.draw)
+    return tuple(str(value) for value in draw.values) if draw is not None else ()
 
 
 def lives_in(rule: Rule, phase: str) -> bool:

@@ -1,6 +1,7 @@
 """Merging a scenario into its base, by the shapes of the models.
 
-Mappings merge by key; lists and single values replace. An entry whose kind changes (another ``shape``, ``device`` …)
+Mappings merge by key; lists and single values replace. Of keys of which only one can be given (``entity`` or ``per`` of
+a sequence) the one written takes the other's place. An entry whose kind changes (another ``shape``, ``device`` …)
 replaces the base's whole, since nothing of a circle makes sense in a rectangle. Overridden entries keep the base's
 place in the order; new ones follow. A written ``null`` removes a named entry of the base; a value that is left empty
 is a mistake, never a removal.
@@ -8,11 +9,13 @@ is a mistake, never a removal.
 
 from __future__ import annotations
 
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
+from typing import Any
 
 from rcj_challenges.scenario.errors import Problem, listing, nearest
 from rcj_challenges.scenario.inherited import ALL_INHERITED, TESTS
-from rcj_challenges.scenario.shape import Shape, is_list, is_named, may_be_scalar, step_into, tag_of
+from rcj_challenges.scenario.shape import Shape, bare, is_list, is_model, is_named, may_be_scalar, step_into, tag_of
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, in_names
 
 
@@ -36,6 +39,7 @@ class Merger:
         if path == (TESTS,) and ALL_INHERITED in over.entries:
             for name in list(base.entries):
                 base.drop(name)
+        make_way(base, over.entries.keys(), shape)
         for key, node in over.entries.items():
             self.merge_entry(base, key, node, over.key_marks[key], shape, path)
         return base
@@ -117,6 +121,15 @@ class Merger:
 
     def _add(self, mark: Mark, path: Path, message: str) -> None:
         self.problems.append(mark.problem(in_names(Entries({}, mark), path), message))
+
+
+def make_way(base: Entries, written: AbstractSet[str], shape: Shape) -> None:
+    """Take out of a mapping in whose place something is written: of some keys only one can be given."""
+    kind: Any = None if shape is None else bare(shape).kind
+    either = set(kind.either) if is_model(kind) else set()
+    if either & written:
+        for key in base.entries.keys() & either - written:
+            base.drop(key)
 
 
 def is_param(node: Node) -> bool:

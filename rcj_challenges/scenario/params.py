@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from rcj_challenges.scenario.errors import Problem, ScenarioError, known_text, listing, nearest
-from rcj_challenges.scenario.merge import Merger, is_param
+from rcj_challenges.scenario.merge import Merger, is_param, make_way
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.reckoning import KEYS, reckoned, written_out
 from rcj_challenges.scenario.shape import (
@@ -131,6 +131,7 @@ def _put(node: Node, step: Step, value: Node, mark: Mark, shape: Shape, path: Pa
     # A new name may bring a whole entry; a single value under a new name is a typing mistake.
     if is_named(shape) and step not in node.entries and isinstance(value, Leaf):
         raise _RefusedError(_unknown_name(node, step, here))
+    make_way(node, {step}, shape)
     merger.merge_entry(node, step, value, mark, shape, path[:-1])
 
 

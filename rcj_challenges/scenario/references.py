@@ -109,7 +109,9 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (triggers.StaysIn, "zone"): _ZONES,
     (triggers.TipsOver, "entity"): _ROBOTS,
     (triggers.SequenceCompleted, "sequence"): _SEQUENCE,
+    (triggers.SequenceCompleted, "entity"): _ENTITIES,
     (triggers.SequenceBroken, "sequence"): _SEQUENCE,
+    (triggers.SequenceBroken, "entity"): _ENTITIES,
     (triggers.ProgramFault, "robot"): _ROBOTS,
     (triggers.Tells, "entity"): _ROBOTS,
     # conditions
@@ -134,6 +136,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (conditions.Told, "entity"): _ROBOTS,
     (conditions.SpotFree, "spot"): _SPOTS,
     (conditions.SequenceAt, "sequence"): _SEQUENCE,
+    (conditions.SequenceAt, "entity"): _ENTITIES,
     (conditions.SequenceAt, "step"): _MADE_STEP,
     # actions
     (actions.Score, "entrant"): _RECEIVER,
@@ -147,6 +150,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (actions.TimerAction, "timer"): _TIMER,
     (actions.TimerAction, "entity"): _WHOSE,
     (actions.SequenceAction, "sequence"): _SEQUENCE,
+    (actions.SequenceAction, "entity"): _ENTITY,
     (actions.SetSpot, "spot"): Field("spot", _SPOT),
     (actions.SetSpot, "to"): Field("entity, spot or zone", _MOVING | _SPOT | _ZONE, each=True),
     (actions.DrawAction, "draw"): _DRAW,
@@ -196,6 +200,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (state.Timer, "per"): _KEEPERS,
     (state.AnyStep, "any_of"): _STEP,
     (state.Sequence, "entity"): _ONE_ENTITY,
+    (state.Sequence, "per"): _MEMBERS,
     (state.Sequence, "steps"): _STEP,
     (state.Phase, "next"): _PHASE,
     # places

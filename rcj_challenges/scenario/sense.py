@@ -20,16 +20,18 @@ from rcj_challenges.scenario.models.conditions import (
     InZone,
     IsHeld,
     Looks,
+    SequenceAt,
     Speed,
     SpotFree,
     TimerIs,
+    Told,
     WayIs,
 )
 from rcj_challenges.scenario.models.field import Match
 from rcj_challenges.scenario.models.places import Kick
 from rcj_challenges.scenario.models.robots import LidarDevice
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Scenario
-from rcj_challenges.scenario.models.state import Draw, NumberWord
+from rcj_challenges.scenario.models.state import Draw, NumberWord, Sequence
 from rcj_challenges.scenario.models.triggers import Holds, StaysIn, TimeReached
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import Path
@@ -51,6 +53,7 @@ def check_sense(scenario: Scenario, *, half_is_set: bool) -> Iterator[Found]:
         yield from _quantifier(model, path, roster)
         yield from _times(model, path, scenario, half_is_set=half_is_set)
         yield from _draw(model, path)
+        yield from _whose_way(model, path)
         if isinstance(model, Expectation):
             yield from _series(model, path, scenario)
         if isinstance(model, Expectation | Given):
@@ -71,6 +74,16 @@ def _draw(model: Strict, path: Path) -> Iterator[Found]:
         yield Found((*path, "not_last"), "one value alone cannot be drawn twice running; give two different ones")
     if model.not_again is not None:
         yield Found((*path, "not_again"), "one value alone comes again every time; give two different ones")
+
+
+def _whose_way(model: Strict, path: Path) -> Iterator[Found]:
+    """Yield a sequence of which nobody knows whose way it is: nobody's, or one's and each's."""
+    match model:
+        case Sequence(entity=None, per=None):
+            yield Found(path, "whose way? give 'entity', or 'per': a group, with a sequence for each of its members")
+        case Sequence(entity=str(), per=str()):
+            message = "a sequence has either 'entity' or 'per', not both; leave one of them out"
+            yield Found((*path, "per"), message, other=(*path, "entity"))
 
 
 def _series(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Found]:
@@ -152,7 +165,9 @@ def _comparison(model: Strict, path: Path) -> Iterator[Found]:
         yield Found((*path, "at_least"), f"nothing is at least {least:g} and at most {most:g}")
 
 
-_QUANTIFIED = InZone | Speed | Distance | WayIs | Looks | IsHeld | SpotFree | CounterIs | FlagIs | TimerIs
+_QUANTIFIED = (
+    InZone | Speed | Distance | WayIs | Looks | IsHeld | SpotFree | CounterIs | FlagIs | TimerIs | SequenceAt | Told
+)
 
 
 def _quantifier(model: Strict, path: Path, roster: Roster) -> Iterator[Found]:
@@ -160,7 +175,7 @@ def _quantifier(model: Strict, path: Path, roster: Roster) -> Iterator[Found]:
         return
     names = model.spot if isinstance(model, SpotFree) else model.entity
     if names is None:
-        return  # of all that have a counter, flag or timer of their own
+        return  # of all that have a counter, flag, timer or sequence of their own
     count = len(roster.expand(names))
     if model.of.at_least > count:
         yield Found((*path, "of"), f"at least {model.of.at_least} of {count} can never hold")

@@ -90,7 +90,7 @@ def test_every_recipe_is_free_of_lint_and_comes_out_as_it_says(recipe):
 def test_there_is_a_recipe_for_each_kind_that_is_promised():
     titles = re.findall(r"^## (.+)$", (ROOT / "docs" / "recipes.md").read_text(encoding="utf-8"), re.MULTILINE)
     assert titles == [
-        "A race through gates", "Keep-away in a zone", "Defend the goal", "Relay between halves", "Timed deliveries",
+        "A race through gates", "Rounds that all robots drive at once", "Keep-away in a zone", "Defend the goal", "Relay between halves", "Timed deliveries",
         "Obstacle courses", "Red light, green light", "Gates in a drawn order", "The poisoned ball", "Tag",
             "Freeze tag", "The last one is out", "Search and report",
     ]  # fmt: skip

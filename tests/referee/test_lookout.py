@@ -17,7 +17,9 @@ zones:
   ring: {shape: circle, centre_m: [0.1, -0.2], radius_m: 0.3, inverted: true}
 gates: {mouth: {from_m: [0.06, -0.1], to_m: [0.06, 0.1], anchor: B1}}
 groups: {some: [kite, middle, left]}
-sequences: {way: {entity: ball, steps: [left, {any_of: [middle, halfway]}, right], cyclic: true, wrong_step: break}}
+sequences:
+  way: {entity: ball, steps: [left, {any_of: [middle, halfway]}, right], cyclic: true, wrong_step: break}
+  own: {per: robots, steps: [left, {any_of: [middle, halfway]}, right], cyclic: true, when_placed: goes_on}
 phases: {pause: {lasts_s: 0.5, clock: stops}}
 rules:
   zones:
@@ -34,6 +36,10 @@ rules:
     triggers: [{trigger: sequence_completed, sequence: way}, {trigger: sequence_broken, sequence: way},
                {trigger: crosses, entity: ball, gate: [halfway, mouth]}]
     actions: [{action: emit, event: WAY}, {action: set_phase, phase: pause}]
+  own:
+    for_each: robots
+    triggers: [{trigger: sequence_completed, sequence: own, entity: each}]
+    actions: [{action: emit, event: OWN, payload: {who: {word: robot_name}, took: {word: measured}}}]
   away:
     for_each: robots
     phases: any
@@ -66,7 +72,7 @@ def test_it_judges_as_one_that_looks_at_everything_closely(small, monkeypatch, s
     monkeypatch.setattr(watching, "_stayed", lambda _cell, _entity, _substeps: False)
     assert wander(ScriptedPlay(scenario, Roster.of(scenario), half_of(scenario)), seed, 1200) == said
     rules = {firing.rule for firing in said if hasattr(firing, "rule")}
-    assert rules >= {"zones", "way", "away"}
+    assert rules >= {"zones", "way", "own", "away"}
 
 
 def test_the_same_snapshots_give_the_same_verdicts(small):

@@ -52,6 +52,12 @@ class TestWrongWays:
         assert differences(forward + ", events: [{event: ROUND}]") == []
         assert differences(forward + ", events: []") == ["event 1: nothing more expected, got ROUND at 0.32 s"]
 
+    def test_of_a_sequence_of_each_it_is_told_who_crossed_it(self, differences):
+        each = "sequences: {round: {per: yellow, steps: [left, halfway]}}"
+        frames = "keyframes: [{at_s: 0, place: {Y2: [0, -0.2]}}, {at_s: 0.32, place: {Y2: [0, 0.2]}}]"
+        found = differences(frames + ", events: [{event: ROUND}]", each)
+        assert NO_STEP.replace("ball", "Y2") in found
+
     def test_where_the_test_passes_nothing_is_told(self, differences):
         assert differences(BACKWARD + ", events: []") == []
 

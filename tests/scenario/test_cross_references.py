@@ -31,7 +31,9 @@ placements:
 counters: {goals: {}, pushes: {per: robots}, blue_pushes: {per: blue}}
 flags: {armed: {}, seen: {per: movers}}
 timers: {clock: {lasts_s: 5}, own: {lasts_s: 5, per: robots}}
-sequences: {round: {entity: ball, steps: [pitch, {any_of: [door, blue_goal]}]}}
+sequences:
+  round: {entity: ball, steps: [pitch, {any_of: [door, blue_goal]}]}
+  race: {per: movers, steps: [pitch, door]}
 phases: {pause: {lasts_s: 3, next: play}}
 """
 
@@ -70,6 +72,17 @@ GOOD = [
     (trigger, "stays_in, entity: blue, zone: pitch, limit_s: 3", ""),
     (trigger, "tips_over, entity: each", "robots"),
     (trigger, "sequence_broken, sequence: round", ""),
+    (trigger, "sequence_broken, sequence: race", ""),
+    (trigger, "sequence_broken, sequence: race", "doors"),
+    (trigger, "sequence_completed, sequence: race, entity: [blue, crate]", ""),
+    (trigger, "sequence_completed, sequence: race, entity: each", "blue"),
+    (condition, "sequence_at, sequence: race, step: door", ""),
+    (condition, "sequence_at, sequence: race, step: door, entity: each", "movers"),
+    (condition, "sequence_at, sequence: race, step: door, entity: ball", "robots"),
+    (condition, "sequence_at, sequence: race, step: door, entity: [blue, ball], of: all", ""),
+    (condition, "sequence_at, sequence: race, step: door, of: none", "robots"),
+    (action, "sequence, sequence: race", "robots"),
+    (action, "sequence, sequence: race, entity: each", "movers"),
     (trigger, "program_fault", ""),
     (trigger, "program_fault, robot: [blue, Y1]", ""),
     (trigger, "holds, condition: {condition: in_zone, entity: each, zone: pitch}", "robots"),
@@ -206,6 +219,29 @@ BAD = [
      "steps are pitch, door, blue_goal")),
     (condition, "sequence_at, sequence: round, step: x_", "", ("unknown zone or gate 'x_'; there are pitch, blue_goal, yellow_goal, "
      "blue_penalty_area, yellow_penalty_area, door, hatch")),
+    (trigger, "sequence_completed, sequence: round, entity: each", "balls", ("sequence 'round' is not kept per entity; leave "
+     "'entity' out, or keep one for each: give it 'per', a group, in place of entity: ball")),
+    (trigger, "sequence_completed, sequence: race", "blue", ("sequence 'race' is kept per movers: say whose with 'entity', "
+     "such as entity: each")),
+    (trigger, "sequence_broken, sequence: race, entity: each", "robots", ("sequence 'race' is kept per movers, and 'Y1' is not "
+     "among them")),
+    (trigger, "sequence_broken, sequence: race, entity: [ball, Y2]", "", ("sequence 'race' is kept per movers, and 'Y2' is not "
+     "among them")),
+    (trigger, "sequence_completed, sequence: race, entity: each", "", "'each' is known only in a rule with for_each"),
+    (trigger, "sequence_completed, sequence: race, entity: bleu", "", "unknown entity 'bleu'; did you mean 'blue'?"),
+    (condition, "sequence_at, sequence: race, step: door", "movers", ("sequence 'race' is kept per movers: say whose with "
+     "'entity', such as entity: each")),
+    (condition, "sequence_at, sequence: race, step: door, entity: blue", "", ("'blue' is a group; name one entity, or say with "
+     "'of' how many of them: any, all, none, {at_least: n}")),
+    (condition, "sequence_at, sequence: race, step: door, of: all, entity: robots", "", ("sequence 'race' is kept per movers, "
+     "and 'Y1' is not among them")),
+    (condition, "sequence_at, sequence: race, step: door, of: {at_least: 6}, entity: movers", "", "at least 6 of 5 can never hold"),
+    (condition, "sequence_at, sequence: round, step: door, of: all", "", ("sequence 'round' is not kept per entity; leave 'of' "
+     "out, or keep one for each: give it 'per', a group, in place of entity: ball")),
+    (action, "sequence, sequence: race, entity: blue", "", "'blue' is a group; name one entity"),
+    (action, "sequence, sequence: race, entity: Y1", "", "sequence 'race' is kept per movers, and 'Y1' is not among them"),
+    (action, "sequence, sequence: round, entity: ball", "", ("sequence 'round' is not kept per entity; leave 'entity' out, or "
+     "keep one for each: give it 'per', a group, in place of entity: ball")),
     (action, "score, entrant: yelow", "", "unknown entrant 'yelow'; did you mean 'yellow'?"),
     (action, "score, entrant: yellow, points: {counter: x_}", "", ("unknown counter or entrant 'x_'; there are goals, pushes, "
      "blue_pushes, blue, yellow")),
@@ -284,6 +320,11 @@ SECTIONS = [
      "expected an entity, zone or gate")),
     ("timers: {clock: {per: bleu}}\n", "timers.clock.per: unknown entity, zone or gate 'bleu'; did you mean 'blue'?"),
     ("sequences: {round: {entity: balls}}\n", "sequences.round.entity: 'balls' is a group; name one entity"),
+    ("sequences: {race: {per: neutral_spots}}\n", ("sequences.race.per: group 'neutral_spots' contains 'centre', a spot; "
+     "expected an entity")),
+    ("sequences: {race: {per: stones}}\n", ("sequences.race.per: group 'stones' contains 'post', a fixed obstacle; expected "
+     "an entity: with movable: true it is one")),
+    ("sequences: {race: {per: bleu}}\n", "sequences.race.per: unknown entity 'bleu'; did you mean 'blue'?"),
     ("sequences: {round: {steps: [pitch, centre]}}\n", "sequences.round.steps[1]: 'centre' is a spot; expected a zone or gate"),
     ("sequences: {round: {steps: [pitch, {any_of: [dor]}]}}\n", ("sequences.round.steps[1].any_of[0]: unknown zone or gate 'dor'; "
      "did you mean 'door'?")),

@@ -47,6 +47,23 @@ def test_a_test_that_does_not_ask_who_is_held_is_written_as_before():
     assert type(scenario).model_validate(dumped(scenario)) == scenario
 
 
+def test_a_sequence_of_one_is_written_as_before_each_could_have_one():
+    text = (
+        "sequences: {one: {entity: ball, steps: [pitch, blue_goal]}, each: {per: robots, steps: [pitch, blue_goal]}}\n"
+        "rules: {it: {triggers: [{trigger: sequence_completed, sequence: one}, {trigger: sequence_broken, sequence: one}], "
+        "conditions: [{condition: sequence_at, sequence: one, step: pitch}], actions: [{action: sequence, sequence: one}]}}"
+    )
+    scenario = load_text(f"schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\n{text}\n").scenario
+    written = dumped(scenario)
+    steps = {"steps": ["pitch", "blue_goal"], "cyclic": False, "wrong_step": "ignore"}
+    assert written["sequences"] == {"one": {"entity": "ball", **steps}, "each": {"per": "robots", **steps}}
+    rule = written["rules"]["it"]
+    assert [set(trigger) for trigger in rule["triggers"]] == [{"trigger", "sequence"}] * 2
+    assert set(rule["conditions"][0]) == {"condition", "negate", "sequence", "step"}
+    assert set(rule["actions"][0]) == {"action", "sequence", "do"}
+    assert type(scenario).model_validate(written) == scenario
+
+
 # The command line lets SIGTERM, the end of a service, mean the same.
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda number: number.name)
 def test_ctrl_c_while_a_scenario_is_written_waits_until_that_is_done_and_is_not_lost(monkeypatch, number):

@@ -152,6 +152,15 @@ def test_without_extends_the_whole_is_needed(missing):
 
 
 @pytest.mark.parametrize(
+    ("whose", "good"),
+    [("entity: ball", True), ("per: robots", True), ("", False), ("entity: ball, per: robots", False)],
+)
+def test_of_keys_of_which_one_must_be_given_exactly_one_is_needed(whose, good):
+    data = plain(parse_text(f"sequences: {{way: {{steps: [pitch, blue_goal], {whose}}}}}", "f"))
+    assert accepts({**WHOLE, **data}) == good
+
+
+@pytest.mark.parametrize(
     "body",
     [
         rule("{trigger: enters, entity: ball}"),

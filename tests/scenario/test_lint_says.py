@@ -20,7 +20,7 @@ zones: {a: {shape: rect, x_min_m: 0.3}, b: {shape: rect, x_max_m: -0.3}}
 gates: {line: {from_m: [0, 0], to_m: [0.1, 0]}, nose: {from_m: [0, 0], to_m: [0.1, 0], anchor: Y1}}
 counters: {n: {}}
 timers: {alone: {lasts_s: 2, starts: true}, many: {lasts_s: 2, per: robots, starts: true}}
-sequences: {way: {entity: Y1, steps: [a, b], wrong_step: break}}
+sequences: {way: {entity: Y1, steps: [a, b], wrong_step: break}, own: {per: yellow, steps: [a, b], wrong_step: break}}
 obstacles: {crate: {shape: box, centre_m: [0, 0.6], size_m: [0.1, 0.1], movable: true}}
 groups: {loose: [ball, crate]}
 result: {rank: [{counter: n}]}
@@ -52,6 +52,8 @@ ABOUT = [
     ("{trigger: program_fault}", True),
     ("{trigger: sequence_completed, sequence: way}", True),
     ("{trigger: sequence_broken, sequence: way}", True),
+    ("{trigger: sequence_completed, sequence: own}", True),
+    ("{trigger: sequence_broken, sequence: own, entity: Y2}", True),
     ("{trigger: timer_expired, timer: many}", True),
     ("{trigger: timer_expired, timer: alone}", False),
     (HOLDS % "in_zone, entity: Y1, zone: a", True),

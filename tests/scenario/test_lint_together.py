@@ -14,11 +14,12 @@ title: It
 extends: soccersim_v2
 match: {half_s: 60, halves: 2}
 balls: {silver: {start_m: [-0.3, 0]}}
-groups: {goals: [blue_goal, yellow_goal]}
+groups: {goals: [blue_goal, yellow_goal], sides: [left, right]}
 zones: {left: {shape: rect, x_max_m: 0}, right: {shape: rect, x_min_m: 0}, disc: {shape: circle, centre_m: [0.3, 0], radius_m: 0.1}}
 draws: {side: {values: [a, b]}}
 flags: {hot: {}}
 counters: {n: {}}
+sequences: {way: {entity: ball, steps: [left, right]}, own: {per: robots, steps: [left, right]}}
 """
 RULE = "  %s: {%striggers: [%s], conditions: [%s], actions: [{action: place, entity: %s, at: start}], says: So.}\n"
 IN_GOALS = "{trigger: enters, entity: %s, zone: goals}"
@@ -42,6 +43,7 @@ def either(*conditions: str, word: str = "any_of", negate: bool = False) -> str:
 HOT, COLD = "{condition: flag, flag: hot}", "{condition: flag, flag: hot, negate: true}"
 A, B = (f"{{condition: drawn, draw: side, equals: {side}}}" for side in "ab")
 N = "{condition: counter, counter: n, %s}"
+AT = "{condition: sequence_at, sequence: %s, step: %s}"
 FAST = "{condition: speed, entity: ball, %s}"
 
 
@@ -65,6 +67,13 @@ FAST = "{condition: speed, entity: ball, %s}"
         ("{condition: last_touch, by: blue}", "{condition: last_touch, by: [Y1, Y2]}", False),
         ("{condition: last_touch, by: blue}", "{condition: last_touch, by: robots}", True),
         ("{condition: half, equals: 1}", "{condition: half, at_least: 2}", False),
+        (AT % ("way", "left"), AT % ("way", "right"), False),
+        (AT % ("way", "left"), AT % ("own", "right, entity: Y1"), True),
+        (AT % ("own", "left, entity: Y1"), AT % ("own", "right, entity: Y1"), False),
+        (AT % ("own", "left, entity: Y1"), AT % ("own", "right, entity: Y2"), True),
+        (AT % ("own", "left, of: all"), AT % ("own", "right, of: all"), False),
+        (AT % ("own", "left"), AT % ("own", "right"), True),  # some of them here, others there
+        (AT % ("own", "left, of: none"), AT % ("own", "right, of: none"), True),
         *(
             (f"{{condition: in_zone, entity: Y1, zone: {here}}}", f"{{condition: in_zone, entity: {who}, zone: {there}}}", can)
             for here, who, there, can in (
@@ -149,3 +158,31 @@ def test_two_balls_in_one_tick_set_off_both_rules_as_the_finding_says():
     )
     loaded = load_text(f"{SECTIONS}{test}rules:\n{counted}", file="it.yaml")
     assert try_expectation(loaded, "it").differences == ()
+
+
+class TestRulesThatHearSequences:
+    OF = "{trigger: sequence_completed, sequence: own%s}"
+
+    @pytest.mark.parametrize(
+        ("one", "other", "meet"),
+        [
+            ("", "", True),
+            ("", ", entity: Y1", True),
+            (", entity: blue", ", entity: [B2, Y1]", True),
+            (", entity: blue", ", entity: yellow", False),
+        ],
+    )
+    def test_two_rules_meet_on_the_sequence_of_one_and_the_same(self, one, other, meet):
+        rules = rule("a", trigger=self.OF % one) + rule("b", trigger=self.OF % other)
+        assert bool(found(rules)) == meet
+
+    def test_each_is_the_one_whose_sequence_it_is(self):
+        each = rule("a", more="for_each: robots, ", trigger=self.OF % ", entity: each", entity="each")
+        assert found(each + rule("b", trigger=self.OF % ", entity: Y1", entity="Y1"))
+        assert not found(each + rule("b", trigger=self.OF % ", entity: Y1", entity="Y2"))
+
+
+def test_of_a_step_that_each_stands_for_any_of_them_may_be_meant():
+    over = rule("a", AT % ("way", "each"), more="for_each: sides, ")
+    assert found(over + rule("b", AT % ("way", "right")))
+    assert not found(over.replace("sides", "left") + rule("b", AT % ("way", "right")))

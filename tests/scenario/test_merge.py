@@ -42,6 +42,12 @@ def test_overridden_entries_keep_the_place_of_the_base_and_new_ones_follow():
     assert data["rules"]["b"] == {"priority": 7}
 
 
+@pytest.mark.parametrize(("base", "over"), [("entity: ball", "per: robots"), ("per: robots", "entity: ball")])
+def test_of_keys_of_which_one_is_given_the_written_one_takes_the_place_of_that_of_the_base(base, over):
+    data, _ = merged(f"sequences: {{s: {{{base}, cyclic: true}}}}", f"sequences: {{s: {{{over}}}}}")
+    assert data == plain(parse_text(f"sequences: {{s: {{{over}, cyclic: true}}}}", "f"))
+
+
 @pytest.mark.parametrize(
     ("base", "over"),
     [

@@ -53,6 +53,16 @@ def test_a_resolved_param_cannot_bring_another_param_or_a_formula():
     ]
 
 
+def test_of_a_sequence_of_one_set_makes_one_of_each_and_back():
+    one = "sequences: {way: {entity: ball, steps: [pitch, blue_goal]}}\n"
+    each = scenario(one, ["sequences.way.per=robots"]).sequences["way"]
+    assert (each.entity, each.per) == (None, "robots")
+    again = scenario(one.replace("entity: ball", "per: robots"), ["sequences.way.entity=ball"]).sequences["way"]
+    assert (again.entity, again.per) == ("ball", None)
+    with_param = "params: {who: yellow}\n" + one.replace("entity: ball", "per: {param: who}")
+    assert scenario(with_param, ["who=blue"]).sequences["way"].per == "blue"
+
+
 # --- --set ------------------------------------------------------------------------------------------------------------
 
 

@@ -119,6 +119,8 @@ WHO = {
     "{trigger: touches, entity: vase, other: ball}": "The obstacle “vase” is there.",
     "{trigger: program_fault, robot: Y2}": "Y2 is there.",
     "{trigger: sequence_completed, sequence: way}": "Y3 is there.",
+    "{trigger: sequence_completed, sequence: round}": "One of the blue robots is there.",
+    "{trigger: sequence_completed, sequence: round, entity: B2}": "B2 is there.",
     "{trigger: timer_expired, timer: rest}": "One of the robots is there.",
     "{trigger: holds, condition: {condition: in_zone, entity: red, zone: pitch}, for_s: 1}": "The ball “red” is there.",
     "{trigger: time_reached, at_s: 3}": "The one concerned is there.",
@@ -127,7 +129,7 @@ THINGS = """
 balls: {red: {start_m: [0.4, 0]}}
 obstacles: {vase: {shape: cylinder, centre_m: [0.4, 0.1], radius_m: 0.02, movable: true}}
 timers: {rest: {lasts_s: 3, per: robots}}
-sequences: {way: {entity: Y3, steps: [blue_goal, yellow_goal]}}
+sequences: {way: {entity: Y3, steps: [blue_goal, yellow_goal]}, round: {per: blue, steps: [blue_goal, yellow_goal]}}
 flags: {away: {}}
 """
 

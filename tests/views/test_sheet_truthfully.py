@@ -233,6 +233,67 @@ def test_a_sequence_says_in_which_phases_it_is_followed_unless_it_is_in_all():
     assert told not in sheet(text % f"phases: any, {heard}")
 
 
+def test_a_sequence_of_each_says_whose_it_is_and_who_loses_his_steps():
+    text = sheet(f"{WAY}sequences: {{abc: {{per: yellow, steps: [a, b, end]}}, one: {{per: ball, steps: [a, b]}}}}\n")
+    told = "the zone “a”, then the zone “b”, then the end; entering one of these out of turn changes nothing. It begins anew"
+    assert (
+        f"- Each of the yellow robots has a sequence “abc” of its own: {told} when it is complete, and when a rule puts "
+        "that robot somewhere or takes it off the field."
+    ) in text
+    assert "- The sequence “one” is the way of the ball: the zone “a”, then the zone “b”; " in text
+    assert "when a rule puts the ball somewhere" in text
+
+
+OWN = "sequences: {round: {per: robots, steps: [blue_goal, yellow_goal], wrong_step: break}}"
+OF_EACH = {
+    "trigger: sequence_completed, sequence: round": "the sequence “round” of one of the robots is complete",
+    "trigger: sequence_completed, sequence: round, entity: Y1": "the sequence “round” of Y1 is complete",
+    "trigger: sequence_broken, sequence: round, entity: [yellow, B1]": (
+        "the sequence “round” of one of the yellow robots or B1 is broken"
+    ),
+}
+
+
+@pytest.mark.parametrize(("trigger", "words"), OF_EACH.items(), ids=list(OF_EACH.values()))
+def test_a_trigger_says_whose_sequence_it_hears(trigger, words):
+    assert sentence(f"triggers: [{{{trigger}}}], {DOES}", OWN) == f"When {words}: the half ends."
+
+
+AT_STEP = {
+    "": "any of the robots has a sequence “round” that stands at the blue goal",
+    ", negate: true": "none of the robots has a sequence “round” that stands at the blue goal",
+    ", entity: Y1": "the sequence “round” of Y1 stands at the blue goal",
+    ", entity: Y1, negate: true": "the sequence “round” of Y1 does not stand at the blue goal",
+    ", of: all, entity: yellow": "all of the yellow robots have a sequence “round” that stands at the blue goal",
+    ", of: {at_least: 2}": "at least 2 of the robots have a sequence “round” that stands at the blue goal",
+}
+
+
+@pytest.mark.parametrize(("whose", "words"), AT_STEP.items(), ids=list(AT_STEP.values()))
+def test_a_condition_says_whose_sequence_it_asks_for(whose, words):
+    assert condition(f"condition: sequence_at, sequence: round, step: blue_goal{whose}", OWN) == words
+
+
+def test_a_rule_for_each_speaks_of_its_own_sequence():
+    said = sentence(
+        "for_each: robots, triggers: [{trigger: sequence_completed, sequence: round, entity: each}], conditions: "
+        "[{condition: sequence_at, sequence: round, step: blue_goal, entity: each}], actions: "
+        "[{action: sequence, sequence: round, entity: each}, {action: sequence, sequence: round}]",
+        OWN,
+    )
+    assert said == (
+        "For each of the robots, when its sequence “round” is complete, provided that its sequence “round” stands at the "
+        "blue goal: its sequence “round” begins anew, then the sequence “round” of each of the robots begins anew."
+    )
+
+
+def test_a_flag_or_sequence_with_the_name_of_an_entrant_is_no_score():
+    flag = "flags: {blue: {}}\nsequences: {yellow: {entity: ball, steps: [blue_goal, yellow_goal]}}"
+    assert condition("condition: flag, flag: blue", flag) == "the flag “blue” is set"
+    at = condition("condition: sequence_at, sequence: yellow, step: blue_goal", flag)
+    assert at == "the sequence “yellow” stands at the blue goal"
+
+
 def test_a_sequence_over_gates_says_which_way_counts():
     gates = "gates: {gate_1: {from_m: [-0.5, 0], to_m: [0.5, 0]}, gate_2: {from_m: [-0.5, 0.2], to_m: [0.5, 0.2]}}\n"
     text = sheet(f"{gates}sequences: {{way: {{entity: ball, steps: [gate_1, gate_2], wrong_step: break}}}}\n")

@@ -8,7 +8,7 @@ from rcj_challenges.facts.play import Pose2
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.regions import Cell
 from rcj_challenges.referee.rules import Listener, StandingRule
-from rcj_challenges.referee.sequences import GateLine, sequence_watch
+from rcj_challenges.referee.sequences import GateLine, SequenceWatch, sequence_watches
 from rcj_challenges.referee.watching import PositionWatch
 from rcj_challenges.scenario.models import triggers as models
 
@@ -61,11 +61,21 @@ class GateWatch(PositionWatch):
 
 def sequence_completed(model: models.SequenceCompleted, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when the last step of a sequence is made; measured is the time since its first, in s."""
-    watch = sequence_watch(workshop, model.sequence)
-    watch.completed.append(workshop.listener(rule, position, model.trigger, watch.entity))
+    for watch in _heard(model, rule, workshop):
+        watch.completed.append(workshop.listener(rule, position, model.trigger, watch.entity))
 
 
 def sequence_broken(model: models.SequenceBroken, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when a wrong step is made."""
-    watch = sequence_watch(workshop, model.sequence)
-    watch.broken.append(workshop.listener(rule, position, model.trigger, watch.entity))
+    for watch in _heard(model, rule, workshop):
+        watch.broken.append(workshop.listener(rule, position, model.trigger, watch.entity))
+
+
+def _heard(
+    model: models.SequenceCompleted | models.SequenceBroken, rule: StandingRule, workshop: Workshop
+) -> tuple[SequenceWatch, ...]:
+    """Return the watches that a trigger hears: those of the ones it names, else of all who have one."""
+    watches = sequence_watches(workshop, model.sequence)
+    if model.entity is None:
+        return tuple(watches.values())
+    return tuple(watches[member] for member in workshop.members(model.entity, rule.each))

@@ -7,6 +7,7 @@ from pydantic import Field
 from rcj_challenges.scenario.models.base import (
     DurationS,
     EventName,
+    Grown,
     Name,
     Names,
     NotNegative,
@@ -89,11 +90,14 @@ class TimerAction(Strict):
     )
 
 
-class SequenceAction(Strict):
+class SequenceAction(Grown):
     """Begin a sequence anew: the steps made so far are forgotten."""
+
+    later_keys = frozenset({"entity"})
 
     action: Literal["sequence"]
     sequence: Name = described(..., "the sequence")
+    entity: Name | None = described(None, "for a sequence kept per entity: whose; each; left out: all of them")
     do: Literal["reset"] = described("reset", "reset: it stands before its first step, or at it if the entity is in it")
 
 

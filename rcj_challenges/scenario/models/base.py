@@ -23,7 +23,13 @@ from rcj_challenges.facts.timing import TICK_S
 
 
 class Strict(BaseModel):
-    """Base of all models: unknown keys are refused, text is never taken for a number, nothing changes afterwards."""
+    """Base of all models: unknown keys are refused, text is never taken for a number, nothing changes afterwards.
+
+    Attributes:
+        either: keys of which exactly one must be given; what a file gives takes the place of what its base gave.
+    """
+
+    either: ClassVar[tuple[str, ...]] = ()
 
     # Deferred: the whole file's validator is built once, not one more for each of its parts.
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False, defer_build=True)

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 from pydantic import Field, StringConstraints
 
 from rcj_challenges.facts.messages import MOST_LETTERS
-from rcj_challenges.scenario.models.base import Name, Names, NotNegative, Point, Scalar, Strict, described
+from rcj_challenges.scenario.models.base import Grown, Name, Names, NotNegative, Point, Scalar, Strict, described
 from rcj_challenges.scenario.models.state import Bound, DrawValue
 
 SaidText = Annotated[
@@ -202,11 +202,21 @@ class SpotFree(_Condition):
     clearance_m: NotNegative = described(0.08, "free: no robot's or ball's centre within this, in m")
 
 
-class SequenceAt(_Condition):
+class SequenceAt(_Condition, Grown):
     """At which step a sequence stands."""
+
+    later_keys = frozenset({"entity", "of"})
 
     condition: Literal["sequence_at"]
     sequence: Name = described(..., "a sequence")
+    entity: Names | None = described(
+        None,
+        "for a sequence kept per entity: whose; each: the current one; left out, without for_each: any of them; "
+        "with `of` also a group or a list",
+    )
+    of: Quantifier | None = described(
+        None, "how many of a group must stand there; entity left out: of all that have one"
+    )
     step: Name = described(..., "the zone or gate reached last, or each")
 
 

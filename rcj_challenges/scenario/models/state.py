@@ -81,9 +81,15 @@ class Sequence(Grown):
     go on, when a rule puts its entity somewhere or takes it off the field.
     """
 
-    later_keys = frozenset({"when_placed"})
+    later_keys = frozenset({"entity", "per", "when_placed"})
+    either = ("entity", "per")
 
-    entity: Name = described(..., "whose way is followed")
+    entity: Name | None = described(None, "whose way is followed: one robot, ball or movable obstacle")
+    per: Name | None = described(
+        None,
+        "in place of entity: a group of robots, balls or movable obstacles: one sequence for each of its members, each "
+        "with its own steps and time",
+    )
     steps: tuple[Name | AnyStep, ...] = Field(..., strict=False, min_length=2, description="zones or gates in order")
     cyclic: bool = described(False, "True: complete on re-entering the first step, and begins again there")
     wrong_step: Literal["break", "ignore"] = described(

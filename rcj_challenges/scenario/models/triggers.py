@@ -19,6 +19,10 @@ from rcj_challenges.scenario.models.base import (
 from rcj_challenges.scenario.models.conditions import Condition, Message
 
 _ENTITY = "whose: an entity (a robot, a ball or a movable obstacle), a group (any of them), or each"
+_WHOSE_SEQUENCE = (
+    "for a sequence kept per entity: whose; each: the current one; a group: any of them; left out, without for_each: "
+    "any that has one"
+)
 
 
 class HalfStarted(Strict):
@@ -145,21 +149,27 @@ class TipsOver(Strict):
     angle_rad: Positive = described(0.7854, "tilt of its vertical axis in rad", lt=3.1416)
 
 
-class SequenceCompleted(Strict):
+class SequenceCompleted(Grown):
     """Fires when the last step of a sequence is made."""
+
+    later_keys = frozenset({"entity"})
 
     trigger: Literal["sequence_completed"]
     sequence: Name = described(..., "the sequence")
+    entity: Names | None = described(None, _WHOSE_SEQUENCE)
 
 
-class SequenceBroken(Strict):
+class SequenceBroken(Grown):
     """Fires when a wrong step is made in a sequence with ``wrong_step: break``: it begins anew.
 
     Before the first step, none is wrong; afterwards all are but the last reached and the next.
     """
 
+    later_keys = frozenset({"entity"})
+
     trigger: Literal["sequence_broken"]
     sequence: Name = described(..., "the sequence")
+    entity: Names | None = described(None, _WHOSE_SEQUENCE)
 
 
 class OnEvent(Strict):

@@ -52,6 +52,15 @@ def timer_words(nouns: Nouns, c: Any) -> str:
     return f"{timer} has run {how} than {amount(nouns, limit)} says in s"
 
 
+def sequence_words(nouns: Nouns, c: Any) -> str:
+    """Return a condition on the step at which a sequence stands."""
+    who, step = _asked(nouns, "sequence", c.sequence, c), nouns.thing(c.step)
+    if who is not None:
+        return f"{who.does('has', 'have')} a sequence {quoted(c.sequence)} that stands at {step}"
+    stands = "does not stand" if c.negate else "stands"
+    return f"{nouns.kept('sequence', c.sequence, c.entity)} {stands} at {step}"
+
+
 def distance_words(nouns: Nouns, c: Any) -> str:
     """Return a condition on how far things are apart."""
     who, to = nouns.quantified(c.of, c.entity, negate=c.negate), nouns.point(c.to)

@@ -185,8 +185,8 @@ def _draw(nouns: Nouns, action: Any) -> str:
     return f"{quoted(action.draw)} becomes {who}" if who.startswith("“") else f"{who} becomes {quoted(action.draw)}"
 
 
-def _sequence(_nouns: Nouns, action: Any) -> str:
-    return f"the sequence {quoted(action.sequence)} begins anew"
+def _sequence(nouns: Nouns, action: Any) -> str:
+    return f"{nouns.every_kept('sequence', action.sequence, action.entity)} begins anew"
 
 
 def _set_spot(nouns: Nouns, action: Any) -> str:

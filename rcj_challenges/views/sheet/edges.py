@@ -10,6 +10,7 @@ from rcj_challenges.views.sheet.comparing import (
     counter_words,
     distance_words,
     flag_words,
+    sequence_words,
     speed_words,
     timer_words,
     way_words,
@@ -46,6 +47,14 @@ def _timer_expired(nouns: Nouns, t: Any, each: str | None = None) -> str:
         return f"the timer {quoted(t.timer)} runs out"
     own = each is not None and set(expand(each)) <= set(expand(per))
     return f"{nouns.owned('timer', 'each' if own else per, t.timer)} runs out"
+
+
+def _sequence(nouns: Nouns, t: Any) -> str:
+    """Return the sequence that a trigger hears, with whose it is where each of several has one."""
+    owners = nouns.owners("sequence", t.sequence)
+    if owners is None:
+        return nouns.kept("sequence", t.sequence, t.entity if isinstance(t.entity, str) else None)
+    return nouns.owned("sequence", t.entity or owners, t.sequence)
 
 
 def _leaves(nouns: Nouns, t: Any) -> str:
@@ -196,8 +205,8 @@ TRIGGERS: dict[str, Callable[[Nouns, Any], str]] = {
     "no_progress": _no_progress,
     "stays_in": _stays_in,
     "tips_over": lambda n, t: f"{n.any_of(t.entity)} tilts by more than {number(round(t.angle_rad * 57.29578))}°",
-    "sequence_completed": lambda _, t: f"the sequence {quoted(t.sequence)} is complete",
-    "sequence_broken": lambda _, t: f"the sequence {quoted(t.sequence)} is broken",
+    "sequence_completed": lambda n, t: f"{_sequence(n, t)} is complete",
+    "sequence_broken": lambda n, t: f"{_sequence(n, t)} is broken",
     "event": lambda _, t: f"{t.event} was announced",
     "tells": _hears,
     "program_fault": lambda n, t: f"{n.owned('program', t.robot)} fails",
@@ -231,8 +240,6 @@ CONDITIONS: dict[str, Callable[[Nouns, Any], str]] = {
     "last_touch": _last_touch,
     "told": _heard,
     "spot_free": lambda n, c: _is(n, c, c.spot, "free"),
-    "sequence_at": lambda n, c: (
-        f"the sequence {quoted(c.sequence)} {'does not stand' if c.negate else 'stands'} at {n.thing(c.step)}"
-    ),
+    "sequence_at": sequence_words,
     "half": _half,
 }

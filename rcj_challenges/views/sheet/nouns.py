@@ -211,11 +211,11 @@ class Nouns:
         return f"its {thing}" if names == "each" else f"the {thing} of {self.any_of(names)}"
 
     def kept(self, kind: str, name: str, entity: str | None) -> str:
-        """Return a counter, flag or timer, with whose it is: ``the counter “laps” of Y1``, ``its flag “out”``.
+        """Return a counter, flag, timer or sequence with whose it is: ``the counter “laps” of Y1``, ``its flag “out”``.
 
         Without an entity, what is kept for each of several is read as one: counters as their sum, flags as any of them.
         """
-        if name in self.scenario.entrants:
+        if kind == "counter" and name in self.scenario.entrants:
             return f"the score of {plain(name)}"
         if entity == "each":
             return f"its {kind} {quoted(name)}"
@@ -230,7 +230,7 @@ class Nouns:
         return f"the {kind} {quoted(name)}" + (f" of {self.thing(entity)}" if entity else "")
 
     def owners(self, kind: str, name: str) -> str | None:
-        """Return the group of which each has a counter, flag or timer of its own; None for a single one."""
+        """Return the group of which each has a counter, flag, timer or sequence of its own; None for a single one."""
         one = getattr(self.scenario, f"{kind}s").get(name)
         return one.per if one is not None and one.per is not None and self._several(one.per) else None
 

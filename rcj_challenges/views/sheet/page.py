@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rcj_challenges.scenario.followed import followed, phases_of
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.actions import DrawAction, Hold, Place, Score, SequenceAction
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Result, Rule, Scenario
 from rcj_challenges.scenario.models.state import AnyStep, Draw, Phase, Sequence
 from rcj_challenges.scenario.models.triggers import NoProgress
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.visiting import visit
 from rcj_challenges.views.drawing.beside import layouts_of
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table, as_html, as_markdown
 from rcj_challenges.views.sheet.deeds import placing_words, receiver_words
@@ -143,7 +143,8 @@ def _drawn_by_rules(nouns: Nouns, *, anew: bool) -> set[str]:
 def _sequence_words(nouns: Nouns, name: str, sequence: Sequence) -> str:
     places = [step.any_of if isinstance(step, AnyStep) else (step,) for step in sequence.steps]
     way = ", then ".join(map(nouns.any_of, places)) + (" and back to the first" if sequence.cyclic else "")
-    who, made = nouns.thing(sequence.entity), _step_words(nouns, [name for step in places for name in step])
+    owners, made = nouns.owners("sequence", name), _step_words(nouns, [name for step in places for name in step])
+    who = nouns.all_of(followed(sequence)).text if owners is None else f"that {nouns.kinds_of(owners)}"
     if sequence.wrong_step == "break":
         wrong = f"after the first step, {made} which is neither the last reached nor the next breaks it: it begins anew"
         also = "also "
@@ -159,8 +160,12 @@ def _sequence_words(nouns: Nouns, name: str, sequence: Sequence) -> str:
     before_last = ", ".join(causes[:-1]) + ", and " if len(causes) > 1 else ""
     again = f"{rounds}It begins anew {also}{before_last}{causes[-1]}. " if causes else rounds
     again += f"{placed[:1].upper()}{placed[1:]}, the steps made so far are kept." if goes_on else ""
-    followed = _followed_words(nouns, name)
-    return f"The sequence {quoted(name)} is the way of {who}: {way}; {wrong}. {again.strip()}{followed}"
+    when = _followed_words(nouns, name)
+    whose = f"The sequence {quoted(name)} is the way of {who}"
+    if owners is not None:
+        each = nouns.each_of(owners)
+        whose = f"{each[:1].upper()}{each[1:]} has a sequence {quoted(name)} of its own"
+    return f"{whose}: {way}; {wrong}. {again.strip()}{when}"
 
 
 def _resets(nouns: Nouns, name: str) -> list[str]:
@@ -176,18 +181,11 @@ def _resets(nouns: Nouns, name: str) -> list[str]:
 def _followed_words(nouns: Nouns, name: str) -> str:
     """Return in which phases a sequence is followed, if not in all: those of the rules that name it."""
     everywhere = dict.fromkeys(("play", *nouns.scenario.phases))
-    rules = [rule for rule in nouns.scenario.rules.values() if name in _sequences_of(rule)]
-    lives = {phase for rule in rules for phase in (everywhere if rule.phases == "any" else rule.phases)}
+    lives = phases_of(nouns.scenario, name)
     if not lives or lives.issuperset(everywhere):
         return ""
     where = listed([quoted(phase) for phase in everywhere if phase in lives], "or")
     return f" It is followed in the phase {where} only, and begins anew after every other phase."
-
-
-def _sequences_of(rule: Rule) -> set[str]:
-    """Return the sequences that a rule hears or asks."""
-    words = (word for word, _ in visit((rule.triggers, rule.conditions)))
-    return {name for word in words if (name := getattr(word, "sequence", None)) is not None}
 
 
 def _step_words(nouns: Nouns, names: list[str]) -> str:

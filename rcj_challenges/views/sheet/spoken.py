@@ -6,6 +6,7 @@ import re
 from typing import Any
 
 from rcj_challenges.scenario.blanks import partly_filled
+from rcj_challenges.scenario.followed import heard
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import DrawnDuration
 from rcj_challenges.scenario.other import has_other, others_of
@@ -140,7 +141,7 @@ def _of_trigger(nouns: Nouns, trigger: Any) -> tuple[str, ...]:
         case "program_fault":
             names = trigger.robot
         case "sequence_completed" | "sequence_broken":
-            names = scenario.sequences[trigger.sequence].entity
+            names = heard(trigger, scenario)
         case "timer_expired":
             per = scenario.timers[trigger.timer].per
             # Of a zone or a gate the rule is not told which one it was.

@@ -1,0 +1,226 @@
+"""Sequences kept per entity: each of a group makes its own steps in its own time, and all words say whose they mean."""
+
+import pytest
+
+from tests.referee.test_triggers_ways import A_LOW, B_LOW, C_LOW, A, B, C, walk
+
+RACE = """
+zones:
+  a: {shape: circle, centre_m: [-0.4, 0], radius_m: 0.1}
+  b: {shape: circle, centre_m: [0, 0], radius_m: 0.1}
+  c: {shape: circle, centre_m: [0.4, 0], radius_m: 0.1}
+gates:
+  high: {from_m: [-0.1, 0.3], to_m: [0.1, 0.3]}
+sequences:
+  way: {per: %s, steps: %s}
+"""
+HEARD = """
+rules:
+  done:
+    for_each: robots
+    triggers: [{trigger: sequence_completed, sequence: way, entity: each}]
+    actions: [{action: score, entrant: each}, {action: emit, event: DONE,
+               payload: {who: {word: robot_name}, took: {word: measured}}}]
+  wrong:
+    for_each: robots
+    triggers: [{trigger: sequence_broken, sequence: way, entity: each}]
+    actions: [{action: emit, event: WRONG, payload: {who: {word: robot_name}}}]
+"""
+PLAIN = RACE % ("robots", "[a, b, c]")
+BREAKS = RACE % ("robots", "[a, b, c], wrong_step: break")
+
+
+def said(play):
+    """Return the events, each with whom it is about."""
+    return [(event.name, event.payload["who"]) for event in play.events]
+
+
+class TestEachMakesItsOwnSteps:
+    def test_steps_of_one_are_no_steps_of_another(self, stage):
+        play = stage(PLAIN, HEARD)
+        walk(play, "Y1", A, B)
+        walk(play, "B1", C)
+        assert said(play) == []
+        walk(play, "Y1", C)
+        assert said(play) == [("DONE", "Y1")]
+        assert play.referee.scores == {"blue": 0, "yellow": 1}
+
+    def test_several_can_be_complete_in_one_tick_and_each_is_told(self, stage):
+        play = stage(PLAIN, HEARD)
+        for place in (A, B, C):
+            for robot in ("Y2", "B1"):
+                play.place(robot, *place)
+            play.play()
+        assert said(play) == [("DONE", "B1"), ("DONE", "Y2")]
+        assert play.referee.scores == {"blue": 1, "yellow": 1}
+
+    def test_each_has_its_own_time(self, stage):
+        play = stage(PLAIN, HEARD)
+        for robot, wait in (("Y1", 10), ("Y2", 20)):
+            for place in (A, B):
+                play.place(robot, *place)
+                play.play(wait)
+            play.place(robot, *C)
+            play.play()
+        assert [event.payload["took"] for event in play.events] == [0.64, 1.28]
+
+    def test_a_wrong_step_breaks_that_of_who_makes_it_only(self, stage):
+        play = stage(BREAKS, HEARD)
+        walk(play, "Y1", A, B)
+        walk(play, "B1", A, A_LOW, C_LOW, C)
+        assert said(play) == [("WRONG", "B1")]
+        walk(play, "Y1", C)
+        assert said(play) == [("WRONG", "B1"), ("DONE", "Y1")]
+
+    def test_any_of_several_places_makes_a_step_and_gates_count_forward(self, stage):
+        play = stage(RACE % ("yellow", "[a, {any_of: [b, high]}, c]"), HEARD.replace("robots", "yellow"))
+        walk(play, "Y1", A, (-0.3, 0.2), (0.0, 0.2), (0.0, 0.4), (0.4, 0.4), C)
+        walk(play, "Y2", A, (-0.3, 0.4), (0.0, 0.4), (0.0, 0.2), (0.4, 0.2), C)  # through `high` the wrong way
+        assert said(play) == [("DONE", "Y1")]
+
+    def test_balls_and_movable_obstacles_have_ways_too(self, stage):
+        box = "obstacles: {box: {shape: box, centre_m: [0, -0.6], size_m: [0.05, 0.05], movable: true}}"
+        told = (
+            "rules: {done: {triggers: [{trigger: sequence_completed, sequence: way}], actions: [{action: emit, "
+            "event: DONE, payload: {who: {word: entity_name}}}]}}"
+        )
+        play = stage(box, "groups: {loose: [balls, box]}", RACE % ("loose", "[a, b]"), told)
+        walk(play, "box", A, B)
+        walk(play, "ball", A, B)
+        assert said(play) == [("DONE", "box"), ("DONE", "ball")]
+
+    @pytest.mark.parametrize(("more", "done"), [("begins_anew", []), ("goes_on", [("DONE", "Y1")])])
+    def test_who_is_placed_loses_or_keeps_his_own_steps(self, stage, more, done):
+        back = (
+            "rules: {back: {for_each: robots, triggers: [{trigger: tips_over, entity: each}], "
+            "actions: [{action: place, entity: each, at: {point: [0, -0.6]}}]}}"
+        )
+        play = stage(RACE % ("robots", f"[a, b, c], when_placed: {more}"), HEARD, back)
+        for robot in ("Y1", "B1"):
+            walk(play, robot, A, B)
+        play.tip("Y1")
+        play.play(2)
+        walk(play, "Y1", C)
+        walk(play, "B1", C)
+        assert said(play) == [*done, ("DONE", "B1")]
+
+
+WHOSE = """
+rules:
+  done:
+    triggers: [{trigger: sequence_completed, sequence: way%s}]
+    actions: [{action: emit, event: DONE, payload: {who: {word: robot_name}}}]
+"""
+
+
+class TestTriggerSequenceCompleted:
+    @pytest.mark.parametrize(
+        ("whose", "heard"),
+        [
+            ("", ["B1", "Y1", "Y2"]),
+            (", entity: yellow", ["Y1", "Y2"]),
+            (", entity: Y2", ["Y2"]),
+            (", entity: [B1, Y2]", ["B1", "Y2"]),
+        ],
+    )
+    def test_entity_says_whose_and_left_out_it_is_anybodys(self, stage, whose, heard):
+        play = stage(PLAIN, WHOSE % whose)
+        for robot in ("B1", "Y1", "Y2"):
+            walk(play, robot, A, B, C)
+        assert [who for _, who in said(play)] == heard
+
+    def test_a_rule_over_zones_or_gates_hears_anybodys(self, stage):
+        over = "groups: {places: [a, c]}\n" + (WHOSE % "").replace("done:", "done:\n    for_each: places")
+        play = stage(PLAIN, over)
+        walk(play, "Y1", A, B, C)
+        assert said(play) == [("DONE", "Y1"), ("DONE", "Y1")]
+
+
+class TestTriggerSequenceBroken:
+    @pytest.mark.parametrize(("whose", "heard"), [("", ["B1", "Y1"]), (", entity: yellow", ["Y1"])])
+    def test_entity_says_whose_and_left_out_it_is_anybodys(self, stage, whose, heard):
+        play = stage(BREAKS, (WHOSE % whose).replace("completed", "broken"))
+        for robot in ("B1", "Y1"):
+            walk(play, robot, A, A_LOW, C_LOW, C)
+        assert [who for _, who in said(play)] == heard
+
+
+ASKING = """
+rules:
+  asked: {triggers: [{trigger: program_fault, robot: B1}], conditions: [%s], actions: [{action: emit, event: TRUE_NOW}]}
+"""
+
+
+class TestConditionSequenceAt:
+    @pytest.mark.parametrize(
+        ("whose", "answers"),
+        [
+            ("", [False, True, True]),
+            (", negate: true", [True, False, False]),
+            (", entity: Y1", [False, True, True]),
+            (", entity: B2", [False, False, True]),
+            (", of: {at_least: 2}", [False, False, True]),
+            (", of: all", [False, False, False]),
+            (", of: none", [True, False, False]),
+            (", of: all, entity: [Y1, B2]", [False, False, True]),
+            (", of: any, entity: blue", [False, False, True]),
+        ],
+    )
+    def test_whose_step_is_asked_for(self, stage, ask, whose, answers):
+        play = stage(PLAIN, ASKING % f"{{condition: sequence_at, sequence: way, step: a{whose}}}")
+        found = [ask(play)]
+        for robot in ("Y1", "B2"):
+            play.place(robot, *A)
+            found.append(ask(play))
+        assert found == answers
+
+    def test_each_is_the_current_one_and_other_the_one_touched(self, stage):
+        meets = (
+            "rules: {meets: {for_each: yellow, triggers: [{trigger: touches, entity: each, other: blue}], conditions: "
+            "[{condition: sequence_at, sequence: way, entity: each, step: a}, {condition: sequence_at, sequence: way, "
+            "entity: other, step: b}], actions: [{action: emit, event: MET}]}}"
+        )
+        play = stage(PLAIN, meets)
+        walk(play, "Y1", A)
+        walk(play, "B1", A, B)
+        for one, other in (("Y2", "B1"), ("Y1", "B2"), ("Y1", "B1")):
+            assert play.names() == []
+            play.touch(one, other)
+            play.play()
+        assert play.names() == ["MET"]
+
+
+class TestActionSequence:
+    @pytest.mark.parametrize(("whose", "done"), [("", []), (", entity: Y1", ["B1"]), (", entity: each", ["Y1"])])
+    def test_entity_says_whose_begins_anew_and_left_out_all_do(self, stage, whose, done):
+        anew = (
+            "rules: {anew: {for_each: blue, triggers: [{trigger: program_fault, robot: each}], "
+            f"actions: [{{action: sequence, sequence: way{whose}}}]}}}}"
+        )
+        play = stage(PLAIN, HEARD, anew)
+        for robot in ("Y1", "B1"):
+            walk(play, robot, A, B, B_LOW)
+        play.fail("B1")
+        play.play()
+        for robot in ("Y1", "B1"):
+            walk(play, robot, C_LOW, C)
+        assert [who for _, who in said(play)] == done
+
+
+class TestPhasesInWhichASequenceIsFollowed:
+    def test_also_those_of_a_rule_that_asks_for_it_within_conditions_within_conditions(self, stage):
+        deep = "{condition: sequence_at, sequence: way, step: a}"
+        for word in ("any_of", "all_of", "any_of"):
+            deep = f"{{condition: {word}, conditions: [{deep}]}}"
+        pause = (
+            "phases: {play: {}, pause: {lasts_s: 1, next: play}}\n"
+            "rules: {fell: {triggers: [{trigger: tips_over, entity: B2}], actions: [{action: set_phase, phase: pause}]},"
+            f" asks: {{phases: [pause], triggers: [{{trigger: half_ended}}], conditions: [{deep}], "
+            "actions: [{action: emit, event: ASKED}]}}"
+        )
+        play = stage(PLAIN, HEARD, pause)
+        walk(play, "Y1", A, B)
+        play.tip("B2")
+        play.play(40)
+        walk(play, "Y1", C)
+        assert said(play) == [("DONE", "Y1")]
