@@ -11,7 +11,7 @@ from typing import Any
 from rcj_challenges.cli.says import say_json
 from rcj_challenges.cli.validate import say
 from rcj_challenges.facts.timing import s_from_ticks
-from rcj_challenges.referee.script import Trial, try_expectation
+from rcj_challenges.referee.trials import Trial, try_expectation
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.inherited import TESTS
 from rcj_challenges.scenario.load import Loaded, load

@@ -240,6 +240,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (scenario.Expectation, "counters"): Named("counter", ("counters",), keys=True),
     (scenario.Expectation, "flags"): Named("flag", ("flags",), keys=True),
     (scenario.Expectation, "phase"): _PHASE,
+    (scenario.Expectation, "ranking"): _ENTRANT,
     (scenario.Expectation, "held"): Field("robot", _ROBOT, keys=True),
     (scenario.Expectation, "poses"): Field("entity or spot", _MOVING | _SPOT, keys=True),
     (scenario.Scenario, "first_phase"): _PHASE,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from itertools import count
 
@@ -56,6 +57,7 @@ def check_sense(scenario: Scenario, *, half_is_set: bool) -> Iterator[Found]:
         yield from _whose_way(model, path)
         if isinstance(model, Expectation):
             yield from _series(model, path, scenario)
+            yield from _places(model, path, scenario)
         if isinstance(model, Expectation | Given):
             yield from _one_by_one(model, path, scenario, roster)
         if isinstance(model, LidarDevice) and model.min_range_m >= model.max_range_m:
@@ -121,6 +123,18 @@ def _one_by_one(test: Expectation | Given, path: Path, scenario: Scenario, roste
                 if owner not in owners:
                     message = f"there is no {noun} '{name}' of '{owner}'; it is kept for {listing(owners, 12)}"
                     yield Found((*where, owner), message, at_key=True)
+
+
+def _places(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Found]:
+    """Yield a ranking that does not name each entrant once."""
+    places = test.ranking or ()
+    named = [name for place in places for name in ((place,) if isinstance(place, str) else place)]
+    twice = [name for name, times in Counter(named).items() if times > 1]
+    missing = [name for name in scenario.entrants if name not in named]
+    if twice:
+        yield Found((*path, "ranking"), f"names '{twice[0]}' more than once; each entrant has one place")
+    elif places and missing and set(named) <= set(scenario.entrants):  # an unknown name says more
+        yield Found((*path, "ranking"), f"does not name '{missing[0]}'; all entrants have a place in it")
 
 
 def _as_written(value: Scalar) -> str:

@@ -1,6 +1,6 @@
 """Who wins: by the criteria of the scenario, a later one breaks ties."""
 
-from rcj_challenges.match.ranking import Tally, ranking
+from rcj_challenges.referee.ranking import Tally, ranking
 from rcj_challenges.scenario.load import load
 
 SIDES = {"blue": "blue", "yellow": "yellow"}

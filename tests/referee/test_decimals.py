@@ -6,7 +6,7 @@ import json
 
 import pytest
 
-from rcj_challenges.match.ranking import Tally, ranking
+from rcj_challenges.referee.ranking import Tally, ranking
 
 TENTHS = """
 counters: {third: {}, per_robot: {per: robots}}

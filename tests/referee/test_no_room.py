@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rcj_challenges.referee.engine import Referee
-from rcj_challenges.referee.script import run_expectation
+from rcj_challenges.referee.trials import run_expectation
 from rcj_challenges.scenario.load import load_text
 
 

@@ -10,7 +10,7 @@ import pytest
 from rcj_challenges.referee.actions import ACTIONS
 from rcj_challenges.referee.conditions import CONDITIONS
 from rcj_challenges.referee.places import PLACES
-from rcj_challenges.referee.script import run_expectation
+from rcj_challenges.referee.trials import run_expectation
 from rcj_challenges.referee.triggers import TRIGGERS
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.scenario.models.actions import Action

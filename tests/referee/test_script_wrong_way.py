@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.referee.script import run_expectation
+from rcj_challenges.referee.trials import run_expectation
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster

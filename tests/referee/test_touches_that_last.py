@@ -3,7 +3,7 @@
 import pytest
 
 from rcj_challenges.facts.timing import ticks_from_s
-from rcj_challenges.referee.script import try_expectation
+from rcj_challenges.referee.trials import try_expectation
 from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.load import load_text
 

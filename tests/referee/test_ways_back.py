@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.referee.script import try_expectation
+from rcj_challenges.referee.trials import try_expectation
 from rcj_challenges.scenario.load import load, load_text
 
 HEAD = "schema_version: 1\nid: ways_back\ntitle: Ways back\nextends: soccersim_v2\n"

@@ -2,7 +2,8 @@
 
 import pytest
 
-from rcj_challenges.referee.script import half_of, try_expectation
+from rcj_challenges.referee.script import half_of
+from rcj_challenges.referee.trials import try_expectation
 from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.halves import half_length_s, half_lengths_s, longest_half_s

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rcj_challenges.referee.script import try_expectation
+from rcj_challenges.referee.trials import try_expectation
 from rcj_challenges.scenario.lint import Finding, lint
 from rcj_challenges.scenario.load import load_text
 

@@ -171,7 +171,7 @@ class Given(Strict):
 class Expectation(Grown):
     """A test inside the file: scripted poses and touches fed straight to the referee, and what must follow."""
 
-    later_keys = frozenset({"held"})
+    later_keys = frozenset({"held", "ranking"})
 
     seed: int = described(1, "seed of the draws", ge=0)
     half: int = described(1, "which half is played; teams keep their seats' names in all", ge=1)
@@ -199,6 +199,16 @@ class Expectation(Grown):
         {}, "flags at the end; of one kept per entity whether any is set, or {entity: true or false, …}"
     )
     phase: Name | None = described(None, "the phase at the end")
+    ranking: (
+        Annotated[
+            tuple[Name | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)], ...],
+            Field(strict=False, min_length=1),
+        ]
+        | None
+    ) = described(
+        None,
+        "all entrants, the best first, as `result` ranks them if the match is over then; those in a list share a place",
+    )
     held: dict[Name, bool] | None = described(
         None, "robot -> whether it is held at the end, true or false, by a rule or by the phase"
     )

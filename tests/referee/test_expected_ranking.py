@@ -1,0 +1,77 @@
+"""Tests in a scenario that say who is ranked where."""
+
+import pytest
+
+from rcj_challenges.referee.trials import try_expectation
+from rcj_challenges.scenario.load import load_text
+from tests.scenario.writing import complaints
+
+RACE = """schema_version: 1
+id: race
+title: Race
+extends: soccersim_v2
+match: {half_s: 60}
+counters: {laps: {per: robots}, faults: {per: robots}}
+result:
+  rank: [{score: descending}, {counter: laps}, {time: ascending, plus: [{counter: faults, weight: 5}]}]
+rules:
+  lap:
+    for_each: robots
+    triggers: [{trigger: enters, entity: each, zone: blue_goal}]
+    actions: [{action: count, counter: laps, entity: each}]
+    says: A lap.
+  fault:
+    for_each: robots
+    triggers: [{trigger: touches, entity: each, other: walls}]
+    actions: [{action: count, counter: faults, entity: each}]
+    says: A fault.
+"""
+TEST = "expect: {it: {keyframes: [{at_s: 1%s}], lasts_s: 2, ranking: %s}}\n"
+
+
+def differences(ranking, happens="", given=""):
+    test = TEST % (happens, ranking)
+    return try_expectation(load_text(RACE + test.replace("it: {", f"it: {{{given}")), "it").differences
+
+
+@pytest.mark.parametrize(
+    ("happens", "ranking"),
+    [
+        ("", "[[blue, yellow]]"),
+        ("", "[[yellow, blue]]"),
+        (", place: {Y1: [0, 0.8]}", "[yellow, blue]"),
+        (", touch: [[Y1, walls]]", "[blue, yellow]"),
+        (", touch: [[Y1, walls]], place: {Y2: [0, 0.8]}", "[yellow, blue]"),
+    ],
+)
+def test_it_is_as_result_ranks_them(happens, ranking):
+    assert differences(ranking, happens) == ()
+
+
+def test_what_was_compared_is_told_where_it_is_otherwise():
+    assert differences("[yellow, blue]", ", touch: [[Y1, walls]]") == (
+        "ranking: expected yellow, then blue; is blue (0, 0, 2.016), then yellow (0, 0, 7.016)",
+    )
+    assert differences("[yellow, blue]") == (
+        "ranking: expected yellow, then blue; is blue (0, 0, 2.016) and yellow (0, 0, 2.016)",
+    )
+
+
+def test_what_was_given_counts():
+    assert differences("[blue, yellow]", given="given: {score: {blue: 1}, counters: {laps: {Y1: 3}}}, ") == ()
+    assert differences("[yellow, blue]", given="given: {counters: {laps: {Y1: 3}}}, ") == ()
+
+
+@pytest.mark.parametrize(
+    ("ranking", "complaint"),
+    [
+        ("[yellow]", "does not name 'blue'; all entrants have a place in it"),
+        ("[yellow, blue, yellow]", "names 'yellow' more than once; each entrant has one place"),
+        ("[[yellow, yellow], blue]", "names 'yellow' more than once; each entrant has one place"),
+        ("[yellow, blu]", "unknown entrant 'blu'; did you mean 'blue'?"),
+        ("[]", "must have at least 1 entry, found an empty list"),
+        ("yellow", "expected a list, found 'yellow'"),
+    ],
+)
+def test_each_entrant_has_one_place(ranking, complaint):
+    assert complaint in complaints("rules: {}\n" + TEST % ("", ranking))[0]
