@@ -18,6 +18,8 @@ _ONE_NUMBER = re.compile(_NUMBER, re.ASCII)
 # Two numbers as people and programs write them: "0.1 -0.2", "0.1, -0.2", "[0.1, -0.2]", "(0.1,-0.2)".
 _POSITION = re.compile(rf"[\[(]?\s*({_NUMBER})(?:\s*[,;]\s*|\s+)({_NUMBER})\s*[\])]?", re.ASCII)
 _DOUBLE = 8
+_DIGITS = 6
+"""To the micrometre: `send([x, y])` is told as "0.31 -0.295637"."""
 _BLANKS = str.maketrans("\t\r\n", "   ")
 
 
@@ -32,7 +34,7 @@ def message_text(data: bytes) -> str:
     if not text and len(data) in (_DOUBLE, 2 * _DOUBLE):
         numbers = struct.unpack(f"<{len(data) // _DOUBLE}d", data)
         if all(map(isfinite, numbers)):
-            return " ".join(map(repr, numbers))
+            return " ".join(repr(round(number, _DIGITS)) for number in numbers)
     if not text:
         text = data.split(b"\0", 1)[0].decode("utf-8", "replace")
         text = "".join(letter if letter.isprintable() else " " for letter in text)

@@ -230,7 +230,7 @@ class TestMessages:
     def test_two_doubles_are_the_position_that_they_were(self, x, y):
         data = struct.pack("<2d", x, y)
         if not data.decode("utf-8", "replace").translate(AS_TEXT).isprintable():  # else it is text
-            assert position_in(message_text(data)) == (x, y)
+            assert position_in(message_text(data)) == pytest.approx((x, y), abs=1e-6)
 
     @given(NUMBERS, NUMBERS, st.sampled_from(["{} {}", "[{}, {}]", "({},{})", "{};{}", " {} , {} "]))
     def test_a_position_is_read_as_people_write_it(self, x, y, form):

@@ -34,6 +34,12 @@ def test_the_slalom_is_driven_through_all_four_gates(play):
     assert result["simulated_s"] < 15
 
 
+def test_the_crate_is_found_and_reported_by_radio(play):
+    result = play("search", "--duration", "30")
+    assert result["faults"] == []
+    assert result["score"]["yellow"] >= 9
+
+
 def test_a_ball_that_is_wanted_is_sold_on_the_market(play):
     result = play("market", "--duration", "25", "--set", "order_s=20")
     assert result["faults"] == []
