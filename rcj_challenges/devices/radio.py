@@ -47,28 +47,33 @@ class Emitter:
         self.waiting: deque[tuple[int, int, bytes]] = deque()
         self.to_referee: deque[tuple[int, bytes]] = deque()
         self._bytes = 0
+        self._bytes_to_referee = 0
 
     def send(self, channel: int, data: bytes, now: int) -> None:
         """Queue a packet for a channel at tick ``now``; it is on the air as soon as those before it are out."""
-        arrives = self._arrival(data, now)
-        if arrives is not None:
-            self.waiting.append((arrives, channel, data))
+        if self._has_room(data, len(self.waiting), self._bytes):
+            self._bytes += len(data)
+            self.waiting.append((self._arrival(data, now), channel, data))
 
     def tell_referee(self, data: bytes, now: int) -> None:
-        """Queue a packet for the referee: it is on the air as any other, and no robot hears it."""
-        arrives = self._arrival(data, now)
-        if arrives is not None:
-            self.to_referee.append((arrives, data))
+        """Queue a packet for the referee: it is on the air as any other, and no robot hears it.
 
-    def _arrival(self, data: bytes, now: int) -> int | None:
-        """Return the tick at which a packet arrives that is sent at tick ``now``; None: it is lost."""
-        waiting = len(self.waiting) + len(self.to_referee)
-        room = waiting < BACKLOG_PACKETS and self._bytes + len(data) <= BACKLOG_BYTES
-        if not data or len(data) > self._max_packet_bytes or (waiting and not room):
-            return None
+        Its backlog is one of its own: the referee hears one message a tick, which must not silence the team's radio.
+        """
+        if self._has_room(data, len(self.to_referee), self._bytes_to_referee):
+            self._bytes_to_referee += len(data)
+            self.to_referee.append((self._arrival(data, now), data))
+
+    def _has_room(self, data: bytes, packets: int, payload_bytes: int) -> bool:
+        """Return whether a packet can wait behind so many others; else it is lost."""
+        if not data or len(data) > self._max_packet_bytes:
+            return False
+        return not packets or (packets < BACKLOG_PACKETS and payload_bytes + len(data) <= BACKLOG_BYTES)
+
+    def _arrival(self, data: bytes, now: int) -> int:
+        """Return the tick at which a packet arrives that is sent at tick ``now``."""
         begin = max(self._free_from, now * self._per_tick)
         self._free_from = begin + len(data) * _BITS_PER_BYTE * _MS_PER_S
-        self._bytes += len(data)
         return -(-self._free_from // self._per_tick)
 
     def arriving(self, tick: int) -> list[tuple[int, bytes]]:
@@ -85,14 +90,14 @@ class Emitter:
         if not self.to_referee or self.to_referee[0][0] > tick:
             return None
         _, data = self.to_referee.popleft()
-        self._bytes -= len(data)
+        self._bytes_to_referee -= len(data)
         return data
 
     def fall_silent(self) -> None:
         """Drop all that has not arrived."""
         self.waiting.clear()
         self.to_referee.clear()
-        self._bytes = 0
+        self._bytes = self._bytes_to_referee = 0
         self._free_from = 0
 
 

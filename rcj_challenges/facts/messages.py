@@ -4,20 +4,24 @@ from __future__ import annotations
 
 import re
 import struct
+from collections.abc import Callable
 from math import isfinite
 
 MOST_LETTERS = 200
 """Of a message; what is beyond is not heard."""
 
 LARGEST_NUMBER = 1e9
-FURTHEST_M = 1000.0
-"""Beyond these a number or a position is none: what is reckoned with them must stay a number."""
+FURTHEST_M = 10.0
+"""Beyond these a number or a position is none: what is reckoned with them must stay a number, and nothing is put where
+no field can be. Up to there all around a field is solid, so that nothing finds room."""
 
-_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,3})?"
+# Digits can be read in one way only: else what is nearly a number takes a hundred times as long to be refused.
+_NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d{1,3})?"
 _ONE_NUMBER = re.compile(_NUMBER, re.ASCII)
 # Two numbers as people and programs write them: "0.1 -0.2", "0.1, -0.2", "[0.1, -0.2]", "(0.1,-0.2)".
 _POSITION = re.compile(rf"[\[(]?\s*({_NUMBER})(?:\s*[,;]\s*|\s+)({_NUMBER})\s*[\])]?", re.ASCII)
 _DOUBLE = 8
+_MOST_DOUBLES = 8
 _DIGITS = 6
 """To the micrometre: `send([x, y])` is told as "0.31 -0.295637"."""
 _BLANKS = str.maketrans("\t\r\n", "   ")
@@ -26,12 +30,12 @@ _BLANKS = str.maketrans("\t\r\n", "   ")
 def message_text(data: bytes) -> str:
     """Return what a packet says: text without the blanks around it, and without what cannot be read.
 
-    Packets of one or two doubles (``send([0.1, -0.2])``) are numbers; a packet that is text as well is text.
+    Packets of a few doubles (``send([0.1, -0.2])``) are numbers; a packet that is text as well is text.
     """
     # A text may end with one zero byte. The bytes of doubles hold more of them as a rule.
     body = data.removesuffix(b"\0")
     text = None if b"\0" in body else _readable(body)
-    if not text and len(data) in (_DOUBLE, 2 * _DOUBLE):
+    if not text and len(data) in range(_DOUBLE, _MOST_DOUBLES * _DOUBLE + 1, _DOUBLE):
         numbers = struct.unpack(f"<{len(data) // _DOUBLE}d", data)
         if all(map(isfinite, numbers)):
             return " ".join(repr(round(number, _DIGITS)) for number in numbers)
@@ -64,6 +68,14 @@ def position_in(text: str) -> tuple[float, float] | None:
         return None
     x, y = float(found[1]), float(found[2])
     return (x, y) if max(abs(x), abs(y)) <= FURTHEST_M else None
+
+
+READS: dict[str | None, Callable[[str], object]] = {
+    None: lambda text: text,
+    "number": number_in,
+    "position": position_in,
+}
+"""What a message may have to be, each with what reads it; None is returned of a message that is none."""
 
 
 def is_said(text: str, wanted: str | float | bool) -> bool:

@@ -279,7 +279,11 @@ def emit(model: models.Emit, workshop: Workshop, rule: StandingRule) -> Act:
     """Write an event."""
     name = model.event
     payload = {key: compile_value(value, workshop, rule.each) for key, value in model.payload.items()}
-    return lambda occasion: workshop.emit(name, {key: read(occasion) for key, read in payload.items()})
+
+    def act(occasion: Occasion) -> None:
+        workshop.emit(name, {key: read(occasion) for key, read in payload.items()}, occasion.subject)
+
+    return act
 
 
 def end(model: models.End, workshop: Workshop, rule: StandingRule) -> Act:

@@ -29,12 +29,12 @@ _W = TypeVar("_W", bound=Watch)
 
 @dataclass
 class Moments:
-    """Ears for what happens at no place: by what they wait for."""
+    """Ears for what happens at no place: by what they wait for; of an event also by whom it is about, None: anybody."""
 
     half_started: list[Listener] = field(default_factory=list)
     half_ended: list[Listener] = field(default_factory=list)
     entered: dict[str, list[tuple[str | None, Listener]]] = field(default_factory=dict)
-    events: dict[str, list[Listener]] = field(default_factory=dict)
+    events: dict[tuple[str, str | None], list[Listener]] = field(default_factory=dict)
     times: dict[int, list[tuple[Listener, float]]] = field(default_factory=dict)
     faults: dict[str, list[Listener]] = field(default_factory=dict)
     messages: dict[str, list[tuple[Callable[[str], bool], Listener]]] = field(default_factory=dict)
@@ -71,7 +71,7 @@ class Workshop:
         self.contacts = Contacts(state.roster.robots)
         self.bodies = Bodies(state.scenario, state.roster)
         self.queue = Queue()
-        self.emit: Callable[[str, dict[str, object]], None] = lambda _name, _payload: None
+        self.emit: Callable[[str, dict[str, object], str | None], None] = lambda _name, _payload, _about: None
         self.enter_phase: Callable[[str], None] = lambda _phase: None
         self.timers_changed: Callable[[], None] = self.lookout.reckon
         self.remembered = frozenset(remembered_spots(state.scenario))

@@ -7,7 +7,7 @@ from math import atan2, cos, sin, sqrt
 from typing import Any
 
 from rcj_challenges.facts.amounts import on_paper
-from rcj_challenges.facts.messages import is_said, number_in, position_in
+from rcj_challenges.facts.messages import READS, is_said
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.nearness import targets_of
@@ -259,7 +259,7 @@ def last_touch(model: models.LastTouch, workshop: Workshop, each: str | None) ->
 def compile_message(model: models.Message, workshop: Workshop) -> Callable[[str], bool]:
     """Return what tells whether a message is as it must be."""
     draws, text = workshop.state.draws, model.text
-    reads = {None: None, "number": number_in, "position": position_in}[model.is_a]
+    reads = READS[model.is_a]
 
     def wanted() -> tuple[Scalar, ...]:
         if isinstance(text, DrawValue):
@@ -267,7 +267,7 @@ def compile_message(model: models.Message, workshop: Workshop) -> Callable[[str]
         return text if isinstance(text, tuple) else (text,) if text is not None else ()
 
     def says(message: str) -> bool:
-        if reads is not None and reads(message) is None:
+        if reads(message) is None:
             return False
         return text is None or any(is_said(message, one) for one in wanted())
 

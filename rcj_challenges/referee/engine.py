@@ -63,7 +63,7 @@ class Referee:
         self._waiting = False
         self._phase_ends = NEVER
         self._entered: list[tuple[str, str]] = []
-        self._emitted: list[str] = []
+        self._emitted: list[tuple[str, str | None]] = []
         self._events: list[Event] = []
         self._firings: list[Firing] = []
         self._quiet: dict[str, Verdict] = {}
@@ -204,8 +204,11 @@ class Referee:
             for wanted, listener in self._moments.entered.get(phase, ()):
                 if wanted is None or wanted == left:
                     self._hits.report([listener])
-        for name in dict.fromkeys(emitted):
-            self._hits.report(self._moments.events.get(name, []))
+        events = self._moments.events
+        for name in dict.fromkeys(name for name, _ in emitted):
+            self._hits.report(events.get((name, None), []))
+        for about in dict.fromkeys(one for one in emitted if one[1] is not None):
+            self._hits.report(events.get(about, []))
         if self._clock_ran:
             for listener, at_s in self._moments.times.get(self._state.clock, ()):
                 self._hits.report([listener], at_s, at_s)
@@ -279,9 +282,9 @@ class Referee:
             return "max_executions"
         return None
 
-    def _emit(self, name: str, payload: dict[str, object]) -> None:
+    def _emit(self, name: str, payload: dict[str, object], about: str | None) -> None:
         self._events.append(Event(self._state.tick, name, payload))
-        self._emitted.append(name)
+        self._emitted.append((name, about))
 
     # --- phases -----------------------------------------------------------------------------------------------------
 

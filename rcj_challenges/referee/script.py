@@ -87,7 +87,7 @@ class ScriptedPlay:
         self._glides: dict[int, _Glide] = {}
         self._touching: dict[tuple[int, int], int] = {}
         self._faults: list[Fault] = []
-        self._told: dict[int, str] = {}
+        self._told: dict[int, list[str]] = {}
         self._none_touch: tuple[tuple[tuple[int, int], ...], ...] = ((),) * SUBSTEPS_PER_TICK
         self._frozen: list[list[Pose2]] | None = None
         self._parked: set[int] = set()
@@ -124,8 +124,8 @@ class ScriptedPlay:
         self._faults.append(Fault(robot, "crash", self.tick + 1, 1, "scripted"))
 
     def tell(self, robot: str, text: str) -> None:
-        """Let a robot tell the referee something by radio; it is heard in the next tick."""
-        self._told[self.roster.index[robot]] = text
+        """Let a robot tell the referee something by radio; it is heard in the next tick, after what it told before."""
+        self._told.setdefault(self.roster.index[robot], []).append(text)
 
     def play(self, ticks: int = 1) -> Verdict:
         """Judge so many ticks and return the last verdict."""
@@ -180,7 +180,7 @@ class ScriptedPlay:
             touches = (tuple(sorted(self._touching)),) * SUBSTEPS_PER_TICK
             self._touching = {pair: left - 1 for pair, left in self._touching.items() if left > 1}
         faults, self._faults = tuple(self._faults), []
-        heard, self._told = tuple(sorted(self._told.items())), {}
+        heard = tuple((robot, told.pop(0)) for robot, told in sorted(self._told.items()) if told)
         return Snapshot(self.tick, substeps, self._heights, self._uprights, touches, faults, heard)
 
     def _glided(self) -> list[Pose2]:

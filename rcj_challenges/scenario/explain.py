@@ -258,6 +258,9 @@ _USUAL = {
     "phase": "phases: […] beside 'conditions': a rule lives in the phases of that list",
     "time_s": "timer, of a timer with starts: true",
     "frozen": "held",
+    "tells": "told: what a robot has told the referee last",
+    "heard": "told: what a robot has told the referee last",
+    "said": "told: what a robot has told the referee last",
     "hold": "held",
 }
 """What others call a condition, and how it is written here."""
@@ -267,7 +270,28 @@ _REPEATED = "every so often is a timer that the rule restarts when it expires"
 _LATER = "a pause is a phase, and what comes later waits for a timer"
 _HELD = "'hold' keeps a robot where it is, for_s or until 'release'"
 _LET_GO = "'release' lets a robot go that 'hold' holds"
+_BY_RADIO = "'tells' fires when a robot tells the referee something by radio"
 _ELSEWHERE = {
+    **{
+        ("trigger", word): _BY_RADIO
+        for word in (
+            "told",
+            "hears",
+            "heard",
+            "hear",
+            "reports",
+            "report",
+            "radio",
+            "message",
+            "receives",
+            "answers",
+            "answer",
+            "says",
+            "said",
+            "sends",
+            "tell",
+        )
+    },
     ("trigger", "every"): _REPEATED,
     ("trigger", "interval"): _REPEATED,
     ("trigger", "repeat"): _REPEATED,
@@ -282,6 +306,7 @@ _ELSEWHERE = {
     ("action", "unfreeze"): _LET_GO,
     ("action", "free"): _LET_GO,
     ("action", "let_go"): _LET_GO,
+    ("action", "unhold"): _LET_GO,
     ("action", "if"): "what depends on something is a rule of its own, with conditions",
 }
 """What other languages have a trigger or an action for, and how it is said here."""

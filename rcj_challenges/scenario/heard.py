@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from rcj_challenges.scenario.models.conditions import Told
-from rcj_challenges.scenario.models.robots import TeamEmitterDevice
+from rcj_challenges.facts.messages import READS, is_said, message_text
+from rcj_challenges.scenario.models.base import Scalar
+from rcj_challenges.scenario.models.conditions import Message, Told
+from rcj_challenges.scenario.models.robots import SupervisorReceiverDevice, TeamEmitterDevice
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.models.state import ToldValue
+from rcj_challenges.scenario.models.state import DrawValue, ToldValue
 from rcj_challenges.scenario.models.triggers import Tells
 from rcj_challenges.scenario.visiting import visit
 
@@ -28,6 +30,35 @@ def robots_that_speak(scenario: Scenario) -> list[str]:
         for name, robot in scenario.robots.items()
         if name in driven and not robot.idle and _has_emitter(scenario, name)
     ]
+
+
+def has_channel(scenario: Scenario) -> bool:
+    """Return whether the referee has a channel at all: it hears on those on which it could speak to somebody."""
+    return any(isinstance(model, SupervisorReceiverDevice) for model, _ in visit((scenario.kits, scenario.robots)))
+
+
+def wanted(message: Message, scenario: Scenario) -> tuple[Scalar, ...] | None:
+    """Return what a message must say, one of these; None: anything."""
+    if isinstance(message.text, DrawValue):
+        return scenario.draws[message.text.draw].values
+    return message.text if isinstance(message.text, tuple) or message.text is None else (message.text,)
+
+
+def fits(said: Scalar, message: Message, scenario: Scenario) -> bool:
+    """Return whether a robot that says this says what is asked for."""
+    text, asked = as_said(said), wanted(message, scenario)
+    return READS[message.is_a](text) is not None and (asked is None or any(is_said(text, one) for one in asked))
+
+
+def as_said(said: Scalar) -> str:
+    """Return how a robot says a value."""
+    return str(said).lower() if isinstance(said, bool) else str(said)
+
+
+def can_be_heard(said: Scalar) -> bool:
+    """Return whether a value can be what a message says: without odd blanks, and no number beyond all bounds."""
+    text = as_said(said)
+    return is_said(message_text(text.encode()), said)
 
 
 def _has_emitter(scenario: Scenario, name: str) -> bool:

@@ -17,6 +17,7 @@ from rcj_challenges.scenario.lint_distances import check_distances
 from rcj_challenges.scenario.lint_edges import check_edges, check_exclusive_groups
 from rcj_challenges.scenario.lint_flow import (
     check_events,
+    check_events_of_one,
     check_phases,
     check_rules,
     check_scoring,
@@ -61,6 +62,7 @@ from rcj_challenges.scenario.tree import Leaf, mark_of, node_at
 CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_phases,
     check_events,
+    check_events_of_one,
     check_rules,
     check_contradictions,
     check_touched,

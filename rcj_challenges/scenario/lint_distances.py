@@ -36,7 +36,9 @@ def _limits(model: Distance, path: Path, far_m: float, subject: Subject, rule: R
         limit = getattr(model, key)
         if not isinstance(limit, int | float):
             continue
-        if limit < 0 and key != "at_least":
+        if limit < 0 and key == "at_least":
+            yield _suspect(path, key, "every distance keeps to it: none is less than 0", "correct it, or leave it out")
+        elif limit < 0:
             to_zone = isinstance(model.to, str) and any(
                 name in subject.scenario.zones for name in subject.members(model.to, rule)
             )

@@ -106,7 +106,7 @@ def check_exclusive_groups(subject: Subject) -> Iterator[Suspect]:
                 "give another rule the same exclusive, or leave it out",
             )
         pair = _strangers(names, subject)
-        if pair is not None:
+        if pair is not None and not all(_meets_itself(subject.scenario.rules[name], subject) for name in pair):
             first, second = pair
             yield Suspect(
                 "exclusive_never_meets",
@@ -119,12 +119,17 @@ def check_exclusive_groups(subject: Subject) -> Iterator[Suspect]:
 
 def _stops_nothing(name: str, subject: Subject) -> bool:
     """Return whether a rule that is alone in its group, and for each of several, can never be stopped by itself."""
-    rule, scenario = subject.scenario.rules[name], subject.scenario
-    members = sorted(subject.members("each", rule)) if rule.for_each is not None else []
-    # Where it touches two at once, the second of them is stopped.
-    meets_itself = names_other(rule, scenario) and any(len(others_of(rule, one, subject.roster)) > 1 for one in members)
+    rule = subject.scenario.rules[name]
+    members = subject.members("each", rule) if rule.for_each is not None else frozenset()
     own = file_of(subject.tree, "rules", name) == subject.tree.mark.file
-    return own and len(members) > 1 and not meets_itself
+    return own and len(members) > 1 and not _meets_itself(rule, subject)
+
+
+def _meets_itself(rule: Rule, subject: Subject) -> bool:
+    """Return whether a rule for each of a group can stop itself: of two that it touches at once the second."""
+    if rule.for_each is None or not names_other(rule, subject.scenario):
+        return False
+    return any(len(others_of(rule, one, subject.roster)) > 1 for one in subject.members("each", rule))
 
 
 def _strangers(names: list[str], subject: Subject) -> tuple[str, str] | None:
@@ -166,7 +171,7 @@ def _edges(trigger: Trigger, rule: Rule, subject: Subject) -> Iterator[_Edge]:
     data = {key: value for key, value in trigger if key != "trigger"}
     if isinstance(trigger, SequenceCompleted | SequenceBroken):
         data["entity"] = heard(trigger, subject.scenario)
-    axes = [[(key, name) for name in sorted(subject.members(data.pop(key), rule))] for key in _NAMES if key in data]
+    axes = [[(key, name) for name in sorted(subject.members(data.pop(key), rule))] for key in _NAMES if data.get(key)]
     if isinstance(trigger, Crosses) and data.pop("direction"):
         ways = ("forward", "backward") if trigger.direction == "either" else (trigger.direction,)
         axes.append([("direction", way) for way in ways])

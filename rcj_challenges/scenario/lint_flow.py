@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lives_in
 from rcj_challenges.scenario.models.actions import Emit, Score
+from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.scenario import Expectation, RankByScore, Rule
 from rcj_challenges.scenario.models.state import WordValue
 from rcj_challenges.scenario.models.triggers import (
@@ -160,6 +161,38 @@ def check_rules(subject: Subject) -> Iterator[Suspect]:
                     "wrong steps are ignored by this sequence; it never breaks",
                     "give it wrong_step: break",
                 )
+
+
+def check_events_of_one(subject: Subject) -> Iterator[Suspect]:
+    """An event of one that every member of ``for_each`` hears: what it does, it does to all of them."""
+    emitters: dict[str, list[Rule]] = {}
+    for _, rule in subject.standing():
+        for action in rule.actions:
+            if isinstance(action, Emit):
+                emitters.setdefault(action.event, []).append(rule)
+    for name, rule in subject.standing():
+        if rule.for_each is None or any("each" in _texts(model) for model, _ in visit(rule.conditions)):
+            continue
+        members = subject.members("each", rule) & {*subject.roster.entities}
+        for index, trigger in enumerate(rule.triggers):
+            if not isinstance(trigger, OnEvent) or trigger.entity is not None or len(members) < 2:
+                continue
+            sources = emitters.get(trigger.event, [])
+            if sources and all(one.for_each and subject.members("each", one) & members for one in sources):
+                yield Suspect(
+                    "event_heard_by_each",
+                    ("rules", name, "triggers", index),
+                    f"'{trigger.event}' comes from one of '{rule.for_each}', and this rule fires for all "
+                    f"{len(members)} of them, whoever it was",
+                    "write entity: each, so that it fires for that one only, or leave for_each out and name them all",
+                )
+
+
+def _texts(model: Strict) -> set[str]:
+    """Return the texts in the fields of a model, among them all names."""
+    values = (getattr(model, field) for field in type(model).model_fields)
+    several = (value if isinstance(value, tuple) else (value,) for value in values)
+    return {one for value in several for one in value if isinstance(one, str)}
 
 
 def _key_of(rule: Rule, subject: Subject) -> str:

@@ -19,6 +19,7 @@ from rcj_challenges.scenario.lint_suspect import Subject, Suspect, on_field
 from rcj_challenges.scenario.models import places
 from rcj_challenges.scenario.models.actions import Place, Remove
 from rcj_challenges.scenario.models.conditions import Distance
+from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import DistanceValue
 from rcj_challenges.scenario.models.triggers import HalfStarted
 from rcj_challenges.scenario.outlines import Disc, Outline, Point, robot_outline
@@ -53,7 +54,14 @@ def _only_measured(subject: Subject) -> frozenset[str]:
     measured: set[str] = set()
     met: set[str] = set()
     for use in filter(on_field, subject.uses):
-        (measured if issubclass(use.model, Distance | DistanceValue) else met).update(subject.roster.expand(use.name))
+        if use.model is Rule:
+            continue  # whom a rule is for is met where it says `each`
+        names = (
+            subject.members(use.name, subject.scenario.rules[str(use.path[1])])
+            if use.path[0] == "rules"
+            else subject.roster.expand(use.name)
+        )
+        (measured if issubclass(use.model, Distance | DistanceValue) else met).update(names)
     return frozenset(measured - met)
 
 

@@ -94,10 +94,11 @@ def check_holds(subject: Subject) -> Iterator[Suspect]:
             case Release() if not one.robots & held:
                 yield _release(one, phases)
             case IsHeld() | HeldValue() if not one.robots & held and not phases:
+                are = "are" if len(one.robots) > 1 else "is"
                 yield Suspect(
                     "never_held",
                     one.path,
-                    f"it asks whether {listing(sorted(one.robots))} is held, and no rule or phase holds it",
+                    f"it asks whether {listing(sorted(one.robots))} {are} held, and no rule or phase does that",
                     "write a rule that does: {action: hold, entity: …}, or leave it out",
                 )
 

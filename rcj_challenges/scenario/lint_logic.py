@@ -8,6 +8,7 @@ from typing import Any
 
 from rcj_challenges.scenario.catalogue import BOUND
 from rcj_challenges.scenario.followed import followed
+from rcj_challenges.scenario.heard import fits, wanted
 from rcj_challenges.scenario.lint_suspect import Subject
 from rcj_challenges.scenario.models.conditions import (
     Condition,
@@ -20,6 +21,7 @@ from rcj_challenges.scenario.models.conditions import (
     SequenceAt,
     Speed,
     TimerIs,
+    Told,
     WayIs,
 )
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
@@ -95,17 +97,24 @@ def exclude(one: Condition, other: Condition, rules: tuple[Rule, Rule], subject:
     """Return whether two single conditions, each of its rule, can never hold together."""
     if type(one) is not type(other):
         return False
+    one, other = _without_none(one), _without_none(other)
     if one == other.model_copy(update={"negate": not other.negate}):
         return True
     return not (one.negate or other.negate) and _have_nothing_in_common(one, other, rules, subject)
 
 
+def _without_none(condition: Condition) -> Condition:
+    """Return a condition as it reads with `any`: none of them is not any of them."""
+    if getattr(condition, "of", None) != "none":
+        return condition
+    return condition.model_copy(update={"of": "any", "negate": not condition.negate})
+
+
 def _have_nothing_in_common(one: Condition, other: Condition, rules: tuple[Rule, Rule], subject: Subject) -> bool:
     match one, other:
-        case CounterIs() | TimerIs() | Speed() | Distance() | WayIs(), _:
-            return _is_of_one(one, rules[0], subject) and _same_but(one, other, _BOUNDS) and _apart(one, other)
-        case HalfIs(), HalfIs():
-            return _apart(one, other)
+        case CounterIs() | TimerIs() | Speed() | Distance() | WayIs() | HalfIs(), _:
+            of_one = isinstance(one, HalfIs) or _is_of_one(one, rules[0], subject)
+            return of_one and _same_but(one, other, _BOUNDS) and _apart(one, other)
         case InZone(), InZone():
             return _in_two_zones(one, other, rules, subject)
         case Drawn(), Drawn():
@@ -114,7 +123,22 @@ def _have_nothing_in_common(one: Condition, other: Condition, rules: tuple[Rule,
         case LastTouch(), LastTouch():
             by, by_other = subject.members(one.by, rules[0]), subject.members(other.by, rules[1])
             return one.entity == other.entity not in BOUND and not by & by_other
-    return isinstance(one, SequenceAt) and isinstance(other, SequenceAt) and _at_two_steps(one, other, rules, subject)
+        case SequenceAt(), SequenceAt():
+            return _at_two_steps(one, other, rules, subject)
+    return isinstance(one, Told) and isinstance(other, Told) and _say_otherwise(one, other, rules, subject)
+
+
+def _say_otherwise(one: Told, other: Told, rules: tuple[Rule, Rule], subject: Subject) -> bool:
+    """Return whether the same robots would have to have said two things at last."""
+    if (one.entity, one.of) != (other.entity, other.of) or not _is_of_one(one, rules[0], subject):
+        return False
+    for message, same in ((one, other), (other, one)):
+        said = wanted(message, subject.scenario)
+        if said is not None:
+            return not any(
+                fits(text, message, subject.scenario) and fits(text, same, subject.scenario) for text in said
+            )
+    return None not in (one.is_a, other.is_a) and one.is_a != other.is_a
 
 
 def _drawable(condition: Drawn, rule: Rule, subject: Subject) -> frozenset[Any]:

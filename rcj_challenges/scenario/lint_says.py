@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from rcj_challenges.facts.messages import number_in
 from rcj_challenges.scenario.blanks import BLANKS, in_braces, points_of
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.followed import heard
+from rcj_challenges.scenario.heard import as_said, wanted
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
 from rcj_challenges.scenario.models import triggers
+from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.conditions import AllOf, AnyOf, Condition, Distance, InZone, LastTouch, Looks, Speed
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import WordValue
@@ -163,15 +166,26 @@ def _fills(trigger: Trigger, blank: str, rule: Rule, subject: Subject) -> bool:
     if blank in {"entity", "team"}:
         return bool(_found_by(trigger, rule, subject) & _told_by(blank, subject))
     if blank == "measured":
-        return _measures(trigger) and not (isinstance(trigger, triggers.Tells) and trigger.is_a is None)
+        return _measures(trigger, subject) and (not isinstance(trigger, triggers.Tells) or _is_number(trigger, subject))
     return blank != "limit" or isinstance(trigger, _WITH_LIMIT)
 
 
-def _measures(trigger: Trigger) -> bool:
-    """Return whether a trigger measures something, or hears a number."""
+def _measures(trigger: Trigger, subject: Subject) -> bool:
+    """Return whether a trigger measures something, or may hear a number."""
     if isinstance(trigger, triggers.Tells):
-        return trigger.is_a != "position"
+        said = wanted(trigger, subject.scenario)
+        return trigger.is_a != "position" and (said is None or any(map(_number_of, said)))
     return isinstance(trigger, (*_WITH_LIMIT, *_OF_SEQUENCES))
+
+
+def _is_number(trigger: triggers.Tells, subject: Subject) -> bool:
+    """Return whether what a trigger hears is always a number."""
+    said = wanted(trigger, subject.scenario)
+    return trigger.is_a == "number" or (said is not None and all(map(_number_of, said)))
+
+
+def _number_of(said: Scalar) -> bool:
+    return number_in(as_said(said)) is not None
 
 
 def _told_by(blank: str, subject: Subject) -> frozenset[str]:
@@ -216,7 +230,7 @@ def _lacks(rule: Rule, subject: Subject) -> dict[str, _Lack]:
         lacks["team"] = _Lack("this rule is never about a robot of a team", _WRITE_OUT)
     if not with_limit:
         lacks["limit"] = _Lack("no trigger of this rule has a limit", _MEASURE)
-        if not any(map(_measures, rule.triggers)):
+        if not any(_measures(trigger, subject) for trigger in rule.triggers):
             lacks["measured"] = _Lack("no trigger of this rule measures anything", _MEASURE)
     if rule.for_each is None:
         lacks["each"] = _Lack("this rule has no for_each", "write out what is meant, or give it a for_each")
@@ -246,6 +260,8 @@ def _found_by(trigger: Trigger, rule: Rule, subject: Subject) -> frozenset[str]:
         names = trigger.entity
     elif isinstance(trigger, triggers.ProgramFault):
         names = trigger.robot
+    elif isinstance(trigger, triggers.OnEvent):
+        names = trigger.entity or ()
     elif isinstance(trigger, _OF_SEQUENCES):
         names = heard(trigger, subject.scenario)
     elif isinstance(trigger, triggers.TimerExpired):

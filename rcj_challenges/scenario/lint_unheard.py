@@ -156,9 +156,9 @@ def _what_makes_true(condition: Condition, subject: Subject) -> _Makes | None:
     match condition:
         case CounterIs():
             return _what_counts(condition, subject)
-        case FlagIs(flag=flag, negate=negate):
-            return lambda action: _turns_flag(action, flag, to=not negate)
-        case IsHeld(negate=False) if all(phase.robots != "held" for phase in subject.scenario.phases.values()):
+        case FlagIs(flag=flag):
+            return lambda action: _turns_flag(action, flag, to=_asks_for_some(condition))
+        case IsHeld() if _asks_for_some(condition) and _only_rules_hold(subject):
             return lambda action: isinstance(action, Hold)
         case Drawn(negate=False):
             return lambda action: (
@@ -172,6 +172,15 @@ def _what_makes_true(condition: Condition, subject: Subject) -> _Makes | None:
             return (lambda action: any(one(action) for one in known)) if len(known) == len(makers) else None
         case _:
             return None
+
+
+def _asks_for_some(condition: FlagIs | IsHeld) -> bool:
+    """Return whether a condition waits for one to be so, and not for one that no longer is."""
+    return (condition.of == "none") == condition.negate
+
+
+def _only_rules_hold(subject: Subject) -> bool:
+    return all(phase.robots != "held" for phase in subject.scenario.phases.values())
 
 
 def _turns_flag(action: Action, flag: str, *, to: bool) -> bool:

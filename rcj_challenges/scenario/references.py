@@ -113,6 +113,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (triggers.SequenceBroken, "sequence"): _SEQUENCE,
     (triggers.SequenceBroken, "entity"): _ENTITIES,
     (triggers.ProgramFault, "robot"): _ROBOTS,
+    (triggers.OnEvent, "entity"): _ENTITIES,
     (triggers.Tells, "entity"): _ROBOTS,
     # conditions
     (conditions.InZone, "entity"): _ENTITIES,

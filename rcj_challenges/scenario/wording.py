@@ -198,7 +198,7 @@ def _wrong_form(shape: Shape, node: Node | None) -> str:
     if shape == EntryPoint:
         return f"{shown} is no entry point: a relative path with / to a .py file"
     if shape == SaidText:
-        return f"{shown} is never heard: a message has single blanks between its words, and none at its ends"
+        return f"{shown} is heard otherwise: with single blanks between its words, and none at its ends"
     if shape == Name:
         return f"{shown} is no name: {NAME_RULE}"
     return f"{shown} does not have the form that is needed: {expectation(shape)}"

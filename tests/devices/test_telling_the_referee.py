@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from rcj_challenges.devices.radio import BACKLOG_BYTES, BACKLOG_PACKETS, Emitter
 from rcj_challenges.facts.traffic import RobotSpec
 from tests.devices.device_bench import Bench
 
@@ -95,3 +96,21 @@ def test_on_the_other_teams_channel_it_hears_nothing(bench: Bench) -> None:
     bench.send("Y1", b"FOUND", channel=2)
     bench.send("Y1", b"FOUND", channel=7)
     assert told(bench) == {}
+
+
+def test_what_the_referee_has_not_heard_yet_leaves_the_team_its_radio(bench: Bench) -> None:
+    # It hears one message a tick: who tells more keeps it waiting, and only it.
+    bench.send("Y1", *[b"x"] * (BACKLOG_PACKETS + 10), channel=1)
+    bench.send("Y1", b"hello")
+    bench.sense(ticks=(BACKLOG_PACKETS + 10) // 460 + 2)
+    assert [p.data for p in bench.heard("Y2", "team receiver")] == [b"hello"]
+
+
+def test_a_flood_of_messages_has_its_bounds_in_packets_and_in_bytes() -> None:
+    emitter = Emitter(0, 0, 1.0, baud=10**9, max_packet_bytes=BACKLOG_BYTES)
+    for data in (b"x" * (BACKLOG_BYTES - 1), b"y", b"lost"):
+        emitter.tell_referee(data, 0)
+    assert [len(emitter.told_referee(99) or b"") for _ in range(3)] == [BACKLOG_BYTES - 1, 1, 0]
+    for _ in range(BACKLOG_PACKETS + 1):
+        emitter.tell_referee(b"x", 99)
+    assert sum(emitter.told_referee(200) is not None for _ in range(BACKLOG_PACKETS + 1)) == BACKLOG_PACKETS

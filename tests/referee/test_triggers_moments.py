@@ -190,6 +190,49 @@ class TestTriggerEvent:
         assert [(event.name, event.tick) for event in play.events] == [("FIRST", 10), ("TOLD", 11)]
 
 
+class TestTriggerEventOfOne:
+    STRUCK = """
+    rules:
+      hit:
+        for_each: robots
+        triggers: [{trigger: program_fault, robot: each}]
+        actions: [{action: emit, event: HIT}]
+      told:
+        %s
+        triggers: [{trigger: event, event: HIT%s}]
+        actions: [{action: emit, event: TOLD, payload: {who: {word: robot_name}}}]
+    """
+
+    @pytest.mark.parametrize(
+        ("each", "entity", "told"),
+        [
+            ("for_each: robots", ", entity: each", ["B2", "Y1"]),
+            ("for_each: yellow", ", entity: each", ["Y1"]),
+            ("for_each: robots", "", ["B1", "B2", "Y1", "Y2"]),
+            ("", ", entity: Y1", ["Y1"]),
+            ("", ", entity: [Y2, blue]", ["B2"]),
+            ("", ", entity: Y2", []),
+            ("", "", [""]),
+        ],
+    )
+    def test_it_is_heard_of_whom_it_is_about(self, stage, each, entity, told):
+        play = stage(self.STRUCK % (each, entity))
+        for robot in ("Y1", "B2"):
+            play.fail(robot)
+        play.play(2)
+        assert [event.payload["who"] for event in play.events_named("TOLD")] == told
+
+    def test_of_a_rule_without_for_each_it_is_about_whom_the_trigger_found(self, stage):
+        play = stage(
+            "rules: {hit: {triggers: [{trigger: touches, entity: blue, other: walls}], actions: [{action: emit, event: HIT}]}}",
+            "rules: {told: {for_each: blue, triggers: [{trigger: event, event: HIT, entity: each}], "
+            "actions: [{action: emit, event: TOLD, payload: {who: {word: robot_name}}}]}}",
+        )
+        play.touch("B2", "walls")
+        play.play(2)
+        assert [event.payload.get("who") for event in play.events] == [None, "B2"]
+
+
 class TestTriggerProgramFault:
     def test_it_fires_when_a_program_failed_and_names_its_robot(self, stage):
         play = stage("""

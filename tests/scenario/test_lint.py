@@ -455,6 +455,13 @@ class TestGround:
         found = kinds(wall, rules=rule("a", entered, more=f", conditions: [{near}]"))
         assert found == ["zone_off_the_field", "gate_off_the_field"]
 
+    @pytest.mark.parametrize(("entered", "kinds_found"), [("", []), ("each", ["gate_off_the_field"] * 2)])
+    def test_each_may_be_only_measured_to_as_well(self, entered, kinds_found):
+        walls = "gates: {g: {from_m: [-0.7, 0], to_m: [-0.7, 0.1]}, h: {from_m: [0.7, 0], to_m: [0.7, 0.1]}}\ngroups: {gs: [g, h]}"
+        near = ", for_each: gs, conditions: [{condition: distance, entity: ball, to: each, at_least: 0.2}]"
+        trigger = f"{{trigger: crosses, entity: ball, gate: {entered}}}" if entered else "{trigger: half_started}"
+        assert kinds(walls, rules=rule("a", trigger, more=near)) == kinds_found
+
     def test_a_gate_or_a_spot_off_the_field(self):
         cross = rule("a", "{trigger: crosses, entity: ball, gate: g}")
         assert kinds("gates: {g: {from_m: [0.7, 0], to_m: [0.9, 0]}}", rules=cross) == ["gate_off_the_field"]
@@ -570,3 +577,32 @@ def test_every_kind_of_finding_is_explained_to_authors():
     page = (ROOT / "docs" / "authoring.md").read_text(encoding="utf-8")
     assert len(written) >= 10
     assert {kind for kind in written if kind not in page} == set()
+
+
+HIT = "rules: {hit: {%s triggers: [{trigger: touches, entity: %s, other: walls}], actions: [{action: emit, event: HIT}], says: H.}"
+
+
+@pytest.mark.parametrize(
+    ("hit", "hears", "warned"),
+    [
+        (("for_each: robots,", "each"), "for_each: robots, triggers: [{trigger: event, event: HIT}]", True),
+        (("for_each: yellow,", "each"), "for_each: robots, triggers: [{trigger: event, event: HIT}]", True),
+        (
+            ("for_each: robots,", "each"),
+            "for_each: robots, triggers: [{trigger: event, event: HIT, entity: each}]",
+            False,
+        ),
+        (("for_each: robots,", "each"), "triggers: [{trigger: event, event: HIT}]", False),
+        (("for_each: yellow,", "each"), "for_each: blue, triggers: [{trigger: event, event: HIT}]", False),
+        (("", "Y1"), "for_each: robots, triggers: [{trigger: event, event: HIT}]", False),
+        (
+            ("for_each: robots,", "each"),
+            "for_each: robots, conditions: [{condition: held, entity: each}], triggers: [{trigger: event, event: HIT}]",
+            False,
+        ),
+    ],
+)
+def test_an_event_of_one_that_each_hears(hit, hears, warned):
+    rules = f"{HIT % hit}, all: {{{hears}, actions: [{{action: emit, event: E}}, {{action: hold, entity: robots, for_s: 1}}], says: A.}}}}\n"
+    loaded = load_text("schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n" + rules)
+    assert ("event_heard_by_each" in {one.kind for one in lint(loaded)}) is warned

@@ -74,7 +74,10 @@ def test_a_negative_distance_does_not_mean_inside():
     )
     (one,) = found("line", "equals: -1")
     assert (one.problem.message, one.remedy) == ("no distance is less than 0", "correct it")
-    assert found("line", "at_least: -1") == []
+    for place in ("line", "house"):
+        (one,) = found(place, "at_least: -0.1")
+        assert one.problem.message == "every distance keeps to it: none is less than 0"
+        assert found(place, "at_least: 0") == []  # off the field no comparison holds: that may be what is asked
 
 
 def test_each_is_the_one_that_is_furthest_off():

@@ -138,7 +138,7 @@ class TestRulesThatHoldRobots:
         assert found(asking) == [
             (
                 "it.yaml:9:18: warning: rules.r0.conditions[0] (held): it asks whether Y1 is held, and no rule or phase "
-                "holds it; write a rule that does: {action: hold, entity: …}, or leave it out [never_held]"
+                "does that; write a rule that does: {action: hold, entity: …}, or leave it out [never_held]"
             )
         ]
         assert found(COUNTDOWN % 3 + asking) == []
@@ -155,3 +155,7 @@ class TestRulesThatHoldRobots:
         waits = "  waits:\n    triggers: [{trigger: holds, condition: {condition: held, entity: Y1}}]\n    actions: [{action: end}]\n"
         assert ["[rule_never_fires]" in one for one in found(pause + waits)] == [True]
         assert found(pause + waits.replace("}}]", "}, for_s: 0.1}]")) == []
+        # That nobody is held comes when the time is over.
+        assert found(pause + waits.replace("Y1}", "robots, of: none}")) == []
+        turned = waits.replace("Y1}", "robots, of: none, negate: true}")
+        assert ["[rule_never_fires]" in one for one in found(pause + turned)] == [True]

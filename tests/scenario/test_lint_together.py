@@ -91,6 +91,45 @@ def test_conditions_of_which_only_one_can_hold(one, other, both_can):
     assert len(found(rule("a", one) + rule("b", other))) == both_can
 
 
+@pytest.mark.parametrize(
+    ("one", "other", "both_can"),
+    [
+        ("of: none", "of: any", False),
+        ("of: none", "of: none, negate: true", False),
+        ("of: none, negate: true", "of: any", True),
+        ("of: any", "of: all", True),
+    ],
+)
+def test_none_of_them_is_not_any_of_them(one, other, both_can):
+    first, second = (f"{{condition: in_zone, entity: yellow, zone: left, {of}}}" for of in (one, other))
+    assert bool(found(rule("a", first) + rule("b", second))) == both_can
+
+
+TOLD = "{condition: told, %s}"
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "both_can"),
+    [
+        ("entity: Y1, text: a", "entity: Y1, text: b", False),
+        ("entity: Y1, text: a", "entity: Y2, text: b", True),
+        ("entity: yellow, text: a", "entity: yellow, text: b", True),  # each of two may have said one of them
+        ("entity: yellow, text: a, of: all", "entity: yellow, text: b, of: all", False),
+        ("entity: Y1, text: [a, 2]", "entity: Y1, text: ['2.0', c]", True),
+        ("entity: Y1, text: [a, 2]", "entity: Y1, text: [b, 3]", False),
+        ("entity: Y1, text: a", "entity: Y1", True),
+        ("entity: Y1, text: a", "entity: Y1, is_a: number", False),
+        ("entity: Y1, is_a: position", "entity: Y1, is_a: number", False),
+        ("entity: Y1, text: {draw: side}", "entity: Y1, text: c", False),
+        ("entity: Y1, text: {draw: side}", "entity: Y1, text: b", True),
+        ("entity: Y1, text: a", "entity: Y1, text: a, negate: true", False),
+        ("entity: Y1, text: a", "entity: Y1, text: b, negate: true", True),
+    ],
+)
+def test_a_robot_has_said_one_thing_last(one, other, both_can):
+    assert bool(found(rule("a", TOLD % one) + rule("b", TOLD % other))) == both_can
+
+
 def test_the_edge_itself_says_where_its_entity_is():
     into_blue = "{trigger: enters, entity: ball, zone: blue_goal}"
     asked = "{condition: in_zone, entity: %s, zone: %s}"
@@ -186,3 +225,23 @@ def test_of_a_step_that_each_stands_for_any_of_them_may_be_meant():
     over = rule("a", AT % ("way", "each"), more="for_each: sides, ")
     assert found(over + rule("b", AT % ("way", "right")))
     assert not found(over.replace("sides", "left") + rule("b", AT % ("way", "right")))
+
+
+FLAGS = (
+    "obstacles: {f: {shape: cylinder, centre_m: [0, 0.6], radius_m: 0.02, movable: true}, "
+    "g: {shape: cylinder, centre_m: [0, -0.6], radius_m: 0.02, movable: true}}\n"
+)
+TAKES = (
+    "{for_each: %s, exclusive: one, triggers: [{trigger: touches, entity: each, other: %s}], "
+    "actions: [{action: hold, entity: other, for_s: 1}], says: T.}"
+)
+
+
+@pytest.mark.parametrize(("first", "warned"), [("yellow", False), ("Y1", True)])
+def test_rules_that_each_stop_themselves_need_not_meet(first, warned):
+    # Where a flag is touched by two at once, the second of them is stopped, whatever other rules share the group.
+    rules = f"rules: {{a: {TAKES % ('f', first)}, b: {TAKES % ('g', 'blue' if first == 'yellow' else 'B1')}}}\n"
+    loaded = load_text(
+        "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n" + FLAGS + rules
+    )
+    assert ("exclusive_never_meets" in {one.kind for one in lint(loaded)}) is warned

@@ -25,7 +25,7 @@ def found(more: str, *kinds: str) -> list[str]:
         (
             "text: 'a '",
             (
-                "rules.r.triggers[0] (tells).text: 'a ' is never heard: a message has single blanks between its words, and none "
+                "rules.r.triggers[0] (tells).text: 'a ' is heard otherwise: with single blanks between its words, and none "
                 "at its ends"
             ),
         ),
@@ -75,13 +75,52 @@ def test_who_cannot_tell_anything_is_named(where, more):
     [
         ("is_a: number", None),
         ("is_a: position", "placeholder_never_filled"),
-        ("text: hello", "placeholder_at_times_empty"),
+        ("text: [hello, 3]", "placeholder_at_times_empty"),
+        ("text: hello", "placeholder_never_filled"),
+        ("text: [1, '2']", None),
+        ("text: {draw: number}", None),
+        ("text: {draw: colour}", "placeholder_never_filled"),
     ],
 )
 def test_a_number_in_a_sentence_must_be_told(trigger, kind):
     rule = RULE.replace("says: Told.", "says: '{entity} tells {measured}.'") % trigger
-    kinds = {one.kind for one in lint(load_text(HEAD + rule)) if "placeholder" in one.kind}
+    draws = "draws: {number: {values: [1, 2]}, colour: {values: [red, green]}}\n"
+    kinds = {one.kind for one in lint(load_text(HEAD + draws + rule)) if "placeholder" in one.kind}
     assert kinds == ({kind} if kind else set())
+
+
+@pytest.mark.parametrize(
+    ("wanted", "reason"),
+    [
+        ("text: far, is_a: number", "'far' is no number"),
+        ("text: [2, 3], is_a: position", "none of 2, 3 is a position"),
+        ("text: 10000000000", "10000000000 is too large to be heard as a number"),
+        ("text: {draw: odd}", "none of 'a  b', ' c' is ever heard"),
+        ("text: [far, 2], is_a: number", None),
+        ("text: '0.1, 0.2', is_a: position", None),
+        ("text: {draw: odd}, is_a: number", "none of 'a  b', ' c' is a number"),
+        ("text: {draw: sure}", None),
+    ],
+)
+def test_what_no_message_can_be_is_never_heard(wanted, reason):
+    draws = "draws: {odd: {values: ['a  b', ' c']}, sure: {values: [true, false]}}\n"
+    asked = RULE.replace("actions", "conditions: [{condition: told, entity: Y1, %s}], actions") % ("", wanted)
+    for rule, where in ((RULE % wanted, "triggers[0] (tells)"), (asked, "conditions[0] (told)")):
+        told = found(draws + rule.replace("tells, }", "tells}"), "never_heard")
+        assert [one.partition(": ")[0] for one in told] == ([f"rules.r.{where}"] if reason else [])
+        assert not reason or reason in told[0]
+
+
+def test_where_nobody_hears_the_referee_it_has_no_channel():
+    deaf = "kits: {v2: {devices: {supervisor receiver: null}}}\n"
+    (told,) = found(deaf + RULE % "entity: Y1", "never_heard")
+    assert "the referee has no channel: no robot and no kit has a supervisor_receiver; give one of them one" in told
+
+
+def test_the_broadcast_asks_in_vain_of_whom_nobody_hears():
+    more = "robots: {Y2: {without: [team emitter]}}\nbroadcast: {fields: {a: {told: Y1}, b: {told: Y2}}}\n"
+    (told,) = found(more, "never_heard")
+    assert told.startswith("broadcast.fields.b.told: none of 'Y2' can tell the referee anything")
 
 
 def test_with_another_trigger_that_measures_it_may_stay_empty():

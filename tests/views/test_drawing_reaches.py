@@ -9,6 +9,7 @@ from itertools import pairwise
 import pytest
 
 from rcj_challenges.scenario.load import load_text
+from rcj_challenges.scenario.models.places import RectZone
 from rcj_challenges.views.drawing import draw_scenario
 from rcj_challenges.views.drawing.around import lines_around, measure
 
@@ -117,6 +118,13 @@ def test_the_line_around_a_place_is_all_that_is_as_far_from_it(name):
         for y in (bottom + 0.05 * k for k in range(1, round((top - bottom) / 0.05))):
             if abs(away_m(x, y) - FAR_M) < 0.02:
                 assert min(math.dist((x, y), one) for one in drawn_points) < 0.035
+
+
+def test_a_zone_that_reaches_for_miles_is_followed_on_the_paper_only():
+    # The picture of one of 400 km would have taken minutes, and all memory.
+    zone = RectZone(shape="rect", x_min_m=0.3, x_max_m=2e5, y_min_m=-2e5, y_max_m=2e5)
+    ((start, end),) = lines_around(zone, FAR_M, PAPER)
+    assert sorted((start, end)) == [pytest.approx((0.23, y), abs=0.011) for y in (-HALF_LENGTH_M, HALF_LENGTH_M)]
 
 
 def finely(line: list[tuple[float, float]]) -> list[tuple[float, float]]:

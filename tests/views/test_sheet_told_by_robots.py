@@ -14,6 +14,7 @@ OPEN = "What programs can tell the referee"
         ("entity: Y1", "When the referee hears a message from Y1"),
         ("text: FOUND", "When the referee hears “FOUND” from one of the robots"),
         ("text: [2, two]", "When the referee hears 2 or “two” from one of the robots"),
+        ("text: [blue_door]", "When the referee hears “blue_door” from one of the robots"),
         ("text: {draw: colour}", "When the referee hears what was drawn as “colour” from one of the robots"),
         ("entity: yellow, is_a: number", "When the referee hears a number from one of the yellow robots"),
         ("entity: Y1, is_a: position", "When the referee hears a position (two numbers, x and y in m) from Y1"),
@@ -29,8 +30,8 @@ def test_what_is_heard_is_said(trigger, words):
     [
         ("entity: Y1", "Y1 is heard by the referee before"),
         ("entity: Y1, negate: true", "Y1 is not heard by the referee before"),
-        ("entity: yellow, text: GO, of: all", "all of the yellow robots are last heard to say “GO”"),
-        ("entity: Y1, is_a: number, negate: true", "Y1 is not last heard to say a number"),
+        ("entity: yellow, text: GO, of: all", "all of the yellow robots have “GO” as the last message told"),
+        ("entity: Y1, is_a: number, negate: true", "Y1 does not have a number as the last message told"),
     ],
 )
 def test_what_was_heard_last_is_said(condition, words):
@@ -53,3 +54,4 @@ def test_programs_learn_on_which_channel_they_are_heard_and_who_has_no_emitter()
     assert "The referee hears what B1, B2, B3 and Y3 send with the team emitter on channel 1: text of up to 200" in told
     assert "emitter.setChannel(1)" in told
     assert OPEN not in sheet("")
+    assert OPEN not in sheet(rule + "entrants: {blue: null, yellow: null}\n")  # nobody tells anything

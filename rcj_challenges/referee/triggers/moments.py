@@ -35,8 +35,11 @@ def time_reached(model: models.TimeReached, rule: StandingRule, position: int, w
 
 def event(model: models.OnEvent, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires one tick after an event was emitted."""
-    listeners = workshop.moments.events.setdefault(model.event, [])
-    listeners.append(workshop.listener(rule, position, model.trigger))
+    events, names = workshop.moments.events, workshop.roster.entities
+    about = (None,) if model.entity is None else workshop.entities(model.entity, rule.each)
+    for entity in about:
+        whom = None if entity is None else names[entity]
+        events.setdefault((model.event, whom), []).append(workshop.listener(rule, position, model.trigger, entity))
 
 
 def program_fault(model: models.ProgramFault, rule: StandingRule, position: int, workshop: Workshop) -> None:

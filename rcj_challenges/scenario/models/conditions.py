@@ -178,7 +178,7 @@ class Message(Strict):
         "without the blanks around it; left out: anything",
     )
     is_a: Literal["number", "position"] | None = described(
-        None, "number: it must be one number; position: two numbers, x and y in m; left out: anything"
+        None, "number: it must be one number; position: two numbers, x and y in m, 10 at most; left out: anything"
     )
 
 

@@ -172,11 +172,18 @@ class SequenceBroken(Grown):
     entity: Names | None = described(None, _WHOSE_SEQUENCE)
 
 
-class OnEvent(Strict):
+class OnEvent(Grown):
     """Fires one tick after an event was emitted."""
+
+    later_keys = frozenset({"entity"})
 
     trigger: Literal["event"]
     event: EventName = described(..., "the event")
+    entity: Names | None = described(
+        None,
+        "only if it is about this one (whom the rule that emits it is for, or its trigger found): an entity, a group "
+        "(any of them), or each; left out: whoever it is about",
+    )
 
 
 class ProgramFault(Strict):

@@ -51,12 +51,28 @@ def _pieces(place: Zone | Gate, far_m: float, paper: Box) -> Iterator[tuple[list
     corners = _corners(place, far_m, paper)
     for a, b in zip(corners, (*corners[1:], *corners[:1]), strict=True):
         length = math.dist(a, b)
-        steps = max(1, math.ceil(length / _STEP_M))
         for side in (1, -1):
             dx, dy = side * far_m * (b[1] - a[1]) / length, side * far_m * (a[0] - b[0]) / length
-            shares = [k / steps for k in range(steps + 1)]
-            yield [(a[0] + s * (b[0] - a[0]) + dx, a[1] + s * (b[1] - a[1]) + dy) for s in shares], True
+            yield _straight((a[0] + dx, a[1] + dy), (b[0] + dx, b[1] + dy), paper), True
         yield _circle(a, far_m), False
+
+
+def _straight(a: Point, b: Point, paper: Box) -> list[Point]:
+    """Return points of a segment as far as it lies on the paper: a zone may reach for miles."""
+    left, bottom, right, top = paper
+    first, last = 0.0, 1.0
+    for at, to, low, high in ((a[0], b[0], left, right), (a[1], b[1], bottom, top)):
+        if at == to:
+            if not low <= at <= high:
+                return []
+            continue
+        ends = sorted(((low - at) / (to - at), (high - at) / (to - at)))
+        first, last = max(first, ends[0]), min(last, ends[1])
+    if first > last:
+        return []
+    steps = max(1, math.ceil(math.dist(a, b) * (last - first) / _STEP_M))
+    shares = [first + k / steps * (last - first) for k in range(steps + 1)]
+    return [(a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])) for share in shares]
 
 
 def _corners(place: Zone | Gate, far_m: float, paper: Box) -> list[Point]:

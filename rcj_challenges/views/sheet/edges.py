@@ -122,7 +122,7 @@ def _said(nouns: Nouns, message: Any) -> str:
         return value(nouns, message.text)
     if message.text is not None:
         wanted = message.text if isinstance(message.text, tuple) else (message.text,)
-        return listed([number(one) if isinstance(one, int | float) else quoted(one) for one in wanted], "or")
+        return listed([number(one) if isinstance(one, int | float) else f"“{one}”" for one in wanted], "or")
     return {None: "", "number": "a number", "position": "a position (two numbers, x and y in m)"}[message.is_a]
 
 
@@ -132,7 +132,9 @@ def _hears(nouns: Nouns, t: Any) -> str:
 
 def _heard(nouns: Nouns, c: Any) -> str:
     said = _said(nouns, c)
-    return _is(nouns, c, c.entity, f"last heard to say {said}" if said else "heard by the referee before")
+    if not said:
+        return _is(nouns, c, c.entity, "heard by the referee before")
+    return f"{nouns.quantified(c.of, c.entity, negate=c.negate).does('has', 'have')} {said} as the last message told"
 
 
 def _any_of(nouns: Nouns, c: Any) -> str:
@@ -207,7 +209,7 @@ TRIGGERS: dict[str, Callable[[Nouns, Any], str]] = {
     "tips_over": lambda n, t: f"{n.any_of(t.entity)} tilts by more than {number(round(t.angle_rad * 57.29578))}°",
     "sequence_completed": lambda n, t: f"{_sequence(n, t)} is complete",
     "sequence_broken": lambda n, t: f"{_sequence(n, t)} is broken",
-    "event": lambda _, t: f"{t.event} was announced",
+    "event": lambda n, t: f"{t.event} was announced" + (f" of {n.any_of(t.entity)}" if t.entity else ""),
     "tells": _hears,
     "program_fault": lambda n, t: f"{n.owned('program', t.robot)} fails",
     "holds": _holds,

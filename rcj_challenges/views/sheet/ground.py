@@ -29,7 +29,11 @@ def field_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     yield from _remembered(nouns)
     yield from _balls(nouns)
     if scenario.obstacles:
-        yield Paragraph("Obstacles; the place is where the centre stands at the start of a half, x and y in m:")
+        movable = any(getattr(obstacle, "movable", False) for obstacle in scenario.obstacles.values())
+        unless = ", if no rule puts it elsewhere" if movable else ""
+        yield Paragraph(
+            f"Obstacles; the place is where the centre stands at the start of a half{unless}, x and y in m:"
+        )
         colours = any(map(_colour_given, scenario.obstacles.values()))
         rows = tuple(_obstacle_row(name, obstacle, colours=colours) for name, obstacle in scenario.obstacles.items())
         yield Table(

@@ -121,7 +121,8 @@ def _kept_words(nouns: Nouns, kind: str, name: str) -> str:
 
 
 def _draw_words(nouns: Nouns, name: str, draw: Draw) -> str:
-    values = listed([plain(value(nouns, entry)) for entry in draw.values], "or")
+    # As they are written: a program may be told them, or have to tell them.
+    values = listed([value(nouns, entry) for entry in draw.values], "or")
     again = ", never the same twice running" if draw.not_last else ""
     if draw.not_again is not None:
         where = "in a half" if draw.not_again == "half" else "in the match"

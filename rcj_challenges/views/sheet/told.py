@@ -140,12 +140,13 @@ def _exactly(scenario: Scenario, entry: object) -> str:
 
 def _to_referee(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     """Return how robots tell the referee something, and which of them can."""
-    yield Heading(2, "What programs can tell the referee")
     by_channels: dict[tuple[int, ...], list[str]] = {}
     for name in robots_that_speak(scenario):
         channels = listening_channels(scenario, devices_of(scenario, name).values())
         if channels:
             by_channels.setdefault(channels, []).append(name)
+    if by_channels:
+        yield Heading(2, "What programs can tell the referee")
     for channels, names in by_channels.items():
         who = nouns.all_of(tuple(names)).text
         where = listed([str(channel) for channel in channels], "or")
