@@ -19,11 +19,12 @@ from rcj_challenges.referee.rules import Occasion, StandingRule
 from rcj_challenges.referee.sequences import sequence_watches
 from rcj_challenges.referee.setting_down import Job
 from rcj_challenges.referee.state import Clock, Number
-from rcj_challenges.referee.values import compile_points, compile_value
+from rcj_challenges.referee.values import compile_points, compile_value, counter_reader
 from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.models import actions as models
+from rcj_challenges.scenario.models.base import LONGEST_S
 from rcj_challenges.scenario.models.places import Mirror
-from rcj_challenges.scenario.models.state import DrawValue, ToldValue
+from rcj_challenges.scenario.models.state import CounterValue, DrawValue, ToldValue
 
 Act = Callable[[Occasion], None]
 
@@ -238,7 +239,7 @@ def _ask(workshop: Workshop, jobs: list[Job]) -> None:
 def remove(model: models.Remove, workshop: Workshop, rule: StandingRule) -> Act:
     """Take entities off the field, for a time or until something places them."""
     state, queue = workshop.state, workshop.queue
-    away = None if model.for_s is None else ticks_from_s(model.for_s)
+    away = None if model.for_s is None else _staying(model.for_s, workshop, rule)
     back = models.Place(action="place", entity=model.entity, at=model.back_at, facing=model.facing)
     returns = {
         entity: compile_putting(
@@ -251,7 +252,7 @@ def remove(model: models.Remove, workshop: Workshop, rule: StandingRule) -> Act:
         for entity, putting in returns.items():
             queue.ask(Job(entity, None, rule))
             if away is not None:
-                queue.ask_later(Job(entity, putting, rule, due=state.tick + away, comes_back=True))
+                queue.ask_later(Job(entity, putting, rule, due=state.tick + max(1, away()), comes_back=True))
 
     return act
 
@@ -259,8 +260,25 @@ def remove(model: models.Remove, workshop: Workshop, rule: StandingRule) -> Act:
 def hold(model: models.Hold, workshop: Workshop, rule: StandingRule) -> Act:
     """Hold robots, for a time or until something lets them go."""
     state, robots = workshop.state, workshop.entities(model.entity, rule.each)
-    lasts = inf if model.for_s is None else ticks_from_s(model.for_s)
-    return lambda _occasion: state.held.hold(robots, state.tick + lasts)
+    if model.for_s is None:
+        return lambda _occasion: state.held.hold(robots, inf)
+    lasts = _staying(model.for_s, workshop, rule)
+
+    def act(_occasion: Occasion) -> None:
+        ticks = lasts()
+        if ticks > 0:
+            state.held.hold(robots, state.tick + ticks)
+
+    return act
+
+
+def _staying(for_s: Any, workshop: Workshop, rule: StandingRule) -> Callable[[], int]:
+    """Return what reads how many ticks something lasts: a number, or what a draw or a counter says now."""
+    if isinstance(for_s, CounterValue):
+        read = counter_reader(for_s, workshop, rule.each)
+        # A counter may be anything: to end a match as a fault because a penalty was reckoned too far helps nobody.
+        return lambda: ticks_from_s(min(max(0.0, read()), LONGEST_S))
+    return lambda: workshop.state.lasting_ticks(for_s)
 
 
 def release(model: models.Release, workshop: Workshop, rule: StandingRule) -> Act:

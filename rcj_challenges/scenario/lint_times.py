@@ -13,7 +13,7 @@ from rcj_challenges.scenario.models.actions import Hold, Remove
 from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.conditions import Condition, HalfIs
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.models.state import DrawnDuration, Phase, Timer
+from rcj_challenges.scenario.models.state import CounterValue, DrawnDuration, Phase, Timer
 from rcj_challenges.scenario.models.triggers import Holds, NoProgress, StaysIn, TimeReached, Touches
 from rcj_challenges.scenario.tree import Path
 
@@ -136,16 +136,18 @@ def _limits(model: Strict, scenario: Scenario) -> Iterator[tuple[str, float, boo
             yield _lasting(model.lasts_s, scenario, "it never expires")
         case Phase() if model.lasts_s is not None:
             yield _lasting(model.lasts_s, scenario, "the phase never ends by itself")
-        case Remove() if model.for_s is not None:
-            yield "for_s", model.for_s, False, "what is taken off does not come back"
-        case Hold() if model.for_s is not None:
-            yield "for_s", model.for_s, False, "who is held stays so until the half ends"
+        case Remove(for_s=for_s) if for_s is not None and not isinstance(for_s, CounterValue):
+            yield _lasting(for_s, scenario, "what is taken off does not come back", "for_s")
+        case Hold(for_s=for_s) if for_s is not None and not isinstance(for_s, CounterValue):
+            yield _lasting(for_s, scenario, "who is held stays so until the half ends", "for_s")
         case Rule() if model.cooldown_s is not None:
             yield "cooldown_s", model.cooldown_s, False, "the rule fires once (max_executions: 1 says so)"
 
 
-def _lasting(lasts_s: float | DrawnDuration, scenario: Scenario, consequence: str) -> tuple[str, float, bool, str]:
+def _lasting(
+    lasts_s: float | DrawnDuration, scenario: Scenario, consequence: str, key: str = "lasts_s"
+) -> tuple[str, float, bool, str]:
     """Return the same of what lasts a time: of one that is drawn the longest."""
     if isinstance(lasts_s, DrawnDuration):
-        return "lasts_s", max(lengths_s(lasts_s, scenario)), False, f"{consequence} when that is drawn"
-    return "lasts_s", lasts_s, False, consequence
+        return key, max(lengths_s(lasts_s, scenario)), False, f"{consequence} when that is drawn"
+    return key, lasts_s, False, consequence

@@ -54,6 +54,38 @@ class TestActionHold:
         play.touch("Y1", "ball")
         assert list(held(play, 30)) == list(range(1, 11))
 
+    @pytest.mark.parametrize(("value", "ticks"), [("0.32", 10), ("0", 0), ("-1", 0), ("0.001", 1), ("1000000", 200)])
+    def test_a_counter_says_how_long_when_it_is_read(self, stage, value, ticks):
+        play = stage(
+            f"counters: {{penalty_s: {{initial: {value}}}}}",
+            "rules: {r: {triggers: [{trigger: program_fault, robot: Y1}], "
+            "actions: [{action: hold, entity: Y1, for_s: {counter: penalty_s}}, {action: count, counter: penalty_s, to: 9}]}}",
+        )
+        play.fail("Y1")
+        assert len(held(play, 200)) == ticks
+
+    def test_of_each_its_own_counter_and_a_penalty_grows(self, stage):
+        play = stage(
+            "counters: {mistakes: {per: robots}}",
+            "rules: {r: {for_each: robots, triggers: [{trigger: program_fault, robot: each}], actions: "
+            "[{action: count, counter: mistakes, entity: each}, "
+            "{action: hold, entity: each, for_s: {counter: mistakes, entity: each}}]}}",
+        )
+        lasting = []
+        for robot in ("Y1", "Y1", "B2"):
+            play.fail(robot)
+            lasting.append(len(held(play, 100)))
+        assert lasting == [32, 63, 32]  # 1 s, 2 s and 1 s, rounded up to ticks
+
+    def test_a_draw_says_how_long(self, stage):
+        play = stage(
+            "draws: {penalty_s: {values: [0.64, 0.64]}}",
+            "rules: {r: {triggers: [{trigger: program_fault, robot: Y1}], "
+            "actions: [{action: hold, entity: Y1, for_s: {draw: penalty_s}}]}}",
+        )
+        play.fail("Y1")
+        assert len(held(play, 100)) == 20
+
     @pytest.mark.parametrize("first", ["walls", "ball"])
     def test_of_two_ends_the_later_one_counts(self, play, first):
         play.touch("Y1", first)

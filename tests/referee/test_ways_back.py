@@ -119,3 +119,15 @@ def test_more_than_two_seconds_outside_the_penalty_area_begin_anew(back_at_s, ca
     test += f"{{at_s: {back_at_s}, place: {{B1: [0, 0.65]}}}}], lasts_s: 15.8, score: {{blue: 0}}}}"
     trial = try_expectation(load("match", ["robot_progress_s=60", f"expect.it={test}"]), "it")
     assert ("inside_penalty_area_too_long" in trial.fired) is called
+
+
+@pytest.mark.parametrize(("value", "back"), [("0.64", 20), ("0", 1), ("-3", 1)])
+def test_a_counter_says_when_it_comes_back(stage, value, back):
+    play = stage(
+        f"counters: {{away_s: {{initial: {value}}}}}",
+        "rules: {r: {triggers: [{trigger: program_fault, robot: Y1}], "
+        "actions: [{action: remove, entity: Y1, for_s: {counter: away_s}}]}}",
+    )
+    play.fail("Y1")
+    play.play(100)
+    assert [(tick, placed.parked) for tick, placed in play.placements if tick] == [(1, True), (1 + back, False)]

@@ -251,12 +251,13 @@ MEANS = "A robot that is held still stands with braked wheels, whatever its prog
     [
         ("hold, entity: Y1, for_s: 5", "Y1 is held still for 5 s"),
         ("hold, entity: Y1", "Y1 is held still until it is let go"),
+        ("hold, entity: Y1, for_s: {counter: n}", "Y1 is held still for as many s as the counter “n” says"),
         ("hold, entity: yellow", "the yellow robots are held still until they are let go"),
         ("release, entity: [Y1, B1]", "Y1 and B1 are let go"),
     ],
 )
 def test_who_is_held_for_how_long_and_who_is_let_go(action, said):
-    assert sentence(HOLD % action) == f"When Y1 touches the ball: {said}."
+    assert sentence(HOLD % action, "counters: {n: {}}\n") == f"When Y1 touches the ball: {said}."
 
 
 @pytest.mark.parametrize(

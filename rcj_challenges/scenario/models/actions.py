@@ -5,7 +5,6 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from rcj_challenges.scenario.models.base import (
-    DurationS,
     EventName,
     Grown,
     Name,
@@ -17,7 +16,7 @@ from rcj_challenges.scenario.models.base import (
     described,
 )
 from rcj_challenges.scenario.models.places import At, Facing, Kick, MayKick, Mirror
-from rcj_challenges.scenario.models.state import DrawValue, Points, ToldValue, Value
+from rcj_challenges.scenario.models.state import DrawValue, Points, Stay, ToldValue, Value
 
 
 class LastToucher(Strict):
@@ -157,7 +156,11 @@ class Remove(Strict):
 
     action: Literal["remove"]
     entity: Names = described(..., "what is taken off: entities, groups, or each")
-    for_s: DurationS | None = described(None, "it comes back after this time, in s; left out: when a rule places it")
+    for_s: Stay | None = described(
+        None,
+        "it comes back after this time, in s: a number, {draw: NAME} or {counter: NAME}, read in that moment; left "
+        "out: when a rule places it",
+    )
     back_at: At = described("start", "where it comes back to")
     facing: Facing = described("start", "which way it looks when it comes back")
 
@@ -172,10 +175,11 @@ class Hold(Strict):
 
     action: Literal["hold"]
     entity: Names = described(..., "who is held: robots, groups, or each")
-    for_s: DurationS | None = described(
+    for_s: Stay | None = described(
         None,
-        "how long, in s, also while it is off the field; left out: until a rule lets it go (release); who is held "
-        "already stays so until the later of the two ends",
+        "how long, in s, also while it is off the field: a number, {draw: NAME} or {counter: NAME}, read in that "
+        "moment (0 or less: not at all); left out: until a rule lets it go (release); who is held already stays so "
+        "until the later of the two ends",
     )
 
 

@@ -384,6 +384,21 @@ def _which_bound(value: Any) -> str:
     return "highest" if isinstance(value, HighestOfOthers) else "number"
 
 
+def _which_stay(value: Any) -> str:
+    if isinstance(value, dict):
+        return "counter" if "counter" in value else "draw"
+    return "counter" if isinstance(value, CounterValue) else "draw" if isinstance(value, DrawnDuration) else "number"
+
+
+Stay = Annotated[
+    Annotated[DurationS, Tag("number")]
+    | Annotated[DrawnDuration, Tag("draw")]
+    | Annotated[CounterValue, Tag("counter")],
+    Discriminator(_which_stay),
+]
+"""How long a rule holds a robot, or takes something off the field."""
+
+
 Bound = Annotated[
     Annotated[int | float, Tag("number")]
     | Annotated[CounterValue, Tag("counter")]

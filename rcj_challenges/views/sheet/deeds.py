@@ -11,7 +11,7 @@ from rcj_challenges.scenario.models.actions import LastToucher
 from rcj_challenges.scenario.models.state import CounterValue, ToldValue
 from rcj_challenges.views.sheet.mirrored import mirrored_aim_words, mirrored_layout_words, mirrored_words
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
-from rcj_challenges.views.sheet.phrases import amount, heading, metres, number, seconds, value
+from rcj_challenges.views.sheet.phrases import amount, heading, lasting, metres, number, value
 
 
 def action_words(nouns: Nouns, action: Any) -> str:
@@ -149,13 +149,20 @@ def _remove(nouns: Nouns, action: Any) -> str:
     if not action.for_s:
         return gone
     back = put_words(nouns, action.back_at, plural=who.plural)
-    return f"{gone} and after {seconds(action.for_s)} {back}{_facing(nouns, action, action.back_at, plural=who.plural)}"
+    facing = _facing(nouns, action, action.back_at, plural=who.plural)
+    return f"{gone} and after {_stay(nouns, action.for_s)} {back}{facing}"
 
 
 def _hold(nouns: Nouns, action: Any) -> str:
     who = nouns.all_of(action.entity)
-    lasts = f"for {seconds(action.for_s)}" if action.for_s else f"until {'they are' if who.plural else 'it is'} let go"
+    until = f"until {'they are' if who.plural else 'it is'} let go"
+    lasts = until if action.for_s is None else f"for {_stay(nouns, action.for_s)}"
     return f"{who.does('is', 'are')} held still {lasts}"
+
+
+def _stay(nouns: Nouns, for_s: Any) -> str:
+    """Return how long something lasts: ``5 s``, or ``as many s as the counter “penalty” says``."""
+    return f"as many s as {amount(nouns, for_s)} says" if isinstance(for_s, CounterValue) else lasting(nouns, for_s)
 
 
 def _count(nouns: Nouns, action: Any) -> str:
