@@ -45,7 +45,8 @@ def validate_files(
             code = max(code, 1 if strict and findings else 0)
             if not as_json:
                 warned = f"; {_count(len(findings), 'warning')}" if findings else ""
-                say(f"ok  {path}: {_summary(loaded)}{warned}", sys.stdout)
+                verdict = "no" if strict and findings else "ok"
+                say(f"{verdict}  {path}: {_summary(loaded)}{warned}", sys.stdout)
                 for finding in findings:
                     say(str(finding), sys.stderr)
         reports.append(report)

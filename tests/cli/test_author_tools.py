@@ -68,8 +68,10 @@ class TestValidate:
         assert done.stderr.strip().endswith("[event_without_a_sentence]")
 
     def test_strict_makes_a_warning_a_failure(self, written):
-        assert call("validate", "--strict", written(("    says: A goal.\n", ""))).exit_code == 1
-        assert call("validate", "--strict", written()).exit_code == 0
+        warned = call("validate", "--strict", written(("    says: A goal.\n", "")))
+        assert (warned.exit_code, warned.stdout[:4]) == (1, "no  ")
+        fine = call("validate", "--strict", written())
+        assert (fine.exit_code, fine.stdout[:4]) == (0, "ok  ")
 
     def test_a_mistake_outweighs_a_warning(self, written):
         silent = written(("    says: A goal.\n", ""))
