@@ -12,12 +12,12 @@ from rcj_challenges.checker.findings import Finding, Stage
 from rcj_challenges.checker.others import looks_like, others_that_fit
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, rehearse
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.devices.fitting import devices_of
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.robots import Device
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.scenario.resources import presets_folder
 
 _TICKS = 4

@@ -13,6 +13,7 @@ from rcj_challenges.scenario.heard import referee_listens
 from rcj_challenges.scenario.models import robots as models
 from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.scenario.roster import Roster
 
 RADIO_RANGE_M = 10.0
@@ -160,13 +161,6 @@ def driven_robots(scenario: Scenario, roster: Roster) -> tuple[int, ...]:
     named = {name for entrant in scenario.entrants.values() for name in entrant.robots}
     robots = roster.entities[: roster.robots]
     return tuple(i for i, name in enumerate(robots) if name in named and not scenario.robots[name].idle)
-
-
-def devices_of(scenario: Scenario, robot_name: str) -> dict[str, models.Device]:
-    """Return the devices of a robot by name: its kit's without those it lacks, then replaced or added ones."""
-    robot = scenario.robots[robot_name]
-    devices = {name: device for name, device in scenario.kits[robot.kit].devices.items() if name not in robot.without}
-    return devices | robot.devices
 
 
 def fit(scenario: Scenario, roster: Roster) -> list[Fitted]:

@@ -100,6 +100,8 @@ class RadioRoom:
 
     def told_referee(self, tick: int, poses: Poses) -> tuple[tuple[int, str], ...]:
         """Return what the referee hears at ``tick``: of each robot on the field its next message that has arrived."""
+        if not self._referees:  # as in all matches
+            return ()
         heard: dict[int, str] = {}
         for robot, device in self._referees:
             emitter = self._emitters[robot, device]

@@ -8,7 +8,6 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Protocol, Self
 
-from rcj_challenges.devices.fitting import devices_of
 from rcj_challenges.facts.play import Fault, HalfInfo
 from rcj_challenges.facts.traffic import Observation, Request, RobotSpec
 from rcj_challenges.match.half import Driver
@@ -17,6 +16,7 @@ from rcj_challenges.records.sensors import SensedRobot, SensorWriter
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.robots import BallReceiverDevice
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.own_devices import devices_of
 
 _READ_BYTES = 1 << 16
 

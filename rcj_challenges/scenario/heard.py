@@ -9,6 +9,7 @@ from rcj_challenges.scenario.models.robots import SupervisorReceiverDevice, Team
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import DrawValue, ToldValue
 from rcj_challenges.scenario.models.triggers import Tells
+from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.scenario.visiting import visit
 
 _LISTENING = (Tells, Told, ToldValue)
@@ -28,7 +29,9 @@ def robots_that_speak(scenario: Scenario) -> list[str]:
     return [
         name
         for name, robot in scenario.robots.items()
-        if name in driven and not robot.idle and _has_emitter(scenario, name)
+        if name in driven
+        and not robot.idle
+        and any(isinstance(device, TeamEmitterDevice) for device in devices_of(scenario, name).values())
     ]
 
 
@@ -59,9 +62,3 @@ def can_be_heard(said: Scalar) -> bool:
     """Return whether a value can be what a message says: without odd blanks, and no number beyond all bounds."""
     text = as_said(said)
     return is_said(message_text(text.encode()), said)
-
-
-def _has_emitter(scenario: Scenario, name: str) -> bool:
-    robot = scenario.robots[name]
-    of_kit = (device for key, device in scenario.kits[robot.kit].devices.items() if key not in robot.without)
-    return any(isinstance(device, TeamEmitterDevice) for device in (*of_kit, *robot.devices.values()))

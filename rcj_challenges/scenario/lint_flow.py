@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lives_in
 from rcj_challenges.scenario.models.actions import Emit, Score
-from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.scenario import Expectation, RankByScore, Rule
 from rcj_challenges.scenario.models.state import WordValue
 from rcj_challenges.scenario.models.triggers import (
@@ -171,7 +170,7 @@ def check_events_of_one(subject: Subject) -> Iterator[Suspect]:
             if isinstance(action, Emit):
                 emitters.setdefault(action.event, []).append(rule)
     for name, rule in subject.standing():
-        if rule.for_each is None or any("each" in _texts(model) for model, _ in visit(rule.conditions)):
+        if rule.for_each is None or _names_each(rule.conditions):
             continue
         members = subject.members("each", rule) & {*subject.roster.entities}
         for index, trigger in enumerate(rule.triggers):
@@ -188,21 +187,15 @@ def check_events_of_one(subject: Subject) -> Iterator[Suspect]:
                 )
 
 
-def _texts(model: Strict) -> set[str]:
-    """Return the texts in the fields of a model, among them all names."""
-    values = (getattr(model, field) for field in type(model).model_fields)
-    several = (value if isinstance(value, tuple) else (value,) for value in values)
-    return {one for value in several for one in value if isinstance(one, str)}
-
-
 def _key_of(rule: Rule, subject: Subject) -> str:
     """Return under which key the members of ``for_each`` are named."""
     (first, *_), scenario = sorted(subject.members("each", rule)), subject.scenario
     return "gate" if first in scenario.gates else "zone" if first in scenario.zones else "entity"
 
 
-def _names_each(rule: Rule) -> bool:
-    for model, _ in visit(rule):
+def _names_each(part: object) -> bool:
+    """Return whether a rule, or a part of one, names ``each`` or tells of it."""
+    for model, _ in visit(part):
         if isinstance(model, WordValue) and model.word in _OF_EACH and model.of is None:
             return True
         for field in type(model).model_fields:

@@ -1,10 +1,19 @@
-"""A robot's own devices that change one of its kit's: what they leave out is as in the kit."""
+"""What a robot carries: its kit's devices, and its own; of its own what they leave out is as in the kit."""
 
 from __future__ import annotations
 
+from rcj_challenges.scenario.models.robots import Device
+from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.tree import Entries, Leaf, Node
 
 _KIND = "device"
+
+
+def devices_of(scenario: Scenario, robot_name: str) -> dict[str, Device]:
+    """Return the devices of a robot by name: its kit's without those it lacks, then replaced or added ones."""
+    robot = scenario.robots[robot_name]
+    devices = {name: device for name, device in scenario.kits[robot.kit].devices.items() if name not in robot.without}
+    return devices | robot.devices
 
 
 def fill_in_devices(tree: Entries) -> None:

@@ -55,3 +55,10 @@ def test_programs_learn_on_which_channel_they_are_heard_and_who_has_no_emitter()
     assert "emitter.setChannel(1)" in told
     assert OPEN not in sheet("")
     assert OPEN not in sheet(rule + "entrants: {blue: null, yellow: null}\n")  # nobody tells anything
+
+
+def test_who_has_a_receiver_of_its_own_in_place_of_the_kits_hears_the_referee():
+    own = "robots: {Y1: {without: [supervisor receiver]%s}}\n"
+    assert "but for Y1, which has no receiver for it" in sheet(own % "")
+    receiver = ", devices: {supervisor receiver: {device: supervisor_receiver}}"
+    assert "no receiver for it" not in sheet(own % receiver)

@@ -8,6 +8,7 @@ from typing import Any
 from rcj_challenges.devices.channels import entrant_of, team_channels
 from rcj_challenges.scenario.models import robots as models
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.views.sheet.blocks import Block, Heading, Paragraph, Table
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain
 from rcj_challenges.views.sheet.phrases import degrees, metres
@@ -65,18 +66,17 @@ def _radio_channels(scenario: Scenario, owners: dict[str, str]) -> dict[str, int
     return {
         owners[name]: channels[name]
         for name, robot in scenario.robots.items()
-        if name in owners and not robot.idle and has(scenario, robot, *_RADIO)
+        if name in owners and not robot.idle and has(scenario, name, *_RADIO)
     }
 
 
 def _any_has(scenario: Scenario, kind: type[models.Device]) -> bool:
-    return any(has(scenario, robot, kind) for robot in scenario.robots.values() if not robot.idle)
+    return any(has(scenario, name, kind) for name, robot in scenario.robots.items() if not robot.idle)
 
 
-def has(scenario: Scenario, robot: models.Robot, *kinds: type[models.Device]) -> bool:
-    """Return whether a robot has a device of one of these kinds: its kit's or its own, less what it lacks."""
-    devices = {**scenario.kits[robot.kit].devices, **robot.devices}
-    return any(isinstance(device, kinds) for name, device in devices.items() if name not in robot.without)
+def has(scenario: Scenario, robot: str, *kinds: type[models.Device]) -> bool:
+    """Return whether a robot has a device of one of these kinds, its kit's or its own."""
+    return any(isinstance(device, kinds) for device in devices_of(scenario, robot).values())
 
 
 def device_words(device: models.Device, nouns: Nouns) -> str:

@@ -7,7 +7,6 @@ import struct
 from collections.abc import Iterator, Sequence
 
 from rcj_challenges.devices.channels import entrant_of, listening_channels
-from rcj_challenges.devices.fitting import devices_of
 from rcj_challenges.facts.messages import MOST_LETTERS
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.heard import referee_listens, robots_that_speak
@@ -16,6 +15,7 @@ from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.robots import Kit, SupervisorReceiverDevice
 from rcj_challenges.scenario.models.scenario import Broadcast, Scenario
 from rcj_challenges.scenario.models.state import DrawValue, PositionValue, WordValue
+from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table
 from rcj_challenges.views.sheet.machines import has
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain
@@ -46,8 +46,8 @@ def told_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
 
 def _kits_that_hear(scenario: Scenario) -> dict[str, Kit]:
     """Return the kits of the driven robots that have a receiver of the referee's packets, by name."""
-    driven = (scenario.robots[name] for name in entrant_of(scenario))
-    used = {robot.kit for robot in driven if not robot.idle and has(scenario, robot, SupervisorReceiverDevice)}
+    driven = [name for name in entrant_of(scenario) if not scenario.robots[name].idle]
+    used = {scenario.robots[name].kit for name in driven if has(scenario, name, SupervisorReceiverDevice)}
     return {name: kit for name, kit in scenario.kits.items() if name in used}
 
 
@@ -70,8 +70,8 @@ def _packet(name: str, kit: Kit, nouns: Nouns) -> Iterator[Block]:
 def _but_the_deaf(kit: str, nouns: Nouns) -> str:
     """Return which robots of a kit do not hear the referee as others of it do: a device was taken from them alone."""
     scenario = nouns.scenario
-    alike = {name: scenario.robots[name] for name in entrant_of(scenario) if scenario.robots[name].kit == kit}
-    deaf = [plain(name) for name, robot in alike.items() if not has(scenario, robot, SupervisorReceiverDevice)]
+    alike = [name for name in entrant_of(scenario) if scenario.robots[name].kit == kit]
+    deaf = [plain(name) for name in alike if not has(scenario, name, SupervisorReceiverDevice)]
     have = "have" if len(deaf) > 1 else "has"
     return f", but for {listed(deaf, 'and')}, which {have} no receiver for it," if deaf else ""
 
