@@ -6,6 +6,8 @@ from collections.abc import Iterator
 
 import pytest
 
+from tests.told_briefly import pytest_runtest_protocol  # noqa: F401 - a hook: pytest finds it here
+
 # A shell lets what it starts with `&` ignore Ctrl-C, `nohup` the end of a terminal; a process inherits what is ignored.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)

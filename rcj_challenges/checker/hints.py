@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+import struct
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 from typing import Any
@@ -28,6 +29,7 @@ _PLACE = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>[0-9]{1,7})\b', r
 _BYTE_READ_AS_JSON = re.compile(r"JSONDecodeError: .*\(char 0\)")
 _TEXT_READ_AS_BYTES = re.compile(r"a bytes-like object is required, not 'str'|'str' object has no attribute 'decode'")
 _BYTES_READ_AS_TEXT = re.compile(r"UnicodeDecodeError: ")
+_OTHER_SIZE = re.compile(r"struct\.error: unpack requires a buffer of (?P<bytes>[0-9]{1,9}) bytes")
 _READS_JSON, _READS_FILE = re.compile(r"\bloads\b"), re.compile(r"\b(open|read|read_text|read_bytes)\(")
 _READS_PACKET = re.compile(rb"\.(getData|getString|getBytes|data|string|bytes)\b")
 _READS_AS_TEXT = re.compile(r"\.(getData|getString)\(")
@@ -72,7 +74,7 @@ def hint_on(
         sandbox: ``auto``, ``strict`` or ``off``, as it was started.
     """
     if fault["kind"] == "crash":
-        return _on_messages(scenario, team, fault) or _on_names(team, fault, sandbox) or _on_typing(fault["detail"])
+        return on_messages(scenario, team, fault) or _on_names(team, fault, sandbox) or _on_typing(fault["detail"])
     if fault["kind"] == "exit" and fault["detail"].startswith(_CAME_TO_ITS_END):
         remedy = why_it_ended(team.files, PurePosixPath(team.entries[fault["robot"]]))
         return Hint(remedy) if remedy else None
@@ -81,12 +83,16 @@ def hint_on(
     return None
 
 
-def _on_messages(scenario: Scenario, team: Team, fault: dict[str, Any]) -> Hint | None:
-    """Tell of a program that was written for another version of the messages than is spoken here."""
-    if not 0 < fault["tick"] <= _FIRST_TICKS or not _any_mentions(team, re.compile(rb"supervisor receiver")):
-        return None
+def on_messages(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hint | None:
+    """Return what is behind a crash of a program that was written for other packets than the referee sends here."""
     kit = scenario.robots[fault["robot"]].kit
     messages, detail = scenario.kits[kit].messages, fault["detail"]
+    if not 0 < fault["tick"] <= _FIRST_TICKS:
+        return None
+    if messages == "2021":
+        return _on_flag(scenario, kit, detail)
+    if not _any_mentions(team, re.compile(rb"supervisor receiver")):
+        return None
     code = _code(team, _places(fault["traceback"]))
     if messages == "v2.1" and _BYTE_READ_AS_JSON.search(detail) and _is_packet_read_as_json(team, code):
         return Hint(
@@ -103,6 +109,25 @@ def _on_messages(scenario: Scenario, team: Team, fault: dict[str, Any]) -> Hint 
             ": this program seems to be written for messages v2.1",
         )
     return None
+
+
+def _on_flag(scenario: Scenario, kit: str, detail: str) -> Hint | None:
+    """Tell of a program that reads the packets of 2021 with their last byte where they have none, or the other way."""
+    told = scenario.kits[kit]
+    numbers = 3 * len(told.packet_lists) + 2 * len(scenario.balls)
+    sizes = {has_flag: struct.calcsize(f"{numbers}d{'?' * has_flag}") for has_flag in (True, False)}
+    found = _OTHER_SIZE.search(detail)
+    if found is None or int(found["bytes"]) != sizes[not told.packet_has_flag]:
+        return None
+    here, there = ("with", "without") if told.packet_has_flag else ("without", "with")
+    first_demo = " (as in the first demo of 2021)" if told.packet_has_flag else ""
+    return Hint(
+        f"the referee's packet has {found['bytes']} bytes {there} waiting_for_kickoff at its end{first_demo}, and "
+        f"{sizes[told.packet_has_flag]} {here} it, as here: if your tournament uses the other one, play with "
+        f'"--set kits.{kit}.packet_has_flag={str(not told.packet_has_flag).lower()}" (check and run); else '
+        f'{"add" if told.packet_has_flag else "leave out"} the "?" at the end of the format',
+        f": this program seems to be written for packets {there} waiting_for_kickoff",
+    )
 
 
 def _is_packet_read_as_json(team: Team, code: str) -> bool:

@@ -12,6 +12,8 @@ from rcj_challenges.cli.seating import UsageError, assignments, known, open_team
 from rcj_challenges.facts.timing import TICK_S
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from rich.console import Console
 
     from rcj_challenges.cli.live import LiveOptions
@@ -68,7 +70,7 @@ def run_scenario(options: RunOptions) -> int:
     try:
         with on_air(options.live, scenario, titles, plan.logos, plan.seed, console) as show:
             outcome = play_match(plan, watcher if show is None else Together(watcher, show.watcher))
-            _tell(options, console, scenario, outcome)
+            _tell(options, console, plan, outcome)
             if options.open and options.live is None:
                 _open_page(outcome.folder, console)
             if show is not None and options.live is not None:
@@ -114,9 +116,13 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Watcher]:
     return plan, console, watcher
 
 
-def _tell(options: RunOptions, console: Console, scenario: Scenario, outcome: PlayedMatch) -> None:
+def _tell(options: RunOptions, console: Console, plan: MatchPlan, outcome: PlayedMatch) -> None:
     """Write the replay page, and say how it ended: also if there is no room for the page."""
-    written = False
+    from rcj_challenges.cli.packets import told_of_packets
+    from rcj_challenges.records.folder import LOGS
+
+    scenario, written = plan.loaded.scenario, False
+    hints = told_of_packets(scenario, plan.teams, outcome.result["faults"], outcome.folder / LOGS)
     try:
         if options.replay:
             from rcj_challenges.views.replay import write_replay
@@ -127,7 +133,7 @@ def _tell(options: RunOptions, console: Console, scenario: Scenario, outcome: Pl
         if options.json:
             say_json({**outcome.result, "folder": str(outcome.folder)})
         else:
-            _summary(console, scenario, outcome, replay=written)
+            _summary(console, scenario, outcome, hints, replay=written)
 
 
 def _open_page(folder: Path, console: Console) -> None:
@@ -174,7 +180,7 @@ def _team_names(loaded: Loaded, options: RunOptions) -> dict[str, str]:
     return names
 
 
-def _summary(console: Console, scenario: Scenario, outcome: PlayedMatch, *, replay: bool) -> None:
+def _summary(console: Console, scenario: Scenario, outcome: PlayedMatch, hints: Sequence[str], *, replay: bool) -> None:
     """Say how it ended, by what, and where the record is."""
     from rcj_challenges.views.scoreboard import ranking_lines, score_line
     from rcj_challenges.views.sentences import plain
@@ -188,6 +194,7 @@ def _summary(console: Console, scenario: Scenario, outcome: PlayedMatch, *, repl
         f"(logs/{fault['robot']}.log)"
         for fault in result["faults"]
     ]
+    lines += hints
     lines.append(
         f"{result['simulated_s']:.0f} s played in {result['wall_s']:.1f} s "
         f"({result['real_time_factor']:.0f} x real time)"

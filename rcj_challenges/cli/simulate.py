@@ -15,6 +15,7 @@ from rcj_challenges.cli import OK, OUR_FAULT, WRONG_INPUT
 from rcj_challenges.cli.says import say_json
 from rcj_challenges.cli.seating import open_teams
 from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.shown import shown
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
     from rcj_challenges.views.scoreboard import Criterion
 
 _MOST_SEEDS = 100_000
+_MOST_DIGITS = 100
+"""Of a seed: many more than anybody types; Python reads numbers of some thousand."""
 
 
 class SeedsError(RcjError):
@@ -108,10 +111,12 @@ def parse_seeds(text: str) -> list[int]:
     for part in text.split(","):
         first, dots, last = part.strip().partition("..")
         if not first.isdecimal() or (dots and not last.isdecimal()):
-            raise SeedsError(f"--seeds {text}: expected 1..10, 3 or 1,4,7..9")
+            raise SeedsError(f"--seeds {shown(text)}: expected 1..10, 3 or 1,4,7..9")
+        if max(len(first), len(last)) > _MOST_DIGITS:
+            raise SeedsError(f"--seeds {shown(text)}: a seed has at most {_MOST_DIGITS} digits")
         end = int(last) if dots else int(first)
         if not 0 <= end - int(first) < _MOST_SEEDS:
-            raise SeedsError(f"--seeds {text}: {part} is empty or more than {_MOST_SEEDS} seeds")
+            raise SeedsError(f"--seeds {shown(text)}: {shown(part)} is empty or more than {_MOST_SEEDS} seeds")
         seeds += range(int(first), end + 1)
     return seeds
 
@@ -142,7 +147,7 @@ def rank_summary(rank: Sequence[Criterion], outcomes: Sequence[Outcome]) -> dict
         rank: the scenario's criteria; ``spread`` has a value for each, in their order, and so have the rankings.
         outcomes: of all matches; those that could not be played are left out.
     """
-    from rcj_challenges.views.scoreboard import criterion_words
+    from rcj_challenges.views.scoreboard import criterion_name
 
     matches = [(outcome.job.seed, outcome.result["ranking"]) for outcome in outcomes if outcome.result is not None]
     by_entrant: dict[str, list[dict[str, Any]]] = {}
@@ -150,7 +155,7 @@ def rank_summary(rank: Sequence[Criterion], outcomes: Sequence[Outcome]) -> dict
         for entry in ranking:
             by_entrant.setdefault(entry["team"], []).append(entry)
     return {
-        "criteria": [criterion_words(criterion) for criterion in rank],
+        "criteria": [criterion_name(criterion) for criterion in rank],
         "matches": [{"seed": seed, "ranking": ranking} for seed, ranking in matches],
         "places": {
             entrant: {str(place): count for place, count in sorted(Counter(entry["place"] for entry in own).items())}

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
 import re
 import sys
 from pathlib import Path
 
 from rcj_challenges.cli.says import typed
 from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.shown import shown
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.resources import names_in, starters_folder
 
@@ -39,7 +41,7 @@ def new_scenario(name: str, preset: str) -> int:
     short = _identifier(file.stem)
     program = file.with_name(f"{file.stem}_team") / "robot.py"
     for path in (file, program):
-        if path.exists():
+        if os.path.exists(path):  # noqa: PTH110 - that of pathlib raises for names that are too long
             raise StarterError(f"{path} exists already; nothing was written. Choose another name, or move it away")
     text = (starters_folder() / f"{preset}.yaml").read_text(encoding="utf-8")
     title = " ".join(part for part in re.split(r"[-_\s]+", file.stem) if part).capitalize()[:_LONGEST_TITLE]
@@ -73,4 +75,4 @@ def _write(path: Path, text: str) -> None:
         with path.open("x", encoding="utf-8", newline="\n") as stream:
             stream.write(text)
     except OSError as error:
-        raise StarterError(f"{path}: cannot be written: {error.strerror or error}") from error
+        raise StarterError(f"{shown(path)}: cannot be written: {error.strerror or error}") from error

@@ -118,18 +118,6 @@ def read_contents(path: Path) -> Contents:
         raise TeamError(f"{told(path, MOST_PATH_SHOWN)}: cannot be read: {reason}") from error
 
 
-def read_files(path: Path) -> Files:
-    """Return the files of `read_contents`.
-
-    Raises:
-        TeamError: it cannot be opened, or holds what a submission must not.
-    """
-    contents = read_contents(path)
-    if contents.refused:
-        raise refusal(path, contents.refused)
-    return contents.files
-
-
 def refusal(path: Path, reasons: list[Trouble]) -> TeamError:
     """Return the error that says why something is not used: the first reason, and how many more there are."""
     more = f" (and {len(reasons) - 1} more)" if len(reasons) > 1 else ""

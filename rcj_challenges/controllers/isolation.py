@@ -228,6 +228,5 @@ def environment(folder: Path) -> dict[str, str]:
     if sys.platform == "win32":
         # Without these, Windows starts no program and finds no temporary folder.
         told |= {"SYSTEMROOT": os.environ.get("SYSTEMROOT", r"C:\Windows"), "TEMP": place, "TMP": place}
-        told |= {"USERPROFILE": place, "USERNAME": "robot"}
-        told |= {"USERPROFILE": place, "APPDATA": place}
+        told |= {"USERPROFILE": place, "USERNAME": "robot", "APPDATA": place}
     return told

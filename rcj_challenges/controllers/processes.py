@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from rcj_challenges.controllers import addresses, bubblewrap, scratch, tasks
+from rcj_challenges.controllers.account import Usage
 
 if sys.platform == "win32":
     import msvcrt
@@ -86,6 +87,14 @@ class Process:
     def threads(self) -> int:
         """Return how many threads it has; 0 where that cannot be told."""
         return tasks.threads_of(self._innermost_pid()) if sys.platform == "linux" else 0
+
+    def usage(self) -> Usage | None:
+        """Return what it did until now; None where that cannot be told."""
+        if sys.platform == "win32":
+            with contextlib.suppress(OSError):
+                return Usage(self._job.computed_s(), None)
+            return None
+        return tasks.usage_of(self._innermost_pid())
 
     def nameless_bytes(self, output_fd: int) -> int:
         """Return what it holds in files that it has deleted but not closed; 0 where that cannot be told."""

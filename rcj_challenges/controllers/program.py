@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from rcj_challenges.controllers import isolation, processes, scratch
+from rcj_challenges.controllers.account import Account, Usage
 from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.log import ProgramLog
 from rcj_challenges.controllers.pipes import Channel, ChannelClosedError, FrameTooLongError, open_channel
@@ -36,6 +37,10 @@ _FAREWELL_S = 1.0
 _LAST_WORDS_S = 1.0  # a thread reads them where pipes cannot be polled
 _NO_ROOM = re.compile(rf"\[Errno ({errno.ENOSPC}|{getattr(errno, 'EDQUOT', errno.ENOSPC)})\]|\[WinError 112\]")
 """What errors of a full disk, or of a quota, have in their words in every language."""
+
+
+_TEAM = "controllers"
+"""The folder of the team's files, by its name in Webots, where ``getProjectPath() + "/controllers/…"`` is a file."""
 
 
 @dataclass(frozen=True)
@@ -87,8 +92,7 @@ class Program:
 
     Attributes:
         fault: how it failed; None while it has not.
-        waited_s: wall time that the match waited for it since its first ``step``, in s.
-        slowest_s: the longest of these waits in s.
+        account: what it is charged for since its first ``step``.
         started_s: wall time from its launch until its first ``step`` was taken note of, in s; 0: it never was.
     """
 
@@ -99,7 +103,7 @@ class Program:
         self._codec = Codec(assignment.spec, message_bytes)
         self._frame_limit = most_frame_bytes(message_bytes)
         self._step_s = math.inf if assignment.debug else self._limits.step_s
-        self._half_s = math.inf if assignment.debug else self._limits.half_s
+        self.account = Account(math.inf if assignment.debug else self._limits.half_s, self._usage)
         self._slice_s = min(_SLICE_S, self._step_s)
         self._output_limit = isolation.output_bytes(self._limits) + _OUTPUT_SLACK_BYTES
         self._scratch_limit = isolation.megabytes(self._limits.scratch_mb) + assignment.team.size_bytes()
@@ -116,8 +120,6 @@ class Program:
         self._launched_at = 0.0
         self._is_over = False
         self.fault: Fault | None = None
-        self.waited_s = 0.0
-        self.slowest_s = 0.0
         self.started_s = 0.0
 
     @property
@@ -167,7 +169,7 @@ class Program:
         """Wait until the program calls ``step``, or until its limit is reached or it fails.
 
         The first time, the limit is ``start_s`` since the launch; then it is ``step_s`` since this call, and
-        ``half_s`` for all calls together.
+        ``half_s`` for what all calls together are charged (`Account`).
 
         Raises:
             HostError: it failed because the temporary folder is full, and no program has filled it.
@@ -176,7 +178,8 @@ class Program:
             return self.fault or self._fail("start", "the program was not started")
         began = time.perf_counter()
         try:
-            body = self._channel.receive(min(self._slice_s, self._half_s - self.waited_s) if self._requests else 0.0)
+            left_s = self.account.limit_s - self.account.waited_s
+            body = self._channel.receive(min(self._slice_s, left_s) if self._requests else 0.0)
             if body is None:
                 body = self._wait(self._channel, began)
             answer = None if body is None else self._codec.decode(body, self._tick)
@@ -186,11 +189,10 @@ class Program:
             return self._too_slow()
         if self._requests:
             # What is here was in time. Beyond that limit it was the match that stood still (Ctrl-Z).
-            spent_s = min(time.perf_counter() - began, self._step_s)
-            self.waited_s += spent_s
-            self.slowest_s = max(self.slowest_s, spent_s)
+            self.account.wait_was(min(time.perf_counter() - began, self._step_s))
         else:
             self.started_s = time.perf_counter() - self._launched_at
+            self.account.begin()
         return self._accepted(answer)
 
     def collect_ready(self) -> Request | Fault | None:
@@ -207,7 +209,7 @@ class Program:
         """Take an answer that has arrived."""
         self._requests += 1
         # Since its folder was looked through it may have had time to write much.
-        had_time = self._tick >= self._look_at_tick or self.waited_s >= self._look_at_s
+        had_time = self._tick >= self._look_at_tick or self.account.waited_s >= self._look_at_s
         if self._requests % _LOG_LOOKED_AT_EVERY and not had_time and isinstance(answer, Request):
             return answer
         return self._judged(answer, look_at_folder=had_time)
@@ -249,6 +251,7 @@ class Program:
         """Tell the program that the match is over: its ``step`` returns -1, then it may clean up until `close`."""
         if self._channel is not None and not self._is_over:
             self._is_over = True
+            self.account.close()
             self.release(observation)
 
     def has_ended(self) -> bool:
@@ -262,6 +265,7 @@ class Program:
 
     def kill(self) -> None:
         """End it, with all that it started. Can be called at any time, and again."""
+        self.account.close()
         process, self._process = self._process, None
         if process is not None:
             process.kill()
@@ -296,7 +300,7 @@ class Program:
     def _start(self, layers: tuple[str, ...], log_fd: int, place: Path) -> None:
         assignment = self._assignment
         folder = self._folder = Path(tempfile.mkdtemp(prefix=f"rcj-{self.name}-", dir=place))
-        root = folder / "team"
+        root = folder / _TEAM
         root.mkdir()
         assignment.team.unpack(root)
         limited = "resource_limits" in layers
@@ -331,7 +335,10 @@ class Program:
     def _wait(self, channel: Channel, began: float) -> bytes | None:
         """Return the program's next message, None if it took too long."""
         while True:
-            left_s = self._patience_s(began) - (time.perf_counter() - began)
+            waiting_s = time.perf_counter() - began
+            left_s = self._patience_s(began) - waiting_s
+            if left_s <= 0 and self._requests and waiting_s < self._step_s and self.account.may_go_on(waiting_s):
+                continue
             if left_s <= 0 or self._trespass(look_at_folder=True) is not None:
                 return None
             # What it started may hold its pipes open after it ended. Its last words may still be on their way.
@@ -346,7 +353,7 @@ class Program:
         """Return how long the wait that began then may last in all."""
         if not self._requests:
             return math.inf if self._assignment.debug else self._launched_at + self._limits.start_s - began
-        return min(self._step_s, self._half_s - self.waited_s)
+        return min(self._step_s, self.account.limit_s - self.account.waited_s)
 
     def _too_slow(self) -> Fault:
         limits = self._limits
@@ -355,7 +362,7 @@ class Program:
             return self._fail(*trespass)
         if not self._requests:
             kind, detail = "start_timeout", f"the program did not call step within {limits.start_s:g} s of its start"
-        elif limits.half_s - self.waited_s < limits.step_s:
+        elif self.account.limit_s - self.account.waited_s < limits.step_s:
             kind, detail = "half_timeout", f"the program let the match wait for {limits.half_s:g} s in all"
         else:
             kind, detail = "step_timeout", f"the program did not call step for {limits.step_s:g} s"
@@ -434,7 +441,7 @@ class Program:
             return "output_flood", f"the program printed more than {limits.output_mb:g} MB"
         if not look_at_folder:
             return None
-        self._look_at_s, self._look_at_tick = self.waited_s + _SLICE_S, self._tick + _FOLDER_LOOKED_AT_EVERY
+        self._look_at_s, self._look_at_tick = self.account.waited_s + _SLICE_S, self._tick + _FOLDER_LOOKED_AT_EVERY
         if self._folder is not None and self._has_written_more_than(self._folder, self._scratch_limit):
             return "output_flood", f"the program wrote more than {limits.scratch_mb:g} MB into its folder"
         # Beside those that it may start it has its first one, and the one that watches over it.
@@ -446,6 +453,9 @@ class Program:
         nameless = 0 if self._process is None else self._process.nameless_bytes(self._output_fd())
         return scratch.has_more_than(folder, limit_bytes - nameless)
 
+    def _usage(self) -> Usage | None:
+        return None if self._process is None else self._process.usage()
+
     def _output_fd(self) -> int:
         return -1 if self._log is None else self._log.fd
 
@@ -453,7 +463,7 @@ class Program:
         self.kill()
         self.fault = Fault(self.name, kind, self._tick, self._assignment.half, detail, traceback)
         at = f"tick {self._tick} ({s_from_ticks(self._tick):.3f} s)"
-        where = self._log.take_dump(self._folder / "team") if self._log is not None and self._folder is not None else ""
+        where = self._log.take_dump(self._folder / _TEAM) if self._log is not None and self._folder is not None else ""
         told = f"It was here, the innermost call first:\n{where}" if where else traceback
         self._say(f"{told}[{kind}] {self.name} at {at}: {detail}\n")
         self._remove_folder()  # others may need the room

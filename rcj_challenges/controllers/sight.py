@@ -51,9 +51,8 @@ def standard_library() -> list[str]:
 
 def can_be_narrow() -> bool:
     """Return whether Python's own folders can be shown without showing what is not meant."""
-    return not any(
-        is_too_wide(os.path.realpath(path), _protected()) for path in [*standard_library(), str(PUPIL_FOLDER)]
-    )
+    protected = _protected()
+    return not any(is_too_wide(os.path.realpath(path), protected) for path in [*standard_library(), str(PUPIL_FOLDER)])
 
 
 def is_too_wide(path: str, protected: tuple[str, ...]) -> bool:

@@ -1,10 +1,15 @@
-"""How many threads there are (Linux): of one process, and of all processes of a user."""
+"""What the system tells of processes: how many threads there are (Linux), how long they computed."""
 
 from __future__ import annotations
 
 import contextlib
 import functools
 import os
+import subprocess
+import sys
+import time
+
+from rcj_challenges.controllers.account import Usage
 
 _LINKS_OF_A_FOLDER = 2  # itself and its parent; each further one is a folder in it, here a thread
 
@@ -30,3 +35,41 @@ def tasks_of_user() -> int:
                 if entry.name.isdigit() and entry.stat().st_uid == user:
                     total += threads_of(int(entry.name))
     return total
+
+
+def usage_of(pid: int) -> Usage | None:
+    """Return what a process did until now; None where that cannot be told (Windows: its job object tells)."""
+    try:
+        if sys.platform == "linux":
+            return Usage(time.clock_gettime(_processor_clock(pid)), _held_up_s(pid))
+        if sys.platform != "win32":
+            told = subprocess.run(["ps", "-o", "time=", "-p", str(pid)], capture_output=True, text=True, check=True)
+            return Usage(seconds_of(told.stdout), None)
+    except (OSError, ValueError, subprocess.SubprocessError):
+        pass
+    return None
+
+
+def _processor_clock(pid: int) -> int:
+    """Return the clock of the processor time of a process, as Linux numbers it (``clock_getcpuclockid``)."""
+    return ~pid << 3 | 2
+
+
+def _held_up_s(pid: int) -> float | None:
+    """Return for how long the threads of a process were ready to compute and had no processor; None: not told."""
+    computed_ns = held_up_ns = 0
+    for thread in os.scandir(f"/proc/{pid}/task"):
+        with contextlib.suppress(FileNotFoundError, ProcessLookupError), open(f"{thread.path}/schedstat", "rb") as file:  # noqa: PTH123
+            computed, held_up, _ = file.read().split()
+            computed_ns += int(computed)
+            held_up_ns += int(held_up)
+    return held_up_ns / 1e9 if computed_ns or held_up_ns else None  # a kernel that does not count says nought
+
+
+def seconds_of(told: str) -> float:
+    """Return a time as ``ps`` tells it, in s: ``2-03:04:05``, ``4:05.06``."""
+    days, _, clock = told.strip().rpartition("-")
+    seconds = 0.0
+    for part in clock.split(":"):
+        seconds = 60 * seconds + float(part)
+    return seconds + 86_400 * int(days or 0)

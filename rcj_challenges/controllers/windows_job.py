@@ -12,6 +12,7 @@ if sys.platform == "win32":
     from ctypes import wintypes
 
     # winnt.h
+    _BASIC_ACCOUNTING = 1
     _EXTENDED_LIMITS = 9
     _LIMIT_PROCESS_MEMORY = 0x100
     _LIMIT_DIE_ON_UNHANDLED_EXCEPTION = 0x400
@@ -40,10 +41,29 @@ if sys.platform == "win32":
             ("PeakJobMemoryUsed", ctypes.c_size_t),
         )
 
+    class _BasicAccounting(ctypes.Structure):
+        _fields_ = (
+            ("TotalUserTime", ctypes.c_int64),
+            ("TotalKernelTime", ctypes.c_int64),
+            ("ThisPeriodTotalUserTime", ctypes.c_int64),
+            ("ThisPeriodTotalKernelTime", ctypes.c_int64),
+            ("TotalPageFaultCount", wintypes.DWORD),
+            ("TotalProcesses", wintypes.DWORD),
+            ("ActiveProcesses", wintypes.DWORD),
+            ("TotalTerminatedProcesses", wintypes.DWORD),
+        )
+
     _kernel = ctypes.WinDLL("kernel32", use_last_error=True)
     _kernel.CreateJobObjectW.restype = wintypes.HANDLE
     _kernel.CreateJobObjectW.argtypes = (ctypes.c_void_p, wintypes.LPCWSTR)
     _kernel.SetInformationJobObject.argtypes = (wintypes.HANDLE, ctypes.c_int, ctypes.c_void_p, wintypes.DWORD)
+    _kernel.QueryInformationJobObject.argtypes = (
+        wintypes.HANDLE,
+        ctypes.c_int,
+        ctypes.c_void_p,
+        wintypes.DWORD,
+        ctypes.c_void_p,
+    )
     _kernel.AssignProcessToJobObject.argtypes = (wintypes.HANDLE, wintypes.HANDLE)
     _kernel.TerminateJobObject.argtypes = (wintypes.HANDLE, wintypes.UINT)
     _kernel.CloseHandle.argtypes = (wintypes.HANDLE,)
@@ -73,6 +93,13 @@ if sys.platform == "win32":
         def add(self, popen: subprocess.Popen[bytes]) -> None:
             """Put a process into the job; what it starts from now on is in it too."""
             _checked(_kernel.AssignProcessToJobObject(self._handle, int(popen._handle)))  # noqa: SLF001
+
+        def computed_s(self) -> float:
+            """Return the processor time of all that was ever in the job, in s."""
+            told = _BasicAccounting()
+            size = ctypes.sizeof(told)
+            _checked(_kernel.QueryInformationJobObject(self._handle, _BASIC_ACCOUNTING, ctypes.byref(told), size, None))
+            return float(told.TotalUserTime + told.TotalKernelTime) / 1e7
 
         def terminate(self) -> None:
             """End all that is in the job. Can be called again."""

@@ -122,6 +122,7 @@ def _lidar_facts(lidar: models.LidarDevice, _: _Surroundings) -> dict[str, Any]:
         "rotating": lidar.rotating,
         "first_bearing_rad": first_rad,
         "bearing_step_rad": step_rad,
+        **({"frame": lidar.frame} if lidar.frame != "field" else {}),
     }
 
 

@@ -17,6 +17,10 @@ BACKLOG_PACKETS = 16_384
 BACKLOG_BYTES = 4_194_304
 """Payload that waits to be sent. At 460.8 bytes a tick that is five minutes of sending."""
 
+MOST_ARRIVE_A_TICK = 32
+"""Packets of one emitter in one tick; what else has come over the air waits for the next. No real program is known that
+sends so many, and 460 packets of one byte would cost the match ten times its other work."""
+
 _BITS_PER_BYTE = 8
 """Source: reference, 4.1 (115200 baud are 460.8 bytes a tick: 8 bits a byte)."""
 
@@ -77,9 +81,9 @@ class Emitter:
         return -(-self._free_from // self._per_tick)
 
     def arriving(self, tick: int) -> list[tuple[int, bytes]]:
-        """Return (channel, data) of the packets whose last bit arrives by ``tick``, in order."""
-        arrived = []
-        while self.waiting and self.waiting[0][0] <= tick:
+        """Return (channel, data) of the packets that have arrived by ``tick``, in order, but not too many at once."""
+        arrived: list[tuple[int, bytes]] = []
+        while self.waiting and self.waiting[0][0] <= tick and len(arrived) < MOST_ARRIVE_A_TICK:
             _, channel, data = self.waiting.popleft()
             self._bytes -= len(data)
             arrived.append((channel, data))

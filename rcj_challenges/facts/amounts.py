@@ -4,6 +4,10 @@ from __future__ import annotations
 
 _DECIMALS = 9
 
+MOST = 10**15
+"""Scores and counters stay between this and its negative: up to there every whole number is a float of its own, here
+and in a browser."""
+
 
 def plain(value: float) -> int | float:
     """Return whole numbers as integers: scores and payloads show 3, not 3.0."""
@@ -14,6 +18,11 @@ def on_paper(value: float) -> int | float:
     """Return a score or counter as it would be on paper: three times 0.1 is 0.3, not 0.30000000000000004.
 
     Every score, counter and sum of them comes through here after each change, so that conditions, events, records and
-    the ranking see the same number.
+    the ranking see the same number. One that grows beyond `MOST` stays there.
     """
-    return plain(round(value, _DECIMALS))
+    return plain(round(within_most(value), _DECIMALS))
+
+
+def within_most(value: float) -> int | float:
+    """Return a number, or `MOST` or its negative if it is beyond; what is not a number stays what it is."""
+    return MOST if value > MOST else max(value, -MOST)

@@ -16,8 +16,6 @@ from typing import Any, NamedTuple
 Pose2 = tuple[float, float, float]
 """x in m, y in m, yaw in rad."""
 
-JsonScalar = str | int | float | bool | None
-
 
 @dataclass(frozen=True, slots=True)
 class Fault:
@@ -142,6 +140,8 @@ class Verdict:
         robots_held: whether the phase holds all robots: their wheels stand braked from the next tick on, whatever
             programs command.
         held: indices of the robots that rules hold, in the same way; the same object as long as nothing changes.
+        counted: what the counters stand at that the scenario's ``result`` ranks by, by name (kept per entity: by
+            entity), at the start and wherever one of them has changed since; else None.
     """
 
     events: tuple[Event, ...] = ()
@@ -154,6 +154,7 @@ class Verdict:
     broadcast: dict[str, Any] | None = None
     robots_held: bool = False
     held: frozenset[int] = frozenset()
+    counted: dict[str, Any] | None = None
 
 
 @dataclass(frozen=True, slots=True)

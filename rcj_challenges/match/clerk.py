@@ -23,7 +23,8 @@ class HalfClerk:
 
     Args:
         half: what is played.
-        referee: asked for the scores.
+        later_ticks: how long the halves after it are.
+        referee: asked for the scores and the clock.
         record: of the run.
         watcher: who is told.
         crew: whose output is shown.
@@ -34,6 +35,7 @@ class HalfClerk:
     def __init__(
         self,
         half: HalfInfo,
+        later_ticks: int,
         referee: Referee,
         record: RecordWriter,
         watcher: Watcher,
@@ -43,6 +45,7 @@ class HalfClerk:
         real_time: bool,
     ) -> None:
         self._half = half
+        self._later_ticks = later_ticks
         self._referee = referee
         self._record = record
         self._watcher = watcher
@@ -79,10 +82,12 @@ class HalfClerk:
     def _progress(self, tick: int, verdict: Verdict) -> Progress:
         half = self._half
         spent_s = max(time.perf_counter() - self._began_s, 1e-9)
-        ticks_left = half.ticks - tick + (half.halves - half.half) * half.ticks
+        clock_ticks = self._referee.clock_ticks
+        ticks_left = half.ticks - clock_ticks + self._later_ticks
         return Progress(
             half=half,
             tick=tick,
+            clock_ticks=clock_ticks,
             scores=dict(self._referee.scores),
             phase=verdict.phase,
             factor=tick * TICK_S / spent_s,

@@ -27,7 +27,7 @@ from rcj_challenges.records.errors import UnwritableError
 from rcj_challenges.records.logos import logo_of
 from rcj_challenges.records.writer import RecordWriter, RunHeader
 from rcj_challenges.referee.ranking import Tally, ranking
-from rcj_challenges.scenario.halves import half_length_s
+from rcj_challenges.scenario.halves import half_length_s, half_lengths_s
 from rcj_challenges.scenario.load import Loaded
 
 Score = int | float
@@ -184,7 +184,9 @@ class _MatchPlay:
             # While programs start, and not before: loading the physics takes as long as they do.
             stage = load_stage()(scenario, roster, half, overhearing.on(drivers))
             referee, rack = stage.referee, stage.rack
-            clerk = HalfClerk(half, referee, record, self._watcher, crew, plan.show_output, real_time=plan.real_time)
+            later_ticks = sum(ticks_from_s(half_s) for half_s in half_lengths_s(scenario.match)[number:])
+            told = (record, self._watcher, crew, plan.show_output)
+            clerk = HalfClerk(half, later_ticks, referee, *told, real_time=plan.real_time)
             record.begin_half(half)
             self._watcher.half_started(half)
             overhearing.tell(self._watcher, half)
@@ -240,4 +242,6 @@ class _MatchPlay:
 
 
 def _waits(program: Program) -> Waits:
-    return Waits(program.name, program.requests, program.started_s, program.waited_s, program.slowest_s)
+    return Waits(
+        program.name, program.requests, program.started_s, program.account.charged_s, program.account.slowest_s
+    )

@@ -17,6 +17,7 @@ class Progress:
     Attributes:
         half: what is being played.
         tick: ticks of this half that are judged.
+        clock_ticks: those of them that count for its length; the clock stops in some phases.
         scores: by seat.
         phase: phase of the referee.
         factor: simulated time over wall time, since the half began.
@@ -25,6 +26,7 @@ class Progress:
 
     half: HalfInfo
     tick: int
+    clock_ticks: int
     scores: dict[str, int | float]
     phase: str
     factor: float
@@ -39,7 +41,7 @@ class Waits:
         robot: whose program.
         steps: how many times it called ``step``.
         started_s: from its launch to its first ``step`` in s; 0: it never came to that.
-        waited_s: for all its later steps together in s.
+        waited_s: for all its later steps together in s, as it is charged: without the time in which others held it up.
         slowest_s: for the slowest of them in s.
     """
 

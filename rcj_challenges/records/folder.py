@@ -92,10 +92,12 @@ def make_run_folder(out: Path, name: str) -> Path:
 def replaced(path: Path) -> Iterator[BinaryIO]:
     """Write a file that appears whole or not at all: a temporary neighbour, synced, then renamed over it.
 
+    Two processes may write the same file: each has a neighbour of its own, and the last to finish wins.
+
     Raises:
         OSError: it cannot be written; with its name.
     """
-    temporary = path.with_name(path.name + ".tmp")
+    temporary = path.with_name(f"{path.name}.{os.getpid()}.tmp")
     try:
         with naming(path), temporary.open("wb") as file:
             yield file

@@ -1,4 +1,4 @@
-"""Reading ``referee.jsonl``: events, firings, phases and who is held, as far as the file can be read."""
+"""Reading ``referee.jsonl``: events, firings, phases, who is held and what was counted, as far as it can be read."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ _NEEDED: dict[str, dict[str, type]] = {
     "event": {"event": str, "payload": dict},
     "phase": {"phase": str, "waiting_for_kickoff": bool},
     "held": {"robots": list},
+    "counted": {"counters": dict},
 }
 """What a line of each kind must have, and what that must be."""
 

@@ -29,9 +29,9 @@ from rcj_challenges.records.track import row_dtype
 from rcj_challenges.records.trajectory import DAMAGE, HalfTrack, Notes, Trajectory, read_notes, read_parts
 from rcj_challenges.records.upgrades import read_scenario
 from rcj_challenges.scenario.halves import half_length_s
-from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.starting import start_pose
 
 _LOCAL = struct.Struct("<4s5H3I2H")
 _LOCAL_MAGIC = b"PK\x03\x04"
@@ -276,7 +276,7 @@ def _info(scenario: Scenario, result: RunResult | None, half: int) -> HalfInfo:
 
 def _standing(info: HalfInfo, ticks: int, scenario: Scenario, roster: Roster) -> HalfTrack:
     """Return a half in which everything stands where it starts."""
-    poses = np.array([_start(scenario, name) for name in roster.entities], "<f4")
+    poses = np.array([start_pose(scenario, name) for name in roster.entities], "<f4")
     entities = len(poses)
     return HalfTrack(
         info,
@@ -289,16 +289,6 @@ def _standing(info: HalfInfo, ticks: int, scenario: Scenario, roster: Roster) ->
         {},
         {},
     )
-
-
-def _start(scenario: Scenario, name: str) -> tuple[float, float, float]:
-    if name in scenario.robots:
-        start = scenario.robots[name].start
-        return start.x_m, start.y_m, start.yaw_rad
-    if name in scenario.balls:
-        return (*scenario.balls[name].start_m, 0.0)
-    obstacle = scenario.obstacles[name]
-    return (0.0, 0.0, 0.0) if isinstance(obstacle, Wall) else (*obstacle.centre_m, 0.0)
 
 
 def _resting_heights(scenario: Scenario) -> list[float]:

@@ -6,6 +6,7 @@ import json
 import math
 import struct
 from collections.abc import Iterator
+from functools import lru_cache
 from pathlib import Path
 
 from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, Snapshot, Verdict
@@ -97,7 +98,7 @@ def half_info(
 
 def made_up_snapshot(tick: int, robots: int, *, faults: tuple[Fault, ...] = ()) -> Snapshot:
     """Return robots that drive on circles and a ball that rolls to and fro between the goals."""
-    substeps = [_poses(tick * TICK_S - TICK_S * (3 - sub) / 4, robots) for sub in range(4)]
+    substeps = [list(_poses(tick * TICK_S - TICK_S * (3 - sub) / 4, robots)) for sub in range(4)]
     touches = ((), (), ((0, robots),), ((0, robots), (1, robots + 2))) if tick % 50 == 7 else ((), (), (), ())
     return Snapshot(
         tick=tick,
@@ -161,7 +162,8 @@ def _verdict(tick: int, robots: int) -> Verdict:
     return Verdict(phase="goal_pause" if pausing else "play", waiting_for_kickoff=pausing, held=held)
 
 
-def _poses(time_s: float, robots: int) -> list[Pose2]:
+@lru_cache(maxsize=8192)  # two thousand ticks: every half, and most made-up matches, are the same anew
+def _poses(time_s: float, robots: int) -> tuple[Pose2, ...]:
     circles = [
         (0.25 + 0.05 * robot, 2 * math.pi * robot / robots + 0.15 * time_s * (1 + robot / 10))
         for robot in range(robots)
@@ -169,7 +171,7 @@ def _poses(time_s: float, robots: int) -> list[Pose2]:
     poses = [
         _pose(radius * math.cos(angle), radius * math.sin(angle), angle + math.pi / 2) for radius, angle in circles
     ]
-    return [*poses, _pose(0.1 * math.sin(time_s), 0.6 * math.sin(time_s / 3), 0.0)]
+    return (*poses, _pose(0.1 * math.sin(time_s), 0.6 * math.sin(time_s / 3), 0.0))
 
 
 def _pose(x_m: float, y_m: float, yaw_rad: float) -> Pose2:

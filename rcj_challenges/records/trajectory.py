@@ -35,6 +35,16 @@ DAMAGE = (
 """What numpy, zipfile and json raise on bytes that are not what they should be."""
 
 
+class _MisfitError(ValueError):
+    """Arrays that are read, and are not those of a trajectory."""
+
+
+def _why(error: Exception) -> str:
+    """Return why a trajectory cannot be read, where we or the system say it: what numpy says is for who calls it."""
+    why = str(error) if isinstance(error, _MisfitError) else error.strerror if isinstance(error, OSError) else None
+    return f": {why}" if why else ""
+
+
 @dataclass(frozen=True)
 class HalfTrack:
     """One half. ``T`` ticks (row ``i`` is tick ``i + 1``), ``E`` entities; metres and radians, float32.
@@ -138,7 +148,7 @@ class Trajectory:
         try:
             return cls._packed(packed) if packed.exists() else cls._parts(folder)
         except DAMAGE as error:
-            raise RecordError(f"{folder.name}: the trajectory is damaged or none of ours: {error}") from error
+            raise RecordError(f"{folder.name}: the trajectory is damaged or none of ours{_why(error)}") from error
 
     @classmethod
     def _packed(cls, path: Path) -> Self:
@@ -146,7 +156,7 @@ class Trajectory:
         with warnings.catch_warnings(), path.open("rb") as file, np.load(file, allow_pickle=False) as arrays:
             warnings.simplefilter("ignore", UserWarning)
             if "header" not in arrays:
-                raise ValueError(f"{path.name} has no header")
+                raise _MisfitError(f"{path.name} has no header")
             header = json.loads(arrays["header"].tobytes())
             header = upgraded("header", header, header["record"], path.parent)
             entities = len(header["entities"])
@@ -230,9 +240,9 @@ def _half(field: Callable[[str], Array], entities: int, half: int) -> HalfTrack:
     for name in dtype.names or ():
         found: Array = getattr(track, name)
         if found.shape != (ticks, *dtype[name].shape) or found.dtype != dtype[name].base:
-            raise ValueError(f"{name} of half {half} has the shape {found.shape}")
+            raise _MisfitError(f"{name} of half {half} has the shape {found.shape}")
     if track.touch_pairs.shape != (int(track.touch_counts.sum(dtype=np.int64)), 2):
-        raise ValueError(f"touches of half {half} are not complete")
+        raise _MisfitError(f"touches of half {half} are not complete")
     return track
 
 

@@ -101,16 +101,6 @@ class RecordWriter:
         self._roster = Roster.of(header.scenario)
         scenario = dumped(header.scenario)
         self._digest = Digest(scenario, header.seed, header.programs)
-        self.folder = make_run_folder(out, name or folder_name(self._started, header.scenario.id))
-        self.logs = self.folder / LOGS
-        self.logs.mkdir()
-        self._parts = self.folder / TRAJECTORY_PARTS
-        self._parts.mkdir()
-        (self.folder / SCENARIO).write_bytes(json_line(scenario))
-        for team, logo in header.logos.items():
-            logo_path(self.folder, team).write_bytes(logo)
-        self._reflog = (self.folder / REFLOG).open("xb", buffering=0)
-        self._referee_log = (self.folder / REFEREE_LOG).open("xb", buffering=0)
         self._track: TrackWriter | None = None
         self._half: HalfInfo | None = None
         self._phase: tuple[str, bool] | None = None
@@ -122,7 +112,18 @@ class RecordWriter:
         self._scores: dict[str, Score] = dict.fromkeys(header.team_names, 0)
         self._result: dict[str, Any] | None = None
         self._versions = versions().model_dump()
-        self._write_result({})
+        self.folder = make_run_folder(out, name or folder_name(self._started, header.scenario.id))
+        # First, and not by way of a neighbour: a folder without a result is no record, wherever a kill comes.
+        (self.folder / RESULT).write_bytes(self._result_line({}))
+        self.logs = self.folder / LOGS
+        self.logs.mkdir()
+        self._parts = self.folder / TRAJECTORY_PARTS
+        self._parts.mkdir()
+        (self.folder / SCENARIO).write_bytes(json_line(scenario))
+        for team, logo in header.logos.items():
+            logo_path(self.folder, team).write_bytes(logo)
+        self._reflog = (self.folder / REFLOG).open("xb", buffering=0)
+        self._referee_log = (self.folder / REFEREE_LOG).open("xb", buffering=0)
 
     @property
     def result(self) -> dict[str, Any]:
@@ -158,6 +159,8 @@ class RecordWriter:
             self._note_phase(snapshot.tick, verdict)
         if verdict.held is not self._held:
             self._note_held(snapshot.tick, verdict.held)
+        if verdict.counted is not None:
+            self._note_counted(snapshot.tick, verdict.counted)
 
     def end_half(self, closing: Verdict, scores: Mapping[str, Score] | None = None, ended: str | None = None) -> None:
         """End the half.
@@ -172,6 +175,8 @@ class RecordWriter:
         half, ticks = self._half, self._track.ticks
         if closing.firings or closing.events:
             self._say(Snapshot(ticks, [], [], [], ()), closing)
+        if closing.counted is not None:
+            self._note_counted(ticks, closing.counted)
         if scores is not None:
             self._scores |= {half.teams[seat]: points for seat, points in scores.items()}
         self._close_half(half, self._track, ended, complete=True)
@@ -264,6 +269,12 @@ class RecordWriter:
             line = {"half": half.half, "kind": "held", "tick": tick, "robots": robots}
             write_all(self._referee_log, bytearray(json_line(line)))
 
+    def _note_counted(self, tick: int, counters: Mapping[str, Any]) -> None:
+        half = self._half
+        assert half is not None  # noqa: S101 - only called within a half
+        line = {"half": half.half, "kind": "counted", "tick": tick, "counters": counters}
+        write_all(self._referee_log, bytearray(json_line(line)))
+
     def _add_points(self, firing: Firing, half: HalfInfo) -> None:
         if firing.suppressed is None:
             for seat, points in firing.scored.items():
@@ -295,6 +306,12 @@ class RecordWriter:
         }
 
     def _write_result(self, more: Mapping[str, Any]) -> None:
+        line = self._result_line(more)
+        with replaced(self.folder / RESULT) as file:
+            file.write(line)
+
+    def _result_line(self, more: Mapping[str, Any]) -> bytes:
+        """Keep what the result says now, and return it as it is written."""
         header = self._header
         simulated_s = round(sum(half["ticks"] for half in self._halves) * TICK_S, 3)
         entrants = {team: {"name": name, "programs": header.programs[team]} for team, name in header.team_names.items()}
@@ -323,5 +340,4 @@ class RecordWriter:
         if fields["wall_s"] > 0 and "real_time_factor" not in more:
             fields["real_time_factor"] = round(fields["simulated_s"] / fields["wall_s"], 2)
         self._result = RunResult.model_validate(fields).model_dump(mode="json")
-        with replaced(self.folder / RESULT) as file:
-            file.write(json_line(self._result))
+        return json_line(self._result)

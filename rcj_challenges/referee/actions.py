@@ -13,6 +13,7 @@ from typing import Any
 from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.facts.messages import position_in
 from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.referee.bounds import amount_bound, change_bound
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.places import compile_putting, spot_name, where_now
 from rcj_challenges.referee.rules import Occasion, StandingRule
@@ -38,7 +39,7 @@ def _receiver(entrant: str | models.LastToucher, workshop: Workshop, rule: Stand
     """Return what tells whose the points are: the named entrant's, or those of whoever drives a robot."""
     drivers = workshop.state.entrant_of
     if isinstance(entrant, models.LastToucher):
-        touched = workshop.entity(entrant.last_touch, rule.each)
+        touched = workshop.thing(entrant.last_touch, rule.each)
         contacts, names = workshop.contacts, workshop.roster.entities
         contacts.follow_last(touched)
 
@@ -56,12 +57,13 @@ def score(model: models.Score, workshop: Workshop, rule: StandingRule) -> Act:
     """Give points to an entrant; to nobody if nobody touched what they are given for."""
     state, receiver = workshop.state, _receiver(model.entrant, workshop, rule)
     points = compile_points(model.points, workshop, rule.each)
+    bounded = change_bound(model)
 
     def act(occasion: Occasion) -> None:
         entrant = receiver()
         if entrant is None:
             return
-        given = points(occasion)
+        given = bounded(points(occasion), state.scores[entrant])
         state.scores[entrant] = on_paper(state.scores[entrant] + given)
         occasion.scored[entrant] = on_paper(occasion.scored.get(entrant, 0) + given)
 
@@ -75,9 +77,11 @@ def count(model: models.Count, workshop: Workshop, rule: StandingRule) -> Act:
     by = 1 if model.by is None and model.to is None else model.by
     step = None if by is None else compile_points(by, workshop, rule.each)
 
+    within, bounded = amount_bound(model), change_bound(model)
+
     def changed(value: Number, occasion: Occasion) -> Number:
-        value = value if to is None else to(occasion)
-        return on_paper(value if step is None else value + step(occasion))
+        value = value if to is None else within(to(occasion))
+        return on_paper(value if step is None else value + bounded(step(occasion), value))
 
     def act(occasion: Occasion) -> None:
         value = counters[name]
@@ -127,7 +131,8 @@ def timer(model: models.TimerAction, workshop: Workshop, rule: StandingRule) -> 
     def change(clock: Clock) -> None:
         elapsed = clock.ticks(state.tick)
         if do == "restart" or (do == "start" and clock.since is None and elapsed == 0):
-            clock.length, clock.elapsed, clock.since = state.lasting_ticks(lasts_s), 0, state.tick
+            state.wind_up(clock, lasts_s)
+            clock.elapsed, clock.since = 0, state.tick
         elif do == "reset":
             clock.elapsed, clock.since = 0, None
         elif do == "stop":
@@ -183,10 +188,13 @@ def draw(model: models.DrawAction, workshop: Workshop, rule: StandingRule) -> Ac
     drawn = workshop.scenario.draws[name]
 
     def act(_occasion: Occasion) -> None:
+        before = state.draws[name]
         if fixed is not None:
             state.set_draw(name, fixed)
         else:
             state.draw_anew(name, drawn)
+        if state.draws[name] != before:
+            workshop.has_drawn(name)
 
     return act
 

@@ -54,7 +54,7 @@ def _standing(name: str, rule: Rule, each: str | None, workshop: Workshop) -> St
     return StandingRule(
         name=name,
         each=each,
-        about=each if each in workshop.roster.entities else None,
+        about=each if each in workshop.roster.things else None,
         phases=None if rule.phases == "any" else frozenset(rule.phases),
         exclusive=None if rule.exclusive is None else (rule.exclusive, each),
         cooldown=0 if rule.cooldown_s is None else ticks_from_s(rule.cooldown_s),

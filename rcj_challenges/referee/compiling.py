@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
+from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.referee.contacts import Contacts
 from rcj_challenges.referee.outlines import Bodies
-from rcj_challenges.referee.regions import AnyOf, Outlined, Region, region_of
+from rcj_challenges.referee.regions import AnyOf, Drawn, Outlined, Region, region_of
 from rcj_challenges.referee.rules import Hits, Listener, StandingRule
 from rcj_challenges.referee.setting_down import Putting, Queue
 from rcj_challenges.referee.state import State
@@ -25,6 +26,29 @@ from rcj_challenges.scenario.remembered import remembered_spots
 Names = str | tuple[str, ...]
 
 _W = TypeVar("_W", bound=Watch)
+_DECIMALS = 9
+"""Of times that are told: 3 times 0.1 s are 0.3 s."""
+
+
+class Appointment(NamedTuple):
+    """A time, or a row of times, of the half's clock for which a rule waits.
+
+    Attributes:
+        listener: its ear.
+        at_s: the first time.
+        every_s: how long after one the next comes; None: there is no other.
+        past: how many have come.
+    """
+
+    listener: Listener
+    at_s: float
+    every_s: float | None
+    past: int = 0
+
+    @property
+    def next_s(self) -> float:
+        """The next time, counted from the first: times that are no whole ticks do not add up to a delay."""
+        return self.at_s if self.every_s is None else round(self.at_s + self.past * self.every_s, _DECIMALS)
 
 
 @dataclass
@@ -35,9 +59,21 @@ class Moments:
     half_ended: list[Listener] = field(default_factory=list)
     entered: dict[str, list[tuple[str | None, Listener]]] = field(default_factory=dict)
     events: dict[tuple[str, str | None], list[Listener]] = field(default_factory=dict)
-    times: dict[int, list[tuple[Listener, float]]] = field(default_factory=dict)
+    times: dict[int, list[Appointment]] = field(default_factory=dict)
     faults: dict[str, list[Listener]] = field(default_factory=dict)
     messages: dict[str, list[tuple[Callable[[str], bool], Listener]]] = field(default_factory=dict)
+
+    def wait_for(self, appointment: Appointment, after: int = 0) -> None:
+        """Let a rule hear the half's clock when it next shows what the rule waits for, later than a tick."""
+        self.times.setdefault(max(after + 1, ticks_from_s(appointment.next_s)), []).append(appointment)
+
+    def due_at(self, clock: int) -> list[Appointment]:
+        """Return who waits for what the clock shows now; those who wait for more than one time go on waiting."""
+        due = self.times.pop(clock, [])
+        for one in due:
+            if one.every_s is not None:
+                self.wait_for(one._replace(past=one.past + 1), after=clock)
+        return due
 
 
 class Workshop:
@@ -74,6 +110,7 @@ class Workshop:
         self.emit: Callable[[str, dict[str, object], str | None], None] = lambda _name, _payload, _about: None
         self.enter_phase: Callable[[str], None] = lambda _phase: None
         self.timers_changed: Callable[[], None] = self.lookout.reckon
+        self._by_draw: dict[str, list[Watch]] = {}
         self.remembered = frozenset(remembered_spots(state.scenario))
         self.sequences: dict[tuple[str, str], Watch] = {}
         self.layouts: dict[tuple[str, str | None, Mirror | None], list[Putting]] = {}
@@ -110,10 +147,30 @@ class Workshop:
         Raises:
             ValueError: it is no entity.
         """
+        index = self.thing(name, each)
+        if index >= len(self.roster.entities):
+            message = f"not an entity: {self.roster.things[index]!r}"
+            raise ValueError(message)
+        return index
+
+    def things(self, names: Names, each: str | None) -> tuple[int, ...]:
+        """Return the indices of what can be touched: entities, fixed obstacles, walls.
+
+        Raises:
+            ValueError: one of them is nothing of this.
+        """
+        return tuple(self.thing(name, each) for name in self.members(names, each))
+
+    def thing(self, name: str, each: str | None) -> int:
+        """Return the index of one thing that can be touched; of a group its first member.
+
+        Raises:
+            ValueError: it is no such thing.
+        """
         member = self.members(name, each)[0]
         index = self.roster.index.get(member)
-        if index is None or index >= len(self.roster.entities):
-            message = f"not an entity: {member!r}"
+        if index is None:
+            message = f"not an entity or obstacle: {member!r}"
             raise ValueError(message)
         return index
 
@@ -131,7 +188,24 @@ class Workshop:
         Raises:
             ValueError: one of them is no zone.
         """
-        return any_of(tuple(self.zone(name) for name in self.members(names, each)))
+        return any_of(tuple(self._zone_or_drawn(name) for name in self.members(names, each)))
+
+    def _zone_or_drawn(self, name: str) -> Region:
+        among = self.roster.drawn.get(name)
+        if among is None:
+            return self.zone(name)
+        draws, regions = self.state.draws, {zone: self.zone(zone) for zone in among}
+        return Drawn(lambda: regions[str(draws[name])])
+
+    def follow_draws(self, watch: Watch, names: tuple[str, ...]) -> None:
+        """Let a watch begin anew whenever one of the draws among these names decides otherwise."""
+        for name in names:
+            if name in self.roster.drawn and watch not in self._by_draw.setdefault(name, []):
+                self._by_draw[name].append(watch)
+
+    def has_drawn(self, name: str) -> None:
+        """Let all that follows what a draw decided begin anew: its change is no edge."""
+        self.lookout.restart(*self._by_draw.get(name, ()))
 
     def zone(self, name: str) -> Outlined:
         """Return the region of one zone.
@@ -149,7 +223,7 @@ class Workshop:
 
     def listener(self, rule: StandingRule, position: int, trigger: str, entity: int | None = None) -> Listener:
         """Return the ear of a rule's trigger (its place in the rule is ``position``)."""
-        name = None if entity is None else self.roster.entities[entity]
+        name = None if entity is None else self.roster.things[entity]
         return Listener(rule, name, trigger, (rule.rank, position, -1 if entity is None else entity))
 
     def watch(self, kind: type[_W], key: tuple[object, ...], rule: StandingRule, make: Callable[[], _W]) -> _W:

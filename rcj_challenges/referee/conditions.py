@@ -33,8 +33,11 @@ def compile_condition(model: models.Condition, workshop: Workshop, each: str | N
 def watched_entities(model: models.Condition, workshop: Workshop, each: str | None) -> tuple[int, ...]:
     """Return the entities whose placement makes a condition begin anew: those whose place it reads."""
     match model:
-        case models.InZone() | models.Speed() | models.LastTouch():
+        case models.InZone() | models.Speed():
             return workshop.entities(model.entity, each)
+        case models.LastTouch():
+            touched = workshop.thing(model.entity, each)
+            return (touched,) if touched < len(workshop.roster.entities) else ()  # nobody puts a fixed obstacle
         case models.Distance():
             found = workshop.entities(model.entity, each)
             return (*found, *_anchors(model.to, workshop, each))
@@ -121,7 +124,11 @@ def speed(model: models.Speed, workshop: Workshop, each: str | None) -> Test:
         (x, y, _), (was_x, was_y, _) = state.poses[entity], state.before[entity]
         return sqrt((x - was_x) ** 2 + (y - was_y) ** 2) / TICK_S
 
-    return lambda: _quantified(of, (holds(mps(entity)) for entity in entities if state.present[entity]))
+    def compares(entity: int) -> bool:
+        # Who jumps, by hand in a test, is neither fast nor at rest.
+        return entity not in state.by_hand and holds(mps(entity))
+
+    return lambda: _quantified(of, (compares(entity) for entity in entities if state.present[entity]))
 
 
 def distance(model: models.Distance, workshop: Workshop, each: str | None) -> Test:
@@ -249,11 +256,11 @@ def timer(model: models.TimerIs, workshop: Workshop, each: str | None) -> Test:
 
 
 def last_touch(model: models.LastTouch, workshop: Workshop, each: str | None) -> Test:
-    """Which robot touched an entity last since it was put where it is."""
-    entity, by = workshop.entity(model.entity, each), frozenset(workshop.entities(model.by, each))
+    """Which robot touched something last since it was put where it is."""
+    touched, by = workshop.thing(model.entity, each), frozenset(workshop.entities(model.by, each))
     contacts = workshop.contacts
-    contacts.follow_last(entity)
-    return lambda: contacts.last(entity) in by
+    contacts.follow_last(touched)
+    return lambda: contacts.last(touched) in by
 
 
 def compile_message(model: models.Message, workshop: Workshop) -> Callable[[str], bool]:

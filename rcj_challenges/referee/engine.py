@@ -15,7 +15,8 @@ from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement,
 from rcj_challenges.referee.assembling import assemble
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.no_room import no_room_sentence
-from rcj_challenges.referee.places import compile_putting, start_pose
+from rcj_challenges.referee.places import compile_putting
+from rcj_challenges.referee.ranking import ranked_counters
 from rcj_challenges.referee.rules import Hit, Occasion, StandingRule
 from rcj_challenges.referee.setting_down import Job, set_down
 from rcj_challenges.referee.state import Number, State
@@ -26,6 +27,7 @@ from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.starting import start_noise_m
 
 
 class Referee:
@@ -68,6 +70,8 @@ class Referee:
         self._firings: list[Firing] = []
         self._quiet: dict[str, Verdict] = {}
         self._broadcast = self._compile_broadcast()
+        self._ranked_by = ranked_counters(scenario)
+        self._counted: dict[str, Any] | None = None
 
     # --- what others may read ---------------------------------------------------------------------------------------
 
@@ -144,9 +148,15 @@ class Referee:
         self._scatter_starts()
         return self._verdict()
 
-    def judge(self, snapshot: Snapshot) -> Verdict:
-        """Judge a tick."""
+    def judge(self, snapshot: Snapshot, by_hand: frozenset[int] = frozenset()) -> Verdict:
+        """Judge a tick.
+
+        Args:
+            snapshot: what is seen of it.
+            by_hand: entities that were put elsewhere by hand since the last one: only tests do that.
+        """
         state = self._state
+        state.by_hand = by_hand
         tick = state.tick = snapshot.tick
         substeps = snapshot.substeps
         changed_phase = tick >= self._phase_ends
@@ -210,8 +220,8 @@ class Referee:
         for about in dict.fromkeys(one for one in emitted if one[1] is not None):
             self._hits.report(events.get(about, []))
         if self._clock_ran:
-            for listener, at_s in self._moments.times.get(self._state.clock, ()):
-                self._hits.report([listener], at_s, at_s)
+            for one in self._moments.due_at(self._state.clock):
+                self._hits.report([one.listener], one.next_s, one.at_s)
         self._hear_faults(faults)
 
     def _hear_faults(self, faults: tuple[Fault, ...]) -> None:
@@ -310,8 +320,7 @@ class Referee:
     def _scatter_starts(self) -> None:
         """At tick 0: what has noise in its start pose and was placed by no rule starts with that noise."""
         for entity, name in enumerate(self._state.roster.entities):
-            _, noise = start_pose(self._workshop, entity)
-            if noise != (0.0, 0.0) and not self._queue.concerns(entity):
+            if start_noise_m(self._state.scenario, name) != (0.0, 0.0) and not self._queue.concerns(entity):
                 placing = Placing(entity=name, at="start")
                 putting = compile_putting(placing, self._workshop, entity, None, f"placement/start/{name}")
                 self._queue.ask(Job(entity, putting, None))
@@ -364,7 +373,17 @@ class Referee:
             broadcast=self._told(),
             robots_held=self._state.held.by_phase,
             held=self._state.held.by_rules,
+            counted=self._newly_counted() if self._ranked_by else None,
         )
+
+    def _newly_counted(self) -> dict[str, Any] | None:
+        """Return what the counters stand at that decide the ranking, if that is news. Only rules change them."""
+        counters = self._state.counters
+        now = {name: dict(kept) if isinstance(kept := counters[name], dict) else kept for name in self._ranked_by}
+        if now == self._counted:
+            return None
+        self._counted = now
+        return now
 
     def _quiet_verdict(self) -> Verdict:
         """Return the verdict of an uneventful tick: one object per phase, shared by all such ticks.

@@ -1,4 +1,4 @@
-"""How far a point is from something now: an entity, a spot, a point, the nearest point of a zone or of a gate."""
+"""How far a point is from something now: a thing, a spot, a point, the nearest point of a zone, gate or wall."""
 
 from __future__ import annotations
 
@@ -8,7 +8,9 @@ from math import sqrt
 
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.places import spot_name
+from rcj_challenges.referee.regions import distance_to_segment_m
 from rcj_challenges.referee.sequences import GateLine
+from rcj_challenges.scenario.models.field import Obstacle, Wall
 
 _Point = tuple[float, float]
 
@@ -19,8 +21,8 @@ class Target:
 
     Attributes:
         away_m: returns how far the point (x, y) is from it now, in m; None while it is off the field.
-        place: returns where it is now, None while it is off the field; itself None of a zone or a gate, which is no
-            point, and from which nothing is measured.
+        place: returns where it is now, None while it is off the field; itself None of a zone, a gate or a wall,
+            which is no point, and from which nothing is measured.
         entity: the index of the entity that it is, or with which it moves; None of what belongs to none.
     """
 
@@ -41,7 +43,22 @@ def targets_of(named: str | _Point, workshop: Workshop, each: str | None) -> tup
     """
     if isinstance(named, tuple):
         return (_standing(lambda: named),)
-    return tuple(_target(name, workshop) for name in workshop.members(named, each))
+    found: list[Target] = []
+    for name in workshop.members(named, each):
+        among = workshop.roster.drawn.get(name)
+        found += [_target(name, workshop)] if among is None else [_if_drawn(name, one, workshop) for one in among]
+    return tuple(found)
+
+
+def _if_drawn(draw: str, name: str, workshop: Workshop) -> Target:
+    """Return one of those among which a draw decides: it is nowhere while another one is drawn."""
+    draws, target = workshop.state.draws, _target(name, workshop)
+    place = target.place
+    return Target(
+        lambda x_m, y_m: target.away_m(x_m, y_m) if draws[draw] == name else None,
+        None if place is None else (lambda: place() if draws[draw] == name else None),
+        target.entity,
+    )
 
 
 def _target(name: str, workshop: Workshop) -> Target:
@@ -53,8 +70,19 @@ def _target(name: str, workshop: Workshop) -> Target:
     if name in scenario.gates:
         gate = GateLine(scenario.gates[name], workshop)
         return Target(gate.distance_m, None, gate.anchor)
+    if name in scenario.obstacles:
+        return _fixed(scenario.obstacles[name])
     spot = spot_name(workshop, name)
     return _standing(lambda: state.spots[spot])
+
+
+def _fixed(obstacle: Obstacle) -> Target:
+    """Return an obstacle that stands fast: its centre, as of one that can move; of a wall the line in its middle."""
+    if isinstance(obstacle, Wall):
+        ends = (*obstacle.from_m, *obstacle.to_m)
+        return Target(lambda x_m, y_m: distance_to_segment_m(x_m, y_m, *ends), None)
+    centre = obstacle.centre_m
+    return _standing(lambda: centre)
 
 
 def _entity(index: int, workshop: Workshop) -> Target:

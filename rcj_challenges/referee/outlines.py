@@ -16,10 +16,12 @@ from rcj_challenges.scenario.models.field import Box, Cylinder, FieldModel, Obst
 from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.starting import start_pose
 
 Points = tuple[tuple[float, float], ...]
 
-# Walls are solid far beyond their real thickness here, so that no place outside the field is taken for a free one.
+# Walls are solid far beyond their real thickness here, as nothing can stand in or behind them. What is placed outside
+# the box around field and goals is refused before any wall is looked at, however far out it is.
 _SOLID_M = 10.0
 # Bodies that touch do not overlap; float32 poses put them up to this much into each other.
 _TOUCHING_M = 1e-6
@@ -85,15 +87,15 @@ def disc(radius_m: float) -> Outline:
     return Outline.of(Part(((0.0, 0.0),), radius_m))
 
 
-def obstacle_outline(obstacle: Obstacle) -> tuple[Outline, Pose2]:
-    """Return an obstacle's outline and where it stands at the start."""
+def obstacle_outline(obstacle: Obstacle) -> Outline:
+    """Return an obstacle's outline, in the frame of where it stands at the start."""
     match obstacle:
         case Cylinder():
-            return disc(obstacle.radius_m), (*obstacle.centre_m, 0.0)
+            return disc(obstacle.radius_m)
         case Box():
-            return Outline.of(rectangle(*obstacle.size_m)), (*obstacle.centre_m, obstacle.yaw_rad)
+            return Outline.of(rectangle(*obstacle.size_m))
         case Wall():
-            return Outline.of(_wall_part(obstacle)), (0.0, 0.0, 0.0)
+            return Outline.of(_wall_part(obstacle))
 
 
 def _wall_part(wall: Wall) -> Part:
@@ -190,6 +192,7 @@ class Bodies:
         outlines: by entity index.
         fixed: parts of fixed obstacles, which count as bodies.
         walls: parts of the field's walls and goals, which do not.
+        half_box_m: half widths, along x and y, of the box around field and goals, in m; nothing stands outside.
     """
 
     def __init__(self, scenario: Scenario, roster: Roster) -> None:
@@ -200,15 +203,16 @@ class Bodies:
             elif name in scenario.balls:
                 outlines.append(disc(scenario.balls[name].radius_m))
             else:
-                outlines.append(obstacle_outline(scenario.obstacles[name])[0])
+                outlines.append(obstacle_outline(scenario.obstacles[name]))
         fixed: list[Part] = []
         for name, obstacle in scenario.obstacles.items():
             if name not in roster.entities:
-                outline, pose = obstacle_outline(obstacle)
-                fixed += outline.at(pose)
+                fixed += obstacle_outline(obstacle).at(start_pose(scenario, name))
         self.outlines = tuple(outlines)
         self.fixed = tuple(fixed)
         self.walls = wall_parts(scenario.field)
+        deepest_m = max((goal.depth_m for goal in scenario.field.goals.values()), default=0.0)
+        self.half_box_m = (scenario.field.width_m / 2, scenario.field.length_m / 2 + deepest_m)
 
     def fits(self, entity: int, pose: Pose2, others: dict[int, Pose2], clearance_m: float) -> bool:
         """Return whether an entity can stand at a pose.
@@ -219,6 +223,8 @@ class Bodies:
             others: the entities that stand on the field, by index.
             clearance_m: smallest gap to any other body; walls only must not be overlapped.
         """
+        if abs(pose[0]) > self.half_box_m[0] or abs(pose[1]) > self.half_box_m[1]:
+            return False
         outline = self.outlines[entity]
         parts = outline.at(pose)
         least = clearance_m - _TOUCHING_M

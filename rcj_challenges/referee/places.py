@@ -7,31 +7,19 @@ from collections.abc import Callable
 from math import atan2, cos, pi, sin, sqrt
 from typing import Any
 
-from rcj_challenges.facts.play import Pose2
 from rcj_challenges.referee.compiling import Workshop
-from rcj_challenges.referee.outlines import obstacle_outline
 from rcj_challenges.referee.random_points import point_sampler
 from rcj_challenges.referee.setting_down import Board, Kick, Point, Putting, Request, Where
-from rcj_challenges.scenario.measured import centre_of
+from rcj_challenges.scenario.measured import centre_of, middle_of
 from rcj_challenges.scenario.models import places as models
 from rcj_challenges.scenario.models.state import CounterValue
+from rcj_challenges.scenario.starting import start_noise_m, start_pose
 
 Locate = Callable[[Board], Point]
 """Returns where something is now."""
 
 # Distances are compared to the nanometre, so that spots at equal distances stand in the order of the file.
 _EQUAL_DIGITS = 9
-
-
-def start_pose(workshop: Workshop, entity: int) -> tuple[Pose2, Point]:
-    """Return the nominal start pose of an entity, and the half widths of its noise in m."""
-    scenario, name = workshop.scenario, workshop.roster.entities[entity]
-    if name in scenario.robots:
-        start = scenario.robots[name].start
-        return (start.x_m, start.y_m, start.yaw_rad), start.noise_m
-    if name in scenario.balls:
-        return (*scenario.balls[name].start_m, 0.0), (0.0, 0.0)
-    return obstacle_outline(scenario.obstacles[name])[1], (0.0, 0.0)
 
 
 def spots_of(workshop: Workshop, names: str | tuple[str, ...], each: str | None) -> Callable[[], tuple[Point, ...]]:
@@ -48,13 +36,16 @@ def spots_of(workshop: Workshop, names: str | tuple[str, ...], each: str | None)
 
 
 def where_now(workshop: Workshop, what: str | Point, each: str | None) -> Callable[[], Point | None]:
-    """Return what tells where an entity, a spot, a zone's centre or a point is now; None while it is off the field."""
+    """Return what tells where a thing, a spot, a zone's centre or a point is now; None while it is off the field."""
     if isinstance(what, tuple):
         return lambda: what
     state, name = workshop.state, workshop.members(what, each)[0]
     if name in workshop.scenario.zones:
         centre = centre_of(workshop.scenario.zones[name])
         return lambda: centre
+    if name in workshop.scenario.obstacles and name not in workshop.roster.entities:
+        middle = middle_of(workshop.scenario.obstacles[name])[:2]
+        return lambda: middle
     if name not in workshop.roster.entities:
         spot = spot_name(workshop, name)
         return lambda: state.spots[spot]
@@ -100,7 +91,9 @@ def _locate(workshop: Workshop, what: str | Point, each: str | None) -> tuple[Lo
 
 def at_start(_model: object, workshop: Workshop, entity: int, _each: str | None) -> Where:
     """Its own start, with its noise."""
-    (x, y, _), noise = start_pose(workshop, entity)
+    name = workshop.roster.entities[entity]
+    x, y, _ = start_pose(workshop.scenario, name)
+    noise = start_noise_m(workshop.scenario, name)
     return Where(lambda request: request.mirrored((x, y)), noise_m=noise)
 
 
@@ -227,7 +220,7 @@ def _free_spot(
 def _compile_facing(
     facing: Any, workshop: Workshop, entity: int, each: str | None,
 ) -> Callable[[Board, int, Point, random.Random], float]:  # fmt: skip
-    (_, _, start_yaw), _ = start_pose(workshop, entity)
+    _, _, start_yaw = start_pose(workshop.scenario, workshop.roster.entities[entity])
     state = workshop.state
     match facing:
         case models.Towards():

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.amounts import on_paper, within_most
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
 
 Score = int | float
@@ -27,6 +27,22 @@ class Tally:
     teams: Mapping[str, str]
     time_s: float
     began: Mapping[str, Any] = field(default_factory=dict)
+
+
+def ranked_counters(scenario: Scenario) -> tuple[str, ...]:
+    """Return the counters that the scenario's ``result`` ranks by, each once, in the order of the criteria."""
+    names: list[str] = []
+    for criterion in scenario.result.rank:
+        if isinstance(criterion, RankByCounter):
+            names.append(criterion.counter)
+        elif isinstance(criterion, RankByTime):
+            names += [part.counter for part in criterion.plus]
+    return tuple(dict.fromkeys(names))
+
+
+def counted_for(scenario: Scenario, team: str, counter: str, halves: Sequence[Tally]) -> Score:
+    """Return what a counter counts for a team over halves: those of its own robots, or one that all share."""
+    return on_paper(sum(_count(half, counter, _robots(scenario, half, team)) for half in halves))
 
 
 def ranking(scenario: Scenario, scores: Mapping[str, Score], halves: Sequence[Tally]) -> list[dict[str, Any]]:
@@ -62,15 +78,13 @@ def _value(
     scenario: Scenario,
     halves: Sequence[Tally],
 ) -> Score:
-    def counted(counter: str) -> Score:
-        return on_paper(sum(_count(half, counter, _robots(scenario, half, team)) for half in halves))
-
     if isinstance(criterion, RankByScore):
         return score
     if isinstance(criterion, RankByCounter):
-        return counted(criterion.counter)
+        return counted_for(scenario, team, criterion.counter, halves)
     time_s = sum(half.time_s for half in halves)
-    return round(time_s + sum(part.weight * counted(part.counter) for part in criterion.plus), 6)
+    added = sum(within_most(part.weight * counted_for(scenario, team, part.counter, halves)) for part in criterion.plus)
+    return round(within_most(time_s + added), 6)
 
 
 def _robots(scenario: Scenario, half: Tally, team: str) -> tuple[str, ...]:

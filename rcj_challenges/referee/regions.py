@@ -9,6 +9,7 @@ boundary is always looked at closely.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Callable
 from math import inf, sqrt
 
 from rcj_challenges.scenario.models.base import Strict
@@ -241,6 +242,25 @@ class AnyOf(Region):
                 return own
             cell = common_cell(cell, own)
         return cell
+
+
+class Drawn(Region):
+    """The region that a draw has decided; who follows it begins anew when it decides otherwise.
+
+    Args:
+        now: returns the region that it is now.
+    """
+
+    def __init__(self, now: Callable[[], Region]) -> None:
+        self._now = now
+
+    def contains(self, x_m: float, y_m: float) -> bool:
+        """Return whether the point is in the one that is drawn now."""
+        return self._now().contains(x_m, y_m)
+
+    def cell(self, x_m: float, y_m: float) -> Cell:
+        """Return the cell of the one that is drawn now."""
+        return self._now().cell(x_m, y_m)
 
 
 class FarFrom(Region):

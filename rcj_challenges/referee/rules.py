@@ -31,7 +31,7 @@ class StandingRule:
     Attributes:
         name: as in the scenario.
         each: the member that ``each`` stands for, or None.
-        about: ``each`` if that is an entity, else None: of a rule over zones or gates it is the trigger that tells.
+        about: ``each`` if that is an entity or an obstacle, else None: of a rule over zones or gates the trigger tells.
         other: what ``other`` stands for: it fires for a touch of that only; None where the rule does not name it.
         phases: in which it lives; None: in all.
         exclusive: the group of which only one fires a tick, per entity.
@@ -69,7 +69,7 @@ class Occasion:
 
     Attributes:
         rule: the rule that fires.
-        entity: what the trigger found (an entity's name), or None.
+        entity: what the trigger found (the name of an entity or an obstacle), or None.
         trigger: the word that fired.
         measured, limit: what was measured against what.
         scored: points given so far, by entrant.
@@ -84,7 +84,7 @@ class Occasion:
 
     @property
     def subject(self) -> str | None:
-        """What the firing is about: the entity that ``each`` is, else the one that the trigger found."""
+        """What the firing is about: the entity or obstacle that ``each`` is, else the one that the trigger found."""
         return self.rule.about if self.rule.about is not None else self.entity
 
     @property
@@ -99,9 +99,9 @@ class Listener:
 
     Attributes:
         rule: whose it is.
-        entity: the entity it is about, or None.
+        entity: the entity or obstacle it is about, or None.
         trigger: the word.
-        key: order among all listeners: the rule's rank, the trigger's place in the rule, the entity's index.
+        key: order among all listeners: the rule's rank, the trigger's place in the rule, the index of what it is about.
     """
 
     rule: StandingRule

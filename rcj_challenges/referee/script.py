@@ -11,13 +11,13 @@ from dataclasses import dataclass
 from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, Snapshot, Verdict
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, ticks_from_s
 from rcj_challenges.referee.engine import Referee
-from rcj_challenges.referee.outlines import obstacle_outline
 from rcj_challenges.referee.state import float32
 from rcj_challenges.referee.wrong_way import WrongWays
 from rcj_challenges.scenario.drawn import Series
 from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.starting import start_pose
 
 # Where the stage shows what is off the field; the referee must not look there.
 _PARKED_X_M, _PARKED_STEP_M = 3.0, 0.2
@@ -91,6 +91,7 @@ class ScriptedPlay:
         self._none_touch: tuple[tuple[tuple[int, int], ...], ...] = ((),) * SUBSTEPS_PER_TICK
         self._frozen: list[list[Pose2]] | None = None
         self._parked: set[int] = set()
+        self._by_hand: set[int] = set()
         self.wrong_ways = WrongWays(scenario, roster)
         self.verdict = self._take(self.referee.start(self._snapshot()))
 
@@ -99,6 +100,7 @@ class ScriptedPlay:
     def place(self, entity: str, x_m: float, y_m: float, yaw_rad: float | None = None) -> None:
         """Put an entity somewhere by hand, upright; the next snapshot shows it there."""
         index = self.roster.index[entity]
+        self._by_hand.add(index)
         self._glides.pop(index, None)
         self._uprights[index] = 1.0
         self._stand(index, x_m, y_m, self._poses[index][2] if yaw_rad is None else yaw_rad)
@@ -134,7 +136,8 @@ class ScriptedPlay:
             snapshot = self._snapshot()
             if self.wrong_ways.passages:
                 self.wrong_ways.look(self.tick, self._judged, snapshot.substeps, self._parked)
-            self.verdict = self._take(self.referee.judge(snapshot))
+            by_hand, self._by_hand = frozenset(self._by_hand), set()
+            self.verdict = self._take(self.referee.judge(snapshot, by_hand))
         return self.verdict
 
     def play_until(self, tick: int) -> Verdict:
@@ -221,11 +224,5 @@ class ScriptedPlay:
 
 
 def _start(scenario: Scenario, name: str) -> Pose2:
-    if name in scenario.robots:
-        start = scenario.robots[name].start
-        pose = (start.x_m, start.y_m, start.yaw_rad)
-    elif name in scenario.balls:
-        pose = (*scenario.balls[name].start_m, 0.0)
-    else:
-        pose = obstacle_outline(scenario.obstacles[name])[1]
-    return (float32(pose[0]), float32(pose[1]), float32(pose[2]))
+    x, y, yaw = start_pose(scenario, name)
+    return float32(x), float32(y), float32(yaw)

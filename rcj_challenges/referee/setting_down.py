@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import sqrt
@@ -16,7 +17,12 @@ Point = tuple[float, float]
 Velocity = tuple[float, float]
 """Of x and y, in m/s."""
 
+_ALL_ATTEMPTS = sys.maxsize
 _AT_REST: Velocity = (0.0, 0.0)
+
+ATTEMPTS_WAITING = 4
+"""How often a random place is drawn on each further tick, once all attempts of the first were in vain: a good
+hundred in a second. All of them on every tick cost the referee more time than everything else that it does."""
 
 
 class Board:
@@ -138,8 +144,8 @@ class Putting:
         noise_m: half widths of the uniform noise on x and y, in m.
         flips: each returns the signs of x and y (-1 mirrors).
         clearance_m: smallest gap to any other body.
-        attempts: how often a random place is drawn.
-        retry: whether it is tried again on every tick while there is no room.
+        attempts: how often a random place is drawn at first.
+        retry: whether it is tried again on every tick while there is no room, `ATTEMPTS_WAITING` times at most.
         stream: name of the random stream.
         kick: how it rolls away from there; None: it lies still.
     """
@@ -185,10 +191,10 @@ class Putting:
 
         return Request(board, self.entity, mirrored, rng, fits)
 
-    def propose(self, board: Board, rng: random.Random, signs: Point) -> Pose2 | None:
-        """Return a pose at which the entity can stand, or None if there is none."""
+    def propose(self, board: Board, rng: random.Random, signs: Point, most_attempts: int) -> Pose2 | None:
+        """Return a pose at which the entity can stand, or None if so many attempts find none."""
         request, noises = self.request(board, rng, signs), self._noises
-        for _ in range(self.attempts if self.is_random else 1):
+        for _ in range(min(self.attempts, most_attempts) if self.is_random else 1):
             point = self.where.find(request)
             if point is None:
                 return None
@@ -226,7 +232,7 @@ class Job:
         signs: of x and y, as the mirrors stood when it was asked for; a retry keeps them.
         comes_back: whether it brings back what was taken off for a time: that waits for no phase.
         instead_of: what would have brought the entity back; that goes on to wait if this finds no room and gives up.
-        told: whether the log says already that it found no room.
+        told: whether it found no room already, and the log says so.
         aimless: whether it failed for want of something to kick it at.
     """
 
@@ -239,6 +245,11 @@ class Job:
     instead_of: Job | None = None
     told: bool = False
     aimless: bool = False
+
+    @property
+    def most_attempts(self) -> int:
+        """How often a random place may be drawn for it in this tick, however many its placement allows."""
+        return ATTEMPTS_WAITING if self.told else _ALL_ATTEMPTS
 
 
 class Queue:
@@ -312,7 +323,7 @@ def _try(jobs: list[Job], state: State, bodies: Bodies) -> tuple[list[_Done], Jo
         if job.putting is None:
             done.append((job.entity, None, _AT_REST))
             continue
-        pose = job.putting.propose(board, state.stream(job.putting.stream), job.signs)
+        pose = job.putting.propose(board, state.stream(job.putting.stream), job.signs, job.most_attempts)
         if pose is None:
             return [], job
         board.put(job.entity, pose)

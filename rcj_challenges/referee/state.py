@@ -36,6 +36,7 @@ class Clock:
 
     Attributes:
         length: in ticks.
+        length_s: as the scenario says it, or its draw; whole ticks may be a little longer.
         elapsed: ticks run until it was last started or held.
         since: tick from which it runs, None while it is held.
     """
@@ -43,6 +44,7 @@ class Clock:
     length: int
     elapsed: int = 0
     since: int | None = None
+    length_s: float = 0.0
 
     def ticks(self, tick: int) -> int:
         """Return how long it has run."""
@@ -62,6 +64,7 @@ class State:
         phase: the phase now.
         poses: by entity, where it is now (after a placement: where it was put).
         before: by entity, where it was a tick ago (or was put then).
+        by_hand: who was put where it is by hand since a tick ago, which tests do: its speed is unknown then.
         uprights: by entity, cosine of the tilt.
         present: by entity, whether it is on the field.
         held: who is held, by the phase or by rules; also of those off the field.
@@ -86,6 +89,7 @@ class State:
         self.phase = scenario.first_phase
         self.poses: list[Pose2] = []
         self.before: list[Pose2] = []
+        self.by_hand: frozenset[int] = frozenset()
         self.ways: dict[int, float] = {}
         self.spots = {name: (spot.x_m, spot.y_m) for name, spot in scenario.spots.items()}
         self.uprights: list[float] = []
@@ -169,11 +173,19 @@ class State:
                 self.draw_anew(name, draw)
         for name, timer in self.scenario.timers.items():
             for clock in self.timers[name].values():
-                clock.length = self.lasting_ticks(timer.lasts_s)
+                self.wind_up(clock, timer.lasts_s)
+
+    def wind_up(self, clock: Clock, lasts_s: float | DrawnDuration) -> None:
+        """Give a clock its length, as its draw has decided by now."""
+        clock.length_s = self._lasting_s(lasts_s)
+        clock.length = ticks_from_s(clock.length_s)
 
     def lasting_ticks(self, lasts_s: float | DrawnDuration) -> int:
         """Return a duration in ticks, as its draw has decided by now."""
-        return ticks_from_s(float(self.draws[lasts_s.draw]) if isinstance(lasts_s, DrawnDuration) else lasts_s)
+        return ticks_from_s(self._lasting_s(lasts_s))
+
+    def _lasting_s(self, lasts_s: float | DrawnDuration) -> float:
+        return float(self.draws[lasts_s.draw]) if isinstance(lasts_s, DrawnDuration) else lasts_s
 
     def set_draw(self, name: str, value: Scalar) -> None:
         """Let a draw have a value, which has been drawn then."""

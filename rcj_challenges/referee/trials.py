@@ -4,23 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from itertools import zip_longest
-from math import hypot, isclose
+from math import hypot
 from typing import Any, Protocol
 
 from rcj_challenges.facts.amounts import on_paper
-from rcj_challenges.facts.play import Event
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
+from rcj_challenges.referee.comparing import difference, event_differences
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.ranking import Tally, ranking
 from rcj_challenges.referee.script import ScriptedPlay, half_of
 from rcj_challenges.referee.state import Number
 from rcj_challenges.scenario.drawn import series_of
 from rcj_challenges.scenario.models.base import Scalar
-from rcj_challenges.scenario.models.scenario import Expectation, ExpectedEvent, Given, Keyframe, Scenario
+from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe, Scenario
 from rcj_challenges.scenario.roster import Roster
-
-_COUNTS_AS_EQUAL = 1e-9
 
 
 class HasScenario(Protocol):
@@ -186,27 +183,35 @@ def _differences(play: ScriptedPlay, scenario: Scenario, expected: Expectation) 
     if expected.events is not None:
         wanted = {event.event for event in expected.events}
         ignored = set(expected.ignore) - wanted
-        yield from _event_differences([event for event in play.events if event.name not in ignored], expected.events)
+        found = [event for event in play.events if event.name not in ignored]
+        yield from event_differences(found, expected.events, expected.ignore)
     for entrant, score in expected.score.items():
-        yield from _difference(f"score of {entrant}", score, referee.scores.get(entrant))
+        yield from difference(f"score of {entrant}", score, referee.scores.get(entrant))
+    yield from _state_differences(referee, expected)
+    if expected.phase is not None:
+        yield from difference("phase", expected.phase, referee.phase)
+    if expected.ended is not None:
+        yield from difference("ended", expected.ended, _ended(play))
+    if expected.ranking is not None:
+        yield from _ranking_differences(play, scenario, expected.ranking)
+    for name, is_held in (expected.held or {}).items():
+        yield from difference(f"{name} held", is_held, referee.held.get(name))
+    yield from _pose_differences(play, expected)
+
+
+def _state_differences(referee: Referee, expected: Expectation) -> Iterable[str]:
+    """Return which counters and flags are others than expected."""
     for name, count in expected.counters.items():
         if isinstance(count, dict):
-            yield from _of_each(f"counter {name}", count, referee.counters.get(name))
+            yield from _of_each(f"counter {name}", count, referee.counters.get(name), expected.tolerance_counters)
         else:
-            yield from _difference(f"counter {name}", count, _number(referee, name))
+            yield from difference(f"counter {name}", count, _number(referee, name), expected.tolerance_counters)
     for name, flag in expected.flags.items():
         value = referee.flags.get(name)
         if isinstance(flag, dict):
             yield from _of_each(f"flag {name}", flag, value)
         else:
-            yield from _difference(f"flag {name}", flag, any(value.values()) if isinstance(value, dict) else value)
-    if expected.phase is not None:
-        yield from _difference("phase", expected.phase, referee.phase)
-    if expected.ranking is not None:
-        yield from _ranking_differences(play, scenario, expected.ranking)
-    for name, is_held in (expected.held or {}).items():
-        yield from _difference(f"{name} held", is_held, referee.held.get(name))
-    yield from _pose_differences(play, expected)
+            yield from difference(f"flag {name}", flag, any(value.values()) if isinstance(value, dict) else value)
 
 
 def _pose_differences(play: ScriptedPlay, expected: Expectation) -> Iterable[str]:
@@ -238,64 +243,20 @@ def _ranking_differences(
         yield f"ranking: expected {wanted}; is {told}"
 
 
+def _ended(play: ScriptedPlay) -> str:
+    """Return what is over when a test is: the match by a rule, or the half by a rule or by its time."""
+    if play.verdict.ends_match:
+        return "match"
+    return "half" if play.verdict.ended is not None or play.referee.time_is_up else "none"
+
+
 def _number(referee: Referee, name: str) -> Number | None:
     value = referee.counters.get(name, referee.scores.get(name))
     return on_paper(sum(value.values())) if isinstance(value, dict) else value
 
 
-def _of_each(what: str, expected: Mapping[str, Scalar], found: object) -> Iterable[str]:
+def _of_each(what: str, expected: Mapping[str, Scalar], found: object, tolerance: float | None = None) -> Iterable[str]:
     """Return where what is kept for each of several is different."""
     kept = found if isinstance(found, dict) else {}
     for member, value in expected.items():
-        yield from _difference(f"{what} of {member}", value, kept.get(member))
-
-
-def _difference(what: str, expected: Scalar, found: Scalar | None) -> Iterable[str]:
-    if not _equal(expected, found):
-        yield f"{what}: expected {_shown(expected)}, is {_shown(found)}"
-
-
-def _event_differences(found: list[Event], expected: tuple[ExpectedEvent, ...]) -> Iterable[str]:
-    for number, (event, wanted) in enumerate(zip_longest(found, expected), start=1):
-        if wanted is None:
-            yield f"event {number}: nothing more expected, got {_told(event)}"
-        elif event is None:
-            when = "" if wanted.at_s is None else f" at {wanted.at_s:g} s"
-            yield f"event {number}: expected {wanted.event}{when}, nothing came"
-        elif event.name != wanted.event:
-            yield f"event {number}: expected {wanted.event}, got {_told(event)}"
-        else:
-            yield from _within_event(number, event, wanted)
-
-
-def _within_event(number: int, event: Event, wanted: ExpectedEvent) -> Iterable[str]:
-    at_s = s_from_ticks(event.tick)
-    if wanted.at_s is not None and abs(at_s - wanted.at_s) > wanted.tolerance_s + _COUNTS_AS_EQUAL:
-        allowed = f"up to {wanted.tolerance_s:g} s off is allowed, more by tolerance_s beside at_s"
-        yield f"event {number} ({event.name}): expected at {wanted.at_s:g} s, came at {at_s:g} s; {allowed}"
-    for key, value in wanted.payload.items():
-        if not _equal(value, event.payload.get(key)):
-            found = _shown(event.payload.get(key))
-            yield f"event {number} ({event.name}): expected {key} {_shown(value)}, is {found}"
-
-
-def _equal(expected: Scalar, found: object) -> bool:
-    numbers = (int, float)
-    if isinstance(expected, bool) or isinstance(found, bool):
-        return expected is found
-    if isinstance(expected, numbers) and isinstance(found, numbers):
-        return isclose(expected, found, rel_tol=1e-9, abs_tol=1e-9)
-    return expected == found
-
-
-def _told(event: Event) -> str:
-    payload = ", ".join(f"{key} {_shown(value)}" for key, value in event.payload.items())
-    return f"{event.name} at {s_from_ticks(event.tick):g} s" + (f" ({payload})" if payload else "")
-
-
-def _shown(value: object) -> str:
-    if value is None:
-        return "nothing"
-    if isinstance(value, bool):
-        return str(value).lower()
-    return f"{value:g}" if isinstance(value, float) else str(value)
+        yield from difference(f"{what} of {member}", value, kept.get(member), tolerance)

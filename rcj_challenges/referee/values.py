@@ -7,13 +7,14 @@ from functools import partial
 from math import floor, nan
 from typing import Any
 
-from rcj_challenges.facts.amounts import on_paper, plain
+from rcj_challenges.facts.amounts import on_paper, plain, within_most
 from rcj_challenges.facts.messages import number_in
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.measuring import distance_reader, timer_reader, way_reader
 from rcj_challenges.referee.rules import Occasion
 from rcj_challenges.referee.state import Number, State
+from rcj_challenges.scenario.measured import middle_of
 from rcj_challenges.scenario.models.state import (
     CounterValue,
     DistanceValue,
@@ -70,13 +71,16 @@ def _position_reader(value: PositionValue, workshop: Workshop, each: str | None)
     state, name = workshop.state, value.position_of
     if name in state.spots:
         return lambda _occasion: [round(number, 6) for number in state.spots[name]]
-    entity = workshop.entity(name, each)
-    return lambda _occasion: _position(state, entity)
+    thing = workshop.thing(name, each)
+    if thing >= len(workshop.roster.entities):
+        standing = middle_of(workshop.scenario.obstacles[workshop.roster.things[thing]])
+        return lambda _occasion: [round(number, 6) for number in standing]
+    return lambda _occasion: _position(state, thing)
 
 
 def _last_toucher(value: LastTouchValue, workshop: Workshop, each: str | None) -> Callable[[], str | None]:
     """Return what tells the name of the robot that touched something last; None if none has."""
-    contacts, touched = workshop.contacts, workshop.entity(value.last_touch, each)
+    contacts, touched = workshop.contacts, workshop.thing(value.last_touch, each)
     contacts.follow_last(touched)
 
     def read() -> str | None:
@@ -183,7 +187,7 @@ def compile_points(points: Any, workshop: Workshop, each: str | None) -> Callabl
     def total(occasion: Occasion) -> Number:
         summed: Number = 0
         for read, weight in parts:
-            summed += read(occasion) * weight
+            summed += within_most(read(occasion) * weight)  # each part: of ∞ - ∞ nothing could be told
         return on_paper(summed)
 
     return total

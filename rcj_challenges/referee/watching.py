@@ -194,11 +194,14 @@ class Lookout:
                 watch.let_go(robots)
             self._next_due()
 
-    def restart(self, watch: Watch) -> None:
-        """Begin one watch anew, because a rule says so."""
-        self._restart(watch)
-        for entity in watch.entities:
+    def restart(self, *watches: Watch) -> None:
+        """Begin watches anew, because a rule says so."""
+        for watch in watches:
+            self._restart(watch)
+        for entity in dict.fromkeys(entity for watch in watches for entity in watch.entities):
             self._fit_cell(entity)
+        if watches:
+            self._next_due()
 
     def _restart(self, watch: Watch) -> None:
         watch.since = self._state.tick

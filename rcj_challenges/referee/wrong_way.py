@@ -60,8 +60,10 @@ class WrongWays:
             unheard = f"not heard by the rule {name}, which has direction: {trigger.direction}"
             for each in (None,) if rule.for_each is None else self._members(rule.for_each, None):
                 for entity in self._entities(trigger.entity, each):
+                    # Of a gate that is drawn, nobody here knows when it is.
                     for gate in self._members(trigger.gate, each):
-                        yield _Passage(entity, gate, _WRONG[trigger.direction], unheard)
+                        if gate in self._gates:
+                            yield _Passage(entity, gate, _WRONG[trigger.direction], unheard)
 
     def _members(self, names: str | tuple[str, ...], each: str | None) -> tuple[str, ...]:
         listed = (names,) if isinstance(names, str) else names

@@ -1,4 +1,4 @@
-"""The blanks of ``says``. What is known before anything happens is filled in here, for sheet and referee alike."""
+"""The blanks of ``says``, and params in the description: what is known before anything happens is filled in here."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.scenario.models.actions import Score
 from rcj_challenges.scenario.models.base import Scalar
-from rcj_challenges.scenario.models.scenario import Rule
+from rcj_challenges.scenario.models.scenario import Rule, Scenario
 
 BLANKS = ("entity", "each", "other", "team", "measured", "limit", "points")
 """What is filled in when a rule fires. In braces also a param's name; a blank goes before a param of its name."""
@@ -23,8 +23,16 @@ def in_braces(says: str) -> tuple[str, ...]:
 
 def points_of(rule: Rule) -> frozenset[float | None]:
     """Return how many points the score actions of a rule give; None stands for what is known only when it fires."""
-    given = (action.points for action in rule.actions if isinstance(action, Score))
-    return frozenset(points if isinstance(points, int | float) else None for points in given)
+    return frozenset(_points(action) for action in rule.actions if isinstance(action, Score))
+
+
+def _points(action: Score) -> float | None:
+    depends_on_the_score = action.keeps_at_least is not None or action.keeps_at_most is not None
+    if not isinstance(action.points, int | float) or depends_on_the_score:
+        return None
+    least, most = action.at_least, action.at_most
+    points = action.points if least is None else max(action.points, least)
+    return points if most is None else min(points, most)
 
 
 def partly_filled(rule: Rule, params: Mapping[str, Scalar]) -> str:
@@ -35,6 +43,12 @@ def partly_filled(rule: Rule, params: Mapping[str, Scalar]) -> str:
     if number is not None:
         known["points"] = _as_text(number)
     return _IN_BRACES.sub(lambda blank: known.get(blank[1], blank[0]), rule.says)
+
+
+def description_of(scenario: Scenario) -> str:
+    """Return what a scenario is about, with the values of its params: it is true for every ``--set``."""
+    known = {name: _as_text(value) for name, value in scenario.params.items()}
+    return _IN_BRACES.sub(lambda blank: known.get(blank[1], blank[0]), scenario.description)
 
 
 def _as_text(value: Scalar) -> str:

@@ -8,6 +8,7 @@ from rcj_challenges.scenario.catalogue import Catalogue
 from rcj_challenges.scenario.crossrefs import check_references, shown_path
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem
 from rcj_challenges.scenario.ground import check_ground
+from rcj_challenges.scenario.magnitudes import check_magnitudes
 from rcj_challenges.scenario.measured import check_measured
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.naming import check_names
@@ -31,7 +32,10 @@ def check(scenario: Scenario | None, tree: Entries, removed: Mapping[Path, Mark]
     half_is_set = any(
         mark_of(tree, ("match", key), at_key=True).file.startswith(("--set", RESOLVED)) for key in ("half_s", "halves")
     )
-    found = (*check_ground(scenario), *check_measured(scenario), *check_sense(scenario, half_is_set=half_is_set))
+    # What is out of all measure comes first and alone: nothing else can be told of it.
+    found = tuple(check_magnitudes(scenario)) or (
+        *check_ground(scenario), *check_measured(scenario), *check_sense(scenario, half_is_set=half_is_set)
+    )  # fmt: skip
     for path, message, at_key, other in found:
         if other and mark_of(tree, path).file != tree.mark.file == mark_of(tree, other).file:
             path, at_key = other, False  # noqa: PLW2901 - the other place takes over

@@ -13,7 +13,7 @@ from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.bound import Bound
 from rcj_challenges.scenario.catalogue import BOUND, EACH, OTHER, Catalogue, texts
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, known_text, listing, nearest
-from rcj_challenges.scenario.models import actions, conditions, places, state
+from rcj_challenges.scenario.models import actions, conditions, places, state, triggers
 from rcj_challenges.scenario.models.base import LONGEST_S
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
@@ -30,6 +30,7 @@ _UNKNOWN = {
 _WORDED = ("triggers", "conditions", "actions")
 _OF_OTHERS: dict[Any, str] = {state.LowestOfOthers: "lowest", state.HighestOfOthers: "highest"}
 _PLACES = ("zone", "gate")
+_STANDING = ("fixed obstacle", "walls")
 
 
 def check_references(catalogue: Catalogue, removed: Mapping[Path, Mark]) -> list[Problem]:
@@ -161,10 +162,12 @@ class _Walker:
         elif members is None:
             self.add(path, mark, _UNKNOWN[name])
         else:
-            wrong = next((one for one in members if self.names.kinds.get(one, "robot") not in reference.kinds), None)
+            kinds = self.names.kinds
+            # What has no kind is a name that does not exist, which is reported where it is written.
+            wrong = next((one for one in members if one in kinds and kinds[one] not in reference.kinds), None)
             if wrong is not None:
-                kind = self.names.kinds[wrong]
-                self.add(path, mark, f"'{name}' stands for '{wrong}', {_a(kind)}; expected {_a(reference.noun)}")
+                wanted = f"{_a(reference.noun)}{_way_out(kinds[wrong], reference)}"
+                self.add(path, mark, f"'{name}' stands for '{wrong}', {_a(kinds[wrong])}; expected {wanted}")
 
     def _check_on_field(self, reference: Field, name: str, path: Path, mark: Mark) -> None:
         names = self.names
@@ -184,9 +187,14 @@ class _Walker:
                     group for group, all_ in names.groups.items() if all_ and self._stranger(reference, group) is None
                 ]
             if reference.drawn:
-                known += names.names("draws")
+                known += [draw for draw in names.names("draws") if self._may_decide(draw, reference)]
             sections = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups")
             self._unknown(reference.noun, name, known, sections, path, mark)
+
+    def _may_decide(self, draw: str, reference: Field) -> bool:
+        """Return whether all values of a draw are of a kind that is needed."""
+        values = texts(node_at(self.root, ("draws", draw, "values")))
+        return bool(values) and all(self.names.kinds.get(value) in reference.kinds for value in values)
 
     def _stranger(self, reference: Field, group: str) -> str | None:
         """Return a member of a group that is of no kind that is needed; members that do not exist are no strangers."""
@@ -260,6 +268,8 @@ class _Walker:
             self._among_steps(node, path, bound)
         elif model in _OF_OTHERS:
             self._of_several(node, _OF_OTHERS[model], path)
+        elif model is triggers.Touches:
+            self._who_moves(node, path, bound)
 
     def _of_several(self, node: Entries, key: str, path: Path) -> None:
         """Check that a counter is kept for several, where one of them is compared with the others."""
@@ -270,6 +280,13 @@ class _Walker:
         if counter is not None and child(counter, "per") is None:
             message = f"counter '{name.value}' is not kept per entity: there are no others; give it per: robots"
             self.add((*path, key), name.mark, f"{message}, or write {{counter: {name.value}}}")
+
+    def _who_moves(self, touch: Entries, path: Path, bound: Bound) -> None:
+        """Check that one of the two that touch can come to the other."""
+        entity, other = (bound.meant(touch.entries.get(key), self.names) for key in ("entity", "other"))
+        if entity and other and all(self.names.kinds.get(one) in _STANDING for one in (*entity, *other)):
+            message = f"'{entity[0]}' and '{other[0]}' never move, so that they never touch; name a robot or a ball"
+            self.add((*path, "other"), mark_of(self.root, (*path, "other")), message)
 
     def _decided_beforehand(self, draws: Node | None, path: Path) -> None:
         """Check the values of draws that a test decides: one, or several in order."""
@@ -412,9 +429,11 @@ def _way_out(kind: str, reference: Field) -> str:
     """Return what to write where a fixed obstacle is taken for something that moves."""
     if kind != "fixed obstacle" or "obstacle" not in reference.kinds:
         return ""
+    if reference.instead:
+        return f"; {reference.instead}"
     if "spot" in reference.kinds:
         return ": with movable: true it is an entity, and a spot of the same place can stand for it"
-    return ": with movable: true it is one"
+    return ", which can move: with movable: true it is one"
 
 
 def _without(name: str, path: Path) -> str:

@@ -15,6 +15,7 @@ from pydantic import ConfigDict, TypeAdapter, ValidationError
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, listing, nearest
 from rcj_challenges.scenario.models.actions import Action
 from rcj_challenges.scenario.models.conditions import Condition
+from rcj_challenges.scenario.models.state import TimerValue, WordValue
 from rcj_challenges.scenario.models.triggers import TimerExpired, Trigger
 from rcj_challenges.scenario.shape import (
     Shape,
@@ -204,6 +205,8 @@ class _Explainer:
         why = " (a param stands for a single value only)" if key == "param" else ""
         if model is TimerExpired and key == "entity":
             why = "; of a timer kept per entity for_each says whose is meant, without it any of them"
+        if model in (TimerValue, WordValue) and key == "fraction":
+            why = "; a payload and the broadcast tell times with their fraction anyway: leave it out"
         message = f"unknown key '{key[:64]}'; allowed are {listing(allowed, 40)}{nearest(key, allowed)}{why}"
         message += self._as_list(above, key)
         return mark_of(self.root, (*above, key), at_key=True).problem(in_names(self.root, above), message)
@@ -266,7 +269,7 @@ _USUAL = {
 """What others call a condition, and how it is written here."""
 
 
-_REPEATED = "every so often is a timer that the rule restarts when it expires"
+_REPEATED = "every 5 s is {trigger: time_reached, at_s: 5, every_s: 5}"
 _LATER = "a pause is a phase, and what comes later waits for a timer"
 _HELD = "'hold' keeps a robot where it is, for_s or until 'release'"
 _LET_GO = "'release' lets a robot go that 'hold' holds"

@@ -12,6 +12,7 @@ from typing import Any
 
 from rcj_challenges.scenario.crossrefs import shown_path
 from rcj_challenges.scenario.errors import Problem
+from rcj_challenges.scenario.lint_bounds import check_bounds
 from rcj_challenges.scenario.lint_denied import check_contradictions
 from rcj_challenges.scenario.lint_distances import check_distances
 from rcj_challenges.scenario.lint_edges import check_edges, check_exclusive_groups
@@ -25,12 +26,14 @@ from rcj_challenges.scenario.lint_flow import (
 from rcj_challenges.scenario.lint_ground import check_entities, check_layouts, check_obstacles, check_places
 from rcj_challenges.scenario.lint_heard import check_heard
 from rcj_challenges.scenario.lint_held import check_held, check_holds
+from rcj_challenges.scenario.lint_judged import check_judged_twice
 from rcj_challenges.scenario.lint_kicks import check_kicks
 from rcj_challenges.scenario.lint_moments import check_moments
-from rcj_challenges.scenario.lint_numbers import check_numbers
+from rcj_challenges.scenario.lint_numbers import check_numbers, check_written_out
 from rcj_challenges.scenario.lint_others import check_others
+from rcj_challenges.scenario.lint_put_back import check_put_back
 from rcj_challenges.scenario.lint_result import check_ranking
-from rcj_challenges.scenario.lint_says import check_broadcast, check_sentences
+from rcj_challenges.scenario.lint_says import check_broadcast, check_description, check_sentences
 from rcj_challenges.scenario.lint_sides import check_sides
 from rcj_challenges.scenario.lint_state import (
     check_drawn_names,
@@ -43,7 +46,7 @@ from rcj_challenges.scenario.lint_state import (
 )
 from rcj_challenges.scenario.lint_steps import check_kept_steps
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
-from rcj_challenges.scenario.lint_times import check_halves, check_reached, check_rests, check_times
+from rcj_challenges.scenario.lint_times import check_halves, check_last_tick, check_reached, check_rests, check_times
 from rcj_challenges.scenario.lint_touched import check_touched
 from rcj_challenges.scenario.lint_unheard import check_unheard
 from rcj_challenges.scenario.lint_units import check_units
@@ -66,12 +69,15 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_rules,
     check_contradictions,
     check_touched,
+    check_judged_twice,
     check_moments,
     check_unheard,
     check_sentences,
+    check_description,
     check_units,
     check_broadcast,
     check_scoring,
+    check_bounds,
     check_ranking,
     check_edges,
     check_exclusive_groups,
@@ -85,6 +91,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_times,
     check_halves,
     check_reached,
+    check_last_tick,
     check_rests,
     check_kept_steps,
     check_sides,
@@ -93,12 +100,14 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_obstacles,
     check_entities,
     check_layouts,
+    check_put_back,
     check_kicks,
     check_field_size,
     check_goals,
     check_walled_zones,
     check_inherited_sentences,
     check_numbers,
+    check_written_out,
     check_inherited_texts,
     check_kits,
     check_idle_robots,

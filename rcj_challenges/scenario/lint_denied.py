@@ -61,10 +61,12 @@ def _is_elsewhere(trigger: Enters | Leaves, condition: InZone, rule: Rule, subje
 def _denies_place(
     trigger: Enters | Leaves, condition: InZone, rule: Rule, subject: Subject, *, asked_inside: bool
 ) -> bool:
-    zones, asked = subject.members(trigger.zone, rule), subject.members(condition.zone, rule)
-    if isinstance(trigger, Enters):
-        return not asked_inside and zones <= asked
-    return asked_inside and asked <= zones
+    entered = isinstance(trigger, Enters)
+    if trigger.zone == condition.zone:
+        return entered != asked_inside
+    if entered:
+        return not asked_inside and subject.members(trigger.zone, rule) <= subject.surely(condition.zone, rule)
+    return asked_inside and subject.members(condition.zone, rule) <= subject.surely(trigger.zone, rule)
 
 
 def _is_same_one(trigger: Enters | Leaves, condition: InZone, rule: Rule, subject: Subject) -> bool:

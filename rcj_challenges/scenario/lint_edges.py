@@ -48,7 +48,9 @@ def check_edges(subject: Subject) -> Iterator[Suspect]:
         for first, second in combinations(sorted(found, key=order.__getitem__), 2):
             one, other = found[first], found[second]
             both = _moved(one, subject) & _moved(other, subject)
-            if (first, second) not in reported and both and _can_both_fire(one, other, edge, subject):
+            if not both or _takes_off_a_part(one, other, both, subject):
+                continue
+            if (first, second) not in reported and _can_both_fire(one, other, edge, subject):
                 reported.add((first, second))
                 yield Suspect(
                     "two_rules_move_one_thing",
@@ -161,9 +163,24 @@ def _for_whom(name: str, subject: Subject) -> str:
 
 def _moved(mover: _Mover, subject: Subject) -> frozenset[str]:
     """Return the entities that a rule may put elsewhere or take off."""
-    # Where it is known for whom the rule fires, `each` is that one and no other.
-    rule = mover.rule if mover.each is None else mover.rule.model_copy(update={"for_each": mover.each})
-    return subject.moved(rule)
+    return subject.moved(_for_one(mover))
+
+
+def _for_one(mover: _Mover) -> Rule:
+    """Return the rule of a mover; where it is known for whom it fires, `each` is that one and no other."""
+    return mover.rule if mover.each is None else mover.rule.model_copy(update={"for_each": mover.each})
+
+
+def _takes_off_a_part(first: _Mover, second: _Mover, both: frozenset[str], subject: Subject) -> bool:
+    """Return whether the first rule puts several and the second, which fires later, takes some of them off.
+
+    Nobody writes that by mistake: it does what it says, in the order of the rules, and of what the first puts the rest
+    stays. Where nothing is left of it, the first rule puts in vain.
+    """
+    earlier, later = _for_one(first), _for_one(second)
+    only_put = both & subject.put(earlier) - subject.taken_off(earlier)
+    only_taken_off = both & subject.taken_off(later) - subject.put(later)
+    return only_put == both == only_taken_off and both < subject.put(earlier)
 
 
 def _edges(trigger: Trigger, rule: Rule, subject: Subject) -> Iterator[_Edge]:

@@ -141,8 +141,15 @@ def _events_of_tests(emitted: Mapping[str, None], subject: Subject) -> Iterator[
 
 
 def check_rules(subject: Subject) -> Iterator[Suspect]:
-    """Rules that exist for each member of a group and do not look at it; sequences that cannot break."""
+    """Rules for each member of a group that has none, or that do not look at it; sequences that cannot break."""
     for name, rule in subject.scenario.rules.items():
+        if rule.for_each is not None and not subject.roster.expand(rule.for_each):
+            yield Suspect(
+                "each_of_nobody",
+                ("rules", name, "for_each"),
+                f"'{rule.for_each}' has no members here: the rule never fires",
+                "put something on the field that is in it, or remove the rule",
+            )
         if rule.for_each is not None and len(subject.roster.expand(rule.for_each)) > 1 and not _names_each(rule):
             count = len(subject.roster.expand(rule.for_each))
             yield Suspect(
@@ -172,7 +179,7 @@ def check_events_of_one(subject: Subject) -> Iterator[Suspect]:
     for name, rule in subject.standing():
         if rule.for_each is None or _names_each(rule.conditions):
             continue
-        members = subject.members("each", rule) & {*subject.roster.entities}
+        members = subject.members("each", rule) & {*subject.roster.things}
         for index, trigger in enumerate(rule.triggers):
             if not isinstance(trigger, OnEvent) or trigger.entity is not None or len(members) < 2:
                 continue

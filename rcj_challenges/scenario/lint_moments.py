@@ -30,7 +30,7 @@ def check_moments(subject: Subject) -> Iterator[Suspect]:
     by_clock, by_ticks = _Course(subject, of_clock=True), _Course(subject, of_clock=False)
     for name, rule in subject.standing():
         for index, trigger in enumerate(rule.triggers):
-            at_s = _time_of(trigger, subject)
+            at_s = time_of(trigger, subject)
             if at_s is None:
                 continue
             course = by_clock if isinstance(trigger, TimeReached) else by_ticks
@@ -39,8 +39,10 @@ def check_moments(subject: Subject) -> Iterator[Suspect]:
             going_on = course.going_on(ticks_from_s(at_s))
             path: Path = ("rules", name, "triggers", index)
             if not any(lives_in(rule, phase) for phase in going_on):
-                yield _never(path, at_s, rule, going_on)
-            elif node_at(subject.tree, ("rules", name, "phases")) is None:
+                later = _later_ticks(trigger, subject)
+                if not any(lives_in(rule, phase) for tick in later for phase in course.going_on(tick)):
+                    yield _never(path, at_s, rule, going_on)
+            elif not _comes_again(trigger) and node_at(subject.tree, ("rules", name, "phases")) is None:
                 missed = [phase for phase in going_on if not _is_heard_in(phase, trigger, subject)]
                 if missed:
                     yield _missed(path, at_s, rule, missed)
@@ -68,7 +70,7 @@ def _missed(path: Path, at_s: float, rule: Rule, missed: list[str]) -> Suspect:
     )
 
 
-def _time_of(trigger: Trigger, subject: Subject) -> float | None:
+def time_of(trigger: Trigger, subject: Subject) -> float | None:
     """Return the time in s for which a trigger waits, if it is always the same."""
     if isinstance(trigger, TimeReached):
         return trigger.at_s
@@ -79,6 +81,20 @@ def _time_of(trigger: Trigger, subject: Subject) -> float | None:
     if not timer.starts or touched or isinstance(timer.lasts_s, DrawnDuration):
         return None
     return timer.lasts_s
+
+
+def _comes_again(trigger: Trigger) -> bool:
+    return isinstance(trigger, TimeReached) and trigger.every_s is not None
+
+
+def _later_ticks(trigger: Trigger, subject: Subject) -> Iterator[int]:
+    """Yield the ticks of the clock at which a time comes again."""
+    if not isinstance(trigger, TimeReached) or trigger.every_s is None:
+        return
+    end, past = ticks_from_s(longest_half_s(subject.scenario.match)), 1
+    while (tick := ticks_from_s(trigger.at_s + past * trigger.every_s)) <= end:
+        yield tick
+        past += 1
 
 
 def _is_heard_in(phase: str, trigger: Trigger, subject: Subject) -> bool:
@@ -152,8 +168,8 @@ class _Course:
     def _fires(self, rule: Rule) -> Iterator[tuple[float, float]]:
         """Yield from when to when each trigger of a rule may fire."""
         for trigger in rule.triggers:
-            at_s = _time_of(trigger, self._subject)
-            if at_s is None:
+            at_s = time_of(trigger, self._subject)
+            if at_s is None or _comes_again(trigger):
                 yield 0, _NEVER
                 continue
             tick = ticks_from_s(at_s)

@@ -95,6 +95,31 @@ def check_sentences(subject: Subject) -> Iterator[Suspect]:
                 yield from _word(model, path, lacks)
 
 
+def check_description(subject: Subject) -> Iterator[Suspect]:
+    """Blanks in the description that no param fills, and params in the title, which is always the same."""
+    params = subject.scenario.params
+    for blank in in_braces(subject.scenario.description):
+        # Other braces are text: authors show there what programs are told, {"light": "red"}.
+        if blank not in params and blank.strip().isidentifier():
+            shown = quoted(f"{{{blank}}}")
+            filled = f"what is filled in is {listing([f'{{{name}}}' for name in params], 12)}" if params else ""
+            told = "that is known only when a rule fires" if blank in BLANKS else ""
+            yield Suspect(
+                "placeholder_unknown",
+                ("description",),
+                f"{shown} is not filled in, it stays as written{nearest(blank.strip(), params)}",
+                "; ".join(part for part in (told, filled) if part) or "params are filled in by their names",
+            )
+    for blank in in_braces(subject.scenario.title):
+        if blank in params:
+            yield Suspect(
+                "placeholder_unknown",
+                ("title",),
+                f"{quoted(f'{{{blank}}}')} is not filled in: a title is the same for every value of its params",
+                "leave it out, or tell it in the description",
+            )
+
+
 def check_broadcast(subject: Subject) -> Iterator[Suspect]:
     """Words of the broadcast that speak of what a rule is about: it is told on every tick, whether one fires or not."""
     for model, path in visit(subject.scenario.broadcast, ("broadcast",)):
@@ -189,10 +214,10 @@ def _number_of(said: Scalar) -> bool:
 
 
 def _told_by(blank: str, subject: Subject) -> frozenset[str]:
-    """Return of which entities a blank tells something."""
+    """Return of which things a blank tells something."""
     if blank == "team":
         return _in_teams(subject)
-    return frozenset(subject.roster.entities if blank == "entity" else ())
+    return frozenset(subject.roster.things if blank == "entity" else ())
 
 
 def _in_teams(subject: Subject) -> frozenset[str]:
@@ -247,11 +272,11 @@ def _lacks(rule: Rule, subject: Subject) -> dict[str, _Lack]:
 
 
 def _about(rule: Rule, subject: Subject) -> frozenset[str]:
-    """Return the entities that a firing may be about: those of ``for_each``, and those that a trigger finds."""
+    """Return the things that a firing may be about: those of ``for_each``, and those that a trigger finds."""
     each = subject.members("each", rule) if rule.for_each is not None else frozenset()
     found = each.union(*(_found_by(trigger, rule, subject) for trigger in rule.triggers))
     # Of a rule over zones or gates nobody is told but whom a trigger finds; of a gate's timer nobody is.
-    return found & {*subject.roster.entities}
+    return found & {*subject.roster.things}
 
 
 def _found_by(trigger: Trigger, rule: Rule, subject: Subject) -> frozenset[str]:

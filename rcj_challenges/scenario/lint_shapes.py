@@ -151,6 +151,11 @@ def on_floor(point: Point, parts: Sequence[Corners]) -> bool:
     return any(all(_side(a, b, point) >= 0 for a, b in zip(p, (*p[1:], p[0]), strict=True)) for p in parts)
 
 
+def lies_in(point: Point, zone: Zone) -> bool:
+    """Return whether a point is in a zone."""
+    return _holds(_corners(zone), point) != zone.inverted
+
+
 def points_in(zone: Zone, along: int = 25) -> list[Point]:
     """Return points of a bounded zone on a grid of at most ``along`` times ``along``, fewer where it is no rect."""
     corners = _corners(zone)

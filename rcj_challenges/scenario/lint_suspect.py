@@ -66,7 +66,6 @@ class Subject:
     left_out: Mapping[str, Problem] = field(default_factory=dict)
     removed: Mapping[Path, Mark] = field(default_factory=dict)
     replaced: Mapping[str, Leaf] = field(default_factory=dict)
-    _uses: list[Use] = field(default_factory=list)
 
     @cached_property
     def models(self) -> list[tuple[Strict, Path]]:
@@ -121,21 +120,35 @@ class Subject:
         return ((name, rule) for name, rule in self.scenario.rules.items() if self.can_live(rule))
 
     def members(self, names: str | tuple[str, ...], rule: Rule) -> frozenset[str]:
-        """Return what names in a rule may stand for; ``each`` and ``other`` are any that they may ever be."""
+        """Return what names in a rule may stand for; ``each``, ``other`` and draws are any that they may ever be."""
         listed = (names,) if isinstance(names, str) else names
         found: set[str] = set()
         for name in listed:
             if name == OTHER and has_other(rule):
                 found.update(others_of(rule, rule.for_each, self.roster))
             else:
-                found.update(self.roster.expand(rule.for_each if name == EACH and rule.for_each else name))
+                found.update(self.roster.may_be(rule.for_each if name == EACH and rule.for_each else name))
         return frozenset(found)
+
+    def surely(self, names: str | tuple[str, ...], rule: Rule) -> frozenset[str]:
+        """Return the same without what only a draw's name may stand for."""
+        listed = (names,) if isinstance(names, str) else names
+        return self.members(tuple(name for name in listed if name not in self.roster.drawn), rule)
 
     def moved(self, rule: Rule) -> frozenset[str]:
         """Return the entities that a rule may put elsewhere or take off."""
+        return self.put(rule) | self.taken_off(rule)
+
+    def taken_off(self, rule: Rule) -> frozenset[str]:
+        """Return the entities that a rule may take off the field."""
+        removals = (action for action in rule.actions if isinstance(action, Remove))
+        return frozenset(name for action in removals for name in self.members(action.entity, rule))
+
+    def put(self, rule: Rule) -> frozenset[str]:
+        """Return the entities that a rule may put elsewhere."""
         moved: set[str] = set()
         for action in rule.actions:
-            if isinstance(action, Place | Remove) and action.entity is not None:
+            if isinstance(action, Place) and action.entity is not None:
                 moved |= self.members(action.entity, rule)
             if isinstance(action, Place) and action.layout is not None:
                 for layout in _layouts(action.layout, self.scenario):

@@ -1,4 +1,4 @@
-"""Lint of times: limits longer than a half, halves that are not played or too short, repeats that a rest swallows."""
+"""Lint of times: limits longer than a half, halves not played or too short, what comes too late to be heard."""
 
 from __future__ import annotations
 
@@ -8,13 +8,14 @@ from collections.abc import Iterator
 from rcj_challenges.facts.timing import TICK_S, ticks_from_s
 from rcj_challenges.scenario.halves import half_lengths_s, longest_half_s
 from rcj_challenges.scenario.lint_logic import range_of, ways_to_hold
+from rcj_challenges.scenario.lint_moments import time_of
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lengths_s
-from rcj_challenges.scenario.models.actions import Hold, Remove
+from rcj_challenges.scenario.models.actions import Emit, Hold, Remove
 from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.conditions import Condition, HalfIs
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import CounterValue, DrawnDuration, Phase, Timer
-from rcj_challenges.scenario.models.triggers import Holds, NoProgress, StaysIn, TimeReached, Touches
+from rcj_challenges.scenario.models.triggers import Holds, NoProgress, OnEvent, StaysIn, TimeReached, Touches
 from rcj_challenges.scenario.tree import Path
 
 _NEVER = "it never fires"
@@ -94,6 +95,34 @@ def _may_hold_in(half: int, condition: Condition) -> bool:
     return (low <= half <= high) != condition.negate
 
 
+def check_last_tick(subject: Subject) -> Iterator[Suspect]:
+    """Times that come with the last tick of a half, and an event of that tick that another rule waits for."""
+    lengths_s = half_lengths_s(subject.scenario.match)
+    heard = {
+        trigger.event: name
+        for name, rule in reversed(list(subject.standing()))
+        for trigger in rule.triggers
+        if isinstance(trigger, OnEvent)
+    }
+    # A clock that stops makes a half longer, in which a timer of its length runs out before the end.
+    clock_stops = any(phase.clock == "stops" for phase in subject.scenario.phases.values())
+    for name, rule in subject.standing():
+        waited = [action.event for action in rule.actions if isinstance(action, Emit) and action.event in heard]
+        asked = _halves_of(rule, len(lengths_s)) if waited else []
+        for index, trigger in enumerate(rule.triggers):
+            at_s = time_of(trigger, subject)
+            if at_s is None or (clock_stops and not isinstance(trigger, TimeReached)):
+                continue
+            if any(ticks_from_s(lengths_s[half - 1]) == ticks_from_s(at_s) for half in asked):
+                yield Suspect(
+                    "heard_after_the_end",
+                    ("rules", name, "triggers", index),
+                    f"{at_s:g} s is the last tick of the half; {waited[0]}, for which '{heard[waited[0]]}' waits, "
+                    "would be heard one tick later: nobody hears it",
+                    "do it in this rule itself, let the other one wait for half_ended, or choose an earlier time",
+                )
+
+
 def check_rests(subject: Subject) -> Iterator[Suspect]:
     """Rules that rest for as long as their trigger takes to repeat.
 
@@ -102,7 +131,7 @@ def check_rests(subject: Subject) -> Iterator[Suspect]:
     """
     for name, rule in subject.scenario.rules.items():
         for trigger in rule.triggers:
-            every_s = trigger.every_s if isinstance(trigger, Holds | Touches) else None
+            every_s = trigger.every_s if isinstance(trigger, Holds | Touches | TimeReached) else None
             if every_s is None or rule.cooldown_s is None or rule.cooldown_s > every_s:
                 continue
             soonest = math.floor(every_s / TICK_S + _EXACT)
@@ -130,8 +159,8 @@ def _limits(model: Strict, scenario: Scenario) -> Iterator[tuple[str, float, boo
             yield "within_s", model.within_s, True, _NEVER
         case Holds():
             yield "for_s", model.for_s, True, _NEVER
-        case Touches() if model.every_s is not None:
-            yield "every_s", model.every_s, False, "it fires when the touch begins only (leave it out)"
+        case TimeReached(every_s=every_s) | Touches(every_s=every_s) if every_s is not None:
+            yield _repeating(model, every_s)
         case Timer():
             yield _lasting(model.lasts_s, scenario, "it never expires")
         case Phase() if model.lasts_s is not None:
@@ -142,6 +171,13 @@ def _limits(model: Strict, scenario: Scenario) -> Iterator[tuple[str, float, boo
             yield _lasting(for_s, scenario, "who is held stays so until the half ends", "for_s")
         case Rule() if model.cooldown_s is not None:
             yield "cooldown_s", model.cooldown_s, False, "the rule fires once (max_executions: 1 says so)"
+
+
+def _repeating(trigger: TimeReached | Touches, every_s: float) -> tuple[str, float, bool, str]:
+    """Return the same of what a trigger that fires again waits for."""
+    if isinstance(trigger, Touches):
+        return "every_s", every_s, False, "it fires when the touch begins only (leave it out)"
+    return "every_s", trigger.at_s + every_s, False, f"it fires once, at {trigger.at_s:g} s (leave every_s out)"
 
 
 def _lasting(

@@ -208,7 +208,9 @@ def _changes(action: Action, counter: str, subject: Subject, *, up: bool, down: 
         by = action.points
     else:
         return False
-    return not isinstance(by, int | float) or (up and by > 0) or (down and by < 0)
+    if not isinstance(by, int | float) or action.at_least is not None or action.at_most is not None:
+        return True
+    return (up and by > 0) or (down and by < 0)
 
 
 def _may_get(action: Score, entrant: str, subject: Subject) -> bool:

@@ -1,12 +1,14 @@
-"""Distances that cannot be measured, and zones without a centre: what zones and gates are, seen from a point."""
+"""Distances that cannot be measured, and zones without a centre: what wide things are, seen from a point."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import atan2
 
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.models.actions import SetSpot
 from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.scenario.models.field import Box, Cylinder, Obstacle, Wall
 from rcj_challenges.scenario.models.places import CircleZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import DistanceValue
@@ -18,7 +20,7 @@ Point = tuple[float, float]
 
 
 def check_measured(scenario: Scenario) -> Iterator[Found]:
-    """Yield distances between two zones or gates, and spots that are set to a zone without a centre."""
+    """Yield distances between two zones, gates or walls, and spots that are set to a zone without a centre."""
     roster = Roster.of(scenario)
     for name, rule in scenario.rules.items():
         yield from _within(rule, ("rules", name), rule, scenario, roster)
@@ -38,6 +40,18 @@ def centre_of(zone: Zone) -> Point | None:
     return (x_min + x_max) / 2, (y_min + y_max) / 2
 
 
+def middle_of(obstacle: Obstacle) -> tuple[float, float, float]:
+    """Return where a fixed obstacle stands, [x, y, yaw] in m and rad: a wall from its middle along its line."""
+    match obstacle:
+        case Wall():
+            (ax, ay), (bx, by) = obstacle.from_m, obstacle.to_m
+            return (ax + bx) / 2, (ay + by) / 2, atan2(by - ay, bx - ax)
+        case Box():
+            return *obstacle.centre_m, obstacle.yaw_rad
+        case Cylinder():
+            return *obstacle.centre_m, 0.0
+
+
 def _within(part: object, path: Path, rule: Rule | None, scenario: Scenario, roster: Roster) -> Iterator[Found]:
     for model, at in visit(part, path):
         yield from _apart(model, at, rule, scenario, roster)
@@ -51,7 +65,12 @@ def _within(part: object, path: Path, rule: Rule | None, scenario: Scenario, ros
 def _apart(model: Strict, path: Path, rule: Rule | None, scenario: Scenario, roster: Roster) -> Iterator[Found]:
     if not isinstance(model, DistanceValue):
         return
-    wide = {**dict.fromkeys(scenario.zones, "zone"), **dict.fromkeys(scenario.gates, "gate")}
+    walls = (name for name, obstacle in scenario.obstacles.items() if isinstance(obstacle, Wall))
+    wide = {
+        **dict.fromkeys(scenario.zones, "zone"),
+        **dict.fromkeys(scenario.gates, "gate"),
+        **dict.fromkeys(walls, "wall"),
+    }
     ends = [_meant(end, rule, roster) if isinstance(end, str) else () for end in model.distance]
     firsts = [next((name for name in end if name in wide), None) for end in ends]
     one, other = firsts
@@ -62,7 +81,7 @@ def _apart(model: Strict, path: Path, rule: Rule | None, scenario: Scenario, ros
 
 
 def _meant(name: str, rule: Rule | None, roster: Roster) -> tuple[str, ...]:
-    return roster.expand(rule.for_each if name == EACH and rule is not None and rule.for_each else name)
+    return roster.may_be(rule.for_each if name == EACH and rule is not None and rule.for_each else name)
 
 
 def _why(zone: Zone) -> str:

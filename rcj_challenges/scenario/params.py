@@ -75,6 +75,10 @@ def _steps(text: str, root: Entries) -> Path:
     params = root.entries.get("params")
     if len(path) == 1 and isinstance(params, Entries) and path[0] in params.entries:
         return ("params", path[0])
+    if path[0] == "extends":
+        raise _RefusedError(
+            "what a scenario extends is read before anything is set; write extends: in a file, with what you change"
+        )
     if len(path) == 1 and path[0] not in fields(Scenario):
         names = [*(params.entries if isinstance(params, Entries) else ()), *fields(Scenario)]
         exact = next((dotted for dotted in _dotted() if dotted.rpartition(".")[2] == path[0]), None)

@@ -23,6 +23,7 @@ class Field:
         drawn: whether a draw's name may stand for what it decided.
         words: words that are no names.
         keys: True if the names are the keys of the mapping.
+        instead: what to write in place of a fixed obstacle, where something that moves is needed; empty: what fits all.
     """
 
     noun: str
@@ -32,6 +33,7 @@ class Field:
     drawn: bool = False
     words: frozenset[str] = frozenset()
     keys: bool = False
+    instead: str = ""
 
 
 @dataclass(frozen=True)
@@ -54,26 +56,35 @@ class Named:
 Reference = Field | Named
 
 _MOVING = frozenset({"robot", "ball", "obstacle"})
+_FIXED = frozenset({"fixed obstacle"})
 _ROBOT = frozenset({"robot"})
 _ZONE, _GATE, _SPOT = frozenset({"zone"}), frozenset({"gate"}), frozenset({"spot"})
 
 _ENTITIES = Field("entity", _MOVING, groups=True, each=True)
 _ENTITY = Field("entity", _MOVING, each=True)
 _ONE_ENTITY = Field("entity", _MOVING)
-_THINGS = Field("entity or obstacle", _MOVING | {"fixed obstacle", "walls"}, groups=True, each=True)
+_THINGS = Field("entity or obstacle", _MOVING | _FIXED, groups=True, each=True)
+_THING = Field("entity or obstacle", _MOVING | _FIXED, each=True)
+_TOUCHED = Field("entity or obstacle", _MOVING | _FIXED | {"walls"}, groups=True, each=True)
 _ROBOTS = Field("robot", _ROBOT, groups=True, each=True)
 _ONE_ROBOT = Field("robot", _ROBOT, each=True)
-_ZONES = Field("zone", _ZONE, groups=True, each=True)
+_ZONES = Field("zone", _ZONE, groups=True, each=True, drawn=True)
 _PUT_IN = Field("zone", _ZONE, groups=True)
-_GATES = Field("gate", _GATE, groups=True, each=True)
+_GATES = Field("gate", _GATE, groups=True, each=True, drawn=True)
 _SPOTS = Field("spot", _SPOT, groups=True)
-_MEASURED_TO = Field("entity, spot, zone or gate", _MOVING | _SPOT | _ZONE | _GATE, groups=True, each=True)
+_MEASURED_TO = Field(
+    "entity, obstacle, spot, zone or gate", _MOVING | _FIXED | _SPOT | _ZONE | _GATE, groups=True, each=True, drawn=True
+)
+_COMES_NEAR = Field(
+    "entity", _MOVING, groups=True, each=True, instead="name the obstacle in 'to', and in 'entity' who comes near it"
+)
+_SEEN = Field("entity, obstacle or spot", _MOVING | _FIXED | _SPOT, each=True)
 _ANCHOR = Field("entity or spot", _MOVING | _SPOT, each=True, drawn=True)
-_KEEPING = _MOVING | _ZONE | _GATE
+_KEEPING = _MOVING | _FIXED | _ZONE | _GATE
 """Of what there may be a rule, a counter, a flag or a timer each."""
 _WHOSE = Field("entity", _KEEPING, each=True)
 _WHOSE_OF = Field("entity", _KEEPING, groups=True, each=True)
-_KEEPERS = Field("entity, zone or gate", _KEEPING, groups=True)
+_KEEPERS = Field("entity, obstacle, zone or gate", _KEEPING, groups=True)
 _MEMBERS = Field("entity", _MOVING, groups=True)
 _STEP = Field("zone or gate", _ZONE | _GATE)
 _MADE_STEP = Field("zone or gate", _ZONE | _GATE, each=True)
@@ -101,8 +112,8 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (triggers.Leaves, "zone"): _ZONES,
     (triggers.Crosses, "entity"): _ENTITIES,
     (triggers.Crosses, "gate"): _GATES,
-    (triggers.Touches, "entity"): _ENTITIES,
-    (triggers.Touches, "other"): _THINGS,
+    (triggers.Touches, "entity"): _THINGS,
+    (triggers.Touches, "other"): _TOUCHED,
     (triggers.Displaced, "entity"): _ENTITIES,
     (triggers.NoProgress, "entity"): _ENTITIES,
     (triggers.StaysIn, "entity"): _ENTITIES,
@@ -113,17 +124,17 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (triggers.SequenceBroken, "sequence"): _SEQUENCE,
     (triggers.SequenceBroken, "entity"): _ENTITIES,
     (triggers.ProgramFault, "robot"): _ROBOTS,
-    (triggers.OnEvent, "entity"): _ENTITIES,
+    (triggers.OnEvent, "entity"): _THINGS,
     (triggers.Tells, "entity"): _ROBOTS,
     # conditions
     (conditions.InZone, "entity"): _ENTITIES,
     (conditions.InZone, "zone"): _ZONES,
     (conditions.Speed, "entity"): _ENTITIES,
-    (conditions.Distance, "entity"): _ENTITIES,
+    (conditions.Distance, "entity"): _COMES_NEAR,
     (conditions.Distance, "to"): _MEASURED_TO,
     (conditions.WayIs, "entity"): _ENTITIES,
     (conditions.Looks, "entity"): _ROBOTS,
-    (conditions.Looks, "towards"): Field("entity or spot", _MOVING | _SPOT, each=True),
+    (conditions.Looks, "towards"): _SEEN,
     (conditions.IsHeld, "entity"): _ROBOTS,
     (conditions.CounterIs, "counter"): _READABLE,
     (conditions.CounterIs, "entity"): _WHOSE_OF,
@@ -132,7 +143,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (conditions.Drawn, "draw"): _DRAW,
     (conditions.TimerIs, "timer"): _TIMER,
     (conditions.TimerIs, "entity"): _WHOSE_OF,
-    (conditions.LastTouch, "entity"): _ENTITY,
+    (conditions.LastTouch, "entity"): _THING,
     (conditions.LastTouch, "by"): _ROBOTS,
     (conditions.Told, "entity"): _ROBOTS,
     (conditions.SpotFree, "spot"): _SPOTS,
@@ -141,7 +152,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (conditions.SequenceAt, "step"): _MADE_STEP,
     # actions
     (actions.Score, "entrant"): _RECEIVER,
-    (actions.LastToucher, "last_touch"): _ENTITY,
+    (actions.LastToucher, "last_touch"): _THING,
     (actions.Count, "counter"): _COUNTER,
     (actions.Count, "entity"): _WHOSE,
     (actions.SetFlag, "flag"): _FLAG,
@@ -153,7 +164,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (actions.SequenceAction, "sequence"): _SEQUENCE,
     (actions.SequenceAction, "entity"): _ENTITY,
     (actions.SetSpot, "spot"): Field("spot", _SPOT),
-    (actions.SetSpot, "to"): Field("entity, spot or zone", _MOVING | _SPOT | _ZONE, each=True),
+    (actions.SetSpot, "to"): Field("entity, obstacle, spot or zone", _MOVING | _FIXED | _SPOT | _ZONE, each=True),
     (actions.DrawAction, "draw"): _DRAW,
     (actions.Place, "layout"): _LAYOUT,
     (actions.Place, "entity"): _ENTITIES,
@@ -170,13 +181,13 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (state.FlagValue, "entity"): _WHOSE,
     (state.DrawValue, "draw"): _DRAW,
     (state.WordValue, "of"): _ENTRANT,
-    (state.PositionValue, "position_of"): Field("entity or spot", _MOVING | _SPOT, each=True),
+    (state.PositionValue, "position_of"): _SEEN,
     (state.DistanceValue, "distance"): _MEASURED_TO,
     (state.WayValue, "way"): _ENTITY,
     (state.TimerValue, "timer"): _TIMER,
     (state.TimerValue, "entity"): _WHOSE,
     (state.HeldValue, "held"): Field("robot", _ROBOT, each=True),
-    (state.LastTouchValue, "last_touch"): _ENTITY,
+    (state.LastTouchValue, "last_touch"): _THING,
     (state.ToldValue, "told"): _ONE_ROBOT,
     (state.NumberDraw, "draw"): _DRAW,
     (state.DrawnDuration, "draw"): _DRAW,
@@ -229,7 +240,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (scenario.RankByCounter, "counter"): _COUNTER,
     (scenario.Keyframe, "place"): Field("entity", _MOVING, keys=True),
     (scenario.Keyframe, "move"): Field("entity", _MOVING, keys=True),
-    (scenario.Keyframe, "touch"): Field("entity or obstacle", _MOVING | {"fixed obstacle", "walls"}),
+    (scenario.Keyframe, "touch"): Field("entity or obstacle", _MOVING | _FIXED | {"walls"}),
     (scenario.Keyframe, "tips"): Field("robot", _ROBOT),
     (scenario.Keyframe, "fault"): Field("robot", _ROBOT),
     (scenario.Keyframe, "tells"): Field("robot", _ROBOT, keys=True),

@@ -6,6 +6,7 @@ folders that people edit, beside the package.
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 _PACKAGE = Path(__file__).resolve().parent.parent
@@ -38,7 +39,11 @@ def schemas_folder() -> Path:
 
 def names_in(folder: Path) -> list[str]:
     """Return the names of the YAML files of a folder, without the suffix, sorted."""
-    return sorted(path.stem for path in folder.glob("*.yaml")) if folder.is_dir() else []
+    return sorted(path.stem for path in folder.glob("*.yaml")) if _is_folder(folder) else []
+
+
+def _is_folder(path: Path) -> bool:
+    return os.path.isdir(path)  # noqa: PTH112 - that of pathlib raises for names that are too long
 
 
 def _data(packaged: str, checked_out: str) -> Path:

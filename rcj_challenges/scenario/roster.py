@@ -20,6 +20,8 @@ class Roster:
         things: the entities, then the fixed obstacles, then ``walls``.
         index: name to index in ``things``.
         groups: group to the names of its members, nested groups resolved; the groups that always exist included.
+        drawn: draw to the names among which it decides; of a draw that is called like something on the field that is
+            meant, and not the draw.
     """
 
     entities: tuple[str, ...]
@@ -28,6 +30,7 @@ class Roster:
     things: tuple[str, ...]
     index: dict[str, int]
     groups: dict[str, tuple[str, ...]]
+    drawn: dict[str, tuple[str, ...]]
 
     @classmethod
     def of(cls, scenario: Scenario) -> Roster:
@@ -48,7 +51,13 @@ class Roster:
             groups[robot.colour] = (*groups.get(robot.colour, ()), name)
         for name in scenario.groups:
             groups[name] = _members(scenario, groups, name, ())
+        on_field = {*things, *groups, *scenario.zones, *scenario.gates, *scenario.spots}
         return cls(
+            drawn={
+                name: tuple(dict.fromkeys(value for value in draw.values if isinstance(value, str)))
+                for name, draw in scenario.draws.items()
+                if name not in on_field
+            },
             entities=entities,
             robots=len(robots),
             balls=len(balls),
@@ -61,6 +70,11 @@ class Roster:
         """Return the members that a name, a group or a list of both stands for, without repeats, in order."""
         listed = (names,) if isinstance(names, str) else names
         return tuple(dict.fromkeys(member for name in listed for member in self.groups.get(name, (name,))))
+
+    def may_be(self, names: str | tuple[str, ...]) -> tuple[str, ...]:
+        """Return the same, and for a draw's name all among which it decides: what the names may ever stand for."""
+        expanded = self.expand(names)
+        return tuple(dict.fromkeys(one for name in expanded for one in self.drawn.get(name, (name,))))
 
 
 def _movable(obstacle: Strict) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple, get_args, get_origin
 
 from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.tree import Path
@@ -56,5 +56,20 @@ _HOLDS_MORE = (Strict, dict, tuple)
 
 @cache
 def _keys(model: type[Strict]) -> tuple[tuple[str, str], ...]:
-    """Return the names of a model's fields, each with the key that the file uses."""
-    return tuple((name, info.alias or name) for name, info in model.model_fields.items())
+    """Return the names of a model's fields that can hold models, each with the key that the file uses."""
+    return tuple(
+        (name, info.alias or name) for name, info in model.model_fields.items() if _may_hold_models(info.annotation)
+    )
+
+
+def _may_hold_models(annotation: Any) -> bool:
+    """Return whether a field's value may be a model or hold some: of every type that is not known to hold none."""
+    if annotation in _SINGLE:
+        return False
+    origin = get_origin(annotation)
+    if origin is Annotated:
+        return _may_hold_models(get_args(annotation)[0])
+    return origin is not Literal and (origin is None or any(_may_hold_models(part) for part in get_args(annotation)))
+
+
+_SINGLE = (str, int, float, bool, type(None), Ellipsis)

@@ -38,6 +38,8 @@ def expected(shape: Shape, node: Node | None) -> str:
         hint = nearest(node.value, _words(shape)) or _hint(shape, node.value)
     elif isinstance(node, Items) and without_none(shape) == At:
         hint = _point(node)
+    elif isinstance(node, Entries) and without_none(shape) in (Name, Names):
+        hint = _draw(node)
     return f"expected {expectation(shape)}, found {found_text(node)}{hint}"
 
 
@@ -59,6 +61,14 @@ def _point(node: Items) -> str:
     if len(found) != 2 or not all(isinstance(one, int | float) and not isinstance(one, bool) for one in found):
         return ""
     return f"; a point is written {{point: [{found[0]}, {found[1]}]}}"
+
+
+def _draw(node: Entries) -> str:
+    """Return how a draw that decides among names is named where a name stands: like what it decides on."""
+    name = node.entries.get("draw")
+    if len(node.entries) != 1 or not isinstance(name, Leaf) or not isinstance(name.value, str):
+        return ""
+    return f"; where a draw may decide, its name stands alone: {name.value}"
 
 
 def _words(shape: Shape) -> list[str]:

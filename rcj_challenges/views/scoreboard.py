@@ -15,6 +15,7 @@ from rich.table import Table
 from rich.text import Text
 
 from rcj_challenges.facts.letters import READABLE
+from rcj_challenges.facts.measures import measure_words, measured_words, number_words
 from rcj_challenges.facts.play import Event, Fault, HalfInfo
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks
 from rcj_challenges.match.watching import Progress, Silent, Watcher
@@ -55,20 +56,29 @@ def decided_by_score_alone(rank: Sequence[Criterion]) -> bool:
 
 
 def criterion_words(criterion: Criterion, value: str = "") -> str:
-    """Return ``score``, ``time (with touched_posts)`` or the counter's name; with a value ``time 9.2 s (with …)``."""
+    """Return ``score``, ``time (with touched posts)`` or ``best (s)``; with a value ``time 9.2 s (with …)``."""
     if isinstance(criterion, RankByCounter):
-        name, added = criterion.counter, ""
-    elif isinstance(criterion, RankByScore):
+        return measured_words(criterion.counter, value) if value else measure_words(criterion.counter)
+    if isinstance(criterion, RankByScore):
         name, added = "score", ""
     else:
-        counters = ", ".join(part.counter for part in criterion.plus)
+        counters = ", ".join(measure_words(part.counter) for part in criterion.plus)
         name, added = "time", f" (with {counters})" if counters else ""
     return name + (f" {value}" if value else "") + added
 
 
+def criterion_name(criterion: Criterion) -> str:
+    """Return the same for programs that read it: names as the scenario writes them, ``time (with touched_posts)``."""
+    if isinstance(criterion, RankByCounter):
+        return criterion.counter
+    if isinstance(criterion, RankByScore) or not criterion.plus:
+        return criterion_words(criterion)
+    return f"time (with {', '.join(part.counter for part in criterion.plus)})"
+
+
 def value_words(criterion: Criterion, value: float) -> str:
     """Return a value that was compared, a time in s; nothing is rounded away that decides."""
-    number = f"{value:.6f}".rstrip("0").rstrip(".")
+    number = number_words(value)
     return f"{number} s" if isinstance(criterion, RankByTime) else number
 
 
@@ -82,18 +92,25 @@ def ranking_lines(
         names: by team.
         ranking: as in ``result.json``.
     """
+    shown = _told_apart(names)
+    rows = ranking_rows(rank, shown, ranking)
+    return [f"place {place}: {team}, {values}" for place, team, values in rows]
+
+
+def ranking_rows(
+    rank: Sequence[Criterion], names: Mapping[str, str], ranking: Sequence[Mapping[str, Any]]
+) -> list[tuple[int, str, str]]:
+    """Return place, name and what was compared, ``score 4, time 9.248 s``, by the arguments of `ranking_lines`."""
     if decided_by_score_alone(rank):
         return []
-    shown = _told_apart(names)
     return [
-        ", ".join(
-            [
-                f"place {entry['place']}: {shown[entry['team']]}",
-                *(
-                    criterion_words(criterion, value_words(criterion, value))
-                    for criterion, value in zip(rank, entry["values"], strict=True)
-                ),
-            ]
+        (
+            entry["place"],
+            names[entry["team"]],
+            ", ".join(
+                criterion_words(criterion, value_words(criterion, value))
+                for criterion, value in zip(rank, entry["values"], strict=True)
+            ),
         )
         for entry in ranking
     ]
@@ -120,9 +137,9 @@ class PlainLines(Silent):
 
     def progressed(self, progress: Progress) -> None:
         """Say time, score and speed."""
-        if progress.tick < progress.half.ticks:
+        if progress.clock_ticks < progress.half.ticks:
             line = score_line(progress.half.team_names, progress.scores)
-            self._say(f"{clock(s_from_ticks(progress.tick)):>7}  {line}  ({pace(progress)})")
+            self._say(f"{clock(s_from_ticks(progress.clock_ticks)):>7}  {line}  ({pace(progress)})")
 
     def event(self, event: Event, half: HalfInfo) -> None:
         """Say the event."""
@@ -157,7 +174,7 @@ class Scoreboard(Silent):
         """Put the board up."""
         self._half = half
         self._live.start()
-        self._draw(Progress(half, 0, dict(half.scores), "play", 0.0, 0.0))
+        self._draw(Progress(half, 0, 0, dict(half.scores), "play", 0.0, 0.0))
 
     def progressed(self, progress: Progress) -> None:
         """Draw the board anew."""
@@ -186,13 +203,15 @@ class Scoreboard(Silent):
         grid = Table.grid(padding=(0, 2), expand=False)
         grid.add_row(
             Text(score_line(half.team_names, progress.scores), style="bold"),
-            Text(f"{clock(s_from_ticks(progress.tick))} / {clock(s_from_ticks(half.ticks))}"),
+            Text(f"{clock(s_from_ticks(progress.clock_ticks))} / {clock(s_from_ticks(half.ticks))}"),
             Text(f"half {half.half} of {half.halves}", style="dim"),
             Text(progress.phase.replace("_", " "), style="dim"),
         )
         speed = pace(progress) if progress.factor else "starting"
         status = Table.grid(padding=(0, 2))
-        status.add_row(ProgressBar(total=half.ticks, completed=progress.tick, width=40), Text(speed, style="dim"))
+        status.add_row(
+            ProgressBar(total=half.ticks, completed=progress.clock_ticks, width=40), Text(speed, style="dim")
+        )
         self._live.update(Group(Text(self._title, style="dim"), grid, status, *self._events), refresh=True)
 
 

@@ -60,7 +60,7 @@ def add_floor(spec: mujoco.MjSpec, field: FieldModel) -> None:
         group=contact.GROUP_FLOOR,
         priority=contact.PRIORITY_FLOOR,
     )
-    set_surface(floor, contact.BALL_ON_FLOOR, field.friction)
+    set_surface(floor, *contact.ball_on_floor(field.friction))
 
 
 def add_walls(spec: mujoco.MjSpec, field: FieldModel) -> list[str]:

@@ -7,6 +7,7 @@ the speed v into -e v: that is restitution e at every speed, wherever within a s
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from rcj_challenges.facts.timing import SUBSTEP_S
@@ -61,24 +62,44 @@ class Softness:
         return [self.rigidity, self.rigidity, 0.001, 0.5, 2.0]
 
 
-BALL_ON_FLOOR = Softness(restitution=0.0, stiffness_ps2=1 / (2 * SUBSTEP_S) ** 2, rigidity=0.96)
-"""No bounce. The ball sinks in by 0.1 mm, so that its centre rests 0.0209 above the floor (reference, section 2)."""
-
 SOLIDS = Softness(restitution=0.5, stiffness_ps2=500.0, rigidity=0.99)
 """Robots and obstacles against each other and against walls. Restitution 0.5: reference, section 2."""
 
-BALL_ON_ROBOT = Softness(restitution=0.4, stiffness_ps2=500.0, rigidity=0.99)
-"""Chosen so that a robot at full speed sends a resting ball off at 0.24 m/s (reference, section 2; ADR 2)."""
+BALL_ON_ROBOT = Softness(restitution=0.386, stiffness_ps2=500.0, rigidity=0.99)
+"""Chosen so that a robot at full speed sends a resting ball off at 0.24 m/s (reference, section 2): the mean over all
+directions and all moments within a sub-step (ADR 2)."""
 
 BALL_ON_MOVING_FRICTION = 0.1
 """Between a ball and a robot or another ball. Not 1 as elsewhere: with 1 at the floor and 1 at the face that pushes
 it, a ball jams instead of rolling, and a hit ends in the floor (ADR 2)."""
+
+_FLOOR_YIELDS = 1 / 12
+"""How much the floor yields to a ball: chosen for the 0.1 mm of `ball_on_floor`."""
+
+_LEAST_FRICTION_MADE_UP_FOR = 0.5
+"""On a smoother floor the ball sinks in by less: as soft a floor as 0.1 mm would need does not carry it."""
 
 OBSTACLE_GLIDES = 0.1
 """Highest friction between a movable obstacle and the floor: no robot could push the default 0.5 kg at 1 (ADR 2)."""
 
 GRIP_RIGIDITY = 0.999
 """Of the wheels' grip: a braked robot creeps by less than 0.1 mm/s under any push that its grip can hold."""
+
+
+def ball_on_floor(friction: float) -> tuple[Softness, float]:
+    """Return the ball's contact with a floor of the given friction, and the friction that MuJoCo is told.
+
+    No bounce. MuJoCo's pyramid bounds the sum of the forces along x and y: told 1, a ball that slides at 45° to both is
+    held by 0.71 of its weight, and a hit in that direction sent it off 4 % slower. Told more, the pyramid holds the
+    whole of Coulomb's cone; it is then the original's own bound, each of both forces by itself, turned by 45° (ADR 2).
+
+    A pyramid of friction m yields to its load in proportion to m² (1 + m²). Rigidity makes up for that: the ball
+    sinks in by 0.1 mm, so that its centre rests 0.0209 above the floor (reference, section 2).
+    """
+    told = friction * math.sqrt(2)
+    load = max(told, _LEAST_FRICTION_MADE_UP_FOR) ** 2
+    rigidity = 1 / (1 + _FLOOR_YIELDS / (load * (1 + load)))
+    return Softness(restitution=0.0, stiffness_ps2=1 / (2 * SUBSTEP_S) ** 2, rigidity=rigidity), told
 
 
 def ball_on_solid(restitution: float) -> Softness:

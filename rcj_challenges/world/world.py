@@ -11,10 +11,10 @@ import numpy as np
 
 from rcj_challenges.facts.play import Fault, Placement, Snapshot
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK
-from rcj_challenges.scenario.models.field import Box
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.world.build import build_spec, chassis_of, movable_obstacle
+from rcj_challenges.scenario.starting import start_pose
+from rcj_challenges.world.build import build_spec, chassis_of
 from rcj_challenges.world.errors import PhysicsFault
 from rcj_challenges.world.recorder import Recorder
 from rcj_challenges.world.rolling import Rolling
@@ -215,15 +215,4 @@ def _silent(_: str) -> None:
 
 def _start_placements(scenario: Scenario, roster: Roster) -> list[Placement]:
     """Return the start poses of all entities, without noise."""
-    placements = []
-    for entity, name in enumerate(roster.entities):
-        if name in scenario.robots:
-            start = scenario.robots[name].start
-            placements.append(Placement(entity, start.x_m, start.y_m, start.yaw_rad))
-        elif name in scenario.balls:
-            placements.append(Placement(entity, *scenario.balls[name].start_m, 0.0))
-        else:
-            obstacle = movable_obstacle(scenario, name)
-            yaw = obstacle.yaw_rad if isinstance(obstacle, Box) else 0.0
-            placements.append(Placement(entity, *obstacle.centre_m, yaw))
-    return placements
+    return [Placement(entity, *start_pose(scenario, name)) for entity, name in enumerate(roster.entities)]

@@ -1,8 +1,11 @@
 """What commands do, done in the process of the tests: it comes to the same, and nothing has to be loaded anew."""
 
 import gc
+import io
+import json
 import sys
 from collections.abc import Callable, Sequence
+from contextlib import redirect_stdout
 from pathlib import Path
 
 import pytest
@@ -11,6 +14,8 @@ from rcj_challenges import cli
 from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.checker.many_given import called
 from rcj_challenges.checker.report import FileReport
+from rcj_challenges.cli.app import app
+from rcj_challenges.match.many import Job, Outcome
 from rcj_challenges.scenario.load import Loaded
 
 
@@ -36,3 +41,14 @@ def one_after_the_other(
     for report in reports:
         on_done(report)
     return reports
+
+
+def played_one_after_the_other(jobs: Sequence[Job], at_once: int, on_done: Callable[[Outcome], None]) -> list[Outcome]:
+    """Play as `play_many` does, where it does not matter that each match has a process of its own."""
+    outcomes = []
+    for job in jobs:
+        with redirect_stdout(io.StringIO()) as told:
+            assert app(["run", *job.arguments, "--seed", str(job.seed), "--json"], standalone_mode=False) == 0
+        outcomes.append(Outcome(job, json.loads(told.getvalue())))
+        on_done(outcomes[-1])
+    return outcomes

@@ -252,6 +252,12 @@ class TestNew:
         )
         assert isinstance(call("new", tmp_path / "ß").exception, StarterError)
 
+    def test_a_name_that_no_system_takes_is_told_so(self, tmp_path):
+        done = call("new", tmp_path / ("x" * 5000))
+        assert isinstance(done.exception, StarterError)
+        assert "cannot be written" in str(done.exception)
+        assert len(str(done.exception)) < 500
+
 
 class TestDraw:
     def test_png_and_svg_are_told_apart_by_the_name(self, tmp_path):

@@ -148,6 +148,9 @@ def test_ctrl_c_ends_with_130_a_report_in_json_and_no_temporary_folder(team, tmp
     temporary = tmp_path / "temporary"
     temporary.mkdir()
     command = [*COMMAND, *map(str, paths), "--html", str(tmp_path / "report.html"), "--jobs", "2", "--json"]
+    command += [
+        f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)
+    ]
     with subprocess.Popen(
         command,
         stdout=subprocess.PIPE,

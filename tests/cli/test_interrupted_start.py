@@ -41,13 +41,20 @@ def test_while_the_command_line_is_loaded(tmp_path: Path, module: str) -> None:
     assert not list(tmp_path.iterdir())
 
 
+MOMENTS = ["rcj_challenges.scenario.load", "rcj_challenges.match.match", "rcj_challenges.views.scoreboard"]
+WAYS = ["--json", "--quiet", "--no-replay"]
+
+
 @pytest.mark.parametrize(
-    "module",
-    ["rcj_challenges.scenario.load", "rcj_challenges.match.match", "rcj_challenges.views.scoreboard"],
+    ("module", "more"),
+    [
+        pytest.param(module, more, marks=() if MOMENTS.index(module) == WAYS.index(more) else pytest.mark.nightly)
+        for module in MOMENTS
+        for more in WAYS
+    ],
 )
-@pytest.mark.parametrize("more", [[], ["--json"], ["--quiet"]], ids=["told", "json", "quiet"])
-def test_while_a_match_is_prepared(tmp_path: Path, module: str, more: list[str]) -> None:
-    done = interrupted(tmp_path, module, "run", "match", *more)
+def test_while_a_match_is_prepared(tmp_path: Path, module: str, more: str) -> None:
+    done = interrupted(tmp_path, module, "run", "match", more)
     assert (done.returncode, done.stdout) == (130, "")
     assert done.stderr == "interrupted: the match had not begun, and nothing is recorded\n"
     assert not list(tmp_path.iterdir())

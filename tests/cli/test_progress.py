@@ -1,17 +1,75 @@
 """The lines that are shown while a match is played."""
 
 import io
+from dataclasses import replace
+from types import MappingProxyType, SimpleNamespace
 
 from rich.console import Console
 
-from rcj_challenges.match.watching import Progress
+from rcj_challenges.match.clerk import HalfClerk
+from rcj_challenges.match.watching import Progress, Silent
 from rcj_challenges.referee.script import half_of
 from rcj_challenges.scenario.load import load
 from rcj_challenges.views.scoreboard import PlainLines, Scoreboard
 
 
+class Counting:
+    """As much of a referee as the clerk asks."""
+
+    def __init__(self, clock_ticks):
+        self.clock_ticks = clock_ticks
+        self.scores = {"blue": 0, "yellow": 0}
+
+
+class Nothing:
+    """A record, a crew and a verdict of which nothing is wanted here."""
+
+    programs = MappingProxyType({})
+    events = ()
+    phase = "play"
+
+    def tick(self, *_):
+        pass
+
+
+class Listening(Silent):
+    progress_every_ticks = 100
+
+    def __init__(self):
+        self.heard = []
+
+    def progressed(self, progress):
+        self.heard.append(progress)
+
+
+def heard_at(tick, clock_ticks, later_ticks):
+    """Return what a watcher hears of a half of 300 ticks, so many ticks after it began."""
+    listening = Listening()
+    half = replace(half_of(load("match").scenario), ticks=300)
+    clerk = HalfClerk(half, later_ticks, Counting(clock_ticks), Nothing(), listening, Nothing(), (), real_time=False)
+    clerk.ticked(SimpleNamespace(tick=tick), Nothing(), b"")
+    (progress,) = listening.heard
+    return progress
+
+
+def test_while_the_clock_stops_the_time_to_wait_does_not_shrink_under_nothing():
+    progress = heard_at(400, 200, later_ticks=0)
+    assert (progress.tick, progress.clock_ticks) == (400, 200)
+    assert progress.remaining_s > 0
+
+
+def test_halves_of_other_lengths_count_with_their_own():
+    assert heard_at(100, 100, later_ticks=0).remaining_s < heard_at(100, 100, later_ticks=10**9).remaining_s
+
+
+def test_the_clock_that_is_shown_is_that_of_the_half():
+    shown = io.StringIO()
+    PlainLines(Console(file=shown, width=200), "Match").progressed(heard_at(400, 250, later_ticks=0))
+    assert shown.getvalue().splitlines()[-1].startswith(" 0:08.0  Blue")
+
+
 def progress(remaining_s):
-    return Progress(half_of(load("match").scenario), 1875, {"blue": 0, "yellow": -1}, "play", 49.0, remaining_s)
+    return Progress(half_of(load("match").scenario), 1900, 1875, {"blue": 0, "yellow": -1}, "play", 49.0, remaining_s)
 
 
 def test_the_time_to_wait_cannot_be_taken_for_the_time_left_to_play():

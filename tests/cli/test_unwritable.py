@@ -98,14 +98,15 @@ def test_a_page_that_must_not_be_written_is_named(tmp_path: Path, duel: list[str
     opens = Path.open
 
     def refuses(path: Path, *arguments: object, **options: object) -> object:
-        if path.name == "replay.html.tmp":
+        if path.name.startswith("replay.html.") and path.suffix == ".tmp":
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(path))
         return opens(path, *arguments, **options)
 
     monkeypatch.setattr(Path, "open", refuses)
     code, _, complaint = command("replay", str(folder))
     assert code == 2
-    assert complaint == f"this computer cannot go on: Permission denied: {folder / 'replay.html.tmp'}\n"
+    assert complaint.startswith(f"this computer cannot go on: Permission denied: {folder / 'replay.html.'}")
+    assert complaint.count("\n") == 1
 
 
 def test_a_folder_without_a_result_is_told_what_it_lacks(tmp_path: Path, command) -> None:

@@ -12,6 +12,7 @@ from rcj_challenges.match import many
 from rcj_challenges.match.many import Job, Outcome
 from rcj_challenges.scenario.models.scenario import Result
 from rcj_challenges.views.scoreboard import ranking_lines, score_line
+from tests.cli.in_this_process import played_one_after_the_other
 
 SLALOM = Path(__file__).resolve().parents[2] / "scenarios" / "examples" / "slalom.yaml"
 STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
@@ -105,20 +106,28 @@ def test_a_run_that_time_decides_ends_with_places_and_times(tmp_path, capsys):
     assert run("run", SLALOM, "--quiet", "--no-replay", "--out", tmp_path) == 0
     score, place, *_ = capsys.readouterr().out.splitlines()
     assert score == "Slalom 4"
-    assert re.fullmatch(r"place 1: Slalom, score 4, time \d+(\.\d+)? s \(with touched_posts\)", place)
+    assert re.fullmatch(r"place 1: Slalom, score 4, time \d+(\.\d+)? s \(with touched posts\)", place)
 
 
+@pytest.fixture
+def in_this_process(monkeypatch):
+    """Let ``simulate`` play its matches here, each of which else is a second for what has to be loaded."""
+    monkeypatch.setattr(many, "play_many", played_one_after_the_other)
+
+
+@pytest.mark.usefixtures("in_this_process")
 def test_simulate_shows_places_and_times_below_the_scores(tmp_path, capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
     assert run("simulate", SLALOM, "--seeds", "1,2", "--quiet", "--out", tmp_path) == 0
     lines = [line for line in capsys.readouterr().out.splitlines() if "┃" in line or "│" in line]
     scores, row, decides, decided = (re.split(r"\s*[┃│]\s*", line)[1:-1] for line in lines)
     assert (scores, row) == (["entrant", "least", "median", "mean", "most"], ["yellow", "4", "4", "4", "4"])
-    assert decides == ["entrant", "place 1", "time (with touched_posts)"]
+    assert decides == ["entrant", "place 1", "time (with touched posts)"]
     assert decided[:2] == ["yellow", "2 times"]
     assert re.fullmatch(r"[\d.]+ s|[\d.]+ s to [\d.]+ s, median [\d.]+ s", decided[2])
 
 
+@pytest.mark.usefixtures("in_this_process")
 def test_json_of_simulate_holds_what_was_compared(tmp_path, capsys, still):
     rank = "result.rank=[{score: descending}, {counter: put_backs, order: ascending}]"
     assert run("simulate", "match", "--seeds", "1", "--set", rank, *still, "--json") == 0
@@ -128,8 +137,7 @@ def test_json_of_simulate_holds_what_was_compared(tmp_path, capsys, still):
 
 
 def test_the_plain_match_is_told_by_its_score(capsys, still, monkeypatch):
-    outcomes, play_many = [], many.play_many
-    monkeypatch.setattr(many, "play_many", lambda *given: outcomes or outcomes.extend(play_many(*given)) or outcomes)
+    monkeypatch.setattr(many, "play_many", played_one_after_the_other)
     assert run("simulate", "match", "--seeds", "1", *still, "--json") == 0
     assert "ranking" not in json.loads(capsys.readouterr().out)
     assert run("simulate", "match", "--seeds", "1", *still, "--quiet") == 0

@@ -46,7 +46,7 @@ def played(place: Path, command: list[str], surroundings: dict[str, str]) -> sub
     )  # fmt: skip
 
 
-@pytest.fixture(params=["archive", "folder"])
+@pytest.fixture
 def submission(request: pytest.FixtureRequest, tmp_path: Path) -> str:
     folder = tmp_path / "Größenwahn"
     for name, text in FILES.items():
@@ -60,6 +60,11 @@ def submission(request: pytest.FixtureRequest, tmp_path: Path) -> str:
     return "Größenwahn.zip"
 
 
+def given_as(usual: str, other: str) -> pytest.MarkDecorator:
+    """Tries a submission of one kind, and every night of the other one."""
+    return pytest.mark.parametrize("submission", [usual, pytest.param(other, marks=pytest.mark.nightly)], indirect=True)
+
+
 def verdict(report: str) -> list[Any]:
     """What a check found, without what is measured."""
     (checked,) = json.loads(report)["files"]
@@ -67,6 +72,7 @@ def verdict(report: str) -> list[Any]:
     return [checked["file"], checked["team"], checked["level"], stages]
 
 
+@given_as("archive", "folder")
 def test_a_check_finds_the_same_as_where_names_are_in_unicode(tmp_path: Path, submission: str) -> None:
     here, there = (
         played(tmp_path, ["check", submission, "--json", *DUEL], env) for env in ({"PYTHONUTF8": "1"}, NARROW)
@@ -76,6 +82,7 @@ def test_a_check_finds_the_same_as_where_names_are_in_unicode(tmp_path: Path, su
     assert "größe.py, line 2" in str(verdict(there.stdout))
 
 
+@given_as("folder", "archive")
 def test_a_match_is_the_same_and_its_logs_name_files_as_the_team_knows_them(tmp_path: Path, submission: str) -> None:
     command = ["run", "match", "--blue", submission, "--yellow", submission, "--duration=0.3", "--halves=1", "--json"]
     command += [*DUEL, "--out", str(tmp_path / "Läufe")]

@@ -360,7 +360,7 @@ robot = Robot()
 private = tempfile.gettempdir()
 open("note", "w").close()
 robot.step(32)
-print(os.listdir(private), glob.glob(os.path.dirname(private) + "/rcj-*/team/note"))
+print(os.listdir(private), glob.glob(os.path.dirname(private) + "/rcj-*/controllers/note"))
 while robot.step(32) != -1:
     pass
 """
@@ -373,4 +373,4 @@ while robot.step(32) != -1:
         for driver in drivers:
             driver.release(Observation(1, values_at(1), []))
             assert isinstance(driver.collect(), Request)
-            assert driver.new_output().splitlines()[-1] == "['team'] []"
+            assert driver.new_output().splitlines()[-1] == "['controllers'] []"

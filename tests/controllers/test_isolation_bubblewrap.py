@@ -75,7 +75,7 @@ def test_what_is_outside_has_no_name(tmp_path: Path) -> None:
         "processes": "2",
         "networks": "['lo']",
         "the environment": str(sorted(isolation.environment(tmp_path))),
-        "its folder": "team",
+        "its folder": "controllers",
         "permissions of Python": "EROFS",
         "the folder of all folders": "EROFS",
         "shared memory": "EROFS",

@@ -74,8 +74,8 @@ def play(folder: Path) -> None:
 def left_over(temporary: Path, name: str = "dead") -> Path:
     """The place of a match that is dead."""
     place = temporary / f"{PREFIX}{name}"
-    (place / "rcj-Y1-x" / "team").mkdir(parents=True)
-    (place / "rcj-Y1-x" / "team" / "robot.py").touch()
+    (place / "rcj-Y1-x" / "controllers").mkdir(parents=True)
+    (place / "rcj-Y1-x" / "controllers" / "robot.py").touch()
     (place / LOCK_FILE).touch()
     return place
 
@@ -89,7 +89,7 @@ def test_what_a_killed_match_left_is_removed_by_the_next_one_and_that_of_a_livin
             (left,) = set(temporary.iterdir()) - {lives}
             dies.kill()
             dies.wait()
-            assert any(path.name == "team" for path in left.rglob("*"))
+            assert any(path.name == "controllers" for path in left.rglob("*"))
             before = sorted(lives.rglob("*"))
             play(tmp_path)
             # Its program ends with it, in a moment: what that may still have written, a later match removes.
@@ -158,7 +158,7 @@ def test_a_link_in_the_place_of_a_match_is_not_followed(temporary: Path, tmp_pat
     treasure = left_over(tmp_path)
     (temporary / f"{PREFIX}link").symlink_to(treasure, target_is_directory=True)
     remove_left_overs(temporary)
-    assert (treasure / "rcj-Y1-x" / "team" / "robot.py").exists()
+    assert (treasure / "rcj-Y1-x" / "controllers" / "robot.py").exists()
 
 
 @posix

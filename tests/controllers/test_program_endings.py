@@ -305,3 +305,25 @@ print("fault:", played.fault)
         read_until(ours, b"fault: None")
         parent.wait(20)
     os.close(ours)
+
+
+@pytest.mark.parametrize(
+    ("then", "more"), [("", []), ("    raise ValueError\n", ["Error in sys.excepthook: ValueError"])]
+)
+def test_a_programs_own_hook_for_what_nobody_caught_is_called(match: FakeMatch, then: str, more: list[str]) -> None:
+    program = f"""
+import sys
+from controller import Robot
+def hook(kind, error, trace):
+    print("HOOK", kind.__name__, error, trace.tb_lineno, trace.tb_next)
+{then}
+sys.excepthook = hook
+Robot().step(32)
+raise KeyError("boom")
+"""
+    played = match.play(program, 3)
+    assert played.fault is not None
+    assert (played.fault.kind, played.fault.tick) == ("crash", 1)
+    assert played.fault.detail.startswith("KeyError: 'boom' (robot.py, line")
+    line = played.fault.detail.rstrip(")").rpartition(" ")[2]
+    assert played.said[: 1 + len(more)] == [f"HOOK KeyError 'boom' {line} None", *more]

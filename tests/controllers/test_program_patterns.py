@@ -54,27 +54,37 @@ while robot.step(32) != -1:
     assert played.said == ["0.032", "0.064", "0.096", "0.128", "0.16"]
 
 
-def test_a_second_step_while_the_first_waits_ends_the_program(either_match: FakeMatch) -> None:
+def test_threads_that_step_together_take_turns(either_match: FakeMatch) -> None:
+    """As in the original, where one waits for the step of the other."""
     program = """
-import os, threading
+import threading
 from controller import Robot, _hub
 robot = Robot()
 wire = _hub.connected()._wire
-both = threading.Barrier(2)
-exchange = wire.exchange
-def exchange_together(frame):
-    both.wait()
-    return exchange(frame)
-wire.exchange = exchange_together
-other = threading.Thread(target=robot.step, args=(32,))
+real, inside, together = wire.exchange, [], []
+def exchange(frame):
+    inside.append(threading.get_ident())
+    together.append(len(inside))
+    answer = real(frame)
+    inside.pop()
+    return answer
+wire.exchange = exchange
+stepped = []
+def drive():
+    steps = 0
+    while robot.step(32) != -1:
+        steps += 1
+    stepped.append(steps)
+other = threading.Thread(target=drive)
 other.start()
-robot.step(32)
-other.join()  # or the program could come to its end before the other has sent its request
+drive()
+other.join()
+print(sum(stepped), set(together))
 """
-    played = either_match.play(program, ticks=6)
-    assert played.fault is not None
-    assert (played.fault.kind, played.fault.tick) == ("protocol", 1)
-    assert "answers tick 0 at tick 1" in played.fault.detail
+    played = either_match.play(program, ticks=60)
+    assert played.fault is None
+    assert [tick for tick, _ in played.requests] == list(range(60))
+    assert played.said == ["59 {1}"]
 
 
 def test_step_loops_may_be_nested_in_helpers(match: FakeMatch) -> None:
@@ -139,6 +149,25 @@ def test_the_clock_advances_by_the_step_and_never_stands_still(match: FakeMatch)
 def test_the_direction_of_the_ball_can_be_divided_by_its_z(match: FakeMatch) -> None:
     ball = packet("ball receiver", b"\0", 7.68, (0.986, 0.158, -0.046))
     assert match.play("patterns/divides_by_z", 2, lambda _: [ball]).said == ["-21.435 -3.435 0.361"]
+
+
+@pytest.mark.parametrize(("length", "error"), [("-1", "ValueError"), ("nan", "ValueError"), ("inf", "OverflowError")])
+def test_a_sleep_that_is_no_duration_is_refused_as_by_python(match: FakeMatch, length: str, error: str) -> None:
+    program = f"""
+import time
+from controller import Robot
+robot = Robot()
+robot.step(32)
+try:
+    time.sleep(float("{length}"))
+except (ValueError, OverflowError) as error:
+    print(type(error).__name__)
+robot.step(32)
+robot.step(32)
+"""
+    played = match.play(program, 3)
+    assert played.said == [error]
+    assert [r.missed_ticks for _, r in played.requests] == [0, 0, 0]
 
 
 def test_a_program_that_sleeps_misses_ticks(match: FakeMatch) -> None:
@@ -256,7 +285,7 @@ def test_imports_work_by_name_and_only_what_robots_lack_is_refused_on_use(match:
     played = match.play("patterns/imports_a_lot", 2)
     assert played.fault is None
     assert played.said == [
-        "5.0 2.0 team 1",
+        "5.0 2.0 controllers 1",
         "NotImplementedError there is no Camera on these robots",
         "RuntimeError Only one instance of the Robot class should be created.",
         "RuntimeError Only one instance of the Robot class should be created.",

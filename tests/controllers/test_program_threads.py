@@ -139,3 +139,21 @@ while robot.step(32) != -1:
     played = match.play(program, 12)
     assert played.fault is None
     assert [(tick, r.missed_ticks) for tick, r in played.requests][:4] == [(0, 0), (1, 0), (2, 0), (3, 5)]
+
+
+def test_a_thread_that_computes_for_ever_hands_over_soon(match: FakeMatch) -> None:
+    """The one that steps waits for it twice in a step: with Python's own 5 ms a half is too short."""
+    program = """
+import sys, threading
+from controller import Robot
+robot = Robot()
+def think():
+    while True:
+        sum(i * i for i in range(1000))
+threading.Thread(target=think, daemon=True).start()
+while robot.step(32) != -1:
+    pass
+print(sys.getswitchinterval())
+"""
+    (interval_s,) = numbers_of(match.play(program, 20))
+    assert 2 * interval_s <= 0.001

@@ -10,6 +10,7 @@ from types import SimpleNamespace
 import pytest
 from fake_match import FakeMatch
 
+from rcj_challenges.controllers.pupil.controller import _waits
 from rcj_challenges.controllers.pupil.controller._clock import Clock
 from rcj_challenges.controllers.pupil.controller._hooks import AfterImport
 from rcj_challenges.controllers.pupil.controller._waits import Waits
@@ -189,6 +190,26 @@ def test_short_waits_beside_a_thread_that_waits_itself_do_not_use_up_the_half(tm
 def test_a_short_wait_goes_on_while_another_thread_computes(match: FakeMatch) -> None:
     program = BESIDE + "work.put(100_000)\nprint(answers.get(timeout=0.031))\n"
     assert match.play(ROBOT + program + STEPS, 3).said == ["4999950000"]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there a short wait is simply waited for")
+def test_what_others_take_of_the_processor_does_not_end_a_short_wait(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each look takes 0.2 s in which this program computed for 0.001 s."""
+    clock = SimpleNamespace(real_s=0.0, computed_s=0.0)
+    monkeypatch.setattr(_waits, "real_monotonic", lambda: clock.real_s)
+    monkeypatch.setattr(_waits, "real_process_time", lambda: clock.computed_s)
+    looks: list[float] = []
+
+    def look(_: object, timeout: float) -> bool:
+        looks.append(timeout)
+        clock.real_s += 0.2
+        clock.computed_s += 0.001
+        return len(looks) == 10
+
+    assert _waits._for_others(look, None, 0.031)
+    looks[:] = [0.0] * 10
+    assert not _waits._for_others(look, None, 0.031)
+    assert 10 + 15 <= len(looks) <= 10 + 31
 
 
 def test_the_wait_of_one_thread_changes_nothing_about_those_of_the_one_that_steps_meanwhile(match: FakeMatch) -> None:

@@ -54,18 +54,93 @@ def test_warnings_are_silenced_by_numpys_own_name_of_the_module(match: FakeMatch
 import numpy as np
 np.warnings.filterwarnings("ignore", category=np.VisibleDeprecationWarning)
 print(np.PZERO, np.NZERO)
+print(np.alen([1, 2]), np.unicode(5), np.cast["int"]([2.7]), np.nbytes[np.int16], np.find_common_type([np.int8], [float]))
+print(np.obj2sctype("f8").__name__, np.disp.__name__, np.ERR_WARN, np.MAXDIMS > 31, np.lib.pad([1], 1), np.compat.long(3))
+print(hasattr(np, "no_such_name"), hasattr(np.lib, "no_such_name"), hasattr(np.lib.function_base, "no_such_name"))
 robot.step(32)
 """
-    assert match.play(STEPS + program, 1).said == ["0.0 -0.0"]
+    assert match.play(STEPS + program, 1).said == [
+        "0.0 -0.0", "2 5 [2] 2 float64", "float64 disp 1 True [0 1 0] 3", "False False False"
+    ]  # fmt: skip
+
+
+_IMPORTS_OF_EDITORS = """
+from numpy import *
+from numpy.compat import long, unicode
+from numpy.compat.py3k import asbytes
+from numpy.core import Infinity, numeric
+from numpy.core.fromnumeric import mean, shape
+from numpy.core.function_base import linspace
+from numpy.core.multiarray import _reconstruct, array
+from numpy.core.numeric import Inf, Infinity, NaN, True_
+from numpy.core.records import array
+from numpy.core.umath import pi
+from numpy.fft.helper import fftfreq
+from numpy.fft.pocketfft import fft
+from numpy.lib import math, pad
+from numpy.lib.arraypad import pad
+from numpy.lib.arraysetops import isin, unique
+from numpy.lib.function_base import *
+from numpy.lib.function_base import angle, average, diff, interp, median, percentile
+from numpy.lib.histograms import histogram
+from numpy.lib.index_tricks import c_
+from numpy.lib.nanfunctions import nanmean
+from numpy.lib.npyio import load, save
+from numpy.lib.polynomial import poly1d, polyfit
+from numpy.lib.scimath import sqrt
+from numpy.lib.shape_base import column_stack
+from numpy.lib.stride_tricks import broadcast_to, sliding_window_view
+from numpy.lib.twodim_base import diag, eye
+from numpy.lib.type_check import imag, real
+from numpy.lib.ufunclike import fix
+from numpy.lib.utils import deprecate
+from numpy.linalg.linalg import LinAlgError, norm
+from numpy.matrixlib.defmatrix import mat, matrix
+import numpy.core, numpy.core._multiarray_umath, numpy.core.numeric as _nx
+assert _nx.NaN != _nx.NaN and _nx.dot is dot and max([1, 3]) == 3 and angle(1j) == pi / 2
+"""
+
+
+def test_imports_that_editors_wrote_are_found_where_their_modules_are_now(match: FakeMatch) -> None:
+    program = f"""
+import warnings
+warnings.simplefilter("error")
+for line in {_IMPORTS_OF_EDITORS.strip().splitlines()}:
+    try:
+        exec(line)
+    except BaseException as error:
+        print(line, type(error).__name__, error)
+for line in ("import numpy.lib.no_such_module", "from numpy.lib.function_base import no_such_name"):
+    try:
+        exec(line)
+    except ImportError as error:
+        print(error)
+robot.step(32)
+"""
+    said = match.play(STEPS + program, 1).said
+    assert said == [
+        "No module named 'numpy.lib.no_such_module'",
+        "cannot import name 'no_such_name' from 'numpy.lib.function_base' (unknown location)",
+    ]
 
 
 def test_numpys_star_gives_the_old_names_and_leaves_pythons_own_alone(match: FakeMatch) -> None:
     program = """
+import builtins, typing
+from math import *
+import math as pythons
 from numpy import *
 print(Inf, NaN, product([2, 3]), mat([[1, 2]]).T.shape, type(int(2.5)) is type(1), float is type(1.5))
+print(max(3, 5), min(0.2, 0.5), round(2.567, 1), type(round(3.7)).__name__, abs(-3), max([], default=0), bool([]))
+covered = set(dir(builtins)) & set(globals())
+print(sorted(name for name in covered if name[0] != "_" and globals()[name] is not getattr(builtins, name)))
+print(pow is pythons.pow, atan2 is pythons.atan2, math is pythons, typing.List.__name__, sqrt(array([4.0])))
 robot.step(32)
 """
-    assert match.play(STEPS + program, 1).said == ["inf nan 6 (2, 1) True True"]
+    said = match.play(STEPS + program, 1).said
+    assert said[:2] == ["inf nan 6 (2, 1) True True", "5 0.2 2.6 int 3 0 False"]
+    assert said[2] == "['all', 'any', 'divmod', 'pow', 'sum']"  # pow is that of math
+    assert said[3] == "True True True List [2.]"
 
 
 def test_packets_are_made_and_read_by_numpy_as_it_was_done_then(match: FakeMatch) -> None:
@@ -104,10 +179,21 @@ from scipy.integrate import cumtrapz, simps
 from scipy.signal import gaussian
 print(round(derivative(lambda x: x**3, 2.0, dx=1e-3), 3), round(derivative(lambda x: x**4, 1.0, dx=1e-2, n=2, order=5), 3))
 print(simps([0, 1, 4]), cumtrapz([0, 2, 4]), gaussian(3, 1.0).round(3))
+from scipy.linalg import pinv2
+from scipy.misc import comb, factorial
+print(pinv2([[2.0]]), comb(4, 2), factorial(3))
+from scipy import stats
+from scipy.stats.stats import mode
+import numpy as np
+print(stats.mode([3, 1, 3])[0][0], mode([3, 1, 3]).count[0], stats.mode([3, 3], keepdims=False).mode)
+print(*(tuple(map(list, stats.mode(x))) for x in (["l", "r", "r"], [True, False, True], [], np.array([2, "a", 2], object))))
+print(stats.mode([[1, 2], [1, 3]])[0][0], stats.mode([[1, 2], [2, 3]], axis=None)[0], stats.mode([[1, 1, 2]], axis=1)[0])
 robot.step(32)
 """
     said = match.play(STEPS + program, 1).said
-    assert said == ["12.0 12.0", "2.6666666666666665 [1. 4.] [0.607 1.    0.607]"]
+    assert said[:2] == ["12.0 12.0", "2.6666666666666665 [1. 4.] [0.607 1.    0.607]"]
+    assert said[2:4] == ["[[0.5]] 6.0 6.0", "3 2 3"]
+    assert said[4:] == ["(['r'], [2]) ([True], [2]) ([], []) ([2], [2])", "[1 2] [2] [[1]]"]
 
 
 def test_names_that_python_had_in_those_years_are_there(match: FakeMatch) -> None:
@@ -116,10 +202,23 @@ import base64, collections, fractions, inspect, random, threading
 print(isinstance([], collections.Sequence), issubclass(dict, collections.Mapping), collections.OrderedDict.__name__)
 print(sorted(random.sample({1, 2, 3}, 3)), len(random.sample(range(9), 2)), fractions.gcd(12, 18))
 print(inspect.getargspec(lambda a, b=1: 0).args, base64.encodestring(b"x"), threading.Thread().isAlive())
+import array, math
+from math import *
+from xml.etree import ElementTree
+numbers = array.array("h")
+numbers.fromstring(bytes([1, 0, 2, 0]))
+root = ElementTree.fromstring("<a><b/><c><b/></c></a>")
+print(numbers.tostring(), [one.tag for one in root.getchildren()], len(list(root.getiterator("b"))))
+print(math.factorial(3.0), factorial(4), type(factorial(3.0)).__name__)
+try:
+    factorial(2.5)
+except (TypeError, ValueError):
+    print("no half numbers")
 robot.step(32)
 """
     said = match.play(STEPS + program, 1).said
-    assert said == ["True True OrderedDict", "[1, 2, 3] 2 6", "['a', 'b'] b'eA==\\n' False"]
+    assert said[:3] == ["True True OrderedDict", "[1, 2, 3] 2 6", "['a', 'b'] b'eA==\\n' False"]
+    assert said[3:] == ["b'\\x01\\x00\\x02\\x00' ['b', 'c'] 2", "6 24 int", "no half numbers"]
 
 
 def test_a_program_has_a_user_and_a_home(match: FakeMatch) -> None:
@@ -306,11 +405,22 @@ loop = asyncio.new_event_loop()
 loop.run_until_complete(plan())
 print(loop.run_until_complete(modern()))
 loop.close()
-print(asyncio.get_event_loop().run_until_complete(modern()))
-asyncio.get_event_loop().close()
+loop = asyncio.get_event_loop()
+print(loop.run_until_complete(modern()))
+async def old():
+    queue, lock = asyncio.Queue(3, loop=loop), asyncio.Lock(loop=loop)
+    async with lock:
+        await queue.put(await asyncio.wait_for(asyncio.sleep(0, "slept", loop=loop), 1, loop=loop))
+    done, pending = await asyncio.wait([wait(1), wait(2)], loop=loop)
+    told = asyncio.Task.all_tasks(), asyncio.Task.current_task()
+    print(queue.get_nowait(), sorted(one.result() for one in done), pending, told[0] == {told[1]})
+    print(await asyncio.gather(wait(1), plain(), loop=loop), asyncio.Event(loop=loop).is_set())
+loop.run_until_complete(old())
+loop.close()
 robot.step(32)
 """
-    assert match.play(STEPS + program, 1).said == ["2 3 plain True", "1", "1"]
+    said = match.play(STEPS + program, 1).said
+    assert said == ["2 3 plain True", "1", "1", "slept [1, 2] set() True", "[1, 'plain'] False"]
 
 
 def test_a_file_of_settings_is_read_as_it_was_then(match: FakeMatch) -> None:
@@ -335,6 +445,11 @@ try:
 except AttributeError as error:
     print(type(error).__name__)
 print(scipy.linalg.norm([3, 4]))
+from scipy import ifft, rand, randn
+print(rand(2).shape, randn(3).shape, ifft([4.0]))
+from scipy import *
+print(array([1, 2]).mean(), sqrt(-4), linalg is scipy.linalg, max(3, 5))
 robot.step(32)
 """
-    assert match.play(STEPS + program, 1).said == ["3.14 11 2j 1.5 inf", "AttributeError", "5.0"]
+    said = match.play(STEPS + program, 1).said
+    assert said == ["3.14 11 2j 1.5 inf", "AttributeError", "5.0", "(2,) (3,) [4.+0.j]", "1.5 2j True 5"]

@@ -225,7 +225,9 @@ def test_what_webots_has_and_this_world_has_not_is_accepted(match: FakeMatch) ->
         "print(robot.getDevice('distancesensor left').getLookupTable())\n"
         "robot.setCustomData('goalie'); robot.setMode(0, ''); robot.wwiSendText('hi')\n"
         "print(robot.getCustomData(), robot.custom_data, robot.getMode(), [robot.wwiReceiveText(), robot.getWorldPath()])\n"
-        "import os; print(robot.getProjectPath() == os.getcwd())\n"
+        "import os; print(os.path.samefile(robot.getProjectPath() + '/controllers/robot.py', 'robot.py'), [robot.getUrdf()])\n"
+        "from controller import GPS; gps = robot.getDevice('gps')\n"
+        "print(GPS.convertToDegreesMinutesSeconds(12.51), gps.convertToDegreesMinutesSeconds(-0.5))\n"
         "robot.batterySensorEnable(32)\n"
         "print(robot.batterySensorGetSamplingPeriod(), robot.batterySensorGetValue())\n"
         "robot.batterySensorDisable(); print(robot.batterySensorGetSamplingPeriod())\n"
@@ -235,7 +237,8 @@ def test_what_webots_has_and_this_world_has_not_is_accepted(match: FakeMatch) ->
         "10.0 2.0 2.0",
         "[0.0, 0.0, 0.0, 1.0, 1000.0, 0.0]",
         "goalie goalie 0 ['', '']",
-        "True",
+        "True ['']",
+        "12° 30' 36\" 0° 30' 0\"",
         "32 nan",
         "0",
     ]

@@ -69,7 +69,9 @@ def _play(match: FakeMatch, program: str) -> Played:
 def test_every_class_of_webots_can_be_named(match: FakeMatch, imports: str) -> None:
     where = "controller." if imports == "import controller" else ""
     program = f"{imports}\nrobot = {where}Robot()\n" + "".join(f"assert {where}{name}\n" for name in CLASSES)
-    _play(match, program)
+    if imports.endswith("*"):
+        program += "print(os.getcwd() in sys.path)\n"  # up to R2022b the star gave these two as well
+    assert _play(match, program).said == ["True"] * imports.endswith("*")
 
 
 def test_an_annotation_with_a_class_that_no_robot_has_does_no_harm(match: FakeMatch) -> None:

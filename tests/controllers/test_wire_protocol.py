@@ -80,6 +80,9 @@ class StillClock:
     def missed_ticks(self) -> int:
         return self._missed
 
+    def step_began(self) -> None:
+        pass
+
     def tick_began(self, tick: int) -> None:
         pass
 

@@ -61,6 +61,19 @@ def test_460_bytes_fit_into_a_tick_and_461_do_not(bench: Bench) -> None:
     assert [len(data) for data in heard(bench, "Y2")] == [461]
 
 
+def test_of_many_tiny_packets_32_arrive_a_tick_and_the_others_after_them(bench: Bench) -> None:
+    sent = [bytes([number]) for number in range(70)]
+    bench.send("Y1", *sent)
+    bench.send("Y3", b"also")
+    arrived = []
+    for most in (33, 32, 6, 0):
+        bench.sense()
+        packets = heard(bench, "Y2")
+        assert len(packets) == most
+        arrived += packets
+    assert [packet for packet in arrived if packet != b"also"] == sent
+
+
 def test_a_longer_packet_arrives_later_and_holds_up_those_behind_it(bench: Bench) -> None:
     bench.send("Y1", bytes(1000), b"after")  # 1000 / 460.8 = 2.17 ticks
     arrived = []

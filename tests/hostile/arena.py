@@ -52,6 +52,15 @@ def play_on():
         pass
 
 
+def hang():
+    """Wait for ever, in real time and without computing."""
+    import _thread
+
+    lock = _thread.allocate_lock()
+    lock.acquire()
+    lock.acquire()
+
+
 def libc():
     """The C library, with errno."""
     import ctypes

@@ -84,6 +84,7 @@ class Entry:
         cause: a regular expression for the fault's detail.
         limits: of the scenario, where it needs other ones than the rest.
         succeeds_without: True: with ``--sandbox off`` it does get through, and doing so harms nobody.
+        variant: True: it does what another one does in another way; played every night.
     """
 
     name: str
@@ -98,6 +99,7 @@ class Entry:
     cause: str = ""
     limits: tuple[tuple[str, float], ...] = ()
     succeeds_without: bool = False
+    variant: bool = False
 
     @property
     def plays_on(self) -> bool:

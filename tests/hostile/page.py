@@ -43,9 +43,10 @@ played in a real match: in three robots of one team, against a sane team that us
   the same limits, priority, session and environment as before;
 - the fault, with its tick and its cause, stands in the reflog, in `result.json` and in that robot's log.
 
-`python -m pytest tests/hostile/test_programs.py` plays them all, as root or as any other user. What needs a layer of isolation that
-this computer does not have is skipped with that reason. Programs marked ⚑ are played once more with `--sandbox off`, to show
-that what they try does succeed there: it is the layers named that hold them.
+`python -m pytest tests/hostile/test_programs.py` plays them, as root or as any other user. Programs marked ☾ do what another one
+does in another way, and are played every night only; `-m "nightly or not nightly"` plays all. What needs a layer of isolation
+that this computer does not have is skipped with that reason. Programs marked ⚑ are played once more with `--sandbox off`, to
+show that what they try does succeed there: it is the layers named that hold them.
 
 **Layers**: — means that no layer of isolation is needed: each program is a process of its own, the match judges every message, waits
 for nobody longer than the limits say, and takes over only what it has looked at. The other names are those in `result.json`.
@@ -83,7 +84,7 @@ def _row(entry: Entry) -> str:
     kinds = "" if entry.plays_on else entry.ends.split(" at ")[0].split("|")
     then = "plays on" if entry.plays_on else " or ".join(_ENDS[kind] for kind in kinds)
     layers = ", ".join(f"`{layer}`" for layer in entry.layers) or "—"
-    mark = " ⚑" if entry.succeeds_without else ""
+    mark = (" ⚑" if entry.succeeds_without else "") + (" ☾" if entry.variant else "")
     cells = (f"`{entry.name}`{mark}", entry.tries, entry.holds, then, layers, platforms)
     return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |\n"
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -21,11 +22,21 @@ def names(batch: tuple[Entry, ...]) -> str:
     return "+".join(entry.name for entry in batch)
 
 
+def cases(chosen: Iterable[Entry]) -> list[object]:
+    """Return the batches of those that are telling, and for the night those of their variants."""
+    entries_ = list(chosen)
+    nightly = batches(entry for entry in entries_ if entry.variant)
+    return [
+        *batches(entry for entry in entries_ if not entry.variant),
+        *(pytest.param(batch, marks=pytest.mark.nightly) for batch in nightly),
+    ]
+
+
 def skipped(entry: Entry) -> object:
     return pytest.param((entry,), marks=pytest.mark.skip(f"{entry.name}: {entry.not_here()}"))
 
 
-@pytest.mark.parametrize("batch", [*batches(HERE), *map(skipped, NOT_HERE)], ids=names)
+@pytest.mark.parametrize("batch", [*cases(HERE), *map(skipped, NOT_HERE)], ids=names)
 def test_a_hostile_program_costs_its_own_robot_and_nobody_else_anything(
     batch: tuple[Entry, ...], tmp_path: Path
 ) -> None:
@@ -33,7 +44,7 @@ def test_a_hostile_program_costs_its_own_robot_and_nobody_else_anything(
 
 
 @pytest.mark.skipif("bubblewrap" not in isolation.active_layers("auto"), reason="it is the usual way here")
-@pytest.mark.parametrize("batch", batches(entry for entry in HERE if entry.layers), ids=names)
+@pytest.mark.parametrize("batch", cases(entry for entry in HERE if entry.layers), ids=names)
 def test_the_layers_of_the_kernel_hold_without_bubblewrap(
     batch: tuple[Entry, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -51,7 +62,7 @@ def test_the_match_holds_them_as_well_where_pipes_cannot_be_polled(
     assert_held(batch, tmp_path)
 
 
-@pytest.mark.parametrize("batch", batches(HELD_BY_LAYERS), ids=names)
+@pytest.mark.parametrize("batch", cases(HELD_BY_LAYERS), ids=names)
 def test_what_the_layers_hold_does_succeed_without_them(batch: tuple[Entry, ...], tmp_path: Path) -> None:
     assert_gets_through(batch, tmp_path)
 

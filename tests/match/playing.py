@@ -55,7 +55,7 @@ class Place:
         """Play a short match: one half of a few seconds unless the overrides say otherwise.
 
         A team that is not given stands still: its first robot runs a program that says so, the others have none, which
-        comes to the same and starts fewer processes. (Teams that change sides have equally many robots.)
+        comes to the same and starts fewer processes. (Where teams change sides both have all theirs.)
         """
         given = {"blue": blue or self.team_folder(STAND), "yellow": yellow or self.team_folder(STAND)}
         idle = [seat for seat, team in (("blue", blue), ("yellow", yellow)) if team is None]

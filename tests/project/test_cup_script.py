@@ -16,18 +16,26 @@ STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != 
 COMMAND = """\
 #!/bin/sh
 echo "$*" >> "{folder}/started"
-said="{folder}/said $(echo "$*" | tr / _)"
+case "$*" in
+    *nobody*) said="{folder}/said of nobody" ;;
+    *) said="{folder}/said" ;;
+esac
 if [ -f "$said" ]; then
     cat "$said" >&2
     exit 2
 fi
-"{python}" -m rcj_challenges "$@" 2> "$said"
+"{python}" -m rcj_challenges "$@" {one_robot} 2> "$said"
 code=$?
 cat "$said" >&2
 [ "$code" = 2 ] || rm "$said"
 exit "$code"
 """
-"""The command; what it refused it refuses in the same words when it is asked again, without a process of its own."""
+"""The command; who has no program is refused in the same words again and again, without a process of his own."""
+
+ONE_ROBOT = " ".join(
+    f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)
+)
+"""One robot on each side has a program, which starts a third as many."""
 
 pytestmark = pytest.mark.skipif(os.name != "posix" or shutil.which("bash") is None, reason="it is a script for bash")
 
@@ -52,7 +60,8 @@ def test_the_cup_is_played_and_what_is_played_is_not_played_again(tmp_path):
     zipped(tmp_path, "kogge", STAND)
     zipped(tmp_path, "nobody", None)
     command = tmp_path / "rcj-challenge"
-    command.write_text(COMMAND.format(folder=tmp_path, python=sys.executable), encoding="utf-8")
+    text = COMMAND.format(folder=tmp_path, python=sys.executable, one_robot=ONE_ROBOT)
+    command.write_text(text, encoding="utf-8")
     command.chmod(0o755)
 
     def play() -> list[str]:

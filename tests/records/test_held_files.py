@@ -1,6 +1,7 @@
 """Files that another program has open: Windows lets nobody rename over them or remove them, so that is done later."""
 
 import errno
+import os
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -98,3 +99,16 @@ def test_parts_that_are_open_elsewhere_do_not_cost_the_result(
     assert Trajectory.open(writer.folder).finished
     assert (writer.folder / TRAJECTORY).exists()
     assert (writer.folder / TRAJECTORY_PARTS).exists() == stays
+
+
+def test_two_processes_that_write_one_file_at_once_do_not_meet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    page = tmp_path / "replay.html"
+    with replaced(page) as first:
+        first.write(b"first")
+        monkeypatch.setattr(os, "getpid", lambda: 4711)
+        with replaced(page) as second:
+            second.write(b"second, and longer")
+        assert page.read_bytes() == b"second, and longer"
+        monkeypatch.undo()
+    assert page.read_bytes() == b"first"
+    assert list(tmp_path.iterdir()) == [page]

@@ -198,8 +198,16 @@ def test_a_zip_of_something_else_is_refused(good: Path, tmp_path: Path) -> None:
 def test_pickled_objects_are_never_loaded(good: Path, tmp_path: Path) -> None:
     np.savez(tmp_path / "evil.npz", header=np.array([{"record": 1}], dtype=object))
     folder = _copy_with(good, tmp_path, (tmp_path / "evil.npz").read_bytes())
-    with pytest.raises(RecordError, match="damaged or none of ours"):
+    with pytest.raises(RecordError, match=r"damaged or none of ours$"):
         Trajectory.open(folder)
+
+
+def test_what_numpy_advises_its_callers_is_not_told_to_users(good: Path, tmp_path: Path) -> None:
+    folder = _copy_with(good, tmp_path, b"no zip at all")
+    with pytest.raises(RecordError) as caught:
+        Trajectory.open(folder)
+    assert "pickle" not in str(caught.value)
+    assert str(caught.value).endswith("the trajectory is damaged or none of ours")
 
 
 def test_a_newer_record_is_refused_naming_what_is_needed(good: Path, tmp_path: Path) -> None:

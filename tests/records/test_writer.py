@@ -57,6 +57,21 @@ def test_a_folder_that_cannot_be_made_is_said_so(tmp_path: Path) -> None:
         RecordWriter(tmp_path / "runs", small_header(small_scenario()))
 
 
+def test_a_kill_while_the_folder_is_made_leaves_a_result_in_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    makes = Path.mkdir
+
+    def killed(folder: Path, *arguments: object, **named: object) -> None:
+        if folder.parent.parent == tmp_path:
+            raise KeyboardInterrupt
+        makes(folder, *arguments, **named)
+
+    monkeypatch.setattr(Path, "mkdir", killed)
+    with pytest.raises(KeyboardInterrupt):
+        RecordWriter(tmp_path, small_header(small_scenario()))
+    (folder,) = tmp_path.iterdir()
+    assert not read_result(folder).complete
+
+
 def test_from_the_first_moment_there_is_a_result_that_is_not_complete(tmp_path: Path) -> None:
     writer = RecordWriter(tmp_path, small_header(small_scenario()))
     result = read_result(writer.folder)

@@ -73,10 +73,40 @@ class TestConditionSpeed:
     def test_it_is_the_way_of_the_last_tick_over_its_time(self, stage, ask):
         play = stage(ASKING % "{condition: speed, entity: ball, at_least: 0.1, at_most: 0.2}")
         assert not ask(play)
-        play.place("ball", 0.15 * 0.032, 0.0)
+        play.glide("ball", (0.15 * 0.032, 0.0), 1)
         assert ask(play)
-        play.place("ball", 0.15 * 0.032 + 0.3 * 0.032, 0.0)
+        play.glide("ball", (0.15 * 0.032 + 0.3 * 0.032, 0.0), 1)
         assert not ask(play)
+
+    @pytest.mark.parametrize(
+        ("compared", "holds"),
+        [
+            ("at_least: 0.25", False), ("at_most: 0.25", False), ("at_least: 0", False),
+            ("at_least: 0.25, of: none", True), ("at_most: 0.25, negate: true", True),
+        ],
+    )  # fmt: skip
+    def test_where_a_test_puts_something_by_hand_its_speed_is_unknown_for_a_tick(self, stage, ask, compared, holds):
+        play = stage(ASKING % f"{{condition: speed, entity: ball, {compared}}}")
+        play.place("ball", 0.3, 0.0)
+        assert ask(play) is holds
+
+    def test_afterwards_it_is_at_rest_or_as_fast_as_it_glides(self, stage, ask):
+        play = stage(ASKING % "{condition: speed, entity: ball, at_most: 0.01}")
+        play.place("ball", 0.3, 0.0)
+        play.play()
+        assert ask(play)
+        play.place("ball", 0.0, 0.0)
+        play.glide("ball", (0.1, 0.0), 10)
+        play.play()
+        assert not ask(play)
+
+    def test_a_ball_that_is_put_by_hand_has_come_to_rest_anew(self, stage):
+        rests = "{trigger: holds, for_s: 0.1, condition: {condition: speed, entity: ball, at_most: 0.01}}"
+        play = stage(f"rules: {{rest: {{triggers: [{rests}], actions: [{{action: emit, event: RESTS}}]}}}}")
+        play.play(10)
+        play.place("ball", 0.3, 0.0)
+        play.play(10)
+        assert len(play.events_named("RESTS")) == 2
 
     def test_a_placement_is_no_speed(self, stage, ask):
         play = stage(

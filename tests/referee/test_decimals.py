@@ -157,3 +157,44 @@ rules:
     )
     play.play(10)
     assert play.firings[0].scored == {"blue": round(2 * points, 9)}
+
+
+GROWS = """
+counters: {{c: {{initial: {first}}}}}
+rules:
+  grows:
+    triggers: [{{trigger: holds, condition: {{condition: half, at_least: 1}}, for_s: 0.032, every_s: 0.032}}]
+    actions:
+      - {{action: count, counter: c, to: [{{counter: c, weight: {weight}}}]}}
+      - {{action: score, entrant: blue, points: {{counter: c}}}}
+      - {{action: emit, event: TOLD, payload: {{c: {{counter: c}}}}}}
+    says: "{{points}} points"
+"""
+
+
+@pytest.mark.parametrize(
+    ("first", "weight", "ends_at"),
+    [(1, 10.5, 10**15), (-1, 10.5, -(10**15)), (1.0e308, 1.0e308, 10**15), (-1.0e308, 1, -(10**15))],
+)
+def test_what_grows_by_a_factor_stays_at_a_bound_and_can_be_recorded(stage, first, weight, ends_at):
+    play = stage(GROWS.format(first=f"{first:.1e}", weight=f"{weight:.2e}"))
+    play.play(40)
+    assert play.referee.counters["c"] == ends_at
+    assert play.referee.scores["blue"] == ends_at
+    json.dumps([[event.payload for event in play.events], [one.scored for one in play.firings]], allow_nan=False)
+
+
+def test_more_than_all_less_more_than_all_is_nothing(stage):
+    weights = "1.0e+308}, {counter: c, weight: -1.0e+308"
+    play = stage(GROWS.format(first=1000000, weight=weights))
+    play.play(1)
+    assert play.referee.counters["c"] == 0
+
+
+def test_a_time_with_endless_penalties_is_still_a_number_to_rank_by(small):
+    scenario = small(
+        "counters: {faults: {}}\nresult: {rank: [{time: ascending, plus: [{counter: faults, weight: 1.0e+308}]}]}"
+    )
+    halves = [Tally({"faults": 10**15}, {"blue": "blue", "yellow": "yellow"}, 60)]
+    places = ranking(scenario, {"blue": 0, "yellow": 0}, halves)
+    assert [entry["values"] for entry in places] == [[10**15], [10**15]]

@@ -75,3 +75,33 @@ def test_what_was_given_counts():
 )
 def test_each_entrant_has_one_place(ranking, complaint):
     assert complaint in complaints("rules: {}\n" + TEST % ("", ranking))[0]
+
+
+class TestWhatIsToldOfTheCountersThatRank:
+    RACE = """
+    counters: {laps: {per: robots}, faults: {}, other: {}}
+    result: {rank: [{counter: laps}, {time: ascending, plus: [{counter: faults, weight: 5}]}]}
+    rules:
+      other: {triggers: [{trigger: time_reached, at_s: 0.16}], actions: [{action: count, counter: other}]}
+      fault: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: count, counter: faults}]}
+      none: {triggers: [{trigger: time_reached, at_s: 0.64}], actions: [{action: count, counter: faults, by: 0}]}
+      last: {triggers: [{trigger: half_ended}], actions: [{action: count, counter: laps, entity: Y1}]}
+    """
+    NO_LAPS = dict.fromkeys(("B1", "B2", "Y1", "Y2"), 0)
+
+    def test_it_is_told_at_the_start_and_where_one_has_changed(self, stage):
+        play = stage(self.RACE)
+        told = {}
+        for tick in range(31):
+            if tick:
+                play.play(1)
+            if play.verdict.counted is not None:
+                told[tick] = play.verdict.counted
+        assert told == {0: {"laps": self.NO_LAPS, "faults": 0}, 10: {"laps": self.NO_LAPS, "faults": 1}}
+        assert play.finish().counted == {"laps": self.NO_LAPS | {"Y1": 1}, "faults": 1}
+        assert told[0]["laps"]["Y1"] == 0  # what was told stays as it was
+
+    def test_where_the_ranking_asks_no_counter_nothing_is_told(self, stage):
+        play = stage("counters: {laps: {}}", "rules: {it: {triggers: [{trigger: half_started}], "
+                     "actions: [{action: count, counter: laps}]}}")  # fmt: skip
+        assert play.verdict.counted is None

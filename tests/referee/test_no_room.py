@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 
 from rcj_challenges.referee.engine import Referee
+from rcj_challenges.referee.outlines import Bodies
+from rcj_challenges.referee.setting_down import ATTEMPTS_WAITING
 from rcj_challenges.referee.trials import run_expectation
 from rcj_challenges.scenario.load import load_text
 
@@ -145,3 +147,48 @@ def test_a_test_that_fails_says_what_waits_for_room():
 @pytest.mark.parametrize("more", ["", ", score: {yellow: 0}"])
 def test_a_test_that_passes_says_nothing(more):
     assert run_expectation(load_text(FILE % more), "it") == []
+
+
+NARROW = "zones: {strip: {shape: rect, x_min_m: -0.05, x_max_m: 0.05, y_min_m: -0.01, y_max_m: 0.01}}"
+
+
+def drawn_by_tick(play, monkeypatch, ticks: int) -> list[int]:
+    """Return how often chance looked for a place in each tick."""
+    looked = []
+    fits = Bodies.fits
+
+    def counted(*arguments):
+        looked[-1] += 1
+        return fits(*arguments)
+
+    monkeypatch.setattr(Bodies, "fits", counted)
+    for _ in range(ticks):
+        looked.append(0)
+        play.play(1)
+    return looked
+
+
+@pytest.mark.parametrize(("attempts", "waiting"), [(1000, ATTEMPTS_WAITING), (2, 2)])
+def test_what_waits_looks_a_few_times_a_tick_for_room(stage, monkeypatch, attempts, waiting):
+    play = stage(NARROW, put("uniform_in: strip", f", max_attempts: {attempts}"))
+    play.play(9)
+    looked = drawn_by_tick(play, monkeypatch, 4)
+    assert looked == [attempts, waiting, waiting, waiting]
+    assert notes(play) == [f"Y1 waits for room: chance found none in {attempts} attempts"]
+
+
+def test_what_is_asked_for_anew_looks_all_its_attempts_again(stage, monkeypatch):
+    twice = put("uniform_in: strip", ", max_attempts: 30").replace(
+        "0.32}", "0.32}, {trigger: time_reached, at_s: 0.384}"
+    )
+    play = stage(NARROW, twice)
+    play.play(9)
+    assert drawn_by_tick(play, monkeypatch, 4) == [30, ATTEMPTS_WAITING, 30, ATTEMPTS_WAITING]
+
+
+def test_a_place_that_takes_many_attempts_is_found_at_first(stage):
+    corner = NARROW.replace("x_max_m: 0.05", "x_max_m: 0.075")
+    play = stage(corner, put("uniform_in: strip", ", max_attempts: 2000"))
+    play.play(10)
+    assert [tick for tick, _ in play.placements] == [10]
+    assert play.pose("Y1")[0] > 0.07  # a thirtieth of the strip: beside the ball

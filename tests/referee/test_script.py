@@ -63,10 +63,10 @@ class TestExpect:
             "score: {yellow: 2}, counters: {goals: 3}, flags: {up: true}, phase: pause, poses: {ball: [0, 0.3]}"
         )
         assert found == [
-            "event 1 (GOAL): expected at 1 s, came at 0.32 s; up to 0.033 s off is allowed, more by tolerance_s beside at_s",
-            "event 1 (GOAL): expected who blue, is yellow",
-            "event 1 (GOAL): expected good false, is true",
-            "event 2: expected HIT at 0.5 s, nothing came",
+            "differs: event 1 (GOAL): expected at 1 s, came at 0.32 s; up to 0.033 s off is allowed, more by tolerance_s beside at_s",
+            "differs: event 1 (GOAL): expected who blue, is yellow",
+            "differs: event 1 (GOAL): expected good false, is true",
+            "missing: HIT at 0.5 s, event 2 of the test",
             "score of yellow: expected 2, is 1",
             "counter goals: expected 3, is 2",
             "flag up: expected true, is false",
@@ -92,14 +92,12 @@ class TestExpect:
 
     def test_a_late_event_says_what_the_test_allowed(self, differences):
         assert differences(GOAL + ", events: [{event: GOAL, at_s: 1, tolerance_s: 0.5}]") == [
-            "event 1 (GOAL): expected at 1 s, came at 0.32 s; up to 0.5 s off is allowed, more by tolerance_s beside at_s"
+            "differs: event 1 (GOAL): expected at 1 s, came at 0.32 s; up to 0.5 s off is allowed, more by tolerance_s beside at_s"
         ]
         assert differences(GOAL + ", events: [{event: GOAL, at_s: 1, tolerance_s: 0.68}]") == []
 
     def test_an_event_that_nobody_expected_is_a_difference_unless_ignored(self, differences):
-        assert differences(GOAL + ", events: []") == [
-            "event 1: nothing more expected, got GOAL at 0.32 s (who yellow, points 1, good true)"
-        ]
+        assert differences(GOAL + ", events: []") == ["superfluous: GOAL at 0.32 s (who yellow, points 1, good true)"]
         assert differences(GOAL + ", events: [], ignore: [GOAL]") == []
         assert differences(GOAL + ", events: [{event: GOAL}], ignore: [GOAL]") == []
 
@@ -158,7 +156,7 @@ class TestExpect:
 
     def test_where_a_test_fails_it_is_told_that_a_draw_was_not_drawn_as_often_as_it_decides(self, small):
         assert self.series(small, "[left, right, left, left]", ["left", "left"], (0.1, 0.2)) == [
-            "event 1 (TOLD): expected side left, is right",
+            "differs: event 1 (TOLD): expected side left, is right",
             "note: side was drawn 3 times; draws decides 4 values",
         ]
 

@@ -40,7 +40,7 @@ def differences(small):
 class TestWrongWays:
     def test_a_gate_of_a_sequence_that_was_crossed_backward_is_told(self, differences):
         assert differences(BACKWARD + ", events: [{event: ROUND}]") == [
-            "event 1: expected ROUND, nothing came",
+            "missing: ROUND, event 1 of the test",
             NO_STEP,
         ]
 
@@ -50,7 +50,7 @@ class TestWrongWays:
             " {at_s: 0.2, place: {ball: [-0.3, 0.2]}}, {at_s: 0.32, place: {ball: [-0.3, 0]}}]"
         )
         assert differences(forward + ", events: [{event: ROUND}]") == []
-        assert differences(forward + ", events: []") == ["event 1: nothing more expected, got ROUND at 0.32 s"]
+        assert differences(forward + ", events: []") == ["superfluous: ROUND at 0.32 s"]
 
     def test_of_a_sequence_of_each_it_is_told_who_crossed_it(self, differences):
         each = "sequences: {round: {per: yellow, steps: [left, halfway]}}"
@@ -67,7 +67,7 @@ class TestWrongWays:
             " {at_s: 0.32, place: {B1: [0.1, -0.2]}}, {at_s: 0.96, move: {Y2: [0.3, 0.2]}}]"
         )
         assert differences(frames + ", events: [{event: UP}]") == [
-            "event 1: expected UP, nothing came",
+            "missing: UP, event 1 of the test",
             "note: B1 crossed halfway forward at 0.32 s: not heard by the rule up, which has direction: backward",
             "note: Y2 crossed halfway backward at 0.832 s: not heard by the rule down, which has direction: forward",
         ]
@@ -80,7 +80,7 @@ rules:
     actions: [{action: place, entity: ball, at: {point: [-0.3, 0.2]}}]
 """
         start = "keyframes: [{at_s: 0, place: {ball: [-0.3, -0.2]}}], events: [{event: ROUND}]"
-        assert differences(start, put) == ["event 1: expected ROUND, nothing came"]
+        assert differences(start, put) == ["missing: ROUND, event 1 of the test"]
 
     def test_what_is_off_the_field_crosses_nothing(self, differences):
         off = """
@@ -89,7 +89,7 @@ rules:
     triggers: [{trigger: half_started}]
     actions: [{action: remove, entity: ball}]
 """
-        assert differences(BACKWARD + ", events: [{event: ROUND}]", off) == ["event 1: expected ROUND, nothing came"]
+        assert differences(BACKWARD + ", events: [{event: ROUND}]", off) == ["missing: ROUND, event 1 of the test"]
 
     def test_a_gate_that_goes_along_with_something_is_looked_at_where_it_is(self, differences):
         gate = "gates: {halfway: {from_m: [0, -0.2], to_m: [0, 0.2], anchor: B2}}"
@@ -99,6 +99,6 @@ rules:
             " {at_s: 0.64, place: {ball: [-0.4, 0.2]}}]"
         )
         assert differences(frames + ", events: [{event: ROUND}]", gate) == [
-            "event 1: expected ROUND, nothing came",
+            "missing: ROUND, event 1 of the test",
             NO_STEP.replace("0.32", "0.64"),
         ]

@@ -280,7 +280,7 @@ def test_judged_again_from_the_same_snapshots_the_verdicts_are_the_same(stage, s
     play = stage(BUMPS % "cooldown_s: 1")
     snapshots: list[Snapshot] = []
     judge = play.referee.judge
-    play.referee.judge = lambda snapshot: snapshots.append(snapshot) or judge(snapshot)
+    play.referee.judge = lambda snapshot, by_hand: snapshots.append(snapshot) or judge(snapshot, by_hand)
     for pair in (("Y1", "B1"), ("Y1", "B2"), ("B2", "B1")):
         play.touch(*pair)
     play.play(40)

@@ -2,6 +2,7 @@
 
 import pytest
 
+from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.referee.script import ScriptedPlay
 
 TICKING = """
@@ -109,6 +110,75 @@ class TestTriggerTimeReached:
         assert told(play) == [26]
 
 
+class TestATimeThatComesAgain:
+    def test_it_fires_again_after_each_interval_until_the_half_ends(self, stage):
+        play = stage("match: {half_s: 3.2}", emitting("{trigger: time_reached, at_s: 0.64, every_s: 0.96}"))
+        play.play(100)
+        assert told(play) == [20, 50, 80]
+
+    def test_intervals_that_are_no_whole_ticks_do_not_add_up_to_a_delay(self, stage):
+        play = stage(emitting("{trigger: time_reached, at_s: 0.1, every_s: 0.1}"))
+        play.play(320)
+        ticks = told(play)
+        assert len(ticks) == 102  # 10.2 s of 10.24 s; with each rounded up it would be 80
+        assert ticks == [ticks_from_s(times / 10) for times in range(1, 103)]
+
+    def test_every_tick_is_the_shortest_interval(self, stage):
+        play = stage(emitting("{trigger: time_reached, at_s: 0.05, every_s: 0.032}"))
+        play.play(40)
+        assert told(play) == list(range(2, 41))
+
+    def test_while_the_clock_stands_none_comes(self, stage):
+        play = stage(
+            "phases: {rest: {lasts_s: 1.6, clock: stops}}",
+            "rules: {rests: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: set_phase, phase: rest}]}}",
+            emitting("{trigger: time_reached, at_s: 0.32, every_s: 0.32}", "phases: any,"),
+        )
+        play.play(80)
+        assert told(play) == [10, 70, 80]
+
+    def test_what_comes_in_a_phase_in_which_the_rule_does_not_live_is_past(self, stage):
+        play = stage(
+            "phases: {rest: {lasts_s: 0.5}}",
+            "rules: {rests: {triggers: [{trigger: time_reached, at_s: 0.4}], actions: [{action: set_phase, phase: rest}]}}",
+            emitting("{trigger: time_reached, at_s: 0.32, every_s: 0.32}"),
+        )
+        play.play(50)
+        assert told(play) == [10, 30, 40, 50]
+
+    def test_it_measures_the_time_that_has_come_and_its_limit_is_the_first(self, stage):
+        play = stage(
+            "rules: {told: {triggers: [{trigger: time_reached, at_s: 0.1, every_s: 0.1}], "
+            "actions: [{action: emit, event: TOLD, payload: {at: {word: measured}, limit: {word: limit}}}], "
+            "says: '{measured} of {limit}'}}"
+        )
+        play.play(10)
+        assert [event.payload for event in play.events_named("TOLD")] == [
+            {"at": 0.1, "limit": 0.1},
+            {"at": 0.2, "limit": 0.1},
+            {"at": 0.3, "limit": 0.1},
+        ]
+        assert [firing.says for firing in play.firings] == ["0.1 of 0.1", "0.2 of 0.1", "0.3 of 0.1"]
+
+    def test_two_rules_with_rows_of_their_own_do_not_disturb_each_other(self, stage):
+        other = (
+            "triggers: [{trigger: time_reached, at_s: 0.64, every_s: 0.64}], actions: [{action: emit, event: OTHER}]"
+        )
+        play = stage(emitting("{trigger: time_reached, at_s: 0.32, every_s: 0.32}"), f"rules: {{other: {{{other}}}}}")
+        play.play(40)
+        assert told(play) == [10, 20, 30, 40]
+        assert [event.tick for event in play.events_named("OTHER")] == [20, 40]
+
+    def test_a_time_that_comes_once_is_written_as_before(self, small):
+        plain = small(emitting("{trigger: time_reached, at_s: 1}"))
+        again = small(emitting("{trigger: time_reached, at_s: 1, every_s: 2}"))
+        written = [one.model_dump(mode="json")["rules"]["told"]["triggers"][0] for one in (plain, again)]
+        assert written == [
+            {"trigger": "time_reached", "at_s": 1},
+            {"trigger": "time_reached", "at_s": 1, "every_s": 2},
+        ]
+
+
 class TestTriggerTimerExpired:
     def test_it_fires_when_a_started_timer_reaches_its_length(self, stage):
         play = stage(
@@ -123,6 +193,17 @@ class TestTriggerTimerExpired:
         play = stage("timers: {egg: {lasts_s: 0.32, starts: true}}", emitting("{trigger: timer_expired, timer: egg}"))
         play.play(60)
         assert told(play) == [10]
+
+    @pytest.mark.parametrize("lasts_s", ["1", "{draw: long}"])
+    def test_its_limit_is_what_the_author_wrote_and_whole_ticks_are_measured(self, stage, lasts_s):
+        play = stage(
+            "draws: {long: {values: [1]}}",
+            f"timers: {{egg: {{lasts_s: {lasts_s}, starts: true}}}}",
+            emitting("{trigger: timer_expired, timer: egg}", "says: 'After {limit} s ({measured} s).',"),
+        )
+        play.play(60)
+        (fired,) = play.firings
+        assert (fired.limit, fired.measured, fired.says) == (1, 1.024, "After 1 s (1.024 s).")
 
     @pytest.mark.parametrize(("drawn", "tick"), [(0.32, 10), (0.64, 20)])
     def test_its_length_may_be_drawn(self, stage, drawn, tick):

@@ -191,7 +191,7 @@ BAD = [
     (trigger, "program_fault, robot: each", "balls", "'each' stands for 'ball', a ball; expected a robot"),
     (trigger, "holds, condition: {condition: in_zone, entity: bal, zone: pitch}", "", "unknown entity 'bal'; did you mean 'ball'?"),
     (condition, "in_zone, entity: ball, zone: pitsch", "", "unknown zone 'pitsch'; did you mean 'pitch'?"),
-    (condition, "distance, entity: ball, to: walls, at_most: 1", "", "'walls' is the walls; expected an entity, spot, zone or gate"),
+    (condition, "distance, entity: ball, to: walls, at_most: 1", "", "'walls' is the walls; expected an entity, obstacle, spot, zone or gate"),
     (condition, "distance, entity: pitch, to: ball, at_most: 1", "", "'pitch' is a zone; expected an entity"),
     (condition, "counter, counter: goal, at_least: 1", "", "unknown counter or entrant 'goal'; did you mean 'goals'?"),
     (condition, "counter, counter: goals, at_least: {counter: x_}", "", ("unknown counter or entrant 'x_'; there are goals, pushes, "
@@ -270,8 +270,8 @@ BAD = [
     (action, "remove, entity: post", "", "'post' is a fixed obstacle; expected an entity"),
     (action, "set_phase, phase: any", "", "unknown phase 'any'; there are play, pause"),
     (action, "emit, event: E, payload: {a: {word: score, of: B1}}", "", "unknown entrant 'B1', which is a robot; there are blue, yellow"),
-    (action, "emit, event: E, payload: {a: {position_of: pitch}}", "", "'pitch' is a zone; expected an entity or spot"),
-    (action, "emit, event: E, payload: {a: {position_of: all_spots}}", "", "'all_spots' is a group; name one entity or spot"),
+    (action, "emit, event: E, payload: {a: {position_of: pitch}}", "", "'pitch' is a zone; expected an entity, obstacle or spot"),
+    (action, "emit, event: E, payload: {a: {position_of: all_spots}}", "", "'all_spots' is a group; name one entity, obstacle or spot"),
 ]  # fmt: skip
 
 
@@ -317,13 +317,13 @@ def test_a_draw_that_says_how_long_something_lasts_draws_durations_only(section,
 SECTIONS = [
     ("gates: {door: {anchor: pitch}}\n", "gates.door.anchor: 'pitch' is a zone; expected an entity"),
     ("counters: {goals: {per: neutral_spots}}\n", ("counters.goals.per: group 'neutral_spots' contains 'centre', a spot; "
-     "expected an entity, zone or gate")),
-    ("timers: {clock: {per: bleu}}\n", "timers.clock.per: unknown entity, zone or gate 'bleu'; did you mean 'blue'?"),
+     "expected an entity, obstacle, zone or gate")),
+    ("timers: {clock: {per: bleu}}\n", "timers.clock.per: unknown entity, obstacle, zone or gate 'bleu'; did you mean 'blue'?"),
     ("sequences: {round: {entity: balls}}\n", "sequences.round.entity: 'balls' is a group; name one entity"),
     ("sequences: {race: {per: neutral_spots}}\n", ("sequences.race.per: group 'neutral_spots' contains 'centre', a spot; "
      "expected an entity")),
     ("sequences: {race: {per: stones}}\n", ("sequences.race.per: group 'stones' contains 'post', a fixed obstacle; expected "
-     "an entity: with movable: true it is one")),
+     "an entity, which can move: with movable: true it is one")),
     ("sequences: {race: {per: bleu}}\n", "sequences.race.per: unknown entity 'bleu'; did you mean 'blue'?"),
     ("sequences: {round: {steps: [pitch, centre]}}\n", "sequences.round.steps[1]: 'centre' is a spot; expected a zone or gate"),
     ("sequences: {round: {steps: [pitch, {any_of: [dor]}]}}\n", ("sequences.round.steps[1].any_of[0]: unknown zone or gate 'dor'; "
@@ -340,7 +340,7 @@ SECTIONS = [
     ("broadcast: {fields: {a: {flag: armd}}}\n", "broadcast.fields.a.flag: unknown flag 'armd'; did you mean 'armed'?"),
     ("broadcast: {fields: {a: {position_of: each}}}\n", "broadcast.fields.a.position_of: 'each' is known only in a rule with for_each"),
     ("rules: {r: {for_each: robts, triggers: [{trigger: half_started}], actions: [{action: end}]}}\n",
-     "rules.r.for_each: unknown entity, zone or gate 'robts'; did you mean 'robots'?"),
+     "rules.r.for_each: unknown entity, obstacle, zone or gate 'robts'; did you mean 'robots'?"),
 ]  # fmt: skip
 
 
@@ -374,12 +374,26 @@ def test_a_test_in_the_file_names_what_exists():
     )  # fmt: skip
 
 
+@pytest.mark.parametrize(
+    "uses",
+    [
+        "{trigger: enters, entity: ball, zone: each}",
+        "{trigger: crosses, entity: ball, gate: each}",
+        "{trigger: enters, entity: each, zone: pitch}",
+    ],
+)
+def test_a_group_of_for_each_that_is_misspelt_is_told_where_it_is_written_only(uses):
+    groups = "zones: {a: {shape: circle, centre_m: [0, 0], radius_m: 0.1}}\ngroups: {doors: [a]}\n"
+    rule = f"rules:\n  r: {{for_each: dors, triggers: [{uses}], actions: [{{action: end}}]}}\n"
+    assert complaints(groups + rule) == ["rules.r.for_each: unknown entity, obstacle, zone or gate 'dors'; did you mean 'doors'?"]
+
+
 def test_a_default_that_names_something_is_checked_too():
     body = "balls: {ball: null, puck: {start_m: [0, 0]}}\n" + rule(
         rest="    conditions: [{condition: last_touch, by: B1}]\n"
     )
     assert complaints(body) == [
-        "rules.r.conditions[0] (last_touch): unknown entity 'ball': it was removed in a.yaml:5; write rules.r anew without it"
+        "rules.r.conditions[0] (last_touch): unknown entity or obstacle 'ball': it was removed in a.yaml:5; write rules.r anew without it"
     ]
 
 

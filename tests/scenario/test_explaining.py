@@ -30,7 +30,7 @@ CASES = [
     (rule("half_started"), "rules.r.triggers[0]: expected a mapping with 'trigger', found 'half_started'"),
     (rule("{trigger: half_started, at: 3}"), "rules.r.triggers[0] (half_started): unknown key 'at'; allowed are trigger"),
     (rule("{trigger: enters, entity: ball}"),
-     "rules.r.triggers[0] (enters): 'zone' is missing: a zone, or each; with a list or group: into any of them from none of them"),
+     "rules.r.triggers[0] (enters): 'zone' is missing: a zone, each, or a draw's name; with a list or group: into any of them from none of them"),
     (rule("{trigger: enters, entity: ball, zoen: pitch}"),
      "rules.r.triggers[0] (enters): unknown key 'zoen'; allowed are trigger, entity, zone; did you mean 'zone'?"),
     (rule("{trigger: enters, entity: [1, ball], zone: pitch}"), "rules.r.triggers[0] (enters).entity[0]: expected a name, found 1"),

@@ -154,3 +154,9 @@ def test_bare_names_find_shipped_scenarios_and_files_come_first(tmp_path, monkey
     monkeypatch.chdir(tmp_path)
     write(tmp_path, "match", "schema_version: 1\nid: own\ntitle: Own\nextends: soccersim_v2\n")
     assert load("match").scenario.id == "own"
+
+
+@pytest.mark.parametrize("name", ["x" * 5000, "/".join(["x" * 200] * 30), f"{'x' * 5000}.yaml"])
+def test_a_name_that_no_system_takes_is_no_file(name):
+    with pytest.raises(ScenarioError, match="no such file"):
+        load(name)

@@ -243,6 +243,27 @@ class TestTwoRulesMoveOneThing:
         assert kinds(rules=self.pair(away % "", away % ", negate: true")) == []
         assert kinds(rules=self.pair(edge="{trigger: leaves, entity: ball, zone: yellow_goal}")) == []
 
+    @pytest.mark.parametrize(
+        ("first", "second", "found"),
+        [
+            ("{action: place, entity: robots, at: start}", "{action: remove, entity: Y3}", False),
+            ("{action: place, entity: robots, at: start}", "{action: remove, entity: yellow, for_s: 5}", False),
+            ("{action: place, layout: all}", "{action: remove, entity: Y3}", False),
+            # It puts nothing else: all in vain.
+            ("{action: place, entity: Y3, at: start}", "{action: remove, entity: Y3}", True),
+            # What is taken off is put back at once.
+            ("{action: remove, entity: Y3}", "{action: place, entity: robots, at: start}", True),
+            # Some of them have two places.
+            ("{action: place, entity: robots, at: start}",
+             "{action: remove, entity: Y3}, {action: place, entity: Y2, at: {point: [0, 0]}}", True),
+            ("{action: place, entity: robots, at: start}, {action: remove, entity: Y3}", "{action: remove, entity: Y3}", True),
+        ],
+    )  # fmt: skip
+    def test_a_later_rule_may_take_some_of_those_off_that_a_rule_puts(self, first, second, found):
+        layouts = "placements: {all: [{entity: yellow, at: start}, {entity: blue, at: start}]}"
+        rules = rule("a", "{trigger: half_started}", first) + rule("b", "{trigger: half_started}", second)
+        assert ("two_rules_move_one_thing" in kinds(layouts, rules=rules)) is found
+
     def test_a_phase_that_the_first_one_enters_suppresses_the_second(self):
         rules = self.pair().replace("{spot: centre}}", "{spot: centre}}, {action: set_phase, phase: pause}")
         assert kinds("phases: {pause: {lasts_s: 1}}", rules=rules) == []
@@ -357,6 +378,9 @@ class TestTimes:
         touched = rule("a", "{trigger: touches, entity: Y1, other: ball, every_s: %s}")
         assert kinds(rules=touched % 61) == ["limit_longer_than_the_half"]
         assert kinds(rules=touched % 1) == []
+        again = rule("a", "{trigger: time_reached, at_s: 5, every_s: %s}")
+        assert kinds(rules=again % 56) == ["limit_longer_than_the_half"]
+        assert kinds(rules=again % 55) == []
 
     @pytest.mark.parametrize(
         "section", ["timers: {t: {lasts_s: {draw: d}, starts: true}}", "phases: {t: {lasts_s: {draw: d}}}"]

@@ -64,3 +64,41 @@ class TestTimesThatAShorterHalfDoesNotReach:
 
     def test_lengths_of_the_command_line_are_for_one_run(self):
         assert found(45, "60", overrides=("match.half_s=20",)) == []
+
+
+class TestWhatIsHeardAfterTheEnd:
+    RULES = (
+        "rules:\n  bell:\n    triggers: [%s]\n%s    actions: [{action: emit, event: BELL}]\n    says: The bell.\n"
+        "  pays: {triggers: [{trigger: event, event: %s}], actions: [{action: score, entrant: yellow}], says: Paid.}\n"
+    )
+
+    def said(
+        self, trigger: str, half_s: str = "60", condition: str = "", event: str = "BELL", more: str = ""
+    ) -> list[str]:
+        halves = half_s.count(",") + 1
+        asked = f"    conditions: [{condition}]\n" if condition else ""
+        text = f"{HEAD}match: {{halves: {halves}, half_s: {half_s}}}\n{more}{self.RULES % (trigger, asked, event)}"
+        return [str(one) for one in lint(load_text(text, file="it.yaml")) if one.kind == "heard_after_the_end"]
+
+    def test_an_event_of_the_last_tick(self):
+        assert self.said("{trigger: time_reached, at_s: 60}") == [
+            (
+                "it.yaml:8:16: warning: rules.bell.triggers[0] (time_reached): 60 s is the last tick of the half; BELL, for "
+                "which 'pays' waits, would be heard one tick later: nobody hears it; do it in this rule itself, let the other "
+                "one wait for half_ended, or choose an earlier time [heard_after_the_end]"
+            )
+        ]
+
+    def test_each_half_has_a_last_tick_of_its_own(self):
+        assert len(self.said("{trigger: time_reached, at_s: 30}", "[60, 30]")) == 1
+        assert self.said("{trigger: time_reached, at_s: 30}", "[60, 30]", "{condition: half, equals: 1}") == []
+
+    def test_a_timer_that_starts_with_the_half_and_is_as_long(self):
+        timers = "timers: {whole: {lasts_s: 60, starts: true}}\n"
+        expired = "{trigger: timer_expired, timer: whole}"
+        assert len(self.said(expired, more=timers)) == 1
+        assert self.said(expired, more=timers + "phases: {pause: {lasts_s: 3, clock: stops}}\n") == []
+
+    def test_what_comes_a_tick_sooner_or_is_waited_for_by_nobody(self):
+        assert self.said("{trigger: time_reached, at_s: 59.968}") == []
+        assert self.said("{trigger: time_reached, at_s: 60}", event="OTHER") == []

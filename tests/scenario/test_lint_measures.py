@@ -158,7 +158,7 @@ class TestNumbersOfTheBase:
         shots = self.found(tmp_path, "params: {shots: 7}\n")
         assert ["description" in one.problem.message for one in shots] == [True]
         both = self.found(tmp_path, "params: {shot_s: 8}\n", missed="The time is over.")
-        assert [one.remedy for one in both] == ["write it anew here"]
+        assert [one.remedy for one in both] == ["write it anew here, or let the base say {shot_s}, which fills it in"]
         assert self.found(tmp_path, "params: {goal_points: 3}\n", goal="A goal.") == []
 
     def test_what_the_command_line_sets_is_no_matter_of_the_file(self, tmp_path):

@@ -44,6 +44,13 @@ class TestMomentsThatMayBeMissed:
             "[play] [moment_may_be_missed]"
         )
 
+    def test_who_waits_for_more_than_one_time_may_miss_one(self):
+        assert found(PAUSE, TO_PAUSE + rule("{trigger: time_reached, at_s: 10, every_s: 10}")) == []
+
+    def test_a_phase_that_is_entered_again_and_again_may_be_any_time(self):
+        again = "  rests: {triggers: [{trigger: time_reached, at_s: 5, every_s: 12}], actions: [{action: set_phase, phase: pause}]}\n"
+        assert kinds(PAUSE, again + rule("{trigger: time_reached, at_s: 18}")) == ["moment_may_be_missed"]
+
     @pytest.mark.parametrize("phases", ["[play]", "[play, pause]", "any"])
     def test_whoever_writes_phases_has_thought_of_it(self, phases):
         assert found(PAUSE, TO_PAUSE + rule(AT_10_S, phases)) == []
@@ -77,6 +84,13 @@ class TestMomentsThatMayBeMissed:
         turns = "phases: {a: {lasts_s: 4, next: b}, b: {lasts_s: 6, next: a}}\nfirst_phase: a"
         assert kinds(turns, rule("{trigger: time_reached, at_s: 22}", "[b]")) == ["rule_never_fires"]
         assert found(turns, rule("{trigger: time_reached, at_s: 22}", "[a]")) == []
+
+    def test_of_times_that_come_again_one_must_come_while_the_rule_lives(self):
+        turns = "phases: {a: {lasts_s: 4, next: b}, b: {lasts_s: 6, next: a}}\nfirst_phase: a"
+        every = "{trigger: time_reached, at_s: 2, every_s: %s}"
+        assert kinds(turns, rule(every % "10", "[b]")) == ["rule_never_fires"]
+        assert found(turns, rule(every % "9", "[b]")) == []  # 2, 11, 20, 29: the last is in b
+        assert found(turns, rule(every % "10", "[a]")) == []
 
     def test_of_very_many_turns_nothing_is_said(self):
         turns = "phases: {a: {lasts_s: 0.04, next: b}, b: {lasts_s: 0.04, next: a}}\nfirst_phase: a"

@@ -10,6 +10,7 @@ from rcj_challenges.scenario.load import load_text
 from tests.scenario.writing import HEAD
 
 SCORE = "actions: [{action: score, entrant: %s, points: 1}], says: So."
+TIMES = "{trigger: time_reached, at_s: 2, every_s: %s}"
 TOUCHES = "{trigger: touches, entity: Y1, other: ball, every_s: %s}"
 HOLDS = "{trigger: holds, condition: {condition: in_zone, entity: Y1, zone: blue_goal}, for_s: 1, every_s: %s}"
 
@@ -25,7 +26,7 @@ def repeated(trigger: str, cooldown: str) -> str:
 class TestARestAsLongAsARepeat:
     KIND = "cooldown_as_long_as_every_s"
 
-    @pytest.mark.parametrize("trigger", [TOUCHES, HOLDS])
+    @pytest.mark.parametrize("trigger", [TIMES, TOUCHES, HOLDS])
     @pytest.mark.parametrize(
         ("every", "cooldown", "lost"),
         [

@@ -61,7 +61,7 @@ def test_it_may_be_a_ball_that_is_kicked_or_an_obstacle_that_moves():
 @pytest.mark.parametrize(
     ("action", "touched", "message"),
     [
-        ("remove, entity: other", "post", "'other' stands for 'post', a fixed obstacle; expected an entity"),
+        ("remove, entity: other", "post", "'other' stands for 'post', a fixed obstacle; expected an entity, which can move: with movable: true it is one"),
         ("remove, entity: other", "[blue, walls]", "'other' stands for 'walls', the walls; expected an entity"),
         ("count, counter: blue_pushes, entity: other", "robots",
          "counter 'blue_pushes' is kept per blue, and 'Y1' is not among them"),

@@ -126,6 +126,8 @@ def test_an_override_of_a_removed_thing_is_found_by_the_cross_references():
         ("match.half_s=null", "match.half_s: null removes named entries of the base only; leave the line out"),
         ("match.half_s=abc", "match.half_s: expected a number or a list, found 'abc'"),
         ("rules.r.actions=[]", "rules.r.actions: must have at least 1 entry, found an empty list"),
+        ("extends=match", "what a scenario extends is read before anything is set; write extends: in a file, with what you change"),
+        ("extends[0]=match", "what a scenario extends is read before anything is set; write extends: in a file, with what you change"),
         ("zones.pitch.shape=oval", "zones.pitch: unknown shape 'oval'; there are rect, circle, polygon, half_plane"),
     ],
 )  # fmt: skip

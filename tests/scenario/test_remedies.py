@@ -24,7 +24,8 @@ def test_whoever_puts_something_beside_a_fixed_obstacle_learns_of_movable_and_of
 def test_whoever_takes_a_fixed_obstacle_for_an_entity_learns_of_movable():
     (text,) = complaints(PILLAR + rule(action="{action: remove, entity: pillar}"))
     assert text == (
-        "rules.r.actions[0] (remove): 'pillar' is a fixed obstacle; expected an entity: with movable: true it is one"
+        "rules.r.actions[0] (remove): 'pillar' is a fixed obstacle; expected an entity, which can move: with movable: "
+        "true it is one"
     )
 
 
@@ -32,7 +33,24 @@ def test_a_group_with_a_fixed_obstacle_says_the_same():
     (text,) = complaints(
         PILLAR + "groups: {things: [ball, pillar]}\n" + rule(action="{action: remove, entity: things}")
     )
-    assert text.endswith("contains 'pillar', a fixed obstacle; expected an entity: with movable: true it is one")
+    assert text.endswith(
+        "contains 'pillar', a fixed obstacle; expected an entity, which can move: with movable: true it is one"
+    )
+
+
+def test_what_comes_near_a_fixed_obstacle_is_named_first():
+    (text,) = complaints(
+        PILLAR + rule(rest="    conditions: [{condition: distance, entity: pillar, to: Y1, at_most: 0.2}]\n")
+    )
+    assert text.endswith("expected an entity; name the obstacle in 'to', and in 'entity' who comes near it")
+
+
+@pytest.mark.parametrize(("entity", "other"), [("pillar", "walls"), ("pillar", "pillar"), ("obstacles", "walls")])
+def test_of_two_that_touch_one_must_be_able_to_move(entity, other):
+    (text,) = complaints(PILLAR + rule(f"{{trigger: touches, entity: {entity}, other: {other}}}"))
+    assert text.startswith(
+        f"rules.r.triggers[0] (touches): 'pillar' and '{other}' never move, so that they never touch"
+    )
 
 
 def test_what_is_no_obstacle_gets_no_such_advice():
@@ -132,10 +150,10 @@ POSTS = "obstacles: {%s}\n" % ", ".join(  # noqa: UP031 - braces of YAML
 
 
 def test_a_group_of_fixed_obstacles_is_refused_once_in_a_rule_and_says_how_many_they_are():
-    near = "{condition: distance, entity: Y3, to: obstacles, at_most: 0.1}"
+    near = "{condition: speed, entity: obstacles, at_most: 0.1}"
     (text,) = complaints(POSTS + rule(rest=f"    conditions: [{near}, {near}, {near}]\n"))
     assert text.startswith(
-        "rules.r.conditions[0] (distance): group 'obstacles' contains 'post_a', a fixed obstacle, and 2 more of them; "
+        "rules.r.conditions[0] (speed): group 'obstacles' contains 'post_a', a fixed obstacle, and 2 more of them; "
     )
     two = rule(rest=f"    conditions: [{near}]\n") + rule(rest=f"    conditions: [{near}]\n").replace(
         "rules:\n  r:", "  other:"

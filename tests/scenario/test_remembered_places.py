@@ -40,7 +40,7 @@ def kinds(body):
         ),
         (
             "{action: set_spot, spot: found, to: line}",
-            "rules.r.actions[0] (set_spot): 'line' is a gate; expected an entity, spot or zone",
+            "rules.r.actions[0] (set_spot): 'line' is a gate; expected an entity, obstacle, spot or zone",
         ),
         (
             "{action: set_spot, spot: found, to: blue_penalty_area}",

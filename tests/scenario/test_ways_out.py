@@ -21,7 +21,7 @@ def test_a_point_is_written_with_its_word():
     ("action", "more", "told"),
     [
         ("{action: set_spot, spot: centre, to: place}", "draws: {place: {values: [centre]}}\n",
-         "unknown entity, spot or zone 'place', which is a draw; there are"),
+         "unknown entity, obstacle, spot or zone 'place', which is a draw; there are"),
         ("{action: score, entrant: Y1}", "", "unknown entrant 'Y1', which is a robot; there are blue, yellow"),
         ("{action: set_flag, flag: n}", "flags: {f: {}}\ncounters: {n: {}}\n", "unknown flag 'n', which is a counter; there is only f"),
         ("{action: set_phase, phase: nap}", "timers: {nap: {lasts_s: 1}}\n", "unknown phase 'nap', which is a timer; there is only play"),
@@ -37,7 +37,7 @@ def test_a_name_of_something_else_is_told_to_be_one(action, more, told):
 @pytest.mark.parametrize(
     ("trigger", "action", "told"),
     [
-        ("{trigger: every, every_s: 10}", "{action: end}", "; every so often is a timer that the rule restarts when it expires"),
+        ("{trigger: every, every_s: 10}", "{action: end}", "; every 5 s is {trigger: time_reached, at_s: 5, every_s: 5}"),
         ("{trigger: half_started}", "{action: wait, for_s: 2}", "; a pause is a phase, and what comes later waits for a timer"),
         ("{trigger: half_started}", "{action: freeze, entity: Y1}", "; 'hold' keeps a robot where it is, for_s or until 'release'"),
         ("{trigger: half_started}", "{action: let_go, entity: Y1}", "; 'release' lets a robot go that 'hold' holds"),
@@ -47,3 +47,9 @@ def test_a_name_of_something_else_is_told_to_be_one(action, more, told):
 )  # fmt: skip
 def test_a_word_of_other_languages_leads_to_the_one_here(trigger, action, told):
     assert complaints(rule(trigger, action))[0].endswith(told)
+
+
+@pytest.mark.parametrize("told", ["{timer: attempt, fraction: true}", "{word: time_s, fraction: true}"])
+def test_times_that_are_told_have_their_fraction_anyway(told):
+    (complaint,) = complaints(f"timers: {{attempt: {{lasts_s: 5}}}}\nbroadcast: {{fields: {{run: {told}}}}}\n")
+    assert complaint.endswith("; a payload and the broadcast tell times with their fraction anyway: leave it out")

@@ -27,10 +27,13 @@ DEVICES = (
 SENSED = [SensedRobot(name, DEVICES, 368, ("ball receiver",), 1) for name in ("B1", "Y2")]
 
 
+RANGES = [0.0 if cell < 90 else math.inf if cell < 180 else 0.5 + 0.001 * cell for cell in range(360)]
+"""Lidar cells of all kinds."""
+
+
 def values_at(tick: int) -> list[float]:
-    """Return all numbers of the devices: a wheel that turns by 5 rad/s, a compass that is off, lidar cells of all kinds."""
-    ranges = [0.0 if cell < 90 else math.inf if cell < 180 else 0.5 + 0.001 * cell for cell in range(360)]
-    return [0.032 * 5 * tick, 0.1234, -0.0001 * tick, 0.0375, 250.0 + tick, *[math.nan] * 3, *ranges]
+    """Return all numbers of the devices: a wheel that turns by 5 rad/s, a compass that is off, a lidar."""
+    return [0.032 * 5 * tick, 0.1234, -0.0001 * tick, 0.0375, 250.0 + tick, *[math.nan] * 3, *RANGES]
 
 
 def printed_at(tick: int) -> str:

@@ -7,7 +7,7 @@ import pytest
 
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.records.testing import made_up_snapshot, small_scenario
-from tests.views.browser_stage import NARROW, WIDE, until
+from tests.views.browser_stage import NARROW, NO_WEBGL, WIDE, until
 from tests.views.live_play import HOSTILE, TICKS, MadeUpMatch
 
 
@@ -34,7 +34,7 @@ def test_who_comes_late_gets_all_from_the_beginning_and_can_look_back(
     played = made_up_match(speed=4.0)
     played.show.pace.step(600)
     played.start()
-    page = watch(played.show.address)
+    page = watch(played.show.address, script=NO_WEBGL)
     until(page, "replay.recording.last === 600")
     until(page, "replay.place === 600")
     page.click("#filters >> text=GOAL")
@@ -52,10 +52,10 @@ def test_it_ends_as_a_replay_that_has_everything(
     made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
     played = made_up_match().start()
-    page = watch(played.show.address)
+    page = watch(played.show.address, script=NO_WEBGL)
     played.end()
     until(page, "replay.recording.over")
-    replay = watch(f"{played.show.address}replay.html")
+    replay = watch(f"{played.show.address}replay.html", script=NO_WEBGL)
     everything = """() => {
       const { recording } = replay;
       return [
@@ -83,12 +83,13 @@ def _flat(nested: Any) -> list[float]:
     return [number for part in nested for number in _flat(part)] if isinstance(nested, list) else [nested]
 
 
-def test_who_has_the_token_pauses_steps_and_sets_the_speed(
+def test_who_has_the_token_pauses_steps_and_sets_the_speed_on_a_phone_too(
     made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
     played = made_up_match(speed=1.0).start()
-    page = watch(played.show.steering_address)
+    page = watch(played.show.steering_address, viewport=NARROW, script=NO_WEBGL)
     assert "token" not in page.url  # a link that is passed on gives nobody the wheel
+    assert _is_wholly_on_the_screen(page, NARROW)
     page.click("#match-pause")
     until(page, "replay.spectator.pace.paused")
     until(page, "replay.place === replay.recording.last")
@@ -108,7 +109,7 @@ def test_a_reload_can_still_steer_and_a_wrong_token_resigns(
     made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
     played = made_up_match(speed=1.0).start()
-    page = watch(played.show.steering_address)
+    page = watch(played.show.steering_address, script=NO_WEBGL)
     page.reload()
     page.wait_for_selector("body.ready")
     page.click("#match-pause")
@@ -121,7 +122,7 @@ def test_pause_and_play_of_a_spectator_do_not_touch_the_match(
     made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
     played = made_up_match(speed=1.0).start()
-    page = watch(played.show.address)
+    page = watch(played.show.address, script=NO_WEBGL)
     page.keyboard.press("k")
     stood = page.evaluate("replay.place")
     until(page, f"replay.recording.last > {stood} + 30")
@@ -133,7 +134,7 @@ def test_pause_and_play_of_a_spectator_do_not_touch_the_match(
 
 def test_a_lost_connection_is_found_again(made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]) -> None:
     played = made_up_match(speed=1.0).start()
-    page = watch(played.show.address)
+    page = watch(played.show.address, script=NO_WEBGL)
     last = page.evaluate("replay.recording.last")
     page.evaluate("replay.spectator.feed.reader.cancel()")
     until(page, f"replay.recording.last > {last} + 20")
@@ -145,14 +146,17 @@ def test_a_lost_connection_is_found_again(made_up_match: Callable[..., MadeUpMat
         assert (x, y) == pytest.approx(made_up_snapshot(tick, robots).substeps[-1][0][:2], abs=2e-4)
 
 
-@pytest.mark.parametrize("size", [NARROW, pytest.param(WIDE, marks=pytest.mark.nightly)], ids=["narrow", "wide"])
-def test_nothing_of_the_page_is_outside_of_the_screen(
-    size: dict[str, int], made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
-) -> None:
-    played = made_up_match(speed=1.0).start()
-    page = watch(played.show.steering_address, viewport=size)
+def _is_wholly_on_the_screen(page: Any, size: dict[str, int]) -> bool:
     for part in ("#live", "#match-pause", "#match-step", "#match-speed", "#clock", "#play"):
         box = page.locator(part).bounding_box()
         assert box["x"] >= 0, part
         assert box["x"] + box["width"] <= size["width"], part
-    assert page.evaluate("document.documentElement.scrollWidth") <= size["width"]
+    return page.evaluate("document.documentElement.scrollWidth") <= size["width"]
+
+
+@pytest.mark.nightly
+def test_nothing_of_the_page_is_outside_of_a_wide_screen_either(
+    made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
+) -> None:
+    played = made_up_match(speed=1.0).start()
+    assert _is_wholly_on_the_screen(watch(played.show.steering_address), WIDE)

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from tests.views.browser_stage import NARROW, WIDE, settled, until
+from tests.views.browser_stage import NARROW, NO_WEBGL, WIDE, settled, until
 from tests.views.live_play import MadeUpMatch
 from tests.views.sensing_play import ENDLESS, HOSTILE, READINGS_AT_125, TURNED, logo, reading
 
@@ -69,10 +69,10 @@ def test_it_ends_with_the_readings_and_rays_of_the_replay(
     match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
     played = match().start()
-    page = watch(played.show.address)
+    page = watch(played.show.address, script=NO_WEBGL)
     played.end()
     until(page, "replay.recording.over")
-    replay = watch(f"{played.show.address}replay.html")
+    replay = watch(f"{played.show.address}replay.html", script=NO_WEBGL)
     until(replay, "(replay.app.sensors.half(1), replay.app.sensors.half(2))")
     until(replay, "replay.app.sensors.half(1)")
     everything = f"""() => [1, 2].map((half) => [...replay.app.sensors.half(half).values()].map((robot) => [
@@ -97,15 +97,15 @@ def _flat(nested: Any) -> list[float]:
 def test_without_a_recording_the_page_says_how_to_get_one(
     match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
+    """As a replay does (`test_replay_in_browser`)."""
     played = match(sensors=False).start()
-    live = watch(played.show.address)
+    page = watch(played.show.address, script=NO_WEBGL)
     played.end()
-    for page in (live, watch(f"{played.show.address}replay.html")):
-        page.click("#tab-robots")
-        assert "--record sensors" in page.locator("#no-sensors").inner_text()
-        assert page.get_by_role("button", name="Rays").count() == 0
-        page.click("#tab-show")
-        assert page.locator("input[name=rays]").is_disabled()
+    page.click("#tab-robots")
+    assert "--record sensors" in page.locator("#no-sensors").inner_text()
+    assert page.get_by_role("button", name="Rays").count() == 0
+    page.click("#tab-show")
+    assert page.locator("input[name=rays]").is_disabled()
 
 
 def test_each_step_of_a_paused_match_shows_the_readings_of_its_tick(
@@ -114,7 +114,7 @@ def test_each_step_of_a_paused_match_shows_the_readings_of_its_tick(
     played = match()
     played.show.pace.pause()
     played.show.pace.step(20)
-    page = watch(played.start().show.address)
+    page = watch(played.start().show.address, script=NO_WEBGL)
     page.click("#tab-robots")
     for tick in range(20, 23):
         until(page, f"replay.place === {tick} && replay.app.sensors.observation(0, {tick})?.tick === {tick}")
@@ -127,7 +127,7 @@ def test_each_step_of_a_paused_match_shows_the_readings_of_its_tick(
 def test_readings_go_on_after_a_lost_connection(match: Callable[..., MadeUpMatch], watch: Callable[..., Any]) -> None:
     played = match()
     played.show.pace.set_speed(2.0)
-    page = watch(played.start().show.address)
+    page = watch(played.start().show.address, script=NO_WEBGL)
     until(page, "replay.recording.last > 50")
     page.evaluate("replay.spectator.feed.reader.cancel()")
     played.end()

@@ -200,7 +200,7 @@ def test_the_time_line_can_be_dragged_and_says_where_it_is(show: Callable[..., A
 
 
 def test_an_address_names_a_moment_and_follows_it(show: Callable[..., Any], run: Path) -> None:
-    page = show(run, "#h2t123", anew=True)
+    page = show(run, "#h2t123", script=NO_WEBGL)
     assert shown_moment(page) == [2, 123]
     page.evaluate("location.hash = '#h1t77'")
     until(page, "replay.half === 1 && replay.tick === 77")
@@ -330,6 +330,15 @@ def test_a_robot_that_a_rule_holds_is_told_beside_the_clock_and_on_its_card(
     ]
 
 
+def test_without_a_recording_of_sensors_the_page_says_how_to_get_one(show: Callable[..., Any], run: Path) -> None:
+    page = show(run)
+    page.click("#tab-robots")
+    assert "--record sensors" in page.locator("#no-sensors").inner_text()
+    assert page.get_by_role("button", name="Rays").count() == 0
+    page.click("#tab-show")
+    assert page.locator("input[name=rays]").is_disabled()
+
+
 def test_a_zone_that_has_a_colour_is_shown_in_it(show: Callable[..., Any], run: Path) -> None:
     viewer = Path(rcj_challenges.__file__).parent / "views" / "replay" / "viewer"
     parts = "\n".join((viewer / f"{name}.js").read_text(encoding="utf-8") for name in PARTS_OF_THE_FLOOR)
@@ -411,7 +420,7 @@ def test_names_are_text_whatever_they_contain(size: dict[str, int], show: Callab
     endless = "\u202e\u2066" + "ح" * 10_000
     folder = write_made_up_run(tmp_path, ticks=500, halves=1, names=(HOSTILE, endless))
     write_replay(folder)
-    page = show(folder, "#h1t420", viewport=size)
+    page = show(folder, "#h1t420", viewport=size, script=NO_WEBGL)
     assert page.locator(".team .name").first.inner_text() == HOSTILE
     assert page.locator(".team .name").last.text_content() == endless
     assert "stolen" not in page.title().split(HOSTILE[:40])[0]

@@ -300,7 +300,6 @@ def test_records_are_listed_newest_first_with_what_is_wrong(runs: Path) -> None:
     assert "damaged" in rows[0].problem
     assert rows[0].result is None
     assert rows[1].result is not None
-    assert not rows[1].has_page
 
 
 def test_a_record_is_found_by_folder_file_name_or_the_beginning_of_its_name(runs: Path) -> None:
@@ -316,7 +315,9 @@ def test_a_record_is_found_by_folder_file_name_or_the_beginning_of_its_name(runs
         ("20210618", "fits several"),
         ("1999", "no record '1999': give its folder"),
         (r"old\runs", r"no record 'old\\runs': give its folder"),  # each backslash of Windows once
+        ("x" * 5000, "no record 'xxx.*…xxx.*': give its folder"),
     ],
+    ids=["several", "none", "backslash", "long"],
 )
 def test_a_record_that_is_not_there_is_said_so(name: str, says: str, runs: Path) -> None:
     with pytest.raises(RecordError, match=says):
@@ -328,3 +329,5 @@ def test_where_nothing_was_played_there_is_nothing_to_list(tmp_path: Path) -> No
         list_runs(tmp_path / "runs")
     with pytest.raises(RecordError, match="no run was recorded"):
         find_run(None, tmp_path / "runs")
+    with pytest.raises(RecordError, match="no run was recorded"):
+        list_runs(tmp_path / ("x" * 5000))

@@ -229,7 +229,7 @@ def test_of_a_damaged_trajectory_the_page_shows_what_is_left_and_says_so(
     (folder / "trajectory.npz").write_bytes(data[: int(len(data) * share)])
     sensors = folder / "sensors" / "half-1.sensors"
     sensors.write_bytes(sensors.read_bytes()[:-100])
-    page = show(write_replay(folder).parent)
+    page = show(write_replay(folder).parent, script=NO_WEBGL)
     notice = page.locator("#problem").inner_text()
     assert says in notice
     assert "sensor recording of half 1 is damaged" in notice

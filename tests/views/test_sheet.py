@@ -172,6 +172,7 @@ EDGES = {
     ),
     "trigger: program_fault": "the program of one of the robots fails",
     "trigger: time_reached, at_s: 1": "the half has lasted 1 s",
+    "trigger: time_reached, at_s: 1, every_s: 5": "the half has lasted 1 s, and again every 5 s until it ends",
 }
 
 

@@ -143,9 +143,19 @@ def test_a_sentence_without_for_each_names_what_its_trigger_is_about(triggers, w
 STILL = "{trigger: holds, condition: {condition: speed, entity: each, at_most: 0.01}, for_s: 5}"
 
 
-def test_what_is_measured_only_when_it_happens_is_left_open():
-    said = sentence(f"for_each: robots, triggers: [{STILL}], {END}, says: '{{entity}} stood still for {{measured}} s.'")
-    assert said.startswith("The robot stood still for … s. For each")
+@pytest.mark.parametrize(
+    ("trigger", "told"),
+    [
+        (STILL, "5"),
+        (STILL.replace("for_s: 5", "for_s: 5, every_s: 2"), "…"),
+        (STILL.replace("for_s: 5", "for_s: 5, grace_s: 1"), "…"),
+        (STILL.replace(", for_s: 5", ""), "…"),
+        ("{trigger: no_progress, entity: each, distance_m: 0.1, within_s: 5}", "…"),
+    ],
+)
+def test_what_is_measured_only_when_it_happens_is_left_open(trigger, told):
+    said = sentence(f"for_each: robots, triggers: [{trigger}], {END}, says: '{{entity}} stood for {{measured}} s.'")
+    assert said.startswith(f"The robot stood for {told} s. For each")
 
 
 def test_the_limit_of_the_trigger_stands_in_the_sentence():
@@ -223,10 +233,10 @@ PUT = {
     ),
     "entity: Y1, at: {relative_to: ball, offset_m: [0, -0.2]}": "Y1 is put 0.2 m towards -y of the ball “ball”",
     "entity: Y1, at: {relative_to: ball, offset_m: [0.1, -0.05]}": (
-        "Y1 is put 0.1 m towards +x and 5 cm towards -y of the ball “ball”"
+        "Y1 is put 10 cm towards +x and 5 cm towards -y of the ball “ball”"
     ),
     "entity: ball, at: {relative_to: Y1, offset_m: [0.1, 0.05], turns: true}": (
-        "the ball “ball” is put 0.1 m to the front and 5 cm to the left of Y1, as Y1 is turned"
+        "the ball “ball” is put 10 cm to the front and 5 cm to the left of Y1, as Y1 is turned"
     ),
     "entity: ball, at: {relative_to: centre}": "the ball “ball” is put right at the spot “centre”",
 }
@@ -346,3 +356,57 @@ def test_names_of_robots_are_written_alike_in_text_and_tables():
     assert "the program of goal keeper fails" in text
     assert "| yellow | goal keeper | keeper.py |" in text
     assert "goal_keeper" not in text.partition("<svg")[0] + text.partition("</svg>")[2]
+
+
+# --- places that a draw decides on ------------------------------------------------------------------------------------
+
+DRAWN = """
+gates: {west: {from_m: [-0.5, 0], to_m: [-0.3, 0]}, east: {from_m: [0.3, 0], to_m: [0.5, 0]}}
+draws: {hot: {values: [blue_goal, yellow_goal]}, door: {values: [west, east]}, spot: {values: [centre, middle_blue]}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("trigger", "words"),
+    [
+        (
+            "enters, entity: ball, zone: hot",
+            "the ball enters the zone drawn as “hot” (the blue goal or the yellow goal)",
+        ),
+        (
+            "leaves, entity: ball, zone: hot",
+            "the ball leaves the zone drawn as “hot” (the blue goal or the yellow goal)",
+        ),
+        (
+            "stays_in, entity: ball, zone: [hot, pitch], limit_s: 2",
+            "the ball has been in the zone drawn as “hot” (the blue goal or the yellow goal) or the pitch for more than 2 s",
+        ),
+        (
+            "crosses, entity: ball, gate: door",
+            "the ball crosses the gate drawn as “door” (the gate “west” or the gate “east”)",
+        ),
+        (
+            "holds, condition: {condition: distance, entity: ball, to: hot, at_most: 0.1}",
+            "the ball is at most 0.1 m from the zone drawn as “hot” (the blue goal or the yellow goal)",
+        ),
+    ],
+)
+def test_of_a_drawn_place_it_is_said_which_it_may_be(trigger, words):
+    assert words in sentence(f"triggers: [{{trigger: {trigger}}}], {END}", DRAWN)
+
+
+def test_the_distance_to_a_drawn_zone_is_0_inside():
+    far = "actions: [{action: score, entrant: blue, points: {distance: [ball, %s]}}]"
+    start = "triggers: [{trigger: half_started}], "
+    assert "in m (0 inside)" in sentence(start + far % "hot", DRAWN)
+    assert "what was drawn as “spot” in m" in sentence(start + far % "spot", DRAWN)
+
+
+def test_of_many_drawn_places_the_list_of_draws_says_which():
+    many = DRAWN.replace(
+        "values: [blue_goal, yellow_goal]",
+        "values: [blue_goal, yellow_goal, pitch, blue_penalty_area, yellow_penalty_area]",
+    )
+    said = sentence(f"triggers: [{{trigger: enters, entity: ball, zone: hot}}], {END}", many)
+    assert "enters the zone drawn as “hot”" in said
+    assert "yellow penalty area" not in said

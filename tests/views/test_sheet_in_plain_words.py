@@ -2,6 +2,8 @@
 
 import pytest
 
+from rcj_challenges.scenario.load import load_text
+from rcj_challenges.views.sheet.page import sheet_markdown
 from tests.views.sheets import sentence, sheet
 
 pytestmark = pytest.mark.usefixtures("without_drawing")
@@ -288,3 +290,11 @@ def test_where_who_does_not_move_is_judged_the_sheet_says_that_who_is_held_is_no
 
 def test_programs_are_told_who_is_held():
     assert "| Y1 | whether Y1 is held |" in sheet("broadcast: {fields: {Y1: {held: Y1}}}\n")
+
+
+@pytest.mark.parametrize(("overrides", "told"), [((), "There are 7 shots"), (("params.shots=9",), "There are 9 shots")])
+def test_params_in_the_description_are_filled_in_with_the_numbers_that_are_played(overrides, told):
+    about = 'description: "There are {shots} shots; told is {\\"n\\": 1}."'
+    text = f"schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\n{about}\nparams: {{shots: 7}}\n"
+    loaded = load_text(text, overrides)
+    assert f'{told}; told is {{"n": 1}}.' in sheet_markdown(loaded.scenario, loaded.roster)

@@ -92,6 +92,42 @@ def test_points_of_several_parts_are_one_sentence(points, words):
     assert f": blue gets points: {words}." in sentence(rule, TIMERS)
 
 
+@pytest.mark.parametrize(
+    ("action", "words"),
+    [
+        (
+            "score, entrant: blue, points: [20, {timer: rest, weight: -1}], at_least: 5",
+            "blue gets points: 20, minus the time in s that the timer “rest” has run (rounded down) (at least 5)",
+        ),
+        (
+            "score, entrant: blue, points: -5, keeps_at_least: 0",
+            "blue loses 5 points (the score does not fall below 0 by it)",
+        ),
+        (
+            "score, entrant: blue, points: {counter: tries}, at_least: 1, keeps_at_least: 0, keeps_at_most: 9",
+            "blue gets points: the counter “tries” (at least 1; the score does not fall below 0 or rise above 9 by it)",
+        ),
+        (
+            "count, counter: tries, keeps_at_most: 3",
+            "the counter “tries” grows by 1 (the counter does not rise above 3 by it)",
+        ),
+        (
+            "count, counter: tries, to: {word: time_s}, at_most: 9",
+            "the counter “tries” is set to the time in s (rounded down) (at most 9)",
+        ),
+    ],
+)
+def test_floors_and_ceilings_are_said_behind_what_they_bound(action, words):
+    said = sentence(f"triggers: [{{trigger: half_started}}], actions: [{{action: {action}}}]", TIMERS)
+    assert said.endswith(f": {words}.")
+
+
+def test_the_table_of_points_tells_bounds_too():
+    action = "{action: score, entrant: blue, points: -5, keeps_at_least: 0}"
+    text = sheet(f"rules: {{r: {{triggers: [{{trigger: half_started}}], actions: [{action}], says: Foul.}}}}\n")
+    assert "| Foul. | blue | -5 (the score does not fall below 0 by it) |" in text
+
+
 MEASURED = {
     "trigger: displaced, entity: ball, distance_m: 0.1": "the distance in m by which it was displaced",
     "trigger: no_progress, entity: ball, distance_m: 0.1, within_s: 2": "the length in m of its path",

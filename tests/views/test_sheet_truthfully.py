@@ -26,7 +26,7 @@ BEGINNINGS = {
     ),
     "counters: {laps: {keep: match}}": "- The counter “laps” is 0 when the match starts; it goes on from half to half.",
     "counters: {fuel_m: {initial: 20, per: robots, keep: match}}": (
-        "- There is a counter “fuel m” for each of the robots; it is 20 when the match starts; it goes on from half to half."
+        "- There is a counter “fuel (m)” for each of the robots; it is 20 when the match starts; it goes on from half to half."
     ),
     "flags: {open: {initial: true}}": "- The flag “open” is set when a half starts.",
     "flags: {handed_over: {keep: match}}": "- The flag “handed over” is not set when the match starts; it stays as it is from half to half.",

@@ -25,8 +25,19 @@ def test_a_ball_at_rest_stays_where_it_lies():
     assert max(heights) - min(heights) < 1e-6
 
 
-def test_its_centre_rests_20_9_mm_above_the_floor():
-    assert ball_stage().world.judged().heights[6] == pytest.approx(0.0209, abs=5e-5)
+@pytest.mark.parametrize("friction", [0.35, 1.0, 2.0])
+def test_its_centre_rests_20_9_mm_above_the_floor(friction):
+    stage = ball_stage(field={"friction": friction})
+    assert stage.world.judged().heights[6] == pytest.approx(0.0209, abs=2e-5)
+    stage.play(1)
+    assert stage.snapshot.heights[6] == pytest.approx(0.0209, abs=2e-5)
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.01, 0.2])
+def test_a_smooth_floor_carries_it_too(friction):
+    stage = ball_stage(field={"friction": friction})
+    stage.play(1)
+    assert 0.0209 <= stage.snapshot.heights[6] <= BALL_R
 
 
 def test_a_ball_of_another_size_and_mass_rests_as_well():
@@ -62,6 +73,22 @@ def test_a_hit_at_full_speed_sends_a_resting_ball_off_at_24_cm_a_second(gap_mm):
     stage.play(1.2)
     assert stage.velocity("ball")[0] == pytest.approx(0.24, rel=0.10)
     assert stage.velocity("ball")[1] == pytest.approx(0.0, abs=0.01)
+
+
+@pytest.mark.parametrize("gap_mm", [0.0, 0.8])
+def test_a_hit_sends_the_ball_off_equally_fast_in_all_directions(gap_mm):
+    speeds = []
+    for degrees in (0, 10, 20, 30, 45, 60, 90, 135, -100):
+        yaw = math.radians(degrees)
+        back = 0.16 + gap_mm / 1000
+        stage = ball_stage()
+        stage.put("B1", -back * math.cos(yaw), -back * math.sin(yaw), yaw)
+        stage.drive("B1", FULL, FULL)
+        stage.play(1.2)
+        vx, vy, _ = stage.velocity("ball")
+        speeds.append(math.hypot(vx, vy))
+        assert math.remainder(math.atan2(vy, vx) - yaw, math.tau) == pytest.approx(0, abs=0.002)
+    assert max(speeds) < 1.01 * min(speeds)
 
 
 def test_a_hit_with_the_side_of_a_wheel_moves_the_ball_too():
@@ -199,16 +226,20 @@ def test_two_robots_that_squeeze_the_ball_neither_swallow_nor_shoot_it():
         poses = snapshot.substeps[-1]
         assert stage.speed("ball") < 0.7
         assert snapshot.heights[6] < 0.05
-        if abs(poses[6][1]) < HALF_CUBE / 2:
-            assert poses[0][0] - poses[6][0] > HALF_CUBE + BALL_R - 0.004
-            assert poses[6][0] - poses[3][0] > HALF_CUBE + BALL_R - 0.004
+        if abs(poses[6][1]) > HALF_CUBE / 2:
+            break  # it got away to a side, as it may
+        assert poses[0][0] - poses[6][0] > HALF_CUBE + BALL_R - 0.004
+        assert poses[6][0] - poses[3][0] > HALF_CUBE + BALL_R - 0.004
+    assert snapshot.tick > 30
+    stage.play(1)
+    assert stage.speed("ball") < 0.7
 
 
 def test_a_ball_pinned_to_a_wall_stays_between_wall_and_robot():
     stage = ball_stage(0.6, 0.3)
     stage.put("B1", 0.45, 0.3)
     stage.drive("B1", FULL, FULL)
-    stage.play(5)
+    stage.play(3)  # it is an unstable equilibrium: after 4 s or more the robot turns and the ball gets away
     assert stage.pose("ball")[0] == pytest.approx(0.65 - BALL_R, abs=0.002)
     assert stage.pose("B1")[0] == pytest.approx(0.65 - 2 * BALL_R - HALF_CUBE, abs=0.003)
 

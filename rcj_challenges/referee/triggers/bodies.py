@@ -19,7 +19,7 @@ def touches(model: models.Touches, rule: StandingRule, position: int, workshop: 
     watch = workshop.watch(TouchWatch, (), rule, lambda: TouchWatch(workshop))
     members = workshop.members(model.other, rule.each)
     others = [workshop.roster.index[name] for name in members if rule.other in (None, name)]
-    for entity in workshop.entities(model.entity, rule.each):
+    for entity in workshop.things(model.entity, rule.each):
         listener = workshop.listener(rule, position, model.trigger, entity)
         for other in others:
             if other != entity:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
-from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.referee.compiling import Appointment, Workshop
 from rcj_challenges.referee.conditions import compile_message
 from rcj_challenges.referee.rules import Listener, StandingRule
 from rcj_challenges.referee.state import Clock
@@ -28,18 +28,17 @@ def phase_entered(model: models.PhaseEntered, rule: StandingRule, position: int,
 
 
 def time_reached(model: models.TimeReached, rule: StandingRule, position: int, workshop: Workshop) -> None:
-    """Fires when the clock of the half reaches a time."""
-    listeners = workshop.moments.times.setdefault(ticks_from_s(model.at_s), [])
-    listeners.append((workshop.listener(rule, position, model.trigger), model.at_s))
+    """Fires when the clock of the half reaches a time, and again every so often if asked."""
+    workshop.moments.wait_for(Appointment(workshop.listener(rule, position, model.trigger), model.at_s, model.every_s))
 
 
 def event(model: models.OnEvent, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires one tick after an event was emitted."""
-    events, names = workshop.moments.events, workshop.roster.entities
-    about = (None,) if model.entity is None else workshop.entities(model.entity, rule.each)
-    for entity in about:
-        whom = None if entity is None else names[entity]
-        events.setdefault((model.event, whom), []).append(workshop.listener(rule, position, model.trigger, entity))
+    events, names = workshop.moments.events, workshop.roster.things
+    about = (None,) if model.entity is None else workshop.things(model.entity, rule.each)
+    for one in about:
+        whom = None if one is None else names[one]
+        events.setdefault((model.event, whom), []).append(workshop.listener(rule, position, model.trigger, one))
 
 
 def program_fault(model: models.ProgramFault, rule: StandingRule, position: int, workshop: Workshop) -> None:
@@ -63,9 +62,8 @@ def timer_expired(model: models.TimerExpired, rule: StandingRule, position: int,
     own = rule.each if rule.each in clocks else None
     watch = workshop.watch(TimerWatch, (model.timer,), rule, lambda: TimerWatch(clocks, workshop))
     for member in clocks if own is None else (own,):
-        index = workshop.roster.index.get(member) if member is not None else None
-        entity = index if index is not None and index < len(workshop.roster.entities) else None
-        watch.listeners.setdefault(member, []).append(workshop.listener(rule, position, model.trigger, entity))
+        whose = workshop.roster.index.get(member) if member is not None else None
+        watch.listeners.setdefault(member, []).append(workshop.listener(rule, position, model.trigger, whose))
 
 
 class TimerWatch(DueWatch):
@@ -94,6 +92,6 @@ class TimerWatch(DueWatch):
         """Report the clocks that reach their length at this tick."""
         for member, clock in self._clocks.items():
             if self._end(clock) == self._state.tick:
-                length_s = s_from_ticks(clock.length)
-                self._hits.report(self.listeners.get(member, []), length_s, length_s)
+                ran_s = s_from_ticks(clock.length)
+                self._hits.report(self.listeners.get(member, []), ran_s, clock.length_s)
         self.reckon()

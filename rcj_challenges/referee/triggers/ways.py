@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 from rcj_challenges.facts.play import Pose2
@@ -18,13 +19,25 @@ _WAYS = {"forward": (1,), "backward": (-1,), "either": (1, -1)}
 def crosses(model: models.Crosses, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when a centre crosses a gate."""
     for entity in workshop.entities(model.entity, rule.each):
-        for gate in workshop.members(model.gate, rule.each):
-            if workshop.scenario.gates[gate].anchor == workshop.roster.entities[entity]:
-                continue  # nothing crosses a gate that it carries
-            line = GateLine(workshop.scenario.gates[gate], workshop)
-            watch = workshop.watch(GateWatch, (entity, gate), rule, partial(GateWatch, entity, line, workshop))
-            for way in _WAYS[model.direction]:
-                watch.listeners[way].append(workshop.listener(rule, position, model.trigger, entity))
+        for name in workshop.members(model.gate, rule.each):
+            among = workshop.roster.drawn.get(name)
+            for gate in (name,) if among is None else among:
+                if workshop.scenario.gates[gate].anchor == workshop.roster.entities[entity]:
+                    continue  # nothing crosses a gate that it carries
+                line = GateLine(workshop.scenario.gates[gate], workshop)
+                is_meant = None if among is None else _is_drawn(name, gate, workshop)
+                key, make = (
+                    (entity, gate, name if among else None),
+                    partial(GateWatch, entity, line, workshop, is_meant),
+                )
+                watch = workshop.watch(GateWatch, key, rule, make)
+                for way in _WAYS[model.direction]:
+                    watch.listeners[way].append(workshop.listener(rule, position, model.trigger, entity))
+
+
+def _is_drawn(draw: str, gate: str, workshop: Workshop) -> Callable[[], bool]:
+    draws = workshop.state.draws
+    return lambda: draws[draw] == gate
 
 
 class GateWatch(PositionWatch):
@@ -34,11 +47,14 @@ class GateWatch(PositionWatch):
         listeners: ears by direction, 1 forward and -1 backward.
     """
 
-    def __init__(self, entity: int, gate: GateLine, workshop: Workshop) -> None:
+    def __init__(
+        self, entity: int, gate: GateLine, workshop: Workshop, is_meant: Callable[[], bool] | None = None
+    ) -> None:
         self.entity = entity
         self.entities = (entity,)
         self.listeners: dict[int, list[Listener]] = {1: [], -1: []}
         self._gate = gate
+        self._is_meant = is_meant
         self._hits = workshop.hits
 
     def restart(self) -> None:
@@ -49,7 +65,9 @@ class GateWatch(PositionWatch):
         return self._gate.cell(x_m, y_m)
 
     def advance(self, before: list[Pose2], substeps: list[list[Pose2]]) -> None:
-        """Report each direction once a tick."""
+        """Report each direction once a tick; of a gate that a draw decides on while it is the one."""
+        if self._is_meant is not None and not self._is_meant():
+            return
         was, crossed = before, set()
         for now in substeps:
             crossed.add(self._gate.crossed(self.entity, was, now))

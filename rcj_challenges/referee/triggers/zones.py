@@ -29,7 +29,9 @@ def leaves(model: models.Leaves, rule: StandingRule, position: int, workshop: Wo
 
 def _zone_watch(entity: int, zones: tuple[str, ...], rule: StandingRule, workshop: Workshop) -> ZoneWatch:
     region = workshop.region(zones, None)
-    return workshop.watch(ZoneWatch, (entity, zones), rule, partial(ZoneWatch, entity, region, workshop))
+    watch = workshop.watch(ZoneWatch, (entity, zones), rule, partial(ZoneWatch, entity, region, workshop))
+    workshop.follow_draws(watch, zones)
+    return watch
 
 
 class ZoneWatch(PositionWatch):
@@ -131,6 +133,7 @@ def stays_in(model: models.StaysIn, rule: StandingRule, position: int, workshop:
         key = (entity, zones, model.limit_s, model.grace_s)
         region = workshop.region(zones, None)
         watch = workshop.watch(StayWatch, key, rule, partial(StayWatch, entity, region, model, workshop))
+        workshop.follow_draws(watch, zones)
         watch.listeners.append(workshop.listener(rule, position, model.trigger, entity))
 
 

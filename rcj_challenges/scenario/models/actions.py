@@ -22,11 +22,16 @@ from rcj_challenges.scenario.models.state import DrawValue, Points, Stay, ToldVa
 class LastToucher(Strict):
     """The entrant of the robot that touched something last, since it was put where it is."""
 
-    last_touch: Name = described(..., "what was touched: an entity, or each")
+    last_touch: Name = described(..., "what was touched: an entity, a fixed obstacle, or each")
 
 
-class Score(Strict):
+_BOUNDS = frozenset({"at_least", "at_most", "keeps_at_least", "keeps_at_most"})
+
+
+class Score(Grown):
     """Give points to an entrant."""
+
+    later_keys = _BOUNDS
 
     action: Literal["score"]
     entrant: Name | LastToucher = described(
@@ -41,10 +46,20 @@ class Score(Strict):
         "how many: a number, {counter, flag, draw, timer, way or word: NAME}, {distance: [A, B]}, or a list of which "
         "all is added: numbers, and these with weights",
     )
+    at_least: float | None = described(None, "no fewer points are given than this, whatever was reckoned")
+    at_most: float | None = described(None, "no more points are given than this, whatever was reckoned")
+    keeps_at_least: float | None = described(
+        None, "points taken away do not take the entrant's score below this; what lies below it already stays"
+    )
+    keeps_at_most: float | None = described(
+        None, "points given do not take the entrant's score above this; what lies above it already stays"
+    )
 
 
-class Count(Strict):
+class Count(Grown):
     """Change a counter."""
+
+    later_keys = _BOUNDS
 
     action: Literal["count"]
     counter: Name = described(..., "the counter")
@@ -59,6 +74,18 @@ class Count(Strict):
         "what it is set to, a number, {counter, flag, draw, timer, way or word: NAME} or {distance: [A, B]}, or a list "
         "that is added up, each with a weight",
     )
+    at_least: float | None = described(None, "`by` or `to` is no less than this, whatever was reckoned")
+    at_most: float | None = described(None, "`by` or `to` is no more than this, whatever was reckoned")
+    keeps_at_least: float | None = described(
+        None, "with `by`: the counter does not fall below this; what lies below it already stays"
+    )
+    keeps_at_most: float | None = described(
+        None, "with `by`: the counter does not rise above this; what lies above it already stays"
+    )
+
+
+Bounded = Score | Count
+"""Actions with floors and ceilings: of the amount, and of what becomes of it."""
 
 
 class SetFlag(Strict):
@@ -137,14 +164,19 @@ class Place(MayKick):
     entity: Names | None = described(None, "what is put there: entities, groups, or each")
     at: At | None = described(None, "where")
     facing: Facing = described("start", "which way it looks afterwards")
-    noise_m: Annotated[Point, Field(description="half width of uniform noise on x and y, in m")] = (0.0, 0.0)
+    noise_m: Annotated[Point, Field(description="half width of uniform noise on x and y, in m, 0 to 5")] = (0.0, 0.0)
     mirror: Mirror | None = described(
         None, "mirror the place, and what a kick is aimed at; with a layout: all its places and aims"
     )
     min_clearance_m: NotNegative = described(
         0.0, "smallest gap to the outline of any other body, in m; the field's walls are none"
     )
-    max_attempts: int = described(100, "how often a random place is drawn before giving up", ge=1, le=10_000)
+    max_attempts: int = described(
+        100,
+        "how often a random place is drawn before giving up; what waits for room draws 4 on each further tick",
+        ge=1,
+        le=10_000,
+    )
     on_failure: Literal["retry", "stay"] = described(
         "retry", "no room: retry on every tick without repeating events, or stay where it is; the log says which"
     )

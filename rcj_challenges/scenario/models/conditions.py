@@ -51,7 +51,7 @@ class InZone(_Condition):
 
     condition: Literal["in_zone"]
     entity: Names = described(..., "an entity, each, or a group with `of`")
-    zone: Names = described(..., "a zone, or each; with a list or group: in any of them")
+    zone: Names = described(..., "a zone, each, or a draw's name; with a list or group: in any of them")
     of: Quantifier = described("any", "how many of a group must be in")
 
 
@@ -64,14 +64,14 @@ class Speed(_Compared):
 
 
 class Distance(_Compared):
-    """How far an entity's centre is from a robot, ball, spot, zone, gate or point, in m; off the field none holds."""
+    """How far an entity's centre is from another thing, a place or a point, in m; off the field none holds."""
 
     condition: Literal["distance"]
     entity: Names = described(..., "an entity, each, or a group with `of`")
     to: Name | Point = described(
         ...,
-        "an entity, each, a spot, a gate or zone (to its nearest point; inside a zone it is 0), a group (the nearest "
-        "of it), or [x, y] in m",
+        "an entity, a fixed obstacle (to its centre, to a wall's middle line), each, a spot, a gate or zone (to its "
+        "nearest point; inside a zone it is 0), a draw's name, a group (the nearest of it), or [x, y] in m",
     )
     of: Quantifier = described("any", "how many of a group must satisfy it")
 
@@ -89,7 +89,7 @@ class Looks(_Condition):
 
     condition: Literal["looks"]
     entity: Names = described(..., "a robot, each, or a group with `of`")
-    towards: Name | Point | None = described(None, "an entity, each, a spot, or [x, y] in m")
+    towards: Name | Point | None = described(None, "an entity, a fixed obstacle, each, a spot, or [x, y] in m")
     heading_rad: float | None = described(
         None, "instead of towards: a direction of the field in rad, counter-clockwise from +x"
     )
@@ -162,10 +162,10 @@ class TimerIs(_Compared):
 
 
 class LastTouch(_Condition):
-    """Which robot touched an entity last, since it was put where it is."""
+    """Which robot touched something last, since it was put where it is."""
 
     condition: Literal["last_touch"]
-    entity: Name = described("ball", "what was touched")
+    entity: Name = described("ball", "what was touched: an entity, a fixed obstacle, or each")
     by: Names = described(..., "a robot, each, or a group: any of them")
 
 

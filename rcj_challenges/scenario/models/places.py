@@ -246,12 +246,17 @@ class Placing(MayKick):
     entity: Names = described(..., "what is put there: entities or groups; several are put one after the other")
     at: At = described(..., "where")
     facing: Facing = described("start", "which way it looks afterwards")
-    noise_m: Annotated[Point, Field(description="half width of uniform noise on x and y, in m")] = (0.0, 0.0)
+    noise_m: Annotated[Point, Field(description="half width of uniform noise on x and y, in m, 0 to 5")] = (0.0, 0.0)
     mirror: Mirror | None = described(None, "mirror the place, and what a kick is aimed at")
     min_clearance_m: NotNegative = described(
         0.0, "smallest gap to the outline of any other body, in m; the field's walls are none"
     )
-    max_attempts: int = described(100, "how often a random place is drawn before giving up", ge=1, le=10_000)
+    max_attempts: int = described(
+        100,
+        "how often a random place is drawn before giving up; what waits for room draws 4 on each further tick",
+        ge=1,
+        le=10_000,
+    )
     on_failure: Literal["retry", "stay"] = described(
         "retry", "no room: retry on every tick without repeating events, or stay where it is; the log says which"
     )

@@ -107,6 +107,9 @@ class LidarDevice(Strict):
     field_of_view_rad: Positive = described(6.283185307179586, "angle covered by the readings in rad", le=6.2832)
     min_range_m: NotNegative = described(0.01, "nearer things read as inf, in m")
     max_range_m: Positive = described(3.0, "farther things read as inf, in m", le=50)
+    frame: Literal["field", "legacy"] = described(
+        "field", "of its points; field: x ahead, y left, z up; legacy: x left, y up, z ahead as in the 2021 worlds"
+    )
     height_m: Positive = described(0.0425, "height of the scanning plane above the floor in m")
     rotating: bool = described(True, "True: a turning head refreshes part of the readings each tick; False: all")
     frequency_hz: Positive = described(10.0, "turns per second of a rotating head", le=31)
@@ -153,7 +156,7 @@ class StartPose(Strict):
     x_m: float = described(..., "x in m")
     y_m: float = described(..., "y in m")
     yaw_rad: float = described(..., "yaw in rad, counter-clockwise from +x; 1.57 faces +y")
-    noise_m: Annotated[Point, Field(description="half width of the uniform noise on x and y, in m")] = (0.0, 0.0)
+    noise_m: Annotated[Point, Field(description="half width of uniform noise on x and y, in m, 0 to 5")] = (0.0, 0.0)
 
 
 class Robot(Strict):

@@ -37,7 +37,8 @@ class Rule(Strict):
     actions: tuple[Action, ...] = Field(..., strict=False, min_length=1, description="what happens, in order")
     for_each: Name | None = described(
         None,
-        "a group of entities, zones or gates, or one of them: the rule exists once for each member, named `each`",
+        "a group of entities, fixed obstacles, zones or gates, or one of them: the rule exists once for each member, "
+        "named `each`",
     )
     phases: Literal["any"] | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)] = Field(
         ("play",), description="the phases in which it lives; any: all of them"
@@ -106,7 +107,9 @@ class Limits(Strict):
 
     start_s: WallTimeS = described(30.0, "wall time from launch to its first step, in s")
     step_s: WallTimeS = described(5.0, "wall time that is waited for one step, in s")
-    half_s: WallTimeS = described(120.0, "wall time that is waited for it in a whole half, in s")
+    half_s: WallTimeS = described(
+        120.0, "wall time that is waited for it in a whole half, without that in which others had the processors, in s"
+    )
     processor_s: float | None = described(
         None, "processor time in a half, in s, start included; left out: start_s and 8 times half_s", gt=0, le=86_400
     )
@@ -124,7 +127,9 @@ class Keyframe(Grown):
 
     at_s: float = described(..., "time in the half in s", ge=0, le=86_400)
     place: dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]] = described(
-        {}, "entity -> [x, y] or [x, y, yaw] in m and rad"
+        {},
+        "entity -> [x, y] or [x, y, yaw] in m and rad: it is there at once; it comes into zones and through gates, but "
+        "the jump is no speed: in that tick no comparison of its speed holds",
     )
     move: dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]] = described(
         {},
@@ -171,7 +176,7 @@ class Given(Strict):
 class Expectation(Grown):
     """A test inside the file: scripted poses and touches fed straight to the referee, and what must follow."""
 
-    later_keys = frozenset({"held", "ranking"})
+    later_keys = frozenset({"held", "ranking", "ended", "tolerance_counters"})
 
     seed: int = described(1, "seed of the draws", ge=0)
     half: int = described(1, "which half is played; teams keep their seats' names in all", ge=1)
@@ -189,7 +194,7 @@ class Expectation(Grown):
     ignore: tuple[EventName, ...] = Field(
         ("MATCH_START", "KICKOFF", "MATCH_FINISH"),
         strict=False,
-        description="events left out of the comparison, unless they are expected by name",
+        description="events left out of the comparison, unless they are expected by name; a list replaces this one",
     )
     score: dict[Name, float] = described({}, "score by entrant at the end")
     counters: dict[Name, float | dict[Name, float]] = described(
@@ -212,10 +217,18 @@ class Expectation(Grown):
     held: dict[Name, bool] | None = described(
         None, "robot -> whether it is held at the end, true or false, by a rule or by the phase"
     )
+    ended: Literal["half", "match", "none"] | None = described(
+        None,
+        "what is over at the end: half: the half, by a rule or by its time; match: a rule has ended the match; none: "
+        "the half goes on",
+    )
     poses: dict[Name, Annotated[tuple[float, float], Field(strict=False)]] = described(
         {}, "entity or spot -> [x, y] at the end in m"
     )
     tolerance_m: float = described(0.001, "how far off a pose may be, in m", ge=0)
+    tolerance_counters: float | None = described(
+        None, "how far off a counter may be, such as one that keeps a time; left out: not at all", ge=0
+    )
 
 
 class Scenario(Strict):
@@ -224,7 +237,9 @@ class Scenario(Strict):
     schema_version: Literal[1] = described(..., "version of this format: 1")
     id: Name = described(..., "short name, also of the records' folders")
     title: str = described(..., "what people call it", min_length=1, max_length=120)
-    description: str = described("", "what it is about, for the rule sheet", max_length=4000)
+    description: str = described(
+        "", "what it is about, for the rule sheet; {NAME} is the value of that param", max_length=4000
+    )
     extends: str | None = described(
         None, "a shipped preset (soccersim_v2, soccersim_2021, empty_field) or scenario (match, …), or a relative path"
     )

@@ -25,13 +25,16 @@ class Draw(Grown):
 class Counter(Grown):
     """A number that rules count up and down. Scores are readable like counters, under the entrant's name.
 
-    Both are exact to 9 decimals, as on paper: three times 0.1 is 0.3.
+    Both are exact to 9 decimals, as on paper: three times 0.1 is 0.3. Neither grows beyond 1 000 000 000 000 000, nor
+    falls under its negative: it stays there.
     """
 
     later_keys = frozenset({"keep"})
 
     initial: float = described(0.0, "value at the start of a half; with keep: match at the start of the match")
-    per: Name | None = described(None, "a group, also of zones or gates: one counter for each of its members")
+    per: Name | None = described(
+        None, "a group, also of fixed obstacles, zones or gates: one counter for each of its members"
+    )
     keep: Literal["half", "match"] | None = described(
         None, "match: the value lives on in the next half, with the robot, not the team; half, or left out: it does not"
     )
@@ -41,7 +44,9 @@ class Flag(Strict):
     """A yes or no that rules set."""
 
     initial: bool = described(False, "value at the start")
-    per: Name | None = described(None, "a group, also of zones or gates: one flag for each of its members")
+    per: Name | None = described(
+        None, "a group, also of fixed obstacles, zones or gates: one flag for each of its members"
+    )
     keep: Literal["half", "match"] = described("half", "match: the value lives on in the next half")
 
 
@@ -64,7 +69,9 @@ class Timer(Strict):
     lasts_s: Lasts = described(
         ..., "its length in s, or {draw: NAME}: what that has decided when the timer starts from 0"
     )
-    per: Name | None = described(None, "a group, also of zones or gates: one timer for each of its members")
+    per: Name | None = described(
+        None, "a group, also of fixed obstacles, zones or gates: one timer for each of its members"
+    )
     starts: bool = described(False, "True: it runs from the start of the half")
 
 
@@ -166,7 +173,7 @@ class PositionValue(Strict):
     looks no way: [x, y] in m, where it is in that moment if rules set it.
     """
 
-    position_of: Name = described(..., "an entity, each, or a spot")
+    position_of: Name = described(..., "an entity, a fixed obstacle, each, or a spot")
 
 
 class DistanceValue(Strict):
@@ -174,8 +181,8 @@ class DistanceValue(Strict):
 
     distance: Annotated[tuple[Name | Point, Name | Point], Field(strict=False)] = described(
         ...,
-        "two of: an entity, each, a spot, a group (the nearest of it), [x, y] in m; one of them may be a gate or a "
-        "zone, of which the nearest point counts: inside a zone it is 0",
+        "two of: an entity, a fixed obstacle, each, a spot, a draw's name, a group (the nearest of it), [x, y] in m; "
+        "one of them may be a wall, a gate or a zone, of which the nearest point counts: inside a zone it is 0",
     )
 
 
@@ -189,7 +196,7 @@ class WayValue(Strict):
 
 
 class TimerValue(Strict):
-    """How long a timer has run, in s; what is left of it is its length less this."""
+    """How long a timer has run, in s with its fraction; what is left of it is its length less this."""
 
     timer: Name = described(..., "a timer")
     entity: Name | None = described(
@@ -206,7 +213,7 @@ class HeldValue(Strict):
 class LastTouchValue(Strict):
     """The name of the robot that touched something last since it was put where it is; null if none has."""
 
-    last_touch: Name = described(..., "what was touched: an entity, or each")
+    last_touch: Name = described(..., "what was touched: an entity, a fixed obstacle, or each")
 
 
 class ToldValue(Strict):

@@ -45,11 +45,16 @@ class PhaseEntered(Strict):
     from_: Name | None = Field(None, alias="from", description="only when it comes from this phase")
 
 
-class TimeReached(Strict):
-    """Fires when the clock of the half reaches a time."""
+class TimeReached(Grown):
+    """Fires when the clock of the half reaches a time, and again every so often if asked."""
+
+    later_keys = frozenset({"every_s"})
 
     trigger: Literal["time_reached"]
     at_s: DurationS = described(..., "time since the start of the half in s")
+    every_s: DurationS | None = described(
+        None, "fires again after each of these times in s, counted from at_s, until the half ends; left out: once"
+    )
 
 
 class TimerExpired(Strict):
@@ -66,7 +71,9 @@ class Enters(Strict):
 
     trigger: Literal["enters"]
     entity: Names = described(..., _ENTITY)
-    zone: Names = described(..., "a zone, or each; with a list or group: into any of them from none of them")
+    zone: Names = described(
+        ..., "a zone, each, or a draw's name; with a list or group: into any of them from none of them"
+    )
 
 
 class Leaves(Strict):
@@ -74,7 +81,9 @@ class Leaves(Strict):
 
     trigger: Literal["leaves"]
     entity: Names = described(..., _ENTITY)
-    zone: Names = described(..., "a zone, or each; with a list or group: from any of them to none of them")
+    zone: Names = described(
+        ..., "a zone, each, or a draw's name; with a list or group: from any of them to none of them"
+    )
 
 
 class Crosses(Strict):
@@ -82,7 +91,7 @@ class Crosses(Strict):
 
     trigger: Literal["crosses"]
     entity: Names = described(..., _ENTITY)
-    gate: Names = described(..., "a gate, each, or several: any of them")
+    gate: Names = described(..., "a gate, each, a draw's name, or several: any of them")
     direction: Literal["forward", "backward", "either"] = described("either", "which way, seen from the gate")
 
 
@@ -92,7 +101,10 @@ class Touches(Grown):
     later_keys = frozenset({"every_s"})
 
     trigger: Literal["touches"]
-    entity: Names = described(..., _ENTITY)
+    entity: Names = described(
+        ...,
+        "whose: an entity (a robot, a ball or a movable obstacle), a fixed obstacle, a group (any of them), or each",
+    )
     other: Names = described(
         ...,
         "what it touches: entities, obstacles, walls, or a group; where all triggers of a rule are touches, its "
@@ -136,7 +148,7 @@ class StaysIn(Strict):
 
     trigger: Literal["stays_in"]
     entity: Names = described(..., _ENTITY)
-    zone: Names = described(..., "a zone, or each; with a list or group: in any of them")
+    zone: Names = described(..., "a zone, each, or a draw's name; with a list or group: in any of them")
     limit_s: DurationS = described(..., "fires as soon as the stay is longer than this, in s")
     grace_s: NotNegative = described(0.0, "an absence of up to this time counts as inside, in s")
 
@@ -181,8 +193,8 @@ class OnEvent(Grown):
     event: EventName = described(..., "the event")
     entity: Names | None = described(
         None,
-        "only if it is about this one (whom the rule that emits it is for, or its trigger found): an entity, a group "
-        "(any of them), or each; left out: whoever it is about",
+        "only if it is about this one (whom the rule that emits it is for, or its trigger found): an entity, a fixed "
+        "obstacle, a group (any of them), or each; left out: whoever it is about",
     )
 
 

@@ -1,4 +1,4 @@
-"""Lines around zones and gates: all points of the paper that are as far from one as a rule asks."""
+"""Lines around zones, gates and walls: all points of the paper that are as far from one as a rule asks."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 
 from rcj_challenges.referee.regions import distance_to_segment_m, region_of
+from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.places import CircleZone, Gate, Zone
 from rcj_challenges.views.drawing.labels import Box, Point
 from rcj_challenges.views.drawing.shapes import whole_outline
@@ -17,8 +18,8 @@ _BESIDE_M = 1.0
 """Open sides end so far beside the paper and the line around them that their ends show nowhere."""
 
 
-def lines_around(place: Zone | Gate, far_m: float, paper: Box) -> list[list[Point]]:
-    """Return the lines of which every point is ``far_m`` from a zone, or from a gate that does not move.
+def lines_around(place: Zone | Gate | Wall, far_m: float, paper: Box) -> list[list[Point]]:
+    """Return the lines of which every point is ``far_m`` from a zone, a wall, or a gate that does not move.
 
     Straight and round pieces are tried all along the outline, on both sides; what is nearer to another part of it, or
     lies inside, is no part of the line.
@@ -36,14 +37,14 @@ def lines_around(place: Zone | Gate, far_m: float, paper: Box) -> list[list[Poin
     return found
 
 
-def measure(place: Zone | Gate) -> Callable[[float, float], float]:
-    """Return what tells how far the point (x, y) is from a zone or a gate that does not move, in m."""
-    if isinstance(place, Gate):
+def measure(place: Zone | Gate | Wall) -> Callable[[float, float], float]:
+    """Return what tells how far the point (x, y) is from a zone, a wall or a gate that does not move, in m."""
+    if isinstance(place, Gate | Wall):
         return lambda x, y: distance_to_segment_m(x, y, *place.from_m, *place.to_m)
     return region_of(place).away_m
 
 
-def _pieces(place: Zone | Gate, far_m: float, paper: Box) -> Iterator[tuple[list[Point], bool]]:
+def _pieces(place: Zone | Gate | Wall, far_m: float, paper: Box) -> Iterator[tuple[list[Point], bool]]:
     """Yield pieces of which the line may consist, as points, and whether they are straight."""
     if isinstance(place, CircleZone):
         yield from ((_circle(place.centre_m, place.radius_m + side * far_m), False) for side in (1, -1))
@@ -75,8 +76,8 @@ def _straight(a: Point, b: Point, paper: Box) -> list[Point]:
     return [(a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])) for share in shares]
 
 
-def _corners(place: Zone | Gate, far_m: float, paper: Box) -> list[Point]:
-    if isinstance(place, Gate):
+def _corners(place: Zone | Gate | Wall, far_m: float, paper: Box) -> list[Point]:
+    if isinstance(place, Gate | Wall):
         return [place.from_m, place.to_m]
     beside = far_m + _BESIDE_M
     left, bottom, right, top = paper

@@ -8,7 +8,7 @@ from textwrap import wrap
 from rcj_challenges.facts.colours import hex_colour
 from rcj_challenges.scenario.models.field import Box as BoxObstacle
 from rcj_challenges.scenario.models.field import Cylinder, Wall
-from rcj_challenges.scenario.models.places import OnLine
+from rcj_challenges.scenario.models.places import Gate, OnLine, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.remembered import remembered_spots
 from rcj_challenges.scenario.roster import Roster
@@ -162,9 +162,13 @@ def _reaches(paper: Paper, scenario: Scenario, roster: Roster) -> None:
         if reach.centre_m is not None:
             paper.circle(reach.centre_m, reach.radius_m, style, words)
             continue
-        place = scenario.zones.get(reach.name) or scenario.gates[reach.name]
-        lines = map(paper.stretch, lines_around(place, reach.radius_m, paper.bounds))
+        lines = map(paper.stretch, lines_around(_wide(scenario, reach.name), reach.radius_m, paper.bounds))
         paper.path(" ".join(lines), style, words)
+
+
+def _wide(scenario: Scenario, name: str) -> Zone | Gate | Wall:
+    wall = scenario.obstacles.get(name)
+    return wall if isinstance(wall, Wall) else scenario.zones.get(name) or scenario.gates[name]
 
 
 def _gates(paper: Paper, scenario: Scenario) -> None:
@@ -294,11 +298,11 @@ def _legend_entries(scenario: Scenario, roster: Roster) -> list[tuple[str, list[
     ]
     remembered = remembered_spots(scenario)
     spots = [
-        f"{name}: {spot.x_m:g}, {spot.y_m:g}{_SET if name in remembered else ''}"
+        f"{name}: {spot.x_m + 0.0:g}, {spot.y_m + 0.0:g}{_SET if name in remembered else ''}"
         for name, spot in scenario.spots.items()
     ]
     starts = [
-        f"{name}: {r.start.x_m:g}, {r.start.y_m:g}, yaw {r.start.yaw_rad:g}"
+        f"{name}: {r.start.x_m + 0.0:g}, {r.start.y_m + 0.0:g}, yaw {r.start.yaw_rad + 0.0:g}"
         + (f", ± {r.start.noise_m[0]:g}, {r.start.noise_m[1]:g}" if any(r.start.noise_m) else "")
         for name, r in scenario.robots.items()
     ]

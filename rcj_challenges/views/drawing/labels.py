@@ -224,17 +224,17 @@ class _Board:
     """Knows what stands where, and finds the candidate that is in the way of least."""
 
     def __init__(self, around: Surroundings) -> None:
-        self._solids: _Grid[Box] = _Grid()
+        self._solids: _Grid[Box] = _Grid(around.frame)
         for k, solid in enumerate(around.solids):
             self._solids.add(k, solid, solid)
-        self._lines: _Grid[tuple[Segment, float]] = _Grid()
+        self._lines: _Grid[tuple[Segment, float]] = _Grid(around.frame)
         for k, line in enumerate(around.lines):
             self._lines.add(k, _bounds(line[0]), line)
-        self._bodies: _Grid[tuple[Point, ...]] = _Grid()
+        self._bodies: _Grid[tuple[Point, ...]] = _Grid(around.frame)
         for k, body in enumerate(around.bodies):
             self._bodies.add(k, _bounds(body), body)
-        self._labels: _Grid[Box] = _Grid()
-        self._leaders: _Grid[Segment] = _Grid()
+        self._labels: _Grid[Box] = _Grid(around.frame)
+        self._leaders: _Grid[Segment] = _Grid(around.frame)
 
     def put(self, k: int, placed: Placed) -> None:
         self._labels.add(k, placed.box, placed.box)
@@ -308,33 +308,38 @@ class _Board:
 class _Grid(Generic[_Thing]):
     """Things by the cells of the paper that they touch, so that a label is compared with its neighbours alone."""
 
-    def __init__(self) -> None:
+    def __init__(self, frame: Box) -> None:
         self._cells: dict[tuple[int, int], dict[int, _Thing]] = {}
+        # Labels stay in the picture: what reaches far beyond it, a zone of a kilometre, has no cells out there.
+        left, top, right, bottom = (int(edge // _CELL_PX) for edge in frame)
+        self._shown = left - 1, top - 1, right + 1, bottom + 1
 
     def add(self, k: int, box: Box, thing: _Thing) -> None:
-        for cell in _cells(box):
+        for cell in _cells(box, self._shown):
             self._cells.setdefault(cell, {})[k] = thing
 
     def remove(self, k: int, box: Box) -> None:
-        for cell in _cells(box):
+        for cell in _cells(box, self._shown):
             self._cells[cell].pop(k, None)
 
     def near(self, box: Box) -> Iterable[_Thing]:
         found: dict[int, _Thing] = {}
-        for cell in _cells(box):
+        for cell in _cells(box, self._shown):
             here = self._cells.get(cell)
             if here:
                 found.update(here)
         return found.values()
 
 
-def _cells(box: Box) -> list[tuple[int, int]]:
+def _cells(box: Box, shown: tuple[int, int, int, int]) -> list[tuple[int, int]]:
     # Asked for a hundred thousand times a picture, mostly of labels in one cell or two.
     left, top = int(box[0] // _CELL_PX), int(box[1] // _CELL_PX)
     right, bottom = int(box[2] // _CELL_PX), int(box[3] // _CELL_PX)
     if left == right and top == bottom:
         return [(left, top)]
-    return [(column, row) for column in range(left, right + 1) for row in range(top, bottom + 1)]
+    columns = range(max(left, shown[0]), min(right, shown[2]) + 1)
+    rows = range(max(top, shown[1]), min(bottom, shown[3]) + 1)
+    return [(column, row) for column in columns for row in rows]
 
 
 def _shared(a: Box, b: Box) -> float:

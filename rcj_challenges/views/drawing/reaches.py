@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.models.conditions import Distance
+from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.triggers import Displaced
 from rcj_challenges.scenario.roster import Roster
@@ -20,9 +21,9 @@ class Reach(NamedTuple):
 
     Attributes:
         radius_m: the distance that a rule compares with, in m.
-        name: of the spot, the zone or the gate; empty for a point.
+        name: of the spot, the zone, the gate or the fixed obstacle; empty for a point.
         centre_m: the circle's centre, [x, y] in m; of a spot that rules set, where it is when a half starts. None of a
-            zone and a gate.
+            zone, a gate and a wall.
     """
 
     radius_m: float
@@ -53,13 +54,16 @@ def _of_rule(rule: Rule, scenario: Scenario, roster: Roster) -> Iterator[Reach]:
 
 
 def _places(to: str | Point, rule: Rule, scenario: Scenario, roster: Roster) -> Iterator[tuple[str, Point | None]]:
-    """Yield the spots, zones and gates that a name stands for, or the point; of spots and points where they are."""
+    """Yield what stands still of what a name stands for, or the point; with where it is, if it has a centre."""
     if not isinstance(to, str):
         yield "", to
         return
-    for name in roster.expand(rule.for_each if to == EACH and rule.for_each else to):
+    for name in roster.may_be(rule.for_each if to == EACH and rule.for_each else to):
         if name in scenario.spots:
             spot = scenario.spots[name]
             yield name, (spot.x_m, spot.y_m)
+        elif name in scenario.obstacles and name not in roster.entities:
+            obstacle = scenario.obstacles[name]
+            yield name, None if isinstance(obstacle, Wall) else obstacle.centre_m
         elif name in scenario.zones or (name in scenario.gates and scenario.gates[name].anchor is None):
             yield name, None

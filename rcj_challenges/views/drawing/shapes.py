@@ -149,7 +149,7 @@ def zone_words(zone: Zone) -> str:
 
 def point_words(point: Point) -> str:
     """Return ``(x, y)`` in m."""
-    return f"({point[0]:g}, {point[1]:g})"
+    return f"({point[0] + 0.0:g}, {point[1] + 0.0:g})"  # adding 0 makes no -0
 
 
 def _shape_words(zone: Zone) -> str:

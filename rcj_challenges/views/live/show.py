@@ -21,7 +21,7 @@ from rcj_challenges.views.live.feed import Feed, said
 from rcj_challenges.views.live.pace import Pace
 from rcj_challenges.views.live.server import HOST, SpectatorServer, Stage
 from rcj_challenges.views.live.telling import LiveWatcher, live_facts
-from rcj_challenges.views.replay.page import about_run, logo_address, no_logo, page_text
+from rcj_challenges.views.replay.page import about_run, logo_address, no_logo, page_text, places
 
 _FLUSH_EVERY_S = 0.1
 """Three ticks at real time: fine enough to be smooth, rare enough to cost a fast match nothing."""
@@ -69,6 +69,7 @@ class LiveShow:
         Raises:
             PortTakenError: the port is in use or not allowed.
         """
+        self._scenario = scenario
         self._feed = Feed()
         self.pace = Pace(speed, self._paced)
         self._feed.append(said({"say": "pace", **self.pace.state}))
@@ -112,9 +113,12 @@ class LiveShow:
         page = folder / REPLAY
         self._stage.replay = page if page.is_file() else None
         about: list[tuple[str, str]] = []
+        ranked: list[dict[str, str]] = []
         with suppress(RecordError):
-            about = [*about_run(read_result(folder)), *self._no_logos]
-        self._feed.append(said({"say": "over", "about": about, "replay": self._stage.replay is not None}))
+            result = read_result(folder)
+            about, ranked = [*about_run(result), *self._no_logos], places(self._scenario, result)
+        over = {"say": "over", "about": about, "places": ranked, "replay": self._stage.replay is not None}
+        self._feed.append(said(over))
         self._feed.close()
 
     def linger(self, seconds: float | None = None) -> None:

@@ -28,6 +28,7 @@ from rcj_challenges.views.live.senses import HalfSenses
 from rcj_challenges.views.replay.packing import FINEST_M, rounded_poses, units
 from rcj_challenges.views.replay.story import Story, Teller
 from rcj_challenges.views.replay.things import visible_things
+from rcj_challenges.views.standing import Counting
 
 _MOST_AT_ONCE = 2_000
 _NUMBERS_PER_ENTITY = 5  # x, y, yaw; height; upright
@@ -54,6 +55,7 @@ def live_facts(scenario: Scenario, titles: dict[str, str], seed: int) -> dict[st
         "channels": [{"name": name, "unit": unit} for name, unit in units(_unit_m(scenario)).items()],
         "halves": [],
         "events": [],
+        "places": [],
         "about": [("scenario", f"{scenario.title} ({scenario.id})"), ("seed", str(seed))],
         "problem": "",
         "live": True,
@@ -81,6 +83,7 @@ class LiveWatcher(Silent):
         self._half: HalfInfo | None = None
         self._senses: HalfSenses | None = None
         self._story = Story()
+        self._counting = Counting(scenario)
         self._teams: dict[int, dict[str, str]] = {}
         self._scores: dict[str, int | float] = {}
         self._phase: tuple[str, bool] | None = None
@@ -120,6 +123,7 @@ class LiveWatcher(Silent):
             self._teams[half.half] = half.teams
             self._scores = {half.teams[seat]: points for seat, points in half.scores.items()}
             self._story.score_changes[half.half] = []
+            self._counting.begin(half)
             self._feed.append(said({"say": "half", "facts": self._half_facts(half)}))
 
     def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:
@@ -177,6 +181,8 @@ class LiveWatcher(Silent):
         if self._follow_the_score(half, verdict):
             self._story.score_changes[half.half].append([tick, dict(self._scores)])
             news["score"] = dict(self._scores)
+        if verdict.counted is not None:
+            news["counted"] = self._counting.at(verdict.counted)
         if phase and (verdict.phase, verdict.waiting_for_kickoff) != self._phase:
             self._phase = (verdict.phase, verdict.waiting_for_kickoff)
             news["phase"] = self._phase
@@ -215,6 +221,7 @@ class LiveWatcher(Silent):
             "sides": dict(half.teams),
             "scores": dict(self._scores),
             "score_changes": [],
+            "counted": [],
             "phases": [],
             "held": [],
             "jumps": [],

@@ -28,11 +28,6 @@ class RunRow:
     result: RunResult | None
     problem: str = ""
 
-    @property
-    def has_page(self) -> bool:
-        """Whether its replay page is there."""
-        return (self.folder / REPLAY).exists()
-
 
 def list_runs(out: Path) -> list[RunRow]:
     """Return the records in a folder, the newest first; damaged ones are listed with what is wrong.
@@ -40,8 +35,8 @@ def list_runs(out: Path) -> list[RunRow]:
     Raises:
         RecordError: there is no such folder.
     """
-    if not out.is_dir():
-        raise RecordError(f"no folder {out}: no run was recorded there")
+    if not _is_folder(out):
+        raise RecordError(f"no folder {shown(out)}: no run was recorded there")
     return [_row(folder) for folder in _folders(out)]
 
 
@@ -56,22 +51,22 @@ def find_run(run: Path | None, out: Path) -> Path:
         RecordError: there is none, or the beginning fits several.
     """
     if run is None:
-        folders = _folders(out) if out.is_dir() else []
+        folders = _folders(out) if _is_folder(out) else []
         if not folders:
-            raise RecordError(f"no run was recorded in {out} yet")
+            raise RecordError(f"no run was recorded in {shown(out)} yet")
         return folders[0]
     for folder in (run, run.parent, out / run):
-        if (folder / RESULT).is_file():
+        if _is_record(folder):
             return folder
-    fitting = [folder for folder in _folders(out) if folder.name.startswith(run.name)] if out.is_dir() else []
+    fitting = [folder for folder in _folders(out) if folder.name.startswith(run.name)] if _is_folder(out) else []
     if len(fitting) == 1:
         return fitting[0]
     if fitting:
         names = ", ".join(sorted(folder.name for folder in fitting)[:5])
         raise RecordError(f"{run.name!r} fits several records: {names}")
-    if run.is_dir():
+    if _is_folder(run):
         raise RecordError(f"no record '{shown(run)}': there is no {RESULT} in this folder")
-    raise RecordError(f"no record '{shown(run)}': give its folder, or its name in {out}")
+    raise RecordError(f"no record '{shown(run)}': give its folder, or its name in {shown(out)}")
 
 
 def open_replay(folder: Path) -> tuple[Path, bool]:
@@ -89,9 +84,18 @@ def open_replay(folder: Path) -> tuple[Path, bool]:
     return page, webbrowser.open(page.resolve().as_uri())
 
 
+def _is_folder(path: Path) -> bool:
+    return os.path.isdir(path)  # noqa: PTH112 - that of pathlib raises for names that are too long
+
+
+def _is_record(folder: Path) -> bool:
+    """Return whether a folder holds a record. What is closed to us, or no name that the system takes, is none."""
+    return os.path.isfile(folder / RESULT)  # noqa: PTH113 - that of pathlib raises
+
+
 def _folders(out: Path) -> list[Path]:
-    """Return the records' folders, the newest first: names begin with the time. What is closed to us is none."""
-    found = (path for path in out.iterdir() if os.path.isfile(path / RESULT))  # noqa: PTH113 - that of pathlib raises
+    """Return the records' folders, the newest first: names begin with the time."""
+    found = filter(_is_record, out.iterdir())
     return sorted(found, key=lambda path: path.name, reverse=True)
 
 

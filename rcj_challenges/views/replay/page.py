@@ -19,6 +19,7 @@ from rcj_challenges.records.result import RunResult
 from rcj_challenges.records.salvage import RunRecord, read_run
 from rcj_challenges.records.sensors import DAMAGE, read_sensors
 from rcj_challenges.records.trajectory import HalfTrack
+from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.replay.packing import (
     HEIGHT_M,
     TILT_RAD,
@@ -31,6 +32,7 @@ from rcj_challenges.views.replay.packing import (
 from rcj_challenges.views.replay.sensing import output_block, sensor_block, sensor_facts
 from rcj_challenges.views.replay.story import Story, tell
 from rcj_challenges.views.replay.things import visible_things
+from rcj_challenges.views.scoreboard import ranking_rows
 
 SCRIPTS = (
     "element", "maths", "colours", "recording", "embedded", "mesh", "ground", "bodies", "signs", "painter", "scene",
@@ -123,6 +125,7 @@ def _facts(run: RunRecord, frames: list[Frames], story: Story, unit_m: float) ->
         "channels": [{"name": name, "unit": units[name]} for name in frames[0].columns],
         "halves": [_half(half, moving, story) for half, moving in zip(halves, frames, strict=True)],
         "events": story.events,
+        "places": places(run.scenario, result),
         "about": about_run(result),
         "problem": _problem(run, story),
     }
@@ -138,6 +141,7 @@ def _half(half: HalfTrack, frames: Frames, story: Story) -> dict[str, Any]:
         "sides": info.teams,
         "scores": {info.teams[seat]: points for seat, points in info.scores.items()},
         "score_changes": story.score_changes[info.half],
+        "counted": story.counted.get(info.half, []),
         "phases": story.phases[info.half],
         "held": story.held[info.half],
         "jumps": [list(ticks) for ticks in frames.jumps],
@@ -146,6 +150,16 @@ def _half(half: HalfTrack, frames: Frames, story: Story) -> dict[str, Any]:
             for fault in faults
         ],
     }
+
+
+def places(scenario: Scenario, result: RunResult) -> list[dict[str, str]]:
+    """Return who came where and by what, best first, as the page says it; nothing where the score says it all."""
+    names = {team: entrant.name or team for team, entrant in result.entrants.items()}
+    ranking = [entry.model_dump() for entry in result.ranking]
+    return [
+        {"place": f"place {place}", "team": team, "values": values}
+        for place, team, values in ranking_rows(scenario.result.rank, names, ranking)
+    ]
 
 
 def about_run(result: RunResult) -> list[tuple[str, str]]:

@@ -15,7 +15,9 @@ from rcj_challenges.records.result import RunResult
 from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.scenario.models.actions import Emit
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.views.replay.payloads import told_beside
 from rcj_challenges.views.replay.things import shown_colour
+from rcj_challenges.views.standing import Counting
 
 UNITS = {
     "no_progress": "m",
@@ -30,6 +32,8 @@ UNITS = {
 
 _QUIET = ("MATCH_START", "MATCH_FINISH", "KICKOFF")
 _LONGEST_TEXT = 2_000
+_MOST_CHANGES = 2_000
+"""Of what is counted in a half, so many changes are on the page: about 40 bytes each."""
 Score = int | float
 
 
@@ -42,6 +46,7 @@ class Story:
         phases: by half, ``[tick, phase, waiting for kick-off]`` from each change on.
         held: by half, ``[tick, robots that rules hold]`` from each change on.
         score_changes: by half, ``[tick, points by team]`` from each change on.
+        counted: by half, ``[tick, values by team]`` of the counters that decide the ranking, from each change on.
         unreadable: how many lines of the log were damaged.
     """
 
@@ -49,6 +54,7 @@ class Story:
     phases: dict[int, list[list[Any]]] = field(default_factory=dict)
     held: dict[int, list[list[Any]]] = field(default_factory=dict)
     score_changes: dict[int, list[list[Any]]] = field(default_factory=dict)
+    counted: dict[int, list[list[Any]]] = field(default_factory=dict)
     unreadable: int = 0
 
 
@@ -59,7 +65,10 @@ def tell(folder: Path, scenario: Scenario, halves: Sequence[HalfTrack], result: 
     if not lines:
         lines = [{"kind": "event", **event.model_dump()} for event in result.events]
     firings = [line for line in lines if line["kind"] == "firing" and line.get("suppressed") is None]
+    counting = Counting(scenario)
     for half in halves:
+        counted = [line for line in lines if line["kind"] == "counted" and line["half"] == half.info.half]
+        story.counted[half.info.half] = _follow_the_counters(counting, half, counted)
         _follow_the_score(story, half, [line for line in firings if line["half"] == half.info.half])
         story.phases[half.info.half] = [
             [line["tick"], line["phase"], line["waiting_for_kickoff"]]
@@ -87,6 +96,17 @@ def _follow_the_score(story: Story, half: HalfTrack, firings: list[dict[str, Any
                     scores[teams[seat]] = on_paper(scores[teams[seat]] + points)
             changes.append([firing["tick"], dict(scores)])
     story.score_changes[half.info.half] = changes
+
+
+def _follow_the_counters(counting: Counting, half: HalfTrack, lines: list[dict[str, Any]]) -> list[list[Any]]:
+    counting.begin(half.info)
+    found = [[line["tick"], counting.at(line["counters"])] for line in lines]
+    changes = [change for change in found if change[1] is not None]
+    if len(changes) <= _MOST_CHANGES:
+        return changes
+    # One that counts on every tick would fill the page: of each stretch of it only the last is kept.
+    stretch = half.ticks // _MOST_CHANGES + 1
+    return list({tick // stretch: [tick, values] for tick, values in changes}.values())
 
 
 class Teller:
@@ -133,7 +153,9 @@ class Teller:
         trigger = firing.get("trigger", "")
         payload = line["payload"] if isinstance(line["payload"], dict) else {"payload": line["payload"]}
         says = _short(firing.get("says") or "")
-        about = says or ", ".join(_short(value, 80) for value in payload.values())
+        told = _short(told_beside(name, payload, says), 300)
+        about = says or told
+        caption = " · ".join(filter(None, (says, told)))
         return {
             "half": half,
             "tick": tick,
@@ -143,7 +165,8 @@ class Teller:
             "colour": self._colours.get(next(iter(scored), "")),
             "standing": self._standing(half, tick) if scored else "",
             "about": _short(about, 300),
-            "caption": _short(f"{name}: {about}" if about else name, 200),
+            "told": told if says else "",
+            "caption": _short(f"{name}: {caption}" if caption else name, 200),
             "says": says,
             "rule": firing.get("rule", ""),
             "trigger": trigger,

@@ -8,6 +8,8 @@ from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.visiting import visit
+from rcj_challenges.views.standing import counted_names, shows_score
 
 _TEAM_COLOURS = {"blue": "#3b82f6", "yellow": "#f2c018"}
 """Brighter than CSS's `blue`, darker than its `yellow`: both must stand out from green, in the light and the dark."""
@@ -22,6 +24,7 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
     """Return field, entities (in the roster's order), fixed obstacles, zones, gates, spots and when robots are held."""
     roster = Roster.of(scenario)
     field = scenario.field
+    used = _used_gates(scenario, roster)
     return {
         "field": {
             "width_m": field.width_m,
@@ -39,15 +42,34 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
         "zones": [{"name": name, **zone.model_dump(mode="json")} for name, zone in scenario.zones.items()],
         # A gate that moves with an entity stands where the entity is: the page shows those that stand still.
         "gates": [
-            {"name": name, **gate.model_dump(mode="json")}
+            {"name": name, "used": name in used, **gate.model_dump(mode="json")}
             for name, gate in scenario.gates.items()
             if gate.anchor is None
         ],
         # So with spots: where rules have set one no frame tells.
         "spots": [{"name": name, **spot.model_dump(mode="json")} for name, spot in fixed_spots(scenario).items()],
         "seats": [_seat(scenario, name) for name in scenario.entrants],
+        "score_counts": shows_score(scenario),
+        "counted": counted_names(scenario),
         "held_phases": [name for name, phase in scenario.phases.items() if phase.robots == "held"],
     }
+
+
+def _used_gates(scenario: Scenario, roster: Roster) -> set[str]:
+    """Return the gates by which rules judge: a spectator must see them to understand what happens."""
+    named = {
+        name
+        for model, _ in visit((scenario.rules, scenario.sequences))
+        for field in type(model).model_fields
+        for name in _texts(getattr(model, field))
+        if name in scenario.gates or name in scenario.groups
+    }
+    return {member for name in named for member in roster.expand(name) if member in scenario.gates}
+
+
+def _texts(value: Any) -> tuple[str, ...]:
+    values = value if isinstance(value, tuple) else (value,)
+    return tuple(one for one in values if isinstance(one, str))
 
 
 def _entity(scenario: Scenario, name: str) -> dict[str, Any]:

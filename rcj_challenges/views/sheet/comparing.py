@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from rcj_challenges.scenario.models.state import CounterValue
-from rcj_challenges.views.sheet.nouns import Nouns, Subject, plain, quoted
+from rcj_challenges.views.sheet.nouns import Nouns, Subject, plain, quoted, quoted_measure
 from rcj_challenges.views.sheet.phrases import amount, number
 
 
@@ -15,7 +15,7 @@ def counter_words(nouns: Nouns, c: Any) -> str:
         return _equal(nouns, c)
     who = _asked(nouns, "counter", c.counter, c)
     if who is not None:
-        return f"{who.does('has', 'have')} a counter {quoted(c.counter)} of {compared(nouns, c)}"
+        return f"{who.does('has', 'have')} a counter {quoted_measure(c.counter)} of {compared(nouns, c)}"
     counter = nouns.kept("counter", c.counter, c.entity)
     limit = _only_limit(c) if c.negate else None
     if limit is not None:
@@ -132,7 +132,7 @@ def _equal(nouns: Nouns, c: Any) -> str:
         return f"{scores} {'differ' if c.negate else 'are equal'}"
     who, other = _asked(nouns, "counter", c.counter, c), amount(nouns, c.equals)
     if who is not None:
-        return f"{who.does('has', 'have')} a counter {quoted(c.counter)} equal to {other}"
+        return f"{who.does('has', 'have')} a counter {quoted_measure(c.counter)} equal to {other}"
     return f"{nouns.kept('counter', c.counter, c.entity)} {'differs from' if c.negate else 'is equal to'} {other}"
 
 

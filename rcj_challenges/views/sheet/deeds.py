@@ -10,8 +10,8 @@ from rcj_challenges.scenario.models import places
 from rcj_challenges.scenario.models.actions import LastToucher
 from rcj_challenges.scenario.models.state import CounterValue, ToldValue
 from rcj_challenges.views.sheet.mirrored import mirrored_aim_words, mirrored_layout_words, mirrored_words
-from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
-from rcj_challenges.views.sheet.phrases import amount, heading, lasting, metres, number, value
+from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted, quoted_measure
+from rcj_challenges.views.sheet.phrases import amount, heading, lasting, metres, metres_alike, number, value
 
 
 def action_words(nouns: Nouns, action: Any) -> str:
@@ -34,7 +34,8 @@ def put_words(nouns: Nouns, at: Any, *, plural: bool = False) -> str:
 
 def placing_words(nouns: Nouns, placing: Any) -> str:
     """Return a placement as a clause."""
-    noise = ", ".join(f"± {metres(wide)} in {axis}" for axis, wide in zip("xy", placing.noise_m, strict=True) if wide)
+    wide = zip("xy", metres_alike(placing.noise_m), placing.noise_m, strict=True)
+    noise = ", ".join(f"± {words} in {axis}" for axis, words, wide_m in wide if wide_m)
     who = nouns.all_of(placing.entity)
     if _stays(placing) and placing.kick is not None and not noise:
         return f"{who.does('rolls', 'roll')} on from where it is, {_rolling(nouns, placing)}{_clear(placing)}"
@@ -97,7 +98,7 @@ def _rolling(nouns: Nouns, placing: Any) -> str:
 def _how_fast(nouns: Nouns, speed: Any) -> str:
     if isinstance(speed, places.DrawnSpeed):
         drawn = sorted({float(mps) for mps in nouns.scenario.draws[speed.draw].values})
-        return f"at {listed([number(mps) for mps in drawn], 'or')} m/s, as {quoted(speed.draw)} is drawn,"
+        return f"at {listed([number(mps) for mps in drawn], 'or')} m/s, as {quoted_measure(speed.draw)} is drawn,"
     if isinstance(speed, CounterValue):
         return f"at as many m/s as {amount(nouns, speed)} tells, {places.MAX_KICK_MPS} at most,"
     speeds = speed if isinstance(speed, tuple) else (speed,)
@@ -110,8 +111,11 @@ def _beside(nouns: Nouns, at: Any) -> str:
     ways = (("to the front", "to the back"), ("to the left", "to the right"))
     if not at.turns:
         ways = (("towards +x", "towards -x"), ("towards +y", "towards -y"))
+    how_far = metres_alike([abs(far) for far in at.offset_m])
     steps = [
-        f"{metres(abs(far))} {way[0] if far > 0 else way[1]}" for far, way in zip(at.offset_m, ways, strict=True) if far
+        f"{words} {way[0] if far > 0 else way[1]}"
+        for far, words, way in zip(at.offset_m, how_far, ways, strict=True)
+        if far
     ]
     if not steps:
         return f"right at {who}"
@@ -167,11 +171,22 @@ def _stay(nouns: Nouns, for_s: Any) -> str:
 
 def _count(nouns: Nouns, action: Any) -> str:
     counter = nouns.every_kept("counter", action.counter, action.entity)
+    bounds = bounds_words(action, "counter")
     if action.to is not None:
-        return f"{counter} is set to {amount(nouns, action.to)}"
+        return f"{counter} is set to {amount(nouns, action.to)}{bounds}"
     if isinstance(action.by, (int, float)) and action.by < 0:
-        return f"{counter} falls by {amount(nouns, -action.by)}"
-    return f"{counter} grows by {amount(nouns, 1 if action.by is None else action.by)}"
+        return f"{counter} falls by {amount(nouns, -action.by)}{bounds}"
+    return f"{counter} grows by {amount(nouns, 1 if action.by is None else action.by)}{bounds}"
+
+
+def bounds_words(action: Any, total: str) -> str:
+    """Return how much an action pays or counts at least and at most, and how far it takes the total."""
+    least, most = action.at_least, action.at_most
+    amounts = [f"at {how} {number(one)}" for how, one in (("least", least), ("most", most)) if one is not None]
+    ways = (("fall below", action.keeps_at_least), ("rise above", action.keeps_at_most))
+    totals = [f"{way} {number(one)}" for way, one in ways if one is not None]
+    said = [" and ".join(amounts), f"the {total} does not {' or '.join(totals)} by it" if totals else ""]
+    return f" ({'; '.join(filter(None, said))})" if any(said) else ""
 
 
 def _timer(nouns: Nouns, action: Any) -> str:
@@ -186,10 +201,14 @@ def _timer(nouns: Nouns, action: Any) -> str:
 
 def _draw(nouns: Nouns, action: Any) -> str:
     if action.as_ is None:
-        return f"{quoted(action.draw)} is drawn anew"
+        return f"{quoted_measure(action.draw)} is drawn anew"
     who = nouns.drawn(action.draw, action.as_)
     # Of somebody whom the rule is about people say what he becomes.
-    return f"{quoted(action.draw)} becomes {who}" if who.startswith("“") else f"{who} becomes {quoted(action.draw)}"
+    return (
+        f"{quoted_measure(action.draw)} becomes {who}"
+        if who.startswith("“")
+        else f"{who} becomes {quoted_measure(action.draw)}"
+    )
 
 
 def _sequence(nouns: Nouns, action: Any) -> str:
@@ -221,12 +240,17 @@ def receiver_words(nouns: Nouns, entrant: Any) -> str:
     return "its team" if entrant == EACH else f"the team of {nouns.thing(entrant)}"
 
 
+def points_words(nouns: Nouns, action: Any) -> str:
+    """Return how many points an action gives: ``2``, ``20, minus … (at least 5)``."""
+    return f"{amount(nouns, action.points)}{bounds_words(action, 'score')}"
+
+
 def _points(nouns: Nouns, action: Any) -> str:
-    who, points = receiver_words(nouns, action.entrant), action.points
+    who, points, bounds = receiver_words(nouns, action.entrant), action.points, bounds_words(action, "score")
     if not isinstance(points, (int, float)):
-        return f"{who} gets points: {amount(nouns, points)}"
+        return f"{who} gets points: {amount(nouns, points)}{bounds}"
     number = amount(nouns, abs(points))
-    return f"{who} {'loses' if points < 0 else 'gets'} {number} point{'' if number == '1' else 's'}"
+    return f"{who} {'loses' if points < 0 else 'gets'} {number} point{'' if number == '1' else 's'}{bounds}"
 
 
 def _flag(nouns: Nouns, action: Any) -> str:

@@ -15,7 +15,7 @@ from rcj_challenges.views.sheet.comparing import (
     timer_words,
     way_words,
 )
-from rcj_challenges.views.sheet.nouns import Nouns, listed, quoted
+from rcj_challenges.views.sheet.nouns import Nouns, listed, quoted, quoted_measure
 from rcj_challenges.views.sheet.phrases import degrees, heading, metres, number, seconds, value
 
 
@@ -41,6 +41,11 @@ def _phase_entered(_nouns: Nouns, t: Any) -> str:
     return f"the phase {quoted(t.phase)} begins" + (f" after {quoted(t.from_)}" if t.from_ else "")
 
 
+def _time_reached(_nouns: Nouns, t: Any) -> str:
+    again = f", and again every {seconds(t.every_s)} until it ends" if t.every_s else ""
+    return f"the half has lasted {seconds(t.at_s)}{again}"
+
+
 def _timer_expired(nouns: Nouns, t: Any, each: str | None = None) -> str:
     per, expand = nouns.scenario.timers[t.timer].per, nouns.roster.expand
     if per is None:
@@ -64,7 +69,9 @@ def _leaves(nouns: Nouns, t: Any) -> str:
 
 def _touches(nouns: Nouns, t: Any) -> str:
     again = f", and again every {seconds(t.every_s)} while they touch" if t.every_s else ""
-    return f"{nouns.any_of(t.entity)} touches {nouns.any_of(t.other)}{again}"
+    # What stands fast is touched, whichever of the two is written first.
+    one, other = (t.other, t.entity) if nouns.stands_fast(t.entity) else (t.entity, t.other)
+    return f"{nouns.any_of(one)} touches {nouns.any_of(other)}{again}"
 
 
 def _displaced(nouns: Nouns, t: Any) -> str:
@@ -90,6 +97,9 @@ def _crosses(nouns: Nouns, t: Any) -> str:
 
 
 def _holds(nouns: Nouns, t: Any) -> str:
+    if t.every_s and _is_always(t.condition):
+        first = f"{seconds(t.for_s)} have passed" if t.for_s else "a half starts"
+        return f"{first}, and again every {seconds(t.every_s)}"
     for_s = f"for {seconds(t.for_s)}" if t.for_s else ""
     held = condition_words(nouns, t.condition)
     grace = f" (interruptions of up to {seconds(t.grace_s)} do not count)" if t.grace_s else ""
@@ -98,6 +108,11 @@ def _holds(nouns: Nouns, t: Any) -> str:
     before = _is_several(t.condition) or _asks_a_counter(t.condition)
     lasting = " ".join(filter(None, (for_s, held) if before else (held, for_s)))
     return f"{lasting}{grace}{again}"
+
+
+def _is_always(c: Any) -> bool:
+    """Return whether a condition asks for nothing: some half, as rules have it that count time."""
+    return bool(c.condition == "half" and c.at_least == 1 and c.at_most is None and not c.negate)
 
 
 def _is(nouns: Nouns, c: Any, names: Any, what: str) -> str:
@@ -197,7 +212,7 @@ TRIGGERS: dict[str, Callable[[Nouns, Any], str]] = {
     "half_started": lambda _n, _t: "a half starts",
     "half_ended": lambda _n, _t: "a half is over",
     "phase_entered": _phase_entered,
-    "time_reached": lambda _, t: f"the half has lasted {seconds(t.at_s)}",
+    "time_reached": _time_reached,
     "timer_expired": _timer_expired,
     "enters": lambda n, t: f"{n.any_of(t.entity)} enters {n.any_of(t.zone)}",
     "leaves": _leaves,
@@ -237,7 +252,9 @@ CONDITIONS: dict[str, Callable[[Nouns, Any], str]] = {
     "all_of": _all_of,
     "counter": counter_words,
     "flag": flag_words,
-    "drawn": lambda n, c: f"{n.drawn(c.draw, c.equals)} was {'not ' if c.negate else ''}drawn as {quoted(c.draw)}",
+    "drawn": lambda n, c: (
+        f"{n.drawn(c.draw, c.equals)} was {'not ' if c.negate else ''}drawn as {quoted_measure(c.draw)}"
+    ),
     "timer": timer_words,
     "last_touch": _last_touch,
     "told": _heard,

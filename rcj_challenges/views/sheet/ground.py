@@ -11,7 +11,7 @@ from rcj_challenges.scenario.remembered import remembered_spots
 from rcj_challenges.views.drawing import draw_scenario
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Picture, Table
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
-from rcj_challenges.views.sheet.phrases import degrees, metres, point
+from rcj_challenges.views.sheet.phrases import degrees, metres, metres_alike, point
 
 
 def field_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
@@ -57,8 +57,9 @@ def _goals(nouns: Nouns, field: models.FieldModel) -> str:
     ends = {"positive_y": "+y", "negative_y": "-y"}
     goals = "; ".join(
         f"{nouns.thing(name) if name in nouns.scenario.zones else f'the goal {quoted(name)}'} stands at the "
-        f"{ends[goal.end]} end, {metres(goal.width_m)} wide and {metres(goal.depth_m)} deep"
+        f"{ends[goal.end]} end, {wide} wide and {deep} deep"
         for name, goal in field.goals.items()
+        for wide, deep in [metres_alike((goal.width_m, goal.depth_m))]
     )
     return f"{goals[:1].upper()}{goals[1:]}."
 
@@ -124,6 +125,6 @@ def _obstacle_row(name: str, obstacle: Any, *, colours: bool) -> tuple[str, ...]
 def _shape(obstacle: models.Box | models.Cylinder) -> str:
     if isinstance(obstacle, models.Cylinder):
         return f"cylinder, radius {metres(obstacle.radius_m)}"
-    x, y = obstacle.size_m
+    x, y = metres_alike(obstacle.size_m)
     turned = f", turned by {degrees(obstacle.yaw_rad)}" if obstacle.yaw_rad else ""
-    return f"box, {metres(x)} along its x and {metres(y)} along its y{turned}"
+    return f"box, {x} along its x and {y} along its y{turned}"

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from rcj_challenges.facts.measures import measure_words
 from rcj_challenges.scenario.catalogue import BOUND, EACH, OTHER
 from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.conditions import AtLeast
@@ -31,6 +32,9 @@ _MEASURED = {
 
 _MEASURED_BY_SEVERAL = "what was measured"
 """Said where triggers of one rule measure different things."""
+
+_MOST_NAMED = 4
+"""Of a draw that decides among more places than this the sheet's list of draws says which."""
 
 _GROUPS_OF_ALL = ("robots", "balls", "obstacles")
 _WITHOUT_ARTICLE = frozenset(
@@ -79,6 +83,15 @@ def quoted(name: str) -> str:
     return f"“{plain(name)}”"
 
 
+def quoted_measure(name: str) -> str:
+    """Return the name of what is counted or drawn, with its unit if it ends with one: ``“best (s)”``."""
+    return f"“{measure_words(name)}”"
+
+
+def _quoted_kept(kind: str, name: str) -> str:
+    return quoted_measure(name) if kind == "counter" else quoted(name)
+
+
 def listed(parts: Sequence[str], last: str) -> str:
     """Return parts as a list: ``Y1, Y2 or Y3``."""
     return f" {last} ".join(part for part in (", ".join(parts[:-1]), *parts[-1:]) if part)
@@ -124,8 +137,16 @@ class Nouns:
         kind = self.one_kind(others)
         # "It" is whom a rule goes over. Where somebody else touches, nobody is.
         active = all(getattr(trigger, "entity", None) == "each" for trigger in rule.triggers)
+        if active and rule.for_each is not None and self.stands_fast(rule.for_each):
+            return f"{f'the {kind} that' if kind else 'what'} touches it"
         thing = f"the {kind}" if kind else "what" if active else "what is"
         return f"{thing} {'it touches' if active else 'touched'}"
+
+    def stands_fast(self, names: Names) -> bool:
+        """Return whether names stand for nothing but fixed obstacles; ``each`` is what the rule goes over."""
+        meant = [self.each if name == EACH and self.each is not None else name for name in _tuple(names)]
+        members = self.roster.expand(tuple(meant))
+        return all(name in self.scenario.obstacles and name not in self.roster.entities for name in members)
 
     def one_kind(self, names: Names) -> str:
         """Return of what kind things are; an empty text if they are of several, or of none."""
@@ -148,10 +169,19 @@ class Nouns:
         if bare or (kind not in ("", "robot") and first in _WITHOUT_ARTICLE) or self._one_like_others(name, kind):
             return f"the {kind} {quoted(name)}"
         if name in scenario.draws:
-            return f"what was drawn as {quoted(name)}"
+            return self._place_drawn(name) or f"what was drawn as {quoted_measure(name)}"
         # A name with a number, as most robots have one, is said without article.
         proper = kind in ("", "robot") or first == "the" or any(character.isdigit() for character in name)
         return plain(name) if proper else f"the {plain(name)}"
+
+    def _place_drawn(self, draw: str) -> str:
+        """Return which zone or gate a draw decides on: ``the gate drawn as “door” (gate 1 or gate 2)``."""
+        among = self.roster.drawn.get(draw, ())
+        kind = self.one_kind(among)
+        if kind not in ("zone", "gate"):
+            return ""
+        named = f" ({listed([self.thing(one) for one in among], 'or')})" if len(among) <= _MOST_NAMED else ""
+        return f"the {kind} drawn as {quoted(draw)}{named}"
 
     def drawn(self, draw: str, written: Scalar) -> str:
         """Return a value of a draw: ``“west”``; of a name that the rule has whom it stands for: ``it``."""
@@ -196,14 +226,14 @@ class Nouns:
     def point(self, at: Any) -> str:
         """Return a named thing or a point ``(x, y)``; of a group the nearest of it is meant."""
         if not isinstance(at, str):
-            return f"({at[0]:g}, {at[1]:g})"
+            return f"({at[0] + 0.0:g}, {at[1] + 0.0:g})"  # adding 0 makes no -0
         return f"the nearest of {self._group(at)}" if self._several(at) else self._one(at)
 
     def meant(self, at: Any) -> tuple[str, ...]:
         """Return the names for which a name may stand; none for a point."""
         if not isinstance(at, str):
             return ()
-        return self.roster.expand(self.each if at == EACH and self.each is not None else at)
+        return self.roster.may_be(self.each if at == EACH and self.each is not None else at)
 
     def owned(self, what: str, names: Names, name: str = "") -> str:
         """Return what belongs to one of several: ``its program``, ``the timer “rest” of one of the robots``."""
@@ -218,16 +248,16 @@ class Nouns:
         if kind == "counter" and name in self.scenario.entrants:
             return f"the score of {plain(name)}"
         if entity == "each":
-            return f"its {kind} {quoted(name)}"
+            return f"its {kind} {_quoted_kept(kind, name)}"
         owners = None if entity else self.owners(kind, name)
         if owners is not None:
             of = self.all_of(owners).text
             return (
-                f"the sum of the counters {quoted(name)} of {of}"
+                f"the sum of the counters {_quoted_kept(kind, name)} of {of}"
                 if kind == "counter"
-                else (f"the {kind} {quoted(name)} of any of {of}")
+                else (f"the {kind} {_quoted_kept(kind, name)} of any of {of}")
             )
-        return f"the {kind} {quoted(name)}" + (f" of {self.thing(entity)}" if entity else "")
+        return f"the {kind} {_quoted_kept(kind, name)}" + (f" of {self.thing(entity)}" if entity else "")
 
     def owners(self, kind: str, name: str) -> str | None:
         """Return the group of which each has a counter, flag, timer or sequence of its own; None for a single one."""
@@ -239,7 +269,7 @@ class Nouns:
         one = getattr(self.scenario, f"{kind}s").get(name)
         if entity or one is None or one.per is None:
             return self.kept(kind, name, entity)
-        return f"the {kind} {quoted(name)} of {self.each_of(one.per)}"
+        return f"the {kind} {_quoted_kept(kind, name)} of {self.each_of(one.per)}"
 
     def all_but_each(self, counter: str) -> str:
         """Return whose lowest or highest counter is meant: ``all others on the field``; without ``each`` of all."""
@@ -271,7 +301,7 @@ class Nouns:
 
     def _group(self, name: str) -> str:
         if name in self.scenario.groups:
-            kind = _kind(self.scenario, self.roster.expand(name)[0])
+            kind = next((_kind(self.scenario, member) for member in self.roster.expand(name)), "")
             first = name.lower().partition("_")[0]
             said = not kind or (name.endswith("s") and first not in _WITHOUT_ARTICLE)
             article = "" if first == "the" else "the "

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rcj_challenges.scenario.blanks import description_of
 from rcj_challenges.scenario.followed import followed, phases_of
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.actions import DrawAction, Hold, Place, Score, SequenceAction
@@ -13,14 +14,17 @@ from rcj_challenges.scenario.models.triggers import NoProgress
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.drawing.beside import layouts_of
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table, as_html, as_markdown
-from rcj_challenges.views.sheet.deeds import placing_words, receiver_words
+from rcj_challenges.views.sheet.deeds import placing_words, points_words, receiver_words
 from rcj_challenges.views.sheet.ground import field_blocks
 from rcj_challenges.views.sheet.machines import robot_blocks
-from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
-from rcj_challenges.views.sheet.phrases import amount, lasting, number, seconds, value
+from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted, quoted_measure
+from rcj_challenges.views.sheet.phrases import lasting, number, seconds, value
 from rcj_challenges.views.sheet.rules import rule_blocks, when_words
 from rcj_challenges.views.sheet.spoken import spoken
 from rcj_challenges.views.sheet.told import told_blocks
+
+_OFFICIAL_FOLDER = "rcj_soccer_team_blue"
+"""Where the original looks for the program of every team, of both colours."""
 
 
 def sheet_markdown(scenario: Scenario, roster: Roster, picture: str | None = None) -> str:
@@ -43,7 +47,7 @@ def sheet_blocks(scenario: Scenario, roster: Roster) -> list[Block]:
 def _goal(scenario: Scenario, _nouns: Nouns) -> Iterator[Block]:
     yield Heading(1, scenario.title)
     if scenario.description:
-        yield Paragraph(scenario.description)
+        yield Paragraph(description_of(scenario))
 
 
 def _course(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
@@ -114,10 +118,10 @@ def _beginnings(scenario: Scenario, nouns: Nouns) -> Iterator[str]:
 
 
 def _kept_words(nouns: Nouns, kind: str, name: str) -> str:
-    owners = nouns.owners(kind, name)
+    owners, which = nouns.owners(kind, name), quoted_measure(name) if kind == "counter" else quoted(name)
     if owners is None:
-        return f"The {kind} {quoted(name)} is"
-    return f"There is a {kind} {quoted(name)} for {nouns.each_of(owners)}; it is"
+        return f"The {kind} {which} is"
+    return f"There is a {kind} {which} for {nouns.each_of(owners)}; it is"
 
 
 def _draw_words(nouns: Nouns, name: str, draw: Draw) -> str:
@@ -132,7 +136,7 @@ def _draw_words(nouns: Nouns, name: str, draw: Draw) -> str:
     else:
         keep = "once a match" if draw.keep == "match" else "when a half starts"
     also = "; rules set it as well" if name in _drawn_by_rules(nouns, anew=False) else ""
-    return f"Chance decides {quoted(name)} {keep}: {values}{again}{also}."
+    return f"Chance decides {quoted_measure(name)} {keep}: {values}{again}{also}."
 
 
 def _drawn_by_rules(nouns: Nouns, *, anew: bool) -> set[str]:
@@ -217,7 +221,7 @@ def _points_rows(nouns: Nouns, rule: Rule) -> tuple[tuple[str, str, str], ...]:
     nouns = nouns.within(rule)
     for action in rule.actions:
         if isinstance(action, Score):
-            points.setdefault(receiver_words(nouns, action.entrant), []).append(amount(nouns, action.points))
+            points.setdefault(receiver_words(nouns, action.entrant), []).append(points_words(nouns, action))
     when = spoken(nouns, rule) or when_words(rule, nouns)
     first = dict.fromkeys(list(points)[:1], when)
     return tuple((first.get(who, "at the same time"), who, ", plus ".join(parts)) for who, parts in points.items())
@@ -228,8 +232,9 @@ def _criterion_words(nouns: Nouns, criterion: RankByScore | RankByTime | RankByC
         return "more points" if criterion.score == "descending" else "fewer points"
     if isinstance(criterion, RankByCounter):
         larger = "larger" if criterion.order == "descending" else "smaller"
-        return f"a {larger} value of {_own_counter(nouns, criterion.counter)}"
-    time = f"a {'shorter' if criterion.time == 'ascending' else 'longer'} time"
+        return f"a {larger} value of {_own_counter(nouns, criterion.counter)}{_added_up(nouns, criterion.counter)}"
+    halves = " (of all halves together)" if nouns.scenario.match.halves > 1 else ""
+    time = f"a {'shorter' if criterion.time == 'ascending' else 'longer'} time{halves}"
     changes = [
         f"{seconds(abs(part.weight))} {'taken off' if part.weight < 0 else 'added'} for each count of "
         f"{_own_counter(nouns, part.counter)}"
@@ -238,12 +243,18 @@ def _criterion_words(nouns: Nouns, criterion: RankByScore | RankByTime | RankByC
     return f"{time}, with {listed(changes, 'and')}" if changes else time
 
 
+def _added_up(nouns: Nouns, name: str) -> str:
+    """Return that what was counted in each half is added; a counter that is kept goes on by itself."""
+    several = nouns.scenario.match.halves > 1 and nouns.scenario.counters[name].keep != "match"
+    return " (all halves added up)" if several else ""
+
+
 def _own_counter(nouns: Nouns, name: str) -> str:
     """Return what of a counter counts for one who competes: of one kept per robot, the sum of those of its robots."""
     owners = nouns.owners("counter", name)
     if owners is None or not set(nouns.scenario.robots) & set(nouns.roster.expand(owners)):
         return nouns.kept("counter", name, None)
-    return f"the sum of the counters {quoted(name)} of its own robots"
+    return f"the sum of the counters {quoted_measure(name)} of its own robots"
 
 
 def _places(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
@@ -257,6 +268,23 @@ def _places(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
         yield Paragraph(f"{quoted(name)}: {'; '.join(placing_words(nouns, placing) for placing in layout)}.")
 
 
+def _entry_words(scenario: Scenario) -> Iterator[Block]:
+    """Return what several places of one program mean, and that a folder named after a colour is everybody's."""
+    places = {
+        (robot, place)
+        for entrant in scenario.entrants.values()
+        for robot, entries in entrant.robots.items()
+        for place in (entries if isinstance(entries, tuple) else (entries,))
+    }
+    if any(isinstance(entries, tuple) for one in scenario.entrants.values() for entries in one.robots.values()):
+        yield Paragraph(
+            "Where several places are named for a program, it lies in one of them: the first that exists is taken."
+        )
+    official = f"{_OFFICIAL_FOLDER}/"
+    if any(place.startswith(official) and scenario.robots[robot].colour != "blue" for robot, place in places):
+        yield Paragraph(f"The folder {_OFFICIAL_FOLDER} has this name for every team, whichever colour it plays.")
+
+
 def _submission(scenario: Scenario, _nouns: Nouns) -> Iterator[Block]:
     yield Heading(2, "What to hand in")
     rows = [
@@ -265,6 +293,10 @@ def _submission(scenario: Scenario, _nouns: Nouns) -> Iterator[Block]:
         for robot, entries in entrant.robots.items()
     ]
     yield Table(("who", "robot", "program"), tuple(rows))
+    yield from _entry_words(scenario)
+    asked = [set(entrant.robots.values()) for entrant in scenario.entrants.values()]
+    if scenario.match.swap_sides and scenario.match.halves > 1 and any(one != asked[0] for one in asked):
+        yield Paragraph("As the teams change sides, each of them hands in all these programs.")
     limits = scenario.limits
     yield Paragraph(
         f"Limits: {seconds(limits.start_s)} to the first step, {seconds(limits.step_s)} for a step "

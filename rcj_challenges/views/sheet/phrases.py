@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from rcj_challenges.scenario.models import state
-from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
+from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted, quoted_measure
 
 
 def number(value: float) -> str:
@@ -24,12 +24,18 @@ def lasting(nouns: Nouns, lasts_s: float | state.DrawnDuration) -> str:
     if not isinstance(lasts_s, state.DrawnDuration):
         return seconds(lasts_s)
     times_s = sorted({float(value) for value in nouns.scenario.draws[lasts_s.draw].values})
-    return f"{listed([seconds(time_s) for time_s in times_s], 'or')}, as {quoted(lasts_s.draw)} is drawn"
+    return f"{listed([seconds(time_s) for time_s in times_s], 'or')}, as {quoted_measure(lasts_s.draw)} is drawn"
 
 
 def metres(value: float) -> str:
     """Return a length in m, or in cm below 10 cm."""
     return f"{value * 100:g} cm" if value < 0.1 else f"{value:g} m"
+
+
+def metres_alike(values: Sequence[float]) -> list[str]:
+    """Return lengths that stand side by side in one unit: in m, or all in cm where one is below 10 cm, none 1 m."""
+    small = any(0 < value < 0.1 for value in values) and all(value < 1 for value in values)
+    return [f"{value * 100:g} cm" if small else f"{value:g} m" for value in values]
 
 
 def degrees(value_rad: float) -> str:
@@ -44,7 +50,7 @@ def heading(yaw_rad: float) -> str:
 
 def point(at: tuple[float, float]) -> str:
     """Return a point of the floor: ``(0.45, 0)``."""
-    return f"({at[0]:g}, {at[1]:g})"
+    return f"({at[0] + 0.0:g}, {at[1] + 0.0:g})"
 
 
 def times(count: int) -> str:
@@ -65,9 +71,9 @@ def amount(nouns: Nouns, value: Any) -> str:
     if isinstance(value, tuple):
         return _sum(nouns, value)
     if isinstance(value, state.LowestOfOthers):
-        return f"the lowest counter {quoted(value.lowest)} of {nouns.all_but_each(value.lowest)}"
+        return f"the lowest counter {quoted_measure(value.lowest)} of {nouns.all_but_each(value.lowest)}"
     if isinstance(value, state.HighestOfOthers):
-        return f"the highest counter {quoted(value.highest)} of {nouns.all_but_each(value.highest)}"
+        return f"the highest counter {quoted_measure(value.highest)} of {nouns.all_but_each(value.highest)}"
     return _counted(nouns, value) or nouns.kept("counter", value.counter, value.entity)
 
 
@@ -158,7 +164,7 @@ def _number_heard(nouns: Nouns, model: state.NumberTold) -> str:
 
 
 def _drawn(_nouns: Nouns, model: state.DrawValue) -> str:
-    return f"what was drawn as {quoted(model.draw)}"
+    return f"what was drawn as {quoted_measure(model.draw)}"
 
 
 _VALUES: dict[type, Callable[[Nouns, Any], str]] = {

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rcj_challenges.scenario.models.actions import LastToucher
+from rcj_challenges.scenario.models.actions import LastToucher, Place, Remove
 from rcj_challenges.scenario.models.conditions import LastTouch
+from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import LastTouchValue
 from rcj_challenges.scenario.other import names_other, others_of
@@ -33,6 +34,7 @@ def rule_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     if exclusive:
         yield Items(exclusive)
     yield from _last_touch(scenario)
+    yield from _room(scenario)
 
 
 def _phases_words(scenario: Scenario) -> str:
@@ -101,6 +103,19 @@ def _last_touch(scenario: Scenario) -> Iterator[Block]:
         yield Paragraph(
             "The last to touch something is who touched it last since a rule put it where it is; if nobody has, "
             f"there is none{nobody}."
+        )
+
+
+def _room(scenario: Scenario) -> Iterator[Block]:
+    """Return a sentence about what finds no room, where rules put things and do not say what happens then."""
+    models = [model for model, _ in visit((*scenario.rules.values(), scenario.placements))]
+    placed = (isinstance(model, Place) and model.layout is None and model.on_failure == "retry" for model in models)
+    laid = (isinstance(model, Placing) and model.on_failure == "retry" for model in models)
+    back = (isinstance(model, Remove) and model.for_s is not None for model in models)
+    if any(placed) or any(laid) or any(back):
+        yield Paragraph(
+            "What a rule puts somewhere waits until there is room: while something else stands there, it stays where "
+            "it is (or off the field), and it is put there as soon as the place is free."
         )
 
 

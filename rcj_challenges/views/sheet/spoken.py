@@ -39,10 +39,10 @@ def spoken(nouns: Nouns, rule: Rule) -> str:
         return ""
     filled = {
         "{entity}": _subject(nouns, rule),
-        "{each}": "" if rule.for_each is None else f"the {nouns.kinds_of(rule.for_each)}",
+        "{each}": "" if rule.for_each is None else f"the {nouns.kinds_of(rule.for_each) or plain(rule.for_each)}",
         "{other}": _other(nouns, rule),
         "{team}": _team(nouns, rule),
-        "{measured}": OPEN,
+        "{measured}": _measured(nouns, rule),
         "{limit}": _limit(nouns, rule),
         "{points}": OPEN,
     }
@@ -63,7 +63,7 @@ def _first_of_a_group(nouns: Nouns, rule: Rule, words: str) -> str:
     gate {each}” is “one of the doors” as well: before a name the kind makes sense, before a group it does not.
     """
     group = rule.for_each if rule.for_each in nouns.scenario.groups else None
-    if group is None or len(nouns.roster.expand(group)) == 1:
+    if group is None or len(nouns.roster.expand(group)) <= 1:
         return words
     blanks = ("{each}", "{entity}") if _goes_over_entities(nouns, rule) else ("{each}",)
     first = min((blank for blank in blanks if blank in words), key=words.index, default=None)
@@ -90,8 +90,8 @@ def _goes_over_entities(nouns: Nouns, rule: Rule) -> bool:
 
 
 def _is_on_the_field(nouns: Nouns, name: str) -> bool:
-    """Return whether a name stands for robots, balls or obstacles: zones and gates are nobody."""
-    return nouns.roster.expand(name)[0] in nouns.roster.entities
+    """Return whether a name stands for robots, balls or obstacles: zones, gates and empty groups do not."""
+    return any(member in nouns.roster.things for member in nouns.roster.expand(name)[:1])
 
 
 def _other(nouns: Nouns, rule: Rule) -> str:
@@ -106,7 +106,10 @@ def _other(nouns: Nouns, rule: Rule) -> str:
 
 def _team(nouns: Nouns, rule: Rule) -> str:
     """Return the team of all that a rule can be about, if it is one and the same."""
-    names = (rule.for_each or "",) if _goes_over_entities(nouns, rule) else _concerned(nouns, rule)
+    each = nouns.roster.expand(rule.for_each or ())
+    # Nobody drives a ball or an obstacle: then it is the team of who came to it.
+    goes_over_robots = any(name in nouns.scenario.robots for name in each)
+    names = each if goes_over_robots else tuple(name for name in _concerned(nouns, rule) if name != "each")
     entrants = nouns.scenario.entrants.items()
     seats = {
         next((seat for seat, entrant in entrants if member in entrant.robots), None)
@@ -120,6 +123,17 @@ def _limit(nouns: Nouns, rule: Rule) -> str:
     limits = {_limit_of(nouns, trigger) for trigger in rule.triggers}
     only = limits.pop() if len(limits) == 1 else None
     return OPEN if only is None else number(round(only, 3))
+
+
+def _measured(nouns: Nouns, rule: Rule) -> str:
+    """Return what is measured where that is known before: what lasts so long fires when it has lasted so long."""
+    return _limit(nouns, rule) if all(map(_fires_at_its_limit, rule.triggers)) else OPEN
+
+
+def _fires_at_its_limit(trigger: Any) -> bool:
+    if trigger.trigger == "holds":
+        return bool(trigger.for_s) and not trigger.every_s and not trigger.grace_s
+    return trigger.trigger in ("timer_expired", "time_reached")
 
 
 def _limit_of(nouns: Nouns, trigger: Any) -> float | None:

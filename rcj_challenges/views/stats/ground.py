@@ -70,7 +70,7 @@ def _ends_entered(rule: Rule, scenario: Scenario, roster: Roster) -> set[int]:
 def _members(names: str | tuple[str, ...], rule: Rule, roster: Roster) -> list[str]:
     every = (names,) if isinstance(names, str) else names
     meant = (rule.for_each if name == EACH and rule.for_each is not None else name for name in every)
-    return [member for name in meant for member in roster.groups.get(name, (name,))]
+    return [member for name in meant for member in roster.may_be(name)]
 
 
 def _middle_y(zone: Zone, field: FieldModel) -> float:

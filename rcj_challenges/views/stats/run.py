@@ -157,18 +157,17 @@ def _emitting(scenario: Scenario) -> dict[str, set[str]]:
 def _labels(run: RunRecord) -> dict[tuple[str, str], str]:
     """Return by team and robot what the robot is called: all names that its program had in the run, ``B1/Y1``.
 
-    The n-th robot of a seat and the n-th of the seat that the team changes to are one: the same program drives them.
+    The n-th robot of a seat and the n-th of the seat that the team changes to are one, if the same program drives them.
     """
     seats = list(run.scenario.entrants)
     changes = run.scenario.match.swap_sides and run.scenario.match.halves > 1
     labels = {}
     for seat, entrant in run.scenario.entrants.items():
-        names = list(entrant.robots)
         other = seats[seats.index(seat) - 1]
-        others = list(run.scenario.entrants[other].robots) if changes else []
-        for place, name in enumerate(names):
-            both = f"{name}/{others[place]}" if place < len(others) else name
-            labels[seat, name] = both
-            if place < len(others):
-                labels[seat, others[place]] = both
+        others = list(run.scenario.entrants[other].robots.items()) if changes else []
+        for place, (name, program) in enumerate(entrant.robots.items()):
+            twin = others[place][0] if place < len(others) and others[place][1] == program else None
+            labels[seat, name] = name if twin is None else f"{name}/{twin}"
+            if twin is not None:
+                labels[seat, twin] = labels[seat, name]
     return labels

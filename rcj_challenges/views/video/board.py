@@ -44,8 +44,9 @@ class Board:
         time = self._lettering.mask(clock(t_s), self._text_px, bold=True)
         frame.paste(WHITE, (self._gap, self._line_top(self._text_px)), time)
         self._write_captions(frame, moment)
-        if moment.title:
-            self._write_title(frame, moment.title)
+        top = self.height + self._gap
+        for line in filter(None, (moment.title, *self._footage.counted(half, t_s))):
+            top = self._write_line(frame, line, top)
 
     def _line_top(self, size: int) -> int:
         # Capitals are about 0.72 of the size tall: they are centred in the strip.
@@ -72,7 +73,8 @@ class Board:
     def _draw_pair(self, strip: Image.Image, half: int, scores: tuple[tuple[str, float], ...], room: int) -> None:
         (left, left_score), (right, right_score) = scores
         middle = strip.width // 2
-        points = self._lettering.mask(f"{left_score:g} : {right_score:g}", self._text_px, bold=True)
+        between = f"{left_score:g} : {right_score:g}" if self._footage.shows_score else ":"
+        points = self._lettering.mask(between, self._text_px, bold=True)
         strip.paste(WHITE, (middle - points.width // 2, self._line_top(self._text_px)), points)
         chip, inner = round(self.height * 0.36), middle - points.width // 2 - self._gap
         widest = room // 2 - (middle - inner) - chip - self._gap
@@ -89,7 +91,7 @@ class Board:
         each = room // max(len(scores), 1)
         pieces = []
         for team, score in scores:
-            points = self._lettering.mask(f"{score:g}", self._text_px, bold=True)
+            points = self._lettering.mask(f"{score:g}" if self._footage.shows_score else "", self._text_px, bold=True)
             name = self._name(team, each - chip - points.width - 3 * self._gap)
             pieces.append((team, name, points, chip + name.width + points.width + 2 * self._gap))
         x = (strip.width - sum(width for *_, width in pieces)) // 2
@@ -136,7 +138,8 @@ class Board:
             colour = rgb(str(event["colour"] or "#f59f00"))
         size = round(self._caption_px * (1.2 if scored else 1.0))
         head = str(event["name"]).replace("_", " ") + (f"   {event['standing']}" if event["standing"] else "")
-        return self._box(head, str(event["about"]), colour if scored else BOARD, colour, size)
+        text = " · ".join(filter(None, (str(event["about"]), str(event["told"]))))
+        return self._box(head, text, colour if scored else BOARD, colour, size)
 
     def _box(self, head: str, text: str, ground: Rgb, mark: Rgb, size: int) -> Image.Image:
         """Return a box with a heading and a text: beside it if there is room, else below it."""
@@ -162,11 +165,13 @@ class Board:
             box.paste((*mixed(ink, ground, 0.15), 255), place, second)
         return box
 
-    def _write_title(self, frame: Image.Image, title: str) -> None:
+    def _write_line(self, frame: Image.Image, line: str, top: int) -> int:
+        """Write a line on the left, under the board; returns where the next one begins."""
         size = self._small_px
         pad = round(size * 0.5)
-        text = self._lettering.fitted(title, size, frame.width // 2)
+        text = self._lettering.fitted(line, size, round(frame.width * 0.6))
         mask = self._lettering.mask(text, size, bold=True)
         box = Image.new("RGBA", (mask.width + 2 * pad, line_height(size) + pad), (*EDGE, 200))
-        frame.paste(box, (self._gap, self.height + self._gap), box)
-        frame.paste(WHITE, (self._gap + pad, self.height + self._gap + pad // 2 + round(size * 0.05)), mask)
+        frame.paste(box, (self._gap, top), box)
+        frame.paste(WHITE, (self._gap + pad, top + pad // 2 + round(size * 0.05)), mask)
+        return top + box.height + self._gap // 4

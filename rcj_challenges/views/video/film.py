@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from contextlib import suppress
 from fractions import Fraction
 from pathlib import Path
@@ -32,9 +33,9 @@ _CODECS = {
 class Film:
     """An MP4 that grows frame by frame.
 
-    It is written beside its final place as ``NAME.tmp``. Only a finished film gets its name. One that is interrupted
-    (Ctrl-C) is closed properly and kept as ``NAME.part.mp4``: what was made can be watched. After any other error
-    nothing is left.
+    It is written beside its final place under a name that ends in ``.tmp``. Only a finished film gets its name. One
+    that is interrupted (Ctrl-C) is closed properly and kept as ``NAME.part.mp4``: what was made can be watched. After
+    any other error nothing is left.
 
     Attributes:
         path: where it will be.
@@ -46,7 +47,7 @@ class Film:
         self.path = path
         self.part = path.with_name(f"{path.stem}.part.mp4")
         self.codec = next(name for name in _CODECS if name in av.codec.codecs_available)
-        self._temporary = path.with_name(path.name + ".tmp")
+        self._temporary = path.with_name(f"{path.name}.{os.getpid()}.tmp")
         self._size, self._fps, self._title = size, fps, title
         self._queue: Queue[av.VideoFrame | None] = Queue(_WAITING_FRAMES)
         self._error: BaseException | None = None

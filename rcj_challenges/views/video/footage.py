@@ -24,6 +24,7 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.replay.story import Story, tell
 from rcj_challenges.views.replay.things import visible_things
+from rcj_challenges.views.standing import counted_line, shows_score
 
 Poses = npt.NDArray[np.float64]
 """``[entity] -> x, y, yaw, z``: metres and radians; NaN for what is not on the field."""
@@ -187,6 +188,22 @@ class Footage:
             if at <= tick:
                 standing = points
         return {team: standing.get(team, 0) for team in self.titles}
+
+    @property
+    def shows_score(self) -> bool:
+        """Whether there are points to show."""
+        return shows_score(self.scenario)
+
+    def counted(self, half: HalfFootage, t_s: float) -> tuple[str, ...]:
+        """Return what counts in the ranking beside the score at a time of a half, a line for each team."""
+        tick, values = half.tick_at(t_s), {}
+        for at, counted in self.story.counted.get(half.info.half, ()):
+            if at <= tick:
+                values = counted
+        lines = {team: counted_line(self.scenario, own) for team, own in values.items()}
+        if len(lines) == 1:
+            return tuple(lines.values())
+        return tuple(f"{self.titles[team]}: {line}" for team, line in lines.items() if team in self.titles)
 
     def events(self, half: int) -> list[dict[str, Any]]:
         """Return the events of a half in order, as the replay page tells them."""

@@ -4,6 +4,7 @@
 #: tick = 10
 #: ends = "plays on"
 #: said = ["asked"]
+#: variant = true
 
 
 import arena

@@ -5,6 +5,7 @@
 #: tick = 10
 #: ends = "plays on"
 #: said = ["plays on"]
+#: variant = true
 
 import contextlib
 import locale

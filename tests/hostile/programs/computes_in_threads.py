@@ -4,6 +4,7 @@
 #: tick = 10
 #: ends = "plays on"
 #: said = ["plays on"]
+#: variant = true
 
 import threading
 

@@ -4,6 +4,7 @@
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "too many settings"
+#: variant = true
 
 import struct
 

@@ -4,6 +4,7 @@
 #: tick = 0
 #: ends = "start_timeout at 0"
 #: limits = {start_s = 3}
+#: variant = true
 
 import signal
 

@@ -5,6 +5,7 @@
 #: tick = 10
 #: ends = "plays on"
 #: said = ["gone: "]
+#: variant = true
 
 import os
 import shutil

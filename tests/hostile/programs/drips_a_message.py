@@ -4,6 +4,7 @@
 #: tick = 10
 #: ends = "step_timeout at 10"
 #: cause = "did not call step"
+#: variant = true
 
 import os
 import struct

@@ -4,6 +4,7 @@
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "a velocity of 100 rad/s"
+#: variant = true
 
 
 import arena

@@ -3,6 +3,7 @@
 #: holds = "the report is bounded, and where it is not the wall limit is"
 #: tick = 10
 #: ends = "crash at 10"
+#: variant = true
 
 import arena
 

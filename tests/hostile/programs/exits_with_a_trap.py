@@ -4,6 +4,7 @@
 #: tick = 10
 #: ends = "exit at 10"
 #: cause = "the program called sys.exit"
+#: variant = true
 
 import sys
 

@@ -4,6 +4,7 @@
 #: tick = 10
 #: ends = "plays on"
 #: said = ["the end of it"]
+#: variant = true
 
 import arena
 

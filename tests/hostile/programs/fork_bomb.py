@@ -7,6 +7,7 @@
 #: ends = "plays on"
 #: succeeds_without = true
 #: said = ["refused: fork", "refused: forkpty"]
+#: variant = true
 
 import os
 

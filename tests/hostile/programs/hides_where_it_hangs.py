@@ -4,6 +4,7 @@
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "step_timeout at 10"
+#: variant = true
 
 import faulthandler
 import signal

@@ -5,6 +5,7 @@
 #: tick = 10
 #: ends = "crash at 10"
 #: cause = "SIGKILL"
+#: variant = true
 
 import os
 import signal

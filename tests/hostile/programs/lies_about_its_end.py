@@ -4,6 +4,7 @@
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "a farewell that is none"
+#: variant = true
 
 import struct
 

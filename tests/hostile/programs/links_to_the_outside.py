@@ -21,8 +21,8 @@ os.symlink(".", "circle")
 os.symlink(treasure, "treasure")
 os.symlink("nowhere", "rcj-hostile-nowhere")
 os.chdir(home)
-shutil.rmtree("team")
-os.symlink(treasure, "team")
+shutil.rmtree("controllers")
+os.symlink(treasure, "controllers")
 try:
     os.link(os.path.join(treasure, "keep.txt"), "hard")
 except OSError as error:

@@ -6,6 +6,7 @@
 #: limits = {start_s = 3}
 #: cause = "did not call step within 3 s"
 #: said = ["robot1.py|robot2.py|robot3.py"]
+#: variant = true
 
 while True:
     pass

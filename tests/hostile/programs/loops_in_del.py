@@ -4,6 +4,7 @@
 #: tick = 10
 #: ends = "step_timeout at 10"
 #: said = ["in __del__"]
+#: variant = true
 
 import arena
 

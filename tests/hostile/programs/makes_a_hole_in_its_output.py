@@ -5,6 +5,7 @@
 #: tick = 10
 #: ends = "output_flood at 10"
 #: limits = {output_mb = 0.2, scratch_mb = 2.0}
+#: variant = true
 
 import os
 
@@ -12,5 +13,4 @@ import arena
 
 arena.drive(10)
 os.ftruncate(1, 2_000_000)
-while True:
-    pass
+arena.hang()

@@ -14,5 +14,4 @@ arena.drive(10)
 for number in range(300):
     open(f"rcj-hostile-{number}", "wb").close()
     os.mkdir(f"rcj-hostile-folder-{number}")
-while True:
-    pass
+arena.hang()

@@ -14,5 +14,4 @@ arena.drive(10)
 for number in range(1200):
     os.mkdir("rcj-hostile" if number % 2 else "d")
     os.chdir("rcj-hostile" if number % 2 else "d")
-while True:
-    pass
+arena.hang()

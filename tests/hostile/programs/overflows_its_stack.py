@@ -4,6 +4,7 @@
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "crash at 10"
+#: variant = true
 
 import sys
 

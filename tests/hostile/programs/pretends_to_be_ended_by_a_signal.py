@@ -3,6 +3,7 @@
 #: holds = "whatever its status is, it has ended"
 #: tick = 10
 #: ends = "crash|exit at 10"
+#: variant = true
 
 import os
 

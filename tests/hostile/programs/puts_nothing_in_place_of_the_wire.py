@@ -4,6 +4,7 @@
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "closed its connection"
+#: variant = true
 
 import os
 

@@ -4,6 +4,7 @@
 #: tick = 10
 #: ends = "crash at 10"
 #: cause = "Unheard: of .robot./robot.\\.py, line "
+#: variant = true
 
 import arena
 

@@ -15,7 +15,7 @@ import arena
 
 
 def find():
-    for name in glob.glob(os.path.join(os.path.dirname(os.environ["HOME"]), "rcj-B*", "team", "plan.txt")):
+    for name in glob.glob(os.path.join(os.path.dirname(os.environ["HOME"]), "rcj-B*", "controllers", "plan.txt")):
         return open(name).read()
     raise FileNotFoundError
 

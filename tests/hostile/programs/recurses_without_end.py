@@ -5,6 +5,7 @@
 #: ends = "crash at 10"
 #: cause = "RecursionError"
 #: said = ["repeated \\d+ more times"]
+#: variant = true
 
 import arena
 

@@ -4,6 +4,7 @@
 #: tick = 10
 #: ends = "plays on"
 #: said = ["over at last"]
+#: variant = true
 
 import sys
 

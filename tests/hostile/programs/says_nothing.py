@@ -4,6 +4,7 @@
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "an empty message"
+#: variant = true
 
 import os
 

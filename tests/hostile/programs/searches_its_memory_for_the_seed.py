@@ -4,6 +4,7 @@
 #: tick = 10
 #: ends = "plays on"
 #: said = ["looked at \\d+ dicts"]
+#: variant = true
 
 import gc
 

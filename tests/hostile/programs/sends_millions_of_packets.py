@@ -4,6 +4,7 @@
 #: tick = 10
 #: ends = "plays on"
 #: said = ["the packet is dropped", "plays on"]
+#: variant = true
 
 import arena
 

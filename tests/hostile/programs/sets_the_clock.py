@@ -6,6 +6,7 @@
 #: tick = 10
 #: ends = "plays on"
 #: said = ["refused: clock_settime", "refused: settimeofday", "the real year is 20"]
+#: variant = true
 
 import ctypes
 

@@ -4,6 +4,7 @@
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "advance by no tick"
+#: variant = true
 
 
 import arena

@@ -1,8 +1,9 @@
 #: about = "processes and system"
 #: tries = "to call step from many threads at once"
-#: holds = "the protocol: answers that come in no order end it"
+#: holds = "threads that step take turns, and each step is a whole one"
 #: tick = 10
-#: ends = "protocol"
+#: ends = "plays on"
+#: said = ["plays on"]
 
 import threading
 
@@ -10,12 +11,12 @@ import arena
 
 THREADS = 8
 
-# Steps that happen to come one after the other are no fault: all begin together, again and again.
+# All begin together, again and again.
 together = threading.Barrier(THREADS + 1)
 
 
 def step():
-    while True:
+    for _ in range(5):
         together.wait()
         arena.robot.step(32)
 
@@ -25,3 +26,4 @@ others = [threading.Thread(target=step, daemon=True) for _ in range(THREADS)]
 for other in others:
     other.start()
 step()
+arena.play_on()

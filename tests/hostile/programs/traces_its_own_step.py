@@ -3,6 +3,7 @@
 #: holds = "the wall limit of a step"
 #: tick = 10
 #: ends = "step_timeout at 10"
+#: variant = true
 
 import sys
 

@@ -4,6 +4,7 @@
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "a position of (-inf|nan) rad"
+#: variant = true
 
 
 import arena

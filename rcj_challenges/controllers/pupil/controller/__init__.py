@@ -6,6 +6,7 @@ its own too, as in R2023a (``controller.gps``); they are read only by programs t
 
 from __future__ import annotations
 
+import os
 import sys
 
 from .device import Device, Sensor
@@ -61,6 +62,8 @@ __all__ = [
     "Supervisor",
     "TouchSensor",
     "VacuumGripper",
+    "os",  # up to R2022b `import *` gave these two as well, for the module had imported them
+    "sys",
 ]
 
 _SELDOM_IMPORTED = {

@@ -22,6 +22,10 @@ if TYPE_CHECKING:
 
 _RESERVE_BYTES = 4 << 20  # of addresses, never touched; Python 3.14 needs more than 1 MB to tell of an error
 _MOST_TOLD = 2_000  # letters
+_PYTHONS_HOOK = sys.excepthook
+_SWITCH_S = 0.000_2
+"""How long a thread of a program may compute while the one that steps wants to go on, as it does twice in a step.
+Python's own 5 ms would, with one that computes for ever, use up more than a half allows."""
 
 
 class Boot:
@@ -39,6 +43,7 @@ class Boot:
         if not hello["debug"]:
             self._output = Output(self._limits["output_bytes"], self._flooded, self._names)
         self._hub = _hub.Hub(wire, hello, self._clock, self._output)
+        self._hub.root = self._root
 
     def confine(self) -> None:
         """Isolate this process, as long as it has but one thread: all that it starts inherits the layers."""
@@ -51,6 +56,7 @@ class Boot:
     def run(self) -> None:
         """Run the program and tell the match how it ended, unless the match ended it."""
         _hub.connect(self._hub)
+        sys.setswitchinterval(_SWITCH_S)
         self._prepare_modules()
         reserve = bytearray(_RESERVE_BYTES)  # given back before a lack of memory is told
         try:
@@ -96,8 +102,10 @@ class Boot:
             "numpy": _for_numpy("restore_old_names"),
             "scipy": _for_numpy("restore_names_of_numpy"),
             "scipy.integrate": _for_numpy("restore_integrals"),
-            "scipy.misc": _for_numpy("restore_derivative"),
+            "scipy.linalg": _for_numpy("restore_matrices"),
+            "scipy.misc": _for_numpy("restore_of_misc"),
             "scipy.signal": _for_numpy("restore_windows"),
+            "scipy.stats": _for_numpy("restore_mode"),
             "numpy.random.bit_generator": _chance.seed_numpy_entropy(seeds[1]),
             "numpy.random": _chance.seed_numpy_global(seeds[2]),
             "signal": lambda signal: _signals.make_patient(signal, self._hub),
@@ -126,8 +134,10 @@ class Boot:
 
     def _crashed(self, kind: str, error: BaseException) -> None:
         detail, trace = _report.describe(error, self._root, self._names)
+        is_told = _told_by_its_hook(error, self._root + os.sep)
         if self._hub.over:
-            _print_quietly(trace or detail)
+            if not is_told:
+                _print_quietly(trace or detail)
         else:
             self._end(kind, detail, trace)
 
@@ -180,6 +190,21 @@ def _wait_for_threads() -> None:
         for thread in threading.enumerate():
             if thread is not threading.current_thread() and not thread.daemon:
                 thread.join()
+
+
+def _told_by_its_hook(error: BaseException, inside: str) -> bool:
+    """Call what the program has put in the place of ``sys.excepthook``, as Python does; return whether there is any."""
+    hook = getattr(sys, "excepthook", _PYTHONS_HOOK)
+    if hook is _PYTHONS_HOOK:
+        return False
+    trace = error.__traceback__
+    while trace is not None and not trace.tb_frame.f_code.co_filename.startswith(inside):
+        trace = trace.tb_next  # it begins with what has started the program
+    try:
+        hook(type(error), error, trace)
+    except BaseException as failed:  # noqa: BLE001 - it may raise anything; what it was called for is told all the same
+        _print_quietly(f"Error in sys.excepthook: {type(failed).__name__}")
+    return True
 
 
 class _Uncounted:

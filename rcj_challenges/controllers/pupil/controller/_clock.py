@@ -1,12 +1,12 @@
 """The simulated clock: what ``time`` and ``datetime`` show to a program.
 
 The clock stands still between two steps, except that each reading by the thread that steps advances it by 1 µs (by
-20 µs where it only waits for time to pass), and that its ``time.sleep`` advances it by what was asked for. Time that
+50 µs where it only waits for time to pass), and that its ``time.sleep`` advances it by what was asked for. Time that
 passed this way beyond whole ticks is what the program missed: its next ``step`` says so. Until the first ``step`` that
 thread is the main one, if it is the only one.
 
 Other threads wait for simulated time to come. While no tick begins, because the thread that steps computes or waits for
-them, the real one counts for them instead: nobody waits for ever.
+them, their clock goes on by itself (`Beside`): nobody waits for ever.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import sys
 import time
 from _thread import LockType, _count, allocate_lock, get_ident
 
+from ._beside import Beside, real_monotonic, real_process_time
 from ._hooks import Unbound
 
 TYPE_CHECKING = False
@@ -26,18 +27,17 @@ EPOCH_NS = 1_704_067_200_000_000_000
 """Every half begins at 2024-01-01T00:00:00Z: any fixed date serves, this one is a plausible one."""
 
 _READING_NS = 1_000
-_WAITS_FROM_NS = 1_000_000
-"""Who has looked at the clock a thousand times since the last step waits for it, and need not look a million times a
-second: with ``datetime.now`` that would take longer than a step may."""
-_WAITING_NS = 20_000
+_WAITS_FROM_NS = 100_000
+"""Who has looked at the clock a hundred times since the last step waits for it, and need not look a million times a
+second: with ``datetime.now`` that would take longer than a step may. Nor need who plans until 10 ms have passed go
+round a thousand times: that would take longer than the 6 ms that a step may in the long run."""
+_WAITING_NS = 50_000
 _MOST_MISSED = 2**31 - 1
-_STANDSTILL_S = 0.1
-"""Where no tick has begun for so long, real time counts for the threads that do not step. In a match that is played at
-the pace of the clock on the wall, one begins every 0.032 s."""
-_LONGEST_WAIT_S = 1e6
+_ENDLESS_S = float("inf")
+_LEAST_SLICE_S, _FIRST_SLICE_S, _LONGEST_SLICE_S = 0.001, 0.002, 0.1
 
-real_monotonic = time.monotonic
-real_process_time = time.process_time
+__all__ = ["Clock", "dates_of", "real_monotonic", "real_process_time", "show_simulated_time"]
+
 _real_sleep = time.sleep
 
 
@@ -52,8 +52,7 @@ class Clock:
         self._has_stepped = False
         self._our_threads = _count()
         self._sleepers: list[tuple[float, LockType]] = []
-        self._tick_seen_s: float | None = None  # when a tick began last, in real time; None: nobody has asked yet
-        self._stood_still_s = 0.0
+        self.beside = Beside()
 
     def count_our_threads(self) -> None:
         """Take note of the threads that there are: the program has started none of them."""
@@ -67,7 +66,8 @@ class Clock:
         """Return simulated nanoseconds since the half began; the reading itself takes time of the thread that steps."""
         if get_ident() == self._stepping or self._steps_again():
             self._since_ns += _READING_NS if self._since_ns < _WAITS_FROM_NS else _WAITING_NS
-        return self._tick_began_ns + self._since_ns
+            return self._tick_began_ns + self._since_ns
+        return self._tick_began_ns + self._since_ns + self.beside.read_ns()
 
     def unix_ns(self) -> int:
         """Return simulated nanoseconds since 1970."""
@@ -94,16 +94,12 @@ class Clock:
         return True
 
     def others_s(self) -> float:
-        """Return what threads that do not step measure waits by: simulated seconds, real ones at a standstill."""
-        now_s = real_monotonic()
-        if self._tick_seen_s is None:
-            self._tick_seen_s = now_s
-        standing_s = max(0.0, now_s - self._tick_seen_s - _STANDSTILL_S)
-        return (self._tick_began_ns + self._since_ns) / 1e9 + self._stood_still_s + standing_s
+        """Return what threads that do not step measure waits by, in s."""
+        return (self._tick_began_ns + self._since_ns + self.beside.ahead_ns()) / 1e9
 
     def sleep(self, seconds: float) -> None:
         """Let simulated time pass for the thread that steps; other threads wait until it has."""
-        _real_sleep(min(0, seconds))  # the original's errors for what is no duration
+        _real_sleep(0 if 0 < seconds < _ENDLESS_S else seconds)  # the original's errors for what is no duration
         if self.steps_here():
             self.pass_time(seconds)
         elif seconds > 0:
@@ -114,19 +110,29 @@ class Clock:
         alarm.acquire()
         sleeper = (due_s, alarm)
         self._sleepers.append(sleeper)
+        slice_s = _FIRST_SLICE_S
         try:
             while (left_s := due_s - self.others_s()) > 0:
-                alarm.acquire(timeout=min(left_s + _STANDSTILL_S, _LONGEST_WAIT_S))
+                place = self.beside.place()
+                alarm.acquire(timeout=min(max(left_s, _LEAST_SLICE_S), slice_s))
+                self.beside.compare(place)
+                slice_s = min(2 * slice_s, _LONGEST_SLICE_S)
         finally:
             self._sleepers.remove(sleeper)
 
     def pass_time(self, seconds: float) -> None:
         """Let simulated time pass for the thread that steps."""
-        self._since_ns = min(self._since_ns + int(seconds * 1e9), _MOST_MISSED * self._tick_ns)
+        passed_ns = int(min(seconds * 1e9, _MOST_MISSED * self._tick_ns))
+        self._since_ns = min(self._since_ns + passed_ns, _MOST_MISSED * self._tick_ns)
+        self.beside.caught_up(passed_ns)
 
     def missed_ticks(self) -> int:
         """Return how many whole ticks passed since the last observation by sleeping and reading."""
         return self._since_ns // self._tick_ns
+
+    def step_began(self) -> None:
+        """The program is inside ``step`` until the next tick begins."""
+        self.beside.step_began()
 
     def tick_began(self, tick: int) -> None:
         """A new observation came: it is now the beginning of the time after ``tick``; the clock never runs back."""
@@ -135,14 +141,12 @@ class Clock:
         self._since_ns = 0
         self._stepping = get_ident()
         self._has_stepped = True
-        if self._tick_seen_s is not None:
-            self._wake_sleepers(self._tick_seen_s)
+        self.beside.tick_began(self._tick_began_ns - shown)
+        if self._sleepers:
+            self._wake_sleepers()
 
-    def _wake_sleepers(self, seen_s: float) -> None:
+    def _wake_sleepers(self) -> None:
         """Wake those whose time has come."""
-        now_s = real_monotonic()
-        self._stood_still_s += max(0.0, now_s - seen_s - _STANDSTILL_S)
-        self._tick_seen_s = now_s
         reached_s = self.others_s()
         for due_s, alarm in self._sleepers[:]:
             if due_s <= reached_s and alarm.locked():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
+from _thread import RLock
 from struct import Struct
 
 from ._wire import (
@@ -103,6 +104,7 @@ class Hub:
 
     Attributes:
         spec: the robot, as the match described it.
+        root: folder of the team's files; empty until it is known.
         numbers: the latest observation: six numbers of its head, then those of all devices, as of ``tick``. Those of
             a lidar stand packed in one piece: they are many, and seldom looked at.
         place_of: by a device's slot, where in ``numbers`` its own begin.
@@ -115,6 +117,7 @@ class Hub:
     def __init__(self, wire: Wire, hello: dict[str, Any], clock: Any, output: Any) -> None:
         self.spec: dict[str, Any] = hello["robot"]
         self.tick_ms: int = hello["tick_ms"]
+        self.root = ""
         self.tick = 0
         form, self.place_of = _layout(self.spec["devices"])
         self._form = Struct(OBSERVATION_HEAD + form)
@@ -130,6 +133,7 @@ class Hub:
         self._wire = wire
         self._clock = clock
         self._output = output
+        self._turn = RLock()  # threads that step together take turns; a handler of a signal may step within a step
         self.raised: BaseException | None = None  # by the program's handler of a signal, in the middle of an exchange
         self.message_bytes: int = hello["limits"]["message_bytes"]
         self._motors: dict[int, tuple[int, float, float]] = {}
@@ -209,7 +213,15 @@ class Hub:
         return True
 
     def exchange(self, duration_ms: float) -> bool:
-        """Send what was asked for, wait until the time is over, take in what came. Returns False at the end."""
+        """Send what was asked for, wait until the time is over, take in what came. Returns False at the end.
+
+        Where several threads do so, one does after the other, as in the original.
+        """
+        with self._turn:
+            return self.exchange_in_turn(duration_ms)
+
+    def exchange_in_turn(self, duration_ms: float) -> bool:
+        """Do what `exchange` does, while no other thread does."""
         if self.over:
             return False
         if duration_ms != self._step_ms:
@@ -217,7 +229,9 @@ class Hub:
         clock = self._clock
         missed, printed, motors = clock.missed_ticks(), self._output.printed_bytes, self._motors.values()
         build = self._with_others if self._has_others else motors_frame
-        frame = self._wire.exchange(build(self.tick, self._step_ticks, missed, printed, motors))
+        request = build(self.tick, self._step_ticks, missed, printed, motors)
+        clock.step_began()
+        frame = self._wire.exchange(request)
         if self._followed:
             self._set_periods(self.tick + missed)
         self._take_in(frame)

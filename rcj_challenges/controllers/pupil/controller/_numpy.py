@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-import gc
 import math
 import sys
 from contextlib import suppress
+
+from ._methods import restore_methods
+from ._moved import OldNames
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,30 +18,47 @@ _SAME_AS = {
     "float_": "float64", "complex_": "complex128", "cfloat": "complex128", "singlecomplex": "complex64",
     "longfloat": "longdouble", "longcomplex": "clongdouble", "unicode_": "str_", "string_": "bytes_",
     "bool8": "bool_", "int0": "intp", "uint0": "uintp", "object0": "object_", "str0": "str_", "bytes0": "bytes_",
+    "clongfloat": "clongdouble", "void0": "void",
     "product": "prod", "cumproduct": "cumprod", "sometrue": "any", "alltrue": "all", "round_": "round",
     "trapz": "trapezoid", "row_stack": "vstack", "in1d": "isin", "mat": "asmatrix",
 }  # fmt: skip
 _PYTHON_S_OWN = {
-    "float": float, "int": int, "complex": complex, "object": object, "str": str, "math": math,
+    "float": float, "int": int, "complex": complex, "object": object, "str": str, "unicode": str,
     "warnings": sys.modules["warnings"],
 }  # fmt: skip
-_WINDOWS = ("gaussian", "hann", "hamming", "blackman", "bartlett", "boxcar", "triang", "kaiser", "tukey")
+_EXPORTED_LATER = {
+    "abs", "bool", "max", "min", "pow", "round",  # Python's own
+    "acos", "acosh", "asin", "asinh", "atan", "atan2", "atanh",  # those of its module math
+    "core", "dtypes", "exceptions", "f2py", "lib", "polynomial", "strings", "test", "testing", "typing",
+    "astype", "bitwise_count", "bitwise_invert", "bitwise_left_shift", "bitwise_right_shift", "concat",
+    "cumulative_prod", "cumulative_sum", "isdtype", "long", "matrix_transpose", "matvec", "permute_dims", "trapezoid",
+    "ulong", "unique_all", "unique_counts", "unique_inverse", "unique_values", "unstack", "vecdot", "vecmat",
+}  # fmt: skip
+"""What ``from numpy import *`` did not give up to 1.24: a program means something else by these names."""
+_WINDOWS = (
+    *("barthann", "bartlett", "blackman", "blackmanharris", "bohman", "boxcar", "chebwin", "cosine", "exponential"),
+    *("flattop", "gaussian", "general_gaussian", "hamming", "hann", "kaiser", "nuttall", "parzen", "triang", "tukey"),
+)
 
 
 def restore_old_names(numpy: Any) -> None:
     """Give numpy back what it called its things, and let numbers read as numbers: ``1.5``, not ``np.float64(1.5)``."""
     there = vars(numpy)
     old_names = {old: there[new] for old, new in _SAME_AS.items() if new in there}
-    old_names |= {"NINF": -math.inf, "PZERO": 0.0, "NZERO": -0.0, **_functions_of(numpy)}
+    old_names |= {"NINF": -math.inf, "PZERO": 0.0, "NZERO": -0.0, "math": math, **_functions_of(numpy)}
     exceptions = vars(there["exceptions"]) if "exceptions" in there else {}
     old_names |= {name: kind for name, kind in exceptions.items() if isinstance(kind, type)}
     for name, thing in {**old_names, **_PYTHON_S_OWN}.items():
         there.setdefault(name, thing)
     with suppress(AttributeError, TypeError):
         # `from numpy import *` gave them too, but never Python's own under its names.
-        numpy.__all__ = [*numpy.__all__, *(name for name in old_names if name not in numpy.__all__)]
+        numpy.__all__ = [name for name in {**dict.fromkeys(numpy.__all__), **old_names} if name not in _EXPORTED_LATER]
         there["fromstring"] = _reading_bytes(numpy)
-    _restore_methods(numpy)
+    with suppress(AttributeError):
+        OldNames(numpy).install()
+    # Since 2.0 `ptp` only complains.
+    ptp = lambda array, axis=None, out=None: numpy.ptp(array, axis, out)  # noqa: E731
+    restore_methods(numpy.ndarray, {"tostring": numpy.ndarray.tobytes, "ptp": ptp})
     with suppress(AttributeError, TypeError, ValueError):  # a numpy that reads that way already, or not any more
         numpy.set_printoptions(legacy="1.25")
 
@@ -55,7 +74,10 @@ def _functions_of(numpy: Any) -> dict[str, Any]:
     def asscalar(a: Any) -> Any:
         return a.item()
 
-    return {"asfarray": asfarray, "msort": msort, "asscalar": asscalar}
+    def alen(a: Any) -> int:
+        return len(numpy.array(a, ndmin=1))
+
+    return {"asfarray": asfarray, "msort": msort, "asscalar": asscalar, "alen": alen}
 
 
 def _reading_bytes(numpy: Any) -> Any:
@@ -71,42 +93,26 @@ def _reading_bytes(numpy: Any) -> Any:
     return fromstring
 
 
-_replaced: list[Any] = []
-"""What stood in numpy's dictionary before. Python may still know it by its address: it must not be freed."""
-
-
-def _restore_methods(numpy: Any) -> None:
-    """Give arrays back methods that they had. Their class takes none from Python, but the dictionary behind it does.
-
-    Nobody tells Python that the class has changed, so it forgets what it has looked up in any class.
-    """
-    with suppress(Exception):  # without them only programs that use them suffer
-        (methods,) = gc.get_referents(numpy.ndarray.__dict__)
-        forget = getattr(sys, "_clear_internal_caches", None) or sys._clear_type_cache  # noqa: SLF001
-        restored = {
-            "tostring": numpy.ndarray.tobytes,
-            "ptp": lambda array, axis=None, out=None: numpy.ptp(array, axis, out),  # since 2.0 it only complains
-        }
-        _replaced.extend(methods.get(name) for name in restored)
-        methods.update(restored)
-        forget()
-
-
 def restore_names_of_numpy(scipy: Any) -> None:
     """Give ``scipy`` itself the names of numpy that it had up to 1.11: ``from scipy import array, pi``."""
     real = scipy.__getattr__
+    numpy: Any = sys.modules["numpy"]  # scipy has imported it
+    others = {"rand": numpy.random, "randn": numpy.random, "ifft": numpy.fft}
 
     def named(name: str) -> Any:
         try:
             return real(name)
         except AttributeError:
-            numpy: Any = sys.modules["numpy"]  # scipy has imported it
-            for place in (numpy.emath, numpy):  # its roots of negative numbers were complex ones
+            # Its roots of negative numbers were complex ones.
+            places = (others[name],) if name in others else (numpy.emath, numpy)
+            for place in places:
                 if not name.startswith("_") and hasattr(place, name):
                     return getattr(place, name)
             raise
 
     scipy.__getattr__ = named
+    exported = (name for name in numpy.__all__ if not name.startswith("_"))
+    scipy.__all__ = list(dict.fromkeys([*scipy.__all__, *exported, *others]))
 
 
 def restore_integrals(integrate: Any) -> None:
@@ -129,8 +135,51 @@ def restore_windows(signal: Any) -> None:
             vars(signal).setdefault(name, getattr(signal.windows, name))
 
 
-def restore_derivative(misc: Any) -> None:
-    """Give ``scipy.misc`` back its derivative: central differences over ``order`` points."""
+def restore_matrices(linalg: Any) -> None:
+    """Give ``scipy.linalg`` back its other name for the pseudo-inverse, and what numpy has as well."""
+
+    def pinv2(a: Any, cond: Any = None, rcond: Any = None, **more: Any) -> Any:
+        return linalg.pinv(a, rtol=rcond if cond is None else cond, **more)
+
+    numpy: Any = sys.modules["numpy"]  # scipy has imported it
+    of_numpy = {name: getattr(numpy, name) for name in ("kron", "tri", "tril", "triu")}
+    for name, thing in {"pinv2": pinv2, **of_numpy}.items():
+        vars(linalg).setdefault(name, thing)
+
+
+def restore_mode(stats: Any) -> None:
+    """Let ``scipy.stats.mode`` answer with arrays, ``mode(x)[0][0]``, and know words too, as it did up to 1.10."""
+    real = stats.mode
+
+    def mode(a: Any, axis: Any = 0, nan_policy: str = "propagate", keepdims: Any = True) -> Any:
+        numpy: Any = sys.modules["numpy"]
+        given = numpy.asarray(a)
+        given, axis = (given.ravel(), 0) if axis is None else (given, axis)
+        keepdims = keepdims is None or keepdims
+        if given.ndim != 1 or (given.size and numpy.issubdtype(given.dtype, numpy.number)):
+            return real(given, axis=axis, nan_policy=nan_policy, keepdims=keepdims)
+        kind, found = type(real([0])), dict.fromkeys(given.tolist(), 0)
+        for thing in given.tolist():
+            found[thing] += 1
+        things = sorted(found) if given.dtype != object else list(found)
+        most = max(things, key=found.__getitem__, default=None)
+        values = numpy.array([most][: given.size], dtype=given.dtype)
+        counts = numpy.array([found.get(most)][: given.size], dtype=int)
+        return kind(values, counts) if keepdims or not given.size else kind(values[0], counts[0])
+
+    stats.mode = mode
+    with suppress(AttributeError):
+        stats._stats_py.mode = mode  # noqa: SLF001 - it hands it to `scipy.stats.stats`, too
+
+
+def restore_of_misc(misc: Any) -> None:
+    """Give ``scipy.misc`` back its derivative, central differences over ``order`` points, and what counts choices."""
+
+    def comb(*given: Any, **named: Any) -> Any:
+        return sys.modules["scipy"].special.comb(*given, **named)
+
+    def factorial(*given: Any, **named: Any) -> Any:
+        return sys.modules["scipy"].special.factorial(*given, **named)
 
     def derivative(func: Any, x0: Any, dx: float = 1.0, n: int = 1, args: Any = (), order: int = 3) -> Any:
         numpy: Any = sys.modules["numpy"]  # scipy has imported it
@@ -139,4 +188,5 @@ def restore_derivative(misc: Any) -> None:
         weights = numpy.linalg.solve(numpy.vander(steps, increasing=True).T.astype(float), wanted)
         return sum(w * func(x0 + step * dx, *args) for w, step in zip(weights, steps, strict=True)) / dx**n
 
-    vars(misc).setdefault("derivative", derivative)
+    for function in (derivative, comb, factorial):
+        vars(misc).setdefault(function.__name__, function)

@@ -91,42 +91,35 @@ def _json(module: Any) -> None:
 
 
 def _asyncio(module: Any) -> None:
-    import functools
-    import inspect
-    import types
+    from . import _coroutines
 
-    def coroutine(func: Any) -> Any:
-        if inspect.iscoroutinefunction(func):
-            return func
-        real = types.coroutine(func)
-
-        @functools.wraps(func)
-        async def coro(*given: Any, **named: Any) -> Any:
-            made = real(*given, **named)
-            return await made if inspect.isawaitable(made) else made
-
-        return coro
-
-    vars(module).setdefault("coroutine", coroutine)
-    _make_loops(module)
+    _coroutines.restore_old_names(module)
 
 
-def _make_loops(module: Any) -> None:
-    """Let the main thread's first question for an event loop make one, which ended with Python 3.14."""
-    import threading
+def _array(module: Any) -> None:
+    from ._methods import restore_methods
 
-    present = module.get_event_loop
+    kind = module.array
+    restore_methods(kind, {"tostring": kind.tobytes, "fromstring": kind.frombytes})
 
-    def get_event_loop() -> Any:
-        try:
-            return present()
-        except RuntimeError:
-            if threading.current_thread() is not threading.main_thread():
-                raise
-            module.set_event_loop(module.new_event_loop())
-            return present()
 
-    module.get_event_loop = get_event_loop
+def _elements(module: Any) -> None:
+    from ._methods import restore_methods
+
+    def getchildren(element: Any) -> list[Any]:
+        return list(element)
+
+    restore_methods(module.Element, {"getchildren": getchildren, "getiterator": module.Element.iter})
+
+
+def _math(module: Any) -> None:
+    real = module.factorial
+
+    def factorial(x: Any) -> int:
+        """Take 4.0 for 4."""
+        return real(_whole(x))  # type: ignore[no-any-return]
+
+    module.factorial = factorial
 
 
 def _configparser(module: Any) -> None:
@@ -164,6 +157,9 @@ def _base64(module: Any) -> None:
 
 PATCHES: dict[str, Patch] = {
     "collections": _collections,
+    "array": _array,
+    "math": _math,
+    "xml.etree.ElementTree": _elements,
     "random": _random,
     "dataclasses": _dataclasses,
     "json": _json,

@@ -14,7 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-_EXCHANGE = Hub.exchange.__code__
+_EXCHANGE = Hub.exchange_in_turn.__code__
 
 
 class Patient:

@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 
 _SHORT_S = 0.032
 _SLICE_S = 0.001
+_HELD_UP_S = 0.003
+"""Who comes back so late from waiting for 0.001 s had no processor: that tells nothing about the other threads."""
 _SLICE_BESIDE_S = 0.002
 _IDLE_SHARE = 0.2
 
@@ -150,23 +152,28 @@ def _beside(clock: Clock, real: Wait, waiting: Any, timeout: float) -> Any:
     due_s = clock.others_s() + timeout
     while True:
         left_s = due_s - clock.others_s()
+        place = clock.beside.place()
         came = real(waiting, max(0.0, min(left_s, _SLICE_BESIDE_S)))
         if came or left_s <= 0:
             return came
+        clock.beside.compare(place)
 
 
 def _for_others(real: Wait, waiting: Any, timeout: float) -> Any:
     """Really wait for other threads.
 
     Who waits for less than a tick in every step, beside threads that themselves wait for work, would use up a half's
-    time for nothing: such a wait is over when nobody computes.
+    time for nothing: such a wait is over when nobody computes. Time in which other programs had the processor does not
+    count: the thread that is waited for had none of it either.
     """
     if timeout > _SHORT_S or sys.platform == "win32":  # there what was computed is told every 16 ms only
         return real(waiting, timeout)
-    end_s = real_monotonic() + timeout
+    left_s = timeout
     while True:
         began_s, computed_s = real_monotonic(), real_process_time()
         came = real(waiting, min(_SLICE_S, timeout))
-        now_s = real_monotonic()
-        if came or now_s >= end_s or real_process_time() - computed_s < _IDLE_SHARE * (now_s - began_s):
+        passed_s, computed_s = real_monotonic() - began_s, real_process_time() - computed_s
+        left_s -= min(passed_s, _SLICE_S + computed_s)
+        nobody_computes = computed_s < _IDLE_SHARE * passed_s and passed_s < _HELD_UP_S
+        if came or left_s <= 0 or nobody_computes:
             return came

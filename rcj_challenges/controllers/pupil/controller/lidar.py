@@ -19,9 +19,9 @@ class LidarPoint:
     """One reading as a point.
 
     Attributes:
-        x: forward, in m, in the robot's frame.
-        y: to the left, in m.
-        z: up, in m.
+        x: forward, in m, in the robot's frame; of a lidar of 2021: to the left.
+        y: to the left, in m; of a lidar of 2021: up.
+        z: up, in m; of a lidar of 2021: forward.
         layer_id: 0, there is one layer.
         time: when it was read, in s.
     """
@@ -91,10 +91,13 @@ class Lidar(Sensor):
         first = float(self._rcj_facts.get("first_bearing_rad", 0.0))
         step = float(self._rcj_facts.get("bearing_step_rad", -self.getFov() / max(len(readings), 1)))
         bearings = [first + step * index for index in range(len(readings))]
-        return [
-            LidarPoint(_part(reading, math.cos(bearing)), _part(reading, math.sin(bearing)), 0.0, 0, time)
+        flat = [
+            (_part(reading, math.cos(bearing)), _part(reading, math.sin(bearing)))
             for reading, bearing in zip(readings, bearings, strict=True)
         ]
+        if self._rcj_facts.get("frame") == "legacy":
+            return [LidarPoint(left, 0.0, ahead, 0, time) for ahead, left in flat]
+        return [LidarPoint(ahead, left, 0.0, 0, time) for ahead, left in flat]
 
     def getLayerPointCloud(self, layer: int, data_type: str = "list") -> Any:
         """Return the points of a layer as `getPointCloud` does; there is one, 0."""

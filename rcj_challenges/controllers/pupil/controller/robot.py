@@ -164,11 +164,15 @@ class Robot:
         """Accepted without effect: there is no other mode."""
 
     def getProjectPath(self) -> str:
-        """Return the current folder, which is the program's own: there is no other one of the project."""
-        return os.getcwd()  # noqa: PTH109 - programs want a str, and pathlib would cost each of them its import
+        """Return the folder in which ``controllers`` holds what the team handed in."""
+        return os.path.dirname(self._rcj_hub.root)  # noqa: PTH120 - pathlib would cost each program its import
 
     def getWorldPath(self) -> str:
         """Return nothing: there is no world file."""
+        return ""
+
+    def getUrdf(self, prefix: str = "") -> str:
+        """Return nothing: robots are not described in URDF."""
         return ""
 
     def getKeyboard(self) -> Any:

@@ -40,6 +40,13 @@ class GPS(Sensor):
         """Return ``GPS.LOCAL``: metres on the field."""
         return self.LOCAL
 
+    @staticmethod
+    def convertToDegreesMinutesSeconds(decimalDegree: float) -> str:
+        """Return an angle in degrees as text: 12.5 is ``12° 30' 0"``. Here the GPS tells metres."""
+        degrees = int(decimalDegree)
+        seconds = int(abs(decimalDegree - degrees) * 3600 + 1e-6)
+        return f"{degrees}° {seconds // 60}' {seconds % 60}\""
+
     values = ReadOnly(getValues)
     value = ReadOnly(getValues)
     speed = ReadOnly(getSpeed)

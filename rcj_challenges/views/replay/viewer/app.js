@@ -80,7 +80,7 @@ class App {
     if (!width || !height) return;
     this.view.resize(width, height, this.moving ? this.density : this.sharp);
     this.labels.resize(width, height);
-    this.camera.resize(width / height);
+    this.camera.resize(width, height);
     this.draw();
   }
 
@@ -260,11 +260,21 @@ class App {
 
   /** What the referee said just now, over the picture. */
   caption(place) {
+    const box = this.find("caption"), text = this.result(place) || this.saidAt(place);
+    box.hidden = !text;
+    if (box.textContent !== text) box.textContent = text;
+  }
+
+  saidAt(place) {
     const recent = this.recording.eventsBetween(place - CAPTION_S / this.recording.tickSeconds, place + 0.5).filter((event) => event.kind !== "start");
     const best = recent.filter((event) => event.scored).pop() || recent[recent.length - 1];
-    const box = this.find("caption");
-    box.hidden = !best;
-    if (best && box.textContent !== best.caption) box.textContent = best.caption;
+    return best ? best.caption : "";
+  }
+
+  /** At the end: who came where, if more than the score decides it. */
+  result(place) {
+    if (place < this.recording.last - 0.5) return "";
+    return this.recording.facts.places.map((one) => `${one.place}: ${one.team}, ${one.values}`).join("\n");
   }
 
   say(text) {

@@ -12,10 +12,14 @@ class Board {
       const row = element("div", "team");
       const name = element("bdi", "name", team.title);
       name.title = team.title.slice(0, 200);
-      row.append(element("i", "chip"), name, element("output", "score"));
-      row.lastChild.setAttribute("aria-label", "Points");
+      const score = element("output", "score"), counted = element("output", "counted");
+      score.setAttribute("aria-label", "Points");
+      score.hidden = !recording.facts.score_counts;
+      counted.setAttribute("aria-label", "What counts in the ranking");
+      counted.hidden = !recording.facts.counted.length;
+      row.append(element("i", "chip"), name, score, counted);
       this.teams.append(row);
-      return { team, row, chip: row.firstChild, score: row.lastChild };
+      return { team, row, chip: row.firstChild, score, counted };
     });
     this.teams.classList.toggle("pair", this.rows.length === 2);
   }
@@ -26,6 +30,16 @@ class Board {
     return `${robots.length > 3 ? `${robots.length} robots` : robots.join(", ")} held`;
   }
 
+  /** `best 10.48 s`, one for each counter that decides the ranking. */
+  tell(box, values) {
+    box.replaceChildren(...values.map((value, index) => {
+      const { name, unit } = this.recording.facts.counted[index];
+      const one = element("span", "", `${name} `);
+      one.append(element("b", "", String(value)), unit ? ` ${unit}` : "");
+      return one;
+    }));
+  }
+
   show(place) {
     const { recording } = this;
     const { track } = recording.at(place);
@@ -33,8 +47,9 @@ class Board {
     if (clock !== this.clock) this.clockText.textContent = this.clock = clock;
     const phase = recording.phase(place);
     const scores = recording.scores(place);
+    const counted = recording.counted(place);
     const held = phase.held ? "robots held" : Board.heldText(recording.held(place));
-    const key = JSON.stringify([track.facts.half, phase, held, scores]);
+    const key = JSON.stringify([track.facts.half, phase, held, scores, counted]);
     if (key === this.shown) return;
     this.shown = key;
     const length = Recording.clockText(track.facts.planned_ticks * recording.tickSeconds).replace(/\.0$/, "");
@@ -42,7 +57,8 @@ class Board {
     const name = phase.name === "play" ? "" : phase.name.replaceAll("_", " ");
     this.phase.textContent = [name, held].filter(Boolean).join(" · ");
     this.phase.hidden = !this.phase.textContent;
-    for (const { team, chip, score } of this.rows) {
+    for (const { team, chip, score, counted: box } of this.rows) {
+      if (!box.hidden) this.tell(box, counted[team.name] || []);
       const seat = recording.facts.seats.find((candidate) => track.facts.sides[candidate.name] === team.name);
       chip.style.background = seat ? seat.colour : "";
       chip.title = seat ? `plays ${seat.name}` : "";

@@ -4,6 +4,8 @@ const VIEW_ANGLE = 0.5;
 const NEAR = 0.02;
 const FAR = 40;
 const LOWEST = 0.04;
+const CAPTION_PX = 64; // two lines of it
+const MOST_BELOW = 0.16;
 const HIGHEST = Math.PI / 2 - 0.001;
 
 class Camera {
@@ -12,6 +14,7 @@ class Camera {
     this.field = field;
     this.flat = flat;
     this.aspect = 1;
+    this.below = 0.05;
     this.mode = "overview";
     this.fitted = true;
     this.robot = null;
@@ -25,9 +28,10 @@ class Camera {
     return this.aspect < 0.95;
   }
 
-  resize(aspect) {
+  resize(width, height) {
     const wasUpright = this.upright;
-    this.aspect = aspect;
+    this.aspect = width / height;
+    this.below = Math.min(MOST_BELOW, CAPTION_PX / height);
     if (["overview", "top", "side"].includes(this.mode) && (this.fitted || wasUpright !== this.upright)) {
       this.preset(this.mode, false);
     }
@@ -64,14 +68,16 @@ class Camera {
     const forward = [-Math.cos(azimuth) * Math.cos(elevation), -Math.sin(azimuth) * Math.cos(elevation), -Math.sin(elevation)];
     const up = Maths.cross(right, forward);
     const open = Math.tan(VIEW_ANGLE / 2);
-    const along = (axis, slope) => {
-      const reach = (side) => Math.max(...corners.map((corner) => side * Maths.dot(corner, axis) - Maths.dot(corner, forward) * slope));
-      const high = reach(1), low = reach(-1);
-      return { distance: (high + low) / (2 * slope), middle: (high - low) / 2 };
+    // `before` and `beyond`: how far from the picture's middle they may come, as slopes; below there is room for a caption.
+    const along = (axis, before, beyond) => {
+      const reach = (side, slope) => Math.max(...corners.map((corner) => side * Maths.dot(corner, axis) - Maths.dot(corner, forward) * slope));
+      const high = reach(1, beyond), low = reach(-1, before);
+      return { distance: (high + low) / (before + beyond), middle: (away) => ((high - beyond * away) + (before * away - low)) / 2 };
     };
-    const across = along(right, open * this.aspect * 0.97), upwards = along(up, open * 0.9);
+    const wide = open * this.aspect * 0.97;
+    const across = along(right, wide, wide), upwards = along(up, open * (1 - 2 * this.below), open * 0.9);
     const away = Math.max(across.distance, upwards.distance);
-    const eye = [0, 1, 2].map((k) => right[k] * across.middle + up[k] * upwards.middle - forward[k] * away);
+    const eye = [0, 1, 2].map((k) => right[k] * across.middle(away) + up[k] * upwards.middle(away) - forward[k] * away);
     pose.distance = eye[2] / -forward[2];
     pose.target = eye.map((part, k) => part + forward[k] * pose.distance);
   }

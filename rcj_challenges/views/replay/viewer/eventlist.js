@@ -76,10 +76,35 @@ class EventList {
       half = event.half;
       items.push(item);
     }
+    items.push(...this.places());
     if (events.length > MOST_ROWS) items.push(element("li", "divider", `${events.length - MOST_ROWS} more: choose a kind above`));
     this.list.replaceChildren(...items);
     this.list.scrollTop = 0;
     this.empty.hidden = events.length > 0;
+  }
+
+  /** Who came where and by what, where the score does not say it: below the last event, a link to the end. */
+  places() {
+    const { facts } = this.recording;
+    if (this.kind !== null || !facts.places.length) return [];
+    const end = this.recording.last;
+    return [element("li", "divider", "Result"), ...facts.places.map(({ place, team, values }) => {
+      const item = element("li", "event place"), link = element("a", "moment");
+      link.href = this.recording.fragment(end);
+      link.append(element("span", "when", place), element("bdi", "what", team), element("bdi", "told", values));
+      link.addEventListener("click", (click) => {
+        if (click.ctrlKey || click.metaKey || click.shiftKey) return;
+        click.preventDefault();
+        this.go(end, false);
+      });
+      item.append(link);
+      return item;
+    })];
+  }
+
+  /** The match that is watched is over, and who came where is known. */
+  finished() {
+    if (!this.list.querySelector(".place")) this.list.append(...this.places());
   }
 
   row(event) {
@@ -89,6 +114,7 @@ class EventList {
     link.append(element("span", "when", this.recording.clock(event.place)), element("span", "what", event.name));
     if (event.standing) link.append(element("span", "standing", event.standing));
     if (event.about) link.append(element("bdi", "about", event.about));
+    if (event.told) link.append(element("bdi", "told", event.told));
     const row = { event, item, link };
     link.addEventListener("click", (click) => {
       if (click.ctrlKey || click.metaKey || click.shiftKey) return;

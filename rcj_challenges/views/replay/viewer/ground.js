@@ -2,6 +2,7 @@
 // Each shape is {points, fill, alpha} or {points, line, width, closed, alpha}; colours [red, green, blue].
 
 const STRIPES = 8;
+const FORWARD_M = 0.05;
 
 const Ground = {
   WHITE: [0.96, 0.98, 0.97],
@@ -46,7 +47,9 @@ const Ground = {
     }
     if (shown.gates) {
       for (const gate of facts.gates) {
-        shapes.push({ points: [gate.from_m, gate.to_m], line: [1, 0.42, 0.7], width: 0.012, closed: false, alpha: 0.95 });
+        for (const points of [[gate.from_m, gate.to_m], Ground.forward(gate)]) {
+          shapes.push({ points, line: [1, 0.42, 0.7], width: 0.012, closed: false, alpha: 0.95 });
+        }
       }
     }
     if (shown.spots) {
@@ -70,9 +73,20 @@ const Ground = {
         names.push({ text: zone.inverted ? `outside ${zone.name}` : zone.name, at: middle(Ground.zone(zone, facts.field)), below: true });
       }
     }
-    if (shown.gates) for (const gate of facts.gates) names.push({ text: gate.name, at: middle([gate.from_m, gate.to_m]) });
+    if (shown.gates) for (const gate of facts.gates) names.push({ text: gate.name, at: Ground.outerEnd(gate) });
     if (shown.spots) for (const spot of facts.spots) names.push({ text: spot.name, at: [spot.x_m, spot.y_m] });
     return names;
+  },
+
+  /** A short mark from a gate's middle to where forward is, as in the drawing. */
+  forward({ from_m: [x0, y0], to_m: [x1, y1] }) {
+    const length = Math.hypot(x1 - x0, y1 - y0) || 1, x = (x0 + x1) / 2, y = (y0 + y1) / 2;
+    return [[x, y], [x - (FORWARD_M * (y1 - y0)) / length, y + (FORWARD_M * (x1 - x0)) / length]];
+  },
+
+  /** The end of a gate where its name is not in the way of who drives through: the one farther from the field's middle. */
+  outerEnd({ from_m, to_m }) {
+    return Math.hypot(...from_m) > Math.hypot(...to_m) ? from_m : to_m;
   },
 
   markColour(index) {

@@ -181,6 +181,7 @@ class LiveRecording extends Recording {
     const track = this.halves.find((candidate) => candidate.facts.half === news.half);
     const { facts } = track;
     if (news.score) facts.score_changes.push([news.tick, news.score]);
+    if (news.counted) facts.counted.push([news.tick, news.counted]);
     if (news.phase) facts.phases.push([news.tick, ...news.phase]);
     if (news.held) facts.held.push([news.tick, news.held]);
     for (const entity of news.jumps || []) track.jumps[entity].add(news.tick);

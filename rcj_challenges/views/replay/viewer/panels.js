@@ -41,6 +41,8 @@ class Panels {
       box.addEventListener("change", this.changed);
       const none = { zones: "zones", gates: "gates", spots: "spots" }[box.name];
       if (none && !this.app.recording.facts[none].length) box.disabled = true;
+      // Gates by which rules judge are part of the course: without them nobody sees where a slalom begins.
+      if (box.name === "gates" && this.app.recording.facts.gates.some((gate) => gate.used)) box.checked = box.defaultChecked = true;
     }
     this.find("trail").addEventListener("input", () => {
       this.find("trail-text").textContent = `${this.trailSeconds} s`;
@@ -58,7 +60,7 @@ class Panels {
 
   toggleMarks() {
     const marks = this.boxes.filter((box) => ["zones", "gates", "spots"].includes(box.name) && !box.disabled);
-    const on = !marks.some((box) => box.checked);
+    const on = !marks.every((box) => box.checked);
     for (const box of marks) box.checked = on;
   }
 

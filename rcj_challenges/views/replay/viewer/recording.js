@@ -165,6 +165,14 @@ class Recording {
     return scores;
   }
 
+  /** By team what the counters that decide the ranking count for it at a place. */
+  counted(place) {
+    const { track, tick } = this.at(place);
+    let counted = {};
+    for (const [at, values] of track.facts.counted) if (at <= tick) counted = values;
+    return counted;
+  }
+
   /** {name, waiting, held} of the referee's phase at a place; held: whether it holds all robots. */
   phase(place) {
     const { track, tick } = this.at(place);

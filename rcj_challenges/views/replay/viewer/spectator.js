@@ -140,6 +140,7 @@ class Spectator {
       if (this.grew) app.player.arrived(now);
       if (this.added?.length) app.events.grown(this.added);
       this.added = [];
+      if (this.recording.over) app.events.finished();
       if (this.grew && (now - this.marked > MARKS_EVERY_S || this.recording.over)) {
         this.marked = now;
         app.deck.grown();
@@ -166,9 +167,10 @@ class Spectator {
     this.begun(this.app);
   }
 
-  finish({ about, replay }) {
+  finish({ about, places, replay }) {
     const { recording } = this;
     recording.over = true;
+    recording.facts.places = places;
     recording.measure();
     if (about.length) recording.facts.about = about;
     document.getElementById("about").replaceChildren();

@@ -1,0 +1,141 @@
+"""The clock of the threads that do not step: how far it is ahead of that of the one that does.
+
+They wait for the time of the match. It stands still while the thread that steps computes, or waits for one of them: for
+a result, for its end. So that nobody waits for ever, their clock then goes on by itself:
+
+* in real time, from the moment at which the one that steps is found to be stuck: it is at the same place as before, and
+  nobody in the program computes; or else when no tick has begun for a while;
+* by each of their readings, while it is stuck: who looks at the clock in a loop until it is time waits for it.
+
+What it is ahead is taken back as the match catches up, so that it never stands wrong for long, and never runs back.
+While the program is inside ``step``, the next tick comes by itself: how long the match takes to bring it, because other
+programs start or compute, counts for nobody.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from _thread import get_ident, get_native_id
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+_STANDSTILL_S = 0.1
+"""Where no tick has begun for so long, real time counts. In a match that is played at the pace of the clock on the
+wall, one begins every 0.032 s."""
+_READINGS = 100
+"""Who has looked at the clock as often since the tick began waits for it."""
+_READING_NS = 50_000
+_GLANCE_S = 0.000_2
+_IDLE_SHARE = 0.2
+
+real_monotonic = time.monotonic
+real_process_time = time.process_time
+_real_sleep = time.sleep
+_IS_TOLD_FINELY = sys.platform != "win32"  # there what was computed is told every 16 ms only
+
+
+class Beside:
+    """How far the clock of the threads that do not step is ahead.
+
+    Attributes:
+        in_match: whether the program is inside ``step``.
+    """
+
+    def __init__(self) -> None:
+        self.in_match = False
+        self._stepping, self._known_to_system = get_ident(), get_native_id()
+        self._ticks = 0
+        self._ahead_ns = 0
+        self._counts_from_s: float | None = None  # in real time; None: nobody has asked since the tick began
+        self._is_stuck = False
+        self._readings = 0
+
+    def read_ns(self) -> int:
+        """Return how far it is ahead; somebody looks at it."""
+        if not self.in_match:
+            self._readings += 1
+            if self._readings % _READINGS == 0:
+                place = self.place()
+                _real_sleep(_GLANCE_S)  # lets the others go on, if they can
+                self.compare(place)
+            if self._is_stuck:
+                self._ahead_ns += _READING_NS
+        return self.ahead_ns()
+
+    def ahead_ns(self) -> int:
+        """Return how far it is ahead."""
+        return self._ahead_ns + self._standing_ns()
+
+    def _standing_ns(self) -> int:
+        """Return what real time counts that is not added up yet."""
+        if self.in_match:
+            return 0
+        now_s = real_monotonic()
+        if self._counts_from_s is None:
+            self._counts_from_s = now_s + _STANDSTILL_S
+        return max(0, int((now_s - self._counts_from_s) * 1e9))
+
+    def place(self) -> tuple[Any, ...]:
+        """Return where the thread that steps is now, and when that is; for `compare`, after a real wait."""
+        frame = sys._current_frames().get(self._stepping)  # noqa: SLF001 - it is documented
+        at = None if frame is None else frame.f_lasti
+        return self._ticks, frame, at, real_monotonic(), real_process_time()
+
+    def compare(self, before: tuple[Any, ...]) -> None:
+        """Find out whether the thread that steps has been stuck since it was at a place."""
+        ticks, frame, at, seen_s, computed_s = self.place()
+        passed_s = seen_s - before[3]
+        is_idle = not _IS_TOLD_FINELY or computed_s - before[4] < _IDLE_SHARE * passed_s
+        is_stuck = (ticks, frame, at) == before[:3] and is_idle and not self.in_match
+        is_stuck = is_stuck and not _would_run(self._known_to_system)
+        if is_stuck and not self._is_stuck:
+            counts_from_s = self._counts_from_s
+            self._counts_from_s = before[3] if counts_from_s is None else min(before[3], counts_from_s)
+        elif self._is_stuck and not is_stuck:
+            self._add_up()
+        self._is_stuck = is_stuck
+
+    def _add_up(self) -> None:
+        standing_ns, self._counts_from_s = self._standing_ns(), None
+        self._ahead_ns += standing_ns
+
+    def step_began(self) -> None:
+        """The program is inside ``step``, in this thread: the next tick comes by itself."""
+        if self._counts_from_s is not None:
+            self._add_up()
+        self.in_match = True
+        if get_ident() != self._stepping:
+            self._stepping, self._known_to_system = get_ident(), get_native_id()
+
+    def tick_began(self, passed_ns: int) -> None:
+        """A tick began, by which the clock of the thread that steps went on by so much."""
+        self.in_match = False
+        self._readings = 0
+        self._ticks += 1
+        if self._ahead_ns or self._is_stuck:
+            self.caught_up(passed_ns)
+
+    def caught_up(self, passed_ns: int) -> None:
+        """The clock of the thread that steps went on by so much."""
+        if self._counts_from_s is not None:
+            self._add_up()
+        self._is_stuck = False
+        self._ahead_ns = max(0, self._ahead_ns - passed_ns)
+
+
+def _would_run(thread: int) -> bool:
+    """Return whether a thread only waits for a processor; False where the system does not tell (all but Linux)."""
+    if sys.platform != "linux":
+        return False
+    try:
+        file = os.open(f"/proc/self/task/{thread}/stat", os.O_RDONLY | os.O_CLOEXEC)
+        try:
+            return os.read(file, 512).rpartition(b") ")[2][:1] == b"R"
+        finally:
+            os.close(file)
+    except OSError:  # it has ended
+        return False

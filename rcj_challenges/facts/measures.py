@@ -1,0 +1,35 @@
+"""Names that carry a unit, as people say them: ``best_s`` is ``best (s)``, and with a value ``best 10.48 s``."""
+
+from __future__ import annotations
+
+_UNITS = {
+    "m": "m", "cm": "cm", "mm": "mm", "s": "s", "ms": "ms", "rad": "rad", "mps": "m/s", "radps": "rad/s", "kg": "kg",
+}  # fmt: skip
+"""The units with which names of counters, values and fields of payloads end, and how they are written."""
+
+
+def measure(name: str) -> tuple[str, str]:
+    """Return what a name says and its unit: ``("best", "s")`` of ``best_s``, ``("laps", "")`` of ``laps``."""
+    words, _, last = name.rpartition("_")
+    if words and last in _UNITS:
+        return words.replace("_", " "), _UNITS[last]
+    return name.replace("_", " "), ""
+
+
+def measure_words(name: str) -> str:
+    """Return a name with its unit: ``best (s)``, ``laps``."""
+    words, unit = measure(name)
+    return f"{words} ({unit})" if unit else words
+
+
+def measured_words(name: str, value: str) -> str:
+    """Return a name with a value and its unit: ``best 10.48 s``, ``laps 3``."""
+    words, unit = measure(name)
+    return " ".join(part for part in (words, value, unit) if part)
+
+
+def number_words(value: float, decimals: int = 6) -> str:
+    """Return a number without superfluous zeros; nothing of it is rounded away that decides: ``10.48``."""
+    number = f"{value:.{decimals}f}"
+    number = number.rstrip("0").rstrip(".") if "." in number else number
+    return "0" if number == "-0" else number

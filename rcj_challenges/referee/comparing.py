@@ -1,0 +1,182 @@
+"""What a test expects beside what came: single values, and events in their order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from math import isclose
+
+from rcj_challenges.facts.play import Event
+from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.scenario.models.base import Scalar
+from rcj_challenges.scenario.models.scenario import Expectation, ExpectedEvent
+
+_COUNTS_AS_EQUAL = 1e-9
+_MOST_DIFFERENCES = 10
+"""As many differences of events are told; what follows is mostly of the same cause."""
+_MOST_PAIRS = 250_000
+"""More pairs than these are compared by position: to look for the best order would take seconds."""
+IGNORED_BY_DEFAULT: tuple[str, ...] = Expectation.model_fields["ignore"].default
+
+_Pair = tuple[Event | None, int | None]
+"""An event that came, and the number of the expected one that it stands beside; None: there is none."""
+
+
+def difference(what: str, expected: Scalar, found: Scalar | None, tolerance: float | None = None) -> Iterator[str]:
+    """Yield what is told of a value that is another one than expected.
+
+    Args:
+        what: what it is.
+        expected: the value that it should have.
+        found: the one that it has.
+        tolerance: how far off a number may be; None: not at all.
+    """
+    if equal(expected, found, tolerance or 0):
+        return
+    allowed = "" if tolerance is None else f"; up to {tolerance:g} off is allowed"
+    yield f"{what}: expected {shown(expected)}, is {shown(found)}{allowed}"
+
+
+def equal(expected: Scalar, found: object, tolerance: float = 0) -> bool:
+    """Return whether a value is as expected; numbers need not be of the same type."""
+    numbers = (int, float)
+    if isinstance(expected, bool) or isinstance(found, bool):
+        return expected is found
+    if isinstance(expected, numbers) and isinstance(found, numbers):
+        near = abs(expected - found) <= tolerance + _COUNTS_AS_EQUAL
+        return near if tolerance else isclose(expected, found, rel_tol=1e-9, abs_tol=1e-9)
+    return expected == found
+
+
+def shown(value: object) -> str:
+    """Return a value as a test tells it."""
+    if value is None:
+        return "nothing"
+    if isinstance(value, bool):
+        return str(value).lower()
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+# --- events -----------------------------------------------------------------------------------------------------------
+
+
+def event_differences(
+    found: Sequence[Event], expected: Sequence[ExpectedEvent], ignored: Sequence[str]
+) -> Iterator[str]:
+    """Yield where the events that came are others than expected.
+
+    Those that belong together are found first, so that one event too many is one difference.
+
+    Args:
+        found: what came, without what the test ignores.
+        expected: what the test expects.
+        ignored: its list of events to ignore.
+    """
+    told = [line for pair in _beside(found, expected) for line in _told_of(pair, expected, ignored)]
+    yield from told[:_MOST_DIFFERENCES]
+    more = len(told) - _MOST_DIFFERENCES
+    if more > 0:
+        yield f"and {more} more difference{'' if more == 1 else 's'} of events"
+
+
+def _told_of(pair: _Pair, expected: Sequence[ExpectedEvent], ignored: Sequence[str]) -> Iterator[str]:
+    event, index = pair
+    if index is None:
+        if event is not None:
+            yield f"superfluous: {_told(event)}{_no_longer_ignored(event.name, ignored)}"
+    elif event is None:
+        wanted = expected[index]
+        when = "" if wanted.at_s is None else f" at {wanted.at_s:g} s"
+        yield f"missing: {wanted.event}{when}{_payload(wanted.payload)}, event {index + 1} of the test"
+    else:
+        yield from (f"differs: {line}" for line in _within(event, index + 1, expected[index]))
+
+
+def _no_longer_ignored(name: str, ignored: Sequence[str]) -> str:
+    """Return what helps where a test ignores other events, and so no longer those that all others ignore."""
+    if name not in IGNORED_BY_DEFAULT or name in ignored:
+        return ""
+    return (
+        f"; ignore: [{', '.join(ignored)}] replaces the list that holds otherwise ({', '.join(IGNORED_BY_DEFAULT)}): "
+        f"add {name} to it"
+    )
+
+
+def _within(event: Event, number: int, wanted: ExpectedEvent) -> Iterator[str]:
+    if not _is_in_time(event, wanted):
+        allowed = f"up to {wanted.tolerance_s:g} s off is allowed, more by tolerance_s beside at_s"
+        at_s = s_from_ticks(event.tick)
+        yield f"event {number} ({event.name}): expected at {wanted.at_s:g} s, came at {at_s:g} s; {allowed}"
+    for key, value in wanted.payload.items():
+        if not equal(value, event.payload.get(key)):
+            is_now = shown(event.payload.get(key))
+            yield f"event {number} ({event.name}): expected {key} {shown(value)}, is {is_now}"
+
+
+def _is_in_time(event: Event, wanted: ExpectedEvent) -> bool:
+    return _off_s(event, wanted) <= wanted.tolerance_s + _COUNTS_AS_EQUAL
+
+
+def _off_s(event: Event, wanted: ExpectedEvent) -> float:
+    return 0 if wanted.at_s is None else abs(s_from_ticks(event.tick) - wanted.at_s)
+
+
+def _told(event: Event) -> str:
+    return f"{event.name} at {s_from_ticks(event.tick):g} s{_payload(event.payload)}"
+
+
+def _payload(payload: dict[str, Scalar]) -> str:
+    told = ", ".join(f"{key} {shown(value)}" for key, value in payload.items())
+    return f" ({told})" if told else ""
+
+
+# --- which belong together --------------------------------------------------------------------------------------------
+
+
+def _beside(found: Sequence[Event], expected: Sequence[ExpectedEvent]) -> list[_Pair]:
+    """Return events beside what is expected, in order: as many as can be of one name, then those most alike."""
+    if len(found) * len(expected) > _MOST_PAIRS:
+        return list(_by_position(found, expected))
+    # best[i][j]: how well the events from i on and the expected ones from j on go together.
+    best = [[0.0] * (len(expected) + 1) for _ in range(len(found) + 1)]
+    for i in reversed(range(len(found))):
+        for j in reversed(range(len(expected))):
+            together = _likeness(found[i], expected[j]) + best[i + 1][j + 1]
+            best[i][j] = max(best[i + 1][j], best[i][j + 1], together if found[i].name == expected[j].event else 0)
+    pairs: list[_Pair] = []
+    i = j = 0
+    while i < len(found) and j < len(expected):
+        together = _likeness(found[i], expected[j]) + best[i + 1][j + 1]
+        if found[i].name == expected[j].event and together == best[i][j]:
+            pairs.append((found[i], j))
+            i, j = i + 1, j + 1
+        elif best[i + 1][j] == best[i][j]:
+            pairs.append((found[i], None))
+            i += 1
+        else:
+            pairs.append((None, j))
+            j += 1
+    return [*pairs, *((event, None) for event in found[i:]), *((None, left) for left in range(j, len(expected)))]
+
+
+def _by_position(found: Sequence[Event], expected: Sequence[ExpectedEvent]) -> Iterable[_Pair]:
+    for index, event in enumerate(found):
+        if index < len(expected) and event.name == expected[index].event:
+            yield event, index
+        else:
+            yield event, None
+            if index < len(expected):
+                yield None, index
+    yield from ((None, index) for index in range(len(found), len(expected)))
+
+
+_SAME_NAME = 1 << 20
+"""More than all that makes events alike beside their name can add up to: pairs are at most 250 000."""
+
+
+def _likeness(event: Event, wanted: ExpectedEvent) -> float:
+    """Return how well an event is the one that is expected, apart from its name: its payload, then its time."""
+    as_told = sum(equal(value, event.payload.get(key)) for key, value in wanted.payload.items())
+    payload = as_told / len(wanted.payload) if wanted.payload else 1
+    # A sixteenth of a second counts as much as half a payload; halves keep sums of floats exact.
+    time = 1.0 if _is_in_time(event, wanted) else 2.0 ** -min(20, 1 + int(_off_s(event, wanted) * 16))
+    return _SAME_NAME + round(payload * 1024) / 1024 + time

@@ -1,0 +1,75 @@
+"""How large and how small numbers may be: what has no place in a hall, and what physics and pictures cannot hold.
+
+Not bounds of the models: what an older version took can still be read in a record.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from typing import Any
+
+from rcj_challenges.scenario.models.actions import Count
+from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.scenario.models.field import Ball, Box, Cylinder, FieldModel, Goal, Wall
+from rcj_challenges.scenario.models.robots import Chassis
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.tree import Path
+from rcj_challenges.scenario.visiting import Found, visit
+
+MAX_NOISE_M = 5.0
+"""Half of the largest field: from anywhere on it a place may be noised to anywhere else."""
+FARTHEST_M = 1000.0
+"""A hundred times the largest field, for zones that shall have no end; squares of it are far from any overflow."""
+SMALLEST_M, LARGEST_M = 0.001, 10.0
+"""Of bodies, walls and goals: a millimetre, which contacts still resolve, to the largest field."""
+LIGHTEST_KG = 1e-6
+
+_BODIES = (Chassis, Ball, Box, Cylinder, Wall, Goal, FieldModel)
+_SIZES = frozenset(
+    {
+        "size_m", "radius_m", "height_m", "thickness_m", "width_m", "length_m", "depth_m", "wall_height_m",
+        "wheel_radius_m", "wheel_width_m", "wheel_track_m",
+    }
+)  # fmt: skip
+_PLACES = frozenset({"point", "on_line", "choice", "to", "from_", "towards", "distance", "tells"})
+"""Fields that may hold points, and do not say so by their unit."""
+_Range = tuple[float, float, str]
+
+
+def check_magnitudes(scenario: Scenario) -> Iterator[Found]:
+    """Yield the lengths, coordinates, noises and masses that are too large or too small."""
+    for model, path in visit(scenario):
+        for name, key, (least, most, unit) in _bounded(type(model)):
+            numbers = _numbers(getattr(model, name), (*path, key))
+            wrong = next(((number, at) for number, at in numbers if not least <= number <= most), None)
+            if wrong is not None:  # the first of a point or a list tells enough
+                bound = f"at least {least:g}" if wrong[0] < least else f"at most {most:g}"
+                yield Found(wrong[1], f"{key} must be {bound}{unit}, found {wrong[0]:g}")
+
+
+@cache
+def _bounded(model: type[Strict]) -> tuple[tuple[str, str, _Range], ...]:
+    """Return the fields of a model that have bounds here: name, key in the file, least, most and unit."""
+    found = ((name, info.alias or name, _range(model, name)) for name, info in model.model_fields.items())
+    return tuple((name, key, bounds) for name, key, bounds in found if bounds is not None)
+
+
+def _range(model: type[Strict], name: str) -> _Range | None:
+    if name.endswith("mass_kg"):
+        return LIGHTEST_KG, float("inf"), " kg"
+    if name == "noise_m":
+        return 0.0, MAX_NOISE_M, " m"
+    if model in _BODIES and name in _SIZES:
+        return SMALLEST_M, LARGEST_M, " m"
+    holds_points = name in _PLACES and model is not Count  # whose `to` is a number of anything
+    return (-FARTHEST_M, FARTHEST_M, " m") if name.endswith("_m") or holds_points else None
+
+
+def _numbers(value: Any, path: Path) -> Iterator[tuple[float, Path]]:
+    """Yield the numbers of a value, also of points and of lists of them; models in it are looked at by themselves."""
+    if isinstance(value, int | float):
+        yield value, path
+    elif isinstance(value, tuple | dict):
+        for step, inner in value.items() if isinstance(value, dict) else enumerate(value):
+            yield from _numbers(inner, (*path, step))

@@ -1,0 +1,62 @@
+"""What stands in an event's payload, told beside the sentence of its rule: short, and nothing twice."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from rcj_challenges.facts.measures import measure, measured_words, number_words
+
+_ON_THE_BOARD = frozenset(
+    ("score", "score_blue", "score_yellow", "team_name_blue", "team_name_yellow", "halftime", "match_id",
+     "total_match_time", "total_match_time_s")
+)  # fmt: skip
+"""Fields of official events, which the scoreboard shows: who plays, how it stands, which half, how long."""
+
+_OFFICIAL = frozenset(("KICKOFF", "GOAL", "LACK_OF_PROGRESS", "ROBOT_DAMAGED"))
+"""Events of the match, whose sentences say whom they are about."""
+_ABOUT_WHOM = frozenset(("robot_name", "team_name", "type"))
+
+_LONGEST = 80
+_DECIMALS = 4
+
+
+def told_beside(event: str, payload: Mapping[str, Any], says: str) -> str:
+    """Return ``run 8.48 s, poles 1``: of an event's payload what neither the sentence nor the scoreboard tells."""
+    known = _ON_THE_BOARD | _ABOUT_WHOM if says and event in _OFFICIAL else _ON_THE_BOARD
+    left = {key: value for key, value in payload.items() if key not in known}
+    return ", ".join(_words(key, value) for key, value in left.items() if not _is_said(key, value, says))
+
+
+def _is_said(key: str, value: Any, says: str) -> bool:
+    """Return whether the sentence has a value: a text as a word, a number only with its unit (others may be alike)."""
+    if isinstance(value, bool) or value is None:
+        return False
+    if isinstance(value, int | float):
+        unit = measure(key)[1]
+        text = f"{_number(value)} {unit}" if unit else ""
+    else:
+        text = value if isinstance(value, str) else ""
+    return bool(text) and re.search(rf"(?<![\w.]){re.escape(text)}(?!\w)", says) is not None
+
+
+def _words(key: str, value: Any) -> str:
+    name = key.removesuffix("_name")
+    match value:
+        case bool():
+            told = "yes" if value else "no"
+        case int() | float():
+            told = _number(value)
+        case None:
+            told = "none"
+        case str():
+            told = value
+        case _:
+            told = json.dumps(value, ensure_ascii=False)
+    return measured_words(name, told if len(told) <= _LONGEST else told[: _LONGEST - 1] + "…")
+
+
+def _number(value: float) -> str:
+    return number_words(value, _DECIMALS)

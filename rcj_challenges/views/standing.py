@@ -1,0 +1,64 @@
+"""How it stands, where more than the score decides: what counts in the ranking, while it is played and at the end."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from rcj_challenges.facts.measures import measure, measured_words, number_words
+from rcj_challenges.facts.play import HalfInfo
+from rcj_challenges.referee.ranking import Tally, counted_for, ranked_counters
+from rcj_challenges.scenario.models.actions import Score
+from rcj_challenges.scenario.models.scenario import RankByScore, Scenario
+
+Value = int | float
+
+
+def shows_score(scenario: Scenario) -> bool:
+    """Return whether a scoreboard has points to show: rules give some, or the ranking compares them."""
+    ranked = any(isinstance(criterion, RankByScore) for criterion in scenario.result.rank)
+    return ranked or any(isinstance(action, Score) for rule in scenario.rules.values() for action in rule.actions)
+
+
+def counted_names(scenario: Scenario) -> list[dict[str, str]]:
+    """Return the counters that the ranking compares, as a scoreboard says them: ``{"name": "best", "unit": "s"}``."""
+    return [dict(zip(("name", "unit"), measure(name), strict=True)) for name in ranked_counters(scenario)]
+
+
+class Counting:
+    """Follows what the counters that decide the ranking count for each team, half after half.
+
+    Args:
+        scenario: what is played; of one whose ranking asks no counter nothing is followed.
+    """
+
+    def __init__(self, scenario: Scenario) -> None:
+        self._scenario = scenario
+        self._names = ranked_counters(scenario)
+        self._over: list[Tally] = []
+        self._seats: Mapping[str, str] = {}
+        self._began: dict[str, Any] = {}
+        self._latest: Mapping[str, Any] | None = None
+
+    def begin(self, half: HalfInfo) -> None:
+        """Begin a half; what is counted from now on is counted in it."""
+        counters = self._scenario.counters
+        if self._latest is not None:
+            self._over.append(Tally(self._latest, self._seats, 0.0, self._began))
+            self._began = {name: self._latest[name] for name in self._names if counters[name].keep == "match"}
+        self._seats, self._latest = half.teams, None
+
+    def at(self, counters: Mapping[str, Any]) -> dict[str, list[Value]] | None:
+        """Return by team what counts for it now, in the order of `counted_names`; None if a counter is missing."""
+        if any(name not in counters for name in self._names):
+            return None
+        self._latest = counters
+        halves = [*self._over, Tally(counters, self._seats, 0.0, self._began)]
+        teams = dict.fromkeys(self._seats.values())
+        return {team: [counted_for(self._scenario, team, name, halves) for name in self._names] for team in teams}
+
+
+def counted_line(scenario: Scenario, values: list[Value]) -> str:
+    """Return ``best 10.48 s, poles touched 2``: what counts for a team in the ranking beside its score."""
+    names = ranked_counters(scenario)
+    return ", ".join(measured_words(name, number_words(value)) for name, value in zip(names, values, strict=True))

@@ -1,0 +1,87 @@
+"""``run`` says of a program that reads the referee's packets in another form what ``check`` says of it."""
+
+from __future__ import annotations
+
+import pytest
+
+from rcj_challenges.cli.packets import told_of_packets
+from rcj_challenges.controllers.team import open_team
+from rcj_challenges.scenario.load import load
+from tests.cli.in_this_process import here
+from tests.cli.test_run import DUEL, short
+
+OF_2021 = load("match_2021").scenario
+JSON_PROGRAM = """\
+import json
+from controller import Robot
+robot = Robot()
+receiver = robot.getDevice("supervisor receiver")
+receiver.enable(32)
+while robot.step(32) != -1:
+    while receiver.getQueueLength() > 0:
+        waiting = json.loads(receiver.getString())["waiting_for_kickoff"]
+        receiver.nextPacket()
+"""
+
+
+@pytest.fixture
+def told(tmp_path):
+    (tmp_path / "robot.py").write_text("packet = receiver.getData()\n", encoding="utf-8")
+    logs = tmp_path / "logs"
+
+    def of(*faults):
+        with open_team(tmp_path / "robot.py") as team:
+            return told_of_packets(OF_2021, {"yellow": team}, faults, logs)
+
+    return of
+
+
+def fault(robot, half=1, detail="struct.error: unpack requires a buffer of 160 bytes", **others):
+    told = {
+        "robot": robot,
+        "team": "yellow",
+        "half": half,
+        "tick": 2,
+        "kind": "crash",
+        "detail": detail,
+        "traceback": "",
+    }
+    return {**told, **others}
+
+
+def test_the_end_of_a_match_and_the_log_name_the_messages_that_a_program_was_written_for(tmp_path, monkeypatch, capsys):
+    (tmp_path / "team.py").write_text(JSON_PROGRAM, encoding="utf-8")
+    assert here(monkeypatch, tmp_path, *short("team.py", "--quiet", "--no-replay", *DUEL)) == 0
+    (line,) = [line for line in capsys.readouterr().out.splitlines() if line.startswith("hint")]
+    assert line.startswith(
+        "hint for B1, Y2: the referee's packet here is one byte (messages v2.1), your program reads JSON"
+    )
+    assert "--set kits.v2.messages=v2.2" in line
+    for robot in ("B1", "Y2"):
+        (log,) = tmp_path.glob(f"runs/*/logs/{robot}.log")
+        assert log.read_text(encoding="utf-8").splitlines()[-1] == "hint: " + line.partition(": ")[2]
+
+
+def test_of_robots_that_fail_alike_one_line_is_enough_and_each_log_tells_it_once(tmp_path, told):
+    (tmp_path / "logs").mkdir()
+    (line,) = told(fault("Y1"), fault("Y2"), fault("Y1", half=2))
+    assert line.startswith("hint for Y1, Y2: ")
+    assert "--set kits.legacy_2021.packet_has_flag=false" in line
+    for robot in ("Y1", "Y2"):
+        assert (tmp_path / "logs" / f"{robot}.log").read_text(encoding="utf-8").count("hint: ") == 1
+
+
+def test_a_log_that_cannot_be_written_keeps_nothing_back(told):
+    assert len(told(fault("Y1"))) == 1  # there is no folder for it
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        fault("Y1", detail="ZeroDivisionError: division by zero"),
+        fault("Y1", detail="the program called sys.exit()", kind="exit"),
+        fault("Y1", team=None),
+    ],
+)
+def test_other_faults_say_nothing_about_packets(told, other):
+    assert told(other) == []

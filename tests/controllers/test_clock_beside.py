@@ -1,0 +1,134 @@
+"""The clock of threads beside the one that steps: it follows the match, and nobody waits for ever."""
+
+from __future__ import annotations
+
+import sys
+import threading
+import time
+from collections.abc import Callable
+
+import pytest
+
+from rcj_challenges.controllers.pupil.controller import _beside
+from rcj_challenges.controllers.pupil.controller._clock import Clock
+from rcj_challenges.controllers.pupil.controller._waits import Waits
+
+TICK_S = 0.032
+
+
+@pytest.fixture
+def clock() -> Clock:
+    """Of a program that has taken its first step."""
+    clock = Clock(32_000_000)
+    clock.step_began()
+    clock.tick_began(1)
+    return clock
+
+
+def stepped(clock: Clock, tick: int) -> None:
+    clock.step_began()
+    clock.tick_began(tick)
+
+
+def run_beside(work: Callable[[], object], patience_s: float = 5.0) -> float:
+    """Let another thread work while this one, that steps, waits for it. Returns how long that took in real s."""
+    began_s = time.perf_counter()
+    thread = threading.Thread(target=work, daemon=True)
+    thread.start()
+    thread.join(patience_s)
+    assert not thread.is_alive(), "it waits for a clock that stands still"
+    return time.perf_counter() - began_s
+
+
+def look_until(clock: Clock, seconds: float) -> int:
+    """What programs do that think for so long: returns how often they looked."""
+    began_s, looked = clock.now_s(), 0
+    while clock.now_s() - began_s < seconds:
+        looked += 1
+    return looked
+
+
+def test_who_looks_at_the_clock_while_the_one_that_steps_waits_for_it_sees_it_go_on(clock: Clock) -> None:
+    took_s = min(run_beside(lambda: look_until(clock, 0.005)) for _ in range(5))
+    assert took_s < 0.09  # and not only after the standstill that real time needs to count
+    assert clock.missed_ticks() == 0
+
+
+def test_who_sleeps_while_the_one_that_steps_waits_for_it_sleeps_about_as_long_in_real_time(clock: Clock) -> None:
+    took_s = min(run_beside(lambda: clock.sleep(0.02)) for _ in range(5))
+    assert 0.02 <= took_s < 0.1
+    assert clock.missed_ticks() == 0
+
+
+def test_a_wait_with_a_limit_takes_about_as_long_where_the_thread_that_steps_is_idle(clock: Clock) -> None:
+    """``await loop.run_in_executor(None, robot.step, 32)``, then ``await asyncio.sleep(0.001)``."""
+    wait = Waits(clock)._patient(lambda _, timeout: time.sleep(timeout))
+    took_s = min(run_beside(lambda: wait(None, 0.02)) for _ in range(5))
+    assert 0.02 <= took_s < 0.1
+    assert clock.missed_ticks() == 0
+
+
+def test_who_looks_while_the_one_that_steps_looks_as_well_sees_it_go_on_after_a_while(clock: Clock) -> None:
+    """It asks again and again whether the other is done: it is not stuck, and waits all the same."""
+    thread = threading.Thread(target=look_until, args=(clock, 0.005), daemon=True)
+    thread.start()
+    end_s = time.perf_counter() + 5
+    while thread.is_alive():
+        assert time.perf_counter() < end_s
+
+
+def test_inside_a_step_no_real_time_counts(clock: Clock) -> None:
+    """Other programs may take as long as they like to start: the same tick follows."""
+    clock.beside.ahead_ns()  # somebody waits
+    clock.step_began()
+    before = clock.beside.read_ns()
+    time.sleep(0.12)
+    run_beside(lambda: [clock.now_s() for _ in range(1_000)])
+    assert clock.beside.read_ns() == before == 0
+
+
+def test_what_the_clock_is_ahead_is_taken_back_and_it_never_runs_back(clock: Clock) -> None:
+    shown = []
+    for tick in range(2, 12):
+        run_beside(lambda: look_until(clock, 0.005))
+        run_beside(lambda: shown.append(clock.now_s()))
+        stepped(clock, tick)
+        run_beside(lambda: shown.append(clock.now_s()))
+    assert shown == sorted(shown)
+    assert shown[-1] < 11 * TICK_S + 0.03
+
+
+def test_while_somebody_computes_nobody_counts_as_stuck(clock: Clock, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Who polls does not run ahead, for less than the while after which real time counts."""
+    monkeypatch.setattr(_beside, "real_process_time", time.perf_counter)
+    monkeypatch.setattr(_beside, "_IS_TOLD_FINELY", True)
+    monkeypatch.setattr(_beside, "_STANDSTILL_S", 10.0)
+    run_beside(lambda: [clock.now_s() for _ in range(250)])
+    assert clock.beside.ahead_ns() == 0
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells")
+def test_a_thread_that_only_waits_for_a_processor_is_not_stuck() -> None:
+    asked = threading.Event()
+    waits = threading.Thread(target=asked.wait)
+    waits.start()
+    for _ in range(500):
+        if not _beside._would_run(waits.native_id):
+            break
+        time.sleep(0.001)
+    found = _beside._would_run(threading.get_native_id()), _beside._would_run(waits.native_id)
+    asked.set()
+    waits.join()
+    assert (*found, _beside._would_run(waits.native_id)) == (True, False, False)
+
+
+def test_a_wait_of_the_thread_that_steps_catches_up_with_the_clock_of_the_others(clock: Clock) -> None:
+    run_beside(lambda: look_until(clock, 0.01))
+    ahead_s = clock.beside.ahead_ns() / 1e9
+    clock.pass_time(1.0)
+    assert 0 < ahead_s < 1.0
+    assert clock.others_s() == pytest.approx(TICK_S + 1.0, abs=1e-3)
+
+
+def test_who_plans_until_ten_ms_have_passed_goes_round_some_hundred_times(clock: Clock) -> None:
+    assert 250 < look_until(clock, 0.01) < 350

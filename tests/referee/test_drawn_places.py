@@ -1,0 +1,192 @@
+"""A draw's name where a zone or a gate stands, and where a distance is measured to something."""
+
+from __future__ import annotations
+
+import pytest
+
+from rcj_challenges.referee.trials import try_expectation
+from rcj_challenges.scenario.load import load_text
+
+LEFT, MIDDLE, RIGHT, OUTSIDE = (-0.3, 0.0), (0.0, 0.0), (0.3, 0.0), (0.0, 0.7)
+HOT = "draws: {hot: {values: [left, right], not_last: true}}"
+NOW = "{trigger: time_reached, at_s: 0.32}"
+"""Tick 10."""
+
+
+def hears(*triggers: str, more: str = "") -> str:
+    rules = (
+        f"{name}: {{triggers: [{trigger}], {more} actions: [{{action: emit, event: {name.upper()}}}]}}"
+        for name, trigger in zip(("one", "two", "three"), triggers, strict=False)
+    )
+    return f"rules: {{{', '.join(rules)}}}"
+
+
+AGAIN = f"rules: {{again: {{triggers: [{NOW}], actions: [{{action: draw, draw: hot}}]}}}}"
+ENTERS, LEAVES = "{trigger: enters, entity: ball, zone: hot}", "{trigger: leaves, entity: ball, zone: hot}"
+
+
+def events(play) -> list[tuple[str, int]]:
+    return [(event.name, event.tick) for event in play.events]
+
+
+def move(play, place: tuple[float, float]) -> None:
+    """Let the ball be somewhere else in the next tick."""
+    play.place("ball", *place)
+    play.play(1)
+
+
+class TestZones:
+    @pytest.mark.parametrize(("hot", "ticks"), [("left", [("ONE", 2), ("TWO", 3)]), ("right", [("ONE", 4)])])
+    def test_the_drawn_one_is_entered_and_left_and_no_other(self, stage, hot, ticks):
+        play = stage(HOT, hears(ENTERS, LEAVES), draws={"hot": hot})
+        for place in (MIDDLE, LEFT, MIDDLE, RIGHT):
+            move(play, place)
+        assert events(play) == ticks
+
+    def test_a_change_of_the_draw_is_no_edge(self, stage):
+        stays = "{trigger: stays_in, entity: ball, zone: hot, limit_s: 0.32}"
+        play = stage(HOT, hears(ENTERS, LEAVES, stays), AGAIN, draws={"hot": "right"})
+        move(play, LEFT)
+        play.play(11)
+        # It lies in what is drawn at tick 10: nothing fires by that, and its stay begins then.
+        assert events(play) == []
+        play.play(15)
+        assert events(play) == [("THREE", 21)]
+        move(play, MIDDLE)
+        assert events(play)[1:] == [("TWO", 28)]
+
+    def test_after_a_new_draw_the_other_one_is_followed_at_once(self, stage):
+        play = stage(HOT, hears(ENTERS), AGAIN, draws={"hot": "left"})
+        play.play(10)
+        move(play, LEFT)
+        assert events(play) == []
+        move(play, RIGHT)
+        assert events(play) == [("ONE", 12)]
+
+    def test_what_is_drawn_again_and_stays_the_same_disturbs_no_stay(self, stage):
+        stays = "{trigger: stays_in, entity: ball, zone: hot, limit_s: 0.48}"
+        same = "draws: {hot: {values: [left]}}"
+        play = stage(same, hears(stays), AGAIN)
+        move(play, LEFT)
+        play.play(20)
+        assert events(play) == [("ONE", 17)]
+
+    def test_beside_others_it_is_one_of_them(self, stage):
+        either = "{trigger: enters, entity: ball, zone: [hot, middle]}"
+        play = stage(HOT, hears(either), draws={"hot": "left"})
+        move(play, OUTSIDE)
+        for place in (LEFT, MIDDLE, RIGHT, LEFT):
+            move(play, place)
+        # From the left part straight into the middle is no entry: it was in one of them before.
+        assert events(play) == [("ONE", 2), ("ONE", 5)]
+
+    @pytest.mark.parametrize(("hot", "place", "fires"), [("left", LEFT, 1), ("left", RIGHT, 0), ("right", RIGHT, 1)])
+    def test_a_condition_asks_for_the_one_that_is_drawn_now(self, stage, hot, place, fires):
+        rule = "conditions: [{condition: in_zone, entity: ball, zone: hot}],"
+        play = stage(
+            HOT,
+            hears("{trigger: time_reached, at_s: 0.64}", more=rule),
+            AGAIN,
+            draws={"hot": ("right" if hot == "left" else "left", hot)},
+        )
+        move(play, place)
+        play.play(25)
+        assert len(play.events) == fires
+
+    def test_holds_asks_anew_and_hears_a_draw_that_makes_it_true(self, stage):
+        holds = "{trigger: holds, condition: {condition: in_zone, entity: ball, zone: hot}}"
+        play = stage(HOT, hears(holds), AGAIN, draws={"hot": "right"})
+        move(play, LEFT)
+        play.play(15)
+        assert events(play) == [("ONE", 11)]
+
+    def test_in_a_phase_in_which_the_rule_does_not_live_nothing_is_followed(self, stage):
+        play = stage(
+            HOT,
+            "phases: {rest: {lasts_s: 0.64}}",
+            f"rules: {{rests: {{triggers: [{NOW}], actions: [{{action: set_phase, phase: rest}}]}}}}",
+            "rules: {late: {phases: any, triggers: [{trigger: time_reached, at_s: 0.48}], actions: [{action: draw, draw: hot}]}}",
+            hears(ENTERS, LEAVES),
+            draws={"hot": "right"},
+        )
+        move(play, LEFT)
+        play.play(35)
+        assert events(play) == []
+        move(play, MIDDLE)
+        assert [name for name, _ in events(play)] == ["TWO"]
+
+
+class TestGates:
+    DOORS = """
+    gates: {west: {from_m: [0.6, -0.2], to_m: [-0.6, -0.2]}, east: {from_m: [0.6, 0.2], to_m: [-0.6, 0.2]}}
+    draws: {door: {values: [west, east]}}
+    """
+    CROSSES = "{trigger: crosses, entity: ball, gate: door%s}"
+
+    @pytest.mark.parametrize(("door", "tick"), [("west", 2), ("east", 3)])
+    def test_the_drawn_one_is_crossed_and_no_other(self, stage, door, tick):
+        play = stage(self.DOORS, hears(self.CROSSES % ""), draws={"door": door})
+        for y in (-0.4, 0.0, 0.4):
+            move(play, (0.0, y))
+        assert events(play)[-1:] == [("ONE", tick)]
+
+    def test_direction_counts_as_with_any_gate(self, stage):
+        play = stage(self.DOORS, hears(*(self.CROSSES % f", direction: {way}" for way in ("forward", "backward"))),
+                     draws={"door": "east"})  # fmt: skip
+        for y in (0.4, 0.0):
+            move(play, (0.0, y))
+        assert events(play) == [("TWO", 1), ("ONE", 2)]
+
+
+class TestDistances:
+    PLACES = """
+    spots: {far: {x_m: 0, y_m: 0.5}, near: {x_m: 0, y_m: 0.2}}
+    balls: {ball: {start_m: [0, 0]}, red: {start_m: [0.5, 0]}}
+    draws: {spot: {values: [far, near]}, part: {values: [left, right]}, one: {values: [ball, red]}}
+    """
+
+    @pytest.mark.parametrize(
+        ("value", "draws", "far"),
+        [
+            ("[ball, spot]", {"spot": "far"}, 0.5),
+            ("[ball, spot]", {"spot": "near"}, 0.2),
+            ("[spot, red]", {"spot": "near"}, 0.539),
+            ("[red, part]", {"part": "left"}, 0.6),
+            ("[red, part]", {"part": "right"}, 0),
+            ("[one, [0, 0]]", {"one": "red"}, 0.5),
+            # Nothing is measured from itself.
+            ("[red, one]", {"one": "ball"}, 0.5),
+            ("[red, one]", {"one": "red"}, None),
+        ],
+    )
+    def test_it_is_measured_to_what_is_drawn_now(self, stage, value, draws, far):
+        told = f"actions: [{{action: emit, event: TOLD, payload: {{far: {{distance: {value}}}}}}}]"
+        body = f"rules: {{told: {{triggers: [{{trigger: half_started}}], {told}}}}}"
+        assert stage(self.PLACES, body, draws=draws).events[0].payload == {"far": far}
+
+    @pytest.mark.parametrize(("spot", "fires"), [("far", 0), ("near", 1)])
+    def test_a_condition_compares_it(self, stage, spot, fires):
+        near = "conditions: [{condition: distance, entity: ball, to: spot, at_most: 0.3}],"
+        play = stage(self.PLACES, hears("{trigger: half_started}", more=near), draws={"spot": spot})
+        assert len(play.events) == fires
+
+
+def test_a_test_in_the_file_decides_and_sees_it():
+    loaded = load_text("""
+schema_version: 1
+id: hot
+title: Hot
+extends: soccersim_v2
+draws: {hot: {values: [blue_goal, yellow_goal]}}
+rules:
+  goal:
+    triggers: [{trigger: enters, entity: ball, zone: hot}]
+    actions: [{action: score, entrant: yellow}]
+expect:
+  only_the_drawn_goal_counts:
+    draws: {hot: yellow_goal}
+    keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}, {at_s: 2, place: {ball: [0, -0.8]}}]
+    lasts_s: 3
+    score: {yellow: 1}
+""")
+    assert try_expectation(loaded, "only_the_drawn_goal_counts").differences == ()

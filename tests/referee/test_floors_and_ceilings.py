@@ -1,0 +1,110 @@
+"""Floors and ceilings of what is paid and counted, and of scores and counters."""
+
+from __future__ import annotations
+
+import pytest
+
+STATE = "counters: {n: {initial: 5}, reckoned: {initial: %s}, own: {per: robots}}"
+
+
+def played(stage, action: str, reckoned: float = 0, **facts):
+    """Return a play in which a rule has acted twice, at ticks 10 and 20."""
+    again = "{trigger: time_reached, at_s: 0.32}, {trigger: time_reached, at_s: 0.64}"
+    play = stage(STATE % reckoned, f"rules: {{act: {{triggers: [{again}], actions: [{action}]}}}}", **facts)
+    play.play(25)
+    return play
+
+
+class TestHowMuchIsPaid:
+    LATE = "{action: score, entrant: blue, points: [20, {counter: reckoned, weight: -1}], at_least: 5, at_most: 12}"
+
+    @pytest.mark.parametrize(("reckoned", "points"), [(30, 5), (16, 5), (15, 5), (12.5, 7.5), (8, 12), (0, 12)])
+    def test_it_is_no_less_and_no_more_whatever_was_reckoned(self, stage, reckoned, points):
+        play = played(stage, self.LATE, reckoned)
+        assert [firing.scored for firing in play.firings] == [{"blue": points}] * 2
+        assert play.referee.scores["blue"] == 2 * points
+
+    def test_it_is_a_bound_of_each_payment_not_of_the_score(self, stage):
+        play = played(stage, self.LATE, 30, scores={"blue": -100, "yellow": 0})
+        assert play.referee.scores["blue"] == -90
+
+    def test_a_whole_number_stays_one(self, stage):
+        assert isinstance(played(stage, self.LATE, 30).referee.scores["blue"], int)
+
+
+class TestHowFarAScoreGoes:
+    FOUL = "{action: score, entrant: blue, points: %s, keeps_at_least: 0, keeps_at_most: 10}"
+
+    @pytest.mark.parametrize(
+        ("before", "points", "given", "after"),
+        [
+            (5, -3, [-3, -2], 0),
+            (0, -3, [0, 0], 0),
+            (9, 3, [1, 0], 10),
+            # What lies beyond already stays: nobody gains by losing points, and what comes back counts in full.
+            (-4, -3, [0, 0], -4),
+            (-4, 3, [3, 3], 2),
+            (14, 3, [0, 0], 14),
+            (14, -3, [-3, -3], 8),
+            (0.3, -0.1, [-0.1, -0.1], 0.1),
+            (0.1, -0.3, [-0.1, 0], 0),
+        ],
+    )
+    def test_a_change_goes_as_far_as_the_bound(self, stage, before, points, given, after):
+        play = played(stage, self.FOUL % points, scores={"blue": before, "yellow": 0})
+        assert [firing.scored["blue"] for firing in play.firings] == given
+        assert play.referee.scores["blue"] == after
+
+    def test_it_is_said_what_was_really_taken(self, stage):
+        play = stage(
+            "rules: {foul: {triggers: [{trigger: time_reached, at_s: 0.32}], says: '{points}', "
+            "actions: [{action: score, entrant: blue, points: -5, keeps_at_least: 0}]}}",
+            scores={"blue": 2, "yellow": 0},
+        )
+        play.play(12)
+        assert [firing.says for firing in play.firings] == ["-2"]
+
+    def test_both_kinds_of_bounds_together(self, stage):
+        action = "{action: score, entrant: blue, points: {counter: reckoned}, at_most: -2, keeps_at_least: 0}"
+        play = played(stage, action, 100, scores={"blue": 3, "yellow": 0})
+        assert [firing.scored["blue"] for firing in play.firings] == [-2, -1]
+
+
+class TestHowMuchIsCounted:
+    @pytest.mark.parametrize(
+        ("how", "reckoned", "after"),
+        [
+            ("by: {counter: reckoned}, at_least: 2", 1, 9),
+            ("by: {counter: reckoned}, at_most: 2", 7, 9),
+            ("by: {counter: reckoned}, at_least: 2, at_most: 4", 3, 11),
+            ("to: {counter: reckoned}, at_least: 2", 1, 2),
+            ("to: {counter: reckoned}, at_most: 2", 7, 2),
+            ("to: {counter: reckoned}, at_least: 2", 3, 3),
+            ("by: -3, keeps_at_least: 0", 0, 0),
+            ("by: 3, keeps_at_most: 7", 0, 7),
+            ("by: 3, keeps_at_most: 4", 0, 5),
+            ("keeps_at_most: 6", 0, 6),
+        ],
+    )
+    def test_amounts_and_counters_have_bounds_as_scores_have(self, stage, how, reckoned, after):
+        play = played(stage, f"{{action: count, counter: n, {how}}}", reckoned)
+        assert play.referee.counters["n"] == after
+
+    def test_each_of_those_that_are_counted_at_once_has_its_own(self, stage):
+        alone = "{action: count, counter: own, entity: Y1, by: 2}, "
+        play = played(stage, alone + "{action: count, counter: own, by: 2, keeps_at_most: 5}")
+        assert play.referee.counters["own"] == {"B1": 4, "B2": 4, "Y1": 6, "Y2": 4}
+
+
+def test_who_sets_no_bounds_is_written_as_before(small):
+    actions = "{action: score, entrant: blue}, {action: count, counter: n}"
+    rule = "rules: {act: {triggers: [{trigger: half_started}], actions: [%s]}}"
+    plain = small(STATE % 0, rule % actions).model_dump(mode="json")["rules"]["act"]["actions"]
+    assert plain == [
+        {"action": "score", "entrant": "blue", "points": 1},
+        {"action": "count", "counter": "n", "entity": None, "by": None, "to": None},
+    ]
+    bounded = small(STATE % 0, rule % "{action: score, entrant: blue, keeps_at_most: 3}").model_dump(mode="json")
+    assert bounded["rules"]["act"]["actions"] == [
+        {"action": "score", "entrant": "blue", "points": 1, "keeps_at_most": 3}
+    ]

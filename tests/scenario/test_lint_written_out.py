@@ -1,0 +1,123 @@
+"""Lint of numbers in sentences that are those of a param, and of blanks in description and title."""
+
+from __future__ import annotations
+
+import pytest
+
+from rcj_challenges.scenario.lint import Finding, lint
+from rcj_challenges.scenario.load import load_text
+
+HEAD = 'schema_version: 1\nid: it\ntitle: "%s"\ndescription: >-\n  %s\nextends: %s\nmatch: {half_s: 60}\n'
+RULES = (
+    "rules:\n  home:\n    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]\n"
+    "    actions: [{action: score, entrant: yellow, points: %s}]\n    says: %s\n"
+)
+
+
+def of_kind(kind: str, text: str) -> list[Finding]:
+    return [one for one in lint(load_text(text, file="it.yaml")) if one.kind == kind]
+
+
+def head(description: str = "About it.", title: str = "It", extends: str = "soccersim_v2") -> str:
+    return HEAD % (title, description, extends)
+
+
+def in_says(
+    says: str, points: str = "{param: home_points}", params: str = "home_points: 5", more: str = ""
+) -> list[str]:
+    text = f"{head()}params: {{{params}}}\n{more}{RULES % (points, says)}"
+    return [one.problem.message for one in of_kind("number_instead_of_param", text)]
+
+
+class TestNumbersInSentences:
+    def test_the_number_of_a_param_that_the_rule_uses(self):
+        text = f"{head()}params: {{home_points: 5}}\n{RULES % ('{param: home_points}', 'The ball is home; 5 points.')}"
+        (one,) = of_kind("number_instead_of_param", text)
+        assert str(one) == (
+            "it.yaml:13:11: warning: rules.home.says: 5 is the param 'home_points' here, and with --set home_points=… it "
+            "would be untrue; write {home_points}, which fills in its value [number_instead_of_param]"
+        )
+
+    def test_numbers_in_words_are_numbers(self):
+        assert len(in_says("Five points.")) == 1
+
+    @pytest.mark.parametrize("says", ["'{home_points} points.'", "50 points in 0.5 s.", "Points."])
+    def test_a_placeholder_and_other_numbers_are_none(self, says):
+        assert in_says(says) == []
+
+    @pytest.mark.parametrize("number", [0, 1, 2])
+    def test_every_other_sentence_has_a_one_or_a_two_in_it(self, number):
+        assert in_says(f"{number} points.", params=f"home_points: {number}") == []
+
+    @pytest.mark.parametrize(
+        ("points", "params"),
+        [
+            # Another param of the same number, a plain number beside it, one that is reckoned, one that the rule never uses.
+            ("[{param: home_points}, {param: bonus}]", "home_points: 5, bonus: 5"),
+            ("[{param: home_points}, 5]", "home_points: 5"),
+            ("{param: half, times: 2}", "half: 2.5"),
+            ("5", "home_points: 5"),
+        ],
+    )
+    def test_where_it_is_not_clear_which_one_is_meant_nothing_is_said(self, points, params):
+        assert in_says("5 points.", points, params) == []
+
+    def test_another_unit_is_another_number(self):
+        draws = "timers: {patience: {lasts_s: {param: wait_s}}}\n"
+        text = head() + "params: {wait_s: 5}\n" + draws + RULES.replace(
+            "{trigger: enters, entity: ball, zone: blue_goal}", "{trigger: timer_expired, timer: patience}"
+        )  # fmt: skip
+        assert of_kind("number_instead_of_param", text % ("-4", "Too late; 5 points less.")) == []
+        assert len(of_kind("number_instead_of_param", text % ("-4", "Nobody came for 5 s."))) == 1
+
+    def test_what_is_said_by_the_base_is_not_the_author_s(self):
+        text = head(extends="match") + "params: {damaged_for_s: 90}\n"
+        assert of_kind("number_instead_of_param", text) == []
+
+
+class TestDescriptions:
+    def said(self, description: str, params: str = "shot_s: 15, goals: 7") -> list[str]:
+        text = f"{head(description)}params: {{{params}}}\n{RULES % ('1', 'A goal.')}"
+        return [one.problem.message.split(" here")[0] for one in of_kind("number_instead_of_param", text)]
+
+    def test_a_number_of_what_a_param_is_called_after(self):
+        assert self.said("Fifteen seconds for each shot. Seven robots play.") == ["15 is the param 'shot_s'"]
+
+    @pytest.mark.parametrize("text", ["15 robots play.", "{shot_s} s for each shot.", "About it."])
+    def test_other_numbers_are_not_meant(self, text):
+        assert self.said(text) == []
+
+    def test_of_two_params_with_one_number_nobody_knows_which(self):
+        assert self.said("15 s for a shot.", "shot_s: 15, pause_s: 15") == []
+
+
+class TestBlanksInDescriptionAndTitle:
+    def said(self, description: str, title: str = "It", params: str = "params: {shots: 7}\n") -> list[str]:
+        return [str(one) for one in of_kind("placeholder_unknown", head(description, title) + params)]
+
+    def test_a_param_is_filled_in(self):
+        assert self.said("There are {shots} shots.") == []
+
+    def test_what_is_no_param_stays_as_written(self):
+        assert self.said("There are {shot} shots.") == [
+            (
+                "it.yaml:4:14: warning: description: '{shot}' is not filled in, it stays as written; did you mean "
+                "'shots'? what is filled in is {shots} [placeholder_unknown]"
+            )
+        ]
+        (one,) = self.said("There are {shots_} shots.", params="")
+        assert one.endswith("; params are filled in by their names [placeholder_unknown]")
+
+    def test_what_is_known_when_a_rule_fires_is_not_known_there(self):
+        (one,) = self.said("{entity} shoots.")
+        assert "that is known only when a rule fires; what is filled in is {shots}" in one
+
+    def test_other_braces_are_text(self):
+        assert self.said('Programs are told {"light": "red"} or {}.') == []
+
+    def test_a_title_is_the_same_for_every_value(self):
+        (one,) = self.said("About it.", "{shots} shots")
+        assert one == (
+            "it.yaml:3:8: warning: title: '{shots}' is not filled in: a title is the same for every value of its params; "
+            "leave it out, or tell it in the description [placeholder_unknown]"
+        )

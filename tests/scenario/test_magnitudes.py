@@ -1,0 +1,86 @@
+"""Lengths, noises and masses have bounds: what is refused says them, and what is at them can be built and judged."""
+
+from __future__ import annotations
+
+import pytest
+
+from rcj_challenges.referee.script import ScriptedPlay
+from rcj_challenges.scenario.lint import lint
+from rcj_challenges.views.drawing.field import draw_scenario
+from rcj_challenges.world.world import World
+from tests.scenario.writing import complaints, loaded, rule
+
+PLACE = "{action: place, entity: ball, at: %s}"
+CRATE = "obstacles: {crate: {shape: %s, centre_m: [0, 0.1], movable: true, %s}}\n"
+CHASSIS = "kits: {v2: {chassis: {%s}}}\n"
+ALONE = """
+robots: {B1: null, B2: null, B3: null, Y1: null, Y2: null}
+entrants: {blue: null, yellow: {robots: {Y1: null, Y2: null}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("body", "told"),
+    [
+        ("robots: {Y1: {start: {noise_m: [75, 75]}}}\n", "robots.Y1.start.noise_m[0]: noise_m must be at most 5 m, found 75"),
+        ("robots: {Y1: {start: {noise_m: [0, -0.1]}}}\n", "robots.Y1.start.noise_m[1]: noise_m must be at least 0 m, found -0.1"),
+        (
+            rule(action="{action: place, entity: ball, at: {point: [0, 0]}, noise_m: [0, 50]}"),
+            "rules.r.actions[0] (place): noise_m must be at most 5 m, found 50",
+        ),
+        (
+            "placements: {all: [{entity: ball, at: start, noise_m: [-1, 0]}]}\n",
+            "placements.all[0].noise_m[0]: noise_m must be at least 0 m, found -1",
+        ),
+        (rule(action=PLACE % "{point: [1.0e+200, 0]}"), "rules.r.actions[0] (place): point must be at most 1000 m, found 1e+200"),
+        (rule(action=PLACE % "{on_line: [[0, 0], [0, -2000]]}"), "rules.r.actions[0] (place): on_line must be at least -1000 m, found -2000"),
+        (rule(action=PLACE % "{choice: [centre, [0, 2000]]}"), "rules.r.actions[0] (place): choice must be at most 1000 m, found 2000"),
+        ("spots: {far: {x_m: 1.0e+9, y_m: 0}}\n", "spots.far.x_m: x_m must be at most 1000 m, found 1e+09"),
+        ("balls: {ball: {mass_kg: 1.0e-20}}\n", "balls.ball.mass_kg: mass_kg must be at least 1e-06 kg, found 1e-20"),
+        ("balls: {ball: {radius_m: 1.0e-9}}\n", "balls.ball.radius_m: radius_m must be at least 0.001 m, found 1e-09"),
+        (CHASSIS % "size_m: 1.0e-6", "kits.v2.chassis.size_m: size_m must be at least 0.001 m, found 1e-06"),
+        (CHASSIS % "wheel_mass_kg: 1.0e-9", "kits.v2.chassis.wheel_mass_kg: wheel_mass_kg must be at least 1e-06 kg, found 1e-09"),
+        (CRATE % ("box", "size_m: [1.0e-6, 0.1]"), "obstacles.crate.size_m[0]: size_m must be at least 0.001 m, found 1e-06"),
+        (CRATE % ("box", "size_m: [0.1, 11]"), "obstacles.crate.size_m[1]: size_m must be at most 10 m, found 11"),
+        ("field: {goals: {blue_goal: {depth_m: 1.0e+9}}}\n", "field.goals.blue_goal.depth_m: depth_m must be at most 10 m, found 1e+09"),
+        ("zones: {z: {shape: circle, centre_m: [0, 0], radius_m: 1.0e+5}}\n", "zones.z.radius_m: radius_m must be at most 1000 m, found 100000"),
+    ],
+)  # fmt: skip
+def test_what_is_out_of_all_measure_is_refused_with_the_bound(body, told):
+    assert complaints(body) == [told]
+
+
+def test_a_counter_may_be_set_to_any_number():
+    assert loaded("counters: {c: {}}\n" + rule(action="{action: count, counter: c, to: 5000}"))
+
+
+SMALLEST = (
+    "balls: {ball: {radius_m: 0.001, mass_kg: 1.0e-6}}\n",
+    CRATE % ("box", "size_m: [0.001, 0.001], height_m: 0.001, mass_kg: 1.0e-6"),
+    CHASSIS % "size_m: 0.001, mass_kg: 1.0e-6, wheel_radius_m: 0.001, wheel_width_m: 0.001, wheel_mass_kg: 1.0e-6",
+)
+
+
+@pytest.mark.parametrize("body", SMALLEST)
+def test_the_smallest_bodies_stand_in_the_world(body):
+    found = loaded(body + ("" if "robots:" in body else ALONE))
+    World(found.scenario, found.roster)
+
+
+LARGEST = (
+    "zones: {z: {shape: circle, centre_m: [0, 0], radius_m: 1000}}\n",
+    "zones: {z: {shape: polygon, points_m: [[-1000, -1000], [1000, -1000], [0, 1000]]}}\n",
+    "gates: {g: {from_m: [-1000, -1000], to_m: [1000, 1000]}}\n",
+    "spots: {s: {x_m: 1000, y_m: -1000}}\n",
+    "robots: {Y3: {start: {noise_m: [5, 5]}}}\n",
+    "field: {goals: {blue_goal: {depth_m: 10}}}\n",
+    "balls: {ball: {radius_m: 0.001}}\n",
+)
+
+
+@pytest.mark.parametrize("body", LARGEST)
+def test_the_largest_numbers_can_be_drawn_and_judged(body):
+    found = loaded(body + ("" if "robots:" in body else ALONE))
+    lint(found)
+    ScriptedPlay(found.scenario, found.roster).play(2)
+    assert "</svg>" in draw_scenario(found.scenario, found.roster)

@@ -1,0 +1,230 @@
+"""What decides is shown: payloads beside events, the counters that rank while it is played, who came where at the end."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rcj_challenges.facts.measures import measure_words, measured_words, number_words
+from rcj_challenges.facts.play import Event, Firing, Verdict
+from rcj_challenges.records.testing import half_info, made_up_snapshot, small_header, small_scenario
+from rcj_challenges.records.writer import RecordWriter
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.views.live.feed import Feed
+from rcj_challenges.views.live.pace import MAX_SPEED, Pace
+from rcj_challenges.views.live.telling import LiveWatcher
+from rcj_challenges.views.replay import write_replay
+from rcj_challenges.views.replay.payloads import told_beside
+from rcj_challenges.views.standing import Counting, shows_score
+from rcj_challenges.views.video.footage import Footage
+from tests.views.browser_stage import settled
+
+TICKS = 40
+RANK = [{"counter": "laps", "order": "descending"}, {"counter": "best_s", "order": "ascending"}]
+
+
+@pytest.mark.parametrize(
+    ("name", "alone", "with_value"),
+    [
+        ("best_s", "best (s)", "best 3 s"),
+        ("way_m", "way (m)", "way 3 m"),
+        ("top_speed_mps", "top speed (m/s)", "top speed 3 m/s"),
+        ("poles_touched", "poles touched", "poles touched 3"),
+        ("s", "s", "s 3"),
+        ("_s", " s", " s 3"),
+    ],
+)
+def test_a_name_that_ends_with_its_unit_is_said_with_it(name: str, alone: str, with_value: str) -> None:
+    assert (measure_words(name), measured_words(name, "3")) == (alone, with_value)
+
+
+@pytest.mark.parametrize(
+    ("value", "words"), [(10.48, "10.48"), (3, "3"), (100, "100"), (-0.0000001, "0"), (-2.5, "-2.5"), (0, "0")]
+)
+def test_a_number_has_no_superfluous_zeros(value: float, words: str) -> None:
+    assert number_words(value) == words
+
+
+@pytest.mark.parametrize(
+    ("event", "payload", "says", "told"),
+    [
+        ("BEST", {"best_s": 10.48}, "It is the best attempt so far.", "best 10.48 s"),
+        (
+            "TIME",
+            {"run_s": 8.48, "poles": 2, "counts_s": 12.48},
+            "After 8.48 s; 2 s are added.",
+            "poles 2, counts 12.48 s",
+        ),
+        ("TIME", {"run_s": 8.4}, "After 28.4 s.", "run 8.4 s"),
+        ("TIME", {"run_s": 8.4}, "After 8.4 seconds.", "run 8.4 s"),
+        ("POLE", {"pole": "pole_1"}, "The robot touches pole_1.", ""),
+        ("POLE", {"pole": "pole_1"}, "The robot touches pole_12.", "pole pole_1"),
+        ("SAVE", {"number": 1, "seen": False}, "Saved.", "number 1, seen no"),
+        ("HIT", {"by": None, "at": [0.5, 0]}, "A hit.", "by none, at [0.5, 0]"),
+        ("FOUND", {"robot_name": "Y1"}, "The ball is found.", "robot Y1"),
+        ("KICKOFF", {"robot_name": "Y3", "team_name": "Y"}, "Yellow kicks off.", ""),
+        ("KICKOFF", {"robot_name": "Y3", "team_name": "Y"}, "", "robot Y3, team Y"),
+        ("MATCH_FINISH", {"score_blue": 1, "total_match_time": 600, "rocks": 3}, "Over.", "rocks 3"),
+    ],
+)
+def test_a_payload_is_told_where_neither_sentence_nor_scoreboard_has_it(
+    event: str, payload: dict[str, Any], says: str, told: str
+) -> None:
+    assert told_beside(event, payload, says) == told
+
+
+def _scenario(**more: Any) -> Scenario:
+    fields = json.loads(small_scenario(1, 2, TICKS * 0.032).model_dump_json(by_alias=True, exclude_defaults=True))
+    counters = {"laps": {"per": "robots"}, "best_s": {"initial": 99, "keep": "match"}}
+    fields |= {"schema_version": 1, "counters": counters, "result": {"rank": RANK}, **more}
+    return Scenario.model_validate_json(json.dumps(fields))
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A run of two halves; laps are counted for each robot, the best time goes on from half to half."""
+    scenario = _scenario()
+    header = small_header(scenario)
+    writer = RecordWriter(tmp_path_factory.mktemp("runs"), header)
+    for half in (1, 2):
+        writer.begin_half(half_info(scenario, half, TICKS, header))
+        for tick in range(TICKS + 1):
+            writer.tick(made_up_snapshot(tick, 2), _verdict(half, tick), b"")
+        closing = {"laps": {"B1": half, "Y1": 1}, "best_s": 30 - half}
+        writer.end_half(Verdict(counted=closing))
+    values = {"blue": [2, 57], "yellow": [3, 57]}
+    places = [{"place": place, "team": team, "values": values[team]} for place, team in ((1, "yellow"), (2, "blue"))]
+    folder = writer.finish({"wall_s": 1.0, "ranking": places})
+    write_replay(folder)
+    return folder
+
+
+def _verdict(half: int, tick: int) -> Verdict:
+    best_s = 99 if half == 1 else 29
+    if tick == 0:
+        return Verdict(counted={"laps": {"B1": 0, "Y1": 0}, "best_s": best_s})
+    if tick != 20:
+        return Verdict()
+    firing = Firing(tick, "goal", "B1", "enters", says="A lap is complete.")
+    event = Event(tick, "GOAL", {"lap": half})
+    return Verdict(events=(event,), firings=(firing,), counted={"laps": {"B1": half, "Y1": 0}, "best_s": best_s})
+
+
+def _facts(folder: Path) -> dict[str, Any]:
+    page = (folder / "replay.html").read_text()
+    found = re.search(r'<script type="application/json" id="facts">(.*?)</script>', page, re.DOTALL)
+    assert found is not None
+    facts: dict[str, Any] = json.loads(found[1])
+    return facts
+
+
+def test_the_page_knows_what_counts_for_each_team_from_each_change_on(run: Path) -> None:
+    first, second = _facts(run)["halves"]
+    assert first["counted"] == [
+        [0, {"blue": [0, 99], "yellow": [0, 99]}],
+        [20, {"blue": [1, 99], "yellow": [0, 99]}],
+        [TICKS, {"blue": [1, 29], "yellow": [1, 29]}],
+    ]
+    # Sides were changed: B1 drives for yellow. Laps of both halves are added, the best time was kept.
+    assert second["counted"][1] == [20, {"yellow": [3, 29], "blue": [1, 29]}]
+
+
+def test_the_page_knows_who_came_where_and_by_what(run: Path) -> None:
+    facts = _facts(run)
+    assert facts["places"] == [
+        {"place": "place 1", "team": "Alster", "values": "laps 3, best 57 s"},
+        {"place": "place 2", "team": "Hanse", "values": "laps 2, best 57 s"},
+    ]
+    assert facts["events"][0]["told"] == "lap 1"
+
+
+def test_a_record_that_lacks_what_was_counted_is_shown_without_it(run: Path) -> None:
+    counting = Counting(_scenario())
+    counting.begin(half_info(_scenario(), 1, TICKS, small_header(_scenario())))
+    assert counting.at({"laps": {"B1": 1}}) is None
+
+
+def test_points_are_shown_where_rules_give_some_or_the_ranking_compares_them() -> None:
+    rules = {"goal": {"triggers": [{"trigger": "half_ended"}], "actions": [{"action": "emit", "event": "GOAL"}]}}
+    assert shows_score(_scenario())
+    assert not shows_score(_scenario(rules=rules))
+    assert shows_score(_scenario(rules=rules, result={"rank": [{"score": "ascending"}]}))
+
+
+def test_the_board_of_a_picture_says_what_counts(run: Path) -> None:
+    footage = Footage.open(run)
+    half = footage.half(1)
+    assert footage.counted(half, 19 * 0.032) == ("Hanse: laps 0, best 99 s", "Alster: laps 0, best 99 s")
+    assert footage.counted(half, 20 * 0.032)[0] == "Hanse: laps 1, best 99 s"
+
+
+def test_scoreboard_list_and_caption_show_it(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, "#h1t19")
+    assert page.locator(".counted").all_inner_texts() == ["laps 0\nbest 99 s", "laps 0\nbest 99 s"]
+    page.evaluate("replay.seek(1, 20)")
+    settled(page)
+    assert page.locator(".counted").first.inner_text() == "laps 1\nbest 99 s"
+    assert page.locator("#caption").inner_text() == "GOAL: A lap is complete. · lap 1"
+    assert page.locator(".event .told").first.inner_text() == "lap 1"
+    page.locator(".place a").first.click()
+    settled(page)
+    assert (
+        page.locator("#caption").inner_text() == "place 1: Alster, laps 3, best 57 s\nplace 2: Hanse, laps 2, best 57 s"
+    )
+
+
+def test_gates_by_which_rules_judge_are_shown_at_first(show: Callable[..., Any], run: Path, tmp_path: Path) -> None:
+    page = show(run)
+    assert not page.locator("[name=gates]").is_checked()
+    rules = {
+        "line": {
+            "triggers": [{"trigger": "crosses", "entity": "ball", "gate": "half_way"}],
+            "actions": [{"action": "emit", "event": "LINE"}],
+        }
+    }
+    scenario = _scenario(rules=rules)
+    writer = RecordWriter(tmp_path, small_header(scenario))
+    writer.begin_half(half_info(scenario, 1, 2, small_header(scenario)))
+    for tick in range(3):
+        writer.tick(made_up_snapshot(tick, 2), Verdict(), b"")
+    writer.end_half(Verdict())
+    folder = writer.finish({"wall_s": 1.0})
+    write_replay(folder)
+    page = show(folder)
+    assert page.locator("[name=gates]").is_checked()
+    assert page.locator(".label.mark").all_inner_texts() == ["half_way"]
+
+
+def test_a_live_match_tells_what_counts_where_it_changes() -> None:
+    scenario, feed = _scenario(), Feed()
+    watcher = LiveWatcher(scenario, feed, Pace(MAX_SPEED))
+    half = half_info(scenario, 1, TICKS, small_header(scenario))
+    watcher.half_started(half)
+    for tick in range(TICKS + 1):
+        watcher.ticked(made_up_snapshot(tick, 2), _verdict(1, tick))
+    last = Firing(TICKS, "goal", "Y1", "half_ended")
+    watcher.closing(Verdict(firings=(last,), counted={"laps": {"B1": 1, "Y1": 2}, "best_s": 7}), half)
+    feed.close()
+    told = re.findall(rb'"tick":(\d+),"counted":(\{.*?\]\})', b"".join(iter(_reader(feed), None)))
+    assert [(int(tick), json.loads(values)) for tick, values in told] == [
+        (0, {"blue": [0, 99], "yellow": [0, 99]}),
+        (20, {"blue": [1, 99], "yellow": [0, 99]}),
+        (TICKS, {"blue": [1, 7], "yellow": [2, 7]}),
+    ]
+
+
+def _reader(feed: Feed) -> Callable[[], bytes | None]:
+    at = 0
+
+    def read() -> bytes | None:
+        nonlocal at
+        piece = feed.read(at, 0.0)
+        at += len(piece or b"")
+        return piece
+
+    return read
