@@ -385,7 +385,9 @@ def test_a_test_in_the_file_names_what_exists():
 def test_a_group_of_for_each_that_is_misspelt_is_told_where_it_is_written_only(uses):
     groups = "zones: {a: {shape: circle, centre_m: [0, 0], radius_m: 0.1}}\ngroups: {doors: [a]}\n"
     rule = f"rules:\n  r: {{for_each: dors, triggers: [{uses}], actions: [{{action: end}}]}}\n"
-    assert complaints(groups + rule) == ["rules.r.for_each: unknown entity, obstacle, zone or gate 'dors'; did you mean 'doors'?"]
+    assert complaints(groups + rule) == [
+        "rules.r.for_each: unknown entity, obstacle, zone or gate 'dors'; did you mean 'doors'?"
+    ]
 
 
 def test_a_default_that_names_something_is_checked_too():
