@@ -33,8 +33,9 @@ GROUP_BALLS = 4
 
 # --- whose parameters count in a contact: those of the geom of the higher priority ------------------------------------
 PRIORITY_SOLID = 0
-PRIORITY_BALL = 1
-PRIORITY_FLOOR = 2
+PRIORITY_WHEEL = 1
+PRIORITY_BALL = 2
+PRIORITY_FLOOR = 3
 
 
 @dataclass(frozen=True)
@@ -81,6 +82,11 @@ _LEAST_FRICTION_MADE_UP_FOR = 0.5
 
 OBSTACLE_GLIDES = 0.1
 """Highest friction between a movable obstacle and the floor: no robot could push the default 0.5 kg at 1 (ADR 2)."""
+
+WHEEL_GLIDES = 0.1
+"""Highest friction between a wheel's outline and walls, obstacles and robots. What touches there is the rim, which
+moves up or down with up to 0.2 m/s while the wheel turns: Coulomb's friction acts against that, and leaves next to
+nothing along a wall (ADR 2)."""
 
 GRIP_RIGIDITY = 0.999
 """Of the wheels' grip: a braked robot creeps by less than 0.1 mm/s under any push that its grip can hold."""

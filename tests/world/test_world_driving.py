@@ -224,6 +224,35 @@ def test_two_robots_push_a_third_that_drives_against_them():
     assert -0.05 < stage.pose("B1")[0] < 0.2
 
 
+def test_two_robots_that_touch_with_turning_wheels_are_not_driven_apart():
+    """One drives backwards beside the other; their wheels come together as slowly as a centimetre a second."""
+    stage = Stage()
+    stage.put("B1", 0.2, 0.079, -3.083)
+    stage.put("B2", 0.16, -0.0175, -0.05)
+    stage.drive("B1", FULL, FULL)
+    stage.drive("B2", -FULL, -FULL)
+    touched, fastest_mps, fastest_turn_radps = False, 0.0, 0.0
+    for _ in range(60):
+        touched = touched or any(("B1", "B2") in stage.touching(snapshot) for snapshot in stage.play(0.032))
+        fastest_mps = max(fastest_mps, stage.speed("B1"), stage.speed("B2"))
+        fastest_turn_radps = max(fastest_turn_radps, *(abs(stage.velocity(name)[2]) for name in ("B1", "B2")))
+    assert touched
+    assert fastest_mps < 0.21
+    assert fastest_turn_radps < 2.0
+
+
+@pytest.mark.parametrize("angle_rad", [0.05, 0.1, 0.2])
+def test_no_wall_makes_a_robot_faster_than_its_motors_whose_wheel_rubs_along_it(angle_rad):
+    stage = Stage()
+    stage.put("B1", 0.55, -0.5, math.pi / 2 - angle_rad)
+    stage.drive("B1", FULL, FULL)
+    fastest_mps = 0.0
+    for _ in range(150):
+        stage.play(0.032)
+        fastest_mps = max(fastest_mps, stage.speed("B1"))
+    assert fastest_mps < 0.21
+
+
 def test_a_robot_slides_off_a_wall_that_it_meets_at_a_flat_angle():
     stage = Stage()
     stage.put("B1", 0.55, -0.5, math.pi / 2 - 0.2)
