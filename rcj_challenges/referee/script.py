@@ -23,7 +23,6 @@ from rcj_challenges.scenario.starting import start_pose
 # Where the stage shows what is off the field; the referee must not look there.
 _PARKED_X_M, _PARKED_STEP_M = 3.0, 0.2
 _STANDING_HEIGHT_M = 0.0375
-_COUNTS_AS_EQUAL = 1e-9
 
 
 def half_of(scenario: Scenario, half: int = 1, seed: int = 1) -> HalfInfo:
