@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
@@ -68,6 +68,18 @@ class RobotReport(_Part):
     step_slowest_ms: float = _described("the longest of these waits in ms", ge=0)
     fault: str = _described("how it failed: crash, exit, step_timeout …; empty if it did not")
     output: str = _described("what its program printed, if that was asked for")
+
+
+ROBOT_NUMBERS: dict[str, Callable[[RobotReport], str]] = {
+    "way": lambda robot: f"{robot.path_m:.2f} m",
+    "turned": lambda robot: f"{robot.turned_rad:.1f} rad",
+    "touches": lambda robot: str(robot.ball_touches),
+    "steps": lambda robot: str(robot.steps),
+    "start": lambda robot: f"{robot.start_s:.2f} s",
+    "a step": lambda robot: f"{robot.step_mean_ms:.1f} ms",
+    "slowest": lambda robot: f"{robot.step_slowest_ms:.0f} ms",
+}
+"""What a terminal and a page show of a robot, by the head of the column."""
 
 
 class MatchReport(_Part):

@@ -10,11 +10,17 @@ from importlib.resources import files
 from pathlib import Path
 from urllib.parse import quote
 
-from rcj_challenges.checker.report import CheckReport, FileReport, FindingReport, MatchReport, StageReport, Verdict
+from rcj_challenges.checker.report import (
+    ROBOT_NUMBERS,
+    CheckReport,
+    FileReport,
+    FindingReport,
+    MatchReport,
+    StageReport,
+    Verdict,
+)
 from rcj_challenges.checker.report_text import WORDS, first_finding, is_single, no_replay, summary, verdict
 from rcj_challenges.controllers.disk_names import from_disk, on_disk
-
-_ROBOT_COLUMNS = ("way", "turned", "touches", "steps", "start", "a step", "slowest")
 
 
 def html_page(report: CheckReport, folder: Path) -> str:
@@ -122,20 +128,11 @@ def _match(match: MatchReport, folder: Path) -> str:
     score = " : ".join(f"{points:g}" for points in match.score.values())
     seats = _text(", ".join(match.seats))
     caption = f"as {seats}{against}, {match.simulated_s:.0f} s, score {_text(score)}"
-    head = "".join(f'<th class="number">{column}</th>' for column in _ROBOT_COLUMNS)
+    head = "".join(f'<th class="number">{column}</th>' for column in ROBOT_NUMBERS)
     rows = []
     for robot in match.robots:
-        cells = (
-            f"{robot.path_m:.2f} m",
-            f"{robot.turned_rad:.1f} rad",
-            str(robot.ball_touches),
-            str(robot.steps),
-            f"{robot.start_s:.2f} s",
-            f"{robot.step_mean_ms:.1f} ms",
-            f"{robot.step_slowest_ms:.0f} ms",
-        )
         fault = f'<span class="badge failure">{_text(robot.fault)}</span>' if robot.fault else ""
-        numbers = "".join(f'<td class="number">{cell}</td>' for cell in cells)
+        numbers = "".join(f'<td class="number">{number_of(robot)}</td>' for number_of in ROBOT_NUMBERS.values())
         rows.append(f"<tr><td>{_text(robot.robot)}</td>{numbers}<td>{fault}</td></tr>")
     outputs = "".join(
         f"<details><summary>What {_text(robot.robot)} printed</summary><pre>{_text(robot.output)}</pre></details>"

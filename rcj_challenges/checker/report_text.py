@@ -9,7 +9,15 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from rcj_challenges.checker.report import CheckReport, FileReport, FindingReport, MatchReport, StageReport, Verdict
+from rcj_challenges.checker.report import (
+    ROBOT_NUMBERS,
+    CheckReport,
+    FileReport,
+    FindingReport,
+    MatchReport,
+    StageReport,
+    Verdict,
+)
 from rcj_challenges.facts.shown import shown
 
 WORDS: dict[Verdict, str] = {"passed": "ok", "warning": "warning", "failure": "failure", "unchecked": "not checked"}
@@ -171,19 +179,13 @@ def _indented(console: Console, text: Text, word: Text | None = None) -> None:
 def _robots(match: MatchReport) -> Table:
     table = Table("robot", box=None, padding=(0, 1, 0, 0), pad_edge=False, header_style="dim")
     table.columns[0].min_width = len("robot")
-    for column in ("way", "turned", "touches", "steps", "start", "a step", "slowest"):
+    for column in ROBOT_NUMBERS:
         table.add_column(column, justify="right", no_wrap=True)
     table.add_column("", no_wrap=True)
     for robot in match.robots:
         table.add_row(
             robot.robot,
-            f"{robot.path_m:.2f} m",
-            f"{robot.turned_rad:.1f} rad",
-            str(robot.ball_touches),
-            str(robot.steps),
-            f"{robot.start_s:.2f} s",
-            f"{robot.step_mean_ms:.1f} ms",
-            f"{robot.step_slowest_ms:.0f} ms",
+            *(number_of(robot) for number_of in ROBOT_NUMBERS.values()),
             Text(robot.fault, style=_STYLES["failure"]),
         )
     return table

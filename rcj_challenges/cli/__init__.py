@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from typer.models import CommandInfo
 
 OK = 0
-NEGATIVE = 1
 WRONG_INPUT = 2
 OUR_FAULT = 3
 INTERRUPTED = 130

@@ -13,10 +13,10 @@ if TYPE_CHECKING:
     from rcj_challenges.scenario.models.scenario import Scenario
 
 
-def told_of_packets(
+def packet_hints(
     scenario: Scenario, teams: Mapping[str, Team], faults: Sequence[Mapping[str, Any]], logs: Path
-) -> list[str]:
-    """Return a line for each such mistake, in the words of ``check``, and write it into the logs of the robots.
+) -> list[dict[str, Any]]:
+    """Return each such mistake as in `HintResult`, in the words of ``check``, and write it into the robots' logs.
 
     Args:
         scenario: what was played.
@@ -39,4 +39,4 @@ def told_of_packets(
             # A full disk is no reason to keep back the result of a match.
             with contextlib.suppress(OSError), (logs / f"{robot}.log").open("a", encoding="utf-8") as log:
                 log.write(f"hint: {remedy}\n")
-    return [f"hint for {', '.join(alike)}: {remedy}" for remedy, alike in robots.items()]
+    return [{"robots": list(alike), "remedy": remedy} for remedy, alike in robots.items()]

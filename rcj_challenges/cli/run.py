@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.cli.says import say_json, typed
 from rcj_challenges.cli.seating import UsageError, assignments, known, open_teams
@@ -118,11 +118,11 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Watcher]:
 
 def _tell(options: RunOptions, console: Console, plan: MatchPlan, outcome: PlayedMatch) -> None:
     """Write the replay page, and say how it ended: also if there is no room for the page."""
-    from rcj_challenges.cli.packets import told_of_packets
+    from rcj_challenges.cli.packets import packet_hints
     from rcj_challenges.records.folder import LOGS
 
     scenario, written = plan.loaded.scenario, False
-    hints = told_of_packets(scenario, plan.teams, outcome.result["faults"], outcome.folder / LOGS)
+    hints = packet_hints(scenario, plan.teams, outcome.result["faults"], outcome.folder / LOGS)
     try:
         if options.replay:
             from rcj_challenges.views.replay import write_replay
@@ -131,7 +131,7 @@ def _tell(options: RunOptions, console: Console, plan: MatchPlan, outcome: Playe
             written = True
     finally:
         if options.json:
-            say_json({**outcome.result, "folder": str(outcome.folder)})
+            say_json({**outcome.result, "hints": hints, "folder": str(outcome.folder)})
         else:
             _summary(console, scenario, outcome, hints, replay=written)
 
@@ -180,7 +180,9 @@ def _team_names(loaded: Loaded, options: RunOptions) -> dict[str, str]:
     return names
 
 
-def _summary(console: Console, scenario: Scenario, outcome: PlayedMatch, hints: Sequence[str], *, replay: bool) -> None:
+def _summary(
+    console: Console, scenario: Scenario, outcome: PlayedMatch, hints: Sequence[dict[str, Any]], *, replay: bool
+) -> None:
     """Say how it ended, by what, and where the record is."""
     from rcj_challenges.views.scoreboard import ranking_lines, score_line
     from rcj_challenges.views.sentences import plain
@@ -194,7 +196,7 @@ def _summary(console: Console, scenario: Scenario, outcome: PlayedMatch, hints: 
         f"(logs/{fault['robot']}.log)"
         for fault in result["faults"]
     ]
-    lines += hints
+    lines += [f"hint for {', '.join(hint['robots'])}: {hint['remedy']}" for hint in hints]
     lines.append(
         f"{result['simulated_s']:.0f} s played in {result['wall_s']:.1f} s "
         f"({result['real_time_factor']:.0f} x real time)"

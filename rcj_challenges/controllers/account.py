@@ -11,6 +11,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 _LEAST_S = 0.05
+"""When its limit is reached and it may go on, it is asked about again after so long at the earliest."""
 _MOST_BESIDE = 7
 """Where the system does not tell for how long a process waited for a processor: at most so many others, each as long as
 it computed itself."""
@@ -41,7 +42,7 @@ class Account:
         """Open an account.
 
         Args:
-            half_s: what it may be charged in all.
+            half_s: what it may be charged in all, in s.
             usage: tells what its process did until now; None if that cannot be told.
         """
         self._half_s = half_s
@@ -55,16 +56,16 @@ class Account:
         """Begin to charge: it has started."""
         self._first = self._usage()
 
-    def wait_was(self, seconds: float) -> None:
-        """Note a wait."""
-        self.waited_s += seconds
-        self.slowest_s = max(self.slowest_s, seconds)
+    def wait_was(self, lasted_s: float) -> None:
+        """Note a wait that is over, of so many seconds of wall time."""
+        self.waited_s += lasted_s
+        self.slowest_s = max(self.slowest_s, lasted_s)
 
     def may_go_on(self, waiting_s: float) -> bool:
         """Return whether it may still be waited for when the limit is reached; the limit is moved then.
 
         Args:
-            waiting_s: how long the wait lasts that is not over.
+            waiting_s: how long the wait has lasted that is not over, in s of wall time.
         """
         waited_s = self.waited_s + waiting_s
         left_s = self._half_s - self._charge_of(waited_s)

@@ -31,7 +31,10 @@ CLEAN_UP_S = 1.0
 
 _SLICE_S = 0.25  # how often a program that lets us wait is looked at
 _LOG_LOOKED_AT_EVERY = 16  # requests
-_FOLDER_LOOKED_AT_EVERY = 256  # ticks; walking through a folder is slow
+_FOLDER_LOOKED_AT_EVERY = 256  # ticks; walking through a folder takes 100 µs and more
+_TOO_MUCH_TO_WAIT = 2.0
+"""What a program takes is looked at when it calls ``step``, at ticks that are the same in every run: there its limits
+count. By wall time it is looked at as well, or it could fill a disk in between: there so many times the limits."""
 _OUTPUT_SLACK_BYTES = 65_536  # what the interpreter and the match itself add to a log
 _FAREWELL_S = 1.0
 _LAST_WORDS_S = 1.0  # a thread reads them where pipes cannot be polled
@@ -111,7 +114,7 @@ class Program:
         self._sharing = Sharing(Path(), math.inf, ())
         self._folder: Path | None = None
         self._log: ProgramLog | None = None
-        self._look_at_s, self._look_at_tick = _SLICE_S, _FOLDER_LOOKED_AT_EVERY
+        self._look_at_s, self._look_at_tick = _SLICE_S, 0
         self._process: processes.Process | None = None
         self._channel: Channel | None = None
         self._lifeline_fd: int | None = None
@@ -208,11 +211,18 @@ class Program:
     def _accepted(self, answer: Request | Ended) -> Request | Fault:
         """Take an answer that has arrived."""
         self._requests += 1
+        if isinstance(answer, Ended):
+            return self._ended(answer.kind, answer.detail, answer.traceback)
+        trespass = None
+        if self._tick >= self._look_at_tick:
+            self._look_at_tick = (self._tick // _FOLDER_LOOKED_AT_EVERY + 1) * _FOLDER_LOOKED_AT_EVERY
+            trespass = self._trespass()
+        elif self._requests % _LOG_LOOKED_AT_EVERY == 0:
+            trespass = self._prints_too_much()
         # Since its folder was looked through it may have had time to write much.
-        had_time = self._tick >= self._look_at_tick or self.account.waited_s >= self._look_at_s
-        if self._requests % _LOG_LOOKED_AT_EVERY and not had_time and isinstance(answer, Request):
-            return answer
-        return self._judged(answer, look_at_folder=had_time)
+        if trespass is None and self.account.waited_s >= self._look_at_s:
+            trespass = self._trespass(_TOO_MUCH_TO_WAIT)
+        return answer if trespass is None else self._fail(*trespass)
 
     def overstepped(self, tick: int) -> Fault | None:
         """Look whether it takes more than it may while nobody waits for it; end it then.
@@ -222,9 +232,7 @@ class Program:
         """
         if self.fault is not None:  # found out when another one had no room
             return self.fault
-        if self._log is not None:
-            self._log.take_over()
-        trespass = self._trespass(look_at_folder=True)
+        trespass = self._trespass()
         if trespass is None:
             return None
         self._tick = tick
@@ -237,15 +245,6 @@ class Program:
         if isinstance(error, FrameTooLongError):
             return self._fail("protocol", f"the program sent a message of {error.args[0]} bytes")
         return self._fail("protocol", f"the program sent what is no message: {error}")
-
-    def _judged(self, answer: Request | Ended, *, look_at_folder: bool) -> Request | Fault:
-        """Return what the program asks for, unless it ended or wrote too much."""
-        if isinstance(answer, Ended):
-            return self._ended(answer.kind, answer.detail, answer.traceback)
-        if self._log is not None:
-            self._log.take_over()
-        trespass = self._trespass(look_at_folder=look_at_folder)
-        return answer if trespass is None else self._fail(*trespass)
 
     def finish(self, observation: Observation) -> None:
         """Tell the program that the match is over: its ``step`` returns -1, then it may clean up until `close`."""
@@ -339,7 +338,7 @@ class Program:
             left_s = self._patience_s(began) - waiting_s
             if left_s <= 0 and self._requests and waiting_s < self._step_s and self.account.may_go_on(waiting_s):
                 continue
-            if left_s <= 0 or self._trespass(look_at_folder=True) is not None:
+            if left_s <= 0 or self._trespass(_TOO_MUCH_TO_WAIT) is not None:
                 return None
             # What it started may hold its pipes open after it ended. Its last words may still be on their way.
             ended = self.has_ended()
@@ -357,7 +356,7 @@ class Program:
 
     def _too_slow(self) -> Fault:
         limits = self._limits
-        trespass = self._trespass(look_at_folder=True)
+        trespass = self._trespass()
         if trespass is not None:
             return self._fail(*trespass)
         if not self._requests:
@@ -381,7 +380,7 @@ class Program:
 
     def _ended(self, kind: str, detail: str, traceback: str = "") -> Fault:
         """Tell how a program ended, or what made it end: at the system's limit for files a flood ends in a crash."""
-        trespass = self._trespass(look_at_folder=True)
+        trespass = self._trespass()
         if trespass is not None:
             return self._fail(*trespass)
         if _NO_ROOM.search(detail + traceback):
@@ -432,20 +431,27 @@ class Program:
         )
         return True
 
-    def _trespass(self, *, look_at_folder: bool) -> tuple[str, str] | None:
-        """Return what it took too much of, if anything: kind and detail of the fault."""
+    def _trespass(self, times: float = 1.0) -> tuple[str, str] | None:
+        """Return of what it took more than so many times its limit, if of anything: kind and detail of the fault."""
+        return self._prints_too_much(times) or self._holds_too_much(times)
+
+    def _prints_too_much(self, times: float = 1.0) -> tuple[str, str] | None:
+        """Put into its log what it has printed, and return whether that is too much."""
+        self.keep_output()
+        if self._assignment.debug or self._log is None or self._log.output_bytes() <= times * self._output_limit:
+            return None
+        return "output_flood", f"the program printed more than {self._limits.output_mb:g} MB"
+
+    def _holds_too_much(self, times: float = 1.0) -> tuple[str, str] | None:
+        """Return whether too much is in its folder, or too many threads run. This takes its time."""
         if self._assignment.debug:
             return None
         limits = self._limits
-        if self._log is not None and self._log.output_bytes() > self._output_limit:
-            return "output_flood", f"the program printed more than {limits.output_mb:g} MB"
-        if not look_at_folder:
-            return None
-        self._look_at_s, self._look_at_tick = self.account.waited_s + _SLICE_S, self._tick + _FOLDER_LOOKED_AT_EVERY
-        if self._folder is not None and self._has_written_more_than(self._folder, self._scratch_limit):
+        self._look_at_s = self.account.waited_s + _SLICE_S
+        if self._folder is not None and self._has_written_more_than(self._folder, times * self._scratch_limit):
             return "output_flood", f"the program wrote more than {limits.scratch_mb:g} MB into its folder"
         # Beside those that it may start it has its first one, and the one that watches over it.
-        if self._process is not None and self._process.threads() > limits.processes + 2:
+        if self._process is not None and self._process.threads() > times * limits.processes + 2:
             return "memory", f"the program runs more than {limits.processes} threads"
         return None
 

@@ -125,7 +125,7 @@ class Codec:
 
     def _requested(self, body: bytes) -> Request:
         try:
-            _, _, advance, missed, printed, motors, *others = _REQUEST.unpack_from(body)
+            _, _, advance, missed, _, motors, *others = _REQUEST.unpack_from(body)
         except StructError:
             raise ProtocolError(f"a request of {len(body)} bytes") from None
         if advance < 1:
@@ -140,7 +140,7 @@ class Codec:
             raise ProtocolError("a request that ends too early")
         commands = self._commands(body[_REQUEST.size : at])
         if not (sampling or channels or frequencies):  # as nearly always
-            return Request(advance, missed, commands, self._emissions(body, at, emissions), printed_bytes=printed)
+            return Request(advance, missed, commands, self._emissions(body, at, emissions))
         tail = _Tail(body, at)
         return Request(
             advance,
@@ -150,7 +150,6 @@ class Codec:
             channels=tuple([self._tuning(*tail.take(_CHANNEL)) for _ in range(channels)]),
             frequencies=tuple([self._frequency(*tail.take(_FREQUENCY)) for _ in range(frequencies)]),
             emissions=self._emissions(body, tail.at, emissions),
-            printed_bytes=printed,
         )
 
     def _commands(self, settings: bytes) -> tuple[MotorCommand, ...]:

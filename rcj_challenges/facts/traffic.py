@@ -105,7 +105,6 @@ class Request(NamedTuple):
         emissions: (device index, channel, payload) in the order sent.
         sampling: (device index, period in ticks; 0 = disable) changed since the last request, in order.
         channels: (device index, channel) set by ``setChannel`` of a receiver.
-        printed_bytes: how much the program has printed so far.
         frequencies: (device index, Hz) set by ``setFrequency`` of a rotating lidar.
     """
 
@@ -115,5 +114,4 @@ class Request(NamedTuple):
     emissions: tuple[tuple[int, int, bytes], ...] = ()
     sampling: tuple[tuple[int, int], ...] = ()
     channels: tuple[tuple[int, int], ...] = ()
-    printed_bytes: int = 0
     frequencies: tuple[tuple[int, float], ...] = ()

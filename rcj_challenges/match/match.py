@@ -21,7 +21,6 @@ from rcj_challenges.match.clerk import HalfClerk
 from rcj_challenges.match.half import HalfOutcome, HalfPlay
 from rcj_challenges.match.loading import load_stage
 from rcj_challenges.match.overhearing import Overhearing
-from rcj_challenges.match.seats import by_seat, by_team, teams_by_seat
 from rcj_challenges.match.watching import Silent, Waits, Watcher
 from rcj_challenges.records.errors import UnwritableError
 from rcj_challenges.records.logos import logo_of
@@ -29,6 +28,7 @@ from rcj_challenges.records.writer import RecordWriter, RunHeader
 from rcj_challenges.referee.ranking import Tally, ranking
 from rcj_challenges.scenario.halves import half_length_s, half_lengths_s
 from rcj_challenges.scenario.load import Loaded
+from rcj_challenges.scenario.seats import by_seat, by_team, teams_by_seat
 
 Score = int | float
 

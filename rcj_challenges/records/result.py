@@ -82,6 +82,13 @@ class FaultResult(_Part):
     traceback: str = _described("the program's own traceback, where there is one")
 
 
+class HintResult(_Part):
+    """What to do about programs that were not written for what the scenario uses."""
+
+    robots: list[str] = _described("names of the robots whose programs it is about")
+    remedy: str = _described("what to do, in the words of `check`")
+
+
 class Versions(_Part):
     """What decides the bits of a result beside its inputs: digests are comparable where all of these are equal."""
 
@@ -129,6 +136,12 @@ class RunResult(_Part):
     versions: Versions
     sandbox: dict[str, Any] = _described("how programs were isolated: what was asked for and which layers were active")
     marks: list[str] = _described("what makes this run special, such as debug: it does not count as a fair one")
+    hints: list[HintResult] = Field(
+        default=[],
+        exclude=True,  # advice is no part of what happened, and later versions may know better
+        description="what to do about programs that read the referee's packets in another form than they have in this "
+        "match; only in what `run --json` prints, and a line at the end of each such robot's log",
+    )
     folder: str = Field(
         default="",
         exclude=True,  # no file holds a path

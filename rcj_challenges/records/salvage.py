@@ -31,6 +31,7 @@ from rcj_challenges.records.upgrades import read_scenario
 from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.seats import teams_by_seat
 from rcj_challenges.scenario.starting import start_pose
 
 _LOCAL = struct.Struct("<4s5H3I2H")
@@ -256,11 +257,9 @@ def _filled(found: Array | None, resting: Array) -> Array:
 
 def _info(scenario: Scenario, result: RunResult | None, half: int) -> HalfInfo:
     """Return a half's facts from the result, where its own notes are lost; from the scenario alone without one."""
-    seats = list(scenario.entrants)
     played = {one.half: one for one in result.halves} if result is not None else {}
     entrants = result.entrants if result is not None else {}
-    swapped = scenario.match.swap_sides and half % 2 == 0
-    teams = played[half].sides if half in played else dict(zip(seats, seats[::-1] if swapped else seats, strict=True))
+    teams = played[half].sides if half in played else teams_by_seat(scenario, half)
     before = played[half - 1].score if half - 1 in played else {}
     return HalfInfo(
         half=half,

@@ -13,6 +13,7 @@ from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement,
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.records.writer import RecordWriter, RunHeader
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.seats import teams_by_seat
 
 GOAL_EVERY_TICKS = 400
 _HELD, _HELD_IN_TICKS, _NOBODY = frozenset({0}), (200, 260), frozenset[int]()
@@ -81,18 +82,17 @@ def small_header(scenario: Scenario, names: tuple[str, str] = ("Hanse", "Alster"
 def half_info(
     scenario: Scenario, half: int, ticks: int, header: RunHeader, score: dict[str, int | float] | None = None
 ) -> HalfInfo:
-    """Return the facts of a half; teams change seats in the second. ``score`` is by team."""
-    seats = list(scenario.entrants)
-    teams = seats if half % 2 else seats[::-1]
+    """Return the facts of a half. ``score`` is by team, as it stands when the half begins."""
+    teams = teams_by_seat(scenario, half)
     return HalfInfo(
         half=half,
         halves=scenario.match.halves,
         ticks=ticks,
         match_seed=header.seed,
         match_id=0,
-        team_names={seat: header.team_names[team] for seat, team in zip(seats, teams, strict=True)},
-        teams=dict(zip(seats, teams, strict=True)),
-        scores={seat: (score or {}).get(team, 0) for seat, team in zip(seats, teams, strict=True)},
+        team_names={seat: header.team_names[team] for seat, team in teams.items()},
+        teams=teams,
+        scores={seat: (score or {}).get(team, 0) for seat, team in teams.items()},
     )
 
 

@@ -17,27 +17,25 @@ from rcj_challenges.scenario.drawn import Series
 from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.seats import teams_by_seat
 from rcj_challenges.scenario.starting import start_pose
 
 # Where the stage shows what is off the field; the referee must not look there.
 _PARKED_X_M, _PARKED_STEP_M = 3.0, 0.2
 _STANDING_HEIGHT_M = 0.0375
-_COUNTS_AS_EQUAL = 1e-9
 
 
 def half_of(scenario: Scenario, half: int = 1, seed: int = 1) -> HalfInfo:
     """Return the facts of a half as a test needs them: no points yet, teams named by their seats' titles."""
-    seats = list(scenario.entrants)
-    swapped = scenario.match.swap_sides and half % 2 == 0
     return HalfInfo(
         half=half,
         halves=max(half, scenario.match.halves),
         ticks=ticks_from_s(half_length_s(scenario.match, half)),
         match_seed=seed,
         match_id=1,
-        team_names={seat: scenario.entrants[seat].title or seat for seat in seats},
-        teams=dict(zip(seats, reversed(seats) if swapped else seats, strict=True)),
-        scores=dict.fromkeys(seats, 0),
+        team_names={seat: entrant.title or seat for seat, entrant in scenario.entrants.items()},
+        teams=teams_by_seat(scenario, half),
+        scores=dict.fromkeys(scenario.entrants, 0),
     )
 
 

@@ -12,7 +12,7 @@ from rcj_challenges.scenario.models.conditions import HalfIs, InZone
 from rcj_challenges.scenario.models.places import Placing, Start
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.triggers import Holds, StaysIn, Trigger
-from rcj_challenges.scenario.outlines import Point
+from rcj_challenges.scenario.starting import start_pose
 from rcj_challenges.scenario.tree import Path
 
 
@@ -71,19 +71,10 @@ def _starting_inside(trigger: Trigger, rule: Rule, put_back: frozenset[str], sub
         return {}
     found: dict[str, str] = {}
     zones = sorted(subject.members(stay.zone, rule))
-    for who in sorted(subject.members(stay.entity, rule) & put_back):
-        start = _start_m(who, subject)
-        inside = next((name for name in zones if start and lies_in(start, subject.scenario.zones[name])), None)
+    entities = subject.members(stay.entity, rule) & put_back & set(subject.roster.entities)
+    for who in sorted(entities):
+        x_m, y_m, _ = start_pose(subject.scenario, who)
+        inside = next((name for name in zones if lies_in((x_m, y_m), subject.scenario.zones[name])), None)
         if inside is not None:
             found[who] = inside
     return found
-
-
-def _start_m(name: str, subject: Subject) -> Point | None:
-    scenario = subject.scenario
-    if name in scenario.robots:
-        return scenario.robots[name].start.x_m, scenario.robots[name].start.y_m
-    if name in scenario.balls:
-        return scenario.balls[name].start_m
-    obstacle = scenario.obstacles.get(name)
-    return getattr(obstacle, "centre_m", None)

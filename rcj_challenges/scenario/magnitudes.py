@@ -24,6 +24,7 @@ FARTHEST_M = 1000.0
 SMALLEST_M, LARGEST_M = 0.001, 10.0
 """Of bodies, walls and goals: a millimetre, which contacts still resolve, to the largest field."""
 LIGHTEST_KG = 1e-6
+"""A milligram."""
 
 _BODIES = (Chassis, Ball, Box, Cylinder, Wall, Goal, FieldModel)
 _SIZES = frozenset(

@@ -44,7 +44,7 @@ class Counting:
         """Begin a half; what is counted from now on is counted in it."""
         counters = self._scenario.counters
         if self._latest is not None:
-            self._over.append(Tally(self._latest, self._seats, 0.0, self._began))
+            self._over.append(self._tally(self._latest))
             self._began = {name: self._latest[name] for name in self._names if counters[name].keep == "match"}
         self._seats, self._latest = half.teams, None
 
@@ -53,9 +53,13 @@ class Counting:
         if any(name not in counters for name in self._names):
             return None
         self._latest = counters
-        halves = [*self._over, Tally(counters, self._seats, 0.0, self._began)]
+        halves = [*self._over, self._tally(counters)]
         teams = dict.fromkeys(self._seats.values())
         return {team: [counted_for(self._scenario, team, name, halves) for name in self._names] for team in teams}
+
+    def _tally(self, counters: Mapping[str, Any]) -> Tally:
+        """Return what this half adds; its time counts for nothing here, where only counters are told."""
+        return Tally(counters, self._seats, time_s=0.0, began=self._began)
 
 
 def counted_line(scenario: Scenario, values: list[Value]) -> str:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import json
+
 import pytest
 
-from rcj_challenges.cli.packets import told_of_packets
+from rcj_challenges.cli.packets import packet_hints
 from rcj_challenges.controllers.team import open_team
+from rcj_challenges.records.result import RunResult
 from rcj_challenges.scenario.load import load
 from tests.cli.in_this_process import here
 from tests.cli.test_run import DUEL, short
@@ -31,7 +34,7 @@ def told(tmp_path):
 
     def of(*faults):
         with open_team(tmp_path / "robot.py") as team:
-            return told_of_packets(OF_2021, {"yellow": team}, faults, logs)
+            return packet_hints(OF_2021, {"yellow": team}, faults, logs)
 
     return of
 
@@ -62,11 +65,31 @@ def test_the_end_of_a_match_and_the_log_name_the_messages_that_a_program_was_wri
         assert log.read_text(encoding="utf-8").splitlines()[-1] == "hint: " + line.partition(": ")[2]
 
 
+def test_who_reads_the_result_as_json_is_told_the_same_and_the_record_keeps_what_happened_alone(
+    tmp_path, monkeypatch, capsys
+):
+    (tmp_path / "team.py").write_text(JSON_PROGRAM, encoding="utf-8")
+    assert here(monkeypatch, tmp_path, *short("team.py", "--json", "--no-replay", *DUEL)) == 0
+    told = json.loads(capsys.readouterr().out)
+    (hint,) = told["hints"]
+    assert hint["robots"] == ["B1", "Y2"]
+    assert hint["remedy"].startswith("the referee's packet here is one byte (messages v2.1), your program reads JSON")
+    RunResult.model_validate(told)
+    (result,) = tmp_path.glob("runs/*/result.json")
+    assert "hints" not in json.loads(result.read_text(encoding="utf-8"))
+
+
+def test_a_match_that_gives_no_hint_says_so_in_json(tmp_path, monkeypatch, capsys):
+    (tmp_path / "team.py").write_text("import controller\ncontroller.Robot()\n", encoding="utf-8")
+    assert here(monkeypatch, tmp_path, *short("team.py", "--json", "--no-replay", *DUEL)) == 0
+    assert json.loads(capsys.readouterr().out)["hints"] == []
+
+
 def test_of_robots_that_fail_alike_one_line_is_enough_and_each_log_tells_it_once(tmp_path, told):
     (tmp_path / "logs").mkdir()
-    (line,) = told(fault("Y1"), fault("Y2"), fault("Y1", half=2))
-    assert line.startswith("hint for Y1, Y2: ")
-    assert "--set kits.legacy_2021.packet_has_flag=false" in line
+    (hint,) = told(fault("Y1"), fault("Y2"), fault("Y1", half=2))
+    assert hint["robots"] == ["Y1", "Y2"]
+    assert "--set kits.legacy_2021.packet_has_flag=false" in hint["remedy"]
     for robot in ("Y1", "Y2"):
         assert (tmp_path / "logs" / f"{robot}.log").read_text(encoding="utf-8").count("hint: ") == 1
 

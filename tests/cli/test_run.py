@@ -63,6 +63,7 @@ def test_json_prints_the_result_and_nothing_else(tmp_path, team):
     assert done.stderr == ""
     RunResult.model_validate(result)
     folder = result.pop("folder")
+    assert result.pop("hints") == []
     assert Path(folder).parts[:-1] == ("runs",)
     assert json.loads((tmp_path / folder / "result.json").read_bytes()) == result
 

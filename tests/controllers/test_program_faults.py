@@ -20,6 +20,7 @@ from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.traffic import Observation, Request
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="POSIX only")
+needs_linux = pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells how many threads a process has")
 
 
 def fault_of(match: FakeMatch, program: str, ticks: int = 30) -> Fault:
@@ -266,6 +267,73 @@ def test_a_program_that_fills_its_folder_is_stopped(tmp_path: Path) -> None:
     fault = fault_of(FakeMatch(tmp_path, scratch_mb=5), "faults/fills_its_folder")
     assert (fault.kind, fault.tick) == ("output_flood", 1)
     assert fault.detail == "the program wrote more than 5 MB into its folder"
+
+
+WRITES_ON_EVERY_TICK = """
+from controller import Robot
+robot = Robot()
+while True:
+    with open("diary", "ab") as file:
+        file.write(bytes(5_000))
+    if robot.step(32) == -1:
+        break
+"""
+PRINTS_PAST_THE_COUNTER = """
+import os
+from controller import Robot
+robot = Robot()
+while robot.step(32) != -1:
+    os.write(1, bytes(20_000))
+"""
+STARTS_THREADS = """
+import threading
+from controller import Robot
+robot = Robot()
+threading.stack_size(1 << 16)
+for _ in range(10):
+    threading.Thread(target=threading.Event().wait, daemon=True).start()
+while robot.step(32) != -1:
+    pass
+"""
+
+
+@pytest.mark.parametrize("wait_s", [0.001, 1000.0], ids=["on a slow machine", "on a fast machine"])
+class TestTheTickOfAFaultDoesNotDependOnHowLongTheMatchWaits:
+    """Who takes more than it may is out at the same tick in every run, unless it takes more than twice as much."""
+
+    @pytest.fixture(autouse=True)
+    def looked_at(self, wait_s, monkeypatch):
+        monkeypatch.setattr("rcj_challenges.controllers.program._SLICE_S", wait_s)
+
+    def test_what_is_written_little_by_little(self, tmp_path: Path) -> None:
+        fault = fault_of(FakeMatch(tmp_path, scratch_mb=1), WRITES_ON_EVERY_TICK, 300)
+        assert (fault.kind, fault.tick) == ("output_flood", 256)
+        assert fault.detail == "the program wrote more than 1 MB into its folder"
+
+    def test_what_is_written_before_the_first_step(self, tmp_path: Path) -> None:
+        program = f'open("table", "wb").write(bytes(1_500_000)){WRITES_ON_EVERY_TICK}'
+        fault = fault_of(FakeMatch(tmp_path, scratch_mb=1), program, 300)
+        assert (fault.kind, fault.tick) == ("output_flood", 0)
+
+    def test_what_is_printed_past_the_counter(self, tmp_path: Path) -> None:
+        # The limit and its slack are passed at tick 9, and the log is looked at when it calls step for the 16th time.
+        fault = fault_of(FakeMatch(tmp_path, output_mb=0.1), PRINTS_PAST_THE_COUNTER, 300)
+        assert (fault.kind, fault.tick) == ("output_flood", 15)
+
+    @needs_linux
+    def test_threads(self, tmp_path: Path) -> None:
+        fault = fault_of(FakeMatch(tmp_path, processes=7), STARTS_THREADS, 300)
+        assert (fault.kind, fault.tick) == ("memory", 0)
+
+
+def test_who_writes_fast_is_stopped_before_its_folder_is_looked_through_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("rcj_challenges.controllers.program._SLICE_S", 0.001)
+    fast = WRITES_ON_EVERY_TICK.replace("5_000", "100_000")
+    fault = fault_of(FakeMatch(tmp_path, scratch_mb=1), fast, 300)
+    assert fault.kind == "output_flood"
+    assert fault.tick < 60
 
 
 @posix

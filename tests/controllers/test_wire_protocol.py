@@ -28,6 +28,7 @@ MESSAGE_BYTES = 4_000
 CODEC = Codec(SPEC, MESSAGE_BYTES)
 
 GOOD = Request(1)
+PRINTED_AT, PRINTED = 17, struct.Struct("<Q")
 
 ticks = st.integers(0, 2**32 - 1)
 some_ticks = st.integers(1, 2**31 - 1)
@@ -57,7 +58,6 @@ requests = st.builds(
     channels=st.lists(st.tuples(receivers, channels), max_size=2, unique_by=lambda c: c[0]).map(tuple),
     frequencies=st.lists(st.tuples(st.just(INDEX["lidar"]), st.floats(1, 25)), max_size=1).map(tuple),
     emissions=st.lists(st.tuples(st.just(INDEX["team emitter"]), channels, payloads), max_size=4).map(tuple),
-    printed_bytes=st.integers(0, 2**63),
 )
 
 
@@ -71,6 +71,11 @@ class LoopedWire:
     def exchange(self, frame: bytes) -> bytes:
         self.asked = frame
         return self._answer
+
+
+class SomeOutput:
+    def __init__(self, printed_bytes: int = 0) -> None:
+        self.printed_bytes = printed_bytes
 
 
 class StillClock:
@@ -87,11 +92,11 @@ class StillClock:
         pass
 
 
-def pupil(answer: bytes, request: Request = GOOD) -> tuple[_hub.Hub, LoopedWire]:
+def pupil(answer: bytes, request: Request = GOOD, printed_bytes: int = 0) -> tuple[_hub.Hub, LoopedWire]:
     """The program's end, connected to a wire that answers like this."""
     told = json.loads(hello_frame(SPEC, {"limits": {"message_bytes": 10**6}})[5:])
     wire = LoopedWire(answer)
-    return _hub.Hub(wire, told, StillClock(request.missed_ticks), request), wire
+    return _hub.Hub(wire, told, StillClock(request.missed_ticks), SomeOutput(printed_bytes)), wire
 
 
 def sent_by_pupil(tick: int, request: Request) -> bytes:
@@ -162,6 +167,14 @@ def test_a_request_with_more_than_a_robot_can_want_is_refused_before_it_is_read(
         match=f"too many settings or packets in one step: .*60000 {'packets' if kind == 'emissions' else 'settings'}",
     ):
         CODEC.decode(body, 3)
+
+
+@given(st.integers(0, 2**63))
+def test_what_a_program_says_of_how_much_it_printed_changes_nothing_that_it_asks_for(printed_bytes: int) -> None:
+    hub, wire = pupil(CODEC.encode(Observation(0, [0.0] * SPEC.values, [])), printed_bytes=printed_bytes)
+    hub.exchange(32)
+    assert PRINTED.unpack_from(wire.asked, PRINTED_AT) == (printed_bytes,)
+    assert CODEC.decode(body_of(wire.asked), 0) == GOOD
 
 
 def test_packets_beyond_what_a_step_may_send_are_dropped() -> None:

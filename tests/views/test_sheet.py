@@ -37,6 +37,14 @@ def words_of(union, key: str) -> set[str]:
     return {member.model_fields[key].annotation.__args__[0] for member in union.__args__[0].__args__}
 
 
+def test_the_sheet_of_a_challenge_of_2021_says_in_which_order_its_sensors_tell_numbers():
+    text = sheet("precision_lidar").replace("\\", "")
+    assert "position of the robot, told as [y, z, x] as in the worlds of 2021" in text
+    assert "direction of north, told as [left, up, ahead] as in the worlds of 2021" in text
+    assert "its points told as [left, up, ahead] as in the worlds of 2021" in text
+    assert "2021" not in sheet("match").partition("# Robots")[2].partition("\n## ")[0]
+
+
 def test_every_word_of_the_vocabulary_can_be_said():
     assert words_of(Trigger, "trigger") == set(TRIGGERS)
     assert words_of(Condition, "condition") == set(CONDITIONS)

@@ -265,6 +265,13 @@ def test_a_layout_says_how_things_face():
 DEVICES = {
     "{device: gps, noise_m: 0.02}": "position of the robot (noise: standard deviation 2 cm).",
     "{device: gps}": "position of the robot.",
+    "{device: gps, frame: legacy, noise_m: 0.02}": (
+        "position of the robot, told as [y, z, x] as in the worlds of 2021 (noise: standard deviation 2 cm)."
+    ),
+    "{device: compass, frame: legacy}": "direction of north, told as [left, up, ahead] as in the worlds of 2021.",
+    "{device: lidar, frame: legacy}": (
+        "lidar, 360 points, 1 cm to 3 m, turning at 10 Hz, its points told as [left, up, ahead] as in the worlds of 2021."
+    ),
     "{device: compass, noise_rad: 0.1}": "direction of north (noise: standard deviation 5.73°).",
     "{device: sonar, bearing_rad: 0, noise: 0.1}": (
         "distance sensor, bearing 0°, up to 1 m (noise: standard deviation 10 % of the value from 1 m on, less when nearer)."

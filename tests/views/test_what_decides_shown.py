@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -22,7 +23,7 @@ from rcj_challenges.views.replay import write_replay
 from rcj_challenges.views.replay.payloads import told_beside
 from rcj_challenges.views.standing import Counting, shows_score
 from rcj_challenges.views.video.footage import Footage
-from tests.views.browser_stage import settled
+from tests.views.browser_stage import NO_WEBGL, settled
 
 TICKS = 40
 RANK = [{"counter": "laps", "order": "descending"}, {"counter": "best_s", "order": "ascending"}]
@@ -178,26 +179,81 @@ def test_scoreboard_list_and_caption_show_it(show: Callable[..., Any], run: Path
     )
 
 
-def test_gates_by_which_rules_judge_are_shown_at_first(show: Callable[..., Any], run: Path, tmp_path: Path) -> None:
-    page = show(run)
-    assert not page.locator("[name=gates]").is_checked()
-    rules = {
+def _replay(folder: Path, **more: Any) -> Path:
+    """Return the folder of a short run of a scenario with other parts."""
+    scenario = _scenario(**more)
+    writer = RecordWriter(folder, small_header(scenario))
+    writer.begin_half(half_info(scenario, 1, TICKS, small_header(scenario)))
+    for tick in range(TICKS + 1):
+        writer.tick(made_up_snapshot(tick, 2), Verdict(), b"")
+    writer.end_half(Verdict())
+    run = writer.finish({"wall_s": 1.0})
+    write_replay(run)
+    return run
+
+
+def _crosses(gate: str) -> dict[str, Any]:
+    return {
         "line": {
-            "triggers": [{"trigger": "crosses", "entity": "ball", "gate": "half_way"}],
+            "triggers": [{"trigger": "crosses", "entity": "ball", "gate": gate}],
             "actions": [{"action": "emit", "event": "LINE"}],
         }
     }
-    scenario = _scenario(rules=rules)
-    writer = RecordWriter(tmp_path, small_header(scenario))
-    writer.begin_half(half_info(scenario, 1, 2, small_header(scenario)))
-    for tick in range(3):
-        writer.tick(made_up_snapshot(tick, 2), Verdict(), b"")
-    writer.end_half(Verdict())
-    folder = writer.finish({"wall_s": 1.0})
-    write_replay(folder)
-    page = show(folder)
+
+
+def test_gates_by_which_rules_judge_are_shown_at_first(show: Callable[..., Any], run: Path, tmp_path: Path) -> None:
+    page = show(run)
+    assert not page.locator("[name=gates]").is_checked()
+    page = show(_replay(tmp_path, rules=_crosses("half_way")))
     assert page.locator("[name=gates]").is_checked()
     assert page.locator(".label.mark").all_inner_texts() == ["half_way"]
+
+
+MOUTH = {"from_m": [0.1, -0.05], "to_m": [0.1, 0.05], "anchor": "Y1"}
+"""In front of the robot, as wide as the ball and more."""
+
+COLOUR_AT = """([x, y]) => {
+  const { app } = replay, { view } = app, { canvas } = view;
+  app.draw();
+  const [across, down] = view.project(x, y, 0);
+  const column = Math.round(across * canvas.width), row = Math.round(down * canvas.height), found = new Uint8Array(4);
+  if (view.pen) {
+    const copy = Object.assign(document.createElement("canvas"), { width: 1, height: 1 });
+    const pen = copy.getContext("2d", { willReadFrequently: true });
+    pen.drawImage(canvas, -column, -row);
+    return [...pen.getImageData(0, 0, 1, 1).data].slice(0, 3);
+  }
+  const { gl } = view.painter;
+  gl.readPixels(column, canvas.height - row, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, found);
+  return [...found].slice(0, 3);
+}"""
+"""The colour of the picture at a point of the floor, as red, green and blue."""
+
+
+def _is_pink(colour: list[int]) -> bool:
+    return colour[0] > 180 and 70 < colour[1] < 160 and colour[2] > 120
+
+
+@pytest.mark.parametrize("script", ["", NO_WEBGL], ids=["3-D", "2-D"])
+def test_a_gate_that_moves_with_a_robot_is_drawn_where_the_robot_is(
+    show: Callable[..., Any], tmp_path: Path, script: str
+) -> None:
+    page = show(_replay(tmp_path, gates={"mouth": MOUTH}, rules=_crosses("mouth")), script=script)
+    assert page.locator("[name=gates]").is_checked()
+    page.evaluate("replay.app.look('top')")
+    label = page.locator(".label.mark", has_text="mouth")
+    places = []
+    for tick in (0, TICKS):
+        page.evaluate("(tick) => replay.seek(1, tick)", tick)
+        settled(page)
+        x_m, y_m, yaw_rad = made_up_snapshot(tick, 2).substeps[-1][1]
+        ahead = [x_m + 0.1 * math.cos(yaw_rad), y_m + 0.1 * math.sin(yaw_rad)]
+        places.append((ahead, label.bounding_box()))
+        assert _is_pink(page.evaluate(COLOUR_AT, ahead)), tick
+    (first, first_label), (last, last_label) = places
+    assert math.dist(first, last) > 0.03
+    assert first_label != last_label
+    assert not _is_pink(page.evaluate(COLOUR_AT, first)), "it has gone on"
 
 
 def test_a_live_match_tells_what_counts_where_it_changes() -> None:

@@ -9,13 +9,22 @@ from rcj_challenges.scenario.models.base import (
     Grown,
     Name,
     Names,
-    NotNegative,
     Point,
     Scalar,
     Strict,
     described,
 )
-from rcj_challenges.scenario.models.places import At, Facing, Kick, MayKick, Mirror
+from rcj_challenges.scenario.models.places import (
+    At,
+    Attempts,
+    ClearanceM,
+    Facing,
+    MayKick,
+    Mirror,
+    NoiseM,
+    Roll,
+    WithoutRoom,
+)
 from rcj_challenges.scenario.models.state import DrawValue, Points, Stay, ToldValue, Value
 
 
@@ -164,23 +173,14 @@ class Place(MayKick):
     entity: Names | None = described(None, "what is put there: entities, groups, or each")
     at: At | None = described(None, "where")
     facing: Facing = described("start", "which way it looks afterwards")
-    noise_m: Annotated[Point, Field(description="half width of uniform noise on x and y, in m, 0 to 5")] = (0.0, 0.0)
+    noise_m: NoiseM = (0.0, 0.0)
     mirror: Mirror | None = described(
         None, "mirror the place, and what a kick is aimed at; with a layout: all its places and aims"
     )
-    min_clearance_m: NotNegative = described(
-        0.0, "smallest gap to the outline of any other body, in m; the field's walls are none"
-    )
-    max_attempts: int = described(
-        100,
-        "how often a random place is drawn before giving up; what waits for room draws 4 on each further tick",
-        ge=1,
-        le=10_000,
-    )
-    on_failure: Literal["retry", "stay"] = described(
-        "retry", "no room: retry on every tick without repeating events, or stay where it is; the log says which"
-    )
-    kick: Kick | None = described(None, "only balls: it rolls away from there; left out: it lies still")
+    min_clearance_m: ClearanceM = 0.0
+    max_attempts: Attempts = 100
+    on_failure: WithoutRoom = "retry"
+    kick: Roll = None
 
 
 class Remove(Strict):

@@ -240,27 +240,39 @@ class MayKick(Grown):
     later_keys = frozenset({"kick"})
 
 
+# How something is put somewhere, whether a layout or a rule says so.
+NoiseM = Annotated[Point, Field(description="half width of uniform noise on x and y, in m, 0 to 5")]
+ClearanceM = Annotated[
+    NotNegative, Field(description="smallest gap to the outline of any other body, in m; the field's walls are none")
+]
+Attempts = Annotated[
+    int,
+    Field(
+        ge=1,
+        le=10_000,
+        description="how often a random place is drawn before giving up; what waits for room draws 4 on each further "
+        "tick",
+    ),
+]
+WithoutRoom = Annotated[
+    Literal["retry", "stay"],
+    Field(description="no room: retry on every tick without repeating events, or stay where it is; the log says which"),
+]
+Roll = Annotated[Kick | None, Field(description="only balls: it rolls away from there; left out: it lies still")]
+
+
 class Placing(MayKick):
     """How one or more entities are put somewhere."""
 
     entity: Names = described(..., "what is put there: entities or groups; several are put one after the other")
     at: At = described(..., "where")
     facing: Facing = described("start", "which way it looks afterwards")
-    noise_m: Annotated[Point, Field(description="half width of uniform noise on x and y, in m, 0 to 5")] = (0.0, 0.0)
+    noise_m: NoiseM = (0.0, 0.0)
     mirror: Mirror | None = described(None, "mirror the place, and what a kick is aimed at")
-    min_clearance_m: NotNegative = described(
-        0.0, "smallest gap to the outline of any other body, in m; the field's walls are none"
-    )
-    max_attempts: int = described(
-        100,
-        "how often a random place is drawn before giving up; what waits for room draws 4 on each further tick",
-        ge=1,
-        le=10_000,
-    )
-    on_failure: Literal["retry", "stay"] = described(
-        "retry", "no room: retry on every tick without repeating events, or stay where it is; the log says which"
-    )
-    kick: Kick | None = described(None, "only balls: it rolls away from there; left out: it lies still")
+    min_clearance_m: ClearanceM = 0.0
+    max_attempts: Attempts = 100
+    on_failure: WithoutRoom = "retry"
+    kick: Roll = None
 
 
 Layout = Annotated[

@@ -27,6 +27,7 @@ from rcj_challenges.scenario.models.state import DrawValue
 from rcj_challenges.scenario.other import written_others
 from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.starting import start_noise_m
 from rcj_challenges.views.drawing.flips import AS_WRITTEN, Flip, flipped
 from rcj_challenges.views.drawing.labels import Point
 from rcj_challenges.views.drawing.shapes import home, home_yaw_rad
@@ -64,7 +65,7 @@ _Board = dict[str, tuple[_Pose, ...]]
 def places_beside(scenario: Scenario, roster: Roster) -> Iterator[Beside]:
     """Yield the known places beside entities where rules put things, or where they roll things to."""
     start: _Board = {
-        name: (_Pose(home(scenario, name), _start_noise_m(scenario, name), home_yaw_rad(scenario, name)),)
+        name: (_Pose(home(scenario, name), start_noise_m(scenario, name), home_yaw_rad(scenario, name)),)
         for name in roster.entities
     }
     for rule in sorted(scenario.rules.values(), key=lambda rule: rule.priority):
@@ -91,10 +92,6 @@ def listed_names(names: Names, rule: Rule | None = None) -> tuple[str, ...]:
         return listed
     bound = {EACH: (rule.for_each or "",), OTHER: written_others(rule)}
     return tuple(one for name in listed for one in bound.get(name, (name,)))
-
-
-def _start_noise_m(scenario: Scenario, entity: str) -> Point:
-    return scenario.robots[entity].start.noise_m if entity in scenario.robots else (0.0, 0.0)
 
 
 def _hears_the_start(scenario: Scenario, rule: Rule) -> bool:
@@ -193,7 +190,7 @@ class _Walk:
         """Return where an entity may be after it was put somewhere; empty if nobody knows."""
         match at:
             case "start" | Start():
-                noise_m = _start_noise_m(self._scenario, entity)
+                noise_m = start_noise_m(self._scenario, entity)
                 return (_Pose(flipped(home(self._scenario, entity), flip), noise_m),)
             case AtPoint():
                 return (_Pose(flipped(at.point, flip)),)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from rcj_challenges.scenario.models.field import Box as BoxObstacle
 from rcj_challenges.scenario.models.field import FieldModel, Wall
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.starting import start_pose
 from rcj_challenges.views.drawing.labels import Box, Point
 
 _NOTHING_M2 = 1e-6  # an area that nobody sees: a square millimetre
@@ -170,19 +170,14 @@ def _range_words(axis: str, low: float | None, high: float | None) -> str:
 
 
 def home(scenario: Scenario, entity: str) -> Point:
-    """Return where an entity is at the start, in m."""
-    if entity in scenario.robots:
-        start = scenario.robots[entity].start
-        return start.x_m, start.y_m
-    if entity in scenario.balls:
-        return scenario.balls[entity].start_m
-    obstacle = scenario.obstacles[entity]
-    return obstacle.from_m if isinstance(obstacle, Wall) else obstacle.centre_m
+    """Return where an entity or a fixed obstacle is at the start, in m; of a wall, one of its ends."""
+    obstacle = scenario.obstacles.get(entity)
+    if isinstance(obstacle, Wall):
+        return obstacle.from_m
+    x_m, y_m, _ = start_pose(scenario, entity)
+    return x_m, y_m
 
 
 def home_yaw_rad(scenario: Scenario, entity: str) -> float:
-    """Return how an entity is turned at the start."""
-    if entity in scenario.robots:
-        return scenario.robots[entity].start.yaw_rad
-    obstacle = scenario.obstacles.get(entity)
-    return obstacle.yaw_rad if isinstance(obstacle, BoxObstacle) else 0.0
+    """Return how an entity is turned at the start, in rad from +x, counter-clockwise."""
+    return start_pose(scenario, entity)[2]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from rcj_challenges.scenario.models.field import Wall
+from rcj_challenges.scenario.models.places import Gate
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.roster import Roster
@@ -40,13 +41,12 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
             if name not in roster.entities
         ],
         "zones": [{"name": name, **zone.model_dump(mode="json")} for name, zone in scenario.zones.items()],
-        # A gate that moves with an entity stands where the entity is: the page shows those that stand still.
+        # One that moves has its posts in the frame of what it moves with; `anchor` is the place of that in the list.
         "gates": [
-            {"name": name, "used": name in used, **gate.model_dump(mode="json")}
+            gate.model_dump(mode="json") | {"name": name, "used": name in used, "anchor": _anchor(roster, gate)}
             for name, gate in scenario.gates.items()
-            if gate.anchor is None
         ],
-        # So with spots: where rules have set one no frame tells.
+        # Spots that rules set are left out: where they have set one no frame tells.
         "spots": [{"name": name, **spot.model_dump(mode="json")} for name, spot in fixed_spots(scenario).items()],
         "seats": [_seat(scenario, name) for name in scenario.entrants],
         "score_counts": shows_score(scenario),
@@ -65,6 +65,10 @@ def _used_gates(scenario: Scenario, roster: Roster) -> set[str]:
         if name in scenario.gates or name in scenario.groups
     }
     return {member for name in named for member in roster.expand(name) if member in scenario.gates}
+
+
+def _anchor(roster: Roster, gate: Gate) -> int | None:
+    return None if gate.anchor is None else roster.index[gate.anchor]
 
 
 def _texts(value: Any) -> tuple[str, ...]:

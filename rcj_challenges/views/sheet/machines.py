@@ -120,14 +120,29 @@ def _sonar(d: models.SonarDevice) -> str:
 def _lidar(d: models.LidarDevice) -> str:
     turning = f", turning at {d.frequency_hz:g} Hz" if d.rotating else ""
     noise = _noise(metres(d.noise_m) if d.noise_m else "")
-    return f"lidar, {d.points} points, {metres(d.min_range_m)} to {metres(d.max_range_m)}{turning}{noise}"
+    order = _order(d, ", its points told as [left, up, ahead]")
+    return f"lidar, {d.points} points, {metres(d.min_range_m)} to {metres(d.max_range_m)}{turning}{order}{noise}"
+
+
+def _gps(d: models.GpsDevice) -> str:
+    return f"position of the robot{_order(d, ', told as [y, z, x]')}{_noise(metres(d.noise_m) if d.noise_m else '')}"
+
+
+def _compass(d: models.CompassDevice) -> str:
+    noise = _noise(degrees(d.noise_rad) if d.noise_rad else "")
+    return f"direction of north{_order(d, ', told as [left, up, ahead]')}{noise}"
+
+
+def _order(d: models.GpsDevice | models.CompassDevice | models.LidarDevice, legacy: str) -> str:
+    """Return in which order numbers are told, where that is not the usual one: a program reads others without it."""
+    return f"{legacy} as in the worlds of 2021" if d.frame == "legacy" else ""
 
 
 _DEVICES: dict[str, Callable[[Any], str]] = {
     "motor": lambda d: f"motor of the {d.wheel} wheel",
     "wheel_sensor": lambda d: f"angle of the {d.wheel} wheel",
-    "gps": lambda d: f"position of the robot{_noise(metres(d.noise_m) if d.noise_m else '')}",
-    "compass": lambda d: f"direction of north{_noise(degrees(d.noise_rad) if d.noise_rad else '')}",
+    "gps": _gps,
+    "compass": _compass,
     "sonar": _sonar,
     "supervisor_receiver": lambda d: f"receiver of the referee's packets, channel {d.channel}",
     "team_receiver": lambda d: f"team radio, receives from up to {metres(d.range_m)}",

@@ -9,8 +9,6 @@ from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.views.stats.tally import Stats, Tally, TeamTally
 from rcj_challenges.views.stats.touching import FREE_TICKS, ONE_TOUCH_S, SHOT_WITHIN_S
 
-Figure = float | int | None
-
 
 @dataclass(frozen=True)
 class Definition:

@@ -15,6 +15,7 @@ from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.scenario.models.actions import Emit
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.seats import teams_by_seat
 from rcj_challenges.views.stats.ground import attacked_ends, goal_widths, own_end
 from rcj_challenges.views.stats.motion import Motion, motion_of, play_mask
 from rcj_challenges.views.stats.tally import Stats, Tally, TeamTally
@@ -159,12 +160,10 @@ def _labels(run: RunRecord) -> dict[tuple[str, str], str]:
 
     The n-th robot of a seat and the n-th of the seat that the team changes to are one, if the same program drives them.
     """
-    seats = list(run.scenario.entrants)
-    changes = run.scenario.match.swap_sides and run.scenario.match.halves > 1
+    changed = teams_by_seat(run.scenario, min(2, run.scenario.match.halves))
     labels = {}
     for seat, entrant in run.scenario.entrants.items():
-        other = seats[seats.index(seat) - 1]
-        others = list(run.scenario.entrants[other].robots.items()) if changes else []
+        others = list(run.scenario.entrants[changed[seat]].robots.items()) if changed[seat] != seat else []
         for place, (name, program) in enumerate(entrant.robots.items()):
             twin = others[place][0] if place < len(others) and others[place][1] == program else None
             labels[seat, name] = name if twin is None else f"{name}/{twin}"

@@ -29,8 +29,10 @@ wall, one begins every 0.032 s."""
 _READINGS = 100
 """Who has looked at the clock as often since the tick began waits for it."""
 _READING_NS = 50_000
+"""By so much each reading moves the clock on while the thread that steps is stuck."""
 _GLANCE_S = 0.000_2
 _IDLE_SHARE = 0.2
+"""Of the time that has passed: a program that has computed for less of it does not compute."""
 
 real_monotonic = time.monotonic
 real_process_time = time.process_time
@@ -55,7 +57,7 @@ class Beside:
         self._readings = 0
 
     def read_ns(self) -> int:
-        """Return how far it is ahead; somebody looks at it."""
+        """Return how far it is ahead, in ns; somebody looks at it."""
         if not self.in_match:
             self._readings += 1
             if self._readings % _READINGS == 0:
@@ -67,11 +69,11 @@ class Beside:
         return self.ahead_ns()
 
     def ahead_ns(self) -> int:
-        """Return how far it is ahead."""
+        """Return how far it is ahead, in ns."""
         return self._ahead_ns + self._standing_ns()
 
     def _standing_ns(self) -> int:
-        """Return what real time counts that is not added up yet."""
+        """Return what real time counts that is not added up yet, in ns."""
         if self.in_match:
             return 0
         now_s = real_monotonic()
@@ -80,21 +82,25 @@ class Beside:
         return max(0, int((now_s - self._counts_from_s) * 1e9))
 
     def place(self) -> tuple[Any, ...]:
-        """Return where the thread that steps is now, and when that is; for `compare`, after a real wait."""
+        """Return where the thread that steps is now, and when that is; for `compare`, after a real wait.
+
+        Returns:
+            Ticks begun, its frame and the instruction in it, real time in s, processor time of the process in s.
+        """
         frame = sys._current_frames().get(self._stepping)  # noqa: SLF001 - it is documented
         at = None if frame is None else frame.f_lasti
         return self._ticks, frame, at, real_monotonic(), real_process_time()
 
     def compare(self, before: tuple[Any, ...]) -> None:
         """Find out whether the thread that steps has been stuck since it was at a place."""
-        ticks, frame, at, seen_s, computed_s = self.place()
-        passed_s = seen_s - before[3]
-        is_idle = not _IS_TOLD_FINELY or computed_s - before[4] < _IDLE_SHARE * passed_s
-        is_stuck = (ticks, frame, at) == before[:3] and is_idle and not self.in_match
+        *now_at, seen_s, computed_s = self.place()
+        *was_at, was_seen_s, had_computed_s = before
+        is_idle = not _IS_TOLD_FINELY or computed_s - had_computed_s < _IDLE_SHARE * (seen_s - was_seen_s)
+        is_stuck = now_at == was_at and is_idle and not self.in_match
         is_stuck = is_stuck and not _would_run(self._known_to_system)
         if is_stuck and not self._is_stuck:
             counts_from_s = self._counts_from_s
-            self._counts_from_s = before[3] if counts_from_s is None else min(before[3], counts_from_s)
+            self._counts_from_s = was_seen_s if counts_from_s is None else min(was_seen_s, counts_from_s)
         elif self._is_stuck and not is_stuck:
             self._add_up()
         self._is_stuck = is_stuck
@@ -112,7 +118,7 @@ class Beside:
             self._stepping, self._known_to_system = get_ident(), get_native_id()
 
     def tick_began(self, passed_ns: int) -> None:
-        """A tick began, by which the clock of the thread that steps went on by so much."""
+        """A tick began, by which the clock of the thread that steps went on by so many ns."""
         self.in_match = False
         self._readings = 0
         self._ticks += 1
@@ -120,7 +126,7 @@ class Beside:
             self.caught_up(passed_ns)
 
     def caught_up(self, passed_ns: int) -> None:
-        """The clock of the thread that steps went on by so much."""
+        """The clock of the thread that steps went on by so many ns."""
         if self._counts_from_s is not None:
             self._add_up()
         self._is_stuck = False

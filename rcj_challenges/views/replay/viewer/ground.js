@@ -3,6 +3,7 @@
 
 const STRIPES = 8;
 const FORWARD_M = 0.05;
+const GATE_OPACITY = 0.95;
 
 const Ground = {
   WHITE: [0.96, 0.98, 0.97],
@@ -34,7 +35,7 @@ const Ground = {
     return shapes;
   },
 
-  /** Zones, gates and spots, which a spectator may switch on. */
+  /** Zones, gates that stand still and spots, which a spectator may switch on. */
   marks(facts, shown) {
     const shapes = [];
     if (shown.zones) {
@@ -45,13 +46,7 @@ const Ground = {
         shapes.push({ points, line: colour, width: 0.007, closed: true, alpha: 0.95 });
       });
     }
-    if (shown.gates) {
-      for (const gate of facts.gates) {
-        for (const points of [[gate.from_m, gate.to_m], Ground.forward(gate)]) {
-          shapes.push({ points, line: [1, 0.42, 0.7], width: 0.012, closed: false, alpha: 0.95 });
-        }
-      }
-    }
+    if (shown.gates) for (const gate of facts.gates) if (gate.anchor === null) shapes.push(...Ground.gate(gate));
     if (shown.spots) {
       for (const spot of facts.spots) {
         shapes.push({ points: Mesh.circle(spot.x_m, spot.y_m, 0.012, 20), fill: [0.02, 0.06, 0.05], alpha: 0.9 });
@@ -61,7 +56,27 @@ const Ground = {
     return shapes;
   },
 
-  /** Names of what is shown, and where they stand. */
+  /** Gates that move with an entity, where it is now. */
+  movingGates(facts, shown, poses) {
+    if (!shown.gates) return [];
+    return facts.gates.filter((gate) => gate.anchor !== null).flatMap((gate) => Ground.gate(Ground.moved(gate, poses)));
+  },
+
+  gate(gate) {
+    return [[gate.from_m, gate.to_m], Ground.forward(gate)].map(
+      (points) => ({ points, line: [1, 0.42, 0.7], width: 0.012, closed: false, alpha: GATE_OPACITY }),
+    );
+  },
+
+  /** A gate with its posts on the field: those of one that moves are told from the entity, x ahead and y to its left. */
+  moved(gate, poses) {
+    if (gate.anchor === null) return gate;
+    const { x: x0, y: y0, yaw } = poses[gate.anchor], c = Math.cos(yaw), s = Math.sin(yaw);
+    const [from_m, to_m] = [gate.from_m, gate.to_m].map(([x, y]) => [x0 + c * x - s * y, y0 + s * x + c * y]);
+    return { ...gate, from_m, to_m };
+  },
+
+  /** Names of what is shown, and where they stand: `at(poses)` of all that moves. */
   names(facts, shown) {
     const middle = (points) => [0, 1].map((axis) => {
       const numbers = points.map((point) => point[axis]);
@@ -70,11 +85,17 @@ const Ground = {
     const names = [];
     if (shown.zones) {
       for (const zone of facts.zones) {
-        names.push({ text: zone.inverted ? `outside ${zone.name}` : zone.name, at: middle(Ground.zone(zone, facts.field)), below: true });
+        const at = middle(Ground.zone(zone, facts.field));
+        names.push({ text: zone.inverted ? `outside ${zone.name}` : zone.name, at: () => at, below: true });
       }
     }
-    if (shown.gates) for (const gate of facts.gates) names.push({ text: gate.name, at: Ground.outerEnd(gate) });
-    if (shown.spots) for (const spot of facts.spots) names.push({ text: spot.name, at: [spot.x_m, spot.y_m] });
+    if (shown.gates) {
+      for (const gate of facts.gates) {
+        const end = Ground.outerEnd(gate); // the same one always: a name does not jump while its gate moves
+        names.push({ text: gate.name, at: (poses) => Ground.moved(gate, poses)[end] });
+      }
+    }
+    if (shown.spots) for (const spot of facts.spots) names.push({ text: spot.name, at: () => [spot.x_m, spot.y_m] });
     return names;
   },
 
@@ -84,9 +105,9 @@ const Ground = {
     return [[x, y], [x - (FORWARD_M * (y1 - y0)) / length, y + (FORWARD_M * (x1 - x0)) / length]];
   },
 
-  /** The end of a gate where its name is not in the way of who drives through: the one farther from the field's middle. */
+  /** The post where a gate's name is not in the way of who drives through: the one farther from the field's middle. */
   outerEnd({ from_m, to_m }) {
-    return Math.hypot(...from_m) > Math.hypot(...to_m) ? from_m : to_m;
+    return Math.hypot(...from_m) > Math.hypot(...to_m) ? "from_m" : "to_m";
   },
 
   markColour(index) {

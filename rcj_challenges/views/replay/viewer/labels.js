@@ -43,7 +43,7 @@ class Labels {
       });
     }
     for (const { text, at, below } of Ground.names(facts, show)) {
-      this.placed.push({ label: element("bdi", "label mark", text), lift: below ? "30%" : "-130%", reach: 0, at: () => [...at, 0] });
+      this.placed.push({ label: element("bdi", "label mark", text), lift: below ? "30%" : "-130%", reach: 0, at: (poses) => [...at(poses), 0] });
     }
     this.box.replaceChildren(...this.placed.map(({ label }) => label));
   }

@@ -116,6 +116,9 @@ class Scene {
       this.marks = this.layers([...frame.heat.shapes, ...Ground.marks(this.facts, frame.show)]);
     }
     for (const { alpha, mesh } of this.marks) painter.draw("plain", mesh, alpha);
+    const gates = new Mesh();
+    for (const { points, width, line } of Ground.movingGates(this.facts, frame.show, frame.poses)) gates.line(points, width, line);
+    painter.drawOnce(gates, GATE_OPACITY);
     for (const trail of frame.trails) {
       const mesh = new Mesh();
       for (const piece of trail.pieces) mesh.line(piece, trail.width, trail.colour);
