@@ -59,9 +59,7 @@ class TestActionSetSpot:
         play.play_until(10)
         assert play.referee.spots["found"] == pytest.approx(there)
 
-    @pytest.mark.parametrize(
-        ("axis", "there"), [("x", (0.4, -0.5)), ("y", (-0.4, 0.5)), ("both", (0.4, 0.5))]
-    )
+    @pytest.mark.parametrize(("axis", "there"), [("x", (0.4, -0.5)), ("y", (-0.4, 0.5)), ("both", (0.4, 0.5))])
     def test_with_a_mirror_it_is_set_to_the_mirror_image(self, stage, axis, there):
         play = stage(PITCH, at_s(0.32, mirrored(f"axis: {axis}")))
         play.play_until(10)

@@ -151,7 +151,8 @@ class Teller:
             for event in self._emitted.get(firing["rule"], ()):
                 self._open.setdefault((firing["half"], firing["tick"], event), []).append(firing)
         self._story = story
-        self._silent = [one for one in firings if any((one["scored"] or {}).values()) and not self._emitted.get(one["rule"])]
+        paid = (one for one in firings if any((one["scored"] or {}).values()))
+        self._silent = [one for one in paid if not self._emitted.get(one["rule"])]
         self._seats = teams
         # The scoreboard's order: as they stood in the first half.
         self._teams = list(teams[min(teams)].values()) if teams else []
