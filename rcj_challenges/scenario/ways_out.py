@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from rcj_challenges.scenario.tree import Path
+from rcj_challenges.scenario.catalogue import texts
+from rcj_challenges.scenario.tree import Node, Path, child
 
 _TEAMS = ("entrants", "teams")
 _FOR_TEAMS = {
@@ -31,3 +32,15 @@ def for_drawn(name: str, kind: str, path: Path, *, each: bool) -> str:
     if kind != "draw" or not each or path[2:3] != ("actions",):
         return ""
     return f"; to do it to the one drawn: for_each, {{condition: drawn, draw: {name}, equals: each}}, and 'each' here"
+
+
+def for_counted(path: Path, node: Node | None) -> str:
+    """Return how something lasts as long as a counter says; empty: that is not what was meant."""
+    counter = texts(child(node, "counter"))
+    if path[2:] != ("lasts_s",) or path[0] not in ("timers", "phases") or not counter:
+        return ""
+    of_timer = path[0] == "timers"
+    asked = f"{{condition: timer, timer: {path[1] if of_timer else '…'}, at_least: {{counter: {counter[0]}}}}}"
+    since, then = ("", "") if of_timer else (" that runs since then", " and set_phase")
+    heard = f"{{trigger: holds, condition: {asked}}}"
+    return f"; as long as a counter says: a long timer{since}, and a rule with {heard}{then}"

@@ -64,6 +64,18 @@ def test_what_was_drawn_is_acted_on_by_a_rule_for_each(action):
 
 
 @pytest.mark.parametrize(
+    ("section", "timer", "since", "then"),
+    [("timers", "p", "", ""), ("phases", "…", " that runs since then", " and set_phase")],
+)
+def test_what_lasts_as_long_as_a_counter_says_is_a_rule(section, timer, since, then):
+    condition = f"{{condition: timer, timer: {timer}, at_least: {{counter: n}}}}"
+    assert complaints(f"counters: {{n: {{}}}}\n{section}: {{p: {{lasts_s: {{counter: n}}}}}}\n")[0].endswith(
+        f"found a mapping with counter; as long as a counter says: a long timer{since}, and a rule with "
+        f"{{trigger: holds, condition: {condition}}}{then}"
+    )
+
+
+@pytest.mark.parametrize(
     ("trigger", "action", "told"),
     [
         ("{trigger: every, every_s: 10}", "{action: end}", "; every 5 s is {trigger: time_reached, at_s: 5, every_s: 5}"),
