@@ -15,7 +15,7 @@ from rcj_challenges.facts.messages import position_in
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.referee.bounds import amount_bound, change_bound
 from rcj_challenges.referee.compiling import Workshop
-from rcj_challenges.referee.places import compile_putting, spot_name, where_now
+from rcj_challenges.referee.places import compile_mirror, compile_putting, spot_name, where_now
 from rcj_challenges.referee.rules import Occasion, StandingRule
 from rcj_challenges.referee.sequences import sequence_watches
 from rcj_challenges.referee.setting_down import Job
@@ -161,7 +161,7 @@ def sequence(model: models.SequenceAction, workshop: Workshop, rule: StandingRul
 
 
 def set_spot(model: models.SetSpot, workshop: Workshop, rule: StandingRule) -> Act:
-    """Set a spot to where something is now; what is off the field leaves it where it is."""
+    """Set a spot to where something is now, or to its mirror image; what is off the field leaves it where it is."""
     spots, name = workshop.state.spots, spot_name(workshop, model.spot)
     where = (
         _heard(workshop, model.to, rule)
@@ -169,8 +169,14 @@ def set_spot(model: models.SetSpot, workshop: Workshop, rule: StandingRule) -> A
         else where_now(workshop, model.to, rule.each)
     )
 
+    signs = None if model.mirror is None else compile_mirror(model.mirror, workshop)
+
     def act(_occasion: Occasion) -> None:
-        spots[name] = where() or spots[name]
+        point = where()
+        if point is not None and signs is not None:
+            sign_x, sign_y = signs()
+            point = (point[0] * sign_x, point[1] * sign_y)
+        spots[name] = point or spots[name]
 
     return act
 

@@ -71,7 +71,17 @@ def event_differences(
         expected: what the test expects.
         ignored: its list of events to ignore.
     """
-    told = [line for pair in _beside(found, expected) for line in _told_of(pair, expected, ignored)]
+    pairs = _beside(found, expected)
+    moved = {} if _is_flood(found, expected) else _elsewhere(pairs, expected)
+    told_there = set(moved.values())
+    told = [
+        line
+        for place, pair in enumerate(pairs)
+        if place not in told_there
+        for line in (
+            [_out_of_order(pairs, place, moved[place])] if place in moved else _told_of(pair, expected, ignored)
+        )
+    ]
     yield from told[:_MOST_DIFFERENCES]
     more = len(told) - _MOST_DIFFERENCES
     if more > 0:
@@ -89,6 +99,31 @@ def _told_of(pair: _Pair, expected: Sequence[ExpectedEvent], ignored: Sequence[s
         yield f"missing: {wanted.event}{when}{_payload(wanted.payload)}, event {index + 1} of the test"
     else:
         yield from (f"differs: {line}" for line in _within(event, index + 1, expected[index]))
+
+
+def _elsewhere(pairs: Sequence[_Pair], expected: Sequence[ExpectedEvent]) -> dict[int, int]:
+    """Return what came as expected, but not in the order of the test: place of the event to that of what is missing."""
+    lacks = [(place, index) for place, (event, index) in enumerate(pairs) if event is None and index is not None]
+    moved: dict[int, int] = {}
+    for place, (event, index) in enumerate(pairs):
+        if event is None or index is not None:
+            continue
+        fitting = (lack for lack in lacks if expected[lack[1]].event == event.name)
+        found = next((lack for lack in fitting if not any(_within(event, 0, expected[lack[1]]))), None)
+        if found is not None:
+            moved[place] = found[0]
+            lacks.remove(found)
+    return moved
+
+
+def _out_of_order(pairs: Sequence[_Pair], came: int, lacks: int) -> str:
+    event, number = pairs[came][0], pairs[lacks][1]
+    assert event is not None and number is not None  # noqa: S101, PT018 - so `_elsewhere` chose them
+    others = [other for other, _ in pairs[min(came, lacks) : max(came, lacks)] if other is not None and other != event]
+    at_once = any(other.tick == event.tick for other in others)
+    why = "; events of one tick come in the order in which their rules are judged" if at_once else ""
+    when = "earlier" if came < lacks else "later"
+    return f"out of order: {_told(event)}, event {number + 1} of the test, came {when} than the test has it{why}"
 
 
 def _no_longer_ignored(name: str, ignored: Sequence[str]) -> str:
@@ -134,7 +169,7 @@ def _payload(payload: dict[str, Scalar]) -> str:
 
 def _beside(found: Sequence[Event], expected: Sequence[ExpectedEvent]) -> list[_Pair]:
     """Return events beside what is expected, in order: as many as can be of one name, then those most alike."""
-    if len(found) * len(expected) > _MOST_PAIRS:
+    if _is_flood(found, expected):
         return list(_by_position(found, expected))
     # best[i][j]: how well the events from i on and the expected ones from j on go together.
     best = [[0.0] * (len(expected) + 1) for _ in range(len(found) + 1)]
@@ -156,6 +191,10 @@ def _beside(found: Sequence[Event], expected: Sequence[ExpectedEvent]) -> list[_
             pairs.append((None, j))
             j += 1
     return [*pairs, *((event, None) for event in found[i:]), *((None, left) for left in range(j, len(expected)))]
+
+
+def _is_flood(found: Sequence[Event], expected: Sequence[ExpectedEvent]) -> bool:
+    return len(found) * len(expected) > _MOST_PAIRS
 
 
 def _by_position(found: Sequence[Event], expected: Sequence[ExpectedEvent]) -> Iterable[_Pair]:

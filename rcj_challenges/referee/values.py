@@ -14,6 +14,7 @@ from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.measuring import distance_reader, timer_reader, way_reader
 from rcj_challenges.referee.rules import Occasion
 from rcj_challenges.referee.state import Number, State
+from rcj_challenges.scenario.blanks import counted
 from rcj_challenges.scenario.measured import middle_of
 from rcj_challenges.scenario.models.state import (
     CounterValue,
@@ -256,6 +257,7 @@ def spoken(says: str, state: State, occasion: Occasion) -> str:
     """Return the sentence with {entity}, {each}, {other}, {team}, {measured}, {limit} and {points} filled in."""
     if "{" not in says:
         return says
+    points = str(on_paper(sum(occasion.scored.values())))
     filled = {
         "{entity}": occasion.subject or "",
         "{each}": occasion.rule.each or "",
@@ -263,15 +265,16 @@ def spoken(says: str, state: State, occasion: Occasion) -> str:
         "{team}": _team_name(state, occasion, None),
         "{measured}": _said(occasion.measured),
         "{limit}": _said(occasion.limit),
-        "{points}": str(on_paper(sum(occasion.scored.values()))),
+        "{points}": points,
+        "{points} points": counted(points),
     }
     # One pass from left to right, so that a team called "{limit}" stays just that.
     parts, rest = [], says
     while rest:
-        places = [(rest.find(key), key) for key in filled if key in rest]
+        places = [(rest.find(key), -len(key), key) for key in filled if key in rest]
         if not places:
             break
-        start, key = min(places)
+        start, _, key = min(places)
         parts += [rest[:start], filled[key]]
         rest = rest[start + len(key) :]
     return "".join([*parts, rest])

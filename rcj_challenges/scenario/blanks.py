@@ -14,6 +14,8 @@ BLANKS = ("entity", "each", "other", "team", "measured", "limit", "points")
 """What is filled in when a rule fires. In braces also a param's name; a blank goes before a param of its name."""
 
 _IN_BRACES = re.compile(r"\{([^{}]*)\}")
+_OF_POINTS = re.compile(r"\{([^{}]*)\}( points\b)?")
+_ONE = ("1", "-1")
 
 
 def in_braces(says: str) -> tuple[str, ...]:
@@ -42,13 +44,30 @@ def partly_filled(rule: Rule, params: Mapping[str, Scalar]) -> str:
     number = next(iter(points)) if len(points) == 1 else None
     if number is not None:
         known["points"] = _as_text(number)
-    return _IN_BRACES.sub(lambda blank: known.get(blank[1], blank[0]), rule.says)
+    return _filled(rule.says, known)
 
 
 def description_of(scenario: Scenario) -> str:
     """Return what a scenario is about, with the values of its params: it is true for every ``--set``."""
     known = {name: _as_text(value) for name, value in scenario.params.items()}
-    return _IN_BRACES.sub(lambda blank: known.get(blank[1], blank[0]), scenario.description)
+    return _filled(scenario.description, known)
+
+
+def counted(number: str) -> str:
+    """Return a number of points as people say it: ``1 point``, ``2 points``."""
+    return f"{number} point" if number in _ONE else f"{number} points"
+
+
+def _filled(text: str, known: Mapping[str, str]) -> str:
+    """Fill in what is known; ``{points} points`` is one point if it is one."""
+
+    def fill(blank: re.Match[str]) -> str:
+        value = known.get(blank[1])
+        if value is None:
+            return blank[0]
+        return counted(value) if blank[2] else value
+
+    return _OF_POINTS.sub(fill, text)
 
 
 def _as_text(value: Scalar) -> str:

@@ -20,6 +20,7 @@ from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
 from rcj_challenges.scenario.references import Field, Named, Reference, references_of
 from rcj_challenges.scenario.shape import Shape, bare, chosen, is_model, step_into
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, in_names, mark_of, node_at
+from rcj_challenges.scenario.ways_out import for_drawn, for_teams
 from rcj_challenges.scenario.whose import NAMING_ONE, check_whose
 from rcj_challenges.scenario.wording import found_text
 
@@ -189,7 +190,7 @@ class _Walker:
             if reference.drawn:
                 known += [draw for draw in names.names("draws") if self._may_decide(draw, reference)]
             sections = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups")
-            self._unknown(reference.noun, name, known, sections, path, mark)
+            self._unknown(reference.noun, name, known, sections, path, mark, each=reference.each)
 
     def _may_decide(self, draw: str, reference: Field) -> bool:
         """Return whether all values of a draw are of a kind that is needed."""
@@ -235,8 +236,9 @@ class _Walker:
                 self.problems.append(replace(problem, message=problem.message + needed))
 
     def _unknown(
-        self, noun: str, name: str, known: list[str], sections: tuple[str, ...], path: Path, mark: Mark
-    ) -> None:
+        self, noun: str, name: str, known: list[str], sections: tuple[str, ...], path: Path, mark: Mark, *,
+        each: bool = False,
+    ) -> None:  # fmt: skip
         if any(section in self.names.broken for section in sections):
             return  # that the section is none is reported; what might stand in it is unknown
         removal = next((self.removed[section, name] for section in sections if (section, name) in self.removed), None)
@@ -244,8 +246,12 @@ class _Walker:
             where = f"{removal.file}:{removal.line}" if removal.line else removal.file
             self.add(path, mark, f"unknown {noun} '{name}': it was removed in {where}{_without(name, path)}")
             return
-        hint = nearest(name, known) or known_text(known, noun)
-        which = f", which is {_a(kind)}" if (kind := self.names.known_as(name)) else ""
+        if teams := for_teams(name, path):
+            self.add(path, mark, f"unknown {noun} '{name}': {teams}")
+            return
+        kind = self.names.known_as(name)
+        hint = (nearest(name, known) or known_text(known, noun)) + for_drawn(name, kind, path, each=each)
+        which = f", which is {_a(kind)}" if kind else ""
         self.add(path, mark, f"unknown {noun} '{name[:64]}'{which}{hint}")
 
     # --- what a table cannot say ------------------------------------------------------------------------------------

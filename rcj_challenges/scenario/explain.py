@@ -30,6 +30,7 @@ from rcj_challenges.scenario.shape import (
     tags,
 )
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, child, in_names, mark_of, node_at, plain
+from rcj_challenges.scenario.ways_out import for_counted
 from rcj_challenges.scenario.wording import NAME_RULE, expected, found_text, is_fixed, refusal
 
 _KEY = "[key]"
@@ -179,7 +180,8 @@ class _Explainer:
         if mistake.kind.startswith("union_tag") or mistake.kind == "model_attributes_type":
             return self._wrong_tag(mistake)
         node = node_at(self.root, mistake.path)
-        return self._at(mistake.path, refusal(mistake.kind, mistake.details, mistake.shape, node))
+        message = refusal(mistake.kind, mistake.details, mistake.shape, node)
+        return self._at(mistake.path, message + for_counted(mistake.path, node))
 
     def _at(self, path: Path, message: str, *, at_key: bool = False) -> Problem:
         node = node_at(self.root, path)

@@ -41,10 +41,25 @@ class TestEventsThatBelongTogether:
             "missing: B at 0.64 s (points 2), event 2 of the test"
         ]
 
-    def test_another_order_is_told_as_one_that_lacks_and_one_too_many(self):
-        assert sorted(told(came("A", "B"), wanted("B", "A"))) == [
-            "missing: A, event 2 of the test",
-            "superfluous: A at 0.32 s",
+    def test_another_order_is_told_as_such(self):
+        assert told(came("A", "B"), wanted("B", "A")) == [
+            "out of order: A at 0.32 s, event 2 of the test, came earlier than the test has it"
+        ]
+        assert told(came("B", "C", "A", ball="red_1"), wanted("A", "B", "C")) == [
+            "out of order: A at 0.96 s (ball red_1), event 1 of the test, came later than the test has it"
+        ]
+
+    def test_in_one_tick_events_come_in_the_order_of_the_rules(self):
+        at_once = [Event(10, "HOME", {}), Event(10, "WRONG", {})]
+        (line,) = told(at_once, wanted("WRONG", "HOME"))
+        assert line.startswith("out of order: HOME at 0.32 s, event 2 of the test, came earlier than the test has it")
+        assert line.endswith("; events of one tick come in the order in which their rules are judged")
+
+    def test_what_comes_elsewhere_at_another_time_or_with_another_payload_is_another_event(self):
+        late = wanted("B", *"A", at_s=9)
+        assert [line.partition(":")[0] for line in told(came("A", "B"), [*wanted("B"), late[1]])] == [
+            "superfluous",
+            "missing",
         ]
 
     def test_of_equal_names_the_one_with_the_payload_or_the_time_is_meant(self):

@@ -195,6 +195,14 @@ class TestPointsAndParamsInSentences:
     def test_without_a_number_it_is_one_point(self):
         assert self.said("[{action: score, entrant: yellow}]", "{points} point") == "1 point"
 
+    @pytest.mark.parametrize(("tries", "said"), [(1, "1 point"), (-1, "-1 point"), (2, "2 points"), (0, "0 points"), (0.5, "0.5 points")])  # fmt: skip
+    def test_one_point_is_no_points(self, tries, said):
+        assert self.said(f"[{{action: score, entrant: yellow, points: {tries}}}]", "{points} points.") == f"{said}."
+        # The distance is 0.5 m: what is reckoned when the rule fires is said alike.
+        reckoned = f"[{{action: score, entrant: yellow, points: [{tries}, -0.5, {{distance: [Y1, [0, 0]]}}]}}]"
+        assert self.said(reckoned, "A goal; {points} points!") == f"A goal; {said}!"
+        assert self.said("[{action: score, entrant: yellow}]", "{goal} points.", f"{{goal: {tries}}}") == f"{said}."
+
     def test_points_that_are_reckoned_when_it_fires_are_those_given(self):
         actions = "[{action: score, entrant: yellow, points: [5, {distance: [Y1, [0, 0]], weight: -2}]}]"
         assert self.said(actions, "Parked; {points} points.") == "Parked; 4 points."

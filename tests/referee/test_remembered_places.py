@@ -17,6 +17,10 @@ def set_to(what: str) -> str:
     return f"{{action: set_spot, spot: found, to: {what}}}"
 
 
+def mirrored(mirror: str) -> str:
+    return f"{{action: set_spot, spot: found, to: Y1, mirror: {{{mirror}}}}}"
+
+
 def put(what: str, at: str, more: str = "") -> str:
     return f"{{action: place, entity: {what}, at: {at}{more}}}"
 
@@ -54,6 +58,31 @@ class TestActionSetSpot:
         play = stage(PITCH, at_s(0.32, set_to(to)))
         play.play_until(10)
         assert play.referee.spots["found"] == pytest.approx(there)
+
+    @pytest.mark.parametrize(("axis", "there"), [("x", (0.4, -0.5)), ("y", (-0.4, 0.5)), ("both", (0.4, 0.5))])
+    def test_with_a_mirror_it_is_set_to_the_mirror_image(self, stage, axis, there):
+        play = stage(PITCH, at_s(0.32, mirrored(f"axis: {axis}")))
+        play.play_until(10)
+        assert play.referee.spots["found"] == pytest.approx(there)
+
+    def test_a_mirror_may_depend_on_a_flag(self, stage):
+        flag = "flags: {changed: {}}\n"
+        set_it = at_s(0.32, mirrored("axis: x, when: changed"))
+        play = stage(PITCH, flag, set_it)
+        play.play_until(10)
+        assert play.referee.spots["found"] == pytest.approx((-0.4, -0.5))
+        play = stage(PITCH, flag.replace("{}}", "{initial: true}}"), set_it)
+        play.play_until(10)
+        assert play.referee.spots["found"] == pytest.approx((0.4, -0.5))
+
+    def test_who_is_to_be_the_mirror_image_is_measured_to_it_while_the_other_one_drives(self, stage):
+        every_tick = "{trigger: time_reached, at_s: 0.032, every_s: 0.032}"
+        follow = f"rules: {{image: {{triggers: [{every_tick}], actions: [{mirrored('axis: x')}]}}}}"
+        play = stage(PITCH, follow)
+        for number in range(10):
+            play.place("Y1", -0.4, 0.01 * number)
+            play.play()
+        assert play.referee.spots["found"] == pytest.approx((0.4, 0.09))
 
     def test_in_a_rule_for_each_it_is_set_to_the_current_one(self, stage):
         rule = (

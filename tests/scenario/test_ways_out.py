@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.scenario.writing import complaints, rule
+from tests.scenario.writing import complaints, loaded, rule
 
 PLACE = "{action: place, entity: ball, at: %s}"
 
@@ -32,6 +32,47 @@ def test_a_point_is_written_with_its_word():
 )  # fmt: skip
 def test_a_name_of_something_else_is_told_to_be_one(action, more, told):
     assert any(told in complaint for complaint in complaints(more + rule(action=action)))
+
+
+def test_a_rule_for_each_team_is_written_for_its_robots_or_once_for_each():
+    for_each = "rules:\n  r: {for_each: entrants, triggers: [{trigger: half_started}], actions: [{action: end}]}\n"
+    assert complaints(for_each)[0].endswith(
+        "unknown entity, obstacle, zone or gate 'entrants': there is no rule for each team; write for_each: robots, where "
+        "entrant: each is the team of each of them, or a rule for each team, where its colour names all its robots"
+    )
+    assert complaints("counters: {streak: {per: teams}}\n")[0].endswith(
+        "unknown entity, obstacle, zone or gate 'teams': nothing is kept for each team; give each team one under a name "
+        "of its own, or, to rank by it, keep it per: robots and count it for one robot of the team"
+    )
+
+
+def test_who_has_a_group_of_that_name_is_not_told_so():
+    groups = "groups: {teams: [Y1, B1]}\ncounters: {streak: {per: teams}}\n"
+    assert loaded(groups).scenario.counters["streak"].per == "teams"
+
+
+@pytest.mark.parametrize("action", ["{action: set_flag, flag: away, entity: chair}", "{action: remove, entity: chair}"])
+def test_what_was_drawn_is_acted_on_by_a_rule_for_each(action):
+    more = "flags: {away: {per: robots}}\ndraws: {chair: {values: [Y1, B1]}}\n"
+    assert any(
+        "'chair', which is a draw; there are" in one
+        and one.endswith(
+            "; to do it to the one drawn: for_each, {condition: drawn, draw: chair, equals: each}, and 'each' here"
+        )
+        for one in complaints(more + rule(action=action))
+    )
+
+
+@pytest.mark.parametrize(
+    ("section", "timer", "since", "then"),
+    [("timers", "p", "", ""), ("phases", "…", " that runs since then", " and set_phase")],
+)
+def test_what_lasts_as_long_as_a_counter_says_is_a_rule(section, timer, since, then):
+    condition = f"{{condition: timer, timer: {timer}, at_least: {{counter: n}}}}"
+    assert complaints(f"counters: {{n: {{}}}}\n{section}: {{p: {{lasts_s: {{counter: n}}}}}}\n")[0].endswith(
+        f"found a mapping with counter; as long as a counter says: a long timer{since}, and a rule with "
+        f"{{trigger: holds, condition: {condition}}}{then}"
+    )
 
 
 @pytest.mark.parametrize(

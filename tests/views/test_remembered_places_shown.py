@@ -36,6 +36,21 @@ def test_the_sheet_says_what_is_remembered(to, words):
     assert said.startswith(f"When a half starts: {words}")
 
 
+@pytest.mark.parametrize(
+    ("mirror", "words"),
+    [
+        ("axis: x", "the place of Y1, mirrored (x becomes -x), is remembered as the spot “found”"),
+        pytest.param("axis: both, when: changed",
+         "the place of Y1, mirrored (x becomes -x and y becomes -y) if the flag “changed” is set, is remembered as "
+         "the spot “found”", id="if a flag is set"),
+    ],
+)  # fmt: skip
+def test_the_sheet_says_that_the_mirror_image_is_remembered(mirror, words):
+    action = set_to("Y1").replace("}", f", mirror: {{{mirror}}}}}")
+    said = sentence(f"triggers: [{{trigger: half_started}}], actions: [{action}]", f"{SPOTS}flags: {{changed: {{}}}}\n")
+    assert said.startswith(f"When a half starts: {words}")
+
+
 def test_of_each_zone_the_sheet_says_its_centre():
     goals = SPOTS + "groups: {goals: [blue_goal, yellow_goal]}\n"
     rule = f"for_each: goals, triggers: [{{trigger: enters, entity: ball, zone: each}}], actions: [{set_to('each')}]"

@@ -169,6 +169,7 @@ SAYS = "triggers: [{trigger: half_started}], actions: [{action: score, entrant: 
 def test_a_sentence_says_the_points_and_the_params():
     assert sentence(SAYS % ("3", "A goal; {points} points.")).startswith("A goal; 3 points. ")
     assert sentence(SAYS % ("{counter: tries}", "{points} points."), TIMERS).startswith("… points. ")
+    assert sentence(SAYS % ("-1", "A foul: {points} points.")).startswith("A foul: -1 point. ")
     params = "params: {reach_m: 0.5, side: left}\n"
     assert sentence(SAYS % ("1", "Within {reach_m} m, {side}."), params).startswith("Within 0.5 m, left. ")
 

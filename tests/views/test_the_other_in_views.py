@@ -73,7 +73,7 @@ def test_a_sentence_of_the_rule_names_the_other_one():
     end = "actions: [{action: end}], says: '{entity} has caught {other}.'"
     assert said(end).startswith("The robot has caught the other robot. For each of the robots,")
     assert said(end, "ball").startswith("The robot has caught the ball.")
-    assert said(end, "[walls, ball]").startswith("The robot has caught the other one.")
+    assert said(end, "[walls, ball]").startswith("The robot has caught a wall or the ball.")
 
 
 def test_what_another_kind_of_thing_touches_is_no_other_one_of_its_kind():

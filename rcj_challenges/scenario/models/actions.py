@@ -136,12 +136,14 @@ class SequenceAction(Grown):
     do: Literal["reset"] = described("reset", "reset: it stands before its first step, or at it if the entity is in it")
 
 
-class SetSpot(Strict):
+class SetSpot(Grown):
     """Set a spot to where something is now, and so remember that place; each half begins with that of the file.
 
     What is off the field leaves it where it is, and so does a message that is no position. What is placed in the same
     tick is still where it was before.
     """
+
+    later_keys = frozenset({"mirror"})
 
     action: Literal["set_spot"]
     spot: Name = described(..., "the spot")
@@ -150,6 +152,7 @@ class SetSpot(Strict):
         "an entity, each, a spot, a zone with a centre (a circle, a rect with four sides), [x, y] in m, or "
         "{told: NAME}: the position that a robot has told by radio",
     )
+    mirror: Mirror | None = described(None, "set it to the mirror image of that place")
 
 
 class DrawAction(Strict):

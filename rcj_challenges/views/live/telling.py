@@ -198,11 +198,12 @@ class LiveWatcher(Silent):
 
     def _events(self, half: HalfInfo, snapshot: Snapshot, verdict: Verdict) -> list[dict[str, Any]]:
         events = events_of(snapshot, verdict)
-        if not events:
+        if not events and not any(firing.scored for firing in verdict.firings):
             return []
         firings = [_as_read(firing_line(half.half, firing)) for firing in verdict.firings if firing.suppressed is None]
         teller = Teller(self._scenario, self._teams, firings, self._story)
-        return [teller.event(_as_read({"kind": "event", **event_line(half.half, event)})) for event in events]
+        told = [teller.event(_as_read({"kind": "event", **event_line(half.half, event)})) for event in events]
+        return [*told, *teller.unannounced()]
 
     def _follow_the_score(self, half: HalfInfo, verdict: Verdict) -> bool:
         """Add what was scored; returns whether anything was."""

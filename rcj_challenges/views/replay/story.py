@@ -1,9 +1,14 @@
-"""What happened, for the page: events with what the referee measured, the score as it went, phases, who is held."""
+"""What happened, for the page: events with what the referee measured, the score as it went, phases, who is held.
+
+Points that a rule gives without announcing an event stand among the events, as ``POINTS``: who watches the score change
+asks for what.
+"""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -34,6 +39,9 @@ _QUIET = ("MATCH_START", "MATCH_FINISH", "KICKOFF")
 _LONGEST_TEXT = 2_000
 _MOST_CHANGES = 2_000
 """Of what is counted in a half, so many changes are on the page: about 40 bytes each."""
+MOST_UNANNOUNCED = 300
+"""Of points without an event a page lists so many of each rule and half: one that pays on every tick would fill it."""
+_POINTS = "POINTS"
 Score = int | float
 
 
@@ -47,6 +55,7 @@ class Story:
         held: by half, ``[tick, robots that rules hold]`` from each change on.
         score_changes: by half, ``[tick, points by team]`` from each change on.
         counted: by half, ``[tick, values by team]`` of the counters that decide the ranking, from each change on.
+        unannounced: by half and rule, how many points without an event are among the events.
         unreadable: how many lines of the log were damaged.
     """
 
@@ -55,6 +64,7 @@ class Story:
     held: dict[int, list[list[Any]]] = field(default_factory=dict)
     score_changes: dict[int, list[list[Any]]] = field(default_factory=dict)
     counted: dict[int, list[list[Any]]] = field(default_factory=dict)
+    unannounced: Counter[tuple[int, str]] = field(default_factory=Counter)
     unreadable: int = 0
 
 
@@ -80,8 +90,10 @@ def tell(folder: Path, scenario: Scenario, halves: Sequence[HalfTrack], result: 
             for line in lines
             if line["kind"] == "held" and line["half"] == half.info.half
         ]
-    told = Teller(scenario, {half.info.half: half.info.teams for half in halves}, firings, story)
-    story.events = [told.event(line) for line in lines if line["kind"] == "event"]
+    names = {team: entrant.name for team, entrant in result.entrants.items() if entrant.name}
+    told = Teller(scenario, {half.info.half: half.info.teams for half in halves}, firings, story, names)
+    events = [told.event(line) for line in lines if line["kind"] == "event"]
+    story.events = sorted([*events, *told.unannounced()], key=lambda event: (event["half"], event["tick"]))
     return story
 
 
@@ -117,6 +129,7 @@ class Teller:
         teams: by half, by seat: who played there.
         firings: lines of the referee's log whose actions ran.
         story: its score as it went is what events are told with.
+        names: what teams are called, by the seats that they had in the first half; left out: as the scenario says.
     """
 
     def __init__(
@@ -125,7 +138,9 @@ class Teller:
         teams: Mapping[int, Mapping[str, str]],
         firings: list[dict[str, Any]],
         story: Story,
+        names: Mapping[str, str] | None = None,
     ) -> None:
+        self._names = {seat: entrant.title or seat for seat, entrant in scenario.entrants.items()} | dict(names or {})
         self._emitted = {
             rule: [action.event for action in definition.actions if isinstance(action, Emit)]
             for rule, definition in scenario.rules.items()
@@ -136,6 +151,9 @@ class Teller:
             for event in self._emitted.get(firing["rule"], ()):
                 self._open.setdefault((firing["half"], firing["tick"], event), []).append(firing)
         self._story = story
+        paid = (one for one in firings if any((one["scored"] or {}).values()))
+        self._silent = [one for one in paid if not self._emitted.get(one["rule"])]
+        self._seats = teams
         # The scoreboard's order: as they stood in the first half.
         self._teams = list(teams[min(teams)].values()) if teams else []
         self._colours = {
@@ -175,6 +193,19 @@ class Teller:
             "unit": UNITS.get(trigger, ""),
             "payload": [[key, _short(value)] for key, value in payload.items()],
         }
+
+    def unannounced(self) -> Iterator[dict[str, Any]]:
+        """Yield the points that rules gave without an event, as the page shows them, in order."""
+        for firing in self._silent:
+            half, rule = firing["half"], firing["rule"]
+            if self._story.unannounced[half, rule] == MOST_UNANNOUNCED:
+                continue
+            self._story.unannounced[half, rule] += 1
+            seats = self._seats.get(half, {})
+            teams = {seats.get(seat, seat): number for seat, number in firing["scored"].items() if number}
+            points = {self._names.get(team, team): f"{number:+g}" for team, number in teams.items()}
+            self._open[half, firing["tick"], _POINTS] = [firing]
+            yield self.event({**firing, "event": _POINTS, "payload": points})
 
     def _standing(self, half: int, tick: int) -> str:
         """Return the score after a tick, ``2 : 1`` in the order of the scoreboard."""

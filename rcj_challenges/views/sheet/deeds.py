@@ -223,7 +223,8 @@ def _set_spot(nouns: Nouns, action: Any) -> str:
         where = nouns.owned("centre" if of_zone else "place", action.to)
     else:
         where = nouns.point(action.to)
-    return f"{where} is remembered as {nouns.thing(action.spot)}"
+    mirrored = mirrored_words(nouns, action.mirror, action.to)
+    return f"{where}{mirrored}{',' if mirrored else ''} is remembered as {nouns.thing(action.spot)}"
 
 
 def _emit(nouns: Nouns, action: Any) -> str:

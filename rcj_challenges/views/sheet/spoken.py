@@ -9,7 +9,7 @@ from rcj_challenges.scenario.blanks import partly_filled
 from rcj_challenges.scenario.followed import heard
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import DrawnDuration
-from rcj_challenges.scenario.other import has_other, others_of
+from rcj_challenges.scenario.other import has_other, others_of, written_others
 from rcj_challenges.views.sheet.nouns import Nouns, plain
 from rcj_challenges.views.sheet.phrases import number
 
@@ -95,11 +95,17 @@ def _is_on_the_field(nouns: Nouns, name: str) -> bool:
 
 
 def _other(nouns: Nouns, rule: Rule) -> str:
-    """Return the one touched: ``the other robot``, ``the robot`` if a ball touches it, ``Y1`` if only that can be."""
+    """Return the one touched: ``the other robot``, ``the robot`` if a ball touches it, ``Y1`` if only that can be.
+
+    Where it may be of several kinds, what the rule writes: ``a wall or the ball``.
+    """
     others = others_of(rule, rule.for_each, nouns.roster) if has_other(rule) else ()
     if len(others) == 1:
         return nouns.thing(others[0])
     kind = nouns.one_kind(others)
+    if others and not kind:
+        # Of several kinds none says enough: “Y1 touches the other one” would be anything.
+        return nouns.any_of(written_others(rule))
     touching = nouns.one_kind(rule.for_each or () if _goes_over_entities(nouns, rule) else _concerned(nouns, rule))
     return f"the {kind}" if kind and kind != touching else f"the other {kind or 'one'}"
 

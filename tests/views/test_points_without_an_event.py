@@ -1,0 +1,103 @@
+"""Points that a rule gives without announcing an event: the page and the live view say for what all the same."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rcj_challenges.facts.play import Event, Firing, Verdict
+from rcj_challenges.records.testing import half_info, made_up_snapshot, small_header, small_scenario
+from rcj_challenges.records.writer import RecordWriter
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.views.live.feed import Feed
+from rcj_challenges.views.live.pace import MAX_SPEED, Pace
+from rcj_challenges.views.live.telling import LiveWatcher
+from rcj_challenges.views.replay import write_replay
+from rcj_challenges.views.replay.story import MOST_UNANNOUNCED
+
+TICKS = 40
+SCORE = {"action": "score", "entrant": "yellow"}
+EMIT = {"action": "emit", "event": "GOAL"}
+RULES = {
+    "second": {"triggers": [{"trigger": "half_ended"}], "actions": [SCORE]},
+    "goal": {"triggers": [{"trigger": "half_ended"}], "actions": [SCORE, EMIT]},
+}
+SAYS = "A second as king: 1 point."
+
+
+def _scenario() -> Scenario:
+    fields = json.loads(small_scenario(1, 1, TICKS * 0.032).model_dump_json(by_alias=True, exclude_defaults=True))
+    return Scenario.model_validate_json(json.dumps({**fields, "schema_version": 1, "rules": RULES}))
+
+
+def _second(tick: int, points: float = 1) -> Firing:
+    return Firing(tick, "second", None, "holds", scored={"yellow": points}, says=SAYS)
+
+
+def _verdict(tick: int) -> Verdict:
+    if tick == 10:
+        return Verdict(firings=(_second(tick),))
+    if tick == 20:
+        goal = Firing(tick, "goal", "Y1", "enters", scored={"yellow": 3}, says="A goal.")
+        return Verdict(events=(Event(tick, "GOAL", {}),), firings=(_second(tick, -0.5), goal))
+    return Verdict(firings=(_second(tick, 0),)) if tick == 30 else Verdict()
+
+
+def _page(folder: Path, verdict: Any = _verdict, ticks: int = TICKS) -> dict[str, Any]:
+    scenario = _scenario()
+    header = small_header(scenario)
+    writer = RecordWriter(folder, header)
+    writer.begin_half(half_info(scenario, 1, ticks, header))
+    for tick in range(ticks + 1):
+        writer.tick(made_up_snapshot(tick, 2), verdict(tick), b"")
+    writer.end_half(Verdict())
+    record = writer.finish({"wall_s": 1.0})
+    write_replay(record)
+    found = re.search(r'id="facts">(.*?)</script>', (record / "replay.html").read_text(), re.DOTALL)
+    assert found is not None
+    facts: dict[str, Any] = json.loads(found[1])
+    return facts
+
+
+@pytest.fixture(scope="module")
+def events(tmp_path_factory: pytest.TempPathFactory) -> list[dict[str, Any]]:
+    return _page(tmp_path_factory.mktemp("runs"))["events"]
+
+
+def test_the_page_says_when_and_for_what_and_how_it_stands_then(events: list[dict[str, Any]]) -> None:
+    first = events[0]
+    assert (first["tick"], first["name"], first["about"], first["standing"]) == (10, "POINTS", SAYS, "0 : 1")
+    assert first["told"] == "Alster +1"
+    assert first["rule"] == "second"
+
+
+def test_what_has_an_event_is_told_once_and_before_what_has_none(events: list[dict[str, Any]]) -> None:
+    assert [(event["tick"], event["name"]) for event in events] == [(10, "POINTS"), (20, "GOAL"), (20, "POINTS")]
+    assert events[2]["told"] == "Alster -0.5"
+
+
+def test_a_rule_that_pays_all_the_time_does_not_fill_the_page(tmp_path: Path) -> None:
+    ticks = MOST_UNANNOUNCED + 20
+    facts = _page(tmp_path, lambda tick: Verdict(firings=(_second(tick),)), ticks)
+    assert len(facts["events"]) == MOST_UNANNOUNCED
+    assert facts["halves"][0]["score_changes"][-1] == [ticks, {"yellow": ticks + 1, "blue": 0}]
+
+
+def test_a_live_match_tells_them_too() -> None:
+    scenario, feed = _scenario(), Feed()
+    watcher = LiveWatcher(scenario, feed, Pace(MAX_SPEED))
+    watcher.half_started(half_info(scenario, 1, TICKS, small_header(scenario)))
+    for tick in range(TICKS + 1):
+        watcher.ticked(made_up_snapshot(tick, 2), _verdict(tick))
+    watcher.closing(Verdict(), half_info(scenario, 1, TICKS, small_header(scenario)))
+    feed.close()
+    pieces, at = [], 0
+    while piece := feed.read(at, 0.0):
+        pieces.append(piece)
+        at += len(piece)
+    told = b"".join(pieces)
+    assert [name.decode() for name in re.findall(rb'"name":"([A-Z]+)"', told)] == ["POINTS", "GOAL", "POINTS"]
