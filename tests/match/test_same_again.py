@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from rcj_challenges.records.reflog import reflog_lines
+from rcj_challenges.records.reflog import events_of, reflog_lines
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.scenario.load import load_resolved
 from tests.match.playing import alone
@@ -79,15 +79,27 @@ def test_the_referee_judges_the_trajectory_alone_as_it_judged_the_match(wild):
     assert rejudged(run) == [without_datetime(line) for line in run.reflog]
 
 
+def test_a_program_that_fails_is_told_at_the_same_tick_when_the_match_is_judged_again(place):
+    broken = "from controller import Robot\nrobot = Robot()\nfor _ in range(9):\n    robot.step(32)\n1 / 0\n"
+    blue, yellow = (
+        place.team_folder(broken, AHEAD, name="Broken"),
+        place.team_folder("nonsense", AHEAD, name="Nonsense"),
+    )
+    run = place.play("match.half_s=1", blue=blue, yellow=yellow)
+    failed = [line["payload"]["robot_name"] for line in run.reflog if line["event"] == "PROGRAM_FAULT"]
+    assert {"B1", "Y1"} <= set(failed)
+    assert rejudged(run) == [without_datetime(line) for line in run.reflog]
+
+
 def rejudged(run):
     """Run the referee on the record: no physics, no programs."""
     loaded = load_resolved(json.loads((run.folder / "scenario.json").read_text("utf-8")))
     lines = []
     for half in run.trajectory.halves:
         referee = Referee(loaded.scenario, loaded.roster, half.info)
-        events = list(referee.start(half.start).events)
+        events = list(events_of(half.start, referee.start(half.start)))
         for snapshot in half.snapshots():
-            events += referee.judge(snapshot).events
+            events += events_of(snapshot, referee.judge(snapshot))
         events += referee.finish().events
         lines += [without_datetime(json.loads(line)) for line in reflog_lines(events, "").splitlines()]
     return lines
