@@ -6,8 +6,8 @@ what can be decided from the file is reported: no finding rests on how a match m
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
 from rcj_challenges.scenario.crossrefs import shown_path
@@ -60,6 +60,7 @@ from rcj_challenges.scenario.lint_variants import (
 )
 from rcj_challenges.scenario.lint_walled import check_walled_zones
 from rcj_challenges.scenario.load import Loaded
+from rcj_challenges.scenario.repeating import alike
 from rcj_challenges.scenario.tree import Leaf, mark_of, node_at
 
 CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
@@ -176,8 +177,15 @@ def lint(loaded: Loaded) -> list[Finding]:
             note = f" ({leaf.note})" if isinstance(leaf, Leaf) and leaf.note else ""
             problem = mark.problem(shown_path(tree, suspect.path), suspect.reason + note)
             findings.append(Finding(suspect.kind, problem, suspect.remedy))
+    findings = _told_once(findings, loaded.repeated)
     own = tree.mark.file
     return sorted(
         dict.fromkeys(findings),
         key=lambda f: (f.problem.file != own, f.problem.file, f.problem.line, f.problem.column, f.kind),
     )
+
+
+def _told_once(findings: list[Finding], repeated: Mapping[str, str]) -> list[Finding]:
+    """Return findings in which what holds for several rules that came of one is said of that one, once."""
+    same = alike((finding.problem for finding in findings), repeated)
+    return [replace(finding, problem=problem) for finding, problem in zip(findings, same, strict=True)]
