@@ -22,6 +22,8 @@ from rcj_challenges.scenario.wording import NAME_RULE, found_text
 RULES, REPEAT_FOR = "rules", "repeat_for"
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _LONGEST = 64
+_MOST_VALUES = 50_000
+"""How many single values all that is repeated may come to: a file of 1 MB that repeats nothing has about as many."""
 _FORMS = "a list of names, [yellow, blue], or a mapping of values by name, {yellow: {zone: blue_goal}, …}"
 
 
@@ -53,6 +55,7 @@ def repeat_rules(root: Entries, merger: Merger) -> None:
         return
     fresh = Entries({}, rules.mark)
     root.entries[RULES] = fresh
+    left = _MOST_VALUES
     taken = {name: rules.key_marks[name] for name, rule in rules.entries.items() if not _is_repeated(rule)}
     for name, rule in rules.entries.items():
         if not isinstance(rule, Entries) or not _is_repeated(rule):
@@ -60,6 +63,11 @@ def repeat_rules(root: Entries, merger: Merger) -> None:
             continue
         rows = _Reader(root, name, merger.problems).rows(rule.entries[REPEAT_FOR], taken)
         rule.drop(REPEAT_FOR)
+        left -= len(rows) * _count(rule)
+        if left < 0:
+            message = f"too much is repeated: written out it would be more than {_MOST_VALUES} single values"
+            merger.problems.append(rules.key_marks[name].problem(f"{RULES}.{name}", message))
+            rows = []
         for row in rows:
             merger.repeated[_joined(name, row)] = name
             fresh.put(_joined(name, row), copied(rule), rules.key_marks[name])
@@ -75,6 +83,13 @@ def _is_repeated(rule: Node) -> bool:
 
 def _joined(rule: str, row: _Row) -> str:
     return f"{rule}_{row.name}"
+
+
+def _count(node: Node) -> int:
+    """Return how many single values stand in a tree."""
+    if isinstance(node, Leaf):
+        return 1
+    return sum(map(_count, node.entries.values() if isinstance(node, Entries) else node.items))
 
 
 def _unknown_in(node: Node, params: Mapping[str, Node]) -> Iterator[str]:

@@ -207,16 +207,18 @@ class TestVariants:
         rules = base("", ["rules.goal.repeat_for.yellow.worth=5", "rules.goal.says=Goal."])
         assert (rules["goal_yellow"].actions[0].points, rules["goal_blue"].says) == (11, "Goal.")
 
-    @pytest.mark.parametrize(
-        ("override", "told"),
-        [
-            ("rules.goal_yellow.says=x", "rules has no 'goal_yellow'; there are before, goal, after; it comes of the "
-             "repeated rule 'goal': change that one, or 'yellow' in its repeat_for"),
-            ("rules.goal.repeat_for.yelow.worth=3", "rules.goal.repeat_for has no 'yelow'; there are yellow, blue; did you mean 'yellow'?"),
-        ],
-    )  # fmt: skip
-    def test_an_override_that_leads_nowhere_is_refused(self, override, told):
-        assert complaints(GOALS, [override]) == [told]
+    def test_an_override_of_one_of_the_rules_leads_to_where_it_is_written(self):
+        assert complaints(GOALS, ["rules.goal_yellow.says=x"]) == [
+            (
+                "rules has no 'goal_yellow'; there are before, goal, after; it comes of the repeated rule 'goal': change "
+                "that one, or 'yellow' in its repeat_for"
+            )
+        ]
+
+    def test_an_override_of_an_unknown_name_is_refused(self):
+        assert complaints(GOALS, ["rules.goal.repeat_for.yelow.worth=3"]) == [
+            "rules.goal.repeat_for has no 'yelow'; there are yellow, blue; did you mean 'yellow'?"
+        ]
 
     def test_a_key_of_a_name_is_added_for_all_or_none(self, base):
         with pytest.raises(ScenarioError, match="'new' is missing, which 'yellow' has"):
@@ -252,6 +254,15 @@ class TestMistakes:
         many = ", ".join(f"n{number}" for number in range(MAX_ROWS + 1))
         (complaint,) = complaints(PAY.replace("yellow, blue", many))
         assert f"must have at most {MAX_ROWS} names, found a list of {MAX_ROWS + 1}" in complaint
+
+    def test_there_is_a_bound_for_all_that_is_repeated(self):
+        names = ", ".join(f"n{number}" for number in range(MAX_ROWS))
+        many = "\n".join(["      - {trigger: enters, entity: ball, zone: in_play}"] * 300)
+        text = PAY.replace("yellow, blue", names).replace(
+            "[{trigger: enters, entity: ball, zone: in_play}]", "\n" + many
+        )
+        (complaint,) = complaints(text.replace("entrant: {param: this}", "entrant: blue"))
+        assert complaint == "rules.pay: too much is repeated: written out it would be more than 50000 single values"
 
     def test_a_value_that_hides_a_param_is_refused(self):
         line = HEAD_LINES + GOALS.count("\n") + 1
