@@ -60,6 +60,7 @@ from rcj_challenges.scenario.lint_variants import (
 )
 from rcj_challenges.scenario.lint_walled import check_walled_zones
 from rcj_challenges.scenario.load import Loaded
+from rcj_challenges.scenario.merge import Repeated
 from rcj_challenges.scenario.repeating import alike
 from rcj_challenges.scenario.tree import Leaf, mark_of, node_at
 
@@ -168,7 +169,9 @@ def lint(loaded: Loaded) -> list[Finding]:
     if tree is None:
         message = "lint needs a scenario that was loaded from a file or a text"
         raise ValueError(message)
-    subject = Subject(loaded.scenario, loaded.roster, tree, loaded.left_out, loaded.removed, loaded.replaced)
+    subject = Subject(
+        loaded.scenario, loaded.roster, tree, loaded.left_out, loaded.removed, loaded.replaced, loaded.repeated
+    )
     findings = []
     for check in CHECKS:
         for suspect in check(subject):
@@ -185,7 +188,7 @@ def lint(loaded: Loaded) -> list[Finding]:
     )
 
 
-def _told_once(findings: list[Finding], repeated: Mapping[str, str]) -> list[Finding]:
+def _told_once(findings: list[Finding], repeated: Mapping[str, Repeated]) -> list[Finding]:
     """Return findings in which what holds for several rules that came of one is said of that one, once."""
     same = alike((finding.problem for finding in findings), repeated)
     return [replace(finding, problem=problem) for finding, problem in zip(findings, same, strict=True)]

@@ -19,7 +19,7 @@ from rcj_challenges.scenario.explain import explain
 from rcj_challenges.scenario.extend import Source, read_chain
 from rcj_challenges.scenario.find import find_scenario
 from rcj_challenges.scenario.inherited import leave_out, unfit_tests
-from rcj_challenges.scenario.merge import Merger
+from rcj_challenges.scenario.merge import Merger, Repeated
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.own_devices import fill_in_devices
 from rcj_challenges.scenario.params import apply_overrides, resolve_params
@@ -45,7 +45,7 @@ class Loaded:
         left_out: inherited tests that do not fit this scenario, by name, with what is wrong with each.
         removed: where entries of a base were removed, for lint.
         replaced: what params that are set anew were in the base, for lint.
-        repeated: the written name of each rule that came of a repeated one, for lint.
+        repeated: where each rule comes from that is one of a repeated one, for lint.
     """
 
     scenario: Scenario
@@ -58,7 +58,7 @@ class Loaded:
     left_out: Mapping[str, Problem] = field(default_factory=dict, repr=False, compare=False)
     removed: Mapping[tuple[Step, ...], Mark] = field(default_factory=dict, repr=False, compare=False)
     replaced: Mapping[str, Leaf] = field(default_factory=dict, repr=False, compare=False)
-    repeated: Mapping[str, str] = field(default_factory=dict, repr=False, compare=False)
+    repeated: Mapping[str, Repeated] = field(default_factory=dict, repr=False, compare=False)
 
 
 def load(source: str | Path, overrides: Sequence[str] = ()) -> Loaded:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 from rcj_challenges.scenario.errors import Problem, listing, nearest
 from rcj_challenges.scenario.inherited import ALL_INHERITED, TESTS
@@ -29,6 +29,18 @@ from rcj_challenges.scenario.shape import (
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, in_names
 
 
+class Repeated(NamedTuple):
+    """Where a rule comes from that was written once and repeated.
+
+    Attributes:
+        rule: the name under which it is written.
+        known: what is a param in it besides those of the scenario.
+    """
+
+    rule: str
+    known: tuple[str, ...]
+
+
 @dataclass
 class Merger:
     """Merges trees and collects what is wrong with them.
@@ -37,13 +49,13 @@ class Merger:
         problems: what was found.
         removed: where each entry was removed, by section and name path.
         replaced: the value that a param had in the base, by its name.
-        repeated: the written name of each rule that came of a repeated one.
+        repeated: where each rule comes from that is one of a repeated one.
     """
 
     problems: list[Problem] = field(default_factory=list)
     removed: dict[Path, Mark] = field(default_factory=dict)
     replaced: dict[str, Leaf] = field(default_factory=dict)
-    repeated: dict[str, str] = field(default_factory=dict)
+    repeated: dict[str, Repeated] = field(default_factory=dict)
 
     def merge(self, base: Entries, over: Entries, shape: Shape, path: Path = ()) -> Entries:
         """Merge ``over`` into ``base`` (which changes) and return it."""

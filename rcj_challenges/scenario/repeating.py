@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 
 from rcj_challenges.scenario.blanks import BLANKS, filled
 from rcj_challenges.scenario.errors import Problem, listing, nearest
-from rcj_challenges.scenario.merge import Merger, is_param
+from rcj_challenges.scenario.merge import Merger, Repeated, is_param
 from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.scenario import MAX_ROWS, Rule
 from rcj_challenges.scenario.params import THIS, Resolver, params_of
@@ -69,7 +69,7 @@ def repeat_rules(root: Entries, merger: Merger) -> None:
             merger.problems.append(rules.key_marks[name].problem(f"{RULES}.{name}", message))
             rows = []
         for row in rows:
-            merger.repeated[_joined(name, row)] = name
+            merger.repeated[_joined(name, row)] = Repeated(name, tuple(row.values))
             fresh.put(_joined(name, row), copied(rule), rules.key_marks[name])
             _fill(root, _joined(name, row), row.values, merger)
         if not rows:  # what is wrong with them is told; what else is wrong in the rule can be told as well
@@ -226,7 +226,10 @@ class _Reader:
             row.values = {key: Leaf(None, row.mark) for other in rows for key in other.written}
 
     def _read(self, row: _Row) -> None:
-        row.values[THIS] = Leaf(row.name, row.mark)
+        row.values = {
+            THIS: Leaf(row.name, row.mark),
+            **{key: value for key, value in row.values.items() if key != THIS},
+        }
         for key, node in row.written.items():
             if key != THIS:
                 row.values[key] = self._value(node, (row.step, key))
@@ -273,17 +276,17 @@ def _line(other: Mark, here: Mark) -> str:
 # --- what is told of a repeated rule ---------------------------------------------------------------------------------
 
 
-def told_once(problems: Iterable[Problem], repeated: Mapping[str, str]) -> list[Problem]:
+def told_once(problems: Iterable[Problem], repeated: Mapping[str, Repeated]) -> list[Problem]:
     """Return problems in which what is wrong for several rules that came of one is said of that one, once."""
     return list(dict.fromkeys(alike(problems, repeated)))
 
 
-def alike(problems: Iterable[Problem], repeated: Mapping[str, str]) -> list[Problem]:
+def alike(problems: Iterable[Problem], repeated: Mapping[str, Repeated]) -> list[Problem]:
     """Return problems in their order, those alike that say the same of several rules that came of one.
 
     Args:
         problems: each at its place, with the path of the rule that it is about.
-        repeated: the written name of each rule that came of a repeated one.
+        repeated: where each rule comes from that is one of a repeated one.
     """
     found = list(problems)
     of_written = [_of_written(problem, repeated) for problem in found]
@@ -296,11 +299,12 @@ def alike(problems: Iterable[Problem], repeated: Mapping[str, str]) -> list[Prob
     ]  # fmt: skip
 
 
-def _of_written(problem: Problem, repeated: Mapping[str, str]) -> Problem:
+def _of_written(problem: Problem, repeated: Mapping[str, Repeated]) -> Problem:
     """Return a problem as if the rule that the author wrote had it."""
     section, _, rest = problem.path.partition(".")
     name = re.split(r"[.\[]", rest, maxsplit=1)[0]
     if section != RULES or name not in repeated:
         return problem
-    message = re.sub(rf"\b{re.escape(name)}\b", repeated[name], problem.message)
-    return replace(problem, path=f"{RULES}.{repeated[name]}{rest[len(name) :]}", message=message)
+    rule = repeated[name].rule
+    message = re.sub(rf"\b{re.escape(name)}\b", rule, problem.message)
+    return replace(problem, path=f"{RULES}.{rule}{rest[len(name) :]}", message=message)

@@ -289,6 +289,16 @@ class TestLint:
         assert len({(one.problem.line, one.problem.column, one.kind) for one in findings}) == len(findings)
         assert all(one.problem.path.startswith("rules.pay.") for one in findings)
 
+    def test_a_blank_that_is_misspelt_is_told_what_was_meant(self):
+        (finding,) = [
+            one
+            for one in lint(loaded(GOALS.replace("in the {zone}", "in the {zoen}")))
+            if one.kind == "placeholder_unknown"
+        ]
+        assert finding.problem.path == "rules.goal.says"
+        assert finding.problem.message.endswith("did you mean 'zone'?")
+        assert "{limit}, {points}, {this}, {zone}, {others}, {worth}" in finding.remedy
+
     def test_a_param_in_a_value_is_used(self):
         text = GOALS.replace("worth: 3", "worth: {param: goal_points}") + "params: {goal_points: 4}\n"
         assert not [one for one in lint(loaded(text)) if one.kind == "param_never_used"]
