@@ -113,6 +113,18 @@ ctypes.string_at(0)
     assert str(match.folder) not in played.log
 
 
+def test_where_a_program_broke_the_interpreter_is_told_as_each_system_does_it(match: FakeMatch) -> None:
+    """Windows has no signals: there the interpreter says "Windows fatal exception: access violation"."""
+    program = "import faulthandler\nfrom controller import Robot\nRobot().step(32)\nfaulthandler._read_null()\n"
+    played = match.play(program, 5)
+    assert played.fault is not None
+    why = "exception 0xc0000005" if sys.platform == "win32" else "signal SIGSEGV"
+    assert (played.fault.kind, played.fault.detail) == ("crash", f"the program was ended by the {why}")
+    assert played.said[:2] == ["It was here, the innermost call first:", '  File "robot.py", line 4 in <module>']
+    assert str(match.folder) not in played.log
+    assert "controller" not in played.log
+
+
 def test_a_fault_is_the_same_in_every_run(match: FakeMatch) -> None:
     assert fault_of(match, "faults/crashes_in_play") == fault_of(match, "faults/crashes_in_play")
 
