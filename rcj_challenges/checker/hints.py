@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 from typing import Any
 
+from rcj_challenges.checker.asked_of_the_system import on_system
 from rcj_challenges.checker.early_ends import why_it_ended
 from rcj_challenges.checker.modules import COMPILED, Library, places_of
 from rcj_challenges.checker.old_names import on_old_name
@@ -74,7 +75,10 @@ def hint_on(
         sandbox: ``auto``, ``strict`` or ``off``, as it was started.
     """
     if fault["kind"] == "crash":
-        return on_messages(scenario, team, fault) or _on_names(team, fault, sandbox) or _on_typing(fault["detail"])
+        entry = PurePosixPath(team.entries[fault["robot"]])
+        asked = on_system(fault["detail"], entry, team.files)
+        names = on_messages(scenario, team, fault) or _on_names(team, fault, sandbox)
+        return names or _on_typing(fault["detail"]) or (Hint(asked) if asked else None)
     if fault["kind"] == "exit" and fault["detail"].startswith(_CAME_TO_ITS_END):
         remedy = why_it_ended(team.files, PurePosixPath(team.entries[fault["robot"]]))
         return Hint(remedy) if remedy else None
