@@ -20,7 +20,7 @@ def _collections(module: Any) -> None:
 
 
 def _random(module: Any) -> None:
-    from collections.abc import Set as AnySet
+    from collections.abc import Set as AbstractSet
 
     kind = module.Random
     seed, sample, shuffle, randrange, randint = kind.seed, kind.sample, kind.shuffle, kind.randrange, kind.randint
@@ -31,7 +31,7 @@ def _random(module: Any) -> None:
         seed(self, a if known else hash(a) % 2**64, version)
 
     def sampled(self: Any, population: Any, k: int, **more: Any) -> Any:
-        return sample(self, tuple(population) if isinstance(population, AnySet) else population, k, **more)
+        return sample(self, tuple(population) if isinstance(population, AbstractSet) else population, k, **more)
 
     def shuffled(self: Any, x: Any, random: Any = None) -> None:
         """Take a function that draws numbers from 0 to 1, too."""
