@@ -347,6 +347,14 @@ def test_modules_whose_use_is_refused_are_a_warning(check):
     assert "the network" in stage.findings[0].message
 
 
+def test_pools_of_threads_are_not_refused(check):
+    stage = check(
+        "from multiprocessing.pool import ThreadPool\nfrom multiprocessing.dummy import Pool\nimport multiprocessing.dummy\n"
+    )
+    assert codes(stage) == ["ok"]
+    assert codes(check("from multiprocessing.pool import Pool, ThreadPool\n")) == ["refused_module"]
+
+
 def test_an_import_written_as_a_call_counts(check):
     assert codes(check("import importlib\nimportlib.import_module('torch')\n__import__('cv2')\n"), "failure") == [
         "missing_module",

@@ -177,6 +177,23 @@ def _traceback(module: Any) -> None:
         setattr(module, name, with_etype(getattr(module, name)))
 
 
+def _pool(module: Any) -> None:
+    """Let a pool of threads do without the locks of processes, which a match refuses."""
+    import threading
+    from multiprocessing.queues import SimpleQueue
+
+    class OfThreads:
+        Lock = staticmethod(threading.Lock)
+
+        def SimpleQueue(self) -> Any:
+            return SimpleQueue(ctx=self)
+
+    def init(self: Any, processes: Any = None, initializer: Any = None, initargs: Any = ()) -> None:
+        module.Pool.__init__(self, processes, initializer, initargs, context=OfThreads())
+
+    module.ThreadPool.__init__ = init
+
+
 def _fractions(module: Any) -> None:
     from math import gcd
 
@@ -202,6 +219,7 @@ PATCHES: dict[str, Patch] = {
     "threading": _threading,
     "enum": _enum,
     "traceback": _traceback,
+    "multiprocessing.pool": _pool,
     "fractions": _fractions,
     "base64": _base64,
 }
