@@ -75,10 +75,8 @@ def hint_on(
         sandbox: ``auto``, ``strict`` or ``off``, as it was started.
     """
     if fault["kind"] == "crash":
-        entry = PurePosixPath(team.entries[fault["robot"]])
-        asked = on_system(fault["detail"], entry, team.files)
         names = on_messages(scenario, team, fault) or _on_names(team, fault, sandbox)
-        return names or _on_typing(fault["detail"]) or (Hint(asked) if asked else None)
+        return names or _on_typing(fault["detail"]) or _on_system(team, fault)
     if fault["kind"] == "exit" and fault["detail"].startswith(_CAME_TO_ITS_END):
         remedy = why_it_ended(team.files, PurePosixPath(team.entries[fault["robot"]]))
         return Hint(remedy) if remedy else None
@@ -207,6 +205,12 @@ def _on_typing(detail: str) -> Hint | None:
     if not detail.startswith(_NOBODY_TYPES):
         return None
     return Hint("nobody types in a match: do without input(), and write into the program what it asks for")
+
+
+def _on_system(team: Team, fault: dict[str, Any]) -> Hint | None:
+    entry = team.entries.get(fault["robot"])
+    remedy = on_system(fault["detail"], PurePosixPath(entry), team.files) if entry is not None else ""
+    return Hint(remedy) if remedy else None
 
 
 def _on_place(team: Team, kind: str, whereabouts: str) -> Hint | None:
