@@ -52,7 +52,7 @@ def peak_memory_mb(process: subprocess.Popen[str]) -> float:
     status = Path(f"/proc/{process.pid}/status")
     while process.poll() is None:
         try:
-            line = next(line for line in status.read_text().splitlines() if line.startswith("VmHWM"))
+            line = next(line for line in status.read_text(encoding="utf-8").splitlines() if line.startswith("VmHWM"))
         except (OSError, StopIteration):
             break
         peak = int(line.split()[1]) / 1000

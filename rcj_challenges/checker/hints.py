@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 from typing import Any
 
+from rcj_challenges.checker.asked_of_the_system import on_system
 from rcj_challenges.checker.early_ends import why_it_ended
 from rcj_challenges.checker.modules import COMPILED, Library, places_of
 from rcj_challenges.checker.old_names import on_old_name
@@ -74,7 +75,8 @@ def hint_on(
         sandbox: ``auto``, ``strict`` or ``off``, as it was started.
     """
     if fault["kind"] == "crash":
-        return on_messages(scenario, team, fault) or _on_names(team, fault, sandbox) or _on_typing(fault["detail"])
+        names = on_messages(scenario, team, fault) or _on_names(team, fault, sandbox)
+        return names or _on_typing(fault["detail"]) or _on_system(team, fault)
     if fault["kind"] == "exit" and fault["detail"].startswith(_CAME_TO_ITS_END):
         remedy = why_it_ended(team.files, PurePosixPath(team.entries[fault["robot"]]))
         return Hint(remedy) if remedy else None
@@ -203,6 +205,12 @@ def _on_typing(detail: str) -> Hint | None:
     if not detail.startswith(_NOBODY_TYPES):
         return None
     return Hint("nobody types in a match: do without input(), and write into the program what it asks for")
+
+
+def _on_system(team: Team, fault: dict[str, Any]) -> Hint | None:
+    entry = team.entries.get(fault["robot"])
+    remedy = on_system(fault["detail"], PurePosixPath(entry), team.files) if entry is not None else ""
+    return Hint(remedy) if remedy else None
 
 
 def _on_place(team: Team, kind: str, whereabouts: str) -> Hint | None:

@@ -148,10 +148,16 @@ REFUSED: Mapping[str, str] = {
 }  # fmt: skip
 """Modules that can be imported, but whose use a match refuses, and what they are for."""
 
+_OF_THREADS = frozenset({"multiprocessing.dummy", "multiprocessing.pool.ThreadPool"})
+"""What of them a match does not refuse."""
+
 
 def refused_use(module: str, names: Sequence[str]) -> str:
     """Return what a module is for, if its use is refused in a match; else nothing."""
-    for dotted in (module, *(f"{module}.{name}" for name in names)):
+    asked = [f"{module}.{name}" for name in names]
+    if module in _OF_THREADS or (asked and _OF_THREADS.issuperset(asked)):
+        return ""
+    for dotted in (module, *asked):
         parts = dotted.split(".")
         for length in range(1, len(parts) + 1):
             use = REFUSED.get(".".join(parts[:length]))

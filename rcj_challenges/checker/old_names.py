@@ -92,6 +92,11 @@ _WORDS: tuple[tuple[re.Pattern[str], str, _Gone], ...] = (
         _Gone(_OLD_NUMPY, "int(…) around what comes from the array"),
     ),
     (
+        re.compile(r"ValueError: The truth value of an empty array is ambiguous"),
+        "False for an array without numbers",
+        _Gone("numpy 2.1", "if a.size > 0"),
+    ),
+    (
         re.compile(r"ValueError: .*inhomogeneous shape"),
         "np.array of parts of different lengths",
         _Gone("numpy 1.23", "np.array([…], dtype=object), or a list,"),
@@ -104,10 +109,10 @@ _NO_ATTRIBUTE = re.compile(r"[Mm]odule '(?P<module>[\w.]+)' has no attribute '(?
 _NO_IMPORT = re.compile(r"cannot import name '(?P<name>\w+)' from '(?P<module>[\w.]+)'")
 _NO_MODULE = re.compile(r"No module named '(?P<module>[\w.]+)\.(?P<name>\w+)'")
 _NO_METHOD = re.compile(r"AttributeError: '(?P<kind>[\w.]+)' object has no attribute '(?P<name>\w+)'")
-_NO_VALUE = re.compile(r"ValueError: '(?P<kind>\w+)\.\w+' is not a valid (?P=kind)\b")
+_EMPTY_SHAPE = re.compile(r"ValueError: operands could not be broadcast together with shapes .*\(0,\)")
 _NO_NAME = re.compile(r"NameError: name '(?P<name>\w+)' is not defined")
 _STAR = re.compile(rb"^\s*from\s+numpy\s+import\s+\*", re.MULTILINE)
-_ENUM_OF_TEXTS = re.compile(rb"\(\s*str\s*,\s*(enum\.)?Enum\s*\)")
+_COMPARED_WITH_NONE = re.compile(rb"[=!]=[ \t]*\[[ \t]*\]")
 
 
 def on_old_name(detail: str, mentions: Callable[[re.Pattern[bytes]], bool]) -> str:
@@ -124,9 +129,9 @@ def on_old_name(detail: str, mentions: Callable[[re.Pattern[bytes]], bool]) -> s
         name = found["name"]
         method = _METHODS.get(f"{found['kind']}.{name}") or _METHODS.get(name)
         return _told(f".{name}()", method) if method is not None else ""
-    if _NO_VALUE.search(detail):
-        value = _Gone("Python 3.10", 'f"{role.value}"')
-        return _told('the value in f"{role}" of a class Role(str, Enum)', value) if mentions(_ENUM_OF_TEXTS) else ""
+    if _EMPTY_SHAPE.search(detail):
+        length = _Gone("numpy 1.24", "len(a) == 0")
+        return _told('an answer to "a == []" of an array', length) if mentions(_COMPARED_WITH_NONE) else ""
     if found := _NO_NAME.search(detail):
         return _on_bare_name(found["name"], starred=mentions(_STAR))
     return _on_dotted_name(detail)

@@ -11,7 +11,7 @@ from rcj_challenges.checker.failing import fault_findings
 from rcj_challenges.checker.findings import Finding, Level, Stage
 from rcj_challenges.checker.growth import Growth
 from rcj_challenges.checker.rehearsal import OWN_TEAM, Rehearsal, Rehearsed, rehearse
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.shown import shown, shown_block
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.match.watching import Waits
 from rcj_challenges.scenario.halves import longest_half_s
@@ -35,6 +35,11 @@ _COMPLAINTS = tuple(
         (r"Warning: (.+: the packet is dropped: it is empty.*)", "send nothing where there is nothing to say"),
         (r"Warning: (.+: the packet is dropped: .+)", "send less in one packet and in one step"),
     )
+)
+# What Python itself writes when a thread beside the one that steps ends by an error.
+_THREAD_ENDED = re.compile(
+    r"^Exception in thread .+:\n(?P<report>Traceback \(most recent call last\):\n(?:[ \t].*\n)*(?P<error>\S.*))",
+    re.MULTILINE,
 )
 _PRINT_LESS = "print less: only what changes, or in every 30th step"
 _WRITE_LESS = 'write less: in every 30th step, or begin the file anew now and then (open(…, "w"))'
@@ -99,7 +104,8 @@ def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding
         *_slow(rehearsal, match, side),
     ]
     much = _much(rehearsal, match, side)
-    return [*failed, *rest, *much, *_complaints(match, side), _summary(match, side), *_others_failed(match, side)]
+    told = [*_threads(match, side), *_complaints(match, side)]
+    return [*failed, *rest, *much, *told, _summary(match, side), *_others_failed(match, side)]
 
 
 def _absent(match: Rehearsed) -> dict[str, int]:
@@ -243,6 +249,28 @@ def _shorter(first: Mapping[str, Waits], second: Mapping[str, Waits]) -> dict[st
         for robot, wait in first.items()
         if robot in second
     }
+
+
+def _threads(match: Rehearsed, side: str) -> list[Finding]:
+    """Return what ended threads of the program: it goes on, so that nobody else tells of it."""
+    ended: dict[str, tuple[str, list[str]]] = {}
+    for robot in match.motions:
+        for found in _THREAD_ENDED.finditer(match.log(robot)):
+            _, robots = ended.setdefault(found["error"], (found["report"], []))
+            if robot not in robots:
+                robots.append(robot)
+    remedy = "correct the line below: the program goes on without this thread, and what it was to do is not done"
+    return [
+        Finding(
+            code="play.thread",
+            level="warning",
+            message=f"{side}a thread of the program ended by an error: {shown(error, 300)}",
+            remedy=remedy,
+            where=", ".join(robots),
+            details=shown_block(report),
+        )
+        for error, (report, robots) in list(ended.items())[:_MOST_COMPLAINTS]
+    ]
 
 
 def _complaints(match: Rehearsed, side: str) -> list[Finding]:

@@ -133,11 +133,15 @@ class _Walk:
         """Return the module that an import begins with.
 
         A program that changes ``sys.path`` may put any folder first: of several modules that one is taken which has
-        the parts that are asked for.
+        the parts that are asked for. It need not look into all folders, either: then what only another folder has
+        does not hide a folder of that name without ``__init__.py``.
         """
         found = self._library.tops(name)
         if self._library is not self._usual:
             found.sort(key=lambda module: not self._library.has(module, parts))
+            folder = self._usual.top_namespace(name) if not self._usual.tops(name) else None
+            if folder is not None and not (found and self._library.has(found[0], parts)):
+                return folder
         return found[0] if found else None
 
     def _relative(self, unit: Unit, wanted: Import) -> list[Unit]:
@@ -336,6 +340,8 @@ _WITHOUT_WORDS = {
 
 def _syntax_remedy(source: Source, line: str) -> str:
     said = source.said
+    if line.startswith(_LEFT_BY_GIT):
+        return "git left this line, for it found two versions: keep one of them, and delete the lines <<<, === and >>>"
     instead = _instead_of_python_2(said, line)
     if instead:
         return f"this was written for Python 2: write {instead}"
@@ -361,6 +367,7 @@ def _instead_of_python_2(said: str, line: str) -> str:
 
 
 _MOST_LINE_BYTES = 500
+_LEFT_BY_GIT = ("<<<<<<< ", ">>>>>>> ")
 _PARENTHESES = "exception types must be parenthesized"
 _CALL = re.compile(r"Missing parentheses in call to '(?P<name>print|exec)'")
 # A name of its own for what was caught begins with a small letter, an error with a capital one.

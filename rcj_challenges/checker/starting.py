@@ -32,6 +32,7 @@ _Asked = dict[tuple[str, str], list[str]]
 """Robots by the name that they asked for in vain, and by what they have."""
 
 _NOTHING = "'NoneType' object has no attribute"
+_IGNORED = re.compile(r"^Warning: (\w+) is ignored and gives None", re.MULTILINE)
 _NO_DEVICE = re.compile(r'^Warning: "(?P<asked>.*)" device not found\. This robot has: (?P<has>.*)\.$', re.MULTILINE)
 
 
@@ -46,7 +47,7 @@ def check_start(rehearsal: Rehearsal) -> Stage:
     asked = _asked_in_vain(started)
     stage.findings += _devices(asked, rehearsal)  # before what follows from it
     for finding in fault_findings("start", rehearsal, started):
-        stage.findings.append(_because_of(asked, finding))
+        stage.findings.append(_because_of(asked, _ignored(started), finding))
     slow = _slow(started, rehearsal.loaded.scenario.limits.start_s)
     if slow is not None:
         stage.findings.append(slow)
@@ -83,12 +84,24 @@ def _asked_in_vain(started: Rehearsed) -> _Asked:
     return asked
 
 
-def _because_of(asked: _Asked, crash: Finding) -> Finding:
-    """Return the finding on a crash, with the device that the program was not given if that may be the reason."""
+def _ignored(started: Rehearsed) -> dict[str, list[str]]:
+    """Return the calls of a supervisor that gave nothing, by robot."""
+    return {robot: _IGNORED.findall(started.log(robot)) for robot in started.motions}
+
+
+def _because_of(asked: _Asked, ignored: Mapping[str, list[str]], crash: Finding) -> Finding:
+    """Return the finding on a crash, with what the program was not given if that may be the reason."""
     robots = set(crash.where.split(", "))
     missing = [name for (name, _), those in asked.items() if robots & set(those)]
-    if _NOTHING not in crash.message or not missing:
+    calls = [call for robot in robots for call in ignored.get(robot, ())]
+    if _NOTHING not in crash.message or not (missing or calls):
         return crash
+    if not missing:
+        return replace(
+            crash,
+            remedy=f"{calls[-1]} gave None: only a referee is told where things are; a player asks its own devices "
+            "(gps, compass, ball receiver)",
+        )
     return replace(
         crash, remedy=f'getDevice("{shown(missing[-1])}") gave None, see above: ask for a device that there is'
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import codecs
 import contextlib
 import os
+import re
 import sys
 import tempfile
 from pathlib import Path
@@ -12,6 +13,10 @@ from pathlib import Path
 from rcj_challenges.controllers.disk_names import from_disk
 
 _DUMP_BEGINS = b"Fatal Python error:"
+_DUMP_OF_WINDOWS = re.compile(
+    rb"Windows fatal exception: .*\n(?:\n|(?:  |Thread |Current thread |Extension modules: ).*\n)*\Z"
+)
+"""There the interpreter also dumps what a program then catches and goes on: only what stands at the end counts."""
 _MOST_DUMP_BYTES = 32_768
 _CHUNK = 1 << 16
 _BINARY = getattr(os, "O_BINARY", 0)
@@ -111,7 +116,7 @@ class ProgramLog:
                 tail = file.read()
         except OSError:
             return ""
-        at = tail.rfind(_DUMP_BEGINS)
+        at = _place_of_dump(tail)
         if at < 0:
             return ""
         os.ftruncate(self._log_fd, size - len(tail) + at)
@@ -138,3 +143,11 @@ class ProgramLog:
     def _write(self, data: bytes) -> None:
         with contextlib.suppress(OSError):
             os.write(self._log_fd, data)
+
+
+def _place_of_dump(tail: bytes) -> int:
+    """Return where the dump of a dying interpreter begins in the end of a log; -1: there is none."""
+    at = tail.rfind(_DUMP_BEGINS)
+    if at < 0 and (of_windows := _DUMP_OF_WINDOWS.search(tail)):
+        return of_windows.start()
+    return at

@@ -30,6 +30,7 @@ PUPIL_FOLDER = Path(__file__).parent / "pupil"
 _START = "import sys; sys.path.insert(0, sys.argv[4]); from controller._boot import main; main()"
 _DUMP_S = 1.0
 _STATUS_OF_SIGNALS, _MOST_SIGNALS = 128, 64  # one that starts others tells an end by signal n as 128 + n
+_EXCEPTIONS_FROM, _NEGATIVE_FROM = 0xC0000000, 0xFFFF0000  # Windows: it tells exit(-1) as 0xffffffff
 
 NEEDS_LIFELINE = sys.platform != "linux"
 """True where the kernel does not end children with their parent."""
@@ -72,13 +73,16 @@ class Process:
         """Wait for its end up to ``timeout_s``; return its exit status (negative: minus a signal), None if it runs.
 
         On POSIX 128 + n means signal n as well, as in shells, so that it means the same with bubblewrap and without.
+        Of a negative number that a program left with, Windows tells what POSIX does: 255 for -1.
         """
         try:
             status = self._popen.wait(timeout_s)
         except subprocess.TimeoutExpired:
             return None
+        if sys.platform == "win32":
+            return status & 0xFF if status >= _NEGATIVE_FROM else status
         by_signal = status - _STATUS_OF_SIGNALS
-        return -by_signal if sys.platform != "win32" and 0 < by_signal <= _MOST_SIGNALS else status
+        return -by_signal if 0 < by_signal <= _MOST_SIGNALS else status
 
     def has_ended(self) -> bool:
         """Return whether it is over."""
@@ -258,7 +262,7 @@ def site_folders() -> list[str]:
 
 def is_crash(status: int) -> bool:
     """Return whether an exit status means that the system ended the process (a signal; an exception on Windows)."""
-    return status < 0 or status >= 0xC0000000
+    return status < 0 or status >= _EXCEPTIONS_FROM
 
 
 def told(status: int) -> str:

@@ -25,11 +25,16 @@ _OF_THE_HOST = frozenset(
     for name in ("EAGAIN", "EDQUOT", "EFBIG", "EIO", "EMFILE", "ENFILE", "ENOMEM", "ENOSPC", "EROFS")
     if hasattr(errno, name)  # Windows has no quotas
 )
+_OF_THE_HOST_ON_WINDOWS = frozenset({14, 39, 1450, 1455})
+"""Those of Windows (``winerror``) that ``errno`` tells as EINVAL: no memory, a full disk, no system resources, and a
+paging file that is too small."""
 
 
 def is_of_the_host(error: BaseException) -> bool:
     """Return whether an error tells of this computer's own limits."""
-    return isinstance(error, OSError) and error.errno in _OF_THE_HOST
+    if not isinstance(error, OSError):
+        return False
+    return error.errno in _OF_THE_HOST or getattr(error, "winerror", None) in _OF_THE_HOST_ON_WINDOWS
 
 
 _HELD = frozenset({5, 32})

@@ -18,7 +18,7 @@ def folder(tmp_path):
         (tmp_path / name).write_bytes(b"PK")
     (tmp_path / "folder.zip").mkdir()
     (tmp_path / "team").mkdir()
-    (tmp_path / "team" / "robot.py").write_text("x = 1\n")
+    (tmp_path / "team" / "robot.py").write_text("x = 1\n", encoding="utf-8")
     if sys.platform != "win32":  # where only administrators make links
         (tmp_path / "gone.zip").symlink_to("nowhere.zip")
     return tmp_path
@@ -47,7 +47,7 @@ def test_what_is_given_by_its_name_is_looked_at_whatever_it_is_and_never_twice(f
 
 
 def test_one_old_archive_in_a_teams_own_folder_is_named_with_the_program_that_decided(tmp_path):
-    (tmp_path / "robot.py").write_text("x = 1\n")
+    (tmp_path / "robot.py").write_text("x = 1\n", encoding="utf-8")
     (tmp_path / "old.zip").write_bytes(b"PK")
     given = in_folders([tmp_path])
     assert given.paths == [tmp_path]

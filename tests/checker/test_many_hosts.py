@@ -138,13 +138,13 @@ def test_teams_of_the_same_file_name_get_their_own_pages(team, tmp_path):
 
 def test_an_old_page_stays_if_the_new_one_cannot_be_written_whole(tmp_path, monkeypatch):
     page = tmp_path / "report.html"
-    page.write_text("old")
+    page.write_text("old", encoding="utf-8")
     monkeypatch.setattr(os, "fsync", no_space)
     with pytest.raises(OSError, match="No space"):
         report_files.write_page(page, "new")
     with pytest.raises(OSError, match="No space"):
         report_files.copy_page(page, page)
-    assert page.read_text() == "old"
+    assert page.read_text(encoding="utf-8") == "old"
     assert list(tmp_path.iterdir()) == [page]
 
 
@@ -157,5 +157,5 @@ def test_a_page_can_go_to_a_device_and_through_a_link(tmp_path):
     (tmp_path / "link.html").symlink_to("page.html")
     report_files.write_page(tmp_path / "link.html", "text")
     assert (tmp_path / "link.html").is_symlink()
-    assert (tmp_path / "page.html").read_text() == "text"
+    assert (tmp_path / "page.html").read_text(encoding="utf-8") == "text"
     assert not Path(os.devnull).is_file()

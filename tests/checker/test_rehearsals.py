@@ -290,6 +290,34 @@ def test_why_packets_are_dropped_is_told_and_what_to_do(pack):
     ]
 
 
+def test_who_uses_what_the_referee_alone_is_given_is_told_of_the_call_that_gave_none(pack):
+    program = BEGIN.replace("Robot", "Supervisor") + 'ball = robot.getFromDef("BALL")\nball.getPosition()\n' + LOOP
+    (crash,) = findings(check_file(pack(program), DUEL, SHORT), "start", "failure")
+    assert "'NoneType' object has no attribute 'getPosition'" in crash.message
+    assert "getFromDef gave None" in crash.remedy
+    assert "gps" in crash.remedy
+
+
+def test_a_thread_that_ends_by_an_error_is_a_warning_with_its_last_line(pack):
+    program = BEGIN + (
+        "import threading\ndef think():\n    raise ValueError('no ball')\nthreading.Thread(target=think).start()\n"
+    )
+    report = check_file(pack(program + LOOP), DUEL, SHORT)
+    told = [finding for finding in findings(report, "play", "warning") if finding.code == "play.thread"]
+    assert [(finding.message, finding.where) for finding in told] == [
+        ("as blue, a thread of the program ended by an error: ValueError: no ball", "B1"),
+        ("as yellow, a thread of the program ended by an error: ValueError: no ball", "Y1"),
+    ]
+    assert "in think" in told[0].details
+    assert "goes on without" in told[0].remedy
+
+
+def test_a_thread_that_just_ends_is_none(pack):
+    program = BEGIN + "import threading\nthreading.Thread(target=print, args=('Exception in thread',)).start()\n" + LOOP
+    report = check_file(pack(program), DUEL, SHORT)
+    assert "play.thread" not in {finding.code for finding in findings(report, "play")}
+
+
 def test_what_a_program_itself_prints_about_warnings_is_its_own_business(pack):
     program = BEGIN + 'print("Warning: the goalie is asleep: wake him")\nprint("Warning: not enabled")\n' + LOOP
     assert complaints(check_file(pack(program), DUEL, SHORT)) == []

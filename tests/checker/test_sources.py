@@ -314,6 +314,28 @@ def test_a_part_that_is_in_no_folder_of_that_name_fails_whatever_the_program_doe
     assert codes(stage, "failure") == ["missing_part"]
 
 
+@pytest.mark.parametrize("marker", ["<<<<<<< HEAD", ">>>>>>> main"])
+def test_what_git_left_in_a_file_is_told(check, marker):
+    (found,) = check(f"x = 1\n{marker}\ny = 2\n").findings
+    assert found.code == "sources.syntax"
+    assert "git" in found.remedy
+    assert found.where.endswith(":2:1")
+
+
+def test_another_robots_program_is_found_in_its_folder_whatever_the_program_does_to_its_path(check):
+    entry = "import sys\nsys.path.append('..')\nfrom robot2.robot2 import speed\nimport robot2.robot2\n"
+    others = {f"robot{number}/robot{number}.py": "speed = 3\n" for number in (2, 3)}
+    assert codes(check.paths({"robot1/robot1.py": entry, **others})) == ["ok"]
+    wrong = entry.replace("robot2.robot2", "robot2.tools")
+    assert set(codes(check.paths({"robot1/robot1.py": wrong, **others}), "failure")) == {"missing_part"}
+
+
+def test_a_file_in_the_programs_own_folder_comes_before_a_folder_of_that_name_above(check):
+    parts = {f"{FOLDER}/utils.py": "x = 1\n"}
+    stage = check.paths({ENTRY: FROM_ABOVE + f"import {FOLDER}.utils\n", **parts})
+    assert codes(stage, "failure") == ["missing_part"]
+
+
 def test_what_only_type_checkers_import_does_not_count(check):
     assert codes(check("from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    import torch\n")) == ["ok"]
 
@@ -323,6 +345,14 @@ def test_modules_whose_use_is_refused_are_a_warning(check):
     assert codes(stage) == ["refused_module"] * 4
     assert stage.level == "warning"
     assert "the network" in stage.findings[0].message
+
+
+def test_pools_of_threads_are_not_refused(check):
+    stage = check(
+        "from multiprocessing.pool import ThreadPool\nfrom multiprocessing.dummy import Pool\nimport multiprocessing.dummy\n"
+    )
+    assert codes(stage) == ["ok"]
+    assert codes(check("from multiprocessing.pool import Pool, ThreadPool\n")) == ["refused_module"]
 
 
 def test_an_import_written_as_a_call_counts(check):

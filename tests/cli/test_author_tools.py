@@ -228,7 +228,7 @@ class TestNew:
         monkeypatch.chdir(tmp_path)
         said = call("new", "My chairs").stdout.splitlines()
         commands = [shlex.split(line) for line in said if "rcj-challenge" in line]
-        lines = Path("My chairs.yaml").read_text().splitlines()
+        lines = Path("My chairs.yaml").read_text(encoding="utf-8").splitlines()
         written = [shlex.split(line) for line in lines if "rcj-challenge v" in line]
         assert [words[2] for words in commands] == ["My chairs.yaml"] * 4
         assert commands[3][-1] == "My chairs_team"

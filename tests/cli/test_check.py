@@ -105,7 +105,7 @@ def test_several_submissions_give_a_table_and_a_summary(tmp_path, good, bad, cap
 
 
 def test_a_folder_full_of_archives_means_each_of_them(tmp_path, good, bad):
-    (tmp_path / "notes.txt").write_text("later")
+    (tmp_path / "notes.txt").write_text("later", encoding="utf-8")
     (tmp_path / "old").mkdir()
     assert submissions([tmp_path]).paths == [bad, good]
     assert submissions([tmp_path, good]).paths == [bad, good]
@@ -113,7 +113,7 @@ def test_a_folder_full_of_archives_means_each_of_them(tmp_path, good, bad):
 
 def test_a_folder_of_a_team_is_one_submission_even_if_an_old_archive_lies_in_it(tmp_path, good):
     (tmp_path / "rcj_soccer_team_blue").mkdir()
-    (tmp_path / "rcj_soccer_team_blue" / "rcj_soccer_team_blue.py").write_text(PLAYER)
+    (tmp_path / "rcj_soccer_team_blue" / "rcj_soccer_team_blue.py").write_text(PLAYER, encoding="utf-8")
     assert submissions([tmp_path]).paths == [tmp_path]
 
 
@@ -168,7 +168,7 @@ def test_without_a_path_the_usage_is_shown(tmp_path):
 
 
 def test_a_page_that_cannot_be_written_ends_with_2(tmp_path, good):
-    (tmp_path / "taken").write_text("a file")
+    (tmp_path / "taken").write_text("a file", encoding="utf-8")
     with pytest.raises(CheckUsageError, match="cannot be written"):
         check(good, html=tmp_path / "taken" / "report.html")
 

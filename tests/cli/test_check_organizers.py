@@ -41,7 +41,7 @@ def never(*_, **__):
 def test_what_lies_in_the_folder_and_was_not_looked_at_is_in_every_summary(team, tmp_path, capsys, monkeypatch):
     team("subs/a.zip")
     team("subs/b.zip")
-    (tmp_path / "subs" / "stray.py").write_text("x = 1\n")
+    (tmp_path / "subs" / "stray.py").write_text("x = 1\n", encoding="utf-8")
     (tmp_path / "subs" / "team c").mkdir()
     assert check(tmp_path / "subs", html=tmp_path / "report.html") == 0
     out = capsys.readouterr().out
@@ -80,7 +80,7 @@ def nothing_is_checked(monkeypatch):
 @pytest.mark.usefixtures("nothing_is_checked")
 def test_replays_that_cannot_be_kept_are_refused_before_anything_is_played(team, tmp_path, monkeypatch):
     good = team("a.zip")
-    (tmp_path / "taken").write_text("a file")
+    (tmp_path / "taken").write_text("a file", encoding="utf-8")
     with pytest.raises(CheckUsageError, match=r"taken: cannot be written: .* file"):
         check(good, replays=tmp_path / "taken", play=True)
 

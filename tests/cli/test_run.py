@@ -146,7 +146,7 @@ AS_A_PROCESS = {"no such scenario", "a wrong option"}
 def test_wrong_input_is_told_without_traceback_and_leaves_nothing(tmp_path, monkeypatch, capsys, wrong):
     (tmp_path / "broken.zip").write_bytes(b"PK\x03\x04 no zip")
     (tmp_path / "empty").mkdir()
-    (tmp_path / "empty" / "notes.txt").write_text("later")
+    (tmp_path / "empty" / "notes.txt").write_text("later", encoding="utf-8")
     arguments, told = WRONG[wrong]
     if wrong in AS_A_PROCESS:
         done = command(*arguments, cwd=tmp_path)

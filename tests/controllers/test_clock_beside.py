@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import functools
+import importlib.util
+import math
 import sys
 import threading
 import time
 from collections.abc import Callable
+from types import ModuleType
+from typing import Any
 
 import pytest
 
@@ -107,18 +112,54 @@ def test_while_somebody_computes_nobody_counts_as_stuck(clock: Clock, monkeypatc
     assert clock.beside.ahead_ns() == 0
 
 
+@pytest.fixture
+def beside_on_windows(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    """The module as Python up to 3.12 loads it on Windows: there ``time.monotonic`` goes on 64 times a second."""
+    monotonic_s = time.monotonic
+    monkeypatch.setattr(time, "monotonic", lambda: math.floor(monotonic_s() * 64) / 64)
+    spec = importlib.util.spec_from_file_location(f"{_beside.__package__}._beside_on_windows", _beside.__file__)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_real_time_counts_finely_on_all_systems(beside_on_windows: ModuleType) -> None:
+    """Who waits for so long is never ahead by more than it really waited, such as by 0.016 s after 0.002 s."""
+    seen = []
+
+    def wait(beside: Any) -> None:
+        time.sleep(0.002)  # the thread that steps is to wait for this one by then
+        began_s, place = time.perf_counter(), beside.place()
+        time.sleep(0.002)
+        beside.compare(place)
+        seen.append((beside.ahead_ns() / 1e9, time.perf_counter() - began_s))
+
+    for _ in range(20):
+        beside = beside_on_windows.Beside()
+        run_beside(functools.partial(wait, beside))
+    assert all(ahead_s <= passed_s for ahead_s, passed_s in seen), seen
+    assert any(0.002 <= ahead_s < 0.015 for ahead_s, _ in seen), seen
+
+
+def until_it_stands_still(thread: int | None) -> None:
+    for _ in range(500):
+        if not _beside._would_run(thread):
+            return
+        time.sleep(0.001)
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells")
 def test_a_thread_that_only_waits_for_a_processor_is_not_stuck() -> None:
     asked = threading.Event()
     waits = threading.Thread(target=asked.wait)
     waits.start()
-    for _ in range(500):
-        if not _beside._would_run(waits.native_id):
-            break
-        time.sleep(0.001)
+    until_it_stands_still(waits.native_id)
     found = _beside._would_run(threading.get_native_id()), _beside._would_run(waits.native_id)
     asked.set()
     waits.join()
+    until_it_stands_still(waits.native_id)  # it is told to have ended a moment before it has
     assert (*found, _beside._would_run(waits.native_id)) == (True, False, False)
 
 

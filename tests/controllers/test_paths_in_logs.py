@@ -13,6 +13,7 @@ from types import SimpleNamespace
 import pytest
 from fake_match import FakeMatch
 
+from rcj_challenges.controllers.log import ProgramLog
 from rcj_challenges.controllers.pupil.controller import _report
 from rcj_challenges.controllers.team import open_team
 
@@ -106,3 +107,28 @@ def test_a_write_says_that_all_of_it_is_written(tmp_path: Path) -> None:
     """Who writes bytes is told how many; fewer, and he would write the rest once more."""
     program = "import sys\ndata = __file__.encode() * 1000\nprint(sys.stdout.buffer.write(data) == len(data))\n"
     assert printed(tmp_path, program) == f"{FOLDER}robot.py" * 1000 + "True"
+
+
+@pytest.mark.parametrize(
+    ("begins", "after", "is_end"),
+    [
+        ("Fatal Python error: Segmentation fault", "", True),
+        ("Windows fatal exception: access violation", "", True),
+        ("Windows fatal exception: stack overflow", "\nExtension modules: numpy._core (total: 1)\n", True),
+        ("Windows fatal exception: access violation", "caught\n", False),  # not its end: it goes on
+    ],
+)
+def test_where_the_interpreter_broke_is_taken_from_the_end_of_the_log(
+    tmp_path: Path, begins: str, after: str, is_end: bool
+) -> None:
+    log = ProgramLog(tmp_path / "Y1.log", 100_000, tmp_path)
+    frames = (
+        f'  File "{tmp_path}{os.sep}robot.py", line 4 in drive\n  File "controller{os.sep}robot.py", line 9 in step\n'
+    )
+    dump = f"{begins}\n\nThread 0x00000130 (most recent call first):\n\nCurrent thread 0x00000124:\n{frames}{after}"
+    os.write(log.fd, f"said before\n{dump}".encode())
+    told = log.take_dump(tmp_path)
+    log.close()
+    left = (tmp_path / "Y1.log").read_text(encoding="utf-8")
+    assert told == ('  File "robot.py", line 4 in drive\n' if is_end else "")
+    assert left == ("said before\n" if is_end else f"said before\n{dump}")

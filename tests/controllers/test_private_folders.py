@@ -100,7 +100,7 @@ def test_what_a_killed_match_left_is_removed_by_the_next_one_and_that_of_a_livin
 
 def test_what_a_killed_check_left_is_removed_too(temporary: Path, tmp_path: Path) -> None:
     program = tmp_path / "robot.py"
-    program.write_text("while True:\n    pass\n")  # so that the check waits for its first step
+    program.write_text("while True:\n    pass\n", encoding="utf-8")  # so that the check waits for its first step
     environment = os.environ | dict.fromkeys(("TMPDIR", "TEMP", "TMP"), str(temporary))
     command = [sys.executable, "-m", "rcj_challenges", "check", str(program)]
     with subprocess.Popen(command, env=environment, cwd=ROOT, stdout=subprocess.DEVNULL) as check:

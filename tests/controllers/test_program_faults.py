@@ -9,6 +9,7 @@ import sys
 import time
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from fake_match import FakeMatch, robot_spec, values_at
@@ -113,6 +114,18 @@ ctypes.string_at(0)
     assert str(match.folder) not in played.log
 
 
+def test_where_a_program_broke_the_interpreter_is_told_as_each_system_does_it(match: FakeMatch) -> None:
+    """Windows has no signals: there the interpreter says "Windows fatal exception: access violation"."""
+    program = "import faulthandler\nfrom controller import Robot\nRobot().step(32)\nfaulthandler._read_null()\n"
+    played = match.play(program, 5)
+    assert played.fault is not None
+    why = "exception 0xc0000005" if sys.platform == "win32" else "signal SIGSEGV"
+    assert (played.fault.kind, played.fault.detail) == ("crash", f"the program was ended by the {why}")
+    assert played.said[:2] == ["It was here, the innermost call first:", '  File "robot.py", line 4 in <module>']
+    assert str(match.folder) not in played.log
+    assert "controller" not in played.log
+
+
 def test_a_fault_is_the_same_in_every_run(match: FakeMatch) -> None:
     assert fault_of(match, "faults/crashes_in_play") == fault_of(match, "faults/crashes_in_play")
 
@@ -210,6 +223,33 @@ def test_a_program_that_leaves_while_the_match_goes_on_is_told_so(
 ) -> None:
     fault = fault_of(either_match, f"faults/{program}")
     assert (fault.kind, fault.tick, fault.detail) == ("exit", tick, detail)
+
+
+def test_who_leaves_with_a_negative_status_has_left_and_not_crashed(match: FakeMatch) -> None:
+    """Windows tells -1 as 0xffffffff, beside what it tells of crashes; POSIX tells the lowest eight bits."""
+    fault = fault_of(match, "import os\nfrom controller import Robot\nRobot().step(32)\nos._exit(-1)\n")
+    assert (fault.kind, fault.tick, fault.detail) == ("exit", 1, "the program ended itself (exit status 255)")
+
+
+@pytest.mark.parametrize(
+    ("told", "status", "is_crash"),
+    [
+        (0, 0, False),
+        (139, 139, False),  # 128 + n is nothing special there
+        (0xFFFFFFFF, 255, False),  # exit(-1)
+        (0xFFFFFFFE, 254, False),
+        (0xC0000005, 0xC0000005, True),  # access violation
+        (0xE06D7363, 0xE06D7363, True),  # an exception of C++
+    ],
+)
+def test_what_an_exit_status_of_windows_means(
+    monkeypatch: pytest.MonkeyPatch, told: int, status: int, is_crash: bool
+) -> None:
+    monkeypatch.setattr("rcj_challenges.controllers.processes.sys.platform", "win32")
+    popen: Any = SimpleNamespace(wait=lambda _: told)
+    seen = processes.Process(popen, None, own_session=True).exit_status(1.0)
+    assert seen == status
+    assert processes.is_crash(seen) is is_crash
 
 
 def test_quit_with_words_leaves_them_in_the_log(match: FakeMatch) -> None:
@@ -460,6 +500,22 @@ def test_what_this_computer_lacks_is_no_fault_of_a_program(
 ) -> None:
     def refuse(*_: object, **__: object) -> None:
         raise OSError(number, "it is lacking")
+
+    monkeypatch.setattr(processes, "start", refuse)
+    with pytest.raises(HostError, match="the program of Y1 cannot be started here: it is lacking"):
+        fault_of(match, "faults/never_steps")
+
+
+@pytest.mark.parametrize("code", [14, 39, 1450, 1455])
+def test_what_this_computer_lacks_is_told_by_windows_in_numbers_of_its_own(
+    match: FakeMatch, monkeypatch: pytest.MonkeyPatch, code: int
+) -> None:
+    """Such as 1455, "the paging file is too small": their ``errno`` is only EINVAL."""
+    error = OSError(errno.EINVAL, "it is lacking")
+    error.winerror = code  # type: ignore[attr-defined, unused-ignore]
+
+    def refuse(*_: object, **__: object) -> None:
+        raise error
 
     monkeypatch.setattr(processes, "start", refuse)
     with pytest.raises(HostError, match="the program of Y1 cannot be started here: it is lacking"):

@@ -157,3 +157,22 @@ print(sys.getswitchinterval())
 """
     (interval_s,) = numbers_of(match.play(program, 20))
     assert 2 * interval_s <= 0.001
+
+
+def test_a_pool_of_threads_works_where_processes_are_refused(match: FakeMatch) -> None:
+    program = """
+from controller import Robot
+from multiprocessing.dummy import Pool
+from multiprocessing.pool import ThreadPool
+robot = Robot()
+with ThreadPool(2) as pool:
+    print(pool.map(abs, [-1, 2, -3]), pool.apply_async(pow, (2, 5)).get(timeout=5))
+helpers = Pool(2)
+later = helpers.map_async(len, ["a", "bc"])
+robot.step(32)
+print(later.get())
+helpers.close()
+helpers.join()
+robot.step(32)
+"""
+    assert match.play(program, 2).said == ["[1, 2, 3] 32", "[1, 2]"]

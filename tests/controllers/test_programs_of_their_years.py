@@ -6,6 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
 from fake_match import FakeMatch
 
 from rcj_challenges.controllers.team import open_team
@@ -453,3 +454,112 @@ robot.step(32)
 """
     said = match.play(STEPS + program, 1).said
     assert said == ["3.14 11 2j 1.5 inf", "AttributeError", "5.0", "(2,) (3,) [4.+0.j]", "1.5 2j True 5"]
+
+
+def test_members_that_are_texts_or_numbers_read_in_texts_as_they_did_then(match: FakeMatch) -> None:
+    program = """
+from enum import Enum, Flag, IntEnum, IntFlag
+class Role(str, Enum):
+    STRIKER = "striker"
+class Size(float, Enum):
+    BALL = 0.042
+class Order(IntEnum):
+    GO = 3
+class Seen(IntFlag):
+    BALL = 1
+class Own(IntEnum):
+    ONE = 1
+    def __str__(self):
+        return "own"
+class State(Enum):
+    SEARCH = 1
+role, go = Role.STRIKER, Order.GO
+print(f"{role}", "{}".format(role), str(role), "%s" % role, repr(role), Role(f"{role}") is role, f"{role:>9}|", f"{role!s}")
+print(f"{go}", f"{go:03d}", str(go), "%s %d" % (go, go), go, repr(go), {"Order.GO": 1}[str(go)])
+print(f"{Size.BALL:.2f}", f"{Seen.BALL}", str(Seen.BALL), f"{Own.ONE}", f"{State.SEARCH}", str(State.SEARCH))
+import http, signal
+print(str(signal.SIGTERM), f"{http.HTTPStatus.OK}", "%d" % http.HTTPStatus.OK)
+robot.step(32)
+"""
+    assert match.play(STEPS + program, 1).said == [
+        "striker striker Role.STRIKER Role.STRIKER <Role.STRIKER: 'striker'> True   striker| Role.STRIKER",
+        "3 003 Order.GO Order.GO 3 Order.GO <Order.GO: 3> 1",
+        "0.04 1 Seen.BALL own State.SEARCH State.SEARCH",
+        "Signals.SIGTERM 200 200",
+    ]
+
+
+@pytest.mark.skipif(sys.version_info < (3, 11), reason="there is no StrEnum yet")
+def test_a_str_enum_of_today_reads_as_it_does_today(match: FakeMatch) -> None:
+    program = """
+from enum import StrEnum
+class Role(StrEnum):
+    STRIKER = "striker"
+print(f"{Role.STRIKER}", str(Role.STRIKER))
+robot.step(32)
+"""
+    assert match.play(STEPS + program, 1).said == ["striker striker"]
+
+
+def test_chance_draws_from_the_keys_of_a_dict(match: FakeMatch) -> None:
+    program = """
+import random
+places = {"left": 1, "right": 2}
+print(sorted(random.sample(places.keys(), 2)), random.sample({"a": 1}.items(), 1), random.Random(1).sample({"a": 1}.keys(), 1))
+robot.step(32)
+"""
+    assert match.play(STEPS + program, 1).said == ["['left', 'right'] [('a', 1)] ['a']"]
+
+
+def test_an_error_is_printed_by_the_names_that_its_parts_had_then(match: FakeMatch) -> None:
+    program = """
+import sys, traceback
+try:
+    1 / 0
+except ZeroDivisionError as error:
+    traceback.print_exception(etype=type(error), value=error, tb=error.__traceback__, file=sys.stdout)
+    print(traceback.format_exception(etype=type(error), value=error, tb=None), traceback.format_exception(error))
+    print(traceback.format_exception_only(etype=type(error), value=error), traceback.format_exception_only(error))
+robot.step(32)
+"""
+    said = match.play(STEPS + program, 1).said
+    assert said[0] == "Traceback (most recent call last):"
+    assert "ZeroDivisionError: division by zero" in said
+    assert said[-2].startswith("['ZeroDivisionError: division by zero\\n'] ['Traceback")
+    assert said[-1] == "['ZeroDivisionError: division by zero\\n'] ['ZeroDivisionError: division by zero\\n']"
+
+
+def test_numpy_stacks_what_is_no_list(match: FakeMatch) -> None:
+    program = """
+import numpy as np
+from numpy import hstack
+rows = {"a": [1, 2], "b": [3, 4]}
+print(np.vstack(rows.values()).tolist(), np.stack(row for row in rows.values()).tolist(), hstack(map(list, [[1], [2]])))
+print(np.column_stack(zip([1, 2], [3, 4])).tolist(), np.dstack(iter([[1], [2]])).shape, np.row_stack(map(list, [[1], [2]])).shape)
+print(np.vstack(([1], [2])).shape, np.stack(np.eye(2), axis=1).shape, np.vstack(tup=[[1]]), np.stack(arrays=[[1]]))
+try:
+    np.vstack(5)
+except TypeError as error:
+    print("not a number")
+robot.step(32)
+"""
+    assert match.play(STEPS + program, 1).said == [
+        "[[1, 2], [3, 4]] [[1, 2], [3, 4]] [1 2]", "[[1, 2], [3, 4]] (1, 1, 2) (2, 1)", "(2, 1) (2, 2) [[1]] [[1]]",
+        "not a number",
+    ]  # fmt: skip
+
+
+def test_a_number_of_an_array_is_set_by_itemset(match: FakeMatch) -> None:
+    program = """
+import numpy as np
+table, flat = np.zeros((2, 2)), np.zeros(3)
+table.itemset((0, 1), 5)
+table.itemset(1, 0, 7)
+table.itemset(3, 9)
+flat.itemset(2, 4)
+one = np.array(1)
+one.itemset(6)
+print(table.tolist(), flat, one, np.array([1, 2]).newbyteorder().dtype.byteorder in "<>")
+robot.step(32)
+"""
+    assert match.play(STEPS + program, 1).said == ["[[0.0, 5.0], [7.0, 9.0]] [0. 0. 4.] 6 True"]

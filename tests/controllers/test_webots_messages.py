@@ -36,6 +36,8 @@ def _play(match: FakeMatch, lines: str) -> Played:
         ("motor.setVelocity({})", "'left wheel motor': setVelocity takes a number of rad/s, such as 5.0"),
         ("motor.setPosition({})", "'left wheel motor': setPosition takes a number of rad, such as float('inf')"),
         ("motor.setAcceleration({})", "'left wheel motor': setAcceleration takes a number of rad/s²"),
+        ("emitter.setChannel({})", "'team emitter': setChannel takes the number of a channel, such as 1"),
+        ("receiver.setChannel({})", "'team receiver': setChannel takes the number of a channel, such as 1"),
     ],
 )
 def test_what_is_no_number_is_named_with_the_call_and_what_it_takes(match: FakeMatch, call: str, wanted: str) -> None:

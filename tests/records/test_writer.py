@@ -52,7 +52,7 @@ def test_the_folder_is_named_by_time_and_scenario(tmp_path: Path) -> None:
 
 
 def test_a_folder_that_cannot_be_made_is_said_so(tmp_path: Path) -> None:
-    (tmp_path / "runs").write_text("a file")
+    (tmp_path / "runs").write_text("a file", encoding="utf-8")
     with pytest.raises(RecordError, match="cannot make a folder for the record"):
         RecordWriter(tmp_path / "runs", small_header(small_scenario()))
 

@@ -34,11 +34,11 @@ REASON = "a_robot_may_stand_in_the_corner"
 @pytest.fixture
 def mine(tmp_path):
     """Return what writes a scenario beside its base and returns its path."""
-    (tmp_path / "base.yaml").write_text(f"{HEAD}extends: soccersim_v2\n{BASE}")
+    (tmp_path / "base.yaml").write_text(f"{HEAD}extends: soccersim_v2\n{BASE}", encoding="utf-8")
 
     def write(text: str) -> str:
         path = tmp_path / "mine.yaml"
-        path.write_text(f"{HEAD}extends: base.yaml\n{text}")
+        path.write_text(f"{HEAD}extends: base.yaml\n{text}", encoding="utf-8")
         return str(path)
 
     return write
@@ -121,7 +121,7 @@ def test_a_failing_test_says_from_where_it_is_inherited_and_an_own_one_does_not(
 
 @pytest.mark.parametrize("name", ["match.yaml", "other.yaml"])
 def test_a_file_may_bear_the_name_of_what_it_extends(tmp_path, monkeypatch, name):
-    (tmp_path / name).write_text(f"{HEAD}extends: match\nmatch: {{half_s: 20}}\n")
+    (tmp_path / name).write_text(f"{HEAD}extends: match\nmatch: {{half_s: 20}}\n", encoding="utf-8")
     monkeypatch.chdir(tmp_path)
     assert "a_goal_in_the_last_tick_counts" in load(name).left_out
     assert "a_goal_in_the_last_tick_counts" in load(tmp_path / name).left_out
@@ -139,7 +139,8 @@ def test_two_a_side_from_the_shipped_match_needs_no_more_than_its_own_lines(tmp_
         "entrants: {blue: {robots: {B3: null}}, yellow: {robots: {Y3: null}}}\n"
         "placements:\n"
         "  blue_kicks_off: [{entity: [B1, B2, Y1, Y2], at: start}, {entity: ball, at: {point: [0, 0]}}]\n"
-        "  yellow_kicks_off: [{entity: [B1, B2, Y1, Y2], at: start}, {entity: ball, at: {point: [0, 0]}}]\n"
+        "  yellow_kicks_off: [{entity: [B1, B2, Y1, Y2], at: start}, {entity: ball, at: {point: [0, 0]}}]\n",
+        encoding="utf-8",
     )
     loaded = load(path)
     assert list(loaded.scenario.robots) == ["B1", "B2", "Y1", "Y2"]

@@ -104,12 +104,12 @@ class TestFieldOfAnotherSize:
             f"{section}: {{it: {place}}}\n"
             f"rules:\n  r: {{triggers: [{{trigger: {used}}}], actions: [{{action: score, entrant: yellow}}], says: So.}}\n"
         )
-        (tmp_path / "base.yaml").write_text(HEAD % "soccersim_v2" + base)
+        (tmp_path / "base.yaml").write_text(HEAD % "soccersim_v2" + base, encoding="utf-8")
         mine = tmp_path / "mine.yaml"
-        mine.write_text(HEAD % "base.yaml" + "field: {width_m: 2}\n")
+        mine.write_text(HEAD % "base.yaml" + "field: {width_m: 2}\n", encoding="utf-8")
         found = [finding for finding in lint(load(str(mine))) if finding.kind == self.KIND]
         assert len(found) == stays
-        (tmp_path / "base.yaml").write_text(HEAD % "soccersim_v2" + base + "field: {width_m: 2}\n")
+        (tmp_path / "base.yaml").write_text(HEAD % "soccersim_v2" + base + "field: {width_m: 2}\n", encoding="utf-8")
         assert [one for one in lint(load(str(tmp_path / "base.yaml"))) if one.kind == self.KIND] == []
 
     def test_a_param_that_the_own_file_sets_counts(self, tmp_path):
@@ -118,20 +118,22 @@ class TestFieldOfAnotherSize:
             "zones: {out: {shape: rect, x_min_m: {param: out_m}}}\n"
             "rules:\n  r: {triggers: [{trigger: enters, entity: ball, zone: out}], actions: [{action: end}]}\n"
         )
-        (tmp_path / "base.yaml").write_text(HEAD % "soccersim_v2" + base)
+        (tmp_path / "base.yaml").write_text(HEAD % "soccersim_v2" + base, encoding="utf-8")
         mine = tmp_path / "mine.yaml"
-        mine.write_text(HEAD % "base.yaml" + "params: {wide_m: 2}\n")
+        mine.write_text(HEAD % "base.yaml" + "params: {wide_m: 2}\n", encoding="utf-8")
         (finding,) = [one for one in lint(load(str(mine))) if one.kind == self.KIND]
         assert (finding.problem.file, finding.problem.path) == (str(mine), "params.wide_m")
-        mine.write_text(HEAD % "base.yaml" + "params: {wide_m: 2, out_m: 0.9}\n")
+        mine.write_text(HEAD % "base.yaml" + "params: {wide_m: 2, out_m: 0.9}\n", encoding="utf-8")
         assert [one for one in lint(load(str(mine))) if one.kind == self.KIND] == []
 
     def test_of_many_a_dozen_are_named(self, tmp_path):
         spots = "".join(f"  s{number}: {{x_m: 0.{number + 10}, y_m: 0}}\n" for number in range(20))
         names = ", ".join(f"s{number}" for number in range(20))
         rule = f"{{triggers: [{{trigger: half_started}}], actions: [{{action: place, entity: ball, at: {{choice: [{names}]}}}}]}}"
-        (tmp_path / "base.yaml").write_text(HEAD % "soccersim_v2" + f"spots:\n{spots}rules:\n  r: {rule}\n")
-        (tmp_path / "mine.yaml").write_text(HEAD % "base.yaml" + "field: {width_m: 2}\n")
+        (tmp_path / "base.yaml").write_text(
+            HEAD % "soccersim_v2" + f"spots:\n{spots}rules:\n  r: {rule}\n", encoding="utf-8"
+        )
+        (tmp_path / "mine.yaml").write_text(HEAD % "base.yaml" + "field: {width_m: 2}\n", encoding="utf-8")
         (finding,) = [one for one in lint(load(str(tmp_path / "mine.yaml"))) if one.kind == self.KIND]
         assert finding.problem.message.endswith("s10, s11 and 8 more")
 
@@ -195,16 +197,18 @@ class TestGoalAndZone:
         assert len(found(text + rule, self.KIND, "soccersim_v2")) == 2
 
     def test_what_a_base_got_wrong_is_told_there(self, tmp_path):
-        (tmp_path / "base.yaml").write_text(HEAD % "match" + "field: {goals: {blue_goal: {width_m: 0.6}}}\n")
-        (tmp_path / "mine.yaml").write_text(HEAD % "base.yaml")
+        (tmp_path / "base.yaml").write_text(
+            HEAD % "match" + "field: {goals: {blue_goal: {width_m: 0.6}}}\n", encoding="utf-8"
+        )
+        (tmp_path / "mine.yaml").write_text(HEAD % "base.yaml", encoding="utf-8")
         of_base, of_mine = (lint(load(str(tmp_path / name))) for name in ("base.yaml", "mine.yaml"))
         assert [one.kind for one in of_base if one.kind == self.KIND] == [self.KIND]
         assert [one for one in of_mine if one.kind == self.KIND] == []
 
     def test_a_width_from_a_param_of_the_own_file_is_told_at_the_param(self, tmp_path):
         base = "params: {goal_m: 0.4}\nfield: {goals: {blue_goal: {width_m: {param: goal_m}}}}\n"
-        (tmp_path / "base.yaml").write_text(HEAD % "match" + base)
-        (tmp_path / "mine.yaml").write_text(HEAD % "base.yaml" + "params: {goal_m: 0.6}\n")
+        (tmp_path / "base.yaml").write_text(HEAD % "match" + base, encoding="utf-8")
+        (tmp_path / "mine.yaml").write_text(HEAD % "base.yaml" + "params: {goal_m: 0.6}\n", encoding="utf-8")
         (finding,) = [one for one in lint(load(str(tmp_path / "mine.yaml"))) if one.kind == self.KIND]
         assert shown(finding)[1:] == ("params.goal_m", 5)
 

@@ -141,11 +141,12 @@ class TestWhereItStands:
         (tmp_path / "base.yaml").write_text(HEAD + PAIR, encoding="utf-8")
         mine = tmp_path / "mine.yaml"
         mine.write_text(
-            "extends: base.yaml\nparams: {gap_m: 0.3}\nzones: {east: {x_min_m: {param: gap_m, times: 2}}}\n"
+            "extends: base.yaml\nparams: {gap_m: 0.3}\nzones: {east: {x_min_m: {param: gap_m, times: 2}}}\n",
+            encoding="utf-8",
         )
         zones = load(mine).scenario.zones
         assert (zones["west"].x_max_m, zones["east"].x_min_m) == (-0.3, 0.6)
-        mine.write_text("extends: base.yaml\nzones: {west: {x_max_m: {param: gap_m}}}\n")
+        mine.write_text("extends: base.yaml\nzones: {west: {x_max_m: {param: gap_m}}}\n", encoding="utf-8")
         assert load(mine).scenario.zones["west"].x_max_m == 0.15
 
     def test_the_resolved_scenario_holds_the_number(self):

@@ -117,7 +117,7 @@ def _verdict(half: int, tick: int) -> Verdict:
 
 
 def _facts(folder: Path) -> dict[str, Any]:
-    page = (folder / "replay.html").read_text()
+    page = (folder / "replay.html").read_text(encoding="utf-8")
     found = re.search(r'<script type="application/json" id="facts">(.*?)</script>', page, re.DOTALL)
     assert found is not None
     facts: dict[str, Any] = json.loads(found[1])

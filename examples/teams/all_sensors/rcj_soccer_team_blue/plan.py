@@ -97,7 +97,7 @@ class Plan:
 
     def goalie(self, body, tracker):
         """Between ball and goal; a ball on its way is met where it will cross our line."""
-        sway = 0.04 * math.sin(1.5 * body.time)
+        sway = 0.06 * math.sin(1.5 * body.time)  # stand still and the referee moves us
         ball = tracker.place
         if ball is None:
             return (sway, GOALIE_LINE), False

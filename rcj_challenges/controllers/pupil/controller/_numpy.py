@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 import sys
 from contextlib import suppress
@@ -11,6 +12,7 @@ from ._moved import OldNames
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
 _SAME_AS = {
@@ -58,7 +60,9 @@ def restore_old_names(numpy: Any) -> None:
         OldNames(numpy).install()
     # Since 2.0 `ptp` only complains.
     ptp = lambda array, axis=None, out=None: numpy.ptp(array, axis, out)  # noqa: E731
-    restore_methods(numpy.ndarray, {"tostring": numpy.ndarray.tobytes, "ptp": ptp})
+    restored = {"tostring": numpy.ndarray.tobytes, "ptp": ptp, "itemset": _itemset, "newbyteorder": _newbyteorder}
+    restore_methods(numpy.ndarray, restored)
+    _stack_what_is_no_list(there)
     with suppress(AttributeError, TypeError, ValueError):  # a numpy that reads that way already, or not any more
         numpy.set_printoptions(legacy="1.25")
 
@@ -78,6 +82,36 @@ def _functions_of(numpy: Any) -> dict[str, Any]:
         return len(numpy.array(a, ndmin=1))
 
     return {"asfarray": asfarray, "msort": msort, "asscalar": asscalar, "alen": alen}
+
+
+def _itemset(array: Any, *given: Any) -> None:
+    """Set one number of an array: of one that has no other, by its number, or by its place."""
+    *place, item = given
+    if len(place) == 1 and not isinstance(place[0], tuple):
+        array.flat[place[0]] = item
+    else:
+        array[place[0] if len(place) == 1 else tuple(place) or (0,) * array.ndim] = item
+
+
+def _newbyteorder(array: Any, new_order: str = "S") -> Any:
+    return array.view(array.dtype.newbyteorder(new_order))
+
+
+def _stack_what_is_no_list(there: dict[str, Any]) -> None:
+    """Let what puts arrays together take them from what is gone through once: ``np.vstack(map(…))``."""
+
+    def listing(real: Callable[..., Any]) -> Callable[..., Any]:
+        @functools.wraps(real)
+        def function(*given: Any, **named: Any) -> Any:
+            if given and not hasattr(given[0], "__getitem__") and hasattr(given[0], "__iter__"):
+                given = (list(given[0]), *given[1:])
+            return real(*given, **named)
+
+        return function
+
+    for name in ("stack", "vstack", "hstack", "dstack", "column_stack", "row_stack"):
+        if name in there:
+            there[name] = listing(there[name])
 
 
 def _reading_bytes(numpy: Any) -> Any:

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
     from ._hooks import Patch
@@ -19,6 +20,8 @@ def _collections(module: Any) -> None:
 
 
 def _random(module: Any) -> None:
+    from collections.abc import Set as AbstractSet
+
     kind = module.Random
     seed, sample, shuffle, randrange, randint = kind.seed, kind.sample, kind.shuffle, kind.randrange, kind.randint
 
@@ -28,7 +31,7 @@ def _random(module: Any) -> None:
         seed(self, a if known else hash(a) % 2**64, version)
 
     def sampled(self: Any, population: Any, k: int, **more: Any) -> Any:
-        return sample(self, tuple(population) if isinstance(population, (set, frozenset)) else population, k, **more)
+        return sample(self, tuple(population) if isinstance(population, AbstractSet) else population, k, **more)
 
     def shuffled(self: Any, x: Any, random: Any = None) -> None:
         """Take a function that draws numbers from 0 to 1, too."""
@@ -144,6 +147,53 @@ def _threading(module: Any) -> None:
         module.Thread.isAlive = module.Thread.is_alive
 
 
+def _enum(module: Any) -> None:
+    """Let a member that is a text or a number stand in an f-string by its value, and be its name elsewhere."""
+    kind = module.Enum
+    named = (kind.__str__, module.Flag.__str__)
+
+    def formatted(self: Any, format_spec: str) -> Any:
+        member_type = self._member_type_
+        if member_type is object or type(self).__str__ not in named:
+            return format(str(self), format_spec)
+        return member_type.__format__(self._value_, format_spec)
+
+    kind.__format__ = formatted
+    for numbers in (module.IntEnum, module.IntFlag):
+        numbers.__format__, numbers.__str__ = formatted, kind.__str__
+
+
+def _traceback(module: Any) -> None:
+    """Let the kind of an error be named, which needs no name since Python 3.10."""
+
+    def with_etype(real: Callable[..., Any]) -> Callable[..., Any]:
+        def function(*given: Any, **named: Any) -> Any:
+            kind = (named.pop("etype"),) if "etype" in named else ()
+            return real(*kind, *given, **named)
+
+        return function
+
+    for name in ("print_exception", "format_exception", "format_exception_only"):
+        setattr(module, name, with_etype(getattr(module, name)))
+
+
+def _pool(module: Any) -> None:
+    """Let a pool of threads do without the locks of processes, which a match refuses."""
+    import threading
+    from multiprocessing.queues import SimpleQueue
+
+    class OfThreads:
+        Lock = staticmethod(threading.Lock)
+
+        def SimpleQueue(self) -> Any:
+            return SimpleQueue(ctx=self)
+
+    def init(self: Any, processes: Any = None, initializer: Any = None, initargs: Any = ()) -> None:
+        module.Pool.__init__(self, processes, initializer, initargs, context=OfThreads())
+
+    module.ThreadPool.__init__ = init
+
+
 def _fractions(module: Any) -> None:
     from math import gcd
 
@@ -167,6 +217,9 @@ PATCHES: dict[str, Patch] = {
     "configparser": _configparser,
     "inspect": _inspect,
     "threading": _threading,
+    "enum": _enum,
+    "traceback": _traceback,
+    "multiprocessing.pool": _pool,
     "fractions": _fractions,
     "base64": _base64,
 }

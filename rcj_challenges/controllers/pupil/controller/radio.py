@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import struct
 
-from ._hub import Hub, Packet, complain, told
+from ._hub import Hub, Packet, complain, number, told
 from .device import Device, ReadOnly, Sensor
 
 TYPE_CHECKING = False
@@ -139,7 +139,7 @@ class Receiver(Sensor):
 
     def setChannel(self, channel: int) -> None:
         """Listen to another channel; those of the other team stay silent."""
-        self._rcj_channel = _tuned(self._rcj_spec, self._rcj_channel, int(channel))
+        self._rcj_channel = _tuned(self._rcj_spec, self._rcj_channel, channel)
         self._rcj_hub.tune(self._rcj_index, self._rcj_channel)
 
     def _rcj_first(self, method: str) -> Packet:
@@ -240,7 +240,7 @@ class Emitter(Device):
 
     def setChannel(self, channel: int) -> None:
         """Send on another channel from now on; those of the other team carry nothing."""
-        self._rcj_channel = _tuned(self._rcj_spec, self._rcj_channel, int(channel))
+        self._rcj_channel = _tuned(self._rcj_spec, self._rcj_channel, channel)
 
     def getRange(self) -> float:
         """Return how far it sends, in m."""
@@ -303,8 +303,9 @@ def _text(data: bytes) -> str:
     return data.split(b"\0", 1)[0].decode()
 
 
-def _tuned(spec: dict[str, Any], current: int, asked: int) -> int:
+def _tuned(spec: dict[str, Any], current: int, given: float) -> int:
     """Return the channel that a device is on after it was asked for; one that is refused is told."""
+    asked = int(number(given, f"{spec['name']!r}: setChannel takes the number of a channel, such as 1"))
     if asked in spec["facts"].get("refused_channels", ()):
         complain(f"Error: {spec['name']!r}: channel {asked} is not for this team; it stays on {current}.")
         return current
