@@ -63,7 +63,7 @@ def repeat_rules(root: Entries, merger: Merger) -> None:
             continue
         rows = _Reader(root, name, merger.problems).rows(rule.entries[REPEAT_FOR], taken)
         rule.drop(REPEAT_FOR)
-        left -= len(rows) * _count(rule)
+        left -= sum(_count(rule, row.values) for row in rows)
         if left < 0:
             message = f"too much is repeated: written out it would be more than {_MOST_VALUES} single values"
             merger.problems.append(rules.key_marks[name].problem(f"{RULES}.{name}", message))
@@ -85,11 +85,17 @@ def _joined(rule: str, row: _Row) -> str:
     return f"{rule}_{row.name}"
 
 
-def _count(node: Node) -> int:
-    """Return how many single values stand in a tree."""
+def _count(node: Node, values: Mapping[str, Leaf | Items]) -> int:
+    """Return how many single values stand in a tree when those of a row have been put in."""
     if isinstance(node, Leaf):
         return 1
-    return sum(map(_count, node.entries.values() if isinstance(node, Entries) else node.items))
+    if isinstance(node, Items):
+        return sum(_count(item, values) for item in node.items)
+    name = node.entries.get("param")
+    value = values.get(str(name.value)) if isinstance(name, Leaf) else None
+    return (len(value.items) if isinstance(value, Items) else 0) + sum(
+        _count(inner, values) for inner in node.entries.values()
+    )
 
 
 def _unknown_in(node: Node, params: Mapping[str, Node]) -> Iterator[str]:
@@ -154,8 +160,9 @@ class _Reader:
             return []
         self._hidden(rows)
         self._same_keys(rows)
+        keys = dict.fromkeys(key for row in rows for key in row.written)
         for row in rows:
-            self._read(row)
+            self._read(row, keys)
         return [row for row in rows if self._is_free(row, taken)]
 
     def _listed(self, node: Items) -> Iterator[_Row]:
@@ -174,7 +181,9 @@ class _Reader:
     def _by_name(self, node: Entries) -> Iterator[_Row]:
         for name, inner in node.entries.items():
             mark = node.key_marks[name]
-            if isinstance(inner, Entries):
+            if isinstance(inner, Entries) and len(inner.entries) > MAX_ROWS:
+                self._add((name,), mark, f"must have at most {MAX_ROWS} values, found {len(inner.entries)}")
+            elif isinstance(inner, Entries):
                 if self._is_name(name, (name,), mark):
                     yield _Row(name, mark, name, inner.entries, inner.key_marks)
             elif not isinstance(inner, Leaf) or inner.value is not None:
@@ -222,14 +231,10 @@ class _Reader:
             for key in missing:
                 message = f"'{key}' is missing, which '{first.name}' has{_line(first.key_marks[key], row.mark)}"
                 self._add((row.step,), row.mark, f"{message}; all names need the same keys")
-        for row in rows:  # what is missing is told; its uses are not wrong as well
-            row.values = {key: Leaf(None, row.mark) for other in rows for key in other.written}
 
-    def _read(self, row: _Row) -> None:
-        row.values = {
-            THIS: Leaf(row.name, row.mark),
-            **{key: value for key, value in row.values.items() if key != THIS},
-        }
+    def _read(self, row: _Row, keys: Iterable[str]) -> None:
+        # What a name lacks is told; its uses are not wrong as well.
+        row.values = {THIS: Leaf(row.name, row.mark), **{key: Leaf(None, row.mark) for key in keys if key != THIS}}
         for key, node in row.written.items():
             if key != THIS:
                 row.values[key] = self._value(node, (row.step, key))

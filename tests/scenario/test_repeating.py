@@ -172,11 +172,11 @@ class TestVariants:
 
     @pytest.fixture
     def base(self, tmp_path):
-        (tmp_path / "base.yaml").write_text(HEAD + GOALS)
+        (tmp_path / "base.yaml").write_text(HEAD + GOALS, encoding="utf-8")
 
         def variant(rest, overrides=()):
             path = tmp_path / "variant.yaml"
-            path.write_text("schema_version: 1\nid: b\ntitle: B\nextends: base.yaml\n" + rest)
+            path.write_text("schema_version: 1\nid: b\ntitle: B\nextends: base.yaml\n" + rest, encoding="utf-8")
             return load(path, overrides).scenario.rules
 
         return variant
@@ -263,6 +263,19 @@ class TestMistakes:
         )
         (complaint,) = complaints(text.replace("entrant: {param: this}", "entrant: blue"))
         assert complaint == "rules.pay: too much is repeated: written out it would be more than 50000 single values"
+
+    def test_a_list_that_stands_in_many_places_counts_in_each(self):
+        triggers = ", ".join(["{trigger: enters, entity: {param: others}, zone: in_play}"] * 100)
+        body = f"triggers: [{triggers}]\n    actions: [{{action: end}}]\n"
+        rule = f"rules:\n  r:\n    repeat_for: {{a: {{others: [{', '.join(['ball'] * 1000)}]}}}}\n    {body}"
+        assert complaints(rule) == [
+            "rules.r: too much is repeated: written out it would be more than 50000 single values"
+        ]
+
+    def test_there_is_a_bound_for_the_values_beside_a_name(self):
+        many = ", ".join(f"k{number}: 1" for number in range(MAX_ROWS + 1))
+        (complaint,) = complaints(GOALS.replace("worth: 2", f"worth: 2, {many}").replace("blue: {", "blue: {"))
+        assert complaint.endswith(f"must have at most {MAX_ROWS} values, found {MAX_ROWS + 4}")
 
     def test_a_value_that_hides_a_param_is_refused(self):
         line = HEAD_LINES + GOALS.count("\n") + 1

@@ -29,6 +29,9 @@ MAX_MEMBERS = 512
 MAX_ROWS = 64
 """Bounds far above any challenge, so that resolving groups of groups takes no time worth mentioning."""
 
+RowValues = Annotated[dict[Name, Scalar | tuple[Scalar, ...]], Field(max_length=MAX_ROWS)]
+"""What stands beside one of the names for which a rule is repeated."""
+
 
 class Rule(Strict):
     """One trigger suffices, all conditions must hold, the actions run in order."""
@@ -43,7 +46,7 @@ class Rule(Strict):
     )
     repeat_for: (
         Annotated[tuple[Name, ...], Field(strict=False, min_length=1, max_length=MAX_ROWS)]
-        | Annotated[dict[Name, dict[Name, Scalar | tuple[Scalar, ...]]], Field(min_length=1, max_length=MAX_ROWS)]
+        | Annotated[dict[Name, RowValues], Field(min_length=1, max_length=MAX_ROWS)]
         | None
     ) = Field(
         None,
