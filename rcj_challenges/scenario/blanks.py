@@ -58,6 +58,18 @@ def counted(number: str) -> str:
     return f"{number} point" if number in _ONE else f"{number} points"
 
 
+def filled(text: str, values: Mapping[str, Scalar | list[Scalar]]) -> str:
+    """Return a text with values filled in by their names; what is not known stays as it is."""
+    return _filled(text, {name: _enumerated(value) for name, value in values.items()})
+
+
+def _enumerated(value: Scalar | list[Scalar]) -> str:
+    if not isinstance(value, list):
+        return _as_text(value)
+    words = [_as_text(one) for one in value]
+    return " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
+
+
 def _filled(text: str, known: Mapping[str, str]) -> str:
     """Fill in what is known; ``{points} points`` is one point if it is one."""
 

@@ -246,7 +246,7 @@ class _Walker:
             where = f"{removal.file}:{removal.line}" if removal.line else removal.file
             self.add(path, mark, f"unknown {noun} '{name}': it was removed in {where}{_without(name, path)}")
             return
-        if teams := for_teams(name, path):
+        if teams := for_teams(name, path, self.names.names("entrants")):
             self.add(path, mark, f"unknown {noun} '{name}': {teams}")
             return
         kind = self.names.known_as(name)

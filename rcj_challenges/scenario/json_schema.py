@@ -113,7 +113,13 @@ class _Writer:
         description = info.description or (_sentence(model) if "const" in schema else "")
         described = {"description": description} if description else {}
         default = {} if info.default in (PydanticUndefined, None) else {"default": _jsonable(info.default)}
-        return {**described, **default, **{k: v for k, v in schema.items() if k != "description" or not described}}
+        examples = {"examples": info.examples} if info.examples else {}
+        return {
+            **described,
+            **default,
+            **examples,
+            **{k: v for k, v in schema.items() if k != "description" or not described},
+        }
 
     def schema(self, shape: Shape, *, partial: bool) -> _Json:
         """Return the schema of a shape; ``partial`` if a base may bring the rest of it."""
@@ -123,6 +129,8 @@ class _Writer:
             return self._with_param(shape, partial=partial)
         if shared not in self.definitions:
             self.definitions[shared] = self._with_param(shape, partial=False)
+            if shape == Point:  # a repeated rule may have a list of two numbers beside each of its names
+                self.definitions[shared] = _or_param(self.definitions[shared])
         return {"$ref": f"#/$defs/{shared}"}
 
     def bare_schema(self, shape: Shape) -> _Json:
@@ -133,10 +141,7 @@ class _Writer:
         plain = self._plain(shape, partial=partial)
         options = plain.get("anyOf", [plain])
         if any(_is_scalar(option) for option in options) and _PARAM_REF not in options:
-            described = {key: value for key, value in plain.items() if key == "description"}
-            if options == [plain]:
-                options = [{key: value for key, value in plain.items() if key != "description"}]
-            return {**described, "anyOf": [*options, _PARAM_REF]}
+            return _or_param(plain)
         return plain
 
     def _plain(self, shape: Shape, *, partial: bool) -> _Json:
@@ -181,6 +186,13 @@ class _Writer:
                 "additionalProperties": False,
             }
         return f"#/$defs/{name}"
+
+
+def _or_param(plain: _Json) -> _Json:
+    """Return a schema in whose place the use of a param may stand."""
+    described = {key: value for key, value in plain.items() if key == "description"}
+    rest = {key: value for key, value in plain.items() if key != "description"}
+    return {**described, "anyOf": [*plain.get("anyOf", [rest]), _PARAM_REF]}
 
 
 def _is_scalar(schema: _Json) -> bool:

@@ -6,8 +6,8 @@ what can be decided from the file is reported: no finding rests on how a match m
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
 from rcj_challenges.scenario.crossrefs import shown_path
@@ -60,6 +60,8 @@ from rcj_challenges.scenario.lint_variants import (
 )
 from rcj_challenges.scenario.lint_walled import check_walled_zones
 from rcj_challenges.scenario.load import Loaded
+from rcj_challenges.scenario.merge import Repeated
+from rcj_challenges.scenario.repeating import alike
 from rcj_challenges.scenario.tree import Leaf, mark_of, node_at
 
 CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
@@ -167,7 +169,9 @@ def lint(loaded: Loaded) -> list[Finding]:
     if tree is None:
         message = "lint needs a scenario that was loaded from a file or a text"
         raise ValueError(message)
-    subject = Subject(loaded.scenario, loaded.roster, tree, loaded.left_out, loaded.removed, loaded.replaced)
+    subject = Subject(
+        loaded.scenario, loaded.roster, tree, loaded.left_out, loaded.removed, loaded.replaced, loaded.repeated
+    )
     findings = []
     for check in CHECKS:
         for suspect in check(subject):
@@ -176,8 +180,15 @@ def lint(loaded: Loaded) -> list[Finding]:
             note = f" ({leaf.note})" if isinstance(leaf, Leaf) and leaf.note else ""
             problem = mark.problem(shown_path(tree, suspect.path), suspect.reason + note)
             findings.append(Finding(suspect.kind, problem, suspect.remedy))
+    findings = _told_once(findings, loaded.repeated)
     own = tree.mark.file
     return sorted(
         dict.fromkeys(findings),
         key=lambda f: (f.problem.file != own, f.problem.file, f.problem.line, f.problem.column, f.kind),
     )
+
+
+def _told_once(findings: list[Finding], repeated: Mapping[str, Repeated]) -> list[Finding]:
+    """Return findings in which what holds for several rules that came of one is said of that one, once."""
+    same = alike((finding.problem for finding in findings), repeated)
+    return [replace(finding, problem=problem) for finding, problem in zip(findings, same, strict=True)]

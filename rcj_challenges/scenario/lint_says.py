@@ -87,7 +87,8 @@ def check_sentences(subject: Subject) -> Iterator[Suspect]:
         lacks = _lacks(rule, subject)
         for blank in in_braces(rule.says):
             if blank in BLANKS or blank not in subject.scenario.params:
-                yield from _blank(blank, ("rules", name, "says"), lacks, tuple(subject.scenario.params))
+                known = subject.repeated[name].known if name in subject.repeated else ()
+                yield from _blank(blank, ("rules", name, "says"), lacks, (*known, *subject.scenario.params))
             if blank not in lacks:
                 yield from _at_times_empty(blank, name, rule, subject)
         for model, path in visit(rule, ("rules", name)):

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.errors import Problem
+from rcj_challenges.scenario.merge import Repeated
 from rcj_challenges.scenario.models.actions import Place, Remove, SetPhase
 from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
@@ -58,6 +59,7 @@ class Subject:
         left_out: inherited tests that do not fit it, with what is wrong with each.
         removed: where entries of a base were removed.
         replaced: what params that are set anew were in the base.
+        repeated: where each rule comes from that is one of a repeated one.
     """
 
     scenario: Scenario
@@ -66,6 +68,7 @@ class Subject:
     left_out: Mapping[str, Problem] = field(default_factory=dict)
     removed: Mapping[Path, Mark] = field(default_factory=dict)
     replaced: Mapping[str, Leaf] = field(default_factory=dict)
+    repeated: Mapping[str, Repeated] = field(default_factory=dict)
 
     @cached_property
     def models(self) -> list[tuple[Strict, Path]]:

@@ -19,10 +19,11 @@ from rcj_challenges.scenario.explain import explain
 from rcj_challenges.scenario.extend import Source, read_chain
 from rcj_challenges.scenario.find import find_scenario
 from rcj_challenges.scenario.inherited import leave_out, unfit_tests
-from rcj_challenges.scenario.merge import Merger
+from rcj_challenges.scenario.merge import Merger, Repeated
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.own_devices import fill_in_devices
 from rcj_challenges.scenario.params import apply_overrides, resolve_params
+from rcj_challenges.scenario.repeating import repeat_rules, told_once
 from rcj_challenges.scenario.resources import presets_folder
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import RESOLVED, Entries, Leaf, Mark, Step, plain
@@ -44,6 +45,7 @@ class Loaded:
         left_out: inherited tests that do not fit this scenario, by name, with what is wrong with each.
         removed: where entries of a base were removed, for lint.
         replaced: what params that are set anew were in the base, for lint.
+        repeated: where each rule comes from that is one of a repeated one, for lint.
     """
 
     scenario: Scenario
@@ -56,6 +58,7 @@ class Loaded:
     left_out: Mapping[str, Problem] = field(default_factory=dict, repr=False, compare=False)
     removed: Mapping[tuple[Step, ...], Mark] = field(default_factory=dict, repr=False, compare=False)
     replaced: Mapping[str, Leaf] = field(default_factory=dict, repr=False, compare=False)
+    repeated: Mapping[str, Repeated] = field(default_factory=dict, repr=False, compare=False)
 
 
 def load(source: str | Path, overrides: Sequence[str] = ()) -> Loaded:
@@ -111,10 +114,11 @@ def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None
     bases = tuple(base for base in extended if base.parent != presets_folder())
     tree.entries.pop("extends", None)
     apply_overrides(tree, overrides, merger)
+    repeat_rules(tree, merger)
     resolve_params(tree, merger)
     fill_in_devices(tree)
     scenario, left_out = _checked_but_inherited_tests(tree, merger, {part.shown for part in chain[:-1]})
-    changes = merger.removed, merger.replaced
+    changes = merger.removed, merger.replaced, merger.repeated
     return Loaded(scenario, Roster.of(scenario), name, path, _dumped(scenario), tree, bases, left_out, *changes)
 
 
@@ -154,7 +158,7 @@ def _checked(tree: Entries, merger: Merger) -> Scenario:
     later = check(scenario, tree, merger.removed)
     problems += [found for found in later if not found.line or (found.file, found.line, found.column) not in seen]
     if problems or scenario is None:
-        raise ScenarioError(problems)
+        raise ScenarioError(told_once(problems, merger.repeated))
     return scenario
 
 

@@ -11,12 +11,34 @@ from __future__ import annotations
 
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 from rcj_challenges.scenario.errors import Problem, listing, nearest
 from rcj_challenges.scenario.inherited import ALL_INHERITED, TESTS
-from rcj_challenges.scenario.shape import Shape, bare, is_list, is_model, is_named, may_be_scalar, step_into, tag_of
+from rcj_challenges.scenario.shape import (
+    Shape,
+    bare,
+    chosen,
+    is_list,
+    is_model,
+    is_named,
+    may_be_scalar,
+    step_into,
+    tag_of,
+)
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, in_names
+
+
+class Repeated(NamedTuple):
+    """Where a rule comes from that was written once and repeated.
+
+    Attributes:
+        rule: the name under which it is written.
+        known: what is a param in it besides those of the scenario.
+    """
+
+    rule: str
+    known: tuple[str, ...]
 
 
 @dataclass
@@ -27,11 +49,13 @@ class Merger:
         problems: what was found.
         removed: where each entry was removed, by section and name path.
         replaced: the value that a param had in the base, by its name.
+        repeated: where each rule comes from that is one of a repeated one.
     """
 
     problems: list[Problem] = field(default_factory=list)
     removed: dict[Path, Mark] = field(default_factory=dict)
     replaced: dict[str, Leaf] = field(default_factory=dict)
+    repeated: dict[str, Repeated] = field(default_factory=dict)
 
     def merge(self, base: Entries, over: Entries, shape: Shape, path: Path = ()) -> Entries:
         """Merge ``over`` into ``base`` (which changes) and return it."""
@@ -104,7 +128,7 @@ class Merger:
             base.put(key, node, key_mark)  # it stays, so that it is not called missing too
         elif path == (TESTS,) and key == ALL_INHERITED:
             pass  # they are gone already
-        elif not is_named(shape):
+        elif not is_named(chosen(shape, base)):
             whole = is_list(step_into(shape, base, key))
             instead = "a list is replaced as a whole, write [] for none" if whole else "leave the line out"
             self._add(node.mark, (*path, key), f"null removes named entries of the base only; {instead}")
@@ -113,7 +137,7 @@ class Merger:
             known = f"; there are {listing(base.entries)}" if base.entries else ""
             if path[:1] == ("robots",) and path[2:] == ("devices",):
                 known += f"; a device of the robot's kit is taken away by 'without: [{key}]'"
-            hint = nearest(key, base.entries)
+            hint = (of_repeated(key, base) if path == ("rules",) else "") or nearest(key, base.entries)
             self._add(node.mark, (*path, key), f"nothing to remove: the base has no '{key}'{known}{hint}")
         else:
             base.drop(key)
@@ -121,6 +145,19 @@ class Merger:
 
     def _add(self, mark: Mark, path: Path, message: str) -> None:
         self.problems.append(mark.problem(in_names(Entries({}, mark), path), message))
+
+
+def of_repeated(name: str, rules: Entries) -> str:
+    """Return where a rule is changed or removed that comes of a repeated one; empty if none is called so."""
+    for rule, node in rules.entries.items():
+        rows = node.entries.get("repeat_for") if isinstance(node, Entries) else None
+        if not isinstance(rows, Entries | Items) or not name.startswith(f"{rule}_"):
+            continue
+        row = name.removeprefix(f"{rule}_")
+        listed = [one.value for one in rows.items if isinstance(one, Leaf)] if isinstance(rows, Items) else rows.entries
+        if row in listed:
+            return f"; it comes of the repeated rule '{rule}': change that one, or '{row}' in its repeat_for"
+    return ""
 
 
 def make_way(base: Entries, written: AbstractSet[str], shape: Shape) -> None:

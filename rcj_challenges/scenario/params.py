@@ -6,10 +6,12 @@ What stands beside a param's name, ``times`` and ``plus``, is reckoned in `recko
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import get_origin
 
 from rcj_challenges.scenario.errors import Problem, ScenarioError, known_text, listing, nearest
-from rcj_challenges.scenario.merge import Merger, is_param, make_way
+from rcj_challenges.scenario.merge import Merger, is_param, make_way, of_repeated
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.reckoning import KEYS, reckoned, written_out
 from rcj_challenges.scenario.shape import (
@@ -24,8 +26,11 @@ from rcj_challenges.scenario.shape import (
     step_into,
 )
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, Step, child, in_names
+from rcj_challenges.scenario.wording import found_text
 from rcj_challenges.scenario.yaml_strict import parse_value
 
+THIS = "this"
+"""What the name of a row is called within a repeated rule."""
 _STEPS = re.compile(r"(?:^|\.)([^.\[\]]+)|\[(\d+)\]")
 
 
@@ -114,7 +119,7 @@ def _set(root: Entries, path: Path, value: Node, mark: Mark, merger: Merger) -> 
 def _opened(node: Node, step: Step, shape: Shape, inner: Shape, mark: Mark, here: str) -> Node:
     """Return a new mapping for a section that the file leaves at its defaults; refuse everything else."""
     _check_step(node, step, shape, here)
-    if is_named(shape) or not isinstance(node, Entries) or not isinstance(step, str):
+    if is_named(chosen(shape, node)) or not isinstance(node, Entries) or not isinstance(step, str):
         raise _RefusedError(_unknown_name(node, step, here))
     if not any(is_model(bare(member).kind) or is_named(member) for member in members(inner)):
         raise _RefusedError(f"{here + '.' if here else ''}{step} is a single value, nothing is inside it")
@@ -133,7 +138,7 @@ def _put(node: Node, step: Step, value: Node, mark: Mark, shape: Shape, path: Pa
     if not isinstance(node, Entries) or not isinstance(step, str):  # pragma: no cover - _check_step refused it
         return
     # A new name may bring a whole entry; a single value under a new name is a typing mistake.
-    if is_named(shape) and step not in node.entries and isinstance(value, Leaf):
+    if is_named(chosen(shape, node)) and step not in node.entries and isinstance(value, Leaf):
         raise _RefusedError(_unknown_name(node, step, here))
     make_way(node, {step}, shape)
     merger.merge_entry(node, step, value, mark, shape, path[:-1])
@@ -158,47 +163,101 @@ def _check_step(node: Node, step: Step, shape: Shape, here: str) -> None:
 
 def _unknown_name(node: Node, step: Step, here: str) -> str:
     names = node.entries if isinstance(node, Entries) else {}
-    return f"{here} has no '{step}'; there are {listing(names) or 'none'}{nearest(str(step), names)}"
+    repeated = of_repeated(str(step), node) if isinstance(node, Entries) and here == "rules" else ""
+    return f"{here} has no '{step}'; there are {listing(names) or 'none'}{repeated or nearest(str(step), names)}"
 
 
 def resolve_params(root: Entries, merger: Merger) -> None:
     """Replace every ``{param: NAME}`` of the tree by the value for which it stands, at the position of its use."""
-    params = root.entries.get("params")
-    values = params.entries if isinstance(params, Entries) else {}
+    resolver = Resolver(root, params_of(root), merger.problems)
     for key, node in root.entries.items():
         if key != "params":
-            root.entries[key] = _resolved(node, fields(Scenario).get(key), (key,), values, root, merger)
+            root.entries[key] = resolver.resolved(node, fields(Scenario).get(key), (key,))
 
 
-def _resolved(node: Node, shape: Shape, path: Path, values: dict[str, Node], root: Entries, merger: Merger) -> Node:
-    if isinstance(node, Entries):
+def params_of(root: Entries) -> dict[str, Node]:
+    """Return the scenario's params by name."""
+    params = root.entries.get("params")
+    return params.entries if isinstance(params, Entries) else {}
+
+
+@dataclass
+class Resolver:
+    """Resolves params in one part of a tree.
+
+    Attributes:
+        root: the whole tree.
+        params: the scenario's.
+        problems: what is wrong is added to them.
+        row: what is known besides within a repeated rule: single values and lists of them; None elsewhere.
+    """
+
+    root: Entries
+    params: Mapping[str, Node]
+    problems: list[Problem]
+    row: Mapping[str, Leaf | Items] | None = None
+
+    def resolved(self, node: Node, shape: Shape, path: Path) -> Node:
+        """Return a value with the params in it replaced by what they stand for; the value itself may change."""
+        if isinstance(node, Entries):
+            if is_param(node) and self._may_stand(node, shape):
+                return self.stood_for(node, path)
+            for key, inner in node.entries.items():
+                if not isinstance(inner, Leaf):  # which is none, nor has any
+                    node.entries[key] = self.resolved(inner, step_into(shape, node, key), (*path, key))
+        elif isinstance(node, Items):
+            for index, item in enumerate(node.items):
+                if not isinstance(item, Leaf):
+                    node.items[index] = self.resolved(item, step_into(shape, node, index), (*path, index))
+        return node
+
+    def _may_stand(self, node: Entries, shape: Shape) -> bool:
         # Where nothing is known, a mapping with other keys may be meant for anything.
-        if is_param(node) and may_be_scalar(shape) and (shape is not None or node.entries.keys() <= set(KEYS)):
-            return _stood_for(node, path, values, root, merger)
-        for key, inner in node.entries.items():
-            if not isinstance(inner, Leaf):  # which is none, nor has any
-                node.entries[key] = _resolved(inner, step_into(shape, node, key), (*path, key), values, root, merger)
-    elif isinstance(node, Items):
-        for index, item in enumerate(node.items):
-            if not isinstance(item, Leaf):
-                inner_shape = step_into(shape, node, index)
-                node.items[index] = _resolved(item, inner_shape, (*path, index), values, root, merger)
-    return node
+        if may_be_scalar(shape):
+            return shape is not None or node.entries.keys() <= set(KEYS)
+        return _name(node) in (self.row or ()) and any(
+            get_origin(bare(member).kind) is tuple for member in members(shape)
+        )
+
+    def stood_for(self, node: Entries, path: Path) -> Leaf | Items:
+        """Return the value for which a use of a param stands; what is wrong with it is added to the problems."""
+        use = node.entries["param"]
+        name = _name(node)
+        value = (self.row or {}).get(name, self.params.get(name))
+        if isinstance(value, Items) and self.row is not None and name in self.row:
+            return self._listed(node, name, value, path)
+        if not isinstance(value, Leaf) or (self.row is not None and value.value is None):
+            # A value that is no scalar, and one that a row lacks, is reported where it is defined.
+            if value is None:
+                self._add(path, use.mark, f"unknown param '{name}'{self._hint(name)}")
+            return Leaf(None, use.mark, note="unknown param")
+        leaf, refused = reckoned(node, name, value)
+        for refusal in refused:
+            self._add((*path, refusal.key) if refusal.key else path, refusal.mark, refusal.message)
+        if self.row is not None and name in self.row:
+            leaf.param = value.param
+        return leaf
+
+    def _listed(self, node: Entries, name: str, value: Items, path: Path) -> Leaf | Items:
+        mark = node.entries["param"].mark
+        if len(node.entries) > 1:
+            self._add(path, mark, f"param '{name}' is {found_text(value)}; nothing stands beside it")
+            return Leaf(None, mark, note="unknown param")
+        leaves = (item for item in value.items if isinstance(item, Leaf))
+        return Items([Leaf(one.value, mark, note=f"param '{name}'", param=one.param) for one in leaves], mark)
+
+    def _hint(self, name: str) -> str:
+        known = [*(self.row or ()), *self.params]
+        if name == THIS and self.row is None:
+            return (
+                "; 'this' is known only in a rule with repeat_for: there it is the name for which the rule is written"
+            )
+        return written_out(name, known) or nearest(name, known) or known_text(known, "param")
+
+    def _add(self, path: Path, mark: Mark, message: str) -> None:
+        self.problems.append(mark.problem(in_names(self.root, path), message))
 
 
-def _stood_for(node: Entries, path: Path, values: dict[str, Node], root: Entries, merger: Merger) -> Leaf:
-    """Return the value for which a use of a param stands; what is wrong with it is added to the problems."""
+def _name(node: Entries) -> str:
     use = node.entries["param"]
-    name = str(use.value) if isinstance(use, Leaf) else ""
-    value = values.get(name)
-    if not isinstance(value, Leaf):
-        # A value that is no scalar is reported where it is defined.
-        if value is None:
-            hint = written_out(name, values) or nearest(name, values) or known_text(values, "param")
-            merger.problems.append(use.mark.problem(in_names(root, path), f"unknown param '{name}'{hint}"))
-        return Leaf(None, use.mark, note="unknown param")
-    leaf, refused = reckoned(node, name, value)
-    for refusal in refused:
-        where = (*path, refusal.key) if refusal.key else path
-        merger.problems.append(refusal.mark.problem(in_names(root, where), refusal.message))
-    return leaf
+    return str(use.value) if isinstance(use, Leaf) else ""

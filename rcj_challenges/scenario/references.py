@@ -268,6 +268,7 @@ DEFINITIONS: frozenset[tuple[type[BaseModel], str]] = frozenset[tuple[type[BaseM
         *((scenario.Scenario, name) for name in scenario.Scenario.model_fields if name != "first_phase"),
         (robots.Robot, "colour"),
         (scenario.Rule, "exclusive"),
+        (scenario.Rule, "repeat_for"),
         (actions.Emit, "payload"),
         (scenario.Broadcast, "fields"),
         (scenario.ExpectedEvent, "payload"),

@@ -7,7 +7,7 @@ The tree is what loading, merging, params and overrides work on; only the finish
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from rcj_challenges.scenario.errors import Problem
@@ -89,6 +89,16 @@ def plain(node: Node) -> Any:
     if isinstance(node, Items):
         return [plain(child) for child in node.items]
     return node.value
+
+
+def copied(node: Node) -> Node:
+    """Return a tree of its own with the same values at the same places."""
+    if isinstance(node, Entries):
+        inner = {key: copied(child) for key, child in node.entries.items()}
+        return Entries(inner, node.mark, dict(node.key_marks))
+    if isinstance(node, Items):
+        return Items([copied(child) for child in node.items], node.mark)
+    return replace(node)
 
 
 def child(node: Node | None, step: Step) -> Node | None:

@@ -60,7 +60,8 @@ CASES = [
     (rule("{trigger: event, event: Goal}"), "rules.r.triggers[0] (event).event: 'Goal' is no event's name: capitals, digits and _, such as GOAL"),
     (rule(rest="    phases: all\n"), "rules.r.phases: expected any or a list of names, found 'all'"),
     (rule(rest="    phases: [play, 3]\n"), "rules.r.phases[1]: expected a name, found 3"),
-    (rule(rest="    for_each: [B1]\n"), "rules.r.for_each: expected a name, found a list of 1"),
+    (rule(rest="    for_each: [B1]\n"), ("rules.r.for_each: expected a name, found a list of 1; for several, name a group "
+     "of them, or write the rule once for each name with repeat_for")),
     (rule(rest=f"    says: {'x' * 501}\n"), f"rules.r.says: must have at most 500 characters, found '{'x' * 60}…'"),
     (place("at: centre"), ("rules.r.actions[0] (place).at: expected start, {start: …}, {point: …}, {spot: …}, {uniform_in: …}, {on_line: …}, "
      "{choice: …}, {nearest_free: …}, {furthest_free: …} or {relative_to: …}, found 'centre'; a spot is written {spot: centre}")),

@@ -232,3 +232,36 @@ def test_a_stale_schema_is_noticed(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(json_schema, "schemas_folder", lambda: tmp_path)
     assert check_schema() == 1
     assert "stale" in capsys.readouterr().err
+
+
+REPEATED = {"triggers": [{"trigger": "half_started"}], "actions": [{"action": "end"}]}
+
+
+@pytest.mark.parametrize(
+    ("repeated", "fits"),
+    [
+        (["yellow", "blue"], True),
+        ({"yellow": {"zone": "blue_goal"}, "blue": {"zone": "yellow_goal"}}, True),
+        ({"yellow": {"others": ["blue", "red"], "worth": {"param": "n"}, "fast": True, "home": [0, 0.5]}}, True),
+        ({"yellow": {}}, True),
+        ([], False),
+        ("yellow", False),
+        ({"yellow": "blue_goal"}, False),
+        ({"yellow": {"zone": {"of": "blue"}}}, False),
+        (["left-hand"], False),
+    ],
+)
+def test_a_rule_may_be_repeated_for_names_or_for_names_with_values(repeated, fits):
+    assert accepts(WHOLE | {"rules": {"r": {"repeat_for": repeated, **REPEATED}}}) is fits
+
+
+def test_repeat_for_has_a_sentence_and_examples_for_editors():
+    shown = SCHEMA["$defs"]["RulePart"]["properties"]["repeat_for"]
+    assert "{param: this}" in shown["description"]
+    assert all(accepts(WHOLE | {"rules": {"r": {"repeat_for": one, **REPEATED}}}) for one in shown["examples"])
+    assert not accepts(WHOLE | {"repeat_for": ["yellow"]})
+
+
+def test_a_point_may_be_a_value_of_a_repeated_rule():
+    place = {"action": "place", "entity": "ball", "at": {"point": {"param": "home"}}}
+    assert accepts(WHOLE | {"rules": {"r": {"repeat_for": {"a": {"home": [0, 0]}}, **REPEATED, "actions": [place]}}})

@@ -34,15 +34,24 @@ def test_a_name_of_something_else_is_told_to_be_one(action, more, told):
     assert any(told in complaint for complaint in complaints(more + rule(action=action)))
 
 
-def test_a_rule_for_each_team_is_written_for_its_robots_or_once_for_each():
+def test_a_rule_for_each_team_is_written_once_and_repeated():
     for_each = "rules:\n  r: {for_each: entrants, triggers: [{trigger: half_started}], actions: [{action: end}]}\n"
     assert complaints(for_each)[0].endswith(
-        "unknown entity, obstacle, zone or gate 'entrants': there is no rule for each team; write for_each: robots, where "
-        "entrant: each is the team of each of them, or a rule for each team, where its colour names all its robots"
+        "unknown entity, obstacle, zone or gate 'entrants': a rule for each team is written with repeat_for: [blue, yellow], "
+        "where {param: this} is the team and the colour of all its robots; in for_each: robots entrant: each is the team "
+        "of each of them"
     )
     assert complaints("counters: {streak: {per: teams}}\n")[0].endswith(
         "unknown entity, obstacle, zone or gate 'teams': nothing is kept for each team; give each team one under a name "
-        "of its own, or, to rank by it, keep it per: robots and count it for one robot of the team"
+        "of its own (a rule with repeat_for can name them), or, to rank by it, keep it per: robots and count it for one robot of the team"
+    )
+
+
+@pytest.mark.parametrize("names", ["[yellow, blue]", "{yellow: {zone: blue_goal}}"])
+def test_a_rule_for_each_of_several_names_is_one_for_a_group_or_repeated(names):
+    (complaint,) = complaints(rule(rest=f"    for_each: {names}\n"))
+    assert complaint.endswith(
+        "; for several, name a group of them, or write the rule once for each name with repeat_for"
     )
 
 

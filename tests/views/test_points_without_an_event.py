@@ -57,7 +57,7 @@ def _page(folder: Path, verdict: Any = _verdict, ticks: int = TICKS) -> dict[str
     writer.end_half(Verdict())
     record = writer.finish({"wall_s": 1.0})
     write_replay(record)
-    found = re.search(r'id="facts">(.*?)</script>', (record / "replay.html").read_text(), re.DOTALL)
+    found = re.search(r'id="facts">(.*?)</script>', (record / "replay.html").read_text(encoding="utf-8"), re.DOTALL)
     assert found is not None
     facts: dict[str, Any] = json.loads(found[1])
     return facts

@@ -131,7 +131,7 @@ def test_an_event_of_several_rules_is_explained_by_all_of_them():
 
 
 SEVERAL = re.compile(
-    r"(?P<one>(?:[Oo]ne|[Ee]ach|any|none) of )?the (?:\w+ )?(?:robots|balls|obstacles|spots|zones|circles|areas)(?: “[^”]*”)? "
+    r"(?P<one>(?:[Oo]ne|[Ee]ach|any|none) of (?:the \w+ robots(?:,| and) )*)?the (?:\w+ )?(?:robots|balls|obstacles|spots|zones|circles|areas)(?: “[^”]*”)? "
     r"(?P<verb>is|has|was|leaves|enters|touches|crosses|moves|tilts|fails)\b"
 )
 

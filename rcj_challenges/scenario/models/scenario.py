@@ -26,7 +26,11 @@ from rcj_challenges.scenario.models.triggers import Trigger
 SCHEMA_VERSION = 1
 MAX_GROUPS = 256
 MAX_MEMBERS = 512
+MAX_ROWS = 64
 """Bounds far above any challenge, so that resolving groups of groups takes no time worth mentioning."""
+
+RowValues = Annotated[dict[Name, Scalar | tuple[Scalar, ...]], Field(max_length=MAX_ROWS)]
+"""What stands beside one of the names for which a rule is repeated."""
 
 
 class Rule(Strict):
@@ -39,6 +43,17 @@ class Rule(Strict):
         None,
         "a group of entities, fixed obstacles, zones or gates, or one of them: the rule exists once for each member, "
         "named `each`",
+    )
+    repeat_for: (
+        Annotated[tuple[Name, ...], Field(strict=False, min_length=1, max_length=MAX_ROWS)]
+        | Annotated[dict[Name, RowValues], Field(min_length=1, max_length=MAX_ROWS)]
+        | None
+    ) = Field(
+        None,
+        exclude=True,  # when a scenario has been loaded, the rules that came of it stand in its place
+        description="names: the rule is there once for each, called NAME_yellow and NAME_blue; {param: this} in it is "
+        "that name, {param: KEY} the value that stands beside it under KEY",
+        examples=[["yellow", "blue"], {"yellow": {"zone": "blue_goal"}, "blue": {"zone": "yellow_goal"}}],
     )
     phases: Literal["any"] | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)] = Field(
         ("play",), description="the phases in which it lives; any: all of them"

@@ -1,0 +1,335 @@
+"""A rule that is written once and repeated for several names: ``repeat_for``."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rcj_challenges.referee.trials import try_expectation
+from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.load import load, load_resolved, load_text
+from rcj_challenges.scenario.models.scenario import MAX_ROWS
+from tests.scenario.writing import HEAD, HEAD_LINES, complaints, loaded, scenario
+from tests.views.sheets import sheet
+
+GOALS = """
+rules:
+  before:
+    triggers: [{trigger: half_started}]
+    actions: [{action: emit, event: BEFORE}]
+  goal:
+    repeat_for:
+      yellow: {zone: blue_goal, others: [blue], worth: 2}
+      blue: {zone: yellow_goal, others: [yellow, blue], worth: 3}
+    triggers: [{trigger: enters, entity: ball, zone: {param: zone}}]
+    conditions: [{condition: in_zone, entity: {param: others}, zone: in_play}]
+    actions: [{action: score, entrant: {param: this}, points: {param: worth, times: 2, plus: 1}}]
+    says: "{points} points for {this}: the ball is in the {zone}, and {others} {others} see it from {entity}."
+  after:
+    triggers: [{trigger: half_ended}]
+    actions: [{action: emit, event: AFTER}]
+"""
+BY_HAND = """
+rules:
+  before:
+    triggers: [{trigger: half_started}]
+    actions: [{action: emit, event: BEFORE}]
+  goal_yellow:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    conditions: [{condition: in_zone, entity: [blue], zone: in_play}]
+    actions: [{action: score, entrant: yellow, points: 5}]
+    says: "{points} points for yellow: the ball is in the blue_goal, and blue blue see it from {entity}."
+  goal_blue:
+    triggers: [{trigger: enters, entity: ball, zone: yellow_goal}]
+    conditions: [{condition: in_zone, entity: [yellow, blue], zone: in_play}]
+    actions: [{action: score, entrant: blue, points: 7}]
+    says: "{points} points for blue: the ball is in the yellow_goal, and yellow and blue yellow and blue see it from {entity}."
+  after:
+    triggers: [{trigger: half_ended}]
+    actions: [{action: emit, event: AFTER}]
+"""
+PAY = """
+rules:
+  pay:
+    repeat_for: [yellow, blue]
+    triggers: [{trigger: enters, entity: ball, zone: in_play}]
+    actions: [{action: score, entrant: {param: this}}]
+    says: "One point for {this}."
+"""
+values = (
+    st.integers(-99, 99)
+    | st.floats(-99, 99).map(lambda number: round(number, 3))
+    | st.booleans()
+    | st.sampled_from(["one", "a b"])
+)
+names = st.from_regex(r"[a-z_][a-z0-9_]{0,8}", fullmatch=True)
+
+
+def written(rules, params=None):
+    """Return a scenario with some rules, written down."""
+    return json.dumps(
+        {
+            "schema_version": 1,
+            "id": "a",
+            "title": "A",
+            "extends": "soccersim_v2",
+            "params": params or {},
+            "rules": rules,
+        }
+    )
+
+
+class TestMeaning:
+    def test_it_is_one_rule_for_each_name_in_its_place_in_the_order(self):
+        assert list(scenario(GOALS).rules) == ["before", "goal_yellow", "goal_blue", "after"]
+        assert loaded(GOALS).resolved == loaded(BY_HAND).resolved
+
+    def test_a_list_of_names_has_nothing_but_the_name(self):
+        rules = scenario(PAY).rules
+        assert {name: (rule.actions[0].entrant, rule.says) for name, rule in rules.items()} == {
+            "pay_yellow": ("yellow", "One point for yellow."),
+            "pay_blue": ("blue", "One point for blue."),
+        }
+
+    def test_names_without_values_are_the_same_as_a_list(self):
+        by_name = PAY.replace("[yellow, blue]", "{yellow: {}, blue: {}}")
+        assert loaded(by_name).resolved == loaded(PAY).resolved
+
+    def test_a_value_may_be_a_param_of_the_scenario_and_follows_it(self):
+        text = GOALS.replace("worth: 3", "worth: {param: goal_points, plus: 1}") + "params: {goal_points: 4}\n"
+        assert scenario(text).rules["goal_blue"].actions[0].points == 11
+        assert scenario(text, ["goal_points=0"]).rules["goal_blue"].actions[0].points == 3
+
+    def test_params_of_the_scenario_are_known_within_as_well(self):
+        text = PAY.replace("{param: this}}", "{param: this}, points: {param: n}}") + "params: {n: 3}\n"
+        assert scenario(text).rules["pay_blue"].actions[0].points == 3
+
+    def test_a_list_of_two_numbers_is_a_point(self):
+        text = """
+rules:
+  put:
+    repeat_for: {B1: {home: [0, 0.3]}, Y1: {home: [0, -0.3]}}
+    triggers: [{trigger: half_started}]
+    actions: [{action: place, entity: {param: this}, at: {point: {param: home}}}]
+"""
+        assert scenario(text).rules["put_Y1"].actions[0].at.point == (0, -0.3)
+
+    def test_it_goes_together_with_for_each(self):
+        text = PAY.replace("repeat_for:", "for_each: {param: this}\n    repeat_for:").replace("ball", "each")
+        assert [rule.for_each for rule in scenario(text).rules.values()] == ["yellow", "blue"]
+
+    def test_a_blank_of_the_firing_goes_before_a_value_of_its_name(self):
+        text = GOALS.replace("worth", "points").replace("{others} {others}", "{others}")
+        assert scenario(text).rules["goal_yellow"].says.startswith("{points} points for yellow")
+
+    def test_one_point_is_said_in_the_singular(self):
+        text = GOALS.replace("worth: 2", "worth: 1").replace("{points} points", "{worth} points")
+        assert [scenario(text).rules[f"goal_{name}"].says[:8] for name in ("yellow", "blue")] == [
+            "1 point ",
+            "3 points",
+        ]
+
+    def test_the_resolved_scenario_has_the_rules_and_no_repetition(self):
+        resolved = loaded(GOALS).resolved
+        assert not any("repeat_for" in rule for rule in resolved["rules"].values())
+        assert load_resolved(resolved).resolved == resolved
+
+    def test_the_sheet_shows_them_one_after_the_other(self):
+        text = sheet(GOALS)
+        assert text.index("5 points for yellow") < text.index("7 points for blue")
+
+    @settings(max_examples=60, deadline=None)
+    @given(
+        rows=st.dictionaries(names, st.fixed_dictionaries({"one": values, "two": st.lists(values, max_size=3)}), min_size=1, max_size=4),
+        params=st.dictionaries(st.sampled_from(["p", "q"]), values, min_size=2),
+        before=st.booleans(),
+    )  # fmt: skip
+    def test_it_is_what_it_would_be_written_out_by_hand(self, rows, params, before):
+        def rule(this, one, of_param):
+            payload = {"this": this, "one": one, "of_param": of_param, "fixed": 7}
+            return {
+                "triggers": [{"trigger": "half_started"}],
+                "actions": [{"action": "emit", "event": "SAID", "payload": payload}],
+                "says": "Said.",
+            }
+
+        first = {"first": rule("x", 1, 2)} if before else {}
+        repeated = {"repeat_for": rows, **rule({"param": "this"}, {"param": "one"}, {"param": "p"})}
+        by_hand = {f"r_{name}": rule(name, row["one"], params["p"]) for name, row in rows.items()}
+        text = written({**first, "r": repeated, "last": rule("y", 1, {"param": "q"})}, params)
+        expected = written({**first, **by_hand, "last": rule("y", 1, params["q"])}, params)
+        found = load_text(text, file="a.yaml").resolved
+        assert list(found["rules"]) == [*first, *by_hand, "last"]
+        assert found == load_text(expected, file="a.yaml").resolved
+
+
+class TestVariants:
+    """A repeated rule is merged as it is written, by its written name."""
+
+    @pytest.fixture
+    def base(self, tmp_path):
+        (tmp_path / "base.yaml").write_text(HEAD + GOALS, encoding="utf-8")
+
+        def variant(rest, overrides=()):
+            path = tmp_path / "variant.yaml"
+            path.write_text("schema_version: 1\nid: b\ntitle: B\nextends: base.yaml\n" + rest, encoding="utf-8")
+            return load(path, overrides).scenario.rules
+
+        return variant
+
+    def test_it_is_removed_by_its_name(self, base):
+        assert list(base("rules: {goal: null}\n")) == ["before", "after"]
+
+    def test_a_name_is_removed_from_it(self, base):
+        assert list(base("rules: {goal: {repeat_for: {yellow: null}}}\n")) == ["before", "goal_blue", "after"]
+
+    def test_a_name_is_added_to_it(self, base):
+        rules = base(
+            "rules: {goal: {repeat_for: {B1: {zone: in_play, others: [Y1], worth: 1}}, actions: [{action: end}]}}\n"
+        )
+        assert list(rules) == ["before", "goal_yellow", "goal_blue", "goal_B1", "after"]
+
+    def test_a_value_is_changed(self, base):
+        rules = base("rules: {goal: {repeat_for: {yellow: {worth: 10}}}}\n")
+        assert [rules[f"goal_{name}"].actions[0].points for name in ("yellow", "blue")] == [21, 7]
+
+    def test_another_part_of_it_is_changed_for_all(self, base):
+        assert {rule.says for rule in base("rules: {goal: {says: A goal.}}\n").values()} == {"", "A goal."}
+
+    def test_a_list_takes_the_place_of_a_list(self):
+        assert list(scenario(PAY, ["rules.pay.repeat_for=[blue]"]).rules) == ["pay_blue"]
+
+    def test_values_are_set_from_the_command_line(self, base):
+        rules = base("", ["rules.goal.repeat_for.yellow.worth=5", "rules.goal.says=Goal."])
+        assert (rules["goal_yellow"].actions[0].points, rules["goal_blue"].says) == (11, "Goal.")
+
+    def test_an_override_of_one_of_the_rules_leads_to_where_it_is_written(self):
+        assert complaints(GOALS, ["rules.goal_yellow.says=x"]) == [
+            (
+                "rules has no 'goal_yellow'; there are before, goal, after; it comes of the repeated rule 'goal': change "
+                "that one, or 'yellow' in its repeat_for"
+            )
+        ]
+
+    def test_an_override_of_an_unknown_name_is_refused(self):
+        assert complaints(GOALS, ["rules.goal.repeat_for.yelow.worth=3"]) == [
+            "rules.goal.repeat_for has no 'yelow'; there are yellow, blue; did you mean 'yellow'?"
+        ]
+
+    def test_a_key_of_a_name_is_added_for_all_or_none(self, base):
+        with pytest.raises(ScenarioError, match="'new' is missing, which 'yellow' has"):
+            base("rules: {goal: {repeat_for: {yellow: {new: 1}}}}\n")
+
+
+class TestMistakes:
+    def test_what_is_wrong_for_all_names_is_told_once_at_the_written_place(self):
+        text = PAY.replace("in_play", "in_plai")
+        with pytest.raises(ScenarioError) as caught:
+            loaded(text)
+        (problem,) = caught.value.problems
+        assert (problem.path, problem.line) == ("rules.pay.triggers[0] (enters)", HEAD_LINES + 5)
+        assert problem.column == text.splitlines()[4].index("in_plai") + 1
+
+    def test_what_is_wrong_for_one_name_says_for_which(self):
+        (complaint,) = complaints(GOALS.replace("zone: yellow_goal", "zone: yellow_gaol"))
+        assert complaint.startswith("rules.goal_blue.triggers[0] (enters): unknown zone 'yellow_gaol'")
+
+    def test_a_name_that_gets_too_long_is_refused(self):
+        name = "x" * 62
+        assert complaints(PAY.replace("pay:", f"{name}:"))[0].endswith("at most 64")
+
+    def test_a_rule_of_the_same_name_is_refused(self):
+        more = "  pay_blue: {triggers: [{trigger: half_started}], actions: [{action: end}]}\n"
+        (complaint,) = complaints(PAY + more)
+        assert complaint == (
+            f"rules.pay.repeat_for[1]: the rule for it is called 'pay_blue', as another rule is (line {HEAD_LINES + 8}); "
+            "rename one"
+        )
+
+    def test_there_is_a_bound_for_the_names(self):
+        many = ", ".join(f"n{number}" for number in range(MAX_ROWS + 1))
+        (complaint,) = complaints(PAY.replace("yellow, blue", many))
+        assert f"must have at most {MAX_ROWS} names, found a list of {MAX_ROWS + 1}" in complaint
+
+    def test_there_is_a_bound_for_all_that_is_repeated(self):
+        names = ", ".join(f"n{number}" for number in range(MAX_ROWS))
+        many = "\n".join(["      - {trigger: enters, entity: ball, zone: in_play}"] * 300)
+        text = PAY.replace("yellow, blue", names).replace(
+            "[{trigger: enters, entity: ball, zone: in_play}]", "\n" + many
+        )
+        (complaint,) = complaints(text.replace("entrant: {param: this}", "entrant: blue"))
+        assert complaint == "rules.pay: too much is repeated: written out it would be more than 50000 single values"
+
+    def test_a_list_that_stands_in_many_places_counts_in_each(self):
+        triggers = ", ".join(["{trigger: enters, entity: {param: others}, zone: in_play}"] * 100)
+        body = f"triggers: [{triggers}]\n    actions: [{{action: end}}]\n"
+        rule = f"rules:\n  r:\n    repeat_for: {{a: {{others: [{', '.join(['ball'] * 1000)}]}}}}\n    {body}"
+        assert complaints(rule) == [
+            "rules.r: too much is repeated: written out it would be more than 50000 single values"
+        ]
+
+    def test_there_is_a_bound_for_the_values_beside_a_name(self):
+        many = ", ".join(f"k{number}: 1" for number in range(MAX_ROWS + 1))
+        (complaint,) = complaints(GOALS.replace("worth: 2", f"worth: 2, {many}").replace("blue: {", "blue: {"))
+        assert complaint.endswith(f"must have at most {MAX_ROWS} values, found {MAX_ROWS + 4}")
+
+    def test_a_value_that_hides_a_param_is_refused(self):
+        line = HEAD_LINES + GOALS.count("\n") + 1
+        (complaint,) = complaints(GOALS + "params: {worth: 1}\n")
+        assert complaint == (
+            f"rules.goal.repeat_for.yellow.worth: 'worth' is a param of the scenario already (line {line}); "
+            "choose another key"
+        )
+
+    def test_a_param_called_this_is_one_where_nothing_is_repeated(self):
+        text = PAY.replace("    repeat_for: [yellow, blue]\n", "") + "params: {this: blue}\n"
+        assert scenario(text).rules["pay"].actions[0].entrant == "blue"
+
+    def test_a_rule_that_is_none_beside_it_is_told_as_such(self):
+        assert any(one.startswith("rules.wrong: expected a mapping") for one in complaints(PAY + "  wrong: [1]\n"))
+
+
+class TestLint:
+    def test_what_is_found_for_all_names_is_told_once(self):
+        text = PAY + "counters: {n: {}}\n"
+        text = text.replace("actions: [", "actions: [{action: emit, event: PAID, payload: {who: {word: each_name}}}, ")
+        findings = [finding for finding in lint(loaded(text)) if finding.problem.path.startswith("rules")]
+        assert findings
+        assert len({(one.problem.line, one.problem.column, one.kind) for one in findings}) == len(findings)
+        assert all(one.problem.path.startswith("rules.pay.") for one in findings)
+
+    def test_a_blank_that_is_misspelt_is_told_what_was_meant(self):
+        (finding,) = [
+            one
+            for one in lint(loaded(GOALS.replace("in the {zone}", "in the {zoen}")))
+            if one.kind == "placeholder_unknown"
+        ]
+        assert finding.problem.path == "rules.goal.says"
+        assert finding.problem.message.endswith("did you mean 'zone'?")
+        assert "{limit}, {points}, {this}, {zone}, {others}, {worth}" in finding.remedy
+
+    def test_a_param_in_a_value_is_used(self):
+        text = GOALS.replace("worth: 3", "worth: {param: goal_points}") + "params: {goal_points: 4}\n"
+        assert not [one for one in lint(loaded(text)) if one.kind == "param_never_used"]
+
+
+def test_the_same_scenario_by_hand_has_the_same_findings():
+    by_hand = [(one.kind, one.remedy) for one in lint(loaded(BY_HAND))]
+    assert {kind for kind, _ in by_hand} == {one.kind for one in lint(loaded(GOALS))}
+
+
+def test_its_tests_are_run():
+    expect = """
+expect:
+  a_goal_for_each:
+    keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}, {at_s: 2, place: {ball: [0, 0]}}, {at_s: 3, place: {ball: [0, -0.8]}}]
+    lasts_s: 4
+    events: [{event: BEFORE}]
+    score: {yellow: 5, blue: 7}
+"""
+    found = loaded(GOALS + expect)
+    assert not try_expectation(found, "a_goal_for_each").differences
