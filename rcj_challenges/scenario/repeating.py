@@ -118,9 +118,13 @@ def _fill(root: Entries, name: str, values: Mapping[str, Leaf | Items], merger: 
     rules.entries[name] = rule
     says = rule.entries.get("says") if isinstance(rule, Entries) else None
     if isinstance(says, Leaf) and isinstance(says.value, str):
+        written = says.value
         # As for params, a blank that is filled in when the rule fires goes before a value of its name.
         known = {key: _plain(value) for key, value in values.items() if key not in BLANKS}
         says.value = filled(says.value, {key: value for key, value in known.items() if value is not None})
+        begins = known.get(THIS)
+        if isinstance(begins, str) and written.startswith(f"{{{THIS}}}"):
+            says.value = begins[:1].upper() + says.value[1:]
 
 
 def _plain(value: Leaf | Items) -> Scalar | list[Scalar] | None:

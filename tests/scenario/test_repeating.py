@@ -133,6 +133,13 @@ rules:
             "3 points",
         ]
 
+    def test_a_sentence_that_begins_with_the_name_begins_with_a_capital(self):
+        rules = scenario(PAY.replace("One point for {this}.", "{this} has scored, and that is for {this}.")).rules
+        assert [rule.says for rule in rules.values()] == [
+            "Yellow has scored, and that is for yellow.",
+            "Blue has scored, and that is for blue.",
+        ]
+
     def test_the_resolved_scenario_has_the_rules_and_no_repetition(self):
         resolved = loaded(GOALS).resolved
         assert not any("repeat_for" in rule for rule in resolved["rules"].values())
