@@ -16,6 +16,7 @@ from rcj_challenges.scenario.models.field import Ball, Box, Cylinder
 from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.world import contact
 from rcj_challenges.world.build_field import set_surface
+from rcj_challenges.world.gliding import mean_distance_m
 
 WHEEL_BELOW_CUBE_M = 0.0001
 """How much lower the wheels reach than the cube. Source: reference, section 2 (0.0376 and 0.0375 below the centre)."""
@@ -89,15 +90,14 @@ def _add_ball_contact(spec: mujoco.MjSpec, ball: str, other: str, softness: cont
 def add_movable_obstacle(spec: mujoco.MjSpec, name: str, obstacle: Box | Cylinder, friction: float) -> None:
     """Add an obstacle that robots can push, at the origin; body and geom bear its name. It glides and cannot tip."""
     height = obstacle.height_m / 2
-    weight_n = obstacle.mass_kg * contact.GRAVITY_MPS2 * min(friction, contact.OBSTACLE_GLIDES)
+    friction_n = obstacle.mass_kg * contact.GRAVITY_MPS2 * min(friction, contact.OBSTACLE_GLIDES)
     if isinstance(obstacle, Box):
         shape, size = mujoco.mjtGeom.mjGEOM_BOX, [obstacle.size_m[0] / 2, obstacle.size_m[1] / 2, height]
-        reach = math.hypot(*obstacle.size_m) / 2
+        arm_m = mean_distance_m(*obstacle.size_m)
     else:
         shape, size = mujoco.mjtGeom.mjGEOM_CYLINDER, [obstacle.radius_m, height, 0]
-        reach = obstacle.radius_m
-    # A disc under even pressure resists turning with 2/3 of friction times radius.
-    body = _add_planar_body(spec, name, height, (weight_n, weight_n, weight_n * reach * 2 / 3))
+        arm_m = obstacle.radius_m * 2 / 3
+    body = _add_planar_body(spec, name, height, (friction_n, friction_n, friction_n * arm_m))
     geom = body.add_geom(name=name, type=shape, size=size, mass=obstacle.mass_kg, group=contact.GROUP_FIXTURES)
     make_solid(geom, friction)
 

@@ -45,10 +45,12 @@ class Recorder:
         self._patterns = [b""] * SUBSTEPS_PER_TICK
         self._known: dict[bytes, Touches] = {b"": ()}
 
-    def note(self, substep: int) -> None:
-        """Take down a sub-step that has just been made."""
+    def note(self, substep: int) -> bytes:
+        """Take down a sub-step that has just been made; returns the geoms of its contacts, as they lie in memory."""
         self._rows[substep] = self._qpos.tobytes()
-        self._patterns[substep] = self._contact.geom.tobytes()
+        pattern: bytes = self._contact.geom.tobytes()
+        self._patterns[substep] = pattern
+        return pattern
 
     def snapshot(self, tick: int, faults: tuple[Fault, ...]) -> Snapshot:
         """Return the tick whose sub-steps have all been noted."""

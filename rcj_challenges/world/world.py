@@ -14,8 +14,10 @@ from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.starting import start_pose
+from rcj_challenges.world.bouncing import Bouncing
 from rcj_challenges.world.build import build_spec, chassis_of
 from rcj_challenges.world.errors import PhysicsFault
+from rcj_challenges.world.gliding import Gliding
 from rcj_challenges.world.recorder import Recorder
 from rcj_challenges.world.rolling import Rolling
 from rcj_challenges.world.surroundings import Surroundings
@@ -66,6 +68,9 @@ class World:
         self._traction = Traction(self.model, self.data, self.tables, chassis, scenario.field.friction)
         slow_down = any(ball.slows_mps2 for ball in scenario.balls.values())
         self._rolling = Rolling(self.data, self.tables, scenario.balls) if slow_down else None
+        self._bouncing = Bouncing(self.model, self.data, self.tables, scenario.balls, scenario.field)
+        moved = self.tables.ball_range.stop < len(roster.entities)
+        self._gliding = Gliding(self.model, self.data, self.tables) if moved else None
         mujoco.mj_kinematics(self.model, self.data)
         self._surroundings = Surroundings(self.model, self.data, self.tables)
         self._ball_rest_m = self._settled_ball_heights()
@@ -130,15 +135,17 @@ class World:
             PhysicsFault: MuJoCo warned of an unstable or overfull simulation.
         """
         model, data, traction, recorder, mj_step = self.model, self.data, self._traction, self._recorder, mujoco.mj_step
-        surroundings = self._surroundings
+        surroundings, bouncing, gliding = self._surroundings, self._bouncing, self._gliding
         traction.before_tick()
         if self._rolling is not None:
             self._rolling.before_tick()
         for substep in range(SUBSTEPS_PER_TICK):
             traction.before_substep()
             surroundings.before_substep()
+            if gliding is not None:
+                gliding.before_substep()
             mj_step(model, data)
-            recorder.note(substep)
+            bouncing.after_substep(recorder.note(substep))
         if self._warnings.tobytes() != self._no_warnings:
             raise PhysicsFault(self._what_is_wrong(tick))
         mujoco.mj_kinematics(model, data)

@@ -265,3 +265,31 @@ def test_one_ball_hands_its_speed_to_another():
     assert any(("ball", "second") in stage.touching(snapshot) for snapshot in snapshots)
     assert stage.velocity("second")[0] == pytest.approx(0.3 * 0.75, rel=0.2)
     assert 0 <= stage.velocity("ball")[0] < 0.15
+
+
+def leaves_a_wall(degrees: float, speed: float, gap_m: float = 0.0) -> float:
+    """Roll a ball at a wall, so many degrees from its normal; returns its speed off the wall as a share of the closing."""
+    angle = math.radians(degrees)
+    back = 0.03 + gap_m
+    stage = ball_stage(0.65 - BALL_R - back * math.cos(angle), -back * math.sin(angle))
+    stage.roll("ball", speed * math.cos(angle), speed * math.sin(angle))
+    snapshots = stage.play(0.032 + (0.03 + gap_m) / speed)
+    assert any(("ball", "walls") in stage.touching(snapshot) for snapshot in snapshots)
+    return -stage.velocity("ball")[0] / (speed * math.cos(angle))
+
+
+@pytest.mark.parametrize(("degrees", "most"), [(40, 0.6), (60, 0.6), (70, 0.65), (80, 0.7), (85, 1.2)])
+@pytest.mark.parametrize("speed", [0.25, 1.0, 2.0])
+@pytest.mark.parametrize("offset", [0.0, 0.4, 0.8])
+def test_a_ball_that_glances_off_a_wall_is_not_pushed_away_by_its_own_sliding(degrees, most, speed, offset):
+    # Restitution gives back 0.5; at 85 degrees the floor still makes up to 1.1 of it, as slow as that is.
+    assert 0.0 < leaves_a_wall(degrees, speed, offset * speed * 0.008) < most
+
+
+def test_a_ball_that_glances_off_a_wall_is_rubbed_no_harder_than_it_was_pushed():
+    """Coulomb: at 85° the wall takes at most friction times 1.5 of the closing speed off the speed along it."""
+    angle = math.radians(85)
+    stage = ball_stage(0.65 - BALL_R - 0.003, 0.0)
+    stage.roll("ball", 2 * math.cos(angle), 2 * math.sin(angle))
+    stage.play(0.064)
+    assert stage.velocity("ball")[1] > 2 * math.sin(angle) * 0.75

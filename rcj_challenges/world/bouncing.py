@@ -1,0 +1,153 @@
+"""Balls that glance off walls and fixed obstacles: no faster than restitution says, and rubbed by Coulomb's friction.
+
+MuJoCo's friction is convex: a ball that slides along a wall is also pushed off it, in proportion to its sliding speed.
+One that met a wall at 85° from the normal left it five times too fast (ADR 2). So after each sub-step what a contact
+pushed too much is taken back, and so is what it rubbed beyond friction times the push that is left.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from rcj_challenges.facts.timing import SUBSTEP_S
+from rcj_challenges.scenario.models.field import Ball, FieldModel
+from rcj_challenges.world import contact
+from rcj_challenges.world.tables import WorldTables, one_by_one
+
+_SPUN_BY = 5 / 2
+"""An impulse at the surface changes the speed of the surface, by turning, so many times as much as the ball's."""
+
+_EDGES = 4
+"""Of MuJoCo's pyramid of friction: in each, the push is joined by friction times itself, forth or back along x or y."""
+
+_REMEMBERED = 4096
+"""How many patterns of touching geoms are remembered. Most sub-steps repeat the pattern of the one before."""
+
+Vector = tuple[float, float, float]
+
+
+class Bouncing:
+    """Balls at whatever cannot move, but for the floor."""
+
+    def __init__(
+        self, model: Any, data: Any, tables: WorldTables, balls: Mapping[str, Ball], field: FieldModel
+    ) -> None:
+        """Find balls and fixtures.
+
+        Args:
+            model: compiled.
+            data: MuJoCo's.
+            tables: of the same model.
+            balls: of the scenario, in the order of the roster.
+            field: whose friction and restitution count.
+        """
+        self._data, self._friction = data, field.friction
+        self._softness = contact.ball_on_solid(field.restitution)
+        self._qpos, self._qvel = one_by_one(data.qpos), one_by_one(data.qvel)
+        self._fixtures = frozenset(np.flatnonzero(model.geom_contype == contact.FIXED).tolist())
+        self._floor = frozenset(np.flatnonzero(model.geom_contype == contact.ON_FLOOR).tolist())
+        # By geom: where the ball stands in `qpos` and `qvel`, its radius and its mass.
+        self._balls = {
+            int(model.body_geomadr[tables.bodies[entity]]): (
+                tables.qpos_at[entity],
+                int(tables.dofs[entity][0]),
+                ball.radius_m,
+                ball.mass_kg,
+            )
+            for entity, ball in zip(tables.ball_range, balls.values(), strict=True)
+        }
+        self._known: dict[bytes, tuple[tuple[int, int, int], ...]] = {b"": ()}
+
+    def after_substep(self, pattern: bytes) -> None:
+        """Mend the bounces of this sub-step.
+
+        Args:
+            pattern: the geoms of all contacts, as `data.contact.geom` has them in its memory.
+        """
+        bounces = self._known.get(pattern)
+        if bounces is None:
+            bounces = self._find(pattern)
+        for index, ball, towards in bounces:  # of a smooth wall there are none
+            touch = self._data.contact[index]
+            if touch.efc_address >= 0:
+                self._mend(touch, ball, towards)
+
+    def _find(self, pattern: bytes) -> tuple[tuple[int, int, int], ...]:
+        """Return which contacts to look at: index, the ball's geom, 1 if the normal points out of the ball, else -1.
+
+        They are those of balls that touch one fixture and, but for the floor, nothing else: what else touches may
+        well drive a ball off a wall.
+        """
+        if len(self._known) >= _REMEMBERED:
+            self._known = {b"": ()}
+        touching: dict[int, list[tuple[int, int, int]]] = {ball: [] for ball in self._balls if self._friction > 0.0}
+        for index, (one, other) in enumerate(np.frombuffer(pattern, dtype=np.int32).reshape(-1, 2).tolist()):
+            for ball, met, towards in ((one, other, 1), (other, one, -1)):
+                if ball in touching and met not in self._floor:
+                    touching[ball].append((index, met, towards))
+        self._known[pattern] = tuple(
+            (index, ball, towards)
+            for ball, all_met in touching.items()
+            for index, met, towards in all_met
+            if len(all_met) == 1 and met in self._fixtures
+        )
+        return self._known[pattern]
+
+    def _mend(self, touch: Any, ball: int, towards: int) -> None:
+        """Take back what a contact pushed and rubbed too much."""
+        row, softness = int(touch.efc_address), self._softness
+        edges = slice(row, row + _EDGES)
+        forces_n = self._data.efc_force[edges].tolist()
+        push_ns = sum(forces_n) * SUBSTEP_S
+        if push_ns <= 0.0:
+            return
+        leaving_before_mps = sum(self._data.efc_vel[edges].tolist()) / _EDGES
+        frame = touch.frame.tolist()
+        _, first, _, mass_kg = self._balls[ball]
+        x, y, z = (-towards * axis for axis in frame[:3])
+        qvel = self._qvel
+        leaving_mps = qvel[first] * x + qvel[first + 1] * y + qvel[first + 2] * z
+        apart_mps = -softness.restitution * leaving_before_mps - softness.stiffness_ps2 * touch.dist * SUBSTEP_S
+        too_much_ns = min(push_ns, mass_kg * (leaving_mps - max(leaving_before_mps, apart_mps)))
+        if too_much_ns <= 0.0:
+            return
+        for axis, away in enumerate((x, y, z)):
+            qvel[first + axis] -= away * too_much_ns / mass_kg
+        along = self._friction * SUBSTEP_S * (forces_n[0] - forces_n[1])
+        across = self._friction * SUBSTEP_S * (forces_n[2] - forces_n[3])
+        rubbed_ns, most_ns = math.hypot(along, across), self._friction * (push_ns - too_much_ns)
+        if rubbed_ns > most_ns:
+            # The frame's forces act on the second geom: on the ball if the normal points into it.
+            share = towards * (1.0 - most_ns / rubbed_ns)
+            a, b, c, d, e, f = frame[3:]
+            given_ns = (
+                share * (along * a + across * d), share * (along * b + across * e), share * (along * c + across * f),
+            )  # fmt: skip
+            self._push_surface(ball, (-x, -y, -z), given_ns)
+
+    def _push_surface(self, ball: int, out: Vector, impulse_ns: Vector) -> None:
+        """Let an impulse act on a ball's surface, at its point in the direction ``out``."""
+        at, first, radius_m, mass_kg = self._balls[ball]
+        qpos, qvel = self._qpos, self._qvel
+        turned_back = (qpos[at + 3], (-qpos[at + 4], -qpos[at + 5], -qpos[at + 6]))
+        # MuJoCo tells the turning of a free body about its own axes.
+        about = _turned(*turned_back, _cross(out, impulse_ns))
+        for axis in range(3):
+            qvel[first + axis] += impulse_ns[axis] / mass_kg
+            qvel[first + 3 + axis] += about[axis] * _SPUN_BY / (radius_m * mass_kg)
+
+
+def _cross(one: Vector, other: Vector) -> Vector:
+    (a, b, c), (x, y, z) = one, other
+    return b * z - c * y, c * x - a * z, a * y - b * x
+
+
+def _turned(w: float, axis: Vector, vector: Vector) -> Vector:
+    """Return a vector turned by a unit quaternion of w and x, y, z."""
+    once = _cross(axis, vector)
+    x, y, z = _cross(axis, once)
+    return vector[0] + 2 * (w * once[0] + x), vector[1] + 2 * (w * once[1] + y), vector[2] + 2 * (w * once[2] + z)
