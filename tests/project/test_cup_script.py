@@ -192,14 +192,16 @@ def test_a_match_counts_once_and_only_when_it_is_complete(tmp_path):
 
 
 def test_below_the_table_stands_what_must_be_looked_at(tmp_path):
-    fault = {"robot": "Y1", "half": 2, "kind": "crash"}
-    record(tmp_path, "a/b", (1, 0), faults=[fault])
+    faults = [{"robot": robot, "half": half, "kind": "crash"} for robot, half in (("Y1", 1), ("B1", 2), ("Y3", 2))]
+    halves = [{"sides": {"blue": "blue", "yellow": "yellow"}}, {"sides": {"blue": "yellow", "yellow": "blue"}}]
+    record(tmp_path, "a/b", (1, 0), faults=faults, halves=halves)
     record(tmp_path, "b/a", (1, 0))
     record(tmp_path, "b/a", (2, 0))
     other = {"blue": {"name": "C", "programs": "c"}, "yellow": {"name": "A", "programs": "exchanged"}}
     record(tmp_path, "c/a", (0, 0), entrants=other)
     assert table_of(tmp_path)[4:] == [
-        f"Y1 in half 2, crash: {Path('cup/a/b')}",
+        f"b: crash of Y1 in half 1, B1 in half 2: {Path('cup/a/b')}",
+        f"a: crash of Y3 in half 2: {Path('cup/a/b')}",
         f"played 2 times, not always alike, the first counts: {Path('cup/b/a')}",
         "a: played with 2 different submissions",
     ]
