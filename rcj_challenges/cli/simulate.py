@@ -122,7 +122,7 @@ def parse_seeds(text: str) -> list[int]:
 
 
 def summary(outcomes: Sequence[Outcome]) -> dict[str, Any]:
-    """Return scores by seed, their spread by entrant, and counts of events and faults."""
+    """Return scores and records by seed, the scores' spread by entrant, and counts of events and faults."""
     played = [outcome for outcome in outcomes if outcome.result is not None]
     results = [outcome.result for outcome in played if outcome.result is not None]
     entrants = list(results[0]["score"]) if results else []
@@ -130,6 +130,10 @@ def summary(outcomes: Sequence[Outcome]) -> dict[str, Any]:
         "played": len(results),
         "failed": [{"seed": o.job.seed, "message": o.complaint[-2000:]} for o in outcomes if o.result is None],
         "scores": [{"seed": o.job.seed, **(o.result or {})["score"]} for o in played],
+        "records": [
+            {"seed": o.job.seed, "folder": (o.result or {})["folder"], "digest": (o.result or {})["digest"]}
+            for o in played
+        ],
         "spread": {entrant: _spread([result["score"][entrant] for result in results]) for entrant in entrants},
         "events": dict(Counter(event["event"] for result in results for event in result["events"]).most_common()),
         "faults": dict(

@@ -81,7 +81,7 @@ class Account:
 
     @property
     def charged_s(self) -> float:
-        """What it is charged in s, never more than `waited_s`."""
+        """What it is charged in s, from 0 to `waited_s`."""
         return self._charge_of(self.waited_s) if self._charged_s is None else self._charged_s
 
     def _charge_of(self, waited_s: float) -> float:
@@ -89,7 +89,9 @@ class Account:
         if first is None or now is None:
             return waited_s
         computed_s = now.computed_s - first.computed_s
+        if computed_s < 0:  # no process takes back what it computed: it has ended, and another one was asked
+            return waited_s
         held_up_s = _MOST_BESIDE * computed_s
         if now.held_up_s is not None and first.held_up_s is not None:
-            held_up_s = now.held_up_s - first.held_up_s
+            held_up_s = max(0.0, now.held_up_s - first.held_up_s)  # threads that have ended count no more
         return max(waited_s - held_up_s, min(waited_s, computed_s))

@@ -97,6 +97,10 @@ def test_simulate_plays_every_seed_and_tells_the_spread(tmp_path, capsys):
     assert [entry["seed"] for entry in told["scores"]] == [1, 2]
     assert told["spread"]["blue"]["most"] == 0
     assert told["events"]["KICKOFF"] == 2
+    assert [entry["seed"] for entry in told["records"]] == [1, 2]  # to show a team what a score of it came from
+    for entry in told["records"]:
+        result = json.loads((Path(entry["folder"]) / "result.json").read_text("utf-8"))
+        assert (result["seed"], result["digest"]) == (entry["seed"], entry["digest"])
 
 
 def test_simulate_tells_wrong_input_once(tmp_path):
@@ -124,7 +128,8 @@ def test_simulate_has_the_short_options_of_run(monkeypatch):
 
 
 def outcome(seed, score=None, *, wrong_input=True):
-    result = None if score is None else {"score": {"blue": score}, "events": [], "faults": []}
+    result = {"score": {"blue": score}, "events": [], "faults": [], "folder": f"runs/{seed}", "digest": "f3"}
+    result = None if score is None else result
     return Outcome(Job(seed, ()), result, "" if score is not None else "No space left on device", wrong_input)
 
 

@@ -39,6 +39,10 @@ def account(computed_s: float, held_up_s: float | None, waited_s: float) -> Acco
         (1.0, None, 120.0, 113.0),
         (300.0, 0.0, 120.0, 120.0),  # also while nobody waits for it
         (300.0, 300.0, 120.0, 120.0),  # threads of its own hold it up
+        (1.0, -0.5, 3.0, 3.0),  # threads that were held up before its first step have ended, and count no more
+        (-0.3, 2.0, 1.0, 1.0),  # it has ended, and what the system tells is of another process
+        (-0.3, None, 1.0, 1.0),
+        (0.0, 2.0, 1.0, 0.0),  # held up also while nobody waited for it: it is charged nothing, and never less
     ],
 )
 def test_a_program_is_charged_what_it_made_the_match_wait(

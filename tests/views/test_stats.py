@@ -302,6 +302,26 @@ def test_several_runs_are_added_up_by_team(tmp_path: Path) -> None:
     assert both.play_ticks == sum(one.play_ticks for one in single)
 
 
+def test_several_submissions_of_one_name_are_told(tmp_path: Path) -> None:
+    out = [write_made_up_run(tmp_path, ticks=50, halves=1, names=("Hanse", "Alster")) for _ in range(3)]
+    for folder, programs in zip(out, ("a" * 64, "b" * 64, "b" * 64), strict=True):
+        result = json.loads((folder / "result.json").read_text("utf-8"))
+        result["entrants"]["blue"]["programs"] = programs
+        (folder / "result.json").write_text(json.dumps(result), encoding="utf-8")
+    told = "Hanse: 2 different submissions have this name; they are added up as one team"
+    several = [run_stats(folder) for folder in out]
+    assert [note for note in together(several).notes if "submissions" in note] == [told]
+    assert not [note for note in together(several[1:]).notes if "submissions" in note]
+
+
+def test_two_teams_of_one_name_in_one_match_are_told(tmp_path: Path) -> None:
+    folder = write_made_up_run(tmp_path, ticks=50, halves=1, names=("Hanse", "Hanse"))
+    result = json.loads((folder / "result.json").read_text("utf-8"))
+    result["entrants"]["yellow"]["programs"] = "c" * 64
+    (folder / "result.json").write_text(json.dumps(result), encoding="utf-8")
+    assert any("2 different submissions" in note for note in together([run_stats(folder)]).notes)
+
+
 def test_a_challenge_of_one_team_has_the_figures_that_make_sense() -> None:
     alone = Stats(has_goals=False)
     assert set(stats_as_json(alone)["definitions"]) == set(DEFINITIONS) - {"possession", "shots", "on_goal", "own_half"}

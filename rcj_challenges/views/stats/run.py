@@ -44,6 +44,7 @@ def run_stats(folder: Path) -> Stats:
         tally = stats.teams.setdefault(entrant.name or team, TeamTally())
         tally.points += run.result.score.get(team, 0)
         tally.runs += 1
+        tally.programs.add(entrant.programs)
     return stats
 
 

@@ -60,11 +60,13 @@ class TeamTally:
         robots: by label: the names that a robot had (``B1/Y1`` where teams changed sides).
         points: over all runs.
         runs: how many it played in.
+        programs: digests of the submissions that played under its name.
     """
 
     robots: dict[str, Tally] = field(default_factory=dict)
     points: float = 0
     runs: int = 0
+    programs: set[str] = field(default_factory=set)
 
     @property
     def total(self) -> Tally:
@@ -101,7 +103,10 @@ class Stats:
 
 
 def together(several: Iterable[Stats]) -> Stats:
-    """Return the sums over several runs; teams of one name are one team, and their robots go by their labels."""
+    """Return the sums over several runs; teams of one name are one team, and their robots go by their labels.
+
+    Two teams may call themselves the same, or one has handed in twice: a note tells of it, for the sum may be nobody's.
+    """
     total = Stats()
     for one in several:
         total.runs += one.runs
@@ -114,8 +119,13 @@ def together(several: Iterable[Stats]) -> Stats:
             mine = total.teams.setdefault(name, TeamTally())
             mine.points += team.points
             mine.runs += team.runs
+            mine.programs |= team.programs
             _add_all(mine.robots, team.robots)
         _add_all(total.balls, one.balls)
+    for name, team in total.teams.items():
+        if len(team.programs) > 1:
+            told = f"{len(team.programs)} different submissions have this name; they are added up as one team"
+            total.notes.append(f"{name}: {told}")
     return total
 
 
