@@ -175,7 +175,7 @@ def test_a_program_that_is_slow_on_every_step_is_stopped_by_the_sum(tmp_path: Pa
     fault = fault_of(FakeMatch(tmp_path, half_s=0.3), "faults/slow_on_every_step", 1000)
     assert fault.kind == "half_timeout"
     assert fault.detail == "the program let the match wait for 0.3 s in all"
-    assert 1 <= fault.tick <= 7
+    assert 1 <= fault.tick <= 20  # 5, and more where other programs take the processor: that time is not charged
 
 
 def test_a_temporary_folder_that_cannot_be_used_is_no_programs_fault(

@@ -31,7 +31,13 @@ def test_seeds_that_make_no_sense_are_refused_with_what_is_allowed(text):
 
 
 def result(blue, yellow, *events):
-    return {"score": {"blue": blue, "yellow": yellow}, "events": [{"event": event} for event in events], "faults": []}
+    return {
+        "score": {"blue": blue, "yellow": yellow},
+        "events": [{"event": event} for event in events],
+        "faults": [],
+        "folder": f"runs/{blue}",
+        "digest": "a" * 64,
+    }
 
 
 def test_the_summary_tells_the_spread_by_entrant():
@@ -40,6 +46,7 @@ def test_the_summary_tells_the_spread_by_entrant():
     assert told["spread"]["blue"] == {"least": 1, "median": 2, "mean": 3.0, "most": 6}
     assert told["events"] == {"GOAL": 3}
     assert told["played"] == 3
+    assert told["records"][2] == {"seed": 6, "folder": "runs/6", "digest": "a" * 64}
 
 
 def test_a_match_that_cannot_be_started_takes_no_other_with_it(monkeypatch):
