@@ -123,17 +123,14 @@ def parse_seeds(text: str) -> list[int]:
 
 def summary(outcomes: Sequence[Outcome]) -> dict[str, Any]:
     """Return scores and records by seed, the scores' spread by entrant, and counts of events and faults."""
-    played = [outcome for outcome in outcomes if outcome.result is not None]
-    results = [outcome.result for outcome in played if outcome.result is not None]
+    played = [(outcome.job.seed, outcome.result) for outcome in outcomes if outcome.result is not None]
+    results = [result for _, result in played]
     entrants = list(results[0]["score"]) if results else []
     return {
         "played": len(results),
         "failed": [{"seed": o.job.seed, "message": o.complaint[-2000:]} for o in outcomes if o.result is None],
-        "scores": [{"seed": o.job.seed, **(o.result or {})["score"]} for o in played],
-        "records": [
-            {"seed": o.job.seed, "folder": (o.result or {})["folder"], "digest": (o.result or {})["digest"]}
-            for o in played
-        ],
+        "scores": [{"seed": seed, **result["score"]} for seed, result in played],
+        "records": [{"seed": seed, "folder": result["folder"], "digest": result["digest"]} for seed, result in played],
         "spread": {entrant: _spread([result["score"][entrant] for result in results]) for entrant in entrants},
         "events": dict(Counter(event["event"] for result in results for event in result["events"]).most_common()),
         "faults": dict(
