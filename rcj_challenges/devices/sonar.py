@@ -31,6 +31,7 @@ _FIELDS = (
 _WIDTH = 7
 """Numbers of one rangefinder: distance, direction (3), the surface's normal (3)."""
 
+_SENSORS_ON = ~int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
 _MM_PER_M = 1000.0
 _GRAZING = 1e-6
 """Cosine of the flattest echo there is, also where a scenario says that none is ever lost (`lost_from_rad` ≥ π / 2)."""
@@ -109,17 +110,16 @@ class Echoes:
         self._errors: list[float] = []
         self._mask = RayMask(ground, groups_at(scenario, min(device.height_m for device in devices)))
         self._option = self._model.opt
-        self._sensors_on = int(self._model.opt.disableflags) & ~int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
-        self._sensors_off = int(self._model.opt.disableflags)
 
     def measure(self, tick: int) -> None:
         """Measure all rays; `read` makes readings of them."""
         option = self._option
-        option.disableflags = self._sensors_on
+        flags = option.disableflags  # others use them as well
+        option.disableflags = flags & _SENSORS_ON
         self._mask.hide()
         mujoco.mj_sensorPos(self._model, self._data)
         self._mask.show()
-        option.disableflags = self._sensors_off
+        option.disableflags = flags
         self._echoes, self._errors = self._rays.tolist(), self._noise.numbers(tick)
 
     def read(self, sonars: Sequence[Sonar], values: list[float]) -> None:

@@ -1,13 +1,15 @@
-"""Balls that glance off walls and fixed obstacles: no faster than restitution says, and rubbed by Coulomb's friction.
+"""Balls that glance off walls and obstacles: no faster than restitution says, and rubbed by Coulomb's friction.
 
 MuJoCo's friction is convex: a ball that slides along a wall is also pushed off it, in proportion to its sliding speed.
 One that met a wall at 85° from the normal left it five times too fast (ADR 2). So after each sub-step what a contact
-pushed too much is taken back, and so is what it rubbed beyond friction times the push that is left.
+pushed too much is taken back, and so is what it rubbed beyond friction times the push that is left. What moves when a
+ball meets it gets back the same.
 """
 
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Mapping
 from typing import Any
 
@@ -16,6 +18,7 @@ import numpy as np
 from rcj_challenges.facts.timing import SUBSTEP_S
 from rcj_challenges.scenario.models.field import Ball, FieldModel
 from rcj_challenges.world import contact
+from rcj_challenges.world.recoiling import Recoiling, Vector
 from rcj_challenges.world.tables import WorldTables, one_by_one
 
 _SPUN_BY = 5 / 2
@@ -27,16 +30,17 @@ _EDGES = 4
 _REMEMBERED = 4096
 """How many patterns of touching geoms are remembered. Most sub-steps repeat the pattern of the one before."""
 
-Vector = tuple[float, float, float]
+Bounce = tuple[int, int, int, Recoiling | None]
+"""The contact's index, the ball's geom, 1 if the normal points out of the ball, else -1, and what it met if movable."""
 
 
 class Bouncing:
-    """Balls at whatever cannot move, but for the floor."""
+    """Balls at walls and obstacles."""
 
     def __init__(
         self, model: Any, data: Any, tables: WorldTables, balls: Mapping[str, Ball], field: FieldModel
     ) -> None:
-        """Find balls and fixtures.
+        """Find balls, fixtures and movable obstacles.
 
         Args:
             model: compiled.
@@ -45,7 +49,7 @@ class Bouncing:
             balls: of the scenario, in the order of the roster.
             field: whose friction and restitution count.
         """
-        self._data, self._friction = data, field.friction
+        self._data, self._friction = data, min(field.friction, contact.BALL_ON_SOLID_FRICTION)
         self._softness = contact.ball_on_solid(field.restitution)
         self._qpos, self._qvel = one_by_one(data.qpos), one_by_one(data.qvel)
         self._fixtures = frozenset(np.flatnonzero(model.geom_contype == contact.FIXED).tolist())
@@ -60,7 +64,11 @@ class Bouncing:
             )
             for entity, ball in zip(tables.ball_range, balls.values(), strict=True)
         }
-        self._known: dict[bytes, tuple[tuple[int, int, int], ...]] = {b"": ()}
+        self._obstacles = {
+            int(model.body_geomadr[tables.bodies[entity]]): Recoiling(model, data, tables, entity)
+            for entity in range(tables.ball_range.stop, len(tables.bodies))
+        }
+        self._known: dict[bytes, tuple[Bounce, ...]] = {b"": ()}
 
     def after_substep(self, pattern: bytes) -> None:
         """Mend the bounces of this sub-step.
@@ -71,33 +79,35 @@ class Bouncing:
         bounces = self._known.get(pattern)
         if bounces is None:
             bounces = self._find(pattern)
-        for index, ball, towards in bounces:  # of a smooth wall there are none
+        for index, ball, towards, obstacle in bounces:  # of a smooth wall there are none
             touch = self._data.contact[index]
             if touch.efc_address >= 0:
-                self._mend(touch, ball, towards)
+                self._mend(touch, ball, towards, obstacle)
 
-    def _find(self, pattern: bytes) -> tuple[tuple[int, int, int], ...]:
-        """Return which contacts to look at: index, the ball's geom, 1 if the normal points out of the ball, else -1.
+    def _find(self, pattern: bytes) -> tuple[Bounce, ...]:
+        """Return which contacts to look at.
 
-        They are those of balls that touch one fixture and, but for the floor, nothing else: what else touches may
-        well drive a ball off a wall.
+        They are those of balls that touch one fixture, or one movable obstacle which only they touch, and, but for the
+        floor, nothing else: what else touches may well drive a ball off a wall, or hold an obstacle against it.
         """
         if len(self._known) >= _REMEMBERED:
             self._known = {b"": ()}
         touching: dict[int, list[tuple[int, int, int]]] = {ball: [] for ball in self._balls if self._friction > 0.0}
-        for index, (one, other) in enumerate(np.frombuffer(pattern, dtype=np.int32).reshape(-1, 2).tolist()):
+        pairs = np.frombuffer(pattern, dtype=np.int32).reshape(-1, 2).tolist()
+        for index, (one, other) in enumerate(pairs):
             for ball, met, towards in ((one, other, 1), (other, one, -1)):
                 if ball in touching and met not in self._floor:
                     touching[ball].append((index, met, towards))
+        touched = Counter(geom for pair in pairs for geom in pair)
         self._known[pattern] = tuple(
-            (index, ball, towards)
+            (index, ball, towards, self._obstacles.get(met))
             for ball, all_met in touching.items()
             for index, met, towards in all_met
-            if len(all_met) == 1 and met in self._fixtures
+            if len(all_met) == 1 and (met in self._fixtures or (met in self._obstacles and touched[met] == 1))
         )
         return self._known[pattern]
 
-    def _mend(self, touch: Any, ball: int, towards: int) -> None:
+    def _mend(self, touch: Any, ball: int, towards: int, obstacle: Recoiling | None) -> None:
         """Take back what a contact pushed and rubbed too much."""
         row, softness = int(touch.efc_address), self._softness
         edges = slice(row, row + _EDGES)
@@ -112,7 +122,13 @@ class Bouncing:
         qvel = self._qvel
         leaving_mps = qvel[first] * x + qvel[first + 1] * y + qvel[first + 2] * z
         apart_mps = -softness.restitution * leaving_before_mps - softness.stiffness_ps2 * touch.dist * SUBSTEP_S
-        too_much_ns = min(push_ns, mass_kg * (leaving_mps - max(leaving_before_mps, apart_mps)))
+        yields_per_kg = 0.0
+        if obstacle is not None:
+            point = touch.pos.tolist()
+            leaving_mps -= obstacle.speed_mps(point, (x, y, z))
+            yields_per_kg = obstacle.yields_per_kg(point, (x, y, z))
+        moved_kg = mass_kg / (1 + mass_kg * yields_per_kg)
+        too_much_ns = min(push_ns, moved_kg * (leaving_mps - max(leaving_before_mps, apart_mps)))
         if too_much_ns <= 0.0:
             return
         for axis, away in enumerate((x, y, z)):
@@ -120,14 +136,18 @@ class Bouncing:
         along = self._friction * SUBSTEP_S * (forces_n[0] - forces_n[1])
         across = self._friction * SUBSTEP_S * (forces_n[2] - forces_n[3])
         rubbed_ns, most_ns = math.hypot(along, across), self._friction * (push_ns - too_much_ns)
+        a, b, c, d, e, f = frame[3:]
+        # The frame's forces act on the second geom: on the ball if the normal points into it.
+        rub = [-towards * (along * one + across * other) for one, other in ((a, d), (b, e), (c, f))]
+        kept = 1.0
         if rubbed_ns > most_ns:
-            # The frame's forces act on the second geom: on the ball if the normal points into it.
-            share = towards * (1.0 - most_ns / rubbed_ns)
-            a, b, c, d, e, f = frame[3:]
-            given_ns = (
-                share * (along * a + across * d), share * (along * b + across * e), share * (along * c + across * f),
-            )  # fmt: skip
-            self._push_surface(ball, (-x, -y, -z), given_ns)
+            kept = most_ns / rubbed_ns
+            u, v, w = ((kept - 1) * part for part in rub)
+            self._push_surface(ball, (-x, -y, -z), (u, v, w))
+        if obstacle is not None:
+            left_ns = push_ns - too_much_ns
+            u, v, w = (-left_ns * away - kept * part for away, part in zip((x, y, z), rub, strict=True))
+            obstacle.take(point, (u, v, w))
 
     def _push_surface(self, ball: int, out: Vector, impulse_ns: Vector) -> None:
         """Let an impulse act on a ball's surface, at its point in the direction ``out``."""

@@ -14,7 +14,7 @@ from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world import contact
 from rcj_challenges.world.build_bodies import (
     add_ball,
-    add_ball_ball_contact,
+    add_ball_contact,
     add_ball_robot_contact,
     add_movable_obstacle,
     add_robot,
@@ -32,18 +32,22 @@ def build_spec(scenario: Scenario, roster: Roster) -> mujoco.MjSpec:
     add_walls(spec, field)
     for name in roster.things[len(roster.entities) : -1]:
         add_fixed_obstacle(spec, name, scenario.obstacles[name], field.friction)
+    heaviest_kg = max((chassis_of(scenario, robot).mass_kg for robot in scenario.robots), default=0.001)
+    rigidity = {name: contact.ball_rigidity(ball.mass_kg, heaviest_kg) for name, ball in scenario.balls.items()}
     for name in roster.entities:
         if name in scenario.robots:
             add_robot(spec, name, chassis_of(scenario, name), field.friction)
         elif name in scenario.balls:
-            add_ball(spec, name, scenario.balls[name], field.friction, field.restitution)
+            softness = contact.ball_on_solid(field.restitution, rigidity[name])
+            add_ball(spec, name, scenario.balls[name], field.friction, softness)
         else:
             add_movable_obstacle(spec, name, movable_obstacle(scenario, name), field.friction)
     for ball in scenario.balls:
         for robot in scenario.robots:
-            add_ball_robot_contact(spec, ball, robot)
+            add_ball_robot_contact(spec, ball, robot, field.friction, rigidity[ball])
     for ball, other in combinations(scenario.balls, 2):
-        add_ball_ball_contact(spec, ball, other, field.restitution)
+        softness = contact.ball_on_solid(field.restitution, max(rigidity[ball], rigidity[other]))
+        add_ball_contact(spec, ball, other, softness, field.friction)
     return spec
 
 

@@ -9,6 +9,7 @@ coefficients follow the robot's yaw, see `rcj_challenges.world.traction`.
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import mujoco
 
@@ -51,7 +52,7 @@ def add_robot(spec: mujoco.MjSpec, name: str, chassis: Chassis, friction: float)
     _add_grip(spec, name, chassis, contact.grip_of(chassis, friction))
 
 
-def add_ball(spec: mujoco.MjSpec, name: str, ball: Ball, friction: float, restitution: float) -> None:
+def add_ball(spec: mujoco.MjSpec, name: str, ball: Ball, friction: float, softness: contact.Softness) -> None:
     """Add a ball at the origin; body and geom bear its name."""
     body = spec.worldbody.add_body(name=name, pos=[0, 0, ball.radius_m])
     body.add_freejoint(name=name)
@@ -65,24 +66,22 @@ def add_ball(spec: mujoco.MjSpec, name: str, ball: Ball, friction: float, restit
         group=contact.GROUP_BALLS,
         priority=contact.PRIORITY_BALL,
     )
-    set_surface(geom, contact.ball_on_solid(restitution), friction)
+    set_surface(geom, softness, min(friction, contact.BALL_ON_SOLID_FRICTION))
 
 
-def add_ball_robot_contact(spec: mujoco.MjSpec, ball: str, robot: str) -> None:
+def add_ball_robot_contact(spec: mujoco.MjSpec, ball: str, robot: str, friction: float, rigidity: float) -> None:
     """Let a ball meet a robot with parameters of their own."""
+    softness = replace(contact.BALL_ON_ROBOT, rigidity=rigidity)
     for part in ("cube", "left_wheel", "right_wheel"):
-        _add_ball_contact(spec, ball, f"{robot}/{part}", contact.BALL_ON_ROBOT)
+        add_ball_contact(spec, ball, f"{robot}/{part}", softness, friction)
 
 
-def add_ball_ball_contact(spec: mujoco.MjSpec, ball: str, other: str, restitution: float) -> None:
-    """Let two balls meet with parameters of their own."""
-    _add_ball_contact(spec, ball, other, contact.ball_on_solid(restitution))
-
-
-def _add_ball_contact(spec: mujoco.MjSpec, ball: str, other: str, softness: contact.Softness) -> None:
+def add_ball_contact(spec: mujoco.MjSpec, ball: str, other: str, softness: contact.Softness, friction: float) -> None:
+    """Let a ball meet another geom with parameters of their own."""
     pair = spec.add_pair(geomname1=other, geomname2=ball)
     pair.condim = 3
-    pair.friction = [contact.BALL_ON_MOVING_FRICTION, contact.BALL_ON_MOVING_FRICTION, 0, 0, 0]
+    slides = min(friction, contact.BALL_ON_MOVING_FRICTION)
+    pair.friction = [slides, slides, 0, 0, 0]
     pair.solref = softness.solref
     pair.solimp = softness.solimp
 

@@ -11,6 +11,7 @@ import math
 from dataclasses import dataclass
 
 from rcj_challenges.facts.timing import SUBSTEP_S
+from rcj_challenges.scenario.models.field import Ball
 from rcj_challenges.scenario.models.robots import Chassis
 
 GRAVITY_MPS2 = 9.81
@@ -71,14 +72,21 @@ BALL_ON_ROBOT = Softness(restitution=0.386, stiffness_ps2=500.0, rigidity=0.99)
 directions and all moments within a sub-step (ADR 2)."""
 
 BALL_ON_MOVING_FRICTION = 0.1
-"""Between a ball and a robot or another ball. Not 1 as elsewhere: with 1 at the floor and 1 at the face that pushes
-it, a ball jams instead of rolling, and a hit ends in the floor (ADR 2)."""
+"""Highest friction between a ball and a robot or another ball. Not 1 as elsewhere: with 1 at the floor and 1 at the
+face that pushes it, a ball jams instead of rolling, and a hit ends in the floor (ADR 2)."""
+
+BALL_ON_SOLID_FRICTION = 1.0
+"""Highest friction between a ball and walls or obstacles. A ball that rolls at a wall sticks to it from 0.2 on, so more
+would change nothing; but with 1.5 to 2 at wall and floor the ball jammed between them, and lay still (ADR 2)."""
 
 _FLOOR_YIELDS = 1 / 12
 """How much the floor yields to a ball: chosen for the 0.1 mm of `ball_on_floor`."""
 
 _LEAST_FRICTION_MADE_UP_FOR = 0.5
 """On a smoother floor the ball sinks in by less: as soft a floor as 0.1 mm would need does not carry it."""
+
+_USUAL_SHARE = Ball().mass_kg / Chassis().mass_kg
+"""How heavy the usual ball is beside the usual robot."""
 
 OBSTACLE_GLIDES = 0.1
 """Highest friction between a movable obstacle and the floor: no robot could push the default 0.5 kg at 1 (ADR 2)."""
@@ -108,9 +116,20 @@ def ball_on_floor(friction: float) -> tuple[Softness, float]:
     return Softness(restitution=0.0, stiffness_ps2=1 / (2 * SUBSTEP_S) ** 2, rigidity=rigidity), told
 
 
-def ball_on_solid(restitution: float) -> Softness:
+def ball_on_solid(restitution: float, rigidity: float = SOLIDS.rigidity) -> Softness:
     """Return the ball's contact with walls, obstacles and (but for the friction) other balls."""
-    return Softness(restitution=restitution, stiffness_ps2=500.0, rigidity=0.99)
+    return Softness(restitution=restitution, stiffness_ps2=500.0, rigidity=rigidity)
+
+
+def ball_rigidity(ball_kg: float, robot_kg: float) -> float:
+    """Return how rigid a ball's contacts are, by its mass and that of the heaviest robot that may pin it to a wall.
+
+    A contact yields to a standing push in proportion to the push and to what is light in it. With the same rigidity for
+    all, a ball of 5 g that a robot of 1.5 kg pins sank into the wall by 19 mm (ADR 2). So the lighter the ball is
+    beside the robot, the less its contacts yield.
+    """
+    share = ball_kg / robot_kg / _USUAL_SHARE
+    return SOLIDS.rigidity if share >= 1.0 else 1 / (1 + (1 / SOLIDS.rigidity - 1) * share)
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK
 from rcj_challenges.world.tables import NO_THING, ROBOT_YAW, WorldTables, one_by_one
 
 Touches = tuple[tuple[int, int], ...]
-Row = tuple[float, ...]
+Numbers = tuple[float, ...]
 
 _FULL_TURN_RAD = 2 * math.pi
 _POSES, _HEIGHT = struct.Struct("3f"), struct.Struct("f")
@@ -33,11 +33,16 @@ class Recorder:
         self._qpos = one_by_one(data.qpos)
         self._rows = [b""] * SUBSTEPS_PER_TICK
         balls = tables.ball_range
-        self._unpack, self._in_float32 = _row_of_poses(tables, len(data.qpos))
+        self._unpack, self._in_float32 = _all_poses(tables, len(data.qpos))
+        entities = len(tables.qpos_at)
+        self._substeps = [slice(entities * substep, entities * (substep + 1)) for substep in range(SUBSTEPS_PER_TICK)]
         turning = [entity for entity in range(len(tables.qpos_at)) if entity not in balls]
         self._yaws_at = [tables.qpos_at[entity] + ROBOT_YAW for entity in turning]
-        # In a row, in which a ball has two numbers and all else has three.
-        self._yaws_in_row = [3 * entity + 2 - sum(ball < entity for ball in balls) for entity in turning]
+        # Among the numbers of all sub-steps, in which a ball has two and all else has three.
+        in_row = [3 * entity + 2 - sum(ball < entity for ball in balls) for entity in turning]
+        width = 3 * entities - len(balls)
+        self._yaws = [width * substep + yaw for substep in range(SUBSTEPS_PER_TICK) for yaw in in_row]
+        self._last_yaws = self._yaws[len(self._yaws) - len(in_row) :]
         self._heights_at = [(ball, tables.qpos_at[ball] + 2) for ball in balls]
         self._things = tables.geom_things
         self._heights_m: list[float] = array("f", heights_m).tolist()
@@ -54,14 +59,13 @@ class Recorder:
 
     def snapshot(self, tick: int, faults: tuple[Fault, ...]) -> Snapshot:
         """Return the tick whose sub-steps have all been noted."""
-        rows = [self._unpack(row) for row in self._rows]
-        last = rows[-1]
-        for yaw in self._yaws_in_row:
-            if not -math.pi <= last[yaw] <= math.pi:
-                rows = self._turned_back(rows)
+        numbers = self._unpack(b"".join(self._rows))
+        for yaw in self._last_yaws:
+            if not -math.pi <= numbers[yaw] <= math.pi:
+                numbers = self._turned_back(numbers)
                 break
-        in_float32 = self._in_float32
-        substeps: list[list[Pose2]] = [list(_POSES.iter_unpack(in_float32(*row))) for row in rows]
+        poses: list[Pose2] = list(_POSES.iter_unpack(self._in_float32(*numbers)))
+        substeps = [poses[of_substep] for of_substep in self._substeps]
         heights = self._heights_m.copy()
         for ball, at in self._heights_at:
             (heights[ball],) = _HEIGHT.unpack(_HEIGHT.pack(self._qpos[at]))
@@ -74,16 +78,15 @@ class Recorder:
         self._patterns = [b""] * SUBSTEPS_PER_TICK
         return self.snapshot(0, ())
 
-    def _turned_back(self, rows: list[Row]) -> list[Row]:
+    def _turned_back(self, numbers: Numbers) -> Numbers:
         """Bring all yaws into half a turn: a whole turn more or less changes nothing."""
         # In the world as well, so that the next ticks find them in order.
         for at in self._yaws_at:
             self._qpos[at] = _within_half_a_turn(self._qpos[at])
-        yaws = frozenset(self._yaws_in_row)
-        return [
-            tuple([_within_half_a_turn(number) if at in yaws else number for at, number in enumerate(row)])
-            for row in rows
-        ]
+        turned = list(numbers)
+        for yaw in self._yaws:
+            turned[yaw] = _within_half_a_turn(turned[yaw])
+        return tuple(turned)
 
     def _touching(self, pattern: bytes) -> Touches:
         """Return which things touch, from the pairs of geoms that do."""
@@ -98,8 +101,8 @@ class Recorder:
         return touches
 
 
-def _row_of_poses(tables: WorldTables, numbers: int) -> tuple[Callable[[bytes], Row], Callable[..., bytes]]:
-    """Return what reads the numbers of all poses from `qpos`, and what packs them as x, y, yaw for each entity.
+def _all_poses(tables: WorldTables, numbers: int) -> tuple[Callable[[bytes], Numbers], Callable[..., bytes]]:
+    """Return what reads the numbers of all poses from the `qpos` of all sub-steps, and what packs them as x, y, yaw.
 
     Args:
         tables: entities stand in `qpos` in their order.
@@ -112,7 +115,8 @@ def _row_of_poses(tables: WorldTables, numbers: int) -> tuple[Callable[[bytes], 
         read += f"{_BYTES * (at - end)}x{count}d"
         written += "2f4x" if ball else "3f"  # a ball has no yaw: it is 0 for ever
         end = at + count
-    return struct.Struct(f"{read}{_BYTES * (numbers - end)}x").unpack, struct.Struct(written).pack
+    read += f"{_BYTES * (numbers - end)}x"
+    return struct.Struct(SUBSTEPS_PER_TICK * read).unpack, struct.Struct(SUBSTEPS_PER_TICK * written).pack
 
 
 def _within_half_a_turn(yaw_rad: float) -> float:

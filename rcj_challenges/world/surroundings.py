@@ -41,13 +41,13 @@ class Surroundings:
         self._geoms = [(cube, *tables.wheels[robot]) for robot, cube in enumerate(tables.cubes)]
         self._robots = list(enumerate(tables.qpos_at[: tables.robots]))
         self._near = [1] * len(self._robots)
-        reach_m = max((_reach_m(model, data, geoms) for geoms in self._geoms), default=0.0)
+        farthest_m = max((reach_m(model, data, geoms) for geoms in self._geoms), default=0.0)
         fixtures = [
             geom
             for geom in range(model.ngeom)
             if model.geom_bodyid[geom] == 0 and model.geom_contype[geom] & contact.FIXED
         ]
-        self._draw(model, fixtures, reach_m + _ROUNDING_M)
+        self._draw(model, fixtures, farthest_m + _ROUNDING_M)
 
     def before_substep(self) -> None:
         """Let the robots that are near enough collide with fixtures, and no others."""
@@ -88,7 +88,7 @@ class Surroundings:
         return int((x_m - self._left_m) * self._per_m), int((y_m - self._bottom_m) * self._per_m)
 
 
-def _reach_m(model: Any, data: Any, geoms: tuple[int, ...]) -> float:
+def reach_m(model: Any, data: Any, geoms: tuple[int, ...]) -> float:
     """Return how far a robot's outline is at most from the centre of its cube."""
     centre = data.geom_xpos[geoms[0]]
     return float(max(np.linalg.norm(data.geom_xpos[geom] - centre) + model.geom_rbound[geom] for geom in geoms))

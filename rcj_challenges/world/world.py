@@ -18,6 +18,8 @@ from rcj_challenges.world.bouncing import Bouncing
 from rcj_challenges.world.build import build_spec, chassis_of
 from rcj_challenges.world.errors import PhysicsFault
 from rcj_challenges.world.gliding import Gliding
+from rcj_challenges.world.passing import Passing
+from rcj_challenges.world.poles import Poles
 from rcj_challenges.world.recorder import Recorder
 from rcj_challenges.world.rolling import Rolling
 from rcj_challenges.world.surroundings import Surroundings
@@ -69,10 +71,14 @@ class World:
         slow_down = any(ball.slows_mps2 for ball in scenario.balls.values())
         self._rolling = Rolling(self.data, self.tables, scenario.balls) if slow_down else None
         self._bouncing = Bouncing(self.model, self.data, self.tables, scenario.balls, scenario.field)
+        passing = Passing(self.model, self.data, self.tables, scenario.balls, scenario.obstacles.values())
+        self._passing = passing or None
         moved = self.tables.ball_range.stop < len(roster.entities)
         self._gliding = Gliding(self.model, self.data, self.tables) if moved else None
         mujoco.mj_kinematics(self.model, self.data)
         self._surroundings = Surroundings(self.model, self.data, self.tables)
+        poles = Poles(self.model, self.data, self.tables, scenario.obstacles, roster.entities)
+        self._poles = poles or None
         self._ball_rest_m = self._settled_ball_heights()
         heights = tuple(float(self.model.body_pos[body, 2]) for body in self.tables.bodies)
         self._recorder = Recorder(self.data, self.tables, heights)
@@ -135,7 +141,8 @@ class World:
             PhysicsFault: MuJoCo warned of an unstable or overfull simulation.
         """
         model, data, traction, recorder, mj_step = self.model, self.data, self._traction, self._recorder, mujoco.mj_step
-        surroundings, bouncing, gliding = self._surroundings, self._bouncing, self._gliding
+        surroundings, bouncing, gliding, passing = self._surroundings, self._bouncing, self._gliding, self._passing
+        poles = self._poles
         traction.before_tick()
         if self._rolling is not None:
             self._rolling.before_tick()
@@ -144,7 +151,11 @@ class World:
             surroundings.before_substep()
             if gliding is not None:
                 gliding.before_substep()
+            if poles is not None:
+                poles.before_substep()
             mj_step(model, data)
+            if passing is not None:
+                passing.after_substep()
             bouncing.after_substep(recorder.note(substep))
         if self._warnings.tobytes() != self._no_warnings:
             raise PhysicsFault(self._what_is_wrong(tick))

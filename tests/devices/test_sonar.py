@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import mujoco
 import pytest
 
 from tests.devices.device_bench import Bench, half, merged
@@ -189,3 +190,25 @@ def test_the_noise_is_another_in_another_half_for_another_seed_and_another_devic
         bench.sense()
         first |= {bench.read("Y1", "distancesensor left")[0], bench.read("Y1", "distancesensor right")[0]}
     assert len(first) == 6
+
+
+@pytest.mark.parametrize("senses", [False, True])
+def test_a_pole_stops_a_robot_whether_it_senses_or_not(senses: bool) -> None:
+    """Sensors and the contacts at poles are both switched by the same number of MuJoCo's."""
+    pole = {"shape": "cylinder", "radius_m": 0.03, "centre_m": [0, 0]}
+    bench = Bench(change={"obstacles": {"pole": pole}})
+    bench.place("Y1", -0.09, 0.03 + 0.05 - 0.004)  # it has 4 mm of a wheel in the pole's way
+    bench.drive("Y1", 10.0, 10.0)
+    if senses:
+        bench.enable("Y1", "distancesensor front")
+    bench.play(ticks=60)
+    assert bench.world.data.qpos[bench.world.tables.qpos_at[bench.roster.index["Y1"]]] < 0.0
+
+
+def test_measuring_leaves_what_others_have_switched_since() -> None:
+    bench = exact()
+    options = bench.world.model.opt
+    options.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_MULTICCD)
+    switched = options.disableflags
+    readings(bench)
+    assert options.disableflags == switched

@@ -122,6 +122,17 @@ def share_given_back(stage: Stage, speed: float) -> float:
     return fastest / speed
 
 
+@pytest.mark.parametrize("what", ["B1", "second"])
+def test_without_friction_nothing_spins_a_ball(what):
+    stage = ball_stage(0.0, -0.2, field={"friction": 0.0}, balls={"second": {"start_m": [0.3, 0.0]}})
+    stage.put(what, 0.01, 0.0, 0.7)
+    stage.slide("ball", 0.0, 0.5)
+    snapshots = stage.play(0.6)
+    assert any({"ball", what} in map(set, stage.touching(snapshot)) for snapshot in snapshots)
+    turning = stage.world.data.qvel[stage.world.tables.dofs[stage.index("ball")][3:]]
+    assert turning.tolist() == pytest.approx([0, 0, 0], abs=0.01)
+
+
 # --- walls ------------------------------------------------------------------------------------------------------------
 
 
@@ -136,6 +147,18 @@ def test_a_wall_gives_back_half_of_the_speed(speed, offset):
 def test_restitution_is_what_the_scenario_says(restitution):
     stage = ball_stage(0.5, 0.3, field={"restitution": restitution})
     assert share_given_back(stage, 0.5) == pytest.approx(restitution, abs=0.1)
+
+
+@pytest.mark.parametrize("friction", [1.5, 2.0])
+@pytest.mark.parametrize("restitution", [0.2, 0.5, 0.8, 0.95])
+def test_so_it_is_on_the_roughest_field(friction, restitution):
+    for speed in (0.1, 0.3, 1.0):
+        for offset in (0.0, 0.35, 0.7):
+            field = {"friction": friction, "restitution": restitution}
+            stage = ball_stage(0.5 + offset * speed * 0.008, 0.3, field=field)
+            assert share_given_back(stage, speed) == pytest.approx(restitution, abs=0.05)
+            stage.play(0.1)
+            assert -stage.velocity("ball")[0] > 0.5 * restitution * speed
 
 
 def test_without_restitution_only_the_balls_spin_takes_it_off_the_wall():
@@ -242,6 +265,17 @@ def test_a_ball_pinned_to_a_wall_stays_between_wall_and_robot():
     stage.play(3)  # it is an unstable equilibrium: after 4 s or more the robot turns and the ball gets away
     assert stage.pose("ball")[0] == pytest.approx(0.65 - BALL_R, abs=0.002)
     assert stage.pose("B1")[0] == pytest.approx(0.65 - 2 * BALL_R - HALF_CUBE, abs=0.003)
+
+
+@pytest.mark.parametrize(("ball_kg", "robot_kg"), [(0.0027, 0.2), (0.005, 1.5), (0.05, 3.0), (0.05, 20.0)])
+def test_a_light_ball_that_a_heavy_robot_pins_to_a_wall_does_not_sink_into_it(ball_kg, robot_kg):
+    kits = {"v2": {"chassis": {"mass_kg": robot_kg}}}
+    stage = ball_stage(0.6, 0.3, balls={"ball": {"mass_kg": ball_kg}}, kits=kits)
+    stage.put("B1", 0.45, 0.3)
+    stage.drive("B1", FULL, FULL)
+    stage.play(2)
+    assert stage.pose("ball")[0] == pytest.approx(0.65 - BALL_R, abs=0.001)
+    assert stage.pose("B1")[0] == pytest.approx(0.65 - 2 * BALL_R - HALF_CUBE, abs=0.002)
 
 
 def test_a_robot_dribbles_the_ball_along_a_wall():
