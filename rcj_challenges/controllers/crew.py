@@ -11,10 +11,9 @@ from typing import Self
 
 from rcj_challenges.controllers import scratch
 from rcj_challenges.controllers.isolation import active_layers
-from rcj_challenges.controllers.private_folders import PrivateFolders, remove_left_overs_once
+from rcj_challenges.controllers.private_folders import PrivateFolders, remove_left_overs_once, temporary_trouble
 from rcj_challenges.controllers.program import CLEAN_UP_S, Assignment, Program, Sharing
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.facts.errors import HostError, told_of
 from rcj_challenges.facts.traffic import Observation, RobotSpec
 from rcj_challenges.scenario.models.scenario import Limits
 
@@ -101,7 +100,7 @@ class Crew:
             place = self._folders.place
             sharing = Sharing(place, scratch.share_bytes(place, len(self.programs)), tuple(self.programs.values()))
         except OSError as error:
-            raise HostError(f"the temporary folder cannot be used: {told_of(error)}") from error
+            raise temporary_trouble(error) from error
         for program in sharing.programs:
             program.launch(sharing)
         remove_left_overs_once()

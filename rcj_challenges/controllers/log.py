@@ -72,7 +72,10 @@ class ProgramLog:
         """Take over what the program has printed since. A full disk is no reason to stop a match."""
         if self.fd < 0:
             return
-        if os.fstat(self._output_fd).st_size < self._at:
+        size = os.fstat(self._output_fd).st_size
+        if size == self._at:  # as nearly always: it has printed nothing
+            return
+        if size < self._at:
             self._at = 0  # it has cut its file
         os.lseek(self._output_fd, self._at, os.SEEK_SET)
         while (room := self._most_bytes - self._taken_bytes) > 0:

@@ -18,6 +18,8 @@ from pathlib import Path
 from typing import Self
 
 from rcj_challenges.controllers import scratch
+from rcj_challenges.facts.errors import HostError, told_of
+from rcj_challenges.facts.shown import shown
 
 if sys.platform == "win32":
     import msvcrt
@@ -30,6 +32,23 @@ LOCK_FILE = "in-use"
 _ATTEMPTS = 100  # another match may take a folder for a left-over in the moment before it is locked
 # What a program may have put in the place of the file is neither followed nor waited for.
 _FLAGS = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+
+
+def temporary_trouble(error: BaseException, trouble: str = "cannot be used") -> HostError:
+    """Return what is wrong with the temporary folder as an error that says where that is, and what helps.
+
+    Args:
+        error: what the system said.
+        trouble: what is wrong.
+    """
+    try:
+        place = f" {shown(tempfile.gettempdir())}"
+    except OSError:  # what the system said names the folders that were tried
+        place = ""
+    variable = "TEMP" if sys.platform == "win32" else "TMPDIR"
+    return HostError(
+        f"the temporary folder{place} {trouble}: {told_of(error)}; make room there, or let {variable} name another"
+    )
 
 
 class PrivateFolders:

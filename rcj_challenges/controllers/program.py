@@ -17,6 +17,7 @@ from rcj_challenges.controllers.account import Account, Usage
 from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.log import ProgramLog
 from rcj_challenges.controllers.pipes import Channel, ChannelClosedError, FrameTooLongError, open_channel
+from rcj_challenges.controllers.private_folders import temporary_trouble
 from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hello_frame, most_frame_bytes, one_line
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.errors import HostError, RcjError, is_of_the_host, told_of
@@ -191,22 +192,30 @@ class Program:
         if answer is None:
             return self._too_slow()
         if self._requests:
-            # What is here was in time. Beyond that limit it was the match that stood still (Ctrl-Z).
-            self.account.wait_was(min(time.perf_counter() - began, self._step_s))
+            self._has_waited(began)
         else:
             self.started_s = time.perf_counter() - self._launched_at
             self.account.begin()
         return self._accepted(answer)
 
-    def collect_ready(self) -> Request | Fault | None:
-        """Return what `collect` would if it is here already; None: `collect` has to wait."""
-        if self._channel is None or not self._requests:
+    def collect_soon(self) -> Request | Fault | None:
+        """Return what `collect` would if it is here, or comes at once; None: `collect` has to wait for it."""
+        channel = self._channel
+        if channel is None or not self._requests:
             return None
         try:
-            body = self._channel.receive_now()
+            body = channel.receive_now()
+            if body is None:
+                began = time.perf_counter()
+                body = channel.receive_soon()
+                self._has_waited(began)
             return None if body is None else self._accepted(self._codec.decode(body, self._tick))
         except (ChannelClosedError, FrameTooLongError, ProtocolError) as error:
             return self._broken(error)
+
+    def _has_waited(self, began: float) -> None:
+        """Note a wait that began then. Beyond what a step may take it was the match that stood still (Ctrl-Z)."""
+        self.account.wait_was(min(time.perf_counter() - began, self._step_s))
 
     def _accepted(self, answer: Request | Ended) -> Request | Fault:
         """Take an answer that has arrived."""
@@ -407,11 +416,9 @@ class Program:
         except OSError as error:
             greedy = [program.name for program in self._sharing.programs if program.end_if_greedy(self._tick)]
             if not greedy:
-                raise HostError(
-                    f"the temporary folder is full: the program of {self.name} could not write at tick {self._tick} "
-                    f"({s_from_ticks(self._tick):.3f} s): {told_of(error)}; "
-                    "make room there, or let TMPDIR name another folder"
-                ) from error
+                when = f"at tick {self._tick} ({s_from_ticks(self._tick):.3f} s)"
+                trouble = f"is full: the program of {self.name} could not write {when}"
+                raise temporary_trouble(error, trouble) from error
             return greedy
         return []
 

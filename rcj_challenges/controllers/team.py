@@ -12,6 +12,7 @@ from typing import Self
 
 from rcj_challenges.controllers.archive import Contents, Files, TeamError, read_contents, refusal
 from rcj_challenges.controllers.disk_names import from_disk, on_disk
+from rcj_challenges.controllers.private_folders import temporary_trouble
 from rcj_challenges.controllers.team_name import (
     MOST_NAME_LETTERS,
     NAME_FILE,
@@ -21,7 +22,7 @@ from rcj_challenges.controllers.team_name import (
     safe_name,
 )
 from rcj_challenges.controllers.troubles import MOST_PATH_SHOWN, told
-from rcj_challenges.facts.errors import HostError, is_of_the_host, told_of
+from rcj_challenges.facts.errors import is_of_the_host, told_of
 from rcj_challenges.scenario.models.robots import Entrant, EntryPoints
 
 __all__ = ["MOST_NAME_LETTERS", "Opening", "Team", "TeamError", "alternatives", "look_into", "open_team", "safe_name"]
@@ -99,7 +100,7 @@ class Team:
                 target.write_bytes(content)
         except (OSError, ValueError) as error:
             if is_of_the_host(error):
-                raise HostError(f"the temporary folder cannot take the team's files: {told_of(error)}") from error
+                raise temporary_trouble(error, "cannot take the team's files") from error
             raise TeamError(f"{self.source}: {name} cannot be written on this computer: {told_of(error)}") from error
 
     def size_bytes(self) -> int:

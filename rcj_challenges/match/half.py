@@ -19,8 +19,8 @@ class Driver(Protocol):
     def collect(self) -> Request | Fault:
         """Wait for its next request, or learn that it failed."""
 
-    def collect_ready(self) -> Request | Fault | None:
-        """Return the same if it is here already; None: `collect` has to wait for it."""
+    def collect_soon(self) -> Request | Fault | None:
+        """Return the same if it is here, or comes at once; None: `collect` has to wait for it."""
 
     def release(self, observation: Observation) -> None:
         """Let its ``step`` return."""
@@ -183,16 +183,16 @@ class HalfPlay:
 
     def _collect(self, due: list[int]) -> None:
         """Carry out what those who were released ask for, in their order."""
-        alive, ready = self._alive, 0
+        alive, taken = self._alive, 0
         # What the first have asked for is carried out while the last still think.
-        for robot in due[:-1]:
-            answer = alive[robot].collect_ready()
+        for robot in due:
+            answer = alive[robot].collect_soon()
             if answer is None:
                 break
             self._take(robot, answer)
-            ready += 1
-        waiting = due[ready:]
-        # Waiting for the last to answer, we mostly find the others' answers ready: one wait instead of six.
+            taken += 1
+        waiting = due[taken:]
+        # Sleeping until the last answers, we mostly find the others' answers ready: one sleep instead of six.
         answers = [alive[robot].collect() for robot in reversed(waiting)]
         for robot in waiting:
             self._take(robot, answers.pop())

@@ -88,9 +88,9 @@ class _Overheard:
         """Wait for its next request, or learn that it failed."""
         return self._heard(self._driver.collect())
 
-    def collect_ready(self) -> Request | Fault | None:
+    def collect_soon(self) -> Request | Fault | None:
         """Return its next request if it is here already."""
-        answer = self._driver.collect_ready()
+        answer = self._driver.collect_soon()
         return None if answer is None else self._heard(answer)
 
     def _heard(self, answer: Request | Fault) -> Request | Fault:

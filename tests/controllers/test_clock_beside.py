@@ -13,6 +13,7 @@ from types import ModuleType
 from typing import Any
 
 import pytest
+from fake_match import FakeMatch
 
 from rcj_challenges.controllers.pupil.controller import _beside
 from rcj_challenges.controllers.pupil.controller._clock import Clock
@@ -161,6 +162,31 @@ def test_a_thread_that_only_waits_for_a_processor_is_not_stuck() -> None:
     waits.join()
     until_it_stands_still(waits.native_id)  # it is told to have ended a moment before it has
     assert (*found, _beside._would_run(waits.native_id)) == (True, False, False)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells")
+def test_a_program_in_its_sandbox_finds_out_whether_another_of_its_threads_would_run(match: FakeMatch) -> None:
+    """One that computes outside of Python's lock does; one that waits does not."""
+    program = """
+import hashlib, sys, threading
+from controller import Robot
+from controller._beside import others_would_run
+robot = Robot()
+def compute():
+    while not over: hashlib.sha256(much)
+over, much = False, bytes(10_000_000)
+waits = threading.Event()
+threading.Thread(target=waits.wait, daemon=True).start()
+robot.step(32)
+print(any([not others_would_run() for _ in range(1000)]))
+worker = threading.Thread(target=compute)
+worker.start()
+print(any([others_would_run() for _ in range(1000)]))
+over = True
+worker.join()
+robot.step(32)
+"""
+    assert match.play(program, 2).said == ["True", "True"]
 
 
 def test_a_wait_of_the_thread_that_steps_catches_up_with_the_clock_of_the_others(clock: Clock) -> None:

@@ -50,6 +50,14 @@ def printed(folder: Path, program: str, **files: str) -> str:
             "import traceback\ntry:\n    1 / 0\nexcept ZeroDivisionError:\n    traceback.print_exc()\n",
             'File "robot_blue/robot.py", line 4, in <module>',
         ),
+        "a traceback through the module": (
+            (
+                "import traceback\nrobot = Robot()\ntry:\n    robot.getDevice('gps').enable('fast')\n"
+                "except TypeError:\n    traceback.print_exc()\nRobot = lambda: robot\n"
+            ),
+            f'File "site-packages{os.sep}controller{os.sep}device.py", line ',
+        ),
+        "the interpreter": ("import sys\nprint(sys.executable, flush=True)\nprint('!')\n", "python\n!"),
         "a thread's end": (
             "import threading\nthread = threading.Thread(target=lambda: 1 / 0)\nthread.start()\nthread.join()\n",
             'File "robot_blue/robot.py", line 3, in <lambda>',

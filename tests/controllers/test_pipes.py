@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import pytest
 
+from rcj_challenges.controllers import pipes
 from rcj_challenges.controllers.pipes import Channel, ChannelClosedError, FrameTooLongError, open_channel
 
 LIMIT = 3_000_000
@@ -48,18 +49,22 @@ class Line:
         self.their_read = -1
 
 
-@pytest.fixture(params=[False, True], ids=["polled", "threaded"])
-def line(request: pytest.FixtureRequest) -> Iterator[Line]:
-    if sys.platform == "win32" and not request.param:
-        pytest.skip("pipes cannot be polled on Windows")
+def opened_line(*, portable: bool) -> Iterator[Line]:
     read_fd, their_write = os.pipe()
     their_read, write_fd = os.pipe()
-    line = Line(open_channel(read_fd, write_fd, LIMIT, portable=request.param), their_read, their_write)
+    line = Line(open_channel(read_fd, write_fd, LIMIT, portable=portable), their_read, their_write)
     yield line
     for fd in (line.their_read, line.their_write):
         if fd >= 0:
             os.close(fd)
     line.channel.close()
+
+
+@pytest.fixture(params=[False, True], ids=["polled", "threaded"])
+def line(request: pytest.FixtureRequest) -> Iterator[Line]:
+    if sys.platform == "win32" and not request.param:
+        pytest.skip("pipes cannot be polled on Windows")
+    yield from opened_line(portable=request.param)
 
 
 def test_frames_come_one_by_one_in_order(line: Line) -> None:
@@ -89,6 +94,73 @@ def test_what_is_here_already_is_received_without_waiting(line: Line) -> None:
     line.hangs_up()
     with pytest.raises(ChannelClosedError):
         nothing_until_it_ends(line.channel)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="pipes cannot be polled on Windows")
+class TestOneThatAnswersAtOnce:
+    """Whoever waits for it looks again and again for a moment: to sleep and be woken takes longer than its answer."""
+
+    @pytest.fixture
+    def looks(self, monkeypatch: pytest.MonkeyPatch) -> list[int]:
+        """Counts how often the other side is given its turn while it is waited for."""
+        counted: list[int] = []
+        monkeypatch.setattr(pipes, "_let_others_run", lambda: counted.append(len(counted)))
+        return counted
+
+    @pytest.fixture
+    def line(self) -> Iterator[Line]:
+        yield from opened_line(portable=False)
+
+    def test_its_frame_is_received_without_sleeping(
+        self, line: Line, looks: list[int], monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setattr(pipes, "MOMENT_S", 60.0)
+        monkeypatch.setattr(pipes, "_let_others_run", lambda: (looks.append(0), line.says(framed(b"soon"))))
+        assert line.channel.receive_soon() == b"soon"
+        assert line.channel.receive(5) == b"soon"
+        assert len(looks) == 2
+
+    def test_the_rest_of_its_frame_is_looked_for_too(self, line: Line) -> None:
+        line.says(framed(b"whole")[:6])
+        assert line.channel.receive_now() is None
+        line.says(framed(b"whole")[6:])
+        assert line.channel.receive_now() == b"whole"
+
+    def test_one_that_takes_longer_is_slept_for_until_it_answers_at_once_again(
+        self, line: Line, looks: list[int], monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        assert line.channel.receive_soon() is None
+        looks.clear()
+        assert line.channel.receive_soon() is None
+        assert line.channel.receive(0.001) is None
+        assert looks == []
+        monkeypatch.setattr(pipes, "MOMENT_S", 60.0)
+        threading.Timer(0.01, line.says, [framed(b"one")]).start()
+        assert line.channel.receive(5) == b"one"
+        assert looks == []
+        monkeypatch.setattr(pipes, "_let_others_run", lambda: (looks.append(0), line.says(framed(b"two"))))
+        assert line.channel.receive_soon() == b"two"
+        assert looks == [0]
+
+    def test_one_that_takes_longer_is_given_another_chance_now_and_then(
+        self, line: Line, looks: list[int], monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setattr(pipes, "MOMENT_S", 0.001)
+        tried = []
+        for _ in range(60):
+            looks.clear()
+            assert line.channel.receive_soon() is None
+            tried.append(bool(looks))
+        assert [at for at, looked in enumerate(tried) if looked] == [0, 17, 34, 51]
+
+    def test_nobody_is_waited_for_who_was_given_no_time(self, line: Line, looks: list[int]) -> None:
+        assert line.channel.receive(0.0) is None
+        assert looks == []
+
+    def test_one_that_is_gone_is_told(self, line: Line) -> None:
+        line.hangs_up()
+        with pytest.raises(ChannelClosedError):
+            line.channel.receive_soon()
 
 
 def nothing_until_it_ends(channel: Channel) -> None:

@@ -93,6 +93,24 @@ def test_step_loops_may_be_nested_in_helpers(match: FakeMatch) -> None:
     assert played.said[-1].startswith("[4.0, 8.0, ")
 
 
+def test_a_function_that_goes_on_by_calling_itself_is_told_before_python_ends_it(match: FakeMatch) -> None:
+    program = """
+from controller import Robot
+import sys
+robot = Robot()
+sys.setrecursionlimit(LIMIT)
+def run():
+    if robot.step(32) != -1:
+        run()
+run()
+"""
+    (told,) = match.play(program.replace("LIMIT", "1000"), 200).said
+    assert told.startswith("Warning: step was called 20")
+    assert told.endswith("Python ends the program, after about 31 s; write a while loop.")
+    assert match.play(program.replace("LIMIT", "100000"), 200).said == []
+    assert match.play(program.replace("LIMIT", "1000"), 100).said == []
+
+
 def test_a_program_that_steps_64_ms_and_reads_one_of_two_packets_lags_more_and_more(match: FakeMatch) -> None:
     played = match.play("patterns/steps_of_64_ms", 11, lambda tick: [packet("ball receiver", str(tick).encode())])
     assert played.said == ["2 1 2", "4 2 3", "6 3 4", "8 4 5", "10 5 6"]
@@ -286,8 +304,8 @@ def test_imports_work_by_name_and_only_what_robots_lack_is_refused_on_use(match:
     assert played.said == [
         "5.0 2.0 controllers 1",
         "NotImplementedError there is no Camera on these robots",
-        "RuntimeError Only one instance of the Robot class should be created.",
-        "RuntimeError Only one instance of the Robot class should be created.",
+        "Error: only one Robot can be made: this second Supervisor is the same robot.",
+        "Error: only one Robot can be made: this second Robot is the same robot.",
         "? no keyboard",
     ]
 

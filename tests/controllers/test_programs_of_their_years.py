@@ -563,3 +563,64 @@ print(table.tolist(), flat, one, np.array([1, 2]).newbyteorder().dtype.byteorder
 robot.step(32)
 """
     assert match.play(STEPS + program, 1).said == ["[[0.0, 5.0], [7.0, 9.0]] [0. 0. 4.] 6 True"]
+
+
+def test_arrays_take_parts_of_different_lengths_and_copy_what_has_to_be(match: FakeMatch) -> None:
+    program = """
+import numpy as np
+from numpy import array
+ragged = np.array([[1, 2], [3]])
+print(ragged.dtype, ragged.shape, ragged[0], array([[0, 1], None]).tolist(), np.asarray([(1, 2), 3]).dtype)
+print(np.array([1, 2], copy=False), np.array((1, 2), float, copy=False).dtype, np.array(object=[1], ndmin=2).shape)
+print(np.array([[1, 2], [3, 4]]).dtype, np.array([1, "a"]).dtype, np.array([1], "f").dtype, np.array(3).ndim)
+for wrong in (lambda: np.array([[1], [2, 3]], dtype=float), lambda: np.array(["x"], float)):
+    try:
+        wrong()
+    except ValueError as error:
+        print(str(error)[:30])
+try:
+    np.array()
+except TypeError as error:
+    print(error)
+robot.step(32)
+"""
+    assert match.play(STEPS + program, 1).said == [
+        "object (2,) [1, 2] [[0, 1], None] object",
+        "[1 2] float64 (1, 1)",
+        "int64 <U21 float32 0",
+        "setting an array element with ",
+        "could not convert string to fl",
+        "array() missing required argument 'object' (pos 0)",
+    ]
+
+
+def test_a_table_of_two_axes_is_looked_up(match: FakeMatch) -> None:
+    """As in the documentation of scipy 1.9: a row for each y, at all pairs."""
+    program = """
+import numpy as np
+from scipy.interpolate import interp2d
+from scipy import interpolate
+table = interp2d([0, 1, 2], [0, 10], [[0, 1, 2], [10, 11, 12]])
+print(table(0.5, 5), table([0, 2], 10), table([1, 0], [10, 0]).tolist(), table(9, 99), interpolate.interp2d is interp2d)
+print(interp2d([2, 0, 1], [10, 0], [[12, 10, 11], [2, 0, 1]])(0.5, 5), interp2d([0, 1], [0, 1], [0, 1, 2, 3])(1, 0))
+print(interp2d([0, 1], [0, 1], [0, 1, 2, 3], fill_value=-1)([0, 5], 0), end=" ")
+axis = np.arange(5.0)
+print(interp2d(axis, axis, np.outer(axis**2, axis), kind="cubic")(1.5, 2.5).round(6))
+__import__("warnings").simplefilter("ignore")  # fitpack says that it has found no room to be more exact
+scattered = interp2d([0, 1, 0, 1, 0.5], [0, 0, 1, 1, 0.5], [0, 1, 2, 3, 1.5])
+print(scattered(0.25, 0.25).round(6))
+for wrong in (lambda: interp2d([0, 1], [0, 1], [1, 2, 3]), lambda: interp2d([0, 1], [0, 1], [0, 1, 2, 3], bounds_error=True)(3, 0)):
+    try:
+        wrong()
+    except ValueError as error:
+        print(error)
+robot.step(32)
+"""
+    assert match.play(STEPS + program, 1).said == [
+        "[5.5] [10. 12.] [[0.0, 1.0], [10.0, 11.0]] [12.] True",
+        "[5.5] [1.]",
+        "[ 0. -1.] [9.375]",
+        "[0.75]",
+        "x, y, and z must have equal lengths for non rectangular grid",
+        "Values out of range; x must be in (0, 1), y in (0, 1)",
+    ]

@@ -193,3 +193,17 @@ def test_a_step_may_send_two_packets_of_the_largest_size_and_no_more(match: Fake
     played = _play(match, "print([emitter.send(bytes(1_024_000)) for _ in range(3)], emitter.send('a'))\n")
     told = "Warning: 'team emitter': the packet is dropped: too much is sent in one step."
     assert played.said == [told, "[1, 1, 0] 0"]
+
+
+def test_what_goes_wrong_in_every_step_is_told_ten_times_and_then_now_and_then(match: FakeMatch) -> None:
+    refused = "Error: 'left wheel motor': setVelocity(NaN) is refused."
+    played = match.play(_HEAD + "while robot.step(32) != -1: motor.setVelocity(float('nan'))\nprint('end')\n", 250)
+    often = "(told 10 times; from now on only the 100th time, the 1000th and so on)"
+    assert played.said == [*[refused] * 10, often, refused, "(this is the 100th time)", "end"]
+
+
+def test_each_thing_that_goes_wrong_is_counted_for_itself(match: FakeMatch) -> None:
+    lines = "for n in range(20): robot.getDevice(f'camera {n % 2}')\n"
+    played = _play(match, lines)
+    assert sum("device not found" in line for line in played.said) == 20
+    assert [line for line in played.said if line.startswith("(")] == [played.said[-1]] * 2

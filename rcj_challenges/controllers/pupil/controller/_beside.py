@@ -133,6 +133,18 @@ class Beside:
         self._ahead_ns = max(0, self._ahead_ns - passed_ns)
 
 
+def others_would_run() -> bool:
+    """Return whether another thread of the program has a processor or waits for one; False where nobody tells that."""
+    if sys.platform != "linux":
+        return False
+    own = str(get_native_id())
+    try:
+        threads = os.listdir("/proc/self/task")  # noqa: PTH208 - pathlib would cost each program its import
+    except OSError:
+        return False
+    return any(thread != own and _would_run(int(thread)) for thread in threads)
+
+
 def _would_run(thread: int) -> bool:
     """Return whether a thread only waits for a processor; False where the system does not tell (all but Linux)."""
     if sys.platform != "linux":

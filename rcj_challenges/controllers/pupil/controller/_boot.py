@@ -7,7 +7,7 @@ from __future__ import annotations
 import builtins
 import os
 import sys
-import types  # noqa: F401 - on Linux the layers need it: so a team's own `types.py` is never read on any system
+import types  # on Linux the layers need it: so a team's own `types.py` is never read on any system
 
 from . import _chance, _clock, _confine, _hub, _older, _report, _signals, _waits
 from ._hooks import AfterImport
@@ -90,7 +90,7 @@ class Boot:
         program = type(sys)("__main__")
         program.__dict__.update(__file__=entry, __builtins__=builtins, __cached__=None)
         sys.modules["__main__"] = program
-        exec(compile(source, entry, "exec", dont_inherit=True), program.__dict__)  # noqa: S102 - the team's program
+        exec(_compiled(source, entry), program.__dict__)  # noqa: S102 - the team's program
 
     def _prepare_modules(self) -> None:
         _clock.show_simulated_time(self._clock)
@@ -102,6 +102,7 @@ class Boot:
             "numpy": _for_numpy("restore_old_names"),
             "scipy": _for_numpy("restore_names_of_numpy"),
             "scipy.integrate": _for_numpy("restore_integrals"),
+            "scipy.interpolate": _for_numpy("restore_interpolation"),
             "scipy.linalg": _for_numpy("restore_matrices"),
             "scipy.misc": _for_numpy("restore_of_misc"),
             "scipy.signal": _for_numpy("restore_windows"),
@@ -151,6 +152,14 @@ class Boot:
         _flush_output()
         self._wire.send(fault_frame(kind, detail, trace))
         leave(1)
+
+
+def _compiled(source: bytes, entry: str) -> types.CodeType:
+    try:
+        return compile(source, entry, "exec", dont_inherit=True)
+    except SyntaxError as error:
+        error.filename = error.filename or entry  # Python names none where it finds no text
+        raise
 
 
 def _flush_output() -> None:

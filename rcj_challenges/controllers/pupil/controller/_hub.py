@@ -48,7 +48,11 @@ EMITTED_BYTES = 1 << 15
 with the settings it is within the 64 KiB that a message may have beyond two of the largest packets."""
 
 _PACKET_OVERHEAD = 200
+_TOLD_TIMES = 10
+"""So often one complaint is told; then only the 100th, the 1000th: who errs in each step of a half does so 18750 times,
+and would not find what the program itself prints."""
 _MOST_TICKS = 2**31 - 1
+_MOST_DEPTH, _REHEARSALS = 150, 60  # `check` plays 10 s, the 60th part of a half
 
 
 class PacketQueue:
@@ -257,6 +261,20 @@ class Hub:
         self._clock.tick_began(tick)
         if flags == OVER:
             self.over = True
+            self._tell_of_depth()
+
+    def _tell_of_depth(self) -> None:
+        """Tell of a function that goes on by calling itself: in a rehearsal of some seconds nothing else shows it."""
+        depth, frame = 0, sys._getframe()  # noqa: SLF001 - it is documented
+        while frame.f_back is not None:
+            depth, frame = depth + 1, frame.f_back
+        limit = sys.getrecursionlimit()
+        if depth > _MOST_DEPTH and depth * _REHEARSALS > limit:
+            ends_s = self.time_s() * limit / depth
+            complain(
+                f"Warning: step was called {depth} calls deep: a function that steps goes on by calling itself. At "
+                f"{limit} Python ends the program, after about {ends_s:.0f} s; write a while loop."
+            )
 
     def _checked_ticks(self, duration_ms: Any) -> int:
         return self.ticks_from_ms(number(duration_ms, "step takes a number of ms, such as 32"))
@@ -350,9 +368,19 @@ def connected() -> Hub:
     return _hub
 
 
+_times_told: dict[str, int] = {}
+
+
 def complain(text: str) -> None:
-    """Tell the program's author something, on standard error."""
+    """Tell the program's author something, on standard error. The same thing again and again is told now and then."""
+    times = _times_told[text] = _times_told.get(text, 0) + 1
+    if times > _TOLD_TIMES and str(times).strip("0") != "1":
+        return
     print(text, file=sys.stderr)
+    if times == _TOLD_TIMES:
+        print(f"(told {times} times; from now on only the 100th time, the 1000th and so on)", file=sys.stderr)
+    elif times > _TOLD_TIMES:
+        print(f"(this is the {times}th time)", file=sys.stderr)
 
 
 def number(given: Any, wanted: str) -> float:

@@ -63,6 +63,7 @@ def restore_old_names(numpy: Any) -> None:
     restored = {"tostring": numpy.ndarray.tobytes, "ptp": ptp, "itemset": _itemset, "newbyteorder": _newbyteorder}
     restore_methods(numpy.ndarray, restored)
     _stack_what_is_no_list(there)
+    _put_anything_into_arrays(there)
     with suppress(AttributeError, TypeError, ValueError):  # a numpy that reads that way already, or not any more
         numpy.set_printoptions(legacy="1.25")
 
@@ -114,6 +115,32 @@ def _stack_what_is_no_list(there: dict[str, Any]) -> None:
             there[name] = listing(there[name])
 
 
+def _put_anything_into_arrays(there: dict[str, Any]) -> None:
+    """Let parts of different lengths, ``[[1, 2], 3]``, be an array of objects; ``copy=False`` copies what has to be."""
+    kind = there["object_"]
+
+    def taking(real: Callable[..., Any]) -> Callable[..., Any]:
+        @functools.wraps(real)
+        def function(*given: Any, **named: Any) -> Any:
+            try:
+                return real(*given, **named)
+            except ValueError as error:
+                said = str(error)
+                if "Unable to avoid copy" in said and named.get("copy") is False and real.__name__ == "array":
+                    named["copy"] = None
+                elif "inhomogeneous" in said and len(given) == 1 and named.get("dtype") is None:
+                    named["dtype"] = kind
+                else:
+                    raise
+            return function(*given, **named)
+
+        return function
+
+    for name in ("array", "asarray"):
+        if name in there:
+            there[name] = taking(there[name])
+
+
 def _reading_bytes(numpy: Any) -> Any:
     """Return ``fromstring`` as it was: without a separator it read bytes."""
     real = numpy.fromstring
@@ -160,6 +187,13 @@ def restore_integrals(integrate: Any) -> None:
     for old, new in (("cumtrapz", "cumulative_trapezoid"), ("trapz", "trapezoid")):
         if new in there:
             there.setdefault(old, there[new])
+
+
+def restore_interpolation(interpolate: Any) -> None:
+    """Give ``scipy.interpolate`` back what looks up numbers in a table of two axes."""
+    from ._interp2d import interp2d  # noqa: PLC0415 - it needs what has just been imported
+
+    interpolate.interp2d = interp2d
 
 
 def restore_windows(signal: Any) -> None:

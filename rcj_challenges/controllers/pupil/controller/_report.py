@@ -23,7 +23,9 @@ def short_names(team_root: str, site_folders: list[str]) -> list[tuple[str, str]
     """
     slashed = team_root.replace(os.sep, "/")
     shown = [(team_root + os.sep, ""), (slashed + "/", ""), (team_root, "."), (os.path.dirname(team_root), "~")]
-    shown += [(folder, "site-packages") for folder in site_folders] + [(os.path.dirname(os.__file__), "python")]
+    ours = os.path.dirname(os.path.dirname(__file__))  # where `controller` is; not always installed
+    shown += [(folder, "site-packages") for folder in (ours, *site_folders)]
+    shown += [(place, "python") for place in (os.path.dirname(os.__file__), sys.executable) if place]
     # Errors quote paths, and there backslashes are doubled.
     return shown + [(path.replace("\\", "\\\\"), short) for path, short in shown if "\\" in path]
 
@@ -80,12 +82,22 @@ def _describe(error: BaseException, inside: str) -> tuple[str, str]:
     where = ""
     if isinstance(error, SyntaxError) and error.filename:
         told.filename = _slashed(error.filename, inside)
-        where = f" ({told.filename}, line {error.lineno})"
+        if error.lineno is None or error.lineno < 1:  # of an encoding that there is not, which stands at the beginning
+            told.lineno = "1"
+        where = f" ({told.filename}, line {told.lineno})"
     elif told.stack:
         where = f" ({told.stack[-1].filename}, line {told.stack[-1].lineno})"
     last = list(told.format_exception_only())[-1].strip()
     summary = f"{type(error).__name__}: {error.msg}" if isinstance(error, SyntaxError) else " ".join(last.split())
-    return summary[:1_000] + where, "".join(told.format())
+    return summary[:1_000] + where + _on_encoding(error), "".join(told.format())
+
+
+def _on_encoding(error: BaseException) -> str:
+    """Return what to do about a file of Python that is saved as no UTF-8, of which Python tells in riddles."""
+    said = str(error) if isinstance(error, (SyntaxError, ValueError)) else ""
+    if any(words in said for words in ("cannot contain null bytes", "(unicode error) 'utf-8'", "Non-UTF-8 code")):
+        return "; save the file as UTF-8 text in your editor"
+    return ""
 
 
 def _slashed(filename: str, inside: str) -> str:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import sys
 from _thread import get_ident
 
+from ._beside import others_would_run
 from ._clock import Clock, real_monotonic, real_process_time
 from ._hooks import Unbound
 
@@ -163,8 +164,8 @@ def _for_others(real: Wait, waiting: Any, timeout: float) -> Any:
     """Really wait for other threads.
 
     Who waits for less than a tick in every step, beside threads that themselves wait for work, would use up a half's
-    time for nothing: such a wait is over when nobody computes. Time in which other programs had the processor does not
-    count: the thread that is waited for had none of it either.
+    time for nothing: such a wait is over when nobody computes, or would if there were a processor. Time in which other
+    programs had it does not count: the thread that is waited for had none of it either.
     """
     if timeout > _SHORT_S or sys.platform == "win32":  # there what was computed is told every 16 ms only
         return real(waiting, timeout)
@@ -175,5 +176,5 @@ def _for_others(real: Wait, waiting: Any, timeout: float) -> Any:
         passed_s, computed_s = real_monotonic() - began_s, real_process_time() - computed_s
         left_s -= min(passed_s, _SLICE_S + computed_s)
         nobody_computes = computed_s < _IDLE_SHARE * passed_s and passed_s < _HELD_UP_S
-        if came or left_s <= 0 or nobody_computes:
+        if came or left_s <= 0 or (nobody_computes and not others_would_run()):
             return came

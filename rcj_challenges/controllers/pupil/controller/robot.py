@@ -65,11 +65,11 @@ class Robot:
         return robot
 
     def __init__(self) -> None:
-        hub = connected()
-        if hub.robot_made:
-            raise RuntimeError("Only one instance of the Robot class should be created.")
+        self._rcj_hub = hub = connected()
+        if hub.robot_made:  # to go on costs nobody anything; to end it would cost a robot
+            complain(f"Error: only one Robot can be made: this second {type(self).__name__} is the same robot.")
+            return
         hub.robot_made = True
-        self._rcj_hub = hub
         for spec in hub.spec["devices"]:
             hub.devices[spec["name"]] = _class_of(spec["kind"])._rcj_made(hub, spec)  # noqa: SLF001 - for this alone
         Robot.created = self
