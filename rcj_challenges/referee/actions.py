@@ -125,13 +125,13 @@ def timer(model: models.TimerAction, workshop: Workshop, rule: StandingRule) -> 
     """Start, stop or reset a timer."""
     state, do = workshop.state, model.do
     clocks, whose = state.timers[model.timer], workshop.whose(model.entity, rule.each)
-    meant = tuple(clocks.values()) if whose is None else (clocks[whose],)
+    meant = tuple(clocks.items()) if whose is None else ((whose, clocks[whose]),)
     lasts_s = workshop.scenario.timers[model.timer].lasts_s
 
-    def change(clock: Clock) -> None:
+    def change(owner: str | None, clock: Clock) -> None:
         elapsed = clock.ticks(state.tick)
         if do == "restart" or (do == "start" and clock.since is None and elapsed == 0):
-            state.wind_up(clock, lasts_s)
+            state.wind_up(clock, lasts_s, owner)
             clock.elapsed, clock.since = 0, state.tick
         elif do == "reset":
             clock.elapsed, clock.since = 0, None
@@ -141,8 +141,8 @@ def timer(model: models.TimerAction, workshop: Workshop, rule: StandingRule) -> 
             clock.since = state.tick
 
     def act(_occasion: Occasion) -> None:
-        for clock in meant:
-            change(clock)
+        for owner, clock in meant:
+            change(owner, clock)
         workshop.timers_changed()
 
     return act

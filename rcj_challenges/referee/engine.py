@@ -20,6 +20,7 @@ from rcj_challenges.referee.ranking import ranked_counters
 from rcj_challenges.referee.rules import Hit, Occasion, StandingRule
 from rcj_challenges.referee.setting_down import Job, set_down
 from rcj_challenges.referee.state import Number, State
+from rcj_challenges.referee.triggers.holding import HoldWatch
 from rcj_challenges.referee.values import compile_value, spoken
 from rcj_challenges.referee.watching import NEVER
 from rcj_challenges.scenario.drawn import Series
@@ -110,6 +111,17 @@ class Referee:
     def undecided(self) -> dict[str, list[Scalar]]:
         """Of the values of draws that were decided beforehand those that have not come, by draw."""
         return self._state.undecided()
+
+    @property
+    def true_before(self) -> dict[str, int]:
+        """By rule the tick at which a `holds` of it held already, so that it could not come true."""
+        found: dict[str, int] = {}
+        for watch in self._lookout.watches:
+            if isinstance(watch, HoldWatch) and watch.true_before is not None:
+                for listener in watch.listeners:
+                    name = listener.rule.name
+                    found[name] = min(watch.true_before, found.get(name, watch.true_before))
+        return found
 
     @property
     def spots(self) -> dict[str, tuple[float, float]]:

@@ -11,16 +11,20 @@ from math import sqrt
 from rcj_challenges.facts.amounts import on_paper, plain
 from rcj_challenges.facts.play import HalfInfo, Pose2
 from rcj_challenges.facts.streams import random_stream, stream_seed
-from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
+from rcj_challenges.facts.timing import TICK_S, s_from_ticks, ticks_from_s
 from rcj_challenges.referee.held import Held
+from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.drawn import Series, drawable, series_of
 from rcj_challenges.scenario.halves import half_length_s
-from rcj_challenges.scenario.models.base import Scalar
+from rcj_challenges.scenario.models.base import LONGEST_S, Scalar
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.models.state import Draw, DrawnDuration, Phase
+from rcj_challenges.scenario.models.state import CounterValue, Draw, DrawnDuration, Phase
 from rcj_challenges.scenario.roster import Roster
 
 Number = int | float
+
+Lasting = float | DrawnDuration | CounterValue
+"""How long something lasts, as the scenario's models have it."""
 
 _FLOAT32 = struct.Struct("<f")
 
@@ -172,20 +176,35 @@ class State:
             else:
                 self.draw_anew(name, draw)
         for name, timer in self.scenario.timers.items():
-            for clock in self.timers[name].values():
-                self.wind_up(clock, timer.lasts_s)
+            for whose, clock in self.timers[name].items():
+                self.wind_up(clock, timer.lasts_s, whose)
 
-    def wind_up(self, clock: Clock, lasts_s: float | DrawnDuration) -> None:
-        """Give a clock its length, as its draw has decided by now."""
-        clock.length_s = self._lasting_s(lasts_s)
+    def wind_up(self, clock: Clock, lasts_s: Lasting, whose: str | None) -> None:
+        """Give a clock its length, as its draw has decided or its counter says by now.
+
+        Args:
+            clock: the clock.
+            lasts_s: how long it lasts.
+            whose: whom it is kept for; None for a single one.
+        """
+        clock.length_s = self._lasting_s(lasts_s, whose)
         clock.length = ticks_from_s(clock.length_s)
 
-    def lasting_ticks(self, lasts_s: float | DrawnDuration) -> int:
-        """Return a duration in ticks, as its draw has decided by now."""
+    def lasting_ticks(self, lasts_s: Lasting) -> int:
+        """Return a duration in ticks, as its draw has decided or its counter says by now."""
         return ticks_from_s(self._lasting_s(lasts_s))
 
-    def _lasting_s(self, lasts_s: float | DrawnDuration) -> float:
-        return float(self.draws[lasts_s.draw]) if isinstance(lasts_s, DrawnDuration) else lasts_s
+    def _lasting_s(self, lasts_s: Lasting, each: str | None = None) -> float:
+        match lasts_s:
+            case DrawnDuration():
+                return float(self.draws[lasts_s.draw])
+            case CounterValue():
+                whose = each if lasts_s.entity == EACH else lasts_s.entity
+                said = self.counter(lasts_s.counter, whose)
+                # A counter may be anything: to end a match as a fault because it was reckoned too far helps nobody.
+                return min(max(TICK_S, float(said)), LONGEST_S)
+            case _:
+                return lasts_s
 
     def set_draw(self, name: str, value: Scalar) -> None:
         """Let a draw have a value, which has been drawn then."""

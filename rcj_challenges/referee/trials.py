@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Container, Iterable, Mapping
 from dataclasses import dataclass, replace
 from math import hypot
 from typing import Any, Protocol
@@ -96,7 +96,11 @@ def try_expectation(loaded: HasScenario, name: str) -> Trial:
         play.finish()
     fired = dict.fromkeys(firing.rule for firing in play.firings if firing.suppressed is None)
     differences = list(_differences(play, scenario, expected))
-    notes = (*_no_room(play), *_not_drawn(play, expected), *play.wrong_ways.notes()) if differences else ()
+    notes = (
+        (*_no_room(play), *_not_drawn(play, expected), *play.wrong_ways.notes(), *_true_before(play, fired))
+        if differences
+        else ()
+    )
     return Trial((*differences, *notes), play.tick, tuple(fired))
 
 
@@ -105,6 +109,16 @@ def _no_room(play: ScriptedPlay) -> Iterable[str]:
     first = {(f.rule, f.says): f for f in reversed(play.firings) if f.suppressed == "no_room"}
     for firing in sorted(first.values(), key=lambda firing: firing.tick):
         yield f"note: from {s_from_ticks(firing.tick):g} s on {firing.says} (rule {firing.rule})"
+
+
+def _true_before(play: ScriptedPlay, fired: Container[str]) -> Iterable[str]:
+    """Return which rules waited in vain for a condition to come true: it held from the beginning."""
+    for rule, tick in play.referee.true_before.items():
+        if rule not in fired:
+            yield (
+                f"note: {rule} waits for a condition to come true that held already at {s_from_ticks(tick):g} s; "
+                "with for_s: 0.05 that is heard too"
+            )
 
 
 def _not_drawn(play: ScriptedPlay, expected: Expectation) -> Iterable[str]:

@@ -259,9 +259,9 @@ def spoken(says: str, state: State, occasion: Occasion) -> str:
         return says
     points = str(on_paper(sum(occasion.scored.values())))
     filled = {
-        "{entity}": occasion.subject or "",
-        "{each}": occasion.rule.each or "",
-        "{other}": occasion.rule.other or "",
+        "{entity}": _named(occasion.subject),
+        "{each}": _named(occasion.rule.each),
+        "{other}": _named(occasion.rule.other),
         "{team}": _team_name(state, occasion, None),
         "{measured}": _said(occasion.measured),
         "{limit}": _said(occasion.limit),
@@ -278,6 +278,11 @@ def spoken(says: str, state: State, occasion: Occasion) -> str:
         parts += [rest[:start], filled[key]]
         rest = rest[start + len(key) :]
     return "".join([*parts, rest])
+
+
+def _named(name: str | None) -> str:
+    """Return a name as people write it, as the rule sheet does: ``blue goal``."""
+    return (name or "").replace("_", " ")
 
 
 def _said(number: float | None) -> str:

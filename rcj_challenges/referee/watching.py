@@ -159,6 +159,11 @@ class Lookout:
         """Follow a watch; all of them are added before the half starts."""
         self._watches.append(watch)
 
+    @property
+    def watches(self) -> tuple[Watch, ...]:
+        """All watches, whether they live in the present phase or not."""
+        return tuple(self._watches)
+
     def enter(self, phase: str, left: str | None) -> None:
         """Enter a phase: the watches that did not live in the phase left begin anew (all, if it is the same)."""
         if phase not in self._phases:

@@ -20,7 +20,7 @@ from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
 from rcj_challenges.scenario.references import Field, Named, Reference, references_of
 from rcj_challenges.scenario.shape import Shape, bare, chosen, is_model, step_into
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, in_names, mark_of, node_at
-from rcj_challenges.scenario.ways_out import for_drawn, for_teams
+from rcj_challenges.scenario.ways_out import for_drawn, for_spots, for_teams
 from rcj_challenges.scenario.whose import NAMING_ONE, check_whose
 from rcj_challenges.scenario.wording import found_text
 
@@ -92,6 +92,9 @@ class _Walker:
     def _model(self, model: Any, node: Entries, path: Path, bound: Bound) -> Bound:
         if model is Rule:
             bound = self._bound_in(node)
+        elif model is state.Timer and texts(node.entries.get("per")):
+            # What one of several timers lasts may be what the counter of the same one says.
+            bound = Bound(tuple(one for text in texts(node.entries["per"]) for one in self.names.expand(text)))
         if model is Kit and path[-1] not in self.kits_in_use:
             return bound  # a preset's kit may list robots that this scenario has not
         for key, reference, default in references_of(model):
@@ -213,6 +216,7 @@ class _Walker:
             more = f", and {alike - 1} more of them" if way_out and alike > 1 else ""
             what = f"'{name}' is" if name == stranger else f"group '{name}' contains '{stranger}',"
             wanted = f"{_a(reference.noun)}{way_out}"
+            wanted += for_spots(path, self.names.groups[name]) if kind == "spot" else ""
             # The group is what is wrong: once for each rule that names it is enough.
             self._add_once(path[:2], path, mark, f"{what} {_a(kind)}{more}; expected {wanted}")
 

@@ -30,7 +30,7 @@ from rcj_challenges.scenario.shape import (
     tags,
 )
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, child, in_names, mark_of, node_at, plain
-from rcj_challenges.scenario.ways_out import for_counted, for_repeated, for_several
+from rcj_challenges.scenario.ways_out import for_reckoned, for_repeated, for_several, for_value
 from rcj_challenges.scenario.wording import NAME_RULE, expected, found_text, is_fixed, refusal
 
 _KEY = "[key]"
@@ -181,7 +181,7 @@ class _Explainer:
             return self._wrong_tag(mistake)
         node = node_at(self.root, mistake.path)
         message = refusal(mistake.kind, mistake.details, mistake.shape, node)
-        return self._at(mistake.path, message + for_counted(mistake.path, node) + for_several(mistake.path, node))
+        return self._at(mistake.path, message + for_value(mistake.path, node) + for_several(mistake.path, node))
 
     def _at(self, path: Path, message: str, *, at_key: bool = False) -> Problem:
         node = node_at(self.root, path)
@@ -210,7 +210,8 @@ class _Explainer:
         if model in (TimerValue, WordValue) and key == "fraction":
             why = "; a payload and the broadcast tell times with their fraction anyway: leave it out"
         message = f"unknown key '{key[:64]}'; allowed are {listing(allowed, 40)}{nearest(key, allowed)}{why}"
-        message += for_repeated(above, key) or self._as_list(above, key)
+        reckoned = for_reckoned(above, key, node_at(self.root, above))
+        message += for_repeated(above, key) or reckoned or self._as_list(above, key)
         return mark_of(self.root, (*above, key), at_key=True).problem(in_names(self.root, above), message)
 
     def _as_list(self, above: Path, key: str) -> str:
@@ -228,6 +229,7 @@ class _Explainer:
         if not isinstance(discriminator, str) or not isinstance(node, Entries):
             hints = (nearest(key, words) for key in node.entries) if isinstance(node, Entries) else ()
             hint = next(filter(None, hints), "") or _instead_of_list(mistake.path, node, words)
+            hint = for_value(mistake.path, node) or hint
             return self._at(mistake.path, expected(mistake.shape, node) + hint)
         tag = child(node, discriminator)
         if tag is None:

@@ -32,6 +32,7 @@ from rcj_challenges.scenario.lint_moments import check_moments
 from rcj_challenges.scenario.lint_numbers import check_numbers, check_written_out
 from rcj_challenges.scenario.lint_others import check_others
 from rcj_challenges.scenario.lint_put_back import check_put_back
+from rcj_challenges.scenario.lint_repeated import check_groups_of_groups, check_repeated
 from rcj_challenges.scenario.lint_result import check_ranking
 from rcj_challenges.scenario.lint_says import check_broadcast, check_description, check_sentences
 from rcj_challenges.scenario.lint_sides import check_sides
@@ -69,6 +70,8 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_events,
     check_events_of_one,
     check_rules,
+    check_repeated,
+    check_groups_of_groups,
     check_contradictions,
     check_touched,
     check_judged_twice,

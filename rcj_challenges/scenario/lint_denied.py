@@ -96,5 +96,7 @@ def _may_hold_at_end(condition: TimerIs, subject: Subject) -> bool:
         return True  # a bound that is a counter may be anything
     low, high = range_of(condition)
     lengths = lengths_s(subject.scenario.timers[condition.timer].lasts_s, subject.scenario)
+    if not lengths:
+        return True  # as long as a counter says
     # The referee counts in whole ticks.
     return any((low <= s_from_ticks(ticks_from_s(length)) <= high) != condition.negate for length in lengths)

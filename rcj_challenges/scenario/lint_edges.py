@@ -115,8 +115,20 @@ def check_exclusive_groups(subject: Subject) -> Iterator[Suspect]:
                 ("rules", second, "exclusive"),
                 f"exclusive counts per entity: this rule {_for_whom(second, subject)}, rule '{first}' of the same "
                 f"group {_for_whom(first, subject)}, and neither ever stops the other",
-                "give both a for_each (one entity will do), or neither, or conditions of which only one can hold",
+                _meant_by_repeating(first, second, subject)
+                or "give both a for_each (one entity will do), or neither, or conditions of which only one can hold",
             )
+
+
+def _meant_by_repeating(first: str, second: str, subject: Subject) -> str:
+    """Return what to do where one repeated rule over members should count for one of them only; else nothing."""
+    came_from = [subject.repeated[name].rule for name in (first, second) if name in subject.repeated]
+    if subject.scenario.rules[first].for_each is None or len(came_from) < 2 or len(set(came_from)) > 1:
+        return ""
+    return (
+        "leave it out; for only one of several to count in a tick each makes itself the value of a draw, "
+        "{action: draw, draw: …, as: each}, which the last one keeps, and a rule that hears an event asks who that is"
+    )
 
 
 def _stops_nothing(name: str, subject: Subject) -> bool:

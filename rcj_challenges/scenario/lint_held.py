@@ -67,7 +67,7 @@ def _expected_to_move(name: str, rule: Rule, held: list[str], driven: set[str], 
 
 def _longest_s(phase: str, subject: Subject) -> float:
     lasts_s = subject.scenario.phases[phase].lasts_s
-    return inf if lasts_s is None else max(lengths_s(lasts_s, subject.scenario))
+    return inf if lasts_s is None else max(lengths_s(lasts_s, subject.scenario), default=0.0)
 
 
 # --- rules that hold robots -------------------------------------------------------------------------------------------

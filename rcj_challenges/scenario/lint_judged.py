@@ -228,7 +228,7 @@ def _keeps_from_end(condition: Condition, timer: str, subject: Subject) -> bool:
     if condition.negate:
         return bounds == (None, None, None)
     latest = next((one for one in (condition.equals, condition.at_most) if isinstance(one, int | float)), None)
-    shortest = min(lengths_s(subject.scenario.timers[timer].lasts_s, subject.scenario))
+    shortest = min(lengths_s(subject.scenario.timers[timer].lasts_s, subject.scenario), default=0.0)
     return latest is not None and latest < shortest - TICK_S
 
 

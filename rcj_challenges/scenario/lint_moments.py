@@ -16,7 +16,7 @@ from rcj_challenges.scenario.halves import longest_half_s
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lengths_s, lives_in
 from rcj_challenges.scenario.models.actions import SetPhase, TimerAction
 from rcj_challenges.scenario.models.scenario import Rule
-from rcj_challenges.scenario.models.state import DrawnDuration, Phase
+from rcj_challenges.scenario.models.state import Phase
 from rcj_challenges.scenario.models.triggers import TimeReached, TimerExpired, Trigger
 from rcj_challenges.scenario.tree import Path, node_at
 
@@ -78,7 +78,7 @@ def time_of(trigger: Trigger, subject: Subject) -> float | None:
         return None
     timer = subject.scenario.timers[trigger.timer]
     touched = any(isinstance(model, TimerAction) and model.timer == trigger.timer for model, _ in subject.models)
-    if not timer.starts or touched or isinstance(timer.lasts_s, DrawnDuration):
+    if not timer.starts or touched or not isinstance(timer.lasts_s, int | float):
         return None
     return timer.lasts_s
 
@@ -189,7 +189,7 @@ class _Course:
         if model.lasts_s is None:
             return _NEVER, _NEVER
         ticks = [ticks_from_s(length) for length in lengths_s(model.lasts_s, self._subject.scenario)]
-        return min(ticks), max(ticks)
+        return (min(ticks), max(ticks)) if ticks else (1, _NEVER)
 
 
 def _is_within(visit: _Visit, other: _Visit) -> bool:

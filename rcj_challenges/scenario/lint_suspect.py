@@ -13,7 +13,7 @@ from rcj_challenges.scenario.merge import Repeated
 from rcj_challenges.scenario.models.actions import Place, Remove, SetPhase
 from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.models.state import DrawnDuration, DrawValue
+from rcj_challenges.scenario.models.state import CounterValue, DrawnDuration, DrawValue
 from rcj_challenges.scenario.other import has_other, others_of
 from rcj_challenges.scenario.references import REFERENCES, Field, Reference
 from rcj_challenges.scenario.roster import Roster
@@ -172,8 +172,13 @@ def lives_in(rule: Rule, phase: str) -> bool:
     return rule.phases == "any" or phase in rule.phases
 
 
-def lengths_s(lasts_s: float | DrawnDuration, scenario: Scenario) -> tuple[float, ...]:
-    """Return how long something may last, in s: one duration, or all that a draw may decide."""
+def lengths_s(lasts_s: float | DrawnDuration | CounterValue, scenario: Scenario) -> tuple[float, ...]:
+    """Return how long something may last, in s: one duration, or all that a draw may decide.
+
+    Of a counter nobody knows: none.
+    """
+    if isinstance(lasts_s, CounterValue):
+        return ()
     if isinstance(lasts_s, DrawnDuration):
         return tuple(float(value) for value in scenario.draws[lasts_s.draw].values)
     return (lasts_s,)

@@ -161,9 +161,9 @@ def _limits(model: Strict, scenario: Scenario) -> Iterator[tuple[str, float, boo
             yield "for_s", model.for_s, True, _NEVER
         case TimeReached(every_s=every_s) | Touches(every_s=every_s) if every_s is not None:
             yield _repeating(model, every_s)
-        case Timer():
+        case Timer() if not isinstance(model.lasts_s, CounterValue):
             yield _lasting(model.lasts_s, scenario, "it never expires")
-        case Phase() if model.lasts_s is not None:
+        case Phase() if model.lasts_s is not None and not isinstance(model.lasts_s, CounterValue):
             yield _lasting(model.lasts_s, scenario, "the phase never ends by itself")
         case Remove(for_s=for_s) if for_s is not None and not isinstance(for_s, CounterValue):
             yield _lasting(for_s, scenario, "what is taken off does not come back", "for_s")

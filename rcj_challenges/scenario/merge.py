@@ -35,10 +35,12 @@ class Repeated(NamedTuple):
     Attributes:
         rule: the name under which it is written.
         known: what is a param in it besides those of the scenario.
+        unused: those of them for which nothing in it stands.
     """
 
     rule: str
     known: tuple[str, ...]
+    unused: tuple[str, ...] = ()
 
 
 @dataclass

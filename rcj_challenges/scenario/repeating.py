@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from rcj_challenges.scenario.blanks import BLANKS, filled
+from rcj_challenges.scenario.blanks import BLANKS, filled, in_braces
 from rcj_challenges.scenario.errors import Problem, listing, nearest
 from rcj_challenges.scenario.merge import Merger, Repeated, is_param
 from rcj_challenges.scenario.models.base import Scalar
@@ -68,13 +68,17 @@ def repeat_rules(root: Entries, merger: Merger) -> None:
             message = f"too much is repeated: written out it would be more than {_MOST_VALUES} single values"
             merger.problems.append(rules.key_marks[name].problem(f"{RULES}.{name}", message))
             rows = []
+        used = {*_params_in(rule), *_blanks_in(rule)}
         for row in rows:
-            merger.repeated[_joined(name, row)] = Repeated(name, tuple(row.values))
+            unused = tuple(key for key in row.values if key not in used)
+            merger.repeated[_joined(name, row)] = Repeated(name, tuple(row.values), unused)
             fresh.put(_joined(name, row), copied(rule), rules.key_marks[name])
             _fill(root, _joined(name, row), row.values, merger)
         if not rows:  # what is wrong with them is told; what else is wrong in the rule can be told as well
             fresh.put(name, rule, rules.key_marks[name])
-            _fill(root, name, dict.fromkeys(_unknown_in(rule, params_of(root)), Leaf(None, rule.mark)), merger)
+            known = params_of(root)
+            unknown = (one for one in _params_in(rule) if one not in known)
+            _fill(root, name, dict.fromkeys(unknown, Leaf(None, rule.mark)), merger)
 
 
 def _is_repeated(rule: Node) -> bool:
@@ -98,15 +102,22 @@ def _count(node: Node, values: Mapping[str, Leaf | Items]) -> int:
     )
 
 
-def _unknown_in(node: Node, params: Mapping[str, Node]) -> Iterator[str]:
-    """Yield what is used like a param and is none."""
+def _params_in(node: Node) -> Iterator[str]:
+    """Yield the names of what is used like a param."""
     if isinstance(node, Entries):
         name = node.entries.get("param")
-        if is_param(node) and isinstance(name, Leaf) and str(name.value) not in params:
+        if is_param(node) and isinstance(name, Leaf):
             yield str(name.value)
     inner = node.entries.values() if isinstance(node, Entries) else node.items if isinstance(node, Items) else ()
     for one in inner:
-        yield from _unknown_in(one, params)
+        yield from _params_in(one)
+
+
+def _blanks_in(rule: Entries) -> Iterator[str]:
+    """Yield what the sentence of a rule fills in before anything happens."""
+    says = rule.entries.get("says")
+    if isinstance(says, Leaf) and isinstance(says.value, str):
+        yield from (name for name in in_braces(says.value) if name not in BLANKS)
 
 
 def _fill(root: Entries, name: str, values: Mapping[str, Leaf | Items], merger: Merger) -> None:
@@ -120,17 +131,19 @@ def _fill(root: Entries, name: str, values: Mapping[str, Leaf | Items], merger: 
     if isinstance(says, Leaf) and isinstance(says.value, str):
         written = says.value
         # As for params, a blank that is filled in when the rule fires goes before a value of its name.
-        known = {key: _plain(value) for key, value in values.items() if key not in BLANKS}
+        known = {key: _spoken(value) for key, value in values.items() if key not in BLANKS}
         says.value = filled(says.value, {key: value for key, value in known.items() if value is not None})
         begins = known.get(THIS)
         if isinstance(begins, str) and written.startswith(f"{{{THIS}}}"):
             says.value = begins[:1].upper() + says.value[1:]
 
 
-def _plain(value: Leaf | Items) -> Scalar | list[Scalar] | None:
-    if isinstance(value, Leaf):
-        return value.value
-    return [one.value for one in value.items if isinstance(one, Leaf) and one.value is not None]
+def _spoken(value: Leaf | Items) -> Scalar | list[Scalar] | None:
+    """Return a value as a sentence tells it; names as people write them."""
+    if isinstance(value, Items):
+        told = (_spoken(one) for one in value.items if isinstance(one, Leaf))
+        return [one for one in told if one is not None and not isinstance(one, list)]
+    return value.value.replace("_", " ") if isinstance(value.value, str) else value.value
 
 
 class _Reader:

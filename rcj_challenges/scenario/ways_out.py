@@ -6,7 +6,13 @@ from collections.abc import Iterable
 
 from rcj_challenges.scenario.catalogue import texts
 from rcj_challenges.scenario.errors import listing
-from rcj_challenges.scenario.tree import Leaf, Node, Path, child
+from rcj_challenges.scenario.tree import Entries, Leaf, Node, Path, child
+
+_TIMES = ("at_s", "limit_s", "within_s", "for_s", "grace_s", "every_s")
+"""The times that triggers wait for."""
+_MEASURES = ("timer", "way", "distance", "word", "told", "flag", "draw")
+_LIMITS = ("at_least", "at_most", "equals")
+_PLACES = ("at", "back_at", "towards")
 
 _TEAMS = ("entrants", "teams")
 _FOR_TEAMS = {
@@ -37,6 +43,13 @@ def for_several(path: Path, node: Node | None) -> str:
     return "; for several, name a group of them, or write the rule once for each name with repeat_for"
 
 
+def for_spots(path: Path, members: Iterable[str]) -> str:
+    """Return how a rule for each of several spots is written; empty: no rule goes over them here."""
+    if path[2:] != ("for_each",):
+        return ""
+    return f"; spots are not gone over: repeat_for: [{listing(members)}] writes the rule once for each, {{param: this}}"
+
+
 def for_repeated(above: Path, key: str) -> str:
     """Return where ``repeat_for`` stands; empty: something else is meant."""
     if key != "repeat_for":
@@ -54,18 +67,113 @@ def for_drawn(name: str, kind: str, path: Path, *, each: bool) -> str:
         path: where it stands.
         each: whether `each` may stand there.
     """
-    if kind != "draw" or not each or path[2:3] != ("actions",):
+    if kind != "draw" or path[2:3] != ("actions",):
+        return ""
+    if not each and "at" in path:
+        placed = f"{{action: place, layout: {{draw: {name}}}}}"
+        return f"; where a draw decides the place, give it layouts as values: {placed}"
+    if not each:
         return ""
     return f"; to do it to the one drawn: for_each, {{condition: drawn, draw: {name}, equals: each}}, and 'each' here"
 
 
-def for_counted(path: Path, node: Node | None) -> str:
-    """Return how something lasts as long as a counter says; empty: that is not what was meant."""
-    counter = texts(child(node, "counter"))
-    if path[2:] != ("lasts_s",) or path[0] not in ("timers", "phases") or not counter:
+def for_value(path: Path, node: Node | None) -> str:
+    """Return how something is said that cannot stand here as a value; empty: nothing is known that was meant.
+
+    Args:
+        path: where the value stands.
+        node: the value, as it is written.
+    """
+    if path[:1] != ("rules",) or not isinstance(node, Entries):
         return ""
-    of_timer = path[0] == "timers"
-    asked = f"{{condition: timer, timer: {path[1] if of_timer else '…'}, at_least: {{counter: {counter[0]}}}}}"
-    since, then = ("", "") if of_timer else (" that runs since then", " and set_phase")
-    heard = f"{{trigger: holds, condition: {asked}}}"
-    return f"; as long as a counter says: a long timer{since}, and a rule with {heard}{then}"
+    compared = (_no_number, _score_compared, _measured_before, _drawn_compared, _told_compared)
+    return next(filter(None, (way(path, node) for way in (*compared, _zone_to_put, _spot_of_chance))), "")
+
+
+def _no_number(path: Path, node: Entries) -> str:
+    """Return how a time that a draw or a counter says is told."""
+    kind = next((one for one in ("counter", "draw") if texts(child(node, one))), None)
+    if kind is None:
+        return ""
+    lasts = f"lasts_s: {{{kind}: {texts(child(node, kind))[0]}}} there"
+    if path[2:] == ("cooldown_s",):
+        asked = "{condition: timer, timer: …, negate: true}"
+        return f"; a rest that is drawn or reckoned is a timer that the rule starts: {lasts}, and {asked} here"
+    if path[2:3] != ("triggers",) or path[-1] not in _TIMES:
+        return ""
+    heard = "{trigger: timer_expired, timer: …}"
+    return f"; a time that is drawn or reckoned is that of a timer: {lasts}, and {heard} here"
+
+
+def _score_compared(path: Path, node: Entries) -> str:
+    """Return how a score is compared with."""
+    key = next((one for one in ("score", "entrant", "points") if texts(child(node, one))), None)
+    if key is None or path[-1] not in _LIMITS:
+        return ""
+    return f"; a score is read like a counter: {{counter: {texts(child(node, key))[0]}}}"
+
+
+def _measured_before(path: Path, node: Entries) -> str:
+    """Return how a limit or a length is what something measures."""
+    kind = next((one for one in _MEASURES if one in node.entries), None)
+    lasts = path[2:3] == ("actions",) and path[-1] == "for_s"
+    compared = path[-1] in _LIMITS and path[2:3] in (("conditions",), ("triggers",))
+    if kind is None or not (lasts or compared) or (kind == "draw" and path[-1] == "equals"):
+        return ""
+    counted = f"{{action: count, counter: …, to: {{{kind}: …}}}}"
+    return f"; what is measured is counted before, {counted}, and {{counter: …}} stands here"
+
+
+def _drawn_compared(path: Path, node: Entries) -> str:
+    """Return how two draws are compared, or one is set to what the other one has."""
+    draw = texts(child(node, "draw"))
+    if not draw or path[-1] not in ("equals", "as"):
+        return ""
+    asked = f"{{condition: drawn, draw: {draw[0]}, equals: each}}"
+    return f"; what another draw has: for_each over those it decides among, {asked}, and 'each' here"
+
+
+def _told_compared(path: Path, node: Entries) -> str:
+    """Return how what a robot tells is compared with a number that is reckoned."""
+    if path[-1] != "text" or "counter" not in node.entries:
+        return ""
+    return (
+        "; a number that is reckoned: is_a: number, {action: count, counter: …, to: {told: …}} and an event, and the "
+        "rule that hears it compares the two counters"
+    )
+
+
+def _spot_of_chance(path: Path, node: Entries) -> str:
+    """Return how chance decides where a spot is."""
+    if path[-1] != "to" or not any(one in node.entries for one in ("uniform_in", "on_line", "choice", "draw")):
+        return ""
+    return (
+        "; chance decides among spots of the file by a draw, draws: {hidden: {values: [a, b, c]}}: its name stands for "
+        "the spot drawn, in distance, {spot: hidden} and {relative_to: hidden}"
+    )
+
+
+def _zone_to_put(path: Path, node: Entries) -> str:
+    """Return how something is put into a zone."""
+    zone = texts(child(node, "zone"))
+    return f"; a random point of a zone is {{uniform_in: {zone[0]}}}" if zone and path[-1] in _PLACES else ""
+
+
+def for_reckoned(above: Path, key: str, node: Node | None) -> str:
+    """Return how a counter is reckoned with; empty: something else is meant.
+
+    Args:
+        above: where the mapping stands in which the key is not known.
+        key: the key.
+        node: that mapping.
+    """
+    counter = texts(child(node, "counter"))
+    if key not in ("plus", "times", "minus", "weight") or not counter:
+        return ""
+    parts = f"[{{counter: {counter[0]}, weight: 2}}, 1]"
+    if above[-1:] in (("by",), ("to",), ("points",)):
+        if key == "weight":
+            return ""  # said of all that may stand in a list
+        return f"; it is reckoned as a list that is added up: {parts}"
+    counted = f"{{action: count, counter: …, to: {parts}}}"
+    return f"; what is reckoned is counted before, {counted}, and that counter stands here"

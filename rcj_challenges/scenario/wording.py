@@ -8,6 +8,7 @@ from typing import Any, Literal, get_args, get_origin
 
 from rcj_challenges.facts.colours import CSS_COLOURS
 from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.scenario.catalogue import BOUND
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.models.base import Colour, EventName, Name, Names, Point
 from rcj_challenges.scenario.models.conditions import SaidText
@@ -47,12 +48,20 @@ def _hint(shape: Shape, text: str) -> str:
     """Return a hint for the usual ways to write a value that YAML takes for a text."""
     kinds = [bare(inner).kind for member in members(shape) for inner in members(member)]
     if without_none(shape) == At:
-        return f"; a spot is written {{spot: {text}}}" if text.isidentifier() else ""
+        return _named_place(text) if text.isidentifier() else ""
     if bool in kinds and text.lower() in _YES | _NO:
         return f"; did you mean {'true' if text.lower() in _YES else 'false'}?"
     if (int in kinds or float in kinds) and _NUMBER.fullmatch(text):
         return "; leave the quotes out"
     return ""
+
+
+def _named_place(text: str) -> str:
+    """Return how the place of a name is written: of a spot, in a zone, beside a thing that moves."""
+    beside = f"beside a robot or a ball {{relative_to: {text}}}"
+    if text in BOUND:
+        return f"; {beside}"
+    return f"; a spot is written {{spot: {text}}}, a random point of a zone {{uniform_in: {text}}}, {beside}"
 
 
 def _point(node: Items) -> str:

@@ -170,3 +170,20 @@ class TestZones:
             play.fail("B1")
             play.play()
         assert [event.payload["step"] for event in play.events] == ["left", "right"]
+
+
+def test_a_sentence_tells_names_as_people_write_them(stage):
+    play = stage("""
+    zones: {far_end: {shape: rect, y_min_m: 0.6}}
+    groups: {ends: [far_end]}
+    rules:
+      there:
+        for_each: ends
+        triggers: [{trigger: enters, entity: Y1, zone: each}]
+        actions: [{action: emit, event: THERE, payload: {zone: {word: each_name}}}]
+        says: "{entity} is at the {each}."
+    """)
+    play.place("Y1", 0, 0.65)
+    play.play()
+    assert play.firings[0].says == "Y1 is at the far end."
+    assert play.events[0].payload == {"zone": "far_end"}

@@ -48,7 +48,8 @@ CASES = [
     (rule("{trigger: holds, condition: {condition: speed, entity: ball, at_least: fast}}"),
      "rules.r.triggers[0] (holds).condition.at_least: expected a number, {counter: …}, {lowest: …} or {highest: …}, found 'fast'"),
     (rule("{trigger: holds, condition: {condition: speed, entity: ball, at_least: {timer: t}}}"),
-     "rules.r.triggers[0] (holds).condition.at_least: expected a number, {counter: …}, {lowest: …} or {highest: …}, found a mapping with timer"),
+     ("rules.r.triggers[0] (holds).condition.at_least: expected a number, {counter: …}, {lowest: …} or {highest: …}, found a mapping with timer; "
+      "what is measured is counted before, {action: count, counter: …, to: {timer: …}}, and {counter: …} stands here")),
     (rule("{trigger: holds, condition: [{condition: flag, flag: f}, {condition: flag, flag: g}]}"),
      ("rules.r.triggers[0] (holds).condition: expected a mapping with 'condition', found a list of 2; it takes a single one of in_zone, "
       "speed, distance, way, looks, held, counter, flag, drawn, timer, last_touch, told, spot_free, sequence_at, half, any_of, all_of (its opposite by negate: true); for "
@@ -64,7 +65,8 @@ CASES = [
      "of them, or write the rule once for each name with repeat_for")),
     (rule(rest=f"    says: {'x' * 501}\n"), f"rules.r.says: must have at most 500 characters, found '{'x' * 60}…'"),
     (place("at: centre"), ("rules.r.actions[0] (place).at: expected start, {start: …}, {point: …}, {spot: …}, {uniform_in: …}, {on_line: …}, "
-     "{choice: …}, {nearest_free: …}, {furthest_free: …} or {relative_to: …}, found 'centre'; a spot is written {spot: centre}")),
+     "{choice: …}, {nearest_free: …}, {furthest_free: …} or {relative_to: …}, found 'centre'; a spot is written {spot: centre}, "
+     "a random point of a zone {uniform_in: centre}, beside a robot or a ball {relative_to: centre}")),
     (place("at: {spot: [centre]}"), "rules.r.actions[0] (place).at.spot: expected a name, found a list of 1"),
     (place("at: {point: [0, 0], spot: centre}"), "rules.r.actions[0] (place).at: unknown key 'spot'; allowed are point; did you mean 'point'?"),
     (place("at: {on_line: [[0, 0], [1]]}"), "rules.r.actions[0] (place).at.on_line[1]: expected two numbers [x, y], found a list of 1"),

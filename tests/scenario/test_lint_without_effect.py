@@ -71,6 +71,12 @@ class TestExclusiveGroups:
         (finding,) = found(rules("blue", "yellow"), self.KIND)
         assert finding.problem.path == "rules.r1.exclusive"
 
+    def test_of_one_rule_that_is_repeated_over_members_it_is_told_how_only_one_counts(self):
+        rule = RULE % ("r", "exclusive: one, repeat_for: [blue, yellow], for_each: {param: this}, ", "each")
+        (finding,) = found(f"rules:\n{rule}", self.KIND)
+        assert finding.problem.path == "rules.r_yellow.exclusive"
+        assert finding.remedy.startswith("leave it out; for only one of several to count in a tick each makes itself")
+
     @pytest.mark.parametrize("groups", [("", ""), ("robots", "robots"), ("robots", "Y1"), ("blue", "yellow", "robots")])
     def test_rules_that_meet_are_fine(self, groups):
         assert found(rules(*groups), self.KIND) == []

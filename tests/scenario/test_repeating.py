@@ -42,12 +42,12 @@ rules:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
     conditions: [{condition: in_zone, entity: [blue], zone: in_play}]
     actions: [{action: score, entrant: yellow, points: 5}]
-    says: "{points} points for yellow: the ball is in the blue_goal, and blue blue see it from {entity}."
+    says: "{points} points for yellow: the ball is in the blue goal, and blue blue see it from {entity}."
   goal_blue:
     triggers: [{trigger: enters, entity: ball, zone: yellow_goal}]
     conditions: [{condition: in_zone, entity: [yellow, blue], zone: in_play}]
     actions: [{action: score, entrant: blue, points: 7}]
-    says: "{points} points for blue: the ball is in the yellow_goal, and yellow and blue yellow and blue see it from {entity}."
+    says: "{points} points for blue: the ball is in the yellow goal, and yellow and blue yellow and blue see it from {entity}."
   after:
     triggers: [{trigger: half_ended}]
     actions: [{action: emit, event: AFTER}]

@@ -72,15 +72,29 @@ def test_what_was_drawn_is_acted_on_by_a_rule_for_each(action):
     )
 
 
-@pytest.mark.parametrize(
-    ("section", "timer", "since", "then"),
-    [("timers", "p", "", ""), ("phases", "…", " that runs since then", " and set_phase")],
-)
-def test_what_lasts_as_long_as_a_counter_says_is_a_rule(section, timer, since, then):
-    condition = f"{{condition: timer, timer: {timer}, at_least: {{counter: n}}}}"
-    assert complaints(f"counters: {{n: {{}}}}\n{section}: {{p: {{lasts_s: {{counter: n}}}}}}\n")[0].endswith(
-        f"found a mapping with counter; as long as a counter says: a long timer{since}, and a rule with "
-        f"{{trigger: holds, condition: {condition}}}{then}"
+LIMITS = {
+    "{trigger: stays_in, entity: Y1, zone: pitch, limit_s: {counter: n}}": "r.triggers[0] (stays_in).limit_s",
+    "{trigger: no_progress, entity: Y1, distance_m: 1, within_s: {counter: n}}": "r.triggers[0] (no_progress).within_s",
+    "{trigger: holds, condition: {condition: held, entity: Y1}, for_s: {draw: n}}": "r.triggers[0] (holds).for_s",
+    "{trigger: time_reached, at_s: {draw: n}}": "r.triggers[0] (time_reached).at_s",
+}
+
+
+@pytest.mark.parametrize(("trigger", "where"), LIMITS.items(), ids=list(LIMITS.values()))
+def test_a_time_that_is_no_number_in_a_rule_is_that_of_a_timer(trigger, where):
+    kind = "draw" if "draw" in trigger else "counter"
+    (complaint,) = complaints(f"counters: {{n: {{}}}}\ndraws: {{n: {{values: [1]}}}}\n{rule(trigger)}")
+    assert complaint == (
+        f"rules.{where}: expected a number, found a mapping with {kind}; a time that is drawn or reckoned is that of a "
+        f"timer: lasts_s: {{{kind}: n}} there, and {{trigger: timer_expired, timer: …}} here"
+    )
+
+
+def test_a_rest_that_is_no_number_is_a_timer_that_a_condition_asks():
+    (complaint,) = complaints(f"counters: {{n: {{}}}}\n{rule(rest='    cooldown_s: {counter: n}')}")
+    assert complaint.endswith(
+        "expected a number, found a mapping with counter; a rest that is drawn or reckoned is a timer that the rule "
+        "starts: lasts_s: {counter: n} there, and {condition: timer, timer: …, negate: true} here"
     )
 
 
@@ -103,3 +117,96 @@ def test_a_word_of_other_languages_leads_to_the_one_here(trigger, action, told):
 def test_times_that_are_told_have_their_fraction_anyway(told):
     (complaint,) = complaints(f"timers: {{attempt: {{lasts_s: 5}}}}\nbroadcast: {{fields: {{run: {told}}}}}\n")
     assert complaint.endswith("; a payload and the broadcast tell times with their fraction anyway: leave it out")
+
+
+HEAD_OF_ALL = (
+    "counters: {n: {}, m: {}}\ndraws: {x: {values: [blue_goal]}, y: {values: [blue_goal, yellow_goal]}}\n"
+    "timers: {clock: {lasts_s: 5}}\n"
+)
+ASKING = "    conditions: [%s]\n"
+COUNTED_BEFORE = (
+    "; what is reckoned is counted before, {action: count, counter: …, to: [{counter: n, weight: 2}, 1]}, and that "
+    "counter stands here"
+)
+
+
+@pytest.mark.parametrize(
+    ("condition", "told"),
+    [
+        (
+            "{condition: counter, counter: n, at_least: {score: yellow}}",
+            "; a score is read like a counter: {counter: yellow}",
+        ),
+        (
+            "{condition: counter, counter: n, at_most: {entrant: blue}}",
+            "; a score is read like a counter: {counter: blue}",
+        ),
+        ("{condition: counter, counter: n, equals: {counter: n, plus: 1}}", COUNTED_BEFORE),
+        ("{condition: counter, counter: n, at_least: {counter: n, times: 2}}", COUNTED_BEFORE),
+        (
+            "{condition: distance, entity: ball, to: centre, at_most: {timer: clock}}",
+            "; what is measured is counted before, {action: count, counter: …, to: {timer: …}}, and {counter: …} stands here",
+        ),
+        (
+            "{condition: drawn, draw: x, equals: {draw: y}}",
+            "for_each over those it decides among, {condition: drawn, draw: y, equals: each}, and 'each' here",
+        ),
+        (
+            "{condition: told, entity: Y1, text: {counter: n}}",
+            "{action: count, counter: …, to: {told: …}} and an event, and the rule that hears it compares the two counters",
+        ),
+    ],
+)
+def test_what_is_reckoned_or_measured_in_a_condition_is_counted_before(condition, told):
+    (complaint,) = complaints(HEAD_OF_ALL + rule(rest=ASKING % condition))
+    assert complaint.endswith(told)
+
+
+@pytest.mark.parametrize(
+    ("action", "told"),
+    [
+        ("{action: count, counter: n, by: {counter: m, times: 2}}", "added up: [{counter: m, weight: 2}, 1]"),
+        ("{action: score, entrant: yellow, points: {counter: m, plus: 2}}", "added up: [{counter: m, weight: 2}, 1]"),
+        ("{action: hold, entity: Y1, for_s: {timer: clock}}", "to: {timer: …}}, and {counter: …} stands here"),
+        ("{action: draw, draw: x, as: {draw: y}}", "{condition: drawn, draw: y, equals: each}, and 'each' here"),
+        (
+            "{action: place, entity: ball, at: {zone: blue_goal}}",
+            "; a random point of a zone is {uniform_in: blue_goal}",
+        ),
+        (
+            "{action: place, entity: ball, at: {uniform_in: y}}",
+            "; where a draw decides the place, give it layouts as values: {action: place, layout: {draw: y}}",
+        ),
+    ],
+)
+def test_what_an_action_cannot_reckon_is_told_as_it_is_written(action, told):
+    (complaint,) = complaints(HEAD_OF_ALL + rule(action=action))
+    assert complaint.endswith(told)
+
+
+def test_where_a_spot_is_chance_decides_by_a_draw():
+    (complaint,) = complaints(rule(action="{action: set_spot, spot: centre, to: {uniform_in: blue_goal}}"))
+    assert complaint.endswith(
+        "found a mapping with uniform_in; chance decides among spots of the file by a draw, draws: {hidden: {values: "
+        "[a, b, c]}}: its name stands for the spot drawn, in distance, {spot: hidden} and {relative_to: hidden}"
+    )
+
+
+def test_something_is_put_beside_the_current_one():
+    written = "    for_each: robots\n"
+    (complaint,) = complaints(rule(action="{action: place, entity: ball, at: each}", rest=written))
+    assert complaint.endswith("found 'each'; beside a robot or a ball {relative_to: each}")
+
+
+def test_a_rule_for_each_spot_is_repeated():
+    (complaint,) = complaints("groups: {marks: [centre, middle_blue]}\n" + rule(rest="    for_each: marks\n"))
+    assert complaint.endswith(
+        "; spots are not gone over: repeat_for: [centre, middle_blue] writes the rule once for each, {param: this}"
+    )
+
+
+@pytest.mark.parametrize(
+    "counter", ["{counter: {a: 1}, plus: 1}", "{counter: [n], times: 2}", "{counter: null, plus: 2}"]
+)
+def test_what_is_no_counter_gets_no_way_out(counter):
+    assert complaints(HEAD_OF_ALL + rule(action=f"{{action: count, counter: n, by: {counter}}}"))

@@ -27,10 +27,12 @@ class HoldWatch(TickWatch):
 
     Attributes:
         listeners: ears.
+        true_before: when it last could not come true because it held already; None: it always could.
     """
 
     def __init__(self, test: Test, model: models.Holds, workshop: Workshop) -> None:
         self.listeners: list[Listener] = []
+        self.true_before: int | None = None
         self._test = test
         self._for_s = model.for_s
         self._for = ticks_from_s(model.for_s)
@@ -51,6 +53,10 @@ class HoldWatch(TickWatch):
         self._next, self._again = tick + self._for, 0
         if self._for == 0:
             self._next = self._next_after(tick, tick)
+            if self._began is not None and self._every_s is None:
+                self.true_before = tick
+            elif self.true_before == tick:  # what begins with the half is put in its place in the same tick
+                self.true_before = None
 
     def moved(self) -> None:
         """Begin anew, unless it is a matter of several and held throughout: then one of them changes nothing."""

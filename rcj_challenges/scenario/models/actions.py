@@ -25,7 +25,7 @@ from rcj_challenges.scenario.models.places import (
     Roll,
     WithoutRoom,
 )
-from rcj_challenges.scenario.models.state import DrawValue, Points, Stay, ToldValue, Value
+from rcj_challenges.scenario.models.state import DrawValue, Lasts, Points, ToldValue, Value
 
 
 class LastToucher(Strict):
@@ -191,7 +191,7 @@ class Remove(Strict):
 
     action: Literal["remove"]
     entity: Names = described(..., "what is taken off: entities, groups, or each")
-    for_s: Stay | None = described(
+    for_s: Lasts | None = described(
         None,
         "it comes back after this time, in s: a number, {draw: NAME} or {counter: NAME}, read in that moment; left "
         "out: when a rule places it",
@@ -210,7 +210,7 @@ class Hold(Strict):
 
     action: Literal["hold"]
     entity: Names = described(..., "who is held: robots, groups, or each")
-    for_s: Stay | None = described(
+    for_s: Lasts | None = described(
         None,
         "how long, in s, also while it is off the field: a number, {draw: NAME} or {counter: NAME}, read in that "
         "moment (0 or less: not at all); left out: until a rule lets it go (release); who is held already stays so "

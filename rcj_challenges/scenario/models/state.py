@@ -56,18 +56,37 @@ class DrawnDuration(Strict):
     draw: Name = described(..., "a draw whose values are durations in s")
 
 
+class CounterValue(Strict):
+    """The value of a counter, or an entrant's score."""
+
+    counter: Name = described(..., "a counter, or an entrant: its score")
+    entity: Name | None = described(
+        None, "for a counter kept per entity: whose; each: the current one; left out, without for_each: the sum"
+    )
+
+
+def _which_lasts(value: Any) -> str:
+    if isinstance(value, dict):
+        return "counter" if "counter" in value else "draw"
+    return "counter" if isinstance(value, CounterValue) else "draw" if isinstance(value, DrawnDuration) else "number"
+
+
 Lasts = Annotated[
-    Annotated[DurationS, Tag("number")] | Annotated[DrawnDuration, Tag("draw")],
-    Discriminator(lambda value: "draw" if isinstance(value, (dict, DrawnDuration)) else "number"),
+    Annotated[DurationS, Tag("number")]
+    | Annotated[DrawnDuration, Tag("draw")]
+    | Annotated[CounterValue, Tag("counter")],
+    Discriminator(_which_lasts),
 ]
-"""How long something lasts."""
+"""How long something lasts: a timer, a phase, or what a rule does for a time."""
 
 
 class Timer(Strict):
     """A clock that rules start and stop; it expires once when it reaches its length."""
 
     lasts_s: Lasts = described(
-        ..., "its length in s, or {draw: NAME}: what that has decided when the timer starts from 0"
+        ...,
+        "its length in s, or {draw: NAME} or {counter: NAME}: what that is when the timer starts from 0 (of a counter "
+        "at least one tick); with per: entity: each is the counter of the same one",
     )
     per: Name | None = described(
         None, "a group, also of fixed obstacles, zones or gates: one timer for each of its members"
@@ -118,8 +137,8 @@ class Phase(Grown):
 
     lasts_s: Lasts | None = described(
         None,
-        "after this time in s the next phase is entered; {draw: NAME}: what that has decided when the phase is "
-        "entered; left out: until a rule",
+        "after this time in s the next phase is entered; {draw: NAME} or {counter: NAME}: what that is when the phase "
+        "is entered (of a counter at least one tick); left out: until a rule",
     )
     next: Name = described("play", "the phase that follows")
     waiting_for_kickoff: bool = described(False, "what programs are told meanwhile")
@@ -128,15 +147,6 @@ class Phase(Grown):
         None,
         "held: all wheels stand braked meanwhile; programs run on, and what they command acts when the phase is over; "
         "free, or left out: robots drive",
-    )
-
-
-class CounterValue(Strict):
-    """The value of a counter, or an entrant's score."""
-
-    counter: Name = described(..., "a counter, or an entrant: its score")
-    entity: Name | None = described(
-        None, "for a counter kept per entity: whose; each: the current one; left out, without for_each: the sum"
     )
 
 
@@ -389,21 +399,6 @@ def _which_bound(value: Any) -> str:
     if isinstance(value, LowestOfOthers):
         return "lowest"
     return "highest" if isinstance(value, HighestOfOthers) else "number"
-
-
-def _which_stay(value: Any) -> str:
-    if isinstance(value, dict):
-        return "counter" if "counter" in value else "draw"
-    return "counter" if isinstance(value, CounterValue) else "draw" if isinstance(value, DrawnDuration) else "number"
-
-
-Stay = Annotated[
-    Annotated[DurationS, Tag("number")]
-    | Annotated[DrawnDuration, Tag("draw")]
-    | Annotated[CounterValue, Tag("counter")],
-    Discriminator(_which_stay),
-]
-"""How long a rule holds a robot, or takes something off the field."""
 
 
 Bound = Annotated[

@@ -154,19 +154,14 @@ def _remove(nouns: Nouns, action: Any) -> str:
         return gone
     back = put_words(nouns, action.back_at, plural=who.plural)
     facing = _facing(nouns, action, action.back_at, plural=who.plural)
-    return f"{gone} and after {_stay(nouns, action.for_s)} {back}{facing}"
+    return f"{gone} and after {lasting(nouns, action.for_s)} {back}{facing}"
 
 
 def _hold(nouns: Nouns, action: Any) -> str:
     who = nouns.all_of(action.entity)
     until = f"until {'they are' if who.plural else 'it is'} let go"
-    lasts = until if action.for_s is None else f"for {_stay(nouns, action.for_s)}"
+    lasts = until if action.for_s is None else f"for {lasting(nouns, action.for_s)}"
     return f"{who.does('is', 'are')} held still {lasts}"
-
-
-def _stay(nouns: Nouns, for_s: Any) -> str:
-    """Return how long something lasts: ``5 s``, or ``as many s as the counter “penalty” says``."""
-    return f"as many s as {amount(nouns, for_s)} says" if isinstance(for_s, CounterValue) else lasting(nouns, for_s)
 
 
 def _count(nouns: Nouns, action: Any) -> str:

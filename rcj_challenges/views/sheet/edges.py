@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.models.state import CounterValue, DrawValue, HighestOfOthers, LowestOfOthers
 from rcj_challenges.views.sheet.comparing import (
     counter_words,
@@ -146,10 +147,10 @@ def _hears(nouns: Nouns, t: Any) -> str:
 
 
 def _heard(nouns: Nouns, c: Any) -> str:
-    said = _said(nouns, c)
+    who, said = nouns.quantified(c.of, c.entity, negate=c.negate), _said(nouns, c)
     if not said:
-        return _is(nouns, c, c.entity, "heard by the referee before")
-    return f"{nouns.quantified(c.of, c.entity, negate=c.negate).does('has', 'have')} {said} as the last message told"
+        return f"{who.does('was', 'were')} heard by the referee before"
+    return f"{who.does('has', 'have')} {said} as the last message told"
 
 
 def _any_of(nouns: Nouns, c: Any) -> str:
@@ -231,6 +232,13 @@ TRIGGERS: dict[str, Callable[[Nouns, Any], str]] = {
 }
 
 
+def _drawn(nouns: Nouns, c: Any) -> str:
+    who, draw, no = nouns.drawn(c.draw, c.equals), quoted_measure(c.draw), "not " if c.negate else ""
+    if not nouns.is_set(c.draw):
+        return f"{who} was {no}drawn as {draw}"
+    return f"{who} is {no}{draw}" if who == nouns.thing(EACH) else f"{draw} is {no}{who}"
+
+
 def _half(_nouns: Nouns, c: Any) -> str:
     if c.at_least is not None and c.at_most is not None:
         which = f"one of the halves {c.at_least} to {c.at_most}"
@@ -252,9 +260,7 @@ CONDITIONS: dict[str, Callable[[Nouns, Any], str]] = {
     "all_of": _all_of,
     "counter": counter_words,
     "flag": flag_words,
-    "drawn": lambda n, c: (
-        f"{n.drawn(c.draw, c.equals)} was {'not ' if c.negate else ''}drawn as {quoted_measure(c.draw)}"
-    ),
+    "drawn": _drawn,
     "timer": timer_words,
     "last_touch": _last_touch,
     "told": _heard,

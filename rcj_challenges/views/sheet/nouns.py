@@ -13,6 +13,7 @@ from rcj_challenges.scenario.models.conditions import AtLeast
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.other import names_other, others_of
 from rcj_challenges.scenario.roster import WALLS, Roster
+from rcj_challenges.views.sheet.chance import set_from_the_start
 
 Names = str | tuple[str, ...]
 
@@ -68,8 +69,8 @@ class Subject:
         """
         if not self.negated:
             return f"{self.text} {several if self.plural else one}"
-        if several == "are":
-            return f"{self.text} {'are' if self.plural else 'is'} not"
+        if several in ("are", "were"):
+            return f"{self.text} {several if self.plural else one} not"
         return f"{self.text} {'do' if self.plural else 'does'} not {several}"
 
 
@@ -106,6 +107,7 @@ class Nouns:
         other: what ``other`` is in the rule that is told.
         each: over what that rule goes, or None.
         measured: what the triggers of that rule measure.
+        set_draws: what `set_from_the_start` finds, if that is known.
     """
 
     def __init__(
@@ -115,19 +117,21 @@ class Nouns:
         other: str = "what is touched",
         each: str | None = None,
         measured: str = _MEASURED_BY_SEVERAL,
+        set_draws: frozenset[str] | None = None,
     ) -> None:
         self.scenario = scenario
         self.roster = roster
         self.other = other
         self.each = each
         self.measured = measured
+        self._set_draws = set_from_the_start(scenario) if set_draws is None else set_draws
 
     def within(self, rule: Rule) -> Nouns:
         """Return the nouns of one rule, which know what ``each``, ``other`` and ``measured`` are there."""
         other = self._touched(rule) if names_other(rule, self.scenario) else self.other
         measured = {_MEASURED.get(trigger.trigger, _MEASURED_BY_SEVERAL) for trigger in rule.triggers}
         only = measured.pop() if len(measured) == 1 else _MEASURED_BY_SEVERAL
-        return Nouns(self.scenario, self.roster, other, rule.for_each, only)
+        return Nouns(self.scenario, self.roster, other, rule.for_each, only, self._set_draws)
 
     def _touched(self, rule: Rule) -> str:
         """Return what ``other`` is in a rule: ``the robot it touches``."""
@@ -169,19 +173,28 @@ class Nouns:
         if bare or (kind not in ("", "robot") and first in _WITHOUT_ARTICLE) or self._one_like_others(name, kind):
             return f"the {kind} {quoted(name)}"
         if name in scenario.draws:
-            return self._place_drawn(name) or f"what was drawn as {quoted_measure(name)}"
+            return self._place_drawn(name) or self.what_drawn(name)
         # A name with a number, as most robots have one, is said without article.
         proper = kind in ("", "robot") or first == "the" or any(character.isdigit() for character in name)
         return plain(name) if proper else f"the {plain(name)}"
 
+    def is_set(self, draw: str) -> bool:
+        """Return whether a draw is what rules set, from the start of each half, and nothing that chance decides."""
+        return draw in self._set_draws
+
+    def what_drawn(self, draw: str) -> str:
+        """Return what a draw decided: ``what was drawn as “target”``, of one that rules set ``what “king” is``."""
+        name = quoted_measure(draw)
+        return f"what {name} is" if self.is_set(draw) else f"what was drawn as {name}"
+
     def _place_drawn(self, draw: str) -> str:
-        """Return which zone or gate a draw decides on: ``the gate drawn as “door” (gate 1 or gate 2)``."""
+        """Return what a draw decides on: ``the gate drawn as “door” (gate 1 or gate 2)``, ``the spot drawn as “a”``."""
         among = self.roster.drawn.get(draw, ())
-        kind = self.one_kind(among)
+        kind, drawn = self.one_kind(among), f"{'that is' if self.is_set(draw) else 'drawn as'} {quoted(draw)}"
         if kind not in ("zone", "gate"):
-            return ""
+            return f"the {kind} {drawn}" if kind else ""
         named = f" ({listed([self.thing(one) for one in among], 'or')})" if len(among) <= _MOST_NAMED else ""
-        return f"the {kind} drawn as {quoted(draw)}{named}"
+        return f"the {kind} {drawn}{named}"
 
     def drawn(self, draw: str, written: Scalar) -> str:
         """Return a value of a draw: ``“west”``; of a name that the rule has whom it stands for: ``it``."""
@@ -205,8 +218,9 @@ class Nouns:
 
     def quantified(self, of: Any, names: Names, *, negate: bool) -> Subject:
         """Return how many of several must do something: ``none of the robots``; negated, the opposite of it."""
-        if isinstance(names, str) and not self._several(names):
-            return Subject(self._one(names), negated=negate)
+        single = names if isinstance(names, str) else names[0] if len(names) == 1 else None
+        if single is not None and not self._several(single):
+            return Subject(self._one(single), negated=negate != (of == "none"))
         several = self.all_of(names).text
         if isinstance(of, AtLeast):
             return Subject(f"{'fewer than' if negate else 'at least'} {of.at_least} of {several}", plural=True)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rcj_challenges.scenario.blanks import description_of
+from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.followed import followed, phases_of
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.actions import DrawAction, Hold, Place, Score, SequenceAction
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Result, Rule, Scenario
-from rcj_challenges.scenario.models.state import AnyStep, Draw, Phase, Sequence
+from rcj_challenges.scenario.models.state import AnyStep, CounterValue, Draw, Phase, Sequence, Timer
 from rcj_challenges.scenario.models.triggers import NoProgress
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.drawing.beside import layouts_of
@@ -61,12 +62,7 @@ def _course(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     yield Paragraph(f"{halves} of {of}{swap}.{first} Everything is judged on every tick of 32 ms.")
     entries = [
         *(_phase_words(nouns, name, phase) for name, phase in scenario.phases.items()),
-        *(
-            f"The timer {quoted(name)} lasts {lasting(nouns, timer.lasts_s)}"
-            + (f"; there is one for {nouns.each_of(timer.per)}" if timer.per else "")
-            + ("; it starts with the half." if timer.starts else ".")
-            for name, timer in scenario.timers.items()
-        ),
+        *(_timer_words(nouns, name, timer) for name, timer in scenario.timers.items()),
         *_held_words(nouns),
         *_beginnings(scenario, nouns),
         *(_draw_words(nouns, name, draw) for name, draw in scenario.draws.items()),
@@ -76,9 +72,21 @@ def _course(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
         yield Items(tuple(entries))
 
 
+def _timer_words(nouns: Nouns, name: str, timer: Timer) -> str:
+    counted = timer.lasts_s if isinstance(timer.lasts_s, CounterValue) else None
+    starts = "; it starts with the half." if timer.starts else "."
+    if timer.per and counted is not None and counted.entity == EACH:
+        lasts = f"which lasts as many s as its counter {quoted_measure(counted.counter)} says when it starts"
+        return f"There is a timer {quoted(name)} for {nouns.each_of(timer.per)}, {lasts}{starts}"
+    lasts = f"lasts {lasting(nouns, timer.lasts_s)}{' when it starts' if counted else ''}"
+    one_for_each = f"; there is one for {nouns.each_of(timer.per)}" if timer.per else ""
+    return f"The timer {quoted(name)} {lasts}{one_for_each}{starts}"
+
+
 def _phase_words(nouns: Nouns, name: str, phase: Phase) -> str:
+    begun = " when it begins" if isinstance(phase.lasts_s, CounterValue) else ""
     lasts = (
-        f"lasts {lasting(nouns, phase.lasts_s)}, then {quoted(phase.next)} follows"
+        f"lasts {lasting(nouns, phase.lasts_s)}{begun}, then {quoted(phase.next)} follows"
         if phase.lasts_s
         else ("lasts until a rule begins another")
     )
@@ -127,6 +135,8 @@ def _kept_words(nouns: Nouns, kind: str, name: str) -> str:
 def _draw_words(nouns: Nouns, name: str, draw: Draw) -> str:
     # As they are written: a program may be told them, or have to tell them.
     values = listed([value(nouns, entry) for entry in draw.values], "or")
+    if nouns.is_set(name):
+        return f"{quoted_measure(name)} is {values}, as rules set it."
     again = ", never the same twice running" if draw.not_last else ""
     if draw.not_again is not None:
         where = "in a half" if draw.not_again == "half" else "in the match"

@@ -19,8 +19,10 @@ def seconds(value: float) -> str:
     return f"{value / 60:g} min" if value >= 120 and value % 60 == 0 else f"{value:g} s"
 
 
-def lasting(nouns: Nouns, lasts_s: float | state.DrawnDuration) -> str:
-    """Return how long something lasts: ``15 s``, or ``5 s or 8 s, as “pause” is drawn``."""
+def lasting(nouns: Nouns, lasts_s: float | state.DrawnDuration | state.CounterValue) -> str:
+    """Return how long something lasts: ``15 s``, ``5 s or 8 s, as “pause” is drawn``, as many s as a counter says."""
+    if isinstance(lasts_s, state.CounterValue):
+        return f"as many s as {amount(nouns, lasts_s)} says"
     if not isinstance(lasts_s, state.DrawnDuration):
         return seconds(lasts_s)
     times_s = sorted({float(value) for value in nouns.scenario.draws[lasts_s.draw].values})
@@ -163,8 +165,8 @@ def _number_heard(nouns: Nouns, model: state.NumberTold) -> str:
     return f"the number that {nouns.thing(model.told)} has told the referee last"
 
 
-def _drawn(_nouns: Nouns, model: state.DrawValue) -> str:
-    return f"what was drawn as {quoted_measure(model.draw)}"
+def _drawn(nouns: Nouns, model: state.DrawValue) -> str:
+    return nouns.what_drawn(model.draw)
 
 
 _VALUES: dict[type, Callable[[Nouns, Any], str]] = {

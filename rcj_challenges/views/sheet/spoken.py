@@ -8,7 +8,6 @@ from typing import Any
 from rcj_challenges.scenario.blanks import partly_filled
 from rcj_challenges.scenario.followed import heard
 from rcj_challenges.scenario.models.scenario import Rule
-from rcj_challenges.scenario.models.state import DrawnDuration
 from rcj_challenges.scenario.other import has_other, others_of, written_others
 from rcj_challenges.views.sheet.nouns import Nouns, plain
 from rcj_challenges.views.sheet.phrases import number
@@ -145,7 +144,7 @@ def _fires_at_its_limit(trigger: Any) -> bool:
 def _limit_of(nouns: Nouns, trigger: Any) -> float | None:
     if trigger.trigger == "timer_expired":
         lasts_s = nouns.scenario.timers[trigger.timer].lasts_s
-        return None if isinstance(lasts_s, DrawnDuration) else lasts_s
+        return lasts_s if isinstance(lasts_s, int | float) else None
     limit = _LIMITS.get(trigger.trigger)
     return None if limit is None else float(getattr(trigger, limit))
 

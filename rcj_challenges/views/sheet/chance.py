@@ -1,0 +1,54 @@
+"""Draws that chance decides in name only: a rule sets them before anything asks what was drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from rcj_challenges.scenario.catalogue import BOUND
+from rcj_challenges.scenario.models.actions import DrawAction
+from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.models.state import DrawnDuration
+
+
+def set_from_the_start(scenario: Scenario) -> frozenset[str]:
+    """Return the draws that rules set as each half starts, whatever was drawn, and that nothing draws anew."""
+    actions = [(rule, action) for rule in scenario.rules.values() for action in rule.actions]
+    setting = {
+        action.draw
+        for rule, action in actions
+        if isinstance(action, DrawAction)
+        and action.as_ is not None
+        and (action.as_ not in BOUND or action.as_ in scenario.draws[action.draw].values)
+        and _starts_each_half(rule, scenario.first_phase)
+    }
+    drawn = {action.draw for _, action in actions if isinstance(action, DrawAction) and action.as_ is None}
+    return frozenset(setting - drawn - (_asked_at_the_start(scenario) if setting else set()))
+
+
+def _starts_each_half(rule: Rule, first_phase: str) -> bool:
+    """Return whether a rule fires as each half starts, whatever else is so."""
+    lives = rule.phases == "any" or first_phase in rule.phases
+    return lives and not rule.conditions and _hears_the_start(rule)
+
+
+def _hears_the_start(rule: Rule) -> bool:
+    return any(one.trigger == "half_started" for one in rule.triggers)
+
+
+def _asked_at_the_start(scenario: Scenario) -> set[str]:
+    """Return what rules of the start name, which see what was drawn, and what tells how long something lasts."""
+    timers, phases = scenario.timers.values(), scenario.phases.values()
+    lasts_s = [*(one.lasts_s for one in timers), *(one.lasts_s for one in phases)]
+    lasting = {one.draw for one in lasts_s if isinstance(one, DrawnDuration)}
+    rules = [rule for rule in scenario.rules.values() if _hears_the_start(rule)]
+    others = [action for rule in rules for action in rule.actions if not isinstance(action, DrawAction)]
+    named = [*(condition for rule in rules for condition in rule.conditions), *others]
+    return lasting | {name for model in named for name in _texts(model.model_dump())}
+
+
+def _texts(data: Any) -> Iterator[str]:
+    if isinstance(data, str):
+        yield data
+    for inner in data.values() if isinstance(data, dict) else data if isinstance(data, list | tuple) else ():
+        yield from _texts(inner)

@@ -1,0 +1,114 @@
+"""Timers and phases that last as long as a counter says when they begin."""
+
+import pytest
+
+RUN_OUT = """
+rules:
+  go: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: timer, timer: egg, do: restart}]}
+  over: {triggers: [{trigger: timer_expired, timer: egg}], actions: [{action: emit, event: OVER, payload: {after_s: {word: measured}}}]}
+"""
+PAUSE = """
+rules:
+  rest:
+    triggers: [{trigger: time_reached, at_s: 0.32}]
+    actions: [{action: count, counter: long_s, by: 0.32}, {action: set_phase, phase: rest}]
+  more: {phases: [rest], triggers: [{trigger: phase_entered, phase: rest}], actions: [{action: count, counter: long_s, by: 10}]}
+  again: {triggers: [{trigger: phase_entered, phase: play}], actions: [{action: emit, event: AGAIN}]}
+"""
+
+
+def ticks(play, count=100):
+    play.play(count)
+    return [event.tick for event in play.events]
+
+
+class TestATimerThatLastsAsLongAsACounterSays:
+    def test_the_counter_is_read_when_it_starts_from_0_also_within_the_rule_that_counts(self, stage):
+        play = stage(
+            "counters: {long_s: {initial: 9}}",
+            "timers: {egg: {lasts_s: {counter: long_s}}}",
+            RUN_OUT,
+            """
+            rules:
+              go:
+                triggers: [{trigger: time_reached, at_s: 0.32}]
+                actions: [{action: count, counter: long_s, to: 0.64}, {action: timer, timer: egg, do: restart}]
+              later: {triggers: [{trigger: time_reached, at_s: 0.48}], actions: [{action: count, counter: long_s}]}
+            """,
+        )
+        assert ticks(play) == [30]
+        assert play.events[0].payload == {"after_s": 0.64}
+
+    def test_one_that_starts_with_the_half_lasts_what_the_counter_is_at_first(self, stage):
+        play = stage(
+            "counters: {long_s: {initial: 0.16}}", "timers: {egg: {lasts_s: {counter: long_s}, starts: true}}", RUN_OUT
+        )
+        assert ticks(play) == [5, 15]
+
+    @pytest.mark.parametrize("initial", [0, -5, 0.01])
+    def test_less_than_a_tick_is_a_tick(self, stage, initial):
+        play = stage(
+            f"counters: {{long_s: {{initial: {initial}}}}}", "timers: {egg: {lasts_s: {counter: long_s}}}", RUN_OUT
+        )
+        assert ticks(play) == [11]
+
+    def test_more_than_a_day_is_a_day(self, stage):
+        play = stage("counters: {long_s: {initial: 1.0e+15}}", "timers: {egg: {lasts_s: {counter: long_s}}}", RUN_OUT)
+        assert ticks(play) == []
+
+    def test_a_score_counts_as_well(self, stage):
+        play = stage("timers: {egg: {lasts_s: {counter: yellow}}}", RUN_OUT, scores={"yellow": 1})
+        assert ticks(play) == [10 + 32]
+
+    def test_of_one_kept_for_each_that_of_the_same_one_counts(self, stage):
+        play = stage("""
+        counters: {long_s: {per: robots, initial: 0.64}}
+        timers: {egg: {per: robots, lasts_s: {counter: long_s, entity: each}}}
+        rules:
+          longer: {triggers: [{trigger: half_started}], actions: [{action: count, counter: long_s, entity: Y1, to: 1.28}]}
+          go: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: timer, timer: egg}]}
+          over:
+            for_each: robots
+            triggers: [{trigger: timer_expired, timer: egg}]
+            actions: [{action: emit, event: OVER, payload: {who: {word: robot_name}}}]
+        """)
+        assert ticks(play) == [30, 30, 30, 50]
+        assert play.events[-1].payload == {"who": "Y1"}
+
+    def test_that_of_one_robot_may_be_for_a_timer_of_all(self, stage):
+        play = stage(
+            "counters: {long_s: {per: robots, initial: 0.64}}",
+            "timers: {egg: {lasts_s: {counter: long_s, entity: B2}}}",
+            RUN_OUT,
+        )
+        assert ticks(play) == [30]
+
+    def test_its_limit_is_what_the_counter_said(self, stage):
+        play = stage(
+            "counters: {long_s: {initial: 1}}",
+            "timers: {egg: {lasts_s: {counter: long_s}, starts: true}}",
+            "rules: {over: {triggers: [{trigger: timer_expired, timer: egg}], actions: [{action: end}], says: 'After {limit} s.'}}",
+        )
+        play.play(40)
+        assert play.firings[0].says == "After 1 s."
+
+
+class TestAPhaseThatLastsAsLongAsACounterSays:
+    def test_the_counter_is_read_when_the_phase_is_entered_and_not_after(self, stage):
+        play = stage("counters: {long_s: {initial: 0.32}}", "phases: {rest: {lasts_s: {counter: long_s}}}", PAUSE)
+        assert ticks(play) == [30]  # entered in tick 10, over after 20 ticks
+
+    def test_the_first_phase_lasts_what_the_counter_is_at_first(self, stage):
+        play = stage(
+            "counters: {long_s: {initial: 0.64}}",
+            "phases: {rest: {lasts_s: {counter: long_s}}}\nfirst_phase: rest",
+            PAUSE,
+        )
+        assert ticks(play) == [20]
+
+    @pytest.mark.parametrize("initial", [-0.32, -7])
+    def test_less_than_a_tick_is_a_tick(self, stage, initial):
+        play = stage(
+            f"counters: {{long_s: {{initial: {initial}}}}}", "phases: {rest: {lasts_s: {counter: long_s}}}", PAUSE
+        )
+        assert ticks(play) == [11]

@@ -1,0 +1,76 @@
+"""What `validate` says of timers and phases that last as long as a counter says."""
+
+import pytest
+
+from rcj_challenges.scenario.lint import lint
+from tests.scenario.writing import complaints, loaded, scenario
+
+COUNTERS = "counters: {n: {initial: 3}, own: {per: robots, initial: 3}}\n"
+
+
+def kinds(body):
+    return {suspect.kind for suspect in lint(loaded(COUNTERS + body))}
+
+
+@pytest.mark.parametrize("section", ["timers", "phases"])
+def test_a_counter_or_a_score_may_stand_there(section):
+    for counter in ("n", "yellow"):
+        model = getattr(scenario(f"{COUNTERS}{section}: {{a: {{lasts_s: {{counter: {counter}}}}}}}\n"), section)["a"]
+        assert model.lasts_s.counter == counter
+
+
+@pytest.mark.parametrize("section", ["timers", "phases"])
+def test_a_counter_that_is_not_there_is_told(section):
+    (complaint,) = complaints(f"{COUNTERS}{section}: {{a: {{lasts_s: {{counter: m}}}}}}\n")
+    assert complaint.startswith(f"{section}.a.lasts_s.counter: unknown counter or entrant 'm'")
+
+
+def test_what_may_stand_there_is_told():
+    assert complaints("timers: {a: {lasts_s: soon}}\n") == [
+        "timers.a.lasts_s: expected a number, {draw: …} or {counter: …}, found 'soon'"
+    ]
+
+
+def test_of_a_timer_for_each_it_is_said_whose_counter_is_meant():
+    timers = "timers: {{a: {{per: robots, lasts_s: {{counter: own{}}}}}}}\n"
+    assert scenario(COUNTERS + timers.format(", entity: each")).timers["a"].lasts_s.entity == "each"
+    assert scenario(COUNTERS + timers.format(", entity: Y1")).timers["a"].lasts_s.entity == "Y1"
+    (complaint,) = complaints(COUNTERS + timers.format(""))
+    assert complaint.endswith("counter 'own' is kept per robots: say whose with 'entity', such as entity: each")
+
+
+def test_without_one_for_each_nobody_is_each():
+    (complaint,) = complaints(f"{COUNTERS}timers: {{a: {{lasts_s: {{counter: own, entity: each}}}}}}\n")
+    assert "'each' is known only in a rule with for_each" in complaint
+
+
+def test_each_must_have_such_a_counter():
+    (complaint,) = complaints(f"{COUNTERS}timers: {{a: {{per: balls, lasts_s: {{counter: own, entity: each}}}}}}\n")
+    assert "counter 'own' is kept per robots, and 'ball' is not among them" in complaint
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        # It may last any time: nothing of it is longer than the half, never over, or certainly not at its end.
+        ("timers: {a: {lasts_s: {counter: n}, starts: true}}\nrules: {r: {triggers: [{trigger: timer_expired, timer: a}], "
+        "conditions: [{condition: timer, timer: a, at_least: 5}], actions: [{action: end}]}}\n"),
+        ("phases: {a: {lasts_s: {counter: n}, robots: held}}\nfirst_phase: a\nrules: {r: {phases: [a], triggers: "
+        "[{trigger: time_reached, at_s: 30}], actions: [{action: end}]}}\n"),
+        ("phases: {a: {lasts_s: {counter: n}, robots: held}}\nfirst_phase: a\nrules: {r: {phases: any, for_each: robots, "
+        "triggers: [{trigger: no_progress, entity: each, distance_m: 0.1, within_s: 5}], actions: [{action: end}]}}\n"),
+    ],
+)  # fmt: skip
+def test_nothing_is_suspected_that_the_counter_may_make_true(body):
+    suspicions = {"limit_longer_than_the_half", "rule_never_fires", "held_robot_makes_no_progress", "robots_never_free"}
+    assert not kinds(body) & suspicions
+
+
+def test_the_counter_is_read_there():
+    counted = "rules: {r: {triggers: [{trigger: half_started}], actions: [{action: count, counter: n}]}}\n"
+    assert "counter_never_read" in kinds(counted)
+    used = "timers: {a: {lasts_s: {counter: n}, starts: true}}\n"
+    assert not any(
+        suspect.kind == "counter_never_read" and "'n'" in str(suspect)
+        for suspect in lint(loaded(COUNTERS + used + counted))
+    )
