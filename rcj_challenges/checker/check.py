@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import errno
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -10,18 +9,26 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rcj_challenges.checker.archives import Inspection, TeamError, inspect
-from rcj_challenges.checker.findings import STAGES, Finding, Stage, StageName
+from rcj_challenges.checker.findings import STAGES, Finding, Level, Stage, StageName, gravest
 from rcj_challenges.checker.many_given import Called, called
-from rcj_challenges.checker.report import FileReport, MatchReport, gravest, match_report, stage_report
+from rcj_challenges.checker.report import FileReport, MatchReport, match_report, stage_report
 from rcj_challenges.checker.report_files import copy_page
 from rcj_challenges.checker.sources import check_sources
 from rcj_challenges.controllers.disk_names import from_disk
-from rcj_challenges.controllers.private_folders import PrivateFolders
+from rcj_challenges.controllers.private_folders import PrivateFolders, temporary_trouble
 from rcj_challenges.controllers.scratch import ensure_room
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.facts.errors import HostError, RcjError, interruption_behind, is_of_the_host, told_of
+from rcj_challenges.facts.errors import (
+    HostError,
+    RcjError,
+    advised,
+    interruption_behind,
+    is_no_room,
+    is_of_the_host,
+    told_of,
+)
 from rcj_challenges.facts.shown import shown, shown_block
-from rcj_challenges.records.errors import RecordError
+from rcj_challenges.records.errors import RecordError, UnwritableError
 from rcj_challenges.scenario.load import Loaded
 
 if TYPE_CHECKING:
@@ -40,7 +47,6 @@ PLAY_S = 10.0
 
 _MOST_OUTPUT_LINES = 200
 _MOST_LOGO_BYTES = 500_000
-_TEMPORARY = "the temporary folder cannot be used"
 _PNG = b"\x89PNG\r\n\x1a\n"
 
 
@@ -70,11 +76,15 @@ class _Findings:
     stages: dict[StageName, Stage] = field(default_factory=dict)
     matches: list[MatchReport] = field(default_factory=list)
     hindrance: str = ""
+    our_fault: bool = False
 
     def obstacle(self, name: StageName) -> str:
         """Return why a stage makes no sense, if it does not."""
         failed = next((need for need in _NEEDS[name] if need in self.stages and self.stages[need].failed), None)
-        return "" if failed is None else f'"{STAGES[failed]}" has to be put right first'
+        if failed is None:
+            return ""
+        known = self.stages[failed].level == "failure"
+        return f'"{STAGES[failed]}" {"has to be put right first" if known else "could not be checked"}'
 
 
 def check_file(
@@ -84,7 +94,7 @@ def check_file(
     repaired: list[str] | None = None,
     named: Called | None = None,
 ) -> FileReport:
-    """Check one submission. Whatever its bytes are, this ends with a verdict, unless this computer cannot go on.
+    """Check one submission. Whatever its bytes are, this ends with a report.
 
     Args:
         path: a ZIP, a folder or a ``.py`` file that exists.
@@ -111,10 +121,12 @@ def check_file(
         if left not in found.stages:
             found.stages[left] = Stage(left, skipped=found.obstacle(left) or missing)
     stages = [stage_report(found.stages[name]) for name in STAGES]
+    level: Level = "unchecked" if found.hindrance else gravest(stage.level for stage in stages)
     return FileReport(
         file=named.name,
-        level="unchecked" if found.hindrance else gravest(stage.level for stage in stages),
-        hindrance=found.hindrance,
+        level=level,
+        hindrance=found.hindrance or (_unknown(found) if level == "unchecked" else ""),
+        our_fault=found.our_fault and not found.hindrance,
         team=shown(inspection.display_name) if inspection is not None else "",
         digest=inspection.digest if inspection is not None else "",
         repaired=repaired or [],
@@ -125,10 +137,17 @@ def check_file(
     )
 
 
+def _unknown(found: _Findings) -> str:
+    """Return why the first stage of which nothing is known could not be carried out."""
+    unknown = (one for stage in found.stages.values() for one in stage.findings if one.level == "unchecked")
+    return next(unknown).message
+
+
 def crashed_report(named: Called, message: str, details: str = "") -> FileReport:
-    """Return the report on a submission whose check itself came to a bad end."""
+    """Return the report on a submission whose check itself came to a bad end: nothing is known about it."""
     told = shown_block(details) if details else ""
-    return _report_without_check(named, Finding("check.broken", "failure", message, _OUR_REMEDY, details=told))
+    finding = Finding("check.broken", "unchecked", shown(message, 400), _OUR_REMEDY, details=told)
+    return _report_without_check(named, finding, finding.message)
 
 
 def unchecked_report(named: Called, hindrance: str) -> FileReport:
@@ -141,14 +160,15 @@ def unchecked_report(named: Called, hindrance: str) -> FileReport:
     return _report_without_check(named, None, shown(hindrance, 400))
 
 
-def _report_without_check(named: Called, finding: Finding | None, hindrance: str = "") -> FileReport:
+def _report_without_check(named: Called, finding: Finding | None, hindrance: str) -> FileReport:
     stages = [Stage(name, skipped="the submission could not be checked") for name in STAGES]
     if finding is not None:
         stages[0] = Stage("archive", [finding])
     return FileReport(
         file=named.name,
-        level="failure" if finding is not None else "unchecked",
+        level="unchecked",
         hindrance=hindrance,
+        our_fault=finding is not None,
         team="",
         digest="",
         repaired=[],
@@ -158,7 +178,9 @@ def _report_without_check(named: Called, finding: Finding | None, hindrance: str
     )
 
 
-_OUR_REMEDY = "this is our fault, not yours: please send the submission to the people of this project"
+_OUR_REMEDY = "this is the fault of the check, not the team's: please send the submission to the people of this project"
+_OUR_EXIT_CODE = 3
+_IMPOSSIBLE_REMEDY = "this says nothing about the team: look whether the scenario can be played here at all"
 
 
 def _inspected(path: Path, loaded: Loaded, found: _Findings) -> Inspection | None:
@@ -167,8 +189,9 @@ def _inspected(path: Path, loaded: Loaded, found: _Findings) -> Inspection | Non
     except TeamError as error:
         _raise_if_of_the_host(error)
         raise
-    except Exception as error:  # noqa: BLE001 - whatever an archive does to us, its team gets a verdict
+    except Exception as error:  # noqa: BLE001 - whatever an archive does to us, the others are checked
         _raise_if_of_the_host(error)
+        found.our_fault = True
         found.stages["archive"] = Stage("archive", [_stumbled("archive", error)])
         return None
     found.stages |= {stage.name: stage for stage in inspection.stages}
@@ -229,7 +252,7 @@ def _private_folders() -> PrivateFolders:
     try:
         return PrivateFolders()
     except OSError as error:
-        raise HostError(f"{_TEMPORARY}: {told_of(error)}") from error
+        raise temporary_trouble(error) from error
 
 
 def _unless_full(stage: Stage, place: Path) -> Stage:
@@ -242,7 +265,7 @@ def _unless_full(stage: Stage, place: Path) -> Stage:
         try:
             ensure_room(place)
         except OSError as error:
-            raise HostError(f"{_TEMPORARY}: {told_of(error)}") from error
+            raise temporary_trouble(error) from error
     return stage
 
 
@@ -261,11 +284,16 @@ def _carried_out(found: _Findings, name: StageName, stage: Callable[[], Stage]) 
         found.stages[name] = stage()
     except RcjError as error:
         _raise_if_of_the_host(error)
-        found.stages[name] = Stage(name, [Finding(f"{name}.impossible", "failure", shown(error), _OUR_REMEDY)])
-    except Exception as error:  # whatever a program does to us, its team gets a verdict
+        ours = error.exit_code == _OUR_EXIT_CODE
+        found.our_fault |= ours
+        remedy = _OUR_REMEDY if ours else _IMPOSSIBLE_REMEDY
+        impossible = Finding(f"{name}.impossible", "unchecked", shown(error, 400), remedy)
+        found.stages[name] = Stage(name, [impossible])
+    except Exception as error:  # whatever a program does to us, the others are checked
         if interruption_behind(error) is not None:
             raise KeyboardInterrupt from error
         _raise_if_of_the_host(error)
+        found.our_fault = True
         found.stages[name] = Stage(name, [_stumbled(name, error)])
 
 
@@ -278,15 +306,17 @@ def _raise_if_of_the_host(error: Exception) -> None:
     for reason in (error, error.__cause__):
         if isinstance(reason, MemoryError):
             raise HostError("there is not enough memory") from error
-        if isinstance(reason, OSError) and reason.errno == errno.ENOSPC:
-            raise HostError(f"{_TEMPORARY}: {told_of(reason)}") from error
+        if isinstance(reason, UnwritableError) and reason.__cause__ is not None:  # a record that is kept there
+            raise temporary_trouble(reason.__cause__) from error
+        if reason is not None and is_no_room(reason):
+            raise temporary_trouble(reason) from error
         if isinstance(reason, HostError) or (reason is not None and is_of_the_host(reason)):
             raise HostError(told_of(reason)) from error
 
 
 def _stumbled(name: StageName, error: Exception) -> Finding:
-    message = f"the check itself stumbled here ({type(error).__name__}: {shown(error, 120)})"
-    return Finding(f"{name}.stumbled", "failure", message, _OUR_REMEDY)
+    message = f"the check itself stumbled at {name} ({type(error).__name__}: {shown(error, 120)})"
+    return Finding(f"{name}.stumbled", "unchecked", message, _OUR_REMEDY)
 
 
 def _match(match: Rehearsed, named: Called, options: CheckOptions) -> MatchReport:
@@ -295,8 +325,10 @@ def _match(match: Rehearsed, named: Called, options: CheckOptions) -> MatchRepor
     if options.replays is not None:
         try:
             replay = from_disk(str(_keep_replay(match, named, options.replays)))
-        except (OSError, RecordError) as error:
-            no_replay = shown(told_of(error))
+        except OSError as error:
+            no_replay = shown(f"{error.filename or options.replays}: {advised(error)}", 400)
+        except RecordError as error:
+            no_replay = shown(error, 400)
     outputs = {}
     if options.show_output:
         outputs = {robot: shown_block(match.log(robot), _MOST_OUTPUT_LINES) for robot in match.motions}

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Literal
 
-Level = Literal["passed", "warning", "failure"]
+Level = Literal["passed", "warning", "failure", "unchecked"]
+"""How grave something is; ``unchecked``: it is not known, and says nothing about the submission."""
+
+RANKS: tuple[Level, ...] = ("passed", "warning", "failure", "unchecked")
+"""All levels; of many, the last one is that of all."""
+
 StageName = Literal["archive", "layout", "identity", "sources", "start", "play"]
 
 STAGES: dict[StageName, str] = {
@@ -59,10 +65,14 @@ class Stage:
     @property
     def level(self) -> Level:
         """The gravest of its findings."""
-        levels = {finding.level for finding in self.findings}
-        return "failure" if "failure" in levels else "warning" if "warning" in levels else "passed"
+        return gravest(finding.level for finding in self.findings)
 
     @property
     def failed(self) -> bool:
         """Whether later stages that need this one make no sense."""
-        return self.level == "failure"
+        return self.level in ("failure", "unchecked")
+
+
+def gravest(levels: Iterable[Level]) -> Level:
+    """Return the gravest of levels; passed, if there are none."""
+    return max(levels, key=RANKS.index, default="passed")

@@ -15,6 +15,7 @@ from rcj_challenges.checker.early_ends import why_it_ended
 from rcj_challenges.checker.modules import COMPILED, Library, places_of
 from rcj_challenges.checker.old_names import on_old_name
 from rcj_challenges.checker.preloaded import never_read
+from rcj_challenges.checker.slips import on_slip
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -76,7 +77,7 @@ def hint_on(
     """
     if fault["kind"] == "crash":
         names = on_messages(scenario, team, fault) or _on_names(team, fault, sandbox)
-        return names or _on_typing(fault["detail"]) or _on_system(team, fault)
+        return names or _on_typing(fault["detail"]) or _on_system(team, fault) or _on_slip(team, fault)
     if fault["kind"] == "exit" and fault["detail"].startswith(_CAME_TO_ITS_END):
         remedy = why_it_ended(team.files, PurePosixPath(team.entries[fault["robot"]]))
         return Hint(remedy) if remedy else None
@@ -210,6 +211,11 @@ def _on_typing(detail: str) -> Hint | None:
 def _on_system(team: Team, fault: dict[str, Any]) -> Hint | None:
     entry = team.entries.get(fault["robot"])
     remedy = on_system(fault["detail"], PurePosixPath(entry), team.files) if entry is not None else ""
+    return Hint(remedy) if remedy else None
+
+
+def _on_slip(team: Team, fault: dict[str, Any]) -> Hint | None:
+    remedy = on_slip(fault["detail"], team.files)
     return Hint(remedy) if remedy else None
 
 

@@ -29,8 +29,10 @@ _MOST_COMPLAINTS = 5
 _COMPLAINTS = tuple(
     (re.compile(words), remedy)
     for words, remedy in (
+        (r"Error: (only one Robot can be made: .+)", "make it once, and hand it to what needs it: def run(robot): …"),
         (r"Error: (.+)", "correct this call"),
         (r"Warning: (.+ is read but not enabled): call enable.+", "call enable(32) before the first step"),
+        (r"Warning: (step was called .+); write a while loop\.", "write a loop: while robot.step(32) != -1:"),
         (r"Warning: (.+ is ignored and gives None: .+)", "do without this call"),
         (r"Warning: (.+: the packet is dropped: it is empty.*)", "send nothing where there is nothing to say"),
         (r"Warning: (.+: the packet is dropped: .+)", "send less in one packet and in one step"),
@@ -105,7 +107,8 @@ def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding
     ]
     much = _much(rehearsal, match, side)
     told = [*_threads(match, side), *_complaints(match, side)]
-    return [*failed, *rest, *much, *told, _summary(match, side), *_others_failed(match, side)]
+    # What would end a program comes before what may be as it should.
+    return [*failed, *much, *rest, *told, _summary(match, side), *_others_failed(match, side)]
 
 
 def _absent(match: Rehearsed) -> dict[str, int]:

@@ -219,8 +219,12 @@ def _called_import(call: ast.Call) -> str:
 
 
 def _moves_path(tree: ast.AST) -> bool:
-    """Return whether the file uses ``sys.path``: then modules may lie where only the program knows."""
+    """Return whether the file uses ``sys.path``, or runs another one that may: modules lie where only it knows."""
     for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and _name(node.func) == "exec":
+            return True
+        if isinstance(node, ast.Import) and any(alias.name == "sys" and alias.asname for alias in node.names):
+            return True
         if (
             isinstance(node, ast.Attribute)
             and node.attr in ("path", "addsitedir")

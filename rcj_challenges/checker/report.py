@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from rcj_challenges.checker.findings import STAGES, Level, Stage, StageName
+from rcj_challenges.checker.findings import RANKS, STAGES, Level, Stage, StageName, gravest
 from rcj_challenges.facts.shown import shown
 
 if TYPE_CHECKING:
@@ -16,11 +16,6 @@ if TYPE_CHECKING:
 
 REPORT_VERSION = 1
 SCHEMA_FILE = "check.schema.json"
-Verdict = Literal["passed", "warning", "failure", "unchecked"]
-"""The level of a submission, or ``unchecked``: this computer could not check it, which says nothing about it."""
-
-RANKS: tuple[Verdict, ...] = ("passed", "warning", "failure", "unchecked")
-"""All verdicts; of many, the last one is that of all."""
 
 
 class _Part(BaseModel):
@@ -35,7 +30,7 @@ class FindingReport(_Part):
     """One thing that was found. All texts are safe to show on a terminal."""
 
     code: str = _described("what it is, the same in every language and version: archive.encrypted")
-    level: Level = _described("how grave it is")
+    level: Level = _described("how grave it is; unchecked: no finding on the submission, but why nothing is known")
     message: str = _described("what was found, one line")
     remedy: str = _described("what to do; empty if there is nothing to do")
     where: str = _described("the file in the submission, with line and column where known, or the robots; may be empty")
@@ -100,11 +95,12 @@ class FileReport(_Part):
     """The check of one submission."""
 
     file: str = _described("name of the file or folder, with folders before it where another has the same name")
-    level: Verdict = _described(
+    level: Level = _described(
         "the verdict: passed, warning (it plays, but look at what is told), failure, "
-        "or unchecked (this computer could not check it)"
+        "or unchecked (nothing is known: the check itself could not be carried out)"
     )
-    hindrance: str = _described("what this computer could not do, if that is why it is unchecked", default="")
+    hindrance: str = _described("why it is unchecked: what could not be done; else empty", default="")
+    our_fault: bool = _described("whether it is unchecked by a fault of this project", default=False)
     team: str = _described("name of the team, safe to show; empty if it is not known")
     digest: str = _described("SHA-256 over names and contents of its files; empty if they cannot be read")
     repaired: list[str] = _described("what --fix put right before this check")
@@ -125,7 +121,7 @@ class Summary(_Part):
     passed: int = _described("how many are in order", ge=0)
     warning: int = _described("how many play, but with warnings", ge=0)
     failure: int = _described("how many cannot be used as they are", ge=0)
-    unchecked: int = _described("how many could not be checked on this computer", ge=0)
+    unchecked: int = _described("how many could not be checked; nothing is known of them", ge=0)
 
 
 class LeftOut(_Part):
@@ -142,7 +138,7 @@ class CheckReport(_Part):
     scenario: str = _described("id of the scenario")
     title: str = _described("title of the scenario")
     sandbox: str = _described("how programs were isolated: auto, strict or off")
-    level: Verdict = _described("the gravest verdict of all")
+    level: Level = _described("the gravest verdict of all")
     interrupted: bool = _described("whether somebody ended the check before all were checked", default=False)
     summary: Summary
     files: list[FileReport] = _described("the submissions, in the order in which they were given")
@@ -155,13 +151,14 @@ class CheckReport(_Part):
 
     @property
     def exit_code(self) -> int:
-        """0: all pass, with warnings perhaps; 1: at least one does not; 2: this computer could not do all of it."""
+        """0: all pass, with warnings perhaps; 1: at least one does not.
+
+        2: this computer could not do all of it; 3: we could not, by a fault of our own. What is not known comes first:
+        after it is mended, everything has to be checked again.
+        """
+        if any(file.our_fault for file in self.files):
+            return 3
         return 2 if self.summary.unchecked or self.lost_replays else int(self.summary.failure > 0)
-
-
-def gravest(levels: Iterable[Verdict]) -> Verdict:
-    """Return the gravest of verdicts; passed, if there are none."""
-    return max(levels, key=RANKS.index, default="passed")
 
 
 def check_report(

@@ -10,6 +10,7 @@ from importlib.resources import files
 from pathlib import Path
 from urllib.parse import quote
 
+from rcj_challenges.checker.findings import Level
 from rcj_challenges.checker.report import (
     ROBOT_NUMBERS,
     CheckReport,
@@ -17,7 +18,6 @@ from rcj_challenges.checker.report import (
     FindingReport,
     MatchReport,
     StageReport,
-    Verdict,
 )
 from rcj_challenges.checker.report_text import WORDS, first_finding, is_single, no_replay, summary, verdict
 from rcj_challenges.controllers.disk_names import from_disk, on_disk
@@ -163,7 +163,7 @@ def _where(finding: FindingReport) -> str:
     return "" if needless else f"<code><bdi>{_text(finding.where)}</bdi></code>: "
 
 
-def _badge(level: Verdict) -> str:
+def _badge(level: Level) -> str:
     return f'<span class="badge {level}">{WORDS[level]}</span>'
 
 

@@ -9,6 +9,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from rcj_challenges.checker.findings import Level
 from rcj_challenges.checker.report import (
     ROBOT_NUMBERS,
     CheckReport,
@@ -16,14 +17,13 @@ from rcj_challenges.checker.report import (
     FindingReport,
     MatchReport,
     StageReport,
-    Verdict,
 )
 from rcj_challenges.facts.shown import shown
 
-WORDS: dict[Verdict, str] = {"passed": "ok", "warning": "warning", "failure": "failure", "unchecked": "not checked"}
-_STYLES: dict[Verdict, str] = {"passed": "green", "warning": "yellow", "failure": "bold red", "unchecked": "bold"}
+WORDS: dict[Level, str] = {"passed": "ok", "warning": "warning", "failure": "failure", "unchecked": "not checked"}
+_STYLES: dict[Level, str] = {"passed": "green", "warning": "yellow", "failure": "bold red", "unchecked": "bold"}
 _SKIPPED = "skipped"
-_WIDTH = max(map(len, ("warning", "failure", _SKIPPED)))  # no stage has the longest word
+_WIDTH = max(map(len, ("warning", "failure", _SKIPPED)))  # the longest word is rare
 _MOST_LEFT_OUT = 30
 _INDENT = _WIDTH + 2
 _LEAST_WIDTH = 30
@@ -76,9 +76,11 @@ def print_file(console: Console, file: FileReport) -> None:
 
 def verdict(file: FileReport) -> str:
     """Return the verdict as a sentence."""
-    if file.level == "unchecked":
-        return f"Not checked: {file.hindrance}. That is a matter of this computer and says nothing about the team."
     failures, warnings = file.count("failure"), file.count("warning")
+    if file.level == "unchecked":
+        whose = "a fault of the check itself" if file.our_fault else "a matter of this computer"
+        known = f" What failed before ({_count(failures, 'failure')}) stands." if failures else ""
+        return f"Not checked: {file.hindrance}. That is {whose} and says nothing about the team.{known}"
     noticed = f", {_count(warnings, 'warning')}" if warnings else ""
     if failures:
         found = [finding for stage in file.stages for finding in stage.findings if finding.level == "failure"]
@@ -172,7 +174,7 @@ def _indented(console: Console, text: Text, word: Text | None = None) -> None:
     for number, line in enumerate(lines):
         line.rstrip()
         lead = head.copy() if number == 0 else Text()
-        lead.pad_right(_INDENT - lead.cell_len)
+        lead.pad_right(max(2 * bool(head) * (number == 0), _INDENT - lead.cell_len))
         console.print(lead + line, markup=False, highlight=False, soft_wrap=True)
 
 

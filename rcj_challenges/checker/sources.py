@@ -86,6 +86,7 @@ class _Walk:
         unread: Collection[str],
     ) -> None:
         self._sources = sources
+        self._makes_modules = any(_MAKES_MODULES.search(files[path]) for path in sources)
         self._unread = unread
         self._usual = Library(files, places_of(entry))
         self._library = self._usual
@@ -117,7 +118,7 @@ class _Walk:
         if wanted.level:
             return self._relative(unit, wanted)
         first, *rest = wanted.module.split(".")
-        if first in INSTALLED[2:]:
+        if first in (*INSTALLED[2:], "__main__"):  # there before any file is looked for
             return []
         module = self._top(first, rest) if first not in self._unread else None
         if module is None and (is_pythons(first) or first in INSTALLED):
@@ -249,6 +250,8 @@ class _Walk:
             self._add(unit, wanted, "warning", f"{_OPTIONAL}{code}", message, "make sure that it plays well without")
         elif weight is _Weight.IF_REACHED:
             self._add(unit, wanted, "warning", f"{_CONDITIONAL}{code}", message + _ONLY_IF_REACHED, remedy)
+        elif self._makes_modules and code == "missing_module":
+            self._add(unit, wanted, "warning", f"{_CONDITIONAL}{code}", message + _RUNNING_TELLS, remedy)
         else:
             self._add(unit, wanted, "failure", code, message, remedy)
 
@@ -313,6 +316,10 @@ def _wrong(source: Source, line: str) -> tuple[str, str, str]:
     return "too_deep" if deep else "syntax", f"{_PYTHON} cannot read this: {said}", remedy
 
 
+# Modules by a name of the program's own, from an archive, or written before they are imported.
+_MAKES_MODULES = re.compile(
+    rb"""\bsys\.modules[ ]?\[[^\]\n]{1,80}\][ ]?=|\.zip["']|\bmeta_path\b|\.py["'],[ ]?(?:mode[ ]?=[ ]?)?["'][wx]"""
+)
 _OPTIONAL = "optional_"
 _CONDITIONAL = "conditional_"
 _ONLY_IF_REACHED = "; that ends the program only if it is reached"

@@ -103,7 +103,8 @@ def _told(error: BaseException, *, begun: bool, interrupted: bool = False) -> in
             their own of it, behind which nothing else can be seen.
     """
     from rcj_challenges.cli.faults import report_our_fault
-    from rcj_challenges.facts.errors import RcjError, interruption_behind, is_held, is_of_the_host, told_of
+    from rcj_challenges.cli.says import is_of_the_output, output_trouble, say_no_more
+    from rcj_challenges.facts.errors import RcjError, interruption_behind, is_held, is_no_room, is_of_the_host, told_of
 
     if isinstance(error, RcjError):
         _complain(str(error))
@@ -113,9 +114,15 @@ def _told(error: BaseException, *, begun: bool, interrupted: bool = False) -> in
         said = str(interruption) if begun else "nothing had begun"
         _complain(f"interrupted: {said}" if said else "interrupted")
         return INTERRUPTED
+    if is_of_the_output(error):
+        trouble = output_trouble(error)
+        say_no_more(sys.stdout)  # else the interpreter complains of it once more
+        _complain(str(trouble))
+        return WRONG_INPUT
     if is_of_the_host(error) or isinstance(error, PermissionError):
         where = f": {error.filename}" if isinstance(error, OSError) and error.filename else ""
         remedy = "; close the program that may have it open" if isinstance(error, OSError) and is_held(error) else ""
+        remedy = "; make room there" if where and is_no_room(error) else remedy
         _complain(f"this computer cannot go on: {told_of(error)}{where}{remedy}")
         return WRONG_INPUT
     usage = _usage_error(error)

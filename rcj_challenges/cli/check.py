@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rcj_challenges.cli.says import say_json
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.errors import RcjError, advised
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -84,7 +84,7 @@ def _check(
     """Say whether submissions will play in the tournament, and what to do if not: opens, starts and plays them.
 
     Exit status 0: all will play; 1: some will not; 2: wrong usage, a path that cannot be opened or written, or
-    some could not be checked on this computer.
+    some could not be checked on this computer; 3: some could not be checked, by a fault of this project.
     """
     command = CheckCommand(
         paths=paths,
@@ -103,7 +103,7 @@ def _check(
 
 
 def check_submissions(command: CheckCommand) -> int:
-    """Check them; returns 0 if all will play, 1 if some will not, 2 if this computer could not check all of them.
+    """Check them; returns 0 if all will play, 1 if some will not, 2 or 3 if some could not be checked.
 
     Raises:
         RcjError: wrong usage.
@@ -188,7 +188,7 @@ def _or_usage_error(path: Path, done: str) -> Iterator[None]:
     try:
         yield
     except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
+        reason = advised(error) if isinstance(error, OSError) else str(error)
         raise CheckUsageError(f"{_safe(path)}: cannot be {done}: {reason}") from error
 
 

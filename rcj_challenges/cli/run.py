@@ -117,7 +117,27 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Watcher]:
 
 
 def _tell(options: RunOptions, console: Console, plan: MatchPlan, outcome: PlayedMatch) -> None:
-    """Write the replay page, and say how it ended: also if there is no room for the page."""
+    """Write the replay page, and say how it ended: also if there is no room for the page.
+
+    Raises:
+        HostError: something cannot be written; the match counts all the same.
+    """
+    from rcj_challenges.cli.says import is_of_the_output, output_trouble
+    from rcj_challenges.facts.errors import HostError, advised, is_of_the_host
+    from rcj_challenges.facts.shown import shown
+
+    try:
+        _tell_all(options, console, plan, outcome)
+    except (OSError, HostError) as error:
+        if isinstance(error, BrokenPipeError) or not (isinstance(error, HostError) or is_of_the_host(error)):
+            raise
+        where = f"{shown(error.filename)}: " if isinstance(error, OSError) and error.filename else ""
+        told = output_trouble(error) if is_of_the_output(error) else f"{where}{advised(error)}"
+        whole = f"The match was played to its end, and its record is whole: {shown(outcome.folder)}"
+        raise HostError(f"{told}\n{whole}") from error
+
+
+def _tell_all(options: RunOptions, console: Console, plan: MatchPlan, outcome: PlayedMatch) -> None:
     from rcj_challenges.cli.packets import packet_hints
     from rcj_challenges.records.folder import LOGS
 
@@ -148,6 +168,7 @@ def _open_page(folder: Path, console: Console) -> None:
 
 def _tell_of_interruption(console: Console, scenario: Scenario, error: MatchInterruptedError) -> None:
     """Say how far the match came, and where that is."""
+    from rcj_challenges.views.naming import changes_sides
     from rcj_challenges.views.scoreboard import score_line
     from rcj_challenges.views.sentences import clock
 
@@ -158,7 +179,7 @@ def _tell_of_interruption(console: Console, scenario: Scenario, error: MatchInte
         half = result["halves"][-1]
         number = f"half {half['half']} of {scenario.match.halves}"
         where = f"after {number}" if half["complete"] else f"in {number} at {clock(half['ticks'] * TICK_S)}"
-        where += f": {score_line(names, result['score'])}"
+        where += f": {score_line(names, result['score'], sides_change=changes_sides(scenario))}"
     lines = [f"interrupted {where}", f"record: {folder}"]
     if result["halves"]:
         lines.append(f"watch:  rcj-challenge view {typed(folder)}")
@@ -184,18 +205,15 @@ def _summary(
     console: Console, scenario: Scenario, outcome: PlayedMatch, hints: Sequence[dict[str, Any]], *, replay: bool
 ) -> None:
     """Say how it ended, by what, and where the record is."""
+    from rcj_challenges.views.naming import changes_sides
     from rcj_challenges.views.scoreboard import ranking_lines, score_line
-    from rcj_challenges.views.sentences import plain
 
     result, folder = outcome.result, outcome.folder
     names = {seat: entrant["name"] for seat, entrant in result["entrants"].items()}
-    lines = [score_line(names, result["score"])]
-    lines += ranking_lines(scenario.result.rank, names, result["ranking"])
-    lines += [
-        f"program fault: {fault['robot']} {fault['kind']} at tick {fault['tick']}: {plain(fault['detail'])} "
-        f"(logs/{fault['robot']}.log)"
-        for fault in result["faults"]
-    ]
+    swap = changes_sides(scenario)
+    lines = [score_line(names, result["score"], sides_change=swap)]
+    lines += ranking_lines(scenario.result.rank, names, result["ranking"], sides_change=swap)
+    lines += _told_faults(result["faults"])
     lines += [f"hint for {', '.join(hint['robots'])}: {hint['remedy']}" for hint in hints]
     lines.append(
         f"{result['simulated_s']:.0f} s played in {result['wall_s']:.1f} s "
@@ -206,3 +224,16 @@ def _summary(
         lines.append(f"watch:  {folder / 'replay.html'}")
     for line in lines:
         console.print(line, markup=False, highlight=False, soft_wrap=True)
+
+
+def _told_faults(faults: Sequence[dict[str, Any]]) -> list[str]:
+    """Return one line for robots that failed alike at the same tick, whichever half it was: mostly all six do."""
+    from rcj_challenges.views.sentences import plain
+
+    alike: dict[tuple[str, int, str], dict[str, None]] = {}
+    for fault in faults:
+        alike.setdefault((fault["kind"], fault["tick"], fault["detail"]), {})[fault["robot"]] = None
+    return [
+        f"program fault: {', '.join(robots)} {kind} at tick {tick}: {plain(detail)} (logs/{next(iter(robots))}.log)"
+        for (kind, tick, detail), robots in alike.items()
+    ]

@@ -12,13 +12,14 @@ import re
 import shlex
 import stat
 import sys
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeGuard
 
 if TYPE_CHECKING:
     from _typeshed import ReadableBuffer
 
-from rcj_challenges.facts.errors import HostError, told_of
+from rcj_challenges.facts.errors import HostError, advised, is_no_room
 from rcj_challenges.facts.letters import READABLE
+from rcj_challenges.facts.shown import shown
 
 
 def say_json(value: Any) -> None:
@@ -39,8 +40,31 @@ def say_json(value: Any) -> None:
     except BrokenPipeError:
         say_no_more(sys.stdout)
     except OSError as error:
+        trouble = output_trouble(error)
         say_no_more(sys.stdout)
-        raise HostError(f"the output cannot be written: {told_of(error)}") from error
+        raise trouble from error
+
+
+def output_trouble(error: OSError) -> HostError:
+    """Return what is wrong with our output as an error that says where it goes, if it is a file and Linux tells."""
+    where = ""
+    with contextlib.suppress(OSError, ValueError):
+        if _is_file(sys.stdout):
+            where = f" ({shown(os.readlink(f'/proc/self/fd/{sys.stdout.fileno()}'))})"  # noqa: PTH115 - no path of ours
+    return HostError(f"the output{where} cannot be written: {advised(error)}")
+
+
+def is_of_the_output(error: BaseException) -> TypeGuard[OSError]:
+    """Return whether an error, one without a file's name, is that of our output, a file on a disk that is full."""
+    if not isinstance(error, OSError) or error.filename is not None or not is_no_room(error):
+        return False
+    with contextlib.suppress(OSError, ValueError, AttributeError):  # Windows does not tell what is free so
+        return _is_file(sys.stdout) and not os.fstatvfs(sys.stdout.fileno()).f_bavail
+    return False
+
+
+def _is_file(stream: Any) -> bool:
+    return stat.S_ISREG(os.fstat(stream.fileno()).st_mode)
 
 
 def typed(path: object) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.errors import RcjError, advised
 from rcj_challenges.scenario.json_schema import FILE, schema_is_fresh, schema_text
 from rcj_challenges.scenario.resources import schemas_folder
 
@@ -31,7 +31,7 @@ def write_schema(out: Path | None) -> int:
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(schema_text(), encoding="utf-8", newline="\n")
     except OSError as error:
-        raise SchemaFileError(f"{file}: cannot be written: {error.strerror or error}") from error
+        raise SchemaFileError(f"{file}: cannot be written: {advised(error)}") from error
     sys.stdout.write(f"{file}\n")
     return 0
 

@@ -75,6 +75,8 @@ def simulate(options: SimulateOptions) -> int:
     failed = [outcome for outcome in outcomes if outcome.result is None]
     wrong = [outcome for outcome in failed if outcome.wrong_input]
     if wrong and len(failed) == len(outcomes):
+        if options.json:
+            _report(outcomes, rank, options)  # who reads it by a program finds there why
         raise SeedsError(wrong[0].complaint)  # one clear message once more
     _report(outcomes, rank, options)
     return (WRONG_INPUT if len(wrong) == len(failed) else OUR_FAULT) if failed else OK

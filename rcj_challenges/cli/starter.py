@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from rcj_challenges.cli.says import typed
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.errors import RcjError, advised
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.resources import names_in, starters_folder
@@ -72,7 +72,12 @@ def _write(path: Path, text: str) -> None:
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         # Exclusive: a file that appeared meanwhile is not overwritten either.
-        with path.open("x", encoding="utf-8", newline="\n") as stream:
-            stream.write(text)
+        stream = path.open("x", encoding="utf-8", newline="\n")
+        try:
+            with stream:
+                stream.write(text)
+        except OSError:  # half of it, or nothing, would be in the way of the next attempt
+            path.unlink()
+            raise
     except OSError as error:
-        raise StarterError(f"{shown(path)}: cannot be written: {error.strerror or error}") from error
+        raise StarterError(f"{shown(path)}: cannot be written: {advised(error)}") from error

@@ -51,6 +51,19 @@ def told_of(error: BaseException) -> str:
     return (error.strerror if isinstance(error, OSError) else None) or str(error)
 
 
+_NO_ROOM = frozenset(getattr(errno, name) for name in ("ENOSPC", "EDQUOT") if hasattr(errno, name))
+
+
+def is_no_room(error: BaseException) -> bool:
+    """Return whether an error says that a disk is full, or this user's share of it."""
+    return isinstance(error, OSError) and error.errno in _NO_ROOM
+
+
+def advised(error: BaseException) -> str:
+    """Return what the system says of a file that cannot be written, and what helps if there is no room for it."""
+    return told_of(error) + ("; make room there, or write it elsewhere" if is_no_room(error) else "")
+
+
 def interruption_behind(error: BaseException | None) -> KeyboardInterrupt | None:
     """Return the interruption behind an error: in the middle of an import one comes out as an error of the import."""
     while error is not None and not isinstance(error, KeyboardInterrupt):

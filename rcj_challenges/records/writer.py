@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
@@ -23,6 +24,7 @@ from rcj_challenges.records.folder import (
     TRAJECTORY_PARTS,
     folder_name,
     make_run_folder,
+    naming,
     replaced,
     timestamp,
     utc_now,
@@ -114,16 +116,31 @@ class RecordWriter:
         self._versions = versions().model_dump()
         self.folder = make_run_folder(out, name or folder_name(self._started, header.scenario.id))
         # First, and not by way of a neighbour: a folder without a result is no record, wherever a kill comes.
-        (self.folder / RESULT).write_bytes(self._result_line({}))
+        self._begin()
         self.logs = self.folder / LOGS
         self.logs.mkdir()
         self._parts = self.folder / TRAJECTORY_PARTS
         self._parts.mkdir()
-        (self.folder / SCENARIO).write_bytes(json_line(scenario))
+        self._write(self.folder / SCENARIO, json_line(scenario))
         for team, logo in header.logos.items():
-            logo_path(self.folder, team).write_bytes(logo)
+            self._write(logo_path(self.folder, team), logo)
         self._reflog = (self.folder / REFLOG).open("xb", buffering=0)
         self._referee_log = (self.folder / REFEREE_LOG).open("xb", buffering=0)
+
+    def _begin(self) -> None:
+        """Write a result that is not complete; if there is no room for it, the folder goes: it would be no record."""
+        try:
+            self._write(self.folder / RESULT, self._result_line({}))
+        except OSError:
+            with suppress(OSError):
+                (self.folder / RESULT).unlink(missing_ok=True)
+                self.folder.rmdir()
+            raise
+
+    @staticmethod
+    def _write(path: Path, content: bytes) -> None:
+        with naming(path):
+            path.write_bytes(content)
 
     @property
     def result(self) -> dict[str, Any]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import sys
-from collections import Counter, deque
+from collections import deque
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -20,6 +20,7 @@ from rcj_challenges.facts.play import Event, Fault, HalfInfo
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks
 from rcj_challenges.match.watching import Progress, Silent, Watcher
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime
+from rcj_challenges.views.naming import told_apart
 from rcj_challenges.views.sentences import clock, event_line, fault_line, plain
 
 Criterion = RankByScore | RankByTime | RankByCounter
@@ -34,20 +35,18 @@ def watcher_for(console: Console, title: str, *, quiet: bool) -> Watcher:
     return Scoreboard(console, title) if console.is_terminal else PlainLines(console, title)
 
 
-def score_line(names: Mapping[str, str], scores: Mapping[str, int | float]) -> str:
-    """Return ``Hanse 2 : 1 Alster`` for two seats, ``Hanse 21`` for one."""
-    shown = _told_apart(names)
+def score_line(names: Mapping[str, str], scores: Mapping[str, int | float], *, sides_change: bool = False) -> str:
+    """Return ``Hanse 2 : 1 Alster`` for two seats, ``Hanse 21`` for one; arguments as of `told_apart`."""
+    shown = _shown(names, sides_change=sides_change)
     if len(scores) == 2:
         (first, first_score), (second, second_score) = scores.items()
         return f"{shown[first]} {first_score:g} : {second_score:g} {shown[second]}"
     return ", ".join(f"{shown[seat]} {score:g}" for seat, score in scores.items())
 
 
-def _told_apart(names: Mapping[str, str]) -> dict[str, str]:
-    """Return the names by seat as a line may show them; those of one name with their seats: ``Hanse (blue)``."""
-    shown = {seat: plain(name, 32) for seat, name in names.items()}
-    several = Counter(shown.values())
-    return {seat: f"{name} ({seat})" if several[name] > 1 else name for seat, name in shown.items()}
+def _shown(names: Mapping[str, str], *, sides_change: bool) -> dict[str, str]:
+    """Return the names by seat as a line may show them."""
+    return told_apart({seat: plain(name, 32) for seat, name in names.items()}, sides_change=sides_change)
 
 
 def decided_by_score_alone(rank: Sequence[Criterion]) -> bool:
@@ -83,7 +82,11 @@ def value_words(criterion: Criterion, value: float) -> str:
 
 
 def ranking_lines(
-    rank: Sequence[Criterion], names: Mapping[str, str], ranking: Sequence[Mapping[str, Any]]
+    rank: Sequence[Criterion],
+    names: Mapping[str, str],
+    ranking: Sequence[Mapping[str, Any]],
+    *,
+    sides_change: bool = False,
 ) -> list[str]:
     """Return ``place 1: Hanse, score 4, time 9.248 s`` for each team, best first; nothing if the score alone decides.
 
@@ -91,8 +94,9 @@ def ranking_lines(
         rank: the scenario's criteria.
         names: by team.
         ranking: as in ``result.json``.
+        sides_change: as of `told_apart`.
     """
-    shown = _told_apart(names)
+    shown = _shown(names, sides_change=sides_change)
     rows = ranking_rows(rank, shown, ranking)
     return [f"place {place}: {team}, {values}" for place, team, values in rows]
 

@@ -33,7 +33,10 @@ def much(tmp_path):
                 archive.writestr(name, content)
         report = check_file(path, scenario, CheckOptions(play_s=play_s))
         assert report.level != "failure"
-        return [finding for finding in report.stages[5].findings if finding.code.endswith("_much")]
+        told = report.stages[5].findings
+        much = [finding for finding in told if finding.code.endswith("_much")]
+        assert much[:1] in ([], told[:1])  # what may be as it should comes later
+        return much
 
     return found
 

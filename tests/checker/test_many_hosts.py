@@ -3,23 +3,29 @@
 from __future__ import annotations
 
 import errno
+import io
 import json
 import os
 import tempfile
 from dataclasses import replace
 from pathlib import Path
 
+import jsonschema
 import pytest
+from rich.console import Console
 
 from rcj_challenges.checker import check as check_module
 from rcj_challenges.checker import many, playing, report_files, starting
-from rcj_challenges.checker.check import CheckOptions, check_file
+from rcj_challenges.checker.check import CheckOptions, check_file, crashed_report
 from rcj_challenges.checker.many import check_many
-from rcj_challenges.checker.report import check_report
+from rcj_challenges.checker.many_given import called
+from rcj_challenges.checker.report import check_report, schema_text
 from rcj_challenges.checker.report_html import html_page
-from rcj_challenges.checker.report_text import summary, verdict
+from rcj_challenges.checker.report_text import print_report, summary, verdict
 from rcj_challenges.facts.errors import HostError
+from rcj_challenges.records.errors import RecordError, UnwritableError
 from rcj_challenges.scenario.load import load
+from rcj_challenges.world.errors import PhysicsFault
 from tests.checker.small_team import PLAYER, write_team
 
 ONE_ROBOT_EACH = [f"entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
@@ -76,7 +82,7 @@ def test_a_temporary_folder_that_is_not_there_is_no_verdict_on_a_team(team, tmp_
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "nowhere"))
     told = check_file(path, MATCH, SHORT)
     assert told.level == "unchecked"
-    assert "temporary folder" in told.hindrance
+    assert f"the temporary folder {tmp_path / 'nowhere'}" in told.hindrance
 
 
 def test_a_program_that_fails_while_the_temporary_folder_is_full_is_no_verdict_on_a_team(team, monkeypatch):
@@ -84,6 +90,15 @@ def test_a_program_that_fails_while_the_temporary_folder_is_full_is_no_verdict_o
     assert check_file(path, MATCH, SHORT).level == "failure"
     monkeypatch.setattr(check_module, "ensure_room", no_space)
     assert check_file(path, MATCH, SHORT).level == "unchecked"
+
+
+def test_a_record_that_finds_no_room_in_the_temporary_folder_asks_for_room_there(team, monkeypatch):
+    unwritable = UnwritableError("the record cannot be written: somewhere; give another folder with --out")
+    unwritable.__cause__ = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+    monkeypatch.setattr(starting, "check_start", raising(unwritable))
+    told = check_file(team(), MATCH, SHORT)
+    assert tempfile.gettempdir() in told.hindrance
+    assert "--out" not in told.hindrance
 
 
 def test_an_unchecked_submission_is_told_as_such_everywhere_and_ends_with_2(team, monkeypatch, tmp_path):
@@ -99,6 +114,34 @@ def test_an_unchecked_submission_is_told_as_such_everywhere_and_ends_with_2(team
     page = html_page(told, tmp_path)
     assert page.count(">not checked</span>") == 2
     assert "No space left" in page
+
+
+def test_a_fault_of_ours_is_told_as_such_everywhere_and_ends_with_3(team, monkeypatch, tmp_path):
+    bad = check_file(team("x = (\n"), MATCH, CheckOptions(play=False))
+    monkeypatch.setattr(starting, "check_start", raising(KeyError("left")))
+    stumbled = check_file(team(), MATCH, SHORT)
+    monkeypatch.setattr(check_module, "check_sources", no_space)
+    told = report(bad, stumbled, check_file(team(), MATCH, SHORT), crashed_report(called([team()])[0], "it died"))
+    assert (told.exit_code, told.level) == (3, "unchecked")
+    assert summary(told) == "4 submissions: 0 ok, 0 warnings, 1 failure, 3 not checked"
+    assert "a fault of the check itself and says nothing about the team" in verdict(stumbled)
+    data = json.loads(json.dumps(told.model_dump(mode="json")))
+    assert [file["level"] for file in data["files"]] == ["failure", "unchecked", "unchecked", "unchecked"]
+    jsonschema.validate(data, json.loads(schema_text()))
+    page = html_page(told, tmp_path)
+    assert page.count(">not checked</span>") == 8  # three in the table, three in the heads, two stages
+    stream = io.StringIO()
+    print_report(Console(file=stream, width=100), told)
+    assert "not checked  start: every robot starts" in stream.getvalue()
+
+
+@pytest.mark.parametrize(("error", "exit_code"), [(PhysicsFault("cannot go on"), 3), (RecordError("cannot go on"), 2)])
+def test_a_match_that_cannot_be_played_is_no_verdict(team, monkeypatch, error, exit_code):
+    monkeypatch.setattr(starting, "check_start", raising(error))
+    told = check_file(team(), MATCH, SHORT)
+    assert (told.level, told.hindrance) == ("unchecked", "cannot go on")
+    assert [finding.code for stage in told.stages for finding in stage.findings][-1] == "start.impossible"
+    assert report(told).exit_code == exit_code
 
 
 def test_where_no_process_can_be_started_nothing_is_said_about_the_teams(team, monkeypatch):
@@ -123,6 +166,7 @@ def test_a_replay_for_which_there_is_no_room_is_no_warning_of_the_team(team, tmp
     told = check_file(team(), MATCH, options)
     assert (told.level, told.count("warning")) == (before.level, before.count("warning"))
     assert ["No space left" in match.no_replay for match in told.matches] == [True, True]
+    assert all(str(tmp_path) in match.no_replay and "make room there" in match.no_replay for match in told.matches)
     assert report(told).exit_code == 2
     assert "2 replays not written" in summary(report(told))
     assert html_page(report(told), tmp_path).count("replay could not be written") == 2

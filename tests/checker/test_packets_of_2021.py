@@ -50,9 +50,10 @@ def test_a_program_that_waits_for_the_flag_is_told_how_to_play_with_it(hint):
 
 def test_the_size_is_that_of_the_scenarios_own_packet(hint):
     assert NO_FLAG in hint(ALONE, "ddddd", 41).remedy
-    assert hint(ALONE, "ddd" * 6 + "dd", 41) is None
+    assert "flag" not in hint(ALONE, "ddd" * 6 + "dd", 41).remedy
 
 
 @pytest.mark.parametrize(("layout", "tick"), [("dd", 2), ("ddd" * 6 + "dd", 400)])
 def test_other_sizes_and_later_packets_say_nothing_about_the_flag(hint, layout, tick):
-    assert hint(OF_2021, layout, 161, tick) is None
+    told = hint(OF_2021, layout, 161, tick)
+    assert (told.message, told.remedy[:33]) == ("", "the packet has another length tha")

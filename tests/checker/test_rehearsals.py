@@ -210,7 +210,7 @@ def test_a_hang_costs_its_limit_once(pack):
 
 
 def test_a_program_that_is_slow_on_every_step_fails_and_is_told_what_a_half_allows(pack):
-    slow = load("match", ["limits.step_s=0.4", "limits.half_s=30", *ONE_EACH])
+    slow = load("match", ["limits.step_s=0.4", "limits.half_s=10", *ONE_EACH])
     work = "    x = 0\n    while x < 120_000:\n        x += 1\n"
     report = check_file(pack(BEGIN + "while robot.step(32) != -1:\n" + work), slow, SHORT)
     found = findings(report, "play", "failure")
@@ -264,6 +264,27 @@ def test_a_sensor_that_is_read_and_was_never_enabled_is_told_with_what_to_do(pac
         ("as blue, 'compass' is read but not enabled", "call enable(32) before the first step", "B1"),
         ("as blue, 'left wheel motor': setVelocity(NaN) is refused.", "correct this call", "B1"),
     ]
+
+
+def test_a_second_robot_is_a_warning_with_how_to_do_with_one(pack):
+    told = complaints(check_file(pack(BEGIN + "second = Robot()\n" + LOOP), DUEL, SHORT))
+    assert [(finding.message, finding.remedy, finding.where) for finding in told[:1]] == [
+        (
+            "as blue, only one Robot can be made: this second Robot is the same robot.",
+            "make it once, and hand it to what needs it: def run(robot): …",
+            "B1",
+        )
+    ]
+
+
+def test_a_function_that_goes_on_by_calling_itself_is_told_to_be_a_loop(pack):
+    program = BEGIN + "def run():\n    if robot.step(32) != -1:\n        run()\nrun()\n"
+    told = complaints(check_file(pack(program), DUEL, replace(SHORT, play_s=6.0)))
+    assert (
+        "a function that steps goes on by calling itself. At 1000 Python ends the program, after about"
+        in told[0].message
+    )
+    assert (told[0].remedy, told[0].where) == ("write a loop: while robot.step(32) != -1:", "B1")
 
 
 def test_who_asks_for_the_powers_of_the_referee_is_told_that_nothing_came_of_it(pack):
@@ -407,17 +428,20 @@ def test_what_cannot_be_opened_is_no_verdict(tmp_path):
         check_file(tmp_path / "nowhere.zip", MATCH, SHORT)
 
 
-def test_a_fault_of_ours_becomes_a_verdict_too(pack, monkeypatch):
+def test_a_fault_of_ours_is_told_and_is_no_verdict_on_the_team(pack, monkeypatch):
     def stumble(*_):
         raise KeyError("\x1b[2J")
 
     monkeypatch.setattr(starting, "check_start", stumble)
     report = check_file(pack(BEGIN + LOOP), MATCH, SHORT)
     (found,) = findings(report, "start")
-    assert (found.code, report.level) == ("start.stumbled", "failure")
+    assert (found.code, found.level, report.level) == ("start.stumbled", "unchecked", "unchecked")
+    assert report.hindrance == found.message
     assert "\x1b" not in found.message
+    assert report.stages[-1].skipped.endswith("could not be checked")
     monkeypatch.setattr(check_module, "inspect", stumble)
-    assert check_file(pack(BEGIN + LOOP), MATCH, SHORT).stages[0].findings[0].code == "archive.stumbled"
+    report = check_file(pack(BEGIN + LOOP), MATCH, SHORT)
+    assert (report.stages[0].findings[0].code, report.level) == ("archive.stumbled", "unchecked")
 
 
 def test_an_interruption_that_a_library_made_an_error_of_ends_the_check(pack, monkeypatch):

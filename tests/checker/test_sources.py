@@ -391,6 +391,33 @@ def test_a_controller_where_no_program_would_find_it_by_that_name_is_none_of_our
     assert codes(check("import shared.controller\n", shared__controller="")) == ["ok"]
 
 
+def test_a_file_may_import_the_program_that_was_started_by_the_name_that_it_has_then(check):
+    stage = check(
+        "import tools\nspeed = 5\n", rcj_soccer_team_blue__tools="import __main__ as m\nfrom __main__ import speed\n"
+    )
+    assert codes(stage) == ["ok"]
+
+
+@pytest.mark.parametrize(
+    "trick",
+    [
+        "import sys, tools\nsys.modules['werkzeug'] = tools\n",
+        "import sys\nsys.path.insert(0, 'lib.zip')\n",
+        "open('werkzeug.py', 'w').write('x = 1')\n",
+    ],
+)
+def test_of_a_program_that_makes_modules_itself_only_running_tells_what_is_missing(check, trick):
+    stage = check(trick + "import werkzeug\n", rcj_soccer_team_blue__tools="x = 1\n")
+    assert codes(stage) == ["conditional_missing_module"]
+    assert only(stage).level == "warning"
+    assert "only running the programs can tell" in only(stage).message
+
+
+@pytest.mark.parametrize("moved", ["import sys as s\ns.path.append('lib')\n", "exec(open('paths.txt').read())\n"])
+def test_sys_path_may_be_changed_under_another_name_or_by_a_file_that_is_run(check, moved):
+    assert codes(check(moved + "import tools\n", rcj_soccer_team_blue__lib__tools="x = 1\n")) == ["ok"]
+
+
 def test_a_circle_of_imports_ends(check):
     stage = check("import a\n", rcj_soccer_team_blue__a="import b\n", rcj_soccer_team_blue__b="import a\n")
     assert codes(stage) == ["ok"]

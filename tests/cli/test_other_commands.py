@@ -146,6 +146,14 @@ def test_what_simulate_has_played_is_told_also_if_the_disk_is_full_then(monkeypa
     ]
 
 
+def test_why_no_seed_could_be_played_is_in_the_json_too(monkeypatch, capsys):
+    monkeypatch.setattr(many, "play_many", lambda *_: [outcome(1), outcome(2)])
+    with pytest.raises(RcjError, match="No space left"):
+        run("simulate", "match", "--seeds", "1..2", "--json")
+    told = json.loads(capsys.readouterr().out)
+    assert (told["played"], [one["seed"] for one in told["failed"]]) == (0, [1, 2])
+
+
 def test_the_list_is_whole_also_in_a_narrow_terminal(runs, capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", "40")
     assert run("view", "--list", "--out", runs) == 0

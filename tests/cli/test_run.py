@@ -78,6 +78,23 @@ def test_without_a_terminal_there_are_plain_lines_and_the_path_of_the_record(tmp
     assert (tmp_path / folder / "replay.html").is_file()
 
 
+def test_robots_whose_programs_fail_alike_are_told_in_one_line(tmp_path, monkeypatch, capsys):
+    program = "from controller import Robot\nrobot = Robot()\nrobot.step(32)\nname = robot.getName()\n"
+    (tmp_path / "team.py").write_text(program + "if name == 'Y2': robot.step(32)\n1 / 0\n", encoding="utf-8")
+    ends = ["run", "match", "--blue", "team.py", "--yellow", "team.py", "--duration", "1", "--halves", "2"]
+    assert here(monkeypatch, tmp_path, *ends, "--quiet", "--no-replay", *DUEL) == 0
+    told = [line for line in capsys.readouterr().out.splitlines() if line.startswith("program fault")]
+    what = "ZeroDivisionError: division by zero (team.py, line 6)"
+    assert told == [
+        f"program fault: B1 crash at tick 1: {what} (logs/B1.log)",
+        f"program fault: Y2 crash at tick 2: {what} (logs/Y2.log)",
+    ]
+    (tmp_path / "team.py").write_text(program + "1 / 0\n", encoding="utf-8")
+    assert here(monkeypatch, tmp_path, *ends, "--quiet", "--no-replay", *DUEL) == 0
+    told = [line for line in capsys.readouterr().out.splitlines() if line.startswith("program fault")]
+    assert told == [f"program fault: B1, Y2 crash at tick 1: {what.replace('6', '5')} (logs/B1.log)"]
+
+
 def test_quiet_says_only_how_it_ended_with_the_scores_named_by_team_names(tmp_path, monkeypatch, capsys, team):
     assert here(monkeypatch, tmp_path, *short(team, "--quiet", "--team-name", "blue=Häns e", "--no-replay", *DUEL)) == 0
     said = capsys.readouterr().out
@@ -97,13 +114,14 @@ def test_open_shows_the_page_when_the_match_is_over(tmp_path, monkeypatch, capsy
 
 @pytest.mark.parametrize("how", ["--json", "--quiet"])
 def test_the_result_is_told_also_if_there_is_no_room_for_the_replay_page(tmp_path, monkeypatch, capsys, team, how):
-    def full(_):
-        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+    def full(folder):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(folder / "replay.html"))
 
     monkeypatch.setattr("rcj_challenges.views.replay.write_replay", full)
     assert here(monkeypatch, tmp_path, *short(team, how, *DUEL)) == 2
     told, complaint = capsys.readouterr()
-    assert os.strerror(errno.ENOSPC) in complaint
+    assert f"replay.html: {os.strerror(errno.ENOSPC)}; make room there" in complaint
+    assert "The match was played to its end, and its record is whole: runs" in complaint
     if how == "--json":
         assert json.loads(told)["complete"]
     else:

@@ -1,6 +1,7 @@
 """Where a record cannot be written: the message names the place and what to do; exit code 2, no traceback, no report."""
 
 import errno
+import io
 import json
 import os
 import re
@@ -9,9 +10,12 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
+from rcj_challenges.cli import says, starter
+from rcj_challenges.facts.errors import HostError
 from rcj_challenges.records.result import read_result
 from tests.cli.in_this_process import here
 
@@ -114,3 +118,46 @@ def test_a_folder_without_a_result_is_told_what_it_lacks(tmp_path: Path, command
     for reads in ("stats", "replay", "view"):
         code, _, complaint = command(reads, "moved")
         assert (code, complaint) == (2, "no record 'moved': there is no result.json in this folder\n")
+
+
+def test_output_that_finds_no_room_is_told_with_the_file_that_it_goes_to(tmp_path: Path, monkeypatch) -> None:
+    class Full(io.TextIOWrapper):
+        def write(self, _: str) -> int:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    with (tmp_path / "told.txt").open("wb") as file:
+        stream = Full(file)
+        monkeypatch.setattr(sys, "stdout", stream)
+        with pytest.raises(HostError) as raised:
+            says.say_json({})
+        where = f" ({tmp_path / 'told.txt'})" if sys.platform == "linux" else ""
+        told = "cannot be written: No space left on device; make room there, or write it elsewhere"
+        assert str(raised.value) == f"the output{where} {told}"
+
+
+@POSIX
+def test_only_a_full_disk_of_the_output_is_taken_for_one(tmp_path: Path, monkeypatch) -> None:
+    full = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+    with (tmp_path / "told.txt").open("w", encoding="utf-8") as file:
+        monkeypatch.setattr(sys, "stdout", file)
+        assert not says.is_of_the_output(full)
+        monkeypatch.setattr(os, "fstatvfs", lambda _: SimpleNamespace(f_bavail=0))
+        assert says.is_of_the_output(full)
+        assert not says.is_of_the_output(OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), "record"))
+
+
+def test_a_starter_without_room_leaves_nothing_that_is_in_the_way(tmp_path: Path, monkeypatch) -> None:
+    opens = Path.open
+
+    class Full(io.StringIO):
+        def write(self, _: str) -> int:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    def opened(path: Path, *arguments: str, **options: str) -> object:
+        opens(path, *arguments, **options).close()
+        return Full()
+
+    monkeypatch.setattr(Path, "open", opened)
+    with pytest.raises(starter.StarterError, match="make room there"):
+        starter._write(tmp_path / "a.yaml", "id: a")
+    assert list(tmp_path.iterdir()) == []

@@ -93,7 +93,7 @@ def test_there_is_a_recipe_for_each_kind_that_is_promised():
         "A race through gates", "Rounds that all robots drive at once", "Keep-away in a zone", "Defend the goal", "Relay between halves", "Timed deliveries",
         "Obstacle courses", "Red light, green light", "Gates in a drawn order", "The poisoned ball", "Tag",
             "Freeze tag", "The last one is out", "Search and report",
-        "Where am I?", "King of the hill, with three teams", "A second stage that the first one pays for",
+        "Where am I?", "A hidden place", "King of the hill, with three teams", "A second stage that the first one pays for",
     ]  # fmt: skip
     assert len(RECIPES) == len(titles)
 

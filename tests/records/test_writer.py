@@ -1,5 +1,6 @@
 """A run's folder: made for one run alone, readable at any moment, complete at the end, without anything private."""
 
+import errno
 import json
 import os
 import signal
@@ -70,6 +71,18 @@ def test_a_kill_while_the_folder_is_made_leaves_a_result_in_it(tmp_path: Path, m
         RecordWriter(tmp_path, small_header(small_scenario()))
     (folder,) = tmp_path.iterdir()
     assert not read_result(folder).complete
+
+
+def test_where_there_is_no_room_for_a_result_no_folder_is_left(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(path: Path, _: bytes) -> None:
+        path.touch()
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(Path, "write_bytes", full)
+    with pytest.raises(OSError, match="No space left") as raised:
+        RecordWriter(tmp_path, small_header(small_scenario()))
+    assert str(raised.value.filename).endswith("result.json")
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_from_the_first_moment_there_is_a_result_that_is_not_complete(tmp_path: Path) -> None:

@@ -406,7 +406,7 @@ def test_the_distance_to_a_drawn_zone_is_0_inside():
     far = "actions: [{action: score, entrant: blue, points: {distance: [ball, %s]}}]"
     start = "triggers: [{trigger: half_started}], "
     assert "in m (0 inside)" in sentence(start + far % "hot", DRAWN)
-    assert "what was drawn as “spot” in m" in sentence(start + far % "spot", DRAWN)
+    assert "the spot drawn as “spot” in m" in sentence(start + far % "spot", DRAWN)
 
 
 def test_of_many_drawn_places_the_list_of_draws_says_which():

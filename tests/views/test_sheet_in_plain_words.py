@@ -234,6 +234,55 @@ def test_a_draw_that_rules_repeat_is_not_made_once():
     assert set_too in sheet(draws % (", keep: match", GOAL, ", as: 5"))
 
 
+KING = (
+    "draws: {king: {values: [nobody, Y1, Y2, Y3]}}\n"
+    "zones: {hill: {shape: circle, centre_m: [0, 0], radius_m: 0.1}}\n"
+    "broadcast: {fields: {king: {draw: king}}}\n"
+)
+BEGIN = "  begin: {triggers: [{trigger: half_started}], actions: [{action: draw, draw: king, as: nobody}%s]%s}\n"
+TAKES = (
+    "  takes:\n    for_each: yellow\n    triggers: [{trigger: enters, entity: each, zone: hill}]\n"
+    "    conditions: [{condition: drawn, draw: king, equals: nobody}, {condition: drawn, draw: king, equals: each, negate: true}]\n"
+    "    actions: [{action: draw, draw: king, as: each}]\n"
+)
+
+
+class TestADrawThatRulesSetFromTheStart:
+    def test_nothing_is_said_of_chance(self):
+        text = sheet(f"{KING}rules:\n{BEGIN % ('', '')}{TAKES}")
+        assert "- “king” is nobody, Y1, Y2 or Y3, as rules set it." in text.splitlines()
+        assert "provided that “king” is “nobody” and that it is not “king”: it becomes “king”." in text
+        assert '| king | what “king” is: "nobody", "Y1", "Y2" or "Y3" |' in text
+        assert "drawn" not in text.partition("## Course")[2]
+
+    @pytest.mark.parametrize(
+        "begin",
+        [
+            BEGIN % ("", ", conditions: [{condition: half, equals: 1}]"),
+            BEGIN % ("", ", phases: [other]"),
+            # What is asked in the same tick is what was drawn.
+            BEGIN % (", {action: emit, event: IS, payload: {king: {draw: king}}}", ""),
+            BEGIN % ("", "") + "  again: {triggers: [{trigger: half_ended}], actions: [{action: draw, draw: king}]}\n",
+        ],
+    )
+    def test_where_chance_may_be_seen_it_is_told(self, begin):
+        text = sheet(f"{KING}phases: {{other: {{}}}}\nrules:\n{begin}{TAKES}")
+        assert "Chance decides “king” when a half starts" in text
+        assert "provided that “nobody” was drawn as “king” and that it was not drawn as “king”" in text
+
+    def test_so_it_is_where_something_lasts_as_long_as_it_says(self):
+        draws = "draws: {long_s: {values: [1, 2]}}\ntimers: {rest: {lasts_s: {draw: long_s}, starts: true}}\n"
+        rule = "  begin: {triggers: [{trigger: half_started}], actions: [{action: draw, draw: long_s, as: 2}]}\n"
+        assert "Chance decides “long (s)”" in sheet(f"{draws}rules:\n{rule}")
+
+    def test_a_zone_that_rules_choose_is_named_so(self):
+        zones = "zones: {a: {shape: circle, centre_m: [0, 0], radius_m: 0.1}, b: {shape: circle, centre_m: [0.3, 0], radius_m: 0.1}}\n"
+        begin = "  begin: {triggers: [{trigger: half_started}], actions: [{action: draw, draw: safe, as: a}]}\n"
+        out = "  out: {triggers: [{trigger: leaves, entity: Y1, zone: safe}], actions: [{action: draw, draw: safe, as: b}]}\n"
+        text = sheet(f"{zones}draws: {{safe: {{values: [a, b]}}}}\nrules:\n{begin}{out}")
+        assert "When Y1 leaves the zone that is “safe” (the zone “a” or the zone “b”): “safe” becomes “b”." in text
+
+
 def test_a_layout_that_no_rule_uses_is_not_told():
     layout = "placements: {a: [{entity: Y1, at: start}], b: [{entity: Y2, at: start}]}\n"
     assert "Where things are put" not in sheet(layout)

@@ -28,8 +28,10 @@ def test_what_is_heard_is_said(trigger, words):
 @pytest.mark.parametrize(
     ("condition", "words"),
     [
-        ("entity: Y1", "Y1 is heard by the referee before"),
-        ("entity: Y1, negate: true", "Y1 is not heard by the referee before"),
+        ("entity: Y1", "Y1 was heard by the referee before"),
+        ("entity: Y1, negate: true", "Y1 was not heard by the referee before"),
+        ("entity: yellow, of: all", "all of the yellow robots were heard by the referee before"),
+        ("entity: yellow, of: none", "none of the yellow robots was heard by the referee before"),
         ("entity: yellow, text: GO, of: all", "all of the yellow robots have “GO” as the last message told"),
         ("entity: Y1, is_a: number, negate: true", "Y1 does not have a number as the last message told"),
     ],

@@ -71,6 +71,32 @@ def test_a_phase_that_a_rule_ends_promises_nothing_about_what_follows():
     assert "- The phase “first task” lasts until a rule begins another; the clock goes on." in text.splitlines()
 
 
+COUNTED = {
+    "phases: {pause: {lasts_s: {counter: long_s}}}": (
+        "- The phase “pause” lasts as many s as the counter “long (s)” says when it begins, then “play” follows; "
+        "the clock goes on."
+    ),
+    "timers: {rest: {lasts_s: {counter: long_s}}}": (
+        "- The timer “rest” lasts as many s as the counter “long (s)” says when it starts."
+    ),
+    "timers: {rest: {lasts_s: {counter: own_s, entity: Y1}, per: robots}}": (
+        "- The timer “rest” lasts as many s as the counter “own (s)” of Y1 says when it starts; "
+        "there is one for each of the robots."
+    ),
+    "timers: {rest: {lasts_s: {counter: own_s, entity: each}, per: robots, starts: true}}": (
+        "- There is a timer “rest” for each of the robots, which lasts as many s as its counter “own (s)” says when it "
+        "starts; it starts with the half."
+    ),
+    "timers: {rest: {lasts_s: {counter: yellow}}}": "- The timer “rest” lasts as many s as the score of yellow says when it starts.",
+}
+
+
+@pytest.mark.parametrize(("written", "words"), COUNTED.items(), ids=list(COUNTED))
+def test_a_length_from_a_counter_is_told_with_the_moment_in_which_it_is_read(written, words):
+    counters = "counters: {long_s: {initial: 4}, own_s: {per: robots, initial: 4}}\n"
+    assert words in sheet(f"{counters}{written}\n").splitlines()
+
+
 def test_a_drawn_length_is_told_with_all_that_it_can_be():
     draws = "draws: {long: {values: [8, 5, 0.5, 8]}}\n"
     lasts = "lasts 0.5 s, 5 s or 8 s, as “long” is drawn"
@@ -332,6 +358,21 @@ def test_a_group_with_a_name_of_two_letters_is_no_pair():
     assert condition("condition: in_zone, entity: lr, zone: pitch, of: all", "groups: {lr: [B1, B2]}") == (
         "all of the robots “lr” are in the pitch"
     )
+
+
+ONE = {
+    "of: any": "Y1 is in the pitch",
+    "of: all, negate: true": "Y1 is not in the pitch",
+    "of: {at_least: 1}": "Y1 is in the pitch",
+    "of: none": "Y1 is not in the pitch",
+    "of: none, negate: true": "Y1 is in the pitch",
+}
+
+
+@pytest.mark.parametrize("who", ["keepers", "[Y1]", "Y1"])
+@pytest.mark.parametrize(("of", "words"), ONE.items(), ids=list(ONE))
+def test_of_a_single_thing_none_is_the_opposite(of, words, who):
+    assert condition(f"condition: in_zone, entity: {who}, zone: pitch, {of}", "groups: {keepers: [Y1]}") == words
 
 
 def test_of_three_things_it_is_all_of_them():

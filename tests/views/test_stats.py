@@ -314,12 +314,17 @@ def test_several_submissions_of_one_name_are_told(tmp_path: Path) -> None:
     assert not [note for note in together(several[1:]).notes if "submissions" in note]
 
 
-def test_two_teams_of_one_name_in_one_match_are_told(tmp_path: Path) -> None:
-    folder = write_made_up_run(tmp_path, ticks=50, halves=1, names=("Hanse", "Hanse"))
-    result = json.loads((folder / "result.json").read_text("utf-8"))
-    result["entrants"]["yellow"]["programs"] = "c" * 64
-    (folder / "result.json").write_text(json.dumps(result), encoding="utf-8")
-    assert any("2 different submissions" in note for note in together([run_stats(folder)]).notes)
+@pytest.mark.parametrize(
+    ("halves", "apart"), [(1, ["Hanse (blue)", "Hanse (yellow)"]), (2, ["Hanse (blue first)", "Hanse (yellow first)"])]
+)
+def test_two_teams_of_one_name_in_one_match_are_two_and_told(tmp_path: Path, halves: int, apart: list[str]) -> None:
+    alike = run_stats(write_made_up_run(tmp_path, ticks=450, halves=halves, names=("Hanse", "Hanse")))
+    other = run_stats(write_made_up_run(tmp_path, ticks=450, halves=halves, names=("Hanse", "Alster")))
+    assert list(alike.teams) == apart
+    assert [team.points for team in alike.teams.values()] == [team.points for team in other.teams.values()]
+    assert [set(team.robots) for team in alike.teams.values()] == [set(team.robots) for team in other.teams.values()]
+    assert any("their seats tell them apart" in note for note in alike.notes)
+    assert other.notes == []
 
 
 def test_a_challenge_of_one_team_has_the_figures_that_make_sense() -> None:

@@ -25,6 +25,7 @@ from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.live.feed import Feed, poses, said
 from rcj_challenges.views.live.pace import Pace
 from rcj_challenges.views.live.senses import HalfSenses
+from rcj_challenges.views.naming import changes_sides, told_apart
 from rcj_challenges.views.replay.packing import FINEST_M, rounded_poses, units
 from rcj_challenges.views.replay.story import Story, Teller
 from rcj_challenges.views.replay.things import visible_things
@@ -46,10 +47,12 @@ def live_facts(scenario: Scenario, titles: dict[str, str], seed: int) -> dict[st
         titles: names of the teams, by their seat of the first half.
         seed: of the match.
     """
+    names = {team: titles.get(team) or team for team in scenario.entrants}
+    apart = told_apart(names, sides_change=changes_sides(scenario))
     return {
         "tick_s": TICK_S,
         **visible_things(scenario),
-        "teams": [{"name": team, "title": titles.get(team) or team} for team in scenario.entrants],
+        "teams": [{"name": team, "title": title} for team, title in apart.items()],
         "halves_planned": scenario.match.halves,
         "half_ticks_planned": [ticks_from_s(half_s) for half_s in half_lengths_s(scenario.match)],
         "channels": [{"name": name, "unit": unit} for name, unit in units(_unit_m(scenario)).items()],

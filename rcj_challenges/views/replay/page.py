@@ -20,6 +20,7 @@ from rcj_challenges.records.salvage import RunRecord, read_run
 from rcj_challenges.records.sensors import DAMAGE, read_sensors
 from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.views.naming import titles
 from rcj_challenges.views.replay.packing import (
     HEIGHT_M,
     TILT_RAD,
@@ -120,7 +121,7 @@ def _facts(run: RunRecord, frames: list[Frames], story: Story, unit_m: float) ->
     return {
         "tick_s": TICK_S,
         **visible_things(run.scenario),
-        "teams": [{"name": team, "title": entrant.name or team} for team, entrant in result.entrants.items()],
+        "teams": [{"name": team, "title": title} for team, title in titles(run.scenario, result).items()],
         "halves_planned": halves[0].info.halves,
         "channels": [{"name": name, "unit": units[name]} for name in frames[0].columns],
         "halves": [_half(half, moving, story) for half, moving in zip(halves, frames, strict=True)],
@@ -154,7 +155,7 @@ def _half(half: HalfTrack, frames: Frames, story: Story) -> dict[str, Any]:
 
 def places(scenario: Scenario, result: RunResult) -> list[dict[str, str]]:
     """Return who came where and by what, best first, as the page says it; nothing where the score says it all."""
-    names = {team: entrant.name or team for team, entrant in result.entrants.items()}
+    names = titles(scenario, result)
     ranking = [entry.model_dump() for entry in result.ranking]
     return [
         {"place": f"place {place}", "team": team, "values": values}

@@ -20,6 +20,7 @@ from rcj_challenges.records.result import RunResult
 from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.scenario.models.actions import Emit
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.views.naming import changes_sides, told_apart
 from rcj_challenges.views.replay.payloads import told_beside
 from rcj_challenges.views.replay.things import shown_colour
 from rcj_challenges.views.standing import Counting
@@ -91,6 +92,7 @@ def tell(folder: Path, scenario: Scenario, halves: Sequence[HalfTrack], result: 
             if line["kind"] == "held" and line["half"] == half.info.half
         ]
     names = {team: entrant.name for team, entrant in result.entrants.items() if entrant.name}
+    names = told_apart(names, sides_change=changes_sides(scenario))
     told = Teller(scenario, {half.info.half: half.info.teams for half in halves}, firings, story, names)
     events = [told.event(line) for line in lines if line["kind"] == "event"]
     story.events = sorted([*events, *told.unannounced()], key=lambda event: (event["half"], event["tick"]))

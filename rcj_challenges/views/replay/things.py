@@ -111,4 +111,20 @@ def _robot(scenario: Scenario, name: str) -> dict[str, Any]:
 def _seat(scenario: Scenario, name: str) -> dict[str, Any]:
     robots = scenario.entrants[name].robots
     colours = [scenario.robots[robot].colour for robot in robots if robot in scenario.robots]
-    return {"name": name, "colour": shown_colour(colours[0] if colours else "grey")}
+    return {
+        "name": name,
+        "colour": shown_colour(colours[0] if colours else "grey"),
+        "letter": _letters(scenario).get(name, ""),
+    }
+
+
+def _letters(scenario: Scenario) -> dict[str, str]:
+    """Return by seat what its robots' labels begin with, if that tells seats apart where colours do not; else nothing.
+
+    A seat alone needs none.
+    """
+    letters = {seat: {robot[0] for robot in entrant.robots} for seat, entrant in scenario.entrants.items()}
+    different = len(set().union(*letters.values())) == len(letters)
+    if len(letters) < 2 or not different or any(len(own) != 1 for own in letters.values()):
+        return {}
+    return {seat: own.pop() for seat, own in letters.items()}

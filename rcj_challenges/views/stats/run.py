@@ -16,6 +16,7 @@ from rcj_challenges.scenario.models.actions import Emit
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.seats import teams_by_seat
+from rcj_challenges.views.naming import titles
 from rcj_challenges.views.stats.ground import attacked_ends, goal_widths, own_end
 from rcj_challenges.views.stats.motion import Motion, motion_of, play_mask
 from rcj_challenges.views.stats.tally import Stats, Tally, TeamTally
@@ -40,8 +41,11 @@ def run_stats(folder: Path) -> Stats:
         counting.half(half, [line for line in lines if line["half"] == half.info.half])
     for fault in run.result.faults:
         counting.robot(fault.half, fault.robot).faults[fault.kind] += 1
+    names = titles(run.scenario, run.result)
+    if names != {team: entrant.name or team for team, entrant in run.result.entrants.items()}:
+        stats.notes.append(f"{folder.name}: teams of one name played each other; their seats tell them apart")
     for team, entrant in run.result.entrants.items():
-        tally = stats.teams.setdefault(entrant.name or team, TeamTally())
+        tally = stats.teams.setdefault(names[team], TeamTally())
         tally.points += run.result.score.get(team, 0)
         tally.runs += 1
         tally.programs.add(entrant.programs)
@@ -60,6 +64,7 @@ class _Counting:
         self._sides = {half.info.half: half.info.teams for half in run.halves}
         self._seat_of = {robot: seat for seat, entrant in run.scenario.entrants.items() for robot in entrant.robots}
         self._labels = _labels(run)
+        self._names = titles(run.scenario, run.result)
         widths = goal_widths(run.scenario.field)
         field = run.scenario.field
         self._goals = Goals(field.length_m / 2, field.width_m / 2 - field.corner_cut_m, widths)
@@ -69,10 +74,9 @@ class _Counting:
         """Return the tally of a robot in a half, by its team."""
         seat = self._seat_of.get(name)
         team = self._sides.get(half, {}).get(seat or "", seat or "")
-        entrant = self._run.result.entrants.get(team)
-        if seat is None or entrant is None:  # an obstacle that looks like a robot
+        if seat is None or team not in self._names:  # an obstacle that looks like a robot
             return Tally()
-        robots = self._stats.teams.setdefault(entrant.name or team, TeamTally()).robots
+        robots = self._stats.teams.setdefault(self._names[team], TeamTally()).robots
         return robots.setdefault(self._labels.get((team, name), name), Tally())
 
     def half(self, half: HalfTrack, lines: list[dict[str, Any]]) -> None:

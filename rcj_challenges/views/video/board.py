@@ -110,6 +110,8 @@ class Board:
         colour = rgb(self._footage.colour_of(self._footage.half(half), team))
         y = (self.height - edge) // 2
         ImageDraw.Draw(strip).rounded_rectangle((x, y, x + edge, y + edge), edge // 4, fill=colour)
+        letter = self._lettering.mask(self._footage.letter_of(self._footage.half(half), team), edge * 3 // 4, bold=True)
+        strip.paste(text_on(colour), (x + (edge - letter.width + 1) // 2, y + (edge - letter.height + 1) // 2), letter)
 
     def _write_captions(self, frame: Image.Image, moment: Moment) -> None:
         recent = self._footage.recent_events(moment.half, moment.t_s, CAPTION_S * moment.speed, MOST_CAPTIONS)

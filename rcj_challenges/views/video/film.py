@@ -15,7 +15,7 @@ import av
 import numpy as np
 from PIL import Image
 
-from rcj_challenges.facts.errors import is_held
+from rcj_challenges.facts.errors import advised, is_held
 from rcj_challenges.records.folder import when_free
 from rcj_challenges.views.video.errors import FilmInterruptedError, VideoError
 
@@ -72,7 +72,7 @@ class Film:
             self._stream.options = _CODECS[self.codec]
         except OSError as error:
             self._discard()
-            raise VideoError(f"{self.path}: cannot be written: {error.strerror or error}") from error
+            raise VideoError(f"{self.path}: cannot be written: {advised(error)}") from error
         self._thread.start()
         return self
 
@@ -109,7 +109,7 @@ class Film:
                 self._temporary.replace(self.part)
                 raise FilmInterruptedError(self.part, self._written) from error
         except OSError as failure:
-            raise VideoError(f"{self.path}: cannot be written: {failure.strerror or failure}") from failure
+            raise VideoError(f"{self.path}: cannot be written: {advised(failure)}") from failure
         finally:
             self._discard()
 
@@ -123,7 +123,7 @@ class Film:
             when_free(lambda: self._temporary.replace(self.path))
         except OSError as failure:
             self._temporary.replace(self.part)
-            told = f"{self.path}: cannot be written: {failure.strerror or failure}"
+            told = f"{self.path}: cannot be written: {advised(failure)}"
             told += "; close the program that may show it" if is_held(failure) else ""
             raise VideoError(f"{told}. The whole video is kept in {self.part}") from failure
 
@@ -150,7 +150,7 @@ class Film:
     def _raise_error(self) -> None:
         error = self._error
         if isinstance(error, OSError):
-            raise VideoError(f"{self.path}: cannot be written: {error.strerror or error}") from error
+            raise VideoError(f"{self.path}: cannot be written: {advised(error)}") from error
         if error is not None:
             raise error
 

@@ -22,6 +22,7 @@ from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.records.upgrades import read_scenario
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.views.naming import changes_sides, titles, told_apart
 from rcj_challenges.views.replay.story import Story, tell
 from rcj_challenges.views.replay.things import visible_things
 from rcj_challenges.views.standing import counted_line, shows_score
@@ -171,7 +172,7 @@ class Footage:
             things=visible_things(scenario),
             halves=tuple(HalfFootage.of(track) for track in tracks),
             story=story,
-            titles=_titles(result, tracks[0].info),
+            titles=_titles(scenario, result, tracks[0].info),
             warnings=tuple(warnings),
             _events=events,
         )
@@ -218,8 +219,15 @@ class Footage:
 
     def colour_of(self, half: HalfFootage, team: str) -> str:
         """Return the CSS colour that a team plays in during a half."""
+        return str(self._seat_of(half, team).get("colour", "grey"))
+
+    def letter_of(self, half: HalfFootage, team: str) -> str:
+        """Return what the labels of a team's robots begin with during a half; empty where that tells nothing."""
+        return str(self._seat_of(half, team).get("letter", ""))
+
+    def _seat_of(self, half: HalfFootage, team: str) -> dict[str, Any]:
         seat = next((seat for seat, playing in half.info.teams.items() if playing == team), None)
-        return next((str(found["colour"]) for found in self.things["seats"] if found["name"] == seat), "grey")
+        return next((found for found in self.things["seats"] if found["name"] == seat), {})
 
 
 def _start(track: HalfTrack) -> tuple[npt.NDArray[np.float32], npt.NDArray[np.float32]]:
@@ -261,7 +269,8 @@ def _tell(
 _NO_EVENTS = cast("RunResult", SimpleNamespace(events=[]))
 
 
-def _titles(result: RunResult | None, first: HalfInfo) -> dict[str, str]:
+def _titles(scenario: Scenario, result: RunResult | None, first: HalfInfo) -> dict[str, str]:
     if result is not None:
-        return {team: entrant.name or team for team, entrant in result.entrants.items()}
-    return {first.teams[seat]: name or seat for seat, name in first.team_names.items()}
+        return titles(scenario, result)
+    names = {first.teams[seat]: name or seat for seat, name in first.team_names.items()}
+    return told_apart(names, sides_change=changes_sides(scenario))

@@ -13,6 +13,7 @@ from typing import Protocol
 
 from PIL import Image
 
+from rcj_challenges.facts.errors import advised
 from rcj_challenges.records.folder import replaced
 from rcj_challenges.views.sentences import plain
 from rcj_challenges.views.video import gl_probe
@@ -174,7 +175,7 @@ def write_snapshot(made_in: Studio, moment: Moment, path: Path) -> None:
         with replaced(path) as target:
             target.write(file.getvalue())
     except OSError as error:
-        raise VideoError(f"{path}: cannot be written: {error.strerror or error}") from error
+        raise VideoError(f"{path}: cannot be written: {advised(error)}") from error
 
 
 def write_video(

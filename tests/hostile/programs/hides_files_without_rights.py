@@ -14,7 +14,7 @@ import arena
 
 arena.drive(10)
 os.makedirs("rcj-hostile/inner")
-for number in range(3):
+for number in range(6):
     with open(f"rcj-hostile/inner/{number}", "wb") as file:
         file.write(bytes(1_000_000))
 with contextlib.suppress(OSError):

@@ -11,7 +11,7 @@ import os
 import arena
 
 arena.drive(10)
-for number in range(300):
+for number in range(700):
     open(f"rcj-hostile-{number}", "wb").close()
     os.mkdir(f"rcj-hostile-folder-{number}")
 arena.hang()

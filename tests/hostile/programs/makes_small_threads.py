@@ -12,7 +12,7 @@ import arena
 
 arena.drive(10)
 threading.stack_size(1 << 16)
-for _ in range(60):
+for _ in range(80):
     threading.Thread(target=threading.Event().wait, daemon=True).start()
 while True:
     pass

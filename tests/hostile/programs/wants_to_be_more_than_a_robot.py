@@ -3,15 +3,15 @@
 #: holds = "a program has one robot, and its radio has its team's channels"
 #: tick = 10
 #: ends = "plays on"
-#: said = ["refused: Supervisor RuntimeError", "refused: second RuntimeError", "is not for this team"]
+#: said = ["this second Supervisor is the same robot", "the same: True True", "is not for this team"]
 
 import arena
 import controller
 
 arena.drive(10)
 robot = arena.robot
-arena.refused("Supervisor", controller.Supervisor)
-arena.refused("second", controller.Robot)
+coach, second = controller.Supervisor(), controller.Robot()
+print("the same:", coach.getName() == robot.getName(), second.getDevice("gps") is robot.getDevice("gps"))
 arena.refused("supervisor", lambda: robot.getFromDef("BALL"))
 for name in ("team receiver", "team emitter", "supervisor receiver"):
     device = robot.getDevice(name)

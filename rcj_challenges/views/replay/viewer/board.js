@@ -61,6 +61,8 @@ class Board {
       if (!box.hidden) this.tell(box, counted[team.name] || []);
       const seat = recording.facts.seats.find((candidate) => track.facts.sides[candidate.name] === team.name);
       chip.style.background = seat ? seat.colour : "";
+      chip.style.color = seat ? Colours.onTop(Colours.rgb(seat.colour)) : "";
+      chip.textContent = seat ? seat.letter : "";
       chip.title = seat ? `plays ${seat.name}` : "";
       score.textContent = String(scores[team.name] ?? 0);
     }

@@ -1,0 +1,115 @@
+"""Slips that every pupil makes once: what Python says of them, and what to do."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import PurePosixPath
+
+from rcj_challenges.facts.shown import shown
+
+_MOST_NAME = 100  # letters
+_CIRCLE = re.compile(
+    r"partially initialized module '(?P<module>[\w.]+)' .{0,200}\(most likely due to a circular import\)"
+)
+_PLACE = re.compile(r" \((?P<file>[^()]{1,300}), line [0-9]{1,7}\)$")
+_UNSET = re.compile(
+    rf"^UnboundLocalError: (?:cannot access local variable|local variable) '(?P<name>\w{{1,{_MOST_NAME}}})' "
+)
+_GO_ROUND = (
+    "a function calls itself over and over (its name comes again and again in the report below): write a while loop"
+)
+_BRACKETS = "a call needs brackets: receiver.getQueueLength(), gps.getValues()[0]"
+_SELF = "a method has self as its first argument: def run(self):"
+_AN_OBJECT = "the class itself is no object: make one, with brackets: robot = Robot()"
+_NO_TEXT = (
+    'what is read is no UTF-8 text: save the file as UTF-8, or name how it was saved, open(…, encoding="cp1252"); a '
+    "packet is read as it was sent, by struct.unpack or pickle.loads"
+)
+_BYTES_OR_TEXT = (
+    "bytes and text are two things: getData() gives bytes (messages v2.1), getString() text; data.decode() makes text "
+    "of bytes, text.encode() bytes of text"
+)
+_OTHER_LENGTH = (
+    "the packet has another length than the format: where robots send packets of several kinds, compare len(data) with "
+    "struct.calcsize(format) first"
+)
+_OUT_OF_BOUNDS = (
+    "math.acos and math.asin take numbers from -1 to 1, math.sqrt and math.log none below 0, and rounding leads beyond "
+    "by a hair: math.acos(max(-1, min(1, x)))"
+)
+_NOTHING_THERE = (
+    "something in this line is None: a ball that is not in sight, what has not come yet, what a function without "
+    "return gives; ask first: if ball is not None:"
+)
+_NO_SCREEN = "there is no screen in a match: do without windows (tkinter, turtle)"
+_STEP_FIRST = "a sensor gives NaN before its first sample: enable it, and call robot.step(32) before it is read"
+_REMEDIES = (
+    (re.compile(r"^RecursionError: maximum recursion depth exceeded"), _GO_ROUND),
+    (re.compile(r"^TypeError: .{1,100}'(?:builtin_function_or_)?method' and '"), _BRACKETS),
+    (re.compile(r"^TypeError: .{1,100}' and '(?:builtin_function_or_)?method'"), _BRACKETS),
+    (re.compile(r"^TypeError: '(?:builtin_function_or_)?method' object is not (?:subscriptable|iterable)"), _BRACKETS),
+    (re.compile(r"^TypeError: cannot unpack non-iterable (?:builtin_function_or_)?method object"), _BRACKETS),
+    (re.compile(r"^TypeError: \w{1,100}\.\w{1,100}\(\) takes 0 positional arguments but "), _SELF),
+    (re.compile(r"^TypeError: .{1,200} missing 1 required positional argument: 'self'"), _AN_OBJECT),
+    (re.compile(r"^TypeError: (?:.{1,100} )?'NoneType' (?:and|object is not|object cannot)"), _NOTHING_THERE),
+    (re.compile(r"^TypeError: .{1,100} and 'NoneType'"), _NOTHING_THERE),
+    (re.compile(r"^TypeError: cannot unpack non-iterable NoneType object"), _NOTHING_THERE),
+    (re.compile(r"^_tkinter\.TclError: "), _NO_SCREEN),
+    (re.compile(r"^UnicodeDecodeError: 'utf-8' codec can't decode "), _NO_TEXT),
+    (
+        re.compile(r"^TypeError: (?:a bytes-like object is required, not 'str'|can't concat str to bytes)"),
+        _BYTES_OR_TEXT,
+    ),
+    (re.compile(r"^AttributeError: '(?:str' object .{1,40}'decode'|bytes' object .{1,40}'encode')"), _BYTES_OR_TEXT),
+    (re.compile(r"^struct\.error: unpack requires a buffer of "), _OTHER_LENGTH),
+    (
+        re.compile(r"^ValueError: (?:math domain error|expected a (?:number in range|nonnegative|positive) )"),
+        _OUT_OF_BOUNDS,
+    ),
+    (re.compile(r"^ValueError: cannot convert float NaN to integer"), _STEP_FIRST),
+)
+
+
+def on_slip(detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
+    """Return what to do about a crash of a kind that many programs have; nothing if it is none.
+
+    Args:
+        detail: the last line of what the program told of its end, and its place.
+        files: of the team.
+    """
+    if found := _CIRCLE.search(detail):
+        return _on_circle(found["module"], detail)
+    if found := _UNSET.match(detail):
+        return _on_unset(found["name"], detail, files)
+    return next((remedy for words, remedy in _REMEDIES if words.match(detail)), "")
+
+
+def _on_circle(module: str, detail: str) -> str:
+    place = _PLACE.search(detail)
+    importer = PurePosixPath(place["file"]).name if place is not None else "another file"
+    file = f"{module.rpartition('.')[2]}.py"
+    if importer == file:
+        return f"{shown(file)} imports itself: leave out that import, or give the file another name"
+    return (
+        f"{shown(file)} and {shown(importer)} import each other, in a circle: move what both need into a third file, "
+        "or write the import into the function that needs it"
+    )
+
+
+def _on_unset(name: str, detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
+    """Tell of a variable that is set outside of a function as well: what most likely is meant is that one."""
+    place = _PLACE.search(detail)
+    content = files.get(PurePosixPath(place["file"].replace("\\", "/"))) if place is not None else None
+    if content is None or not re.search(
+        rf"^{name}[ \t]{{0,20}}(?::[^=\n]{{1,100}})?=(?!=)", _text(content), re.MULTILINE
+    ):
+        return ""
+    return (
+        f'"{name}" outside of the function is another variable, as long as the function sets one of that name itself: '
+        f'write "global {name}" as its first line'
+    )
+
+
+def _text(content: bytes) -> str:
+    return content.decode("utf-8", "replace").replace("\r\n", "\n").replace("\r", "\n")

@@ -1,0 +1,38 @@
+"""What teams are called where several stand side by side: two may have the same name."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+
+from rcj_challenges.records.result import RunResult
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.views.sentences import plain
+
+_LONGEST = 32
+"""Names that differ only in what comes after are told apart too: there is no room for more."""
+
+
+def changes_sides(scenario: Scenario) -> bool:
+    """Return whether a team plays from another seat in another half."""
+    return scenario.match.swap_sides and scenario.match.halves > 1
+
+
+def titles(scenario: Scenario, result: RunResult) -> dict[str, str]:
+    """Return what teams are called, by their seats of the first half; no two are called the same."""
+    names = {team: entrant.name or team for team, entrant in result.entrants.items()}
+    return told_apart(names, sides_change=changes_sides(scenario))
+
+
+def told_apart(names: Mapping[str, str], *, sides_change: bool = False) -> dict[str, str]:
+    """Return the names by team; those that look the same with their seats: ``Hanse (blue)``, ``Hanse (blue first)``.
+
+    Args:
+        names: by team: its seat, that of the first half where sides are changed.
+        sides_change: whether a team plays from another seat later, so that its seat alone would mislead.
+    """
+    several = Counter(plain(name, _LONGEST) for name in names.values())
+    first = " first" if sides_change else ""
+    return {
+        team: f"{name} ({team}{first})" if several[plain(name, _LONGEST)] > 1 else name for team, name in names.items()
+    }

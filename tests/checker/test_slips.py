@@ -1,0 +1,119 @@
+"""Slips that every pupil makes once: a check says what to do, where Python's own words do not."""
+
+from __future__ import annotations
+
+import zipfile
+from pathlib import PurePosixPath
+
+import pytest
+
+from rcj_challenges.checker.check import CheckOptions, check_file
+from rcj_challenges.checker.slips import on_slip
+from rcj_challenges.scenario.load import load
+
+FOLDER = "rcj_soccer_team_blue/"
+BEGIN = "from controller import Robot\nrobot = Robot()\n"
+LOOP = "while robot.step(32) != -1:\n    pass\n"
+
+
+@pytest.fixture
+def failure(tmp_path):
+    """Return the only failure of a program, and of its other files."""
+    alone = [f"entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
+    scenario = load("match", alone)
+
+    def failed(program, **others):
+        path = tmp_path / "team.zip"
+        with zipfile.ZipFile(path, "w") as archive:
+            archive.writestr(f"{FOLDER}rcj_soccer_team_blue.py", program)
+            archive.writestr("team_name.txt", "Hanse")
+            for name, text in others.items():
+                archive.writestr(f"{FOLDER}{name}.py", text)
+        report = check_file(path, scenario, CheckOptions(play_s=1.0))
+        (found,) = [one for stage in report.stages for one in stage.findings if one.level == "failure"]
+        return found
+
+    return failed
+
+
+def test_files_that_import_each_other_are_named(failure):
+    found = failure(
+        "from ball import Ball\n" + BEGIN + LOOP,
+        ball="from player import Player\nclass Ball: pass\n",
+        player="from ball import Ball\nclass Player: pass\n",
+    )
+    assert "circular import" in found.message
+    assert found.remedy.startswith("ball.py and player.py import each other, in a circle: move what both need into a ")
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        ("from tools import speed", "tools.py imports itself: "),
+        ("import tools\nprint(tools.speed)", "tools.py imports itself: "),
+    ],
+)
+def test_a_file_that_imports_itself_is_named(failure, line, told):
+    assert failure("import tools\n" + BEGIN + LOOP, tools=line + "\nspeed = 5\n").remedy.startswith(told)
+
+
+@pytest.mark.parametrize("outside", ["count = 0", "count: int = 0", "count=0"])
+def test_a_variable_that_is_meant_to_be_global_is_named(failure, outside):
+    program = BEGIN + outside + "\ndef tick():\n    count += 1\nwhile robot.step(32) != -1:\n    tick()\n"
+    assert 'write "global count" as its first line' in failure(program).remedy
+
+
+@pytest.mark.parametrize("outside", ["counter = 0", "count == 0", "  count = 0", ""])
+def test_a_variable_that_is_set_nowhere_else_is_none(outside):
+    path = PurePosixPath("robot.py")
+    detail = "UnboundLocalError: cannot access local variable 'count' where it is not associated with a value"
+    assert on_slip(f"{detail} (robot.py, line 3)", {path: outside.encode()}) == ""
+
+
+def test_a_function_that_calls_itself_for_ever_is_told_so(failure):
+    assert "while loop" in failure(BEGIN + "def run():\n    run()\nrun()\n").remedy
+
+
+def test_a_number_that_is_none_before_the_first_sample_is_told_so(failure):
+    program = BEGIN + "gps = robot.getDevice('gps')\ngps.enable(32)\nx = int(gps.getValues()[0])\n" + LOOP
+    assert "before its first sample" in failure(program).remedy
+
+
+@pytest.mark.parametrize(
+    ("lines", "told"),
+    [
+        ("if gps.getName > 0: pass\n", "a call needs brackets"),
+        ("if 0 < gps.getName: pass\n", "a call needs brackets"),
+        ("x = gps.getValues[0]\n", "a call needs brackets"),
+        ("x, y, z = gps.getValues\n", "a call needs brackets"),
+        ("x = [].append[0]\n", "a call needs brackets"),
+        ("class Bot:\n    def run(): pass\nBot().run()\n", "def run(self):"),
+        ("Robot.getName()\n", "robot = Robot()"),
+        ("open('data.txt', 'wb').write(b'\\xfc'); open('data.txt').read()\n", "save the file as UTF-8"),
+        ("b'1,2'.split(',')\n", "data.decode() makes text"),
+        ("b'x: ' + 'y'\n", "data.decode() makes text"),
+        ("'1,2'.decode()\n", "data.decode() makes text"),
+        ("b'1,2'.encode()\n", "data.decode() makes text"),
+        ("import struct; struct.unpack('dd', b'xy')\n", "struct.calcsize(format)"),
+        ("ball = None; ball[0]\n", "if ball is not None"),
+        ("ball = None; x = 1.0 - ball\n", "if ball is not None"),
+        ("ball = None\nif ball < 1: pass\n", "if ball is not None"),
+        ("ball = None; x, y = ball\n", "if ball is not None"),
+        ("ball = None\nfor x in ball: pass\n", "if ball is not None"),
+        ("import math; math.acos(1.0000001)\n", "math.acos(max(-1, min(1, x)))"),
+    ],
+)
+def test_small_things_that_are_left_out_are_told(failure, lines, told):
+    assert told in failure(BEGIN + "gps = robot.getDevice('gps')\n" + lines + LOOP).remedy
+
+
+def test_that_a_match_has_no_screen_is_told():
+    assert "no screen" in on_slip("_tkinter.TclError: no display name and no $DISPLAY (robot.py, line 2)", {})
+
+
+def test_of_other_crashes_nothing_is_said():
+    for detail in (
+        *("ZeroDivisionError: division by zero (robot.py, line 3)", "RuntimeError: no ball", ""),
+        *("TypeError: '>' not supported between instances of 'str' and 'int'", "TypeError: f() takes 0 positional"),
+    ):
+        assert on_slip(detail, {}) == ""
