@@ -23,6 +23,7 @@ from rcj_challenges.scenario.lint_flow import (
     check_rules,
     check_scoring,
 )
+from rcj_challenges.scenario.lint_gone import check_gone
 from rcj_challenges.scenario.lint_ground import check_entities, check_layouts, check_obstacles, check_places
 from rcj_challenges.scenario.lint_heard import check_heard
 from rcj_challenges.scenario.lint_held import check_held, check_holds
@@ -106,6 +107,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_entities,
     check_layouts,
     check_put_back,
+    check_gone,
     check_kicks,
     check_field_size,
     check_goals,
