@@ -74,6 +74,11 @@ def test_two_entrants_on_one_channel_are_told_which_key_to_write():
             "write placements.l anew without it",
         ),
         (rule(action="{action: remove, entity: B3}"), "write rules.r anew without it"),
+        # A list is replaced as a whole: nothing is taken out of it by null.
+        (
+            rule() + "expect: {t: {keyframes: [{at_s: 1, place: {B3: [0, 0]}}], lasts_s: 2}}\n",
+            "write expect.t anew without it",
+        ),
     ],
 )
 def test_what_still_names_a_removed_robot_is_to_be_written_anew(body, remedy):
