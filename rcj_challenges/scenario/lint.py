@@ -12,6 +12,7 @@ from typing import Any
 
 from rcj_challenges.scenario.crossrefs import shown_path
 from rcj_challenges.scenario.errors import Problem
+from rcj_challenges.scenario.lint_angles import check_angles
 from rcj_challenges.scenario.lint_bounds import check_bounds
 from rcj_challenges.scenario.lint_denied import check_contradictions
 from rcj_challenges.scenario.lint_distances import check_distances
@@ -115,6 +116,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_inherited_sentences,
     check_numbers,
     check_written_out,
+    check_angles,
     check_inherited_texts,
     check_kits,
     check_idle_robots,
