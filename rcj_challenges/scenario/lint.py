@@ -16,6 +16,7 @@ from rcj_challenges.scenario.lint_angles import check_angles
 from rcj_challenges.scenario.lint_bounds import check_bounds
 from rcj_challenges.scenario.lint_denied import check_contradictions
 from rcj_challenges.scenario.lint_distances import check_distances
+from rcj_challenges.scenario.lint_echoes import check_echoes
 from rcj_challenges.scenario.lint_edges import check_edges, check_exclusive_groups
 from rcj_challenges.scenario.lint_flow import (
     check_events,
@@ -30,6 +31,7 @@ from rcj_challenges.scenario.lint_heard import check_heard
 from rcj_challenges.scenario.lint_held import check_held, check_holds
 from rcj_challenges.scenario.lint_judged import check_judged_twice
 from rcj_challenges.scenario.lint_kicks import check_kicks
+from rcj_challenges.scenario.lint_literals import check_literals
 from rcj_challenges.scenario.lint_moments import check_moments
 from rcj_challenges.scenario.lint_numbers import check_numbers, check_written_out
 from rcj_challenges.scenario.lint_others import check_others
@@ -38,6 +40,7 @@ from rcj_challenges.scenario.lint_repeated import check_groups_of_groups, check_
 from rcj_challenges.scenario.lint_result import check_ranking
 from rcj_challenges.scenario.lint_says import check_broadcast, check_description, check_sentences
 from rcj_challenges.scenario.lint_sides import check_sides
+from rcj_challenges.scenario.lint_speeds import check_speeds
 from rcj_challenges.scenario.lint_state import (
     check_drawn_names,
     check_draws,
@@ -71,6 +74,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_phases,
     check_events,
     check_events_of_one,
+    check_echoes,
     check_rules,
     check_repeated,
     check_groups_of_groups,
@@ -83,6 +87,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_description,
     check_units,
     check_broadcast,
+    check_literals,
     check_scoring,
     check_bounds,
     check_ranking,
@@ -104,6 +109,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_sides,
     check_places,
     check_distances,
+    check_speeds,
     check_obstacles,
     check_entities,
     check_layouts,
