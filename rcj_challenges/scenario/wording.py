@@ -44,6 +44,8 @@ def expected(shape: Shape, node: Node | None) -> str:
     hint = ""
     if isinstance(node, Leaf) and isinstance(node.value, str):
         hint = nearest(node.value, _words(shape)) or _hint(shape, node.value)
+    elif isinstance(node, Leaf) and str(node.value) in _words(shape):
+        hint = f"; write it in quotes: '{node.value}'"
     elif isinstance(node, Items) and without_none(shape) == At:
         hint = _point(node)
     elif isinstance(node, Entries) and without_none(shape) in (Name, Names):

@@ -195,6 +195,7 @@ def test_a_value_of_a_draw_that_does_not_fit_is_told_once_whoever_needs_it():
             rule(action="{action: score, entrant: yellow, points: 2 * goals}"),
             "no formula is read: {param: NAME, times: 2, plus: 1} reckons with a param, a list of parts is added up",
         ),
+        ("kits: {v2: {messages: 2021}}\n", "expected v2.1, v2.2 or 2021, found 2021; write it in quotes: '2021'"),
         ("counters: {c: 0}\n", "expected a mapping that may have initial, per, keep, such as {}, found 0"),
         (rule().replace("[{trigger: half_started}]", "{trigger: half_started}"), "also of one: [{…}]"),
         (rule(rest="    phases: play\n"), "a list of one is written [play]"),
