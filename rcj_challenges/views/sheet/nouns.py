@@ -37,6 +37,9 @@ _MEASURED_BY_SEVERAL = "what was measured"
 _MOST_NAMED = 4
 """Of a draw that decides among more places than this the sheet's list of draws says which."""
 
+_LETTERS = 2
+"""A name of so few letters is no word that an article could stand before: `a`, `nw`."""
+
 _GROUPS_OF_ALL = ("robots", "balls", "obstacles")
 _WITHOUT_ARTICLE = frozenset(
     ("a", "above", "all", "an", "another", "any", "around", "at", "behind", "below", "beside", "between", "beyond",
@@ -169,7 +172,7 @@ class Nouns:
         kind = _kind(scenario, name)
         first = name.lower().partition("_")[0]
         bare = kind in ("ball", "obstacle", "gate", "spot") and kind not in name.lower()
-        bare = bare or (len(name) == 1 and kind not in ("", "robot"))
+        bare = bare or (len(name) <= _LETTERS and kind not in ("", "robot"))
         if bare or (kind not in ("", "robot") and first in _WITHOUT_ARTICLE) or self._one_like_others(name, kind):
             return f"the {kind} {quoted(name)}"
         if name in scenario.draws:
