@@ -238,6 +238,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (scenario.Rule, "phases"): _PHASES,
     (scenario.PlusPart, "counter"): _COUNTER,
     (scenario.RankByCounter, "counter"): _COUNTER,
+    (scenario.Broadcast, "only"): Field("robot", _ROBOT, groups=True, keys=True),
     (scenario.Keyframe, "place"): Field("entity", _MOVING, keys=True),
     (scenario.Keyframe, "move"): Field("entity", _MOVING, keys=True),
     (scenario.Keyframe, "touch"): Field("entity or obstacle", _MOVING | _FIXED | {"walls"}),

@@ -37,6 +37,27 @@ def test_what_programs_compare_with_is_told_as_they_get_it(draw, field, words):
     assert f"| it | {words} |" in sheet(TOLD % (draw, f"it: {field}"))
 
 
+ONLY = """
+broadcast: {fields: {%s}, only: {Y1: {way: left}, blue: {way: right, more: 1}}}
+rules: {it: {triggers: [{trigger: half_started}], actions: [{action: score, entrant: blue}], says: So.}}
+"""
+
+
+def test_who_is_told_what_others_are_not():
+    text = sheet(ONLY % "score: {word: score, of: blue}")
+    told = text[text.index("After it, every tick") :].split("\n## ")[0]
+    assert "one JSON object follows on the same channel:\n\n| key | value |" in told
+    assert "\nOnly Y1 is told in it as well:\n\n| key | value |\n| --- | --- |\n| way |" in told
+    assert "\nOnly the blue robots are told in it as well:\n" in told
+    assert "| more | 1 |" in told
+
+
+def test_where_some_alone_are_told_something():
+    text = sheet(ONLY % "")
+    assert "one JSON object follows on the same channel for some robots:\n\nOnly Y1 is told:\n" in text
+    assert "\nOnly the blue robots are told:\n" in text
+
+
 FRUITS = """
 balls: {ball: null, green_1: {start_m: [0.3, 0]}, green_2: {start_m: [-0.3, 0]}, red_1: {}, red_2: {start_m: [0, 0.2]}}
 groups: {green_fruits: [green_1, green_2], red_fruits: [red_1, red_2]}
