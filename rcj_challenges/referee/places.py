@@ -8,7 +8,7 @@ from math import atan2, cos, pi, sin, sqrt
 from typing import Any
 
 from rcj_challenges.referee.compiling import Workshop
-from rcj_challenges.referee.random_points import point_sampler
+from rcj_challenges.referee.random_points import Sampler, point_sampler
 from rcj_challenges.referee.setting_down import Board, Kick, Point, Putting, Request, Where
 from rcj_challenges.scenario.measured import centre_of, middle_of
 from rcj_challenges.scenario.models import places as models
@@ -110,20 +110,28 @@ def at_spot(model: models.AtSpot, workshop: Workshop, _entity: int, each: str | 
 
 def uniform_in(model: models.UniformIn, workshop: Workshop, _entity: int, each: str | None) -> Where:
     """A random point of a bounded zone, or of several taken as one."""
-    zones = {name: workshop.scenario.zones[name] for name in workshop.members(model.uniform_in, each)}
-    sample = point_sampler(zones)
+    sample = random_point(model, workshop, each)
     return Where(lambda request: request.mirrored(sample(request.rng)), random=True)
 
 
-def on_line(model: models.OnLine, _workshop: Workshop, _entity: int, _each: str | None) -> Where:
+def on_line(model: models.OnLine, workshop: Workshop, _entity: int, each: str | None) -> Where:
     """A random point of a segment."""
+    sample = random_point(model, workshop, each)
+    return Where(lambda request: request.mirrored(sample(request.rng)), random=True)
+
+
+def random_point(model: models.UniformIn | models.OnLine, workshop: Workshop, each: str | None) -> Sampler:
+    """Return what draws a point of a zone or a segment, every one equally likely."""
+    if isinstance(model, models.UniformIn):
+        zones = {name: workshop.scenario.zones[name] for name in workshop.members(model.uniform_in, each)}
+        return point_sampler(zones)
     (ax, ay), (bx, by) = model.on_line
 
-    def find(request: Request) -> Point:
-        share = request.rng.random()
-        return request.mirrored((ax + share * (bx - ax), ay + share * (by - ay)))
+    def on_segment(rng: random.Random) -> Point:
+        share = rng.random()
+        return (ax + share * (bx - ax), ay + share * (by - ay))
 
-    return Where(find, random=True)
+    return on_segment
 
 
 def choice(model: models.Choice, workshop: Workshop, _entity: int, each: str | None) -> Where:

@@ -185,9 +185,9 @@ def test_what_an_action_cannot_reckon_is_told_as_it_is_written(action, told):
 
 
 def test_where_a_spot_is_chance_decides_by_a_draw():
-    (complaint,) = complaints(rule(action="{action: set_spot, spot: centre, to: {uniform_in: blue_goal}}"))
+    (complaint,) = complaints(rule(action="{action: set_spot, spot: centre, to: {choice: [centre]}}"))
     assert complaint.endswith(
-        "found a mapping with uniform_in; chance decides among spots of the file by a draw, draws: {hidden: {values: "
+        "found a mapping with choice; chance decides among spots of the file by a draw, draws: {hidden: {values: "
         "[a, b, c]}}: its name stands for the spot drawn, in distance, {spot: hidden} and {relative_to: hidden}"
     )
 

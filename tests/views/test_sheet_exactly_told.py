@@ -58,6 +58,25 @@ def test_where_some_alone_are_told_something():
     assert "\nOnly the blue robots are told:\n" in text
 
 
+HIDDEN = """
+spots: {treasure: {x_m: 0, y_m: 0}}
+rules:
+  hide: {triggers: [{trigger: half_started}], actions: [{action: set_spot, spot: treasure, to: %s}]}
+  it: {triggers: [{trigger: touches, entity: Y1, other: ball}], conditions: [{condition: distance, entity: Y1, to: treasure, at_most: 0.1}], actions: [{action: score, entrant: yellow}], says: So.}
+"""
+
+
+@pytest.mark.parametrize(
+    ("to", "where"),
+    [
+        ("{uniform_in: pitch}", "a random point of the pitch"),
+        ("{on_line: [[-0.3, 0], [0.3, 0]]}", "a random point of the line from (-0.3, 0) to (0.3, 0)"),
+    ],
+)
+def test_where_chance_hides_something(to, where):
+    assert f"{where} is remembered as the spot “treasure”".casefold() in sheet(HIDDEN % to).casefold()
+
+
 FRUITS = """
 balls: {ball: null, green_1: {start_m: [0.3, 0]}, green_2: {start_m: [-0.3, 0]}, red_1: {}, red_2: {start_m: [0, 0.2]}}
 groups: {green_fruits: [green_1, green_2], red_fruits: [red_1, red_2]}
