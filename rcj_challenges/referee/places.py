@@ -36,10 +36,20 @@ def spots_of(workshop: Workshop, names: str | tuple[str, ...], each: str | None)
 
 
 def where_now(workshop: Workshop, what: str | Point, each: str | None) -> Callable[[], Point | None]:
-    """Return what tells where a thing, a spot, a zone's centre or a point is now; None while it is off the field."""
+    """Return what tells where a thing, a spot, a zone's centre or a point is now; None while it is off the field.
+
+    A draw's name stands for what it has decided then.
+    """
     if isinstance(what, tuple):
         return lambda: what
     state, name = workshop.state, workshop.members(what, each)[0]
+    if name in workshop.roster.drawn:
+        finders = {one: where_now(workshop, one, None) for one in workshop.roster.drawn[name]}
+
+        def decided() -> Point | None:
+            return finders[str(state.draws[name])]()
+
+        return decided
     if name in workshop.scenario.zones:
         centre = centre_of(workshop.scenario.zones[name])
         return lambda: centre

@@ -59,6 +59,13 @@ class TestActionSetSpot:
         play.play_until(10)
         assert play.referee.spots["found"] == pytest.approx(there)
 
+    @pytest.mark.parametrize(("decided", "there"), [("other", (0.5, -0.8)), ("Y1", (-0.4, -0.5))])
+    def test_it_can_be_set_to_what_a_draw_has_decided(self, stage, decided, there):
+        draws = "draws: {hidden: {values: [other, Y1]}}"
+        play = stage(PITCH, draws, at_s(0.32, set_to("hidden")), draws={"hidden": decided})
+        play.play_until(10)
+        assert play.referee.spots["found"] == pytest.approx(there)
+
     def test_chance_may_set_it_anywhere_in_a_zone_again_and_again(self, stage):
         box = "zones: {box: {shape: rect, x_min_m: 0.1, x_max_m: 0.3, y_min_m: -0.4, y_max_m: 0.2}}"
         every_tick = "{trigger: time_reached, at_s: 0.032, every_s: 0.032}"

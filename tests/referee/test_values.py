@@ -74,6 +74,16 @@ class TestValuePositionOf:
         play.play()
         assert payload(play)["a"] == [0.4, 0.5]
 
+    @pytest.mark.parametrize(("decided", "there"), [("mark", [0.5, -0.1]), ("B1", [0.4, 0.5, -1.57])])
+    def test_of_what_a_draw_has_decided(self, stage, decided, there):
+        play = stage(
+            "spots: {mark: {x_m: 0.5, y_m: -0.1}}",
+            "draws: {hidden: {values: [mark, B1]}}",
+            telling("{a: {position_of: hidden}}"),
+            draws={"hidden": decided},
+        )
+        assert payload(play) == {"a": pytest.approx(there, abs=1e-6)}
+
 
 class TestValueWord:
     WHO = (

@@ -30,6 +30,11 @@ rules: {it: {triggers: [{trigger: half_started}], actions: [{action: score, entr
             "{position_of: ball}",
             "the position of the ball: [x, y, yaw] in m and rad, null while it is off the field",
         ),
+        (
+            "hidden: {values: [centre, middle_blue]}",
+            "{position_of: hidden}",
+            "the position of the spot drawn as “hidden”: [x, y] in m",
+        ),
         ("tile: {values: [1]}", "{position_of: centre}", "the position of the spot “centre”: [x, y] in m"),
     ],
 )

@@ -137,7 +137,7 @@ def _exactly(scenario: Scenario, entry: object) -> str:
             values: Sequence[Scalar] = scenario.draws[entry.draw].values
         case WordValue(word="phase"):
             values = ("play", *(phase for phase in scenario.phases if phase != "play"))
-        case PositionValue(position_of=name) if name in scenario.spots:
+        case PositionValue(position_of=name) if _all_spots(scenario, name):
             return ": [x, y] in m"
         case PositionValue():
             return ": [x, y, yaw] in m and rad, null while it is off the field"
@@ -146,6 +146,12 @@ def _exactly(scenario: Scenario, entry: object) -> str:
     # As JSON, since 1 and true are one to Python.
     written = dict.fromkeys(json.dumps(one, ensure_ascii=False) for one in values)
     return f": {listed(list(written), 'or')}"
+
+
+def _all_spots(scenario: Scenario, name: str) -> bool:
+    """Return whether a name is that of a spot, or of a draw that decides among spots."""
+    draw = None if name in scenario.spots else scenario.draws.get(name)
+    return all(one in scenario.spots for one in ([name] if draw is None else draw.values))
 
 
 def _to_referee(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
