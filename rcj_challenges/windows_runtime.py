@@ -9,7 +9,10 @@ from __future__ import annotations
 
 import os
 import sys
-from pathlib import Path
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from pathlib import Path
 
 NEEDED = "msvcp140_atomic_wait.dll"
 """The youngest of the files that `mujoco.dll` names: it came with the runtime of 2020."""
@@ -20,6 +23,8 @@ PACKAGE = "msvc-runtime"
 def find() -> None:
     """Let Windows look into the folder of the package, unless the system has the runtime; elsewhere do nothing."""
     if sys.platform == "win32":
+        from pathlib import Path  # noqa: PLC0415 - see `packaged_beside`
+
         folder = packaged_beside(Path(os.environ.get("SYSTEMROOT", r"C:\Windows")) / "System32")
         if folder is not None:
             os.add_dll_directory(str(folder))
@@ -33,7 +38,9 @@ def packaged_beside(system: Path) -> Path | None:
     """
     if (system / NEEDED).exists():
         return None
-    from importlib import metadata  # noqa: PLC0415 - no other system needs it, and every command imports this module
+    # No other system needs these, and every command imports this module before it hears Ctrl-C.
+    from importlib import metadata  # noqa: PLC0415
+    from pathlib import Path  # noqa: PLC0415
 
     try:
         files = metadata.distribution(PACKAGE).files or ()

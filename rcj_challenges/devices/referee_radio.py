@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import struct
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from rcj_challenges.devices.channels import ANY_CHANNEL
@@ -14,6 +14,9 @@ from rcj_challenges.facts.play import Verdict
 from rcj_challenges.facts.traffic import Packet
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.roster import Roster
+
+_Said = tuple[bytes, frozenset[int] | None]
+"""A packet, and the robots that it is for; None: for all."""
 
 STRENGTH = 1.0
 DIRECTION = (0.0, 0.0, 1.0)
@@ -64,12 +67,13 @@ class RefereeRadio:
         self._kit = kit
         self._roster = roster
         self._receivers = receivers
+        self._robots = frozenset(receiver.robot for receiver, _ in receivers)
         self._listening: list[Receiver] = []
         flag = flag_json if kit.messages == "v2.2" else flag_bytes
         self._flags = {waiting: flag(waiting=waiting) for waiting in (False, True)}
-        self._in_the_air: tuple[bytes, ...] = ()
-        self._broadcast: bytes | None = None
-        self._deliveries: dict[bytes, list[tuple[Callable[[Packet], None], Packet]]] = {}
+        self._in_the_air: tuple[_Said, ...] = ()
+        self._objects: tuple[_Said, ...] = ()
+        self._deliveries: dict[_Said, list[tuple[Callable[[Packet], None], Packet]]] = {}
 
     def retune(self) -> None:
         """Find out anew who listens. To be called when a receiver was enabled, disabled or tuned."""
@@ -84,17 +88,17 @@ class RefereeRadio:
     def speak(self, tick: int, verdict: Verdict, poses: Poses) -> None:
         """Say what holds after the verdict of ``tick``, if the kit's referee speaks at this tick."""
         if verdict.broadcast is not None:
-            self._broadcast = _as_json(verdict.broadcast)
+            self._objects = tuple(self._objects_of(verdict.broadcast, verdict.told_only or {}))
         if tick % self._kit.packet_every_ticks or (tick == 0 and self._kit.messages == "2021"):
             return
         official = self._official(poses, waiting=verdict.waiting_for_kickoff)
-        self._in_the_air = (official,) if self._broadcast is None else (official, self._broadcast)
-        self._broadcast = None
+        self._in_the_air = ((official, None), *self._objects)
+        self._objects = ()
 
     def carry(self) -> None:
         """Bring what was said after the last tick to the receivers that listen."""
-        for data in self._in_the_air:
-            for hear, packet in self._deliveries.get(data) or self._addressed(data):
+        for said in self._in_the_air:
+            for hear, packet in self._deliveries.get(said) or self._addressed(said):
                 hear(packet)
         self._in_the_air = ()
 
@@ -103,19 +107,24 @@ class RefereeRadio:
             return positions_2021(self._kit, self._roster, poses, waiting=waiting)
         return self._flags[waiting]
 
-    def _addressed(self, data: bytes) -> list[tuple[Callable[[Packet], None], Packet]]:
+    def _objects_of(self, to_all: dict[str, Any], to_some: dict[int, dict[str, Any]]) -> Iterator[_Said]:
+        """Return the broadcast as each robot hears it; one that is told nothing hears nothing."""
+        for robot, own in to_some.items():
+            yield json.dumps({**to_all, **own}).encode(), frozenset({robot})
+        if to_all:
+            yield json.dumps(to_all).encode(), self._robots.difference(to_some)
+
+    def _addressed(self, said: _Said) -> list[tuple[Callable[[Packet], None], Packet]]:
         """Return who hears a packet, and what each hears; kept, for the same flag is said for minutes."""
         if len(self._deliveries) >= _REMEMBERED:
             self._deliveries.clear()
-        packets = {one.device: Packet(one.device, data, STRENGTH, DIRECTION) for one in self._listening}
-        delivery = [(receiver.hear, packets[receiver.device]) for receiver in self._listening]
-        self._deliveries[data] = delivery
+        data, robots = said
+        hearing = [one for one in self._listening if robots is None or one.robot in robots]
+        packets = {one.device: Packet(one.device, data, STRENGTH, DIRECTION) for one in hearing}
+        delivery = [(receiver.hear, packets[receiver.device]) for receiver in hearing]
+        self._deliveries[said] = delivery
         return delivery
 
 
 _REMEMBERED = 64
 """Packets kept for reuse."""
-
-
-def _as_json(broadcast: dict[str, Any]) -> bytes:
-    return json.dumps(broadcast).encode()

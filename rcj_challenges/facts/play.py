@@ -137,6 +137,7 @@ class Verdict:
         ended: None, or the reason for which an ``end`` action ended the half.
         ends_match: True if that action ended the whole match: no half follows.
         broadcast: the JSON object that programs are told beyond the official packet, or None.
+        told_only: what stands in that object for some robots only, by index of the robot; None: they are told no more.
         robots_held: whether the phase holds all robots: their wheels stand braked from the next tick on, whatever
             programs command.
         held: indices of the robots that rules hold, in the same way; the same object as long as nothing changes.
@@ -152,6 +153,7 @@ class Verdict:
     ended: str | None = None
     ends_match: bool = False
     broadcast: dict[str, Any] | None = None
+    told_only: dict[int, dict[str, Any]] | None = None
     robots_held: bool = False
     held: frozenset[int] = frozenset()
     counted: dict[str, Any] | None = None

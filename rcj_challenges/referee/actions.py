@@ -15,7 +15,7 @@ from rcj_challenges.facts.messages import position_in
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.referee.bounds import amount_bound, change_bound
 from rcj_challenges.referee.compiling import Workshop
-from rcj_challenges.referee.places import compile_mirror, compile_putting, spot_name, where_now
+from rcj_challenges.referee.places import compile_mirror, compile_putting, random_point, spot_name, where_now
 from rcj_challenges.referee.rules import Occasion, StandingRule
 from rcj_challenges.referee.sequences import sequence_watches
 from rcj_challenges.referee.setting_down import Job
@@ -24,7 +24,7 @@ from rcj_challenges.referee.values import compile_points, compile_value, counter
 from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.models import actions as models
 from rcj_challenges.scenario.models.base import LONGEST_S
-from rcj_challenges.scenario.models.places import Mirror
+from rcj_challenges.scenario.models.places import Mirror, OnLine, UniformIn
 from rcj_challenges.scenario.models.state import CounterValue, DrawValue, ToldValue
 
 Act = Callable[[Occasion], None]
@@ -163,12 +163,7 @@ def sequence(model: models.SequenceAction, workshop: Workshop, rule: StandingRul
 def set_spot(model: models.SetSpot, workshop: Workshop, rule: StandingRule) -> Act:
     """Set a spot to where something is now, or to its mirror image; what is off the field leaves it where it is."""
     spots, name = workshop.state.spots, spot_name(workshop, model.spot)
-    where = (
-        _heard(workshop, model.to, rule)
-        if isinstance(model.to, ToldValue)
-        else where_now(workshop, model.to, rule.each)
-    )
-
+    where = _place_of(model.to, workshop, rule, f"spot/{name}")
     signs = None if model.mirror is None else compile_mirror(model.mirror, workshop)
 
     def act(_occasion: Occasion) -> None:
@@ -179,6 +174,20 @@ def set_spot(model: models.SetSpot, workshop: Workshop, rule: StandingRule) -> A
         spots[name] = point or spots[name]
 
     return act
+
+
+def _place_of(
+    to: Any, workshop: Workshop, rule: StandingRule, stream: str
+) -> Callable[[], tuple[float, float] | None]:  # fmt: skip
+    """Return what finds the place that a spot is set to; None if there is none at present."""
+    match to:
+        case ToldValue():
+            return _heard(workshop, to, rule)
+        case UniformIn() | OnLine():
+            sample, state = random_point(to, workshop, rule.each), workshop.state
+            return lambda: sample(state.stream(stream))
+        case _:
+            return where_now(workshop, to, rule.each)
 
 
 def _heard(workshop: Workshop, told: ToldValue, rule: StandingRule) -> Callable[[], tuple[float, float] | None]:

@@ -174,7 +174,8 @@ def way(model: models.WayIs, workshop: Workshop, each: str | None) -> Test:
 def looks(model: models.Looks, workshop: Workshop, each: str | None) -> Test:
     """Whether robots look towards something or in a direction: their front points there within an angle."""
     state, of, within, heading = workshop.state, model.of, model.within_rad, model.heading_rad
-    itself = () if model.towards is None else _anchors(model.towards, workshop, each)
+    drawn = model.towards in workshop.roster.drawn
+    itself = () if model.towards is None or drawn else _anchors(model.towards, workshop, each)
     entities = tuple(entity for entity in workshop.entities(model.entity, each) if entity not in itself)
     target = (lambda: None) if model.towards is None else where_now(workshop, model.towards, each)
 
@@ -183,7 +184,7 @@ def looks(model: models.Looks, workshop: Workshop, each: str | None) -> Test:
         wanted = heading
         if wanted is None:
             at = target()
-            if at is None:
+            if at is None or at == (x, y):  # nobody looks at itself, also if it is the one drawn
                 return False
             wanted = atan2(at[1] - y, at[0] - x)
         off = wanted - yaw

@@ -13,6 +13,7 @@ from typing import Any
 from rcj_challenges.facts.messages import number_in
 from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Snapshot, Verdict
 from rcj_challenges.referee.assembling import assemble
+from rcj_challenges.referee.broadcasting import Broadcasting
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.no_room import no_room_sentence
 from rcj_challenges.referee.places import compile_putting
@@ -21,7 +22,7 @@ from rcj_challenges.referee.rules import Hit, Occasion, StandingRule
 from rcj_challenges.referee.setting_down import Job, set_down
 from rcj_challenges.referee.state import Number, State
 from rcj_challenges.referee.triggers.holding import HoldWatch
-from rcj_challenges.referee.values import compile_value, spoken
+from rcj_challenges.referee.values import spoken
 from rcj_challenges.referee.watching import NEVER
 from rcj_challenges.scenario.drawn import Series
 from rcj_challenges.scenario.models.base import Scalar
@@ -70,7 +71,8 @@ class Referee:
         self._events: list[Event] = []
         self._firings: list[Firing] = []
         self._quiet: dict[str, Verdict] = {}
-        self._broadcast = self._compile_broadcast()
+        broadcast = scenario.broadcast
+        self._broadcast = None if broadcast is None else Broadcasting(broadcast, self._workshop)
         self._ranked_by = ranked_counters(scenario)
         self._counted: dict[str, Any] | None = None
 
@@ -372,6 +374,8 @@ class Referee:
     def _verdict(self) -> Verdict:
         placements = self._set_down() if self._queue.busy else ()
         events, firings = tuple(self._events), tuple(self._firings)
+        broadcast = self._broadcast
+        told, told_only = (None, None) if broadcast is None else broadcast.told(self._state.tick)
         self._events.clear()
         self._firings.clear()
         return Verdict(
@@ -382,7 +386,8 @@ class Referee:
             waiting_for_kickoff=self._waiting,
             ended=self._state.ended,
             ends_match=self._state.match_over,
-            broadcast=self._told(),
+            broadcast=told,
+            told_only=told_only,
             robots_held=self._state.held.by_phase,
             held=self._state.held.by_rules,
             counted=self._newly_counted() if self._ranked_by else None,
@@ -409,19 +414,3 @@ class Referee:
                 phase=phase, waiting_for_kickoff=self._waiting, robots_held=held.by_phase, held=held.by_rules
             )
         return found
-
-    def _compile_broadcast(self) -> tuple[int, dict[str, Any]] | None:
-        broadcast = self._state.scenario.broadcast
-        if broadcast is None:
-            return None
-        fields = {key: compile_value(value, self._workshop, None) for key, value in broadcast.fields.items()}
-        return broadcast.every_ticks, fields
-
-    def _told(self) -> dict[str, Any] | None:
-        if self._broadcast is None:
-            return None
-        every, fields = self._broadcast
-        if self._state.tick % every:
-            return None
-        nobody = Occasion(StandingRule("", None, None, None, 0, None, ""), None, "")
-        return {key: read(nobody) for key, read in fields.items()}

@@ -8,7 +8,7 @@ from math import atan2, cos, pi, sin, sqrt
 from typing import Any
 
 from rcj_challenges.referee.compiling import Workshop
-from rcj_challenges.referee.random_points import point_sampler
+from rcj_challenges.referee.random_points import Sampler, point_sampler
 from rcj_challenges.referee.setting_down import Board, Kick, Point, Putting, Request, Where
 from rcj_challenges.scenario.measured import centre_of, middle_of
 from rcj_challenges.scenario.models import places as models
@@ -36,10 +36,20 @@ def spots_of(workshop: Workshop, names: str | tuple[str, ...], each: str | None)
 
 
 def where_now(workshop: Workshop, what: str | Point, each: str | None) -> Callable[[], Point | None]:
-    """Return what tells where a thing, a spot, a zone's centre or a point is now; None while it is off the field."""
+    """Return what tells where a thing, a spot, a zone's centre or a point is now; None while it is off the field.
+
+    A draw's name stands for what it has decided then.
+    """
     if isinstance(what, tuple):
         return lambda: what
     state, name = workshop.state, workshop.members(what, each)[0]
+    if name in workshop.roster.drawn:
+        finders = {one: where_now(workshop, one, None) for one in workshop.roster.drawn[name]}
+
+        def decided() -> Point | None:
+            return finders[str(state.draws[name])]()
+
+        return decided
     if name in workshop.scenario.zones:
         centre = centre_of(workshop.scenario.zones[name])
         return lambda: centre
@@ -110,20 +120,28 @@ def at_spot(model: models.AtSpot, workshop: Workshop, _entity: int, each: str | 
 
 def uniform_in(model: models.UniformIn, workshop: Workshop, _entity: int, each: str | None) -> Where:
     """A random point of a bounded zone, or of several taken as one."""
-    zones = {name: workshop.scenario.zones[name] for name in workshop.members(model.uniform_in, each)}
-    sample = point_sampler(zones)
+    sample = random_point(model, workshop, each)
     return Where(lambda request: request.mirrored(sample(request.rng)), random=True)
 
 
-def on_line(model: models.OnLine, _workshop: Workshop, _entity: int, _each: str | None) -> Where:
+def on_line(model: models.OnLine, workshop: Workshop, _entity: int, each: str | None) -> Where:
     """A random point of a segment."""
+    sample = random_point(model, workshop, each)
+    return Where(lambda request: request.mirrored(sample(request.rng)), random=True)
+
+
+def random_point(model: models.UniformIn | models.OnLine, workshop: Workshop, each: str | None) -> Sampler:
+    """Return what draws a point of a zone or a segment, every one equally likely."""
+    if isinstance(model, models.UniformIn):
+        zones = {name: workshop.scenario.zones[name] for name in workshop.members(model.uniform_in, each)}
+        return point_sampler(zones)
     (ax, ay), (bx, by) = model.on_line
 
-    def find(request: Request) -> Point:
-        share = request.rng.random()
-        return request.mirrored((ax + share * (bx - ax), ay + share * (by - ay)))
+    def on_segment(rng: random.Random) -> Point:
+        share = rng.random()
+        return (ax + share * (bx - ax), ay + share * (by - ay))
 
-    return Where(find, random=True)
+    return on_segment
 
 
 def choice(model: models.Choice, workshop: Workshop, _entity: int, each: str | None) -> Where:

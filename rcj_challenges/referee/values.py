@@ -70,6 +70,14 @@ def _reader_of_now(value: Any, workshop: Workshop, each: str | None) -> Callable
 
 def _position_reader(value: PositionValue, workshop: Workshop, each: str | None) -> Reader:
     state, name = workshop.state, value.position_of
+    if name in workshop.roster.drawn:
+        positions = {one: PositionValue(position_of=one) for one in workshop.roster.drawn[name]}
+        readers = {one: _position_reader(position, workshop, None) for one, position in positions.items()}
+
+        def decided(occasion: Occasion) -> Any:
+            return readers[str(state.draws[name])](occasion)
+
+        return decided
     if name in state.spots:
         return lambda _occasion: [round(number, 6) for number in state.spots[name]]
     thing = workshop.thing(name, each)

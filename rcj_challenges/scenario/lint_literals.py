@@ -7,8 +7,10 @@ from typing import Any, get_args
 
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
 from rcj_challenges.scenario.models.actions import Emit
+from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.scenario import Broadcast
 from rcj_challenges.scenario.models.state import WordValue
+from rcj_challenges.scenario.tree import Path
 
 _WORDS = frozenset(get_args(WordValue.model_fields["word"].annotation))
 
@@ -19,12 +21,7 @@ def check_literals(subject: Subject) -> Iterator[Suspect]:
     kept: dict[str, Mapping[str, Any]]
     kept = {"counter": scenario.counters, "flag": scenario.flags, "timer": scenario.timers, "draw": scenario.draws}
     for model, path in subject.models:
-        if not isinstance(model, Broadcast | Emit):
-            continue
-        values, key = (model.fields, "fields") if isinstance(model, Broadcast) else (model.payload, "payload")
-        for name, value in values.items():
-            if not isinstance(value, str):
-                continue
+        for at, value in _texts(model, path):
             written = f"{{word: {value}}}" if value in _WORDS else ""
             if not written and isinstance(model, Broadcast):
                 # In a payload the name itself may be meant: which of several draws it was about.
@@ -33,7 +30,18 @@ def check_literals(subject: Subject) -> Iterator[Suspect]:
             if written:
                 yield Suspect(
                     "text_instead_of_value",
-                    (*path, key, name),
+                    at,
                     f"it is told as the text '{value}', the same each time",
                     f"write {written} for the value",
                 )
+
+
+def _texts(model: Strict, path: Path) -> Iterator[tuple[Path, str]]:
+    """Yield what is told as a text, with where it stands."""
+    told: list[tuple[Path, Mapping[str, Any]]] = []
+    if isinstance(model, Broadcast):
+        told = [((*path, "fields"), model.fields)]
+        told += [((*path, "only", whom), fields) for whom, fields in (model.only or {}).items()]
+    elif isinstance(model, Emit):
+        told = [((*path, "payload"), model.payload)]
+    return (((*at, key), value) for at, values in told for key, value in values.items() if isinstance(value, str))

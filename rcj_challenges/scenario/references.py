@@ -78,7 +78,7 @@ _MEASURED_TO = Field(
 _COMES_NEAR = Field(
     "entity", _MOVING, groups=True, each=True, instead="name the obstacle in 'to', and in 'entity' who comes near it"
 )
-_SEEN = Field("entity, obstacle or spot", _MOVING | _FIXED | _SPOT, each=True)
+_SEEN = Field("entity, obstacle or spot", _MOVING | _FIXED | _SPOT, each=True, drawn=True)
 _ANCHOR = Field("entity or spot", _MOVING | _SPOT, each=True, drawn=True)
 _KEEPING = _MOVING | _FIXED | _ZONE | _GATE
 """Of what there may be a rule, a counter, a flag or a timer each."""
@@ -164,7 +164,9 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (actions.SequenceAction, "sequence"): _SEQUENCE,
     (actions.SequenceAction, "entity"): _ENTITY,
     (actions.SetSpot, "spot"): Field("spot", _SPOT),
-    (actions.SetSpot, "to"): Field("entity, obstacle, spot or zone", _MOVING | _FIXED | _SPOT | _ZONE, each=True),
+    (actions.SetSpot, "to"): Field(
+        "entity, obstacle, spot or zone", _MOVING | _FIXED | _SPOT | _ZONE, each=True, drawn=True
+    ),
     (actions.DrawAction, "draw"): _DRAW,
     (actions.Place, "layout"): _LAYOUT,
     (actions.Place, "entity"): _ENTITIES,
@@ -238,6 +240,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (scenario.Rule, "phases"): _PHASES,
     (scenario.PlusPart, "counter"): _COUNTER,
     (scenario.RankByCounter, "counter"): _COUNTER,
+    (scenario.Broadcast, "only"): Field("robot", _ROBOT, groups=True, keys=True),
     (scenario.Keyframe, "place"): Field("entity", _MOVING, keys=True),
     (scenario.Keyframe, "move"): Field("entity", _MOVING, keys=True),
     (scenario.Keyframe, "touch"): Field("entity or obstacle", _MOVING | _FIXED | {"walls"}),

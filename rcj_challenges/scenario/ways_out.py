@@ -193,7 +193,7 @@ def _told_compared(path: Path, node: Entries) -> str:
 
 def _spot_of_chance(path: Path, node: Entries) -> str:
     """Return how chance decides where a spot is."""
-    if path[-1] != "to" or not any(one in node.entries for one in ("uniform_in", "on_line", "choice", "draw")):
+    if path[-1] != "to" or not any(one in node.entries for one in ("choice", "draw")):
         return ""
     return (
         "; chance decides among spots of the file by a draw, draws: {hidden: {values: [a, b, c]}}: its name stands for "

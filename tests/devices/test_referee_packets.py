@@ -98,6 +98,41 @@ def test_a_declared_broadcast_follows_the_official_packet_as_json() -> None:
     assert json.loads(broadcast) == {"target": "left", "score": 3, "gold": [0.1, None]}
 
 
+def test_what_is_for_some_robots_only_stands_in_their_object_alone() -> None:
+    bench = Bench()
+    robots = ("Y1", "Y2", "Y3", "B1")
+    for name in robots:
+        bench.enable(name, RECEIVER)
+    own = {bench.roster.index["Y1"]: {"way": "left"}, bench.roster.index["B1"]: {"way": "right", "more": 1}}
+    bench.sense(Verdict(broadcast={"score": 3}, told_only=own))
+    bench.sense(BLANK)
+    objects = [json.loads(packets[2]) for packets in (told(bench, name) for name in robots) if len(packets) == 3]
+    assert objects == [
+        {"score": 3, "way": "left"}, {"score": 3}, {"score": 3}, {"score": 3, "way": "right", "more": 1}
+    ]  # fmt: skip
+
+
+def test_who_is_told_nothing_hears_no_object() -> None:
+    bench = Bench()
+    for name in ("Y1", "Y2"):
+        bench.enable(name, RECEIVER)
+    bench.sense(Verdict(broadcast={}, told_only={bench.roster.index["Y1"]: {"way": "left"}}))
+    bench.sense(BLANK)
+    bench.sense(BLANK)
+    assert told(bench, "Y1") == [b"\x00", b"\x00", b'{"way": "left"}', b"\x00"]
+    assert told(bench, "Y2") == [b"\x00"] * 3
+
+
+def test_who_switches_on_later_hears_what_is_for_it_alone() -> None:
+    bench = Bench()
+    secret = Verdict(broadcast={}, told_only={bench.roster.index["Y1"]: {"way": "left"}})
+    bench.enable("Y2", RECEIVER)
+    bench.sense(secret, ticks=3)
+    bench.enable("Y1", RECEIVER)
+    bench.sense(secret)
+    assert told(bench, "Y1") == [b"\x00", b'{"way": "left"}']
+
+
 def test_all_robots_are_told_also_those_taken_off_the_field() -> None:
     bench = Bench()
     for name in ("B1", "Y3"):

@@ -23,6 +23,14 @@ class TestConditionLooks:
         play.place("Y1", 0.0, -0.2, -math.pi / 2)
         assert not ask(play)
 
+    @pytest.mark.parametrize(("decided", "holds"), [("middle_blue", True), ("B2", False), ("Y1", False)])
+    def test_towards_what_a_draw_has_decided_and_never_towards_itself(self, stage, ask, decided, holds):
+        draws = "draws: {goal: {values: [middle_blue, B2, Y1]}}"
+        play = stage(ASKING % "{condition: looks, entity: Y1, towards: goal}", draws, draws={"goal": decided})
+        play.place("Y1", 0.0, -0.2, math.pi / 2)
+        play.place("B2", 0.4, -0.2)
+        assert ask(play) is holds
+
     @pytest.mark.parametrize(("yaw", "holds"), [(3.1, True), (-3.1, True), (2.9, False), (0.0, False)])
     def test_in_a_direction_also_where_angles_turn_over(self, stage, ask, yaw, holds):
         play = stage(ASKING % "{condition: looks, entity: Y1, heading_rad: 3.14159, within_rad: 0.2}")

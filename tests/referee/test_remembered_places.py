@@ -59,6 +59,43 @@ class TestActionSetSpot:
         play.play_until(10)
         assert play.referee.spots["found"] == pytest.approx(there)
 
+    @pytest.mark.parametrize(("decided", "there"), [("other", (0.5, -0.8)), ("Y1", (-0.4, -0.5))])
+    def test_it_can_be_set_to_what_a_draw_has_decided(self, stage, decided, there):
+        draws = "draws: {hidden: {values: [other, Y1]}}"
+        play = stage(PITCH, draws, at_s(0.32, set_to("hidden")), draws={"hidden": decided})
+        play.play_until(10)
+        assert play.referee.spots["found"] == pytest.approx(there)
+
+    def test_chance_may_set_it_anywhere_in_a_zone_again_and_again(self, stage):
+        box = "zones: {box: {shape: rect, x_min_m: 0.1, x_max_m: 0.3, y_min_m: -0.4, y_max_m: 0.2}}"
+        every_tick = "{trigger: time_reached, at_s: 0.032, every_s: 0.032}"
+        rule = f"rules: {{r: {{triggers: [{every_tick}], actions: [{set_to('{uniform_in: box}')}]}}}}"
+        play = stage(PITCH, box, rule)
+        points = []
+        for _ in range(400):
+            play.play()
+            points.append(play.referee.spots["found"])
+        xs, ys = zip(*points, strict=True)
+        assert len(set(points)) == 400
+        assert 0.1 <= min(xs) < 0.11
+        assert 0.29 < max(xs) <= 0.3
+        assert -0.4 <= min(ys) < -0.38
+        assert 0.18 < max(ys) <= 0.2
+        again = stage(PITCH, box, rule)
+        again.play()
+        assert again.referee.spots["found"] == points[0]
+
+    def test_chance_may_set_it_anywhere_on_a_line_and_to_the_mirror_image_of_that(self, stage):
+        line = set_to("{on_line: [[0.1, 0.2], [0.3, 0.4]]}")
+        play = stage(PITCH, at_s(0.32, line))
+        play.play_until(10)
+        x, y = play.referee.spots["found"]
+        assert 0.1 < x < 0.3
+        assert y == pytest.approx(x + 0.1)
+        play = stage(PITCH, at_s(0.32, line.replace("action: set_spot", "action: set_spot, mirror: {axis: y}")))
+        play.play_until(10)
+        assert play.referee.spots["found"] == pytest.approx((x, -y))
+
     @pytest.mark.parametrize(("axis", "there"), [("x", (0.4, -0.5)), ("y", (-0.4, 0.5)), ("both", (0.4, 0.5))])
     def test_with_a_mirror_it_is_set_to_the_mirror_image(self, stage, axis, there):
         play = stage(PITCH, at_s(0.32, mirrored(f"axis: {axis}")))

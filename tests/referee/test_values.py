@@ -74,6 +74,16 @@ class TestValuePositionOf:
         play.play()
         assert payload(play)["a"] == [0.4, 0.5]
 
+    @pytest.mark.parametrize(("decided", "there"), [("mark", [0.5, -0.1]), ("B1", [0.4, 0.5, -1.57])])
+    def test_of_what_a_draw_has_decided(self, stage, decided, there):
+        play = stage(
+            "spots: {mark: {x_m: 0.5, y_m: -0.1}}",
+            "draws: {hidden: {values: [mark, B1]}}",
+            telling("{a: {position_of: hidden}}"),
+            draws={"hidden": decided},
+        )
+        assert payload(play) == {"a": pytest.approx(there, abs=1e-6)}
+
 
 class TestValueWord:
     WHO = (
@@ -156,6 +166,25 @@ class TestBroadcast:
         )
         assert play.verdict.broadcast == {"score": 0, "phase": "play", "ball": [0.0, 0.0, 0.0]}
         assert [play.play().broadcast["score"] for _ in range(3)] == [0, 1, 1]
+
+    def test_some_are_told_what_others_are_not(self, stage):
+        play = stage(
+            "broadcast: {fields: {}, only: {Y1: {way: {draw: way}}, blue: {way: none, n: {counter: n}}, B2: {way: B2}}}",
+            "draws: {way: {values: [left]}}",
+            "counters: {n: {initial: 4}}",
+        )
+        verdict = play.play()
+        names = play.roster.entities
+        assert {names[robot]: told for robot, told in verdict.told_only.items()} == {
+            "Y1": {"way": "left"},
+            "B1": {"way": "none", "n": 4},
+            "B2": {"way": "B2", "n": 4},
+        }
+        assert verdict.broadcast == {}
+
+    def test_what_is_for_some_only_comes_as_rarely(self, stage):
+        play = stage("broadcast: {every_ticks: 3, fields: {}, only: {Y1: {a: 1}}}")
+        assert [bool(play.play().told_only) for _ in range(6)] == [False, False, True, False, False, True]
 
     def test_it_can_be_rarer(self, stage):
         play = stage(f"broadcast: {{every_ticks: 3, fields: {self.FIELDS}}}")

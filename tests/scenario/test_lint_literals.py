@@ -36,6 +36,11 @@ def test_what_rules_remember_likewise(name, value):
     assert f"write {value} for the value" in text
 
 
+def test_what_only_some_robots_are_told_likewise():
+    (text,) = found("broadcast: {fields: {}, only: {Y1: {it: laps}}}\n" + rule())
+    assert "broadcast.only.Y1.it: it is told as the text 'laps'" in text
+
+
 @pytest.mark.parametrize(
     ("payload", "count"), [("time_s", 1), ("score", 1), ("{word: time_s}", 0), ("robot", 0), ("7", 0), ("side", 0)]
 )

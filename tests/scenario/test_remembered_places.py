@@ -75,8 +75,8 @@ def kinds(body):
             "{action: set_spot, spot: found}",
             (
                 "rules.r.actions[0] (set_spot): 'to' is missing: an entity, each, a spot, a zone with a "
-                "centre (a circle, a rect with four sides), [x, y] in m, or {told: NAME}: the position that a robot has told "
-                "by radio"
+                "centre (a circle, a rect with four sides), a draw's name, [x, y] in m, {told: NAME}: the position that a "
+                "robot has told by radio, {uniform_in: ZONES} or {on_line: [[x, y], [x, y]]}, a point of chance"
             ),
         ),
     ],

@@ -20,8 +20,8 @@ def test_a_point_is_written_with_its_word():
 @pytest.mark.parametrize(
     ("action", "more", "told"),
     [
-        ("{action: set_spot, spot: centre, to: place}", "draws: {place: {values: [centre]}}\n",
-         "unknown entity, obstacle, spot or zone 'place', which is a draw; there are"),
+        ("{action: set_flag, flag: place}", "flags: {f: {}}\ndraws: {place: {values: [centre]}}\n",
+         "unknown flag 'place', which is a draw; there is only f"),
         ("{action: score, entrant: Y1}", "", "unknown entrant 'Y1', which is a robot; there are blue, yellow"),
         ("{action: set_flag, flag: n}", "flags: {f: {}}\ncounters: {n: {}}\n", "unknown flag 'n', which is a counter; there is only f"),
         ("{action: set_phase, phase: nap}", "timers: {nap: {lasts_s: 1}}\n", "unknown phase 'nap', which is a timer; there is only play"),
@@ -185,9 +185,9 @@ def test_what_an_action_cannot_reckon_is_told_as_it_is_written(action, told):
 
 
 def test_where_a_spot_is_chance_decides_by_a_draw():
-    (complaint,) = complaints(rule(action="{action: set_spot, spot: centre, to: {uniform_in: blue_goal}}"))
+    (complaint,) = complaints(rule(action="{action: set_spot, spot: centre, to: {choice: [centre]}}"))
     assert complaint.endswith(
-        "found a mapping with uniform_in; chance decides among spots of the file by a draw, draws: {hidden: {values: "
+        "found a mapping with choice; chance decides among spots of the file by a draw, draws: {hidden: {values: "
         "[a, b, c]}}: its name stands for the spot drawn, in distance, {spot: hidden} and {relative_to: hidden}"
     )
 

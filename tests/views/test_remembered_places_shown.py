@@ -9,7 +9,7 @@ from rcj_challenges.views.replay.things import visible_things
 from tests.views.sheets import HEAD, sentence, sheet
 
 SPOTS = "spots: {found: {x_m: 0, y_m: 0.2}, lost: {x_m: 0.3, y_m: 0.1}}\ngroups: {both: [found, lost]}\n"
-NOTE = "the drawing shows where"
+NOTE = "until then it is where the drawing shows"
 
 
 def loaded(*actions, more=""):
@@ -65,9 +65,9 @@ def test_of_each_the_sheet_says_its_place():
 
 def test_the_sheet_says_that_rules_set_it_and_where_a_half_begins():
     one = f"{SPOTS}rules:\n  r: {{triggers: [{{trigger: half_started}}], actions: [{set_to('ball')}]}}\n"
-    assert "Rules set the spot “found” anew; the drawing shows where it is when a half starts." in sheet(one)
+    assert "Rules set the spot “found” anew in a half; until then it is where the drawing shows it." in sheet(one)
     two = one.replace("ball}]", f"ball}}, {set_to('Y1', 'lost')}]")
-    said = "Rules set the spot “found” and the spot “lost” anew; the drawing shows where they are when a half starts."
+    said = "Rules set the spot “found” and the spot “lost” anew in a half; until then they are where the drawing shows them."
     assert said in sheet(two)
     assert NOTE not in sheet(SPOTS)
 

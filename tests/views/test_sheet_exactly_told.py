@@ -30,11 +30,56 @@ rules: {it: {triggers: [{trigger: half_started}], actions: [{action: score, entr
             "{position_of: ball}",
             "the position of the ball: [x, y, yaw] in m and rad, null while it is off the field",
         ),
+        (
+            "hidden: {values: [centre, middle_blue]}",
+            "{position_of: hidden}",
+            "the position of the spot drawn as “hidden”: [x, y] in m",
+        ),
         ("tile: {values: [1]}", "{position_of: centre}", "the position of the spot “centre”: [x, y] in m"),
     ],
 )
 def test_what_programs_compare_with_is_told_as_they_get_it(draw, field, words):
     assert f"| it | {words} |" in sheet(TOLD % (draw, f"it: {field}"))
+
+
+ONLY = """
+broadcast: {fields: {%s}, only: {Y1: {way: left}, blue: {way: right, more: 1}}}
+rules: {it: {triggers: [{trigger: half_started}], actions: [{action: score, entrant: blue}], says: So.}}
+"""
+
+
+def test_who_is_told_what_others_are_not():
+    text = sheet(ONLY % "score: {word: score, of: blue}")
+    told = text[text.index("After it, every tick") :].split("\n## ")[0]
+    assert "one JSON object follows on the same channel:\n\n| key | value |" in told
+    assert "\nOnly Y1 is told in it as well:\n\n| key | value |\n| --- | --- |\n| way |" in told
+    assert "\nOnly the blue robots are told in it as well:\n" in told
+    assert "| more | 1 |" in told
+
+
+def test_where_some_alone_are_told_something():
+    text = sheet(ONLY % "")
+    assert "one JSON object follows on the same channel for some robots:\n\nOnly Y1 is told:\n" in text
+    assert "\nOnly the blue robots are told:\n" in text
+
+
+HIDDEN = """
+spots: {treasure: {x_m: 0, y_m: 0}}
+rules:
+  hide: {triggers: [{trigger: half_started}], actions: [{action: set_spot, spot: treasure, to: %s}]}
+  it: {triggers: [{trigger: touches, entity: Y1, other: ball}], conditions: [{condition: distance, entity: Y1, to: treasure, at_most: 0.1}], actions: [{action: score, entrant: yellow}], says: So.}
+"""
+
+
+@pytest.mark.parametrize(
+    ("to", "where"),
+    [
+        ("{uniform_in: pitch}", "a random point of the pitch"),
+        ("{on_line: [[-0.3, 0], [0.3, 0]]}", "a random point of the line from (-0.3, 0) to (0.3, 0)"),
+    ],
+)
+def test_where_chance_hides_something(to, where):
+    assert f"{where} is remembered as the spot “treasure”".casefold() in sheet(HIDDEN % to).casefold()
 
 
 FRUITS = """

@@ -22,7 +22,9 @@ from rcj_challenges.scenario.models.places import (
     MayKick,
     Mirror,
     NoiseM,
+    OnLine,
     Roll,
+    UniformIn,
     WithoutRoom,
 )
 from rcj_challenges.scenario.models.state import DrawValue, Lasts, Points, ToldValue, Value
@@ -147,10 +149,11 @@ class SetSpot(Grown):
 
     action: Literal["set_spot"]
     spot: Name = described(..., "the spot")
-    to: Name | Point | ToldValue = described(
+    to: Name | Point | ToldValue | UniformIn | OnLine = described(
         ...,
-        "an entity, each, a spot, a zone with a centre (a circle, a rect with four sides), [x, y] in m, or "
-        "{told: NAME}: the position that a robot has told by radio",
+        "an entity, each, a spot, a zone with a centre (a circle, a rect with four sides), a draw's name, [x, y] in m, "
+        "{told: NAME}: the position that a robot has told by radio, {uniform_in: ZONES} or {on_line: [[x, y], [x, y]]}"
+        ", a point of chance",
     )
     mirror: Mirror | None = described(None, "set it to the mirror image of that place")
 

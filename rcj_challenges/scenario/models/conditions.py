@@ -89,7 +89,9 @@ class Looks(_Condition):
 
     condition: Literal["looks"]
     entity: Names = described(..., "a robot, each, or a group with `of`")
-    towards: Name | Point | None = described(None, "an entity, a fixed obstacle, each, a spot, or [x, y] in m")
+    towards: Name | Point | None = described(
+        None, "an entity, a fixed obstacle, each, a spot, a draw's name, or [x, y] in m"
+    )
     heading_rad: float | None = described(
         None, "instead of towards: a direction of the field in rad, counter-clockwise from +x"
     )

@@ -75,10 +75,17 @@ class Rule(Strict):
                           max_length=500)  # fmt: skip
 
 
-class Broadcast(Strict):
+class Broadcast(Grown):
     """What programs are told beyond the official packet: after it, one JSON object a tick on the same channel."""
 
-    fields: dict[Name, Value] = described(..., "values by key")
+    later_keys = frozenset({"only"})
+
+    fields: dict[Name, Value] = described(..., "values by key, which all robots are told")
+    only: dict[Name, dict[Name, Value]] | None = described(
+        None,
+        "values by key that one robot, or the robots of a group, are told in the same object, and nobody else: by the "
+        "name of the robot or group; of two for the same robot and key the later one counts",
+    )
     every_ticks: int = described(1, "sent every this many ticks", ge=1, le=10_000)
 
 

@@ -183,7 +183,7 @@ class PositionValue(Strict):
     looks no way: [x, y] in m, where it is in that moment if rules set it.
     """
 
-    position_of: Name = described(..., "an entity, a fixed obstacle, each, or a spot")
+    position_of: Name = described(..., "an entity, a fixed obstacle, each, a spot, or a draw's name")
 
 
 class DistanceValue(Strict):

@@ -216,6 +216,8 @@ def _set_spot(nouns: Nouns, action: Any) -> str:
     elif isinstance(action.to, str):
         of_zone = any(name in nouns.scenario.zones for name in nouns.meant(action.to))
         where = nouns.owned("centre" if of_zone else "place", action.to)
+    elif isinstance(action.to, (places.UniformIn, places.OnLine)):
+        where = AIMS[type(action.to)](nouns, action.to)
     else:
         where = nouns.point(action.to)
     mirrored = mirrored_words(nouns, action.mirror, action.to)

@@ -69,8 +69,8 @@ def _remembered(nouns: Nouns) -> Iterator[Block]:
     spots = remembered_spots(nouns.scenario)
     if spots:
         those = listed([nouns.thing(name) for name in spots], "and")
-        are = "they are" if len(spots) > 1 else "it is"
-        yield Paragraph(f"Rules set {those} anew; the drawing shows where {are} when a half starts.")
+        are, them = ("they are", "them") if len(spots) > 1 else ("it is", "it")
+        yield Paragraph(f"Rules set {those} anew in a half; until then {are} where the drawing shows {them}.")
 
 
 def _balls(nouns: Nouns) -> Iterator[Block]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import struct
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from rcj_challenges.devices.channels import entrant_of, listening_channels
 from rcj_challenges.facts.messages import MOST_LETTERS
@@ -14,7 +14,7 @@ from rcj_challenges.scenario.models.actions import Emit
 from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.robots import Kit, SupervisorReceiverDevice
 from rcj_challenges.scenario.models.scenario import Broadcast, Scenario
-from rcj_challenges.scenario.models.state import DrawValue, PositionValue, WordValue
+from rcj_challenges.scenario.models.state import DrawValue, PositionValue, Value, WordValue
 from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table
 from rcj_challenges.views.sheet.machines import has
@@ -118,15 +118,25 @@ def _reading_2021(kit: Kit, balls: int) -> str:
 
 def _broadcast(broadcast: Broadcast, kits: dict[str, Kit], nouns: Nouns) -> Iterator[Block]:
     """Return when the broadcast comes and what is in it."""
-    every = broadcast.every_ticks
+    every, whom = broadcast.every_ticks, "" if broadcast.fields else " for some robots"
     if all(every % kit.packet_every_ticks == 0 for kit in kits.values()):
-        yield Paragraph(f"After it, {_every(every)}, one JSON object follows on the same channel:")
+        yield Paragraph(f"After it, {_every(every)}, one JSON object follows on the same channel{whom}:")
     else:
         # It is made on a tick on which the official packet may be missing; then it waits, and a newer one replaces it.
-        yield Paragraph(f"One JSON object is made {_every(every)}; the newest follows the next packet, on its channel:")
-    told = ((key, value(nouns, entry) + _exactly(nouns.scenario, entry)) for key, entry in broadcast.fields.items())
-    yield Table(("key", "value"), tuple(told))
+        newest = f"the newest follows the next packet, on its channel{whom}"
+        yield Paragraph(f"One JSON object is made {_every(every)}; {newest}:")
+    if broadcast.fields:
+        yield _told(broadcast.fields, nouns)
+    for name, fields in (broadcast.only or {}).items():
+        told = nouns.all_of(name).does("is told", "are told")
+        yield Paragraph(f"Only {told}{' in it as well' if broadcast.fields else ''}:")
+        yield _told(fields, nouns)
     yield from (Paragraph(_TOLD_APART[by_key]) for by_key in sorted({kit.messages == "v2.2" for kit in kits.values()}))
+
+
+def _told(fields: Mapping[str, Value], nouns: Nouns) -> Table:
+    told = ((key, value(nouns, entry) + _exactly(nouns.scenario, entry)) for key, entry in fields.items())
+    return Table(("key", "value"), tuple(told))
 
 
 def _exactly(scenario: Scenario, entry: object) -> str:
@@ -136,7 +146,7 @@ def _exactly(scenario: Scenario, entry: object) -> str:
             values: Sequence[Scalar] = scenario.draws[entry.draw].values
         case WordValue(word="phase"):
             values = ("play", *(phase for phase in scenario.phases if phase != "play"))
-        case PositionValue(position_of=name) if name in scenario.spots:
+        case PositionValue(position_of=name) if _all_spots(scenario, name):
             return ": [x, y] in m"
         case PositionValue():
             return ": [x, y, yaw] in m and rad, null while it is off the field"
@@ -145,6 +155,12 @@ def _exactly(scenario: Scenario, entry: object) -> str:
     # As JSON, since 1 and true are one to Python.
     written = dict.fromkeys(json.dumps(one, ensure_ascii=False) for one in values)
     return f": {listed(list(written), 'or')}"
+
+
+def _all_spots(scenario: Scenario, name: str) -> bool:
+    """Return whether a name is that of a spot, or of a draw that decides among spots."""
+    draw = None if name in scenario.spots else scenario.draws.get(name)
+    return all(one in scenario.spots for one in ([name] if draw is None else draw.values))
 
 
 def _to_referee(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:

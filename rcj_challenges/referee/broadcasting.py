@@ -1,0 +1,51 @@
+"""What the scenario lets programs know beyond the official packet: all of them, or some only."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.rules import Occasion, StandingRule
+from rcj_challenges.referee.values import Reader, compile_value
+from rcj_challenges.scenario.models.scenario import Broadcast
+from rcj_challenges.scenario.models.state import Value
+
+Told = dict[str, Any]
+
+_NOBODY = Occasion(StandingRule("", None, None, None, 0, None, ""), None, "")
+"""A broadcast is about no rule that fires, and about nobody."""
+
+
+class Broadcasting:
+    """Reads the values of a scenario's broadcast."""
+
+    def __init__(self, broadcast: Broadcast, workshop: Workshop) -> None:
+        """Compile it.
+
+        Args:
+            broadcast: of the scenario.
+            workshop: whose state the values are read from.
+        """
+        self._every_ticks = broadcast.every_ticks
+        self._to_all = _readers(broadcast.fields, workshop)
+        self._to_some: dict[int, dict[str, Reader]] = {}
+        for name, fields in (broadcast.only or {}).items():
+            readers = _readers(fields, workshop)
+            for robot in workshop.roster.expand(name):
+                self._to_some.setdefault(workshop.roster.index[robot], {}).update(readers)
+
+    def told(self, tick: int) -> tuple[Told | None, dict[int, Told] | None]:
+        """Return what all are told at a tick, and what some are told too, by index of the robot; None: nothing."""
+        if tick % self._every_ticks:
+            return None, None
+        to_some = {robot: _read(readers) for robot, readers in self._to_some.items()}
+        return _read(self._to_all), to_some or None
+
+
+def _readers(fields: Mapping[str, Value], workshop: Workshop) -> dict[str, Reader]:
+    return {key: compile_value(value, workshop, None) for key, value in fields.items()}
+
+
+def _read(readers: Mapping[str, Reader]) -> Told:
+    return {key: read(_NOBODY) for key, read in readers.items()}
