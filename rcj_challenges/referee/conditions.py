@@ -10,6 +10,7 @@ from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.facts.messages import READS, is_said
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks
 from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.measuring import MM_DIGITS
 from rcj_challenges.referee.nearness import targets_of
 from rcj_challenges.referee.places import spots_of, where_now
 from rcj_challenges.referee.rules import Test
@@ -64,12 +65,18 @@ def _as_it_is(number: Number) -> Number:
     return number
 
 
+def _to_mm(metres: Number) -> Number:
+    return round(metres, MM_DIGITS)
+
+
 def _comparison(
-    model: Any, workshop: Workshop, each: str | None, rounded: Callable[[Number], Number] = _as_it_is
-) -> Callable[[Number], bool]:
+    model: Any, workshop: Workshop, each: str | None,
+    rounded: Callable[[Number], Number] = _as_it_is, counted: Callable[[Number], Number] = _as_it_is,
+) -> Callable[[Number], bool]:  # fmt: skip
     """Return the comparison of a model with at_least, at_most and equals; without any: is it other than 0?
 
-    Bounds are rounded as asked: as what is compared with them is.
+    Bounds are rounded as asked: as what is compared with them is. What is compared with a counter is taken as `counted`
+    says: as it would be counted.
     """
     least, most, equals = (
         None if bound is None else compile_bound(bound, workshop, each)
@@ -77,12 +84,16 @@ def _comparison(
     )
     if least is None and most is None and equals is None:
         return lambda value: value != 0
+    for_least, for_most, for_equals = (
+        _as_it_is if isinstance(bound, int | float) else counted
+        for bound in (model.at_least, model.at_most, model.equals)
+    )
 
     def holds(value: Number) -> bool:
         return (
-            (least is None or value >= rounded(least()))
-            and (most is None or value <= rounded(most()))
-            and (equals is None or value == rounded(equals()))
+            (least is None or for_least(value) >= rounded(least()))
+            and (most is None or for_most(value) <= rounded(most()))
+            and (equals is None or for_equals(value) == rounded(equals()))
         )
 
     return holds
@@ -134,7 +145,7 @@ def speed(model: models.Speed, workshop: Workshop, each: str | None) -> Test:
 def distance(model: models.Distance, workshop: Workshop, each: str | None) -> Test:
     """How far centres are from another entity (the nearest of a group), a spot, a point, a zone or a gate, in m."""
     state, of = workshop.state, model.of
-    entities, holds = workshop.entities(model.entity, each), _comparison(model, workshop, each)
+    entities, holds = workshop.entities(model.entity, each), _comparison(model, workshop, each, counted=_to_mm)
     targets = targets_of(model.to, workshop, each)
     # Nothing is measured from itself.
     others = {entity: tuple(target.away_m for target in targets if not target.is_with(entity)) for entity in entities}
@@ -154,7 +165,7 @@ def distance(model: models.Distance, workshop: Workshop, each: str | None) -> Te
 def way(model: models.WayIs, workshop: Workshop, each: str | None) -> Test:
     """How far things have driven or rolled in the half, in m; also what is off the field."""
     state, of = workshop.state, model.of
-    entities, holds = workshop.entities(model.entity, each), _comparison(model, workshop, each)
+    entities, holds = workshop.entities(model.entity, each), _comparison(model, workshop, each, counted=_to_mm)
     for entity in entities:
         state.follow_way(entity)
     return lambda: _quantified(of, (holds(state.ways[entity]) for entity in entities))

@@ -9,7 +9,8 @@ from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.nearness import targets_of
 from rcj_challenges.scenario.models.state import DistanceValue, TimerValue, WayValue
 
-_MM_DIGITS = 3
+MM_DIGITS = 3
+"""To the millimetre: what is measured is told and counted so, and compared so with what was counted."""
 
 
 def distance_reader(value: DistanceValue, workshop: Workshop, each: str | None) -> Callable[[], float | None]:
@@ -28,7 +29,7 @@ def distance_reader(value: DistanceValue, workshop: Workshop, each: str | None) 
         starts = ((place(), away_m) for place, away_m in pairs)
         found = (away_m(*start) for start, away_m in starts if start is not None)
         nearest = min((one for one in found if one is not None), default=None)
-        return None if nearest is None else round(nearest, _MM_DIGITS)
+        return None if nearest is None else round(nearest, MM_DIGITS)
 
     return read
 
@@ -37,7 +38,7 @@ def way_reader(value: WayValue, workshop: Workshop, each: str | None) -> Callabl
     """Return what tells in m, to the millimetre, how far an entity has driven or rolled in the half."""
     ways, entity = workshop.state.ways, workshop.entity(value.way, each)
     workshop.state.follow_way(entity)
-    return lambda: round(ways[entity], _MM_DIGITS)
+    return lambda: round(ways[entity], MM_DIGITS)
 
 
 def timer_reader(value: TimerValue, workshop: Workshop, each: str | None) -> Callable[[], float]:

@@ -311,6 +311,7 @@ def compile_putting(
         where=compile_place(model.at, workshop, entity, each),
         facing=_compile_facing(model.facing, workshop, entity, each),
         spins=isinstance(model.facing, models.RandomFacing),
+        follows=isinstance(model.facing, models.Towards),
         noise_m=model.noise_m,
         flips=tuple(compile_mirror(mirror, workshop) for mirror in mirrors),
         clearance_m=model.min_clearance_m,

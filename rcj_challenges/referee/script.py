@@ -63,6 +63,7 @@ class ScriptedPlay:
         placements: all so far, each with its tick.
         verdict: the last verdict.
         wrong_ways: the gates that were crossed the way that does not count.
+        phases: all phases so far, each with the tick in which it was entered.
     """
 
     def __init__(
@@ -91,6 +92,7 @@ class ScriptedPlay:
         self._parked: set[int] = set()
         self._by_hand: set[int] = set()
         self.wrong_ways = WrongWays(scenario, roster)
+        self.phases: list[tuple[int, str]] = [(0, scenario.first_phase)]
         self.verdict = self._take(self.referee.start(self._snapshot()))
 
     # --- what the script does ---------------------------------------------------------------------------------------
@@ -202,6 +204,8 @@ class ScriptedPlay:
         """Note a verdict and carry out its placements."""
         self.events += verdict.events
         self.firings += verdict.firings
+        if self.referee.phase != self.phases[-1][1]:
+            self.phases.append((self.tick, self.referee.phase))
         for placement in verdict.placements:
             self.placements.append((self.tick, placement))
             index = placement.entity

@@ -141,6 +141,7 @@ class Putting:
         where: the compiled place.
         facing: returns the yaw in rad for a point; gets the board, the entity, the point and the stream.
         spins: whether the facing is random, so that another attempt can fit where this one did not.
+        follows: whether it faces something that may be put elsewhere in the same tick.
         noise_m: half widths of the uniform noise on x and y, in m.
         flips: each returns the signs of x and y (-1 mirrors).
         clearance_m: smallest gap to any other body.
@@ -154,6 +155,7 @@ class Putting:
     where: Where
     facing: Callable[[Board, int, Point, random.Random], float]
     spins: bool
+    follows: bool
     noise_m: Point
     flips: tuple[Callable[[], Point], ...]
     clearance_m: float
@@ -331,7 +333,23 @@ def _try(jobs: list[Job], state: State, bodies: Bodies) -> tuple[list[_Done], Jo
         if velocity is None:
             return [], replace(job, aimless=True)
         done.append((job.entity, pose, velocity))
-    return done, None
+    return _turned(done, jobs, board, state), None
+
+
+def _turned(done: list[_Done], jobs: list[Job], board: Board, state: State) -> list[_Done]:
+    """Turn those that face something towards where it is now: it may have been put there after them.
+
+    Who has no room to turn goes on to look where it was.
+    """
+    turned: list[_Done] = []
+    for (entity, pose, velocity), job in zip(done, jobs, strict=True):
+        if pose is not None and job.putting is not None and job.putting.follows:
+            other = job.putting.pose_at(board, pose[:2], state.stream(job.putting.stream))
+            if other != pose and board.fits(entity, other, job.putting.clearance_m):
+                board.put(entity, other)
+                pose = other  # noqa: PLW2901
+        turned.append((entity, pose, velocity))
+    return turned
 
 
 def _apply(done: list[_Done], state: State) -> list[Placement]:

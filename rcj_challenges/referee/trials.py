@@ -19,6 +19,9 @@ from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe, Scenario
 from rcj_challenges.scenario.roster import Roster
 
+_SHOWN = 5
+"""So many changes of phases are told of a test that failed."""
+
 
 class HasScenario(Protocol):
     """A loaded scenario, as `rcj_challenges.scenario.load.load` returns it."""
@@ -38,7 +41,7 @@ class Trial:
 
     Attributes:
         differences: what came out differently, one line each, then notes on why that may be: what found no room, draws
-            that were not drawn, gates crossed the wrong way; empty if all is as expected.
+            that were not drawn, gates crossed the wrong way, the course of the phases; empty if all is as expected.
         ticks: how many ticks were judged.
         fired: the rules that fired, in the order of their first time.
     """
@@ -97,7 +100,13 @@ def try_expectation(loaded: HasScenario, name: str) -> Trial:
     fired = dict.fromkeys(firing.rule for firing in play.firings if firing.suppressed is None)
     differences = list(_differences(play, scenario, expected))
     notes = (
-        (*_no_room(play), *_not_drawn(play, expected), *play.wrong_ways.notes(), *_true_before(play, fired))
+        (
+            *_no_room(play),
+            *_not_drawn(play, expected),
+            *play.wrong_ways.notes(),
+            *_true_before(play, fired),
+            *_course(play, differences),
+        )
         if differences
         else ()
     )
@@ -119,6 +128,19 @@ def _true_before(play: ScriptedPlay, fired: Container[str]) -> Iterable[str]:
                 f"note: {rule} waits for a condition to come true that held already at {s_from_ticks(tick):g} s; "
                 "with for_s: 0.05 that is heard too"
             )
+
+
+def _course(play: ScriptedPlay, differences: Iterable[str]) -> Iterable[str]:
+    """Return which phase went on when, if something is missing: in a phase of others a rule hears nothing."""
+    if len(play.phases) == 1 or not any(one.startswith("missing:") for one in differences):
+        return
+    entered = [*play.phases[1 : _SHOWN + 1], None]
+    told = [
+        phase if after is None else f"{phase} until {s_from_ticks(after[0]):g} s"
+        for (_, phase), after in zip(play.phases, entered, strict=False)
+    ]
+    more = ", …" if len(play.phases) > len(told) else ""
+    yield f"note: the phase was {', then '.join(told)}{more}"
 
 
 def _not_drawn(play: ScriptedPlay, expected: Expectation) -> Iterable[str]:

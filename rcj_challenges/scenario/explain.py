@@ -30,7 +30,7 @@ from rcj_challenges.scenario.shape import (
     tags,
 )
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, child, in_names, mark_of, node_at, plain
-from rcj_challenges.scenario.ways_out import for_reckoned, for_repeated, for_several, for_value
+from rcj_challenges.scenario.ways_out import for_key, for_param, for_reckoned, for_repeated, for_several, for_value
 from rcj_challenges.scenario.wording import NAME_RULE, expected, found_text, is_fixed, refusal
 
 _KEY = "[key]"
@@ -174,14 +174,18 @@ class _Explainer:
         if mistake.kind in {"missing", "extra_forbidden"} and isinstance(key, int):
             return self._at(above, expected(shape_at(self.shape, self.root, above), node_at(self.root, above)))
         if mistake.kind == "missing":
-            return self._at(above, f"'{key}' is missing{self._sentence_about(above, str(key))}")
+            brings = (
+                "; a preset brings them: extends: soccersim_v2" if key in ("robots", "entrants") and not above else ""
+            )
+            return self._at(above, f"'{key}' is missing{self._sentence_about(above, str(key))}{brings}")
         if mistake.kind == "extra_forbidden":
             return self._unknown_key(above, str(key))
         if mistake.kind.startswith("union_tag") or mistake.kind == "model_attributes_type":
             return self._wrong_tag(mistake)
         node = node_at(self.root, mistake.path)
         message = refusal(mistake.kind, mistake.details, mistake.shape, node)
-        return self._at(mistake.path, message + for_value(mistake.path, node) + for_several(mistake.path, node))
+        hints = for_value(mistake.path, node) + for_several(mistake.path, node) + for_param(node, self.root)
+        return self._at(mistake.path, message + hints)
 
     def _at(self, path: Path, message: str, *, at_key: bool = False) -> Problem:
         node = node_at(self.root, path)
@@ -209,7 +213,8 @@ class _Explainer:
             why = "; of a timer kept per entity for_each says whose is meant, without it any of them"
         if model in (TimerValue, WordValue) and key == "fraction":
             why = "; a payload and the broadcast tell times with their fraction anyway: leave it out"
-        message = f"unknown key '{key[:64]}'; allowed are {listing(allowed, 40)}{nearest(key, allowed)}{why}"
+        meant = for_key(key, above, allowed, self.root) or nearest(key, allowed)
+        message = f"unknown key '{key[:64]}'; allowed are {listing(allowed, 40)}{meant}{why}"
         reckoned = for_reckoned(above, key, node_at(self.root, above))
         message += for_repeated(above, key) or reckoned or self._as_list(above, key)
         return mark_of(self.root, (*above, key), at_key=True).problem(in_names(self.root, above), message)

@@ -12,9 +12,11 @@ from typing import Any
 
 from rcj_challenges.scenario.crossrefs import shown_path
 from rcj_challenges.scenario.errors import Problem
+from rcj_challenges.scenario.lint_angles import check_angles
 from rcj_challenges.scenario.lint_bounds import check_bounds
 from rcj_challenges.scenario.lint_denied import check_contradictions
 from rcj_challenges.scenario.lint_distances import check_distances
+from rcj_challenges.scenario.lint_echoes import check_echoes
 from rcj_challenges.scenario.lint_edges import check_edges, check_exclusive_groups
 from rcj_challenges.scenario.lint_flow import (
     check_events,
@@ -23,11 +25,13 @@ from rcj_challenges.scenario.lint_flow import (
     check_rules,
     check_scoring,
 )
+from rcj_challenges.scenario.lint_gone import check_gone
 from rcj_challenges.scenario.lint_ground import check_entities, check_layouts, check_obstacles, check_places
 from rcj_challenges.scenario.lint_heard import check_heard
 from rcj_challenges.scenario.lint_held import check_held, check_holds
 from rcj_challenges.scenario.lint_judged import check_judged_twice
 from rcj_challenges.scenario.lint_kicks import check_kicks
+from rcj_challenges.scenario.lint_literals import check_literals
 from rcj_challenges.scenario.lint_moments import check_moments
 from rcj_challenges.scenario.lint_numbers import check_numbers, check_written_out
 from rcj_challenges.scenario.lint_others import check_others
@@ -36,6 +40,7 @@ from rcj_challenges.scenario.lint_repeated import check_groups_of_groups, check_
 from rcj_challenges.scenario.lint_result import check_ranking
 from rcj_challenges.scenario.lint_says import check_broadcast, check_description, check_sentences
 from rcj_challenges.scenario.lint_sides import check_sides
+from rcj_challenges.scenario.lint_speeds import check_speeds
 from rcj_challenges.scenario.lint_state import (
     check_drawn_names,
     check_draws,
@@ -69,6 +74,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_phases,
     check_events,
     check_events_of_one,
+    check_echoes,
     check_rules,
     check_repeated,
     check_groups_of_groups,
@@ -81,6 +87,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_description,
     check_units,
     check_broadcast,
+    check_literals,
     check_scoring,
     check_bounds,
     check_ranking,
@@ -102,10 +109,12 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_sides,
     check_places,
     check_distances,
+    check_speeds,
     check_obstacles,
     check_entities,
     check_layouts,
     check_put_back,
+    check_gone,
     check_kicks,
     check_field_size,
     check_goals,
@@ -113,6 +122,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_inherited_sentences,
     check_numbers,
     check_written_out,
+    check_angles,
     check_inherited_texts,
     check_kits,
     check_idle_robots,

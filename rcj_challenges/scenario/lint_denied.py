@@ -1,11 +1,12 @@
-"""Lint of triggers whose own edge denies a condition of their rule: it never fires."""
+"""Lint of conditions that never hold together, or that the edge of a trigger of their rule denies: it never fires."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import combinations, product
 
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
-from rcj_challenges.scenario.lint_logic import range_of, ways_to_hold
+from rcj_challenges.scenario.lint_logic import are_apart, exclude, range_of, ways_to_hold
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lengths_s
 from rcj_challenges.scenario.models.conditions import Condition, InZone, TimerIs
 from rcj_challenges.scenario.models.scenario import Rule
@@ -13,9 +14,19 @@ from rcj_challenges.scenario.models.triggers import Enters, Leaves, TimerExpired
 
 
 def check_contradictions(subject: Subject) -> Iterator[Suspect]:
-    """Triggers whose own edge denies a condition of their rule."""
+    """Conditions of a rule that never hold together; triggers whose own edge denies one of them."""
     for name, rule in subject.scenario.rules.items():
         ways = ways_to_hold(rule.conditions)
+        both = (rule, rule)
+        if ways and all(any(exclude(one, two, both, subject) for one, two in combinations(way, 2)) for way in ways):
+            yield Suspect(
+                "rule_never_fires",
+                ("rules", name, "conditions"),
+                "all of them must hold, and two of them never do at the same time",
+                "take one of them out, or write those of which one suffices as {condition: any_of, conditions: […]}",
+                at_key=True,
+            )
+            continue
         for index, trigger in enumerate(rule.triggers):
             if ways and all(any(_denies(trigger, one, rule, subject) for one in way) for way in ways):
                 reason, remedy = _why(trigger)
@@ -28,9 +39,9 @@ def _why(trigger: Trigger) -> tuple[str, str]:
             "when it fires the timer has run out and stands at its length, and a condition asks for something else",
             "take the condition out: a timer that has run out is running no longer",
         )
-    now = "in" if isinstance(trigger, Enters) else "outside"
+    now, asked = ("in", "elsewhere") if isinstance(trigger, Enters) else ("outside", "inside")
     return (
-        f"when it fires the entity is {now} the zone already, and a condition asks for the opposite",
+        f"when it fires the entity is {now} the zone already, and a condition asks that it is {asked}",
         "take the condition or the trigger out, or correct the zone",
     )
 
@@ -64,8 +75,12 @@ def _denies_place(
     entered = isinstance(trigger, Enters)
     if trigger.zone == condition.zone:
         return entered != asked_inside
+    if entered and asked_inside:
+        zones = subject.scenario.zones
+        here, there = subject.members(trigger.zone, rule), subject.members(condition.zone, rule)
+        return all(are_apart(zones[one], zones[other]) for one, other in product(here, there))
     if entered:
-        return not asked_inside and subject.members(trigger.zone, rule) <= subject.surely(condition.zone, rule)
+        return subject.members(trigger.zone, rule) <= subject.surely(condition.zone, rule)
     return asked_inside and subject.members(condition.zone, rule) <= subject.surely(trigger.zone, rule)
 
 

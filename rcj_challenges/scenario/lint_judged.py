@@ -185,7 +185,7 @@ def _can_come(attempt: _Attempt, subject: Subject) -> bool:
 def _can_come_after(first: Rule, ways: Sequence[Way], then: Rule, other_ways: Sequence[Way], subject: Subject) -> bool:
     """Return whether a rule can fire in the tick after another, as far as phases and conditions tell."""
     entered = [action.phase for action in first.actions if isinstance(action, SetPhase)]
-    phases = entered[-1:] or [phase for phase in subject.reached if lives_in(first, phase)]
+    phases = entered[-1:] or _fires_in(first, subject)
     if not any(lives_in(then, phase) for phase in phases):
         return False
     if any(_is_changed(condition, first) for condition in then.conditions):
@@ -194,6 +194,21 @@ def _can_come_after(first: Rule, ways: Sequence[Way], then: Rule, other_ways: Se
         not any(exclude(one, other, (first, then), subject) for one, other in product(way, other_way))
         for way, other_way in product(ways, other_ways)
     )
+
+
+def _fires_in(rule: Rule, subject: Subject) -> list[str]:
+    """Return the phases in which a rule may fire: what hears events only comes a tick after them."""
+    lived = [phase for phase in subject.reached if lives_in(rule, phase)]
+    events = {trigger.event for trigger in rule.triggers if isinstance(trigger, OnEvent)}
+    if not all(isinstance(trigger, OnEvent) for trigger in rule.triggers):
+        return lived
+    heard: set[str] = set()
+    for _, other in subject.standing():
+        if any(isinstance(action, Emit) and action.event in events for action in other.actions):
+            entered = [action.phase for action in other.actions if isinstance(action, SetPhase)]
+            before = {phase for phase in subject.reached if lives_in(other, phase)}
+            heard |= set(entered[-1:]) or before | {to for here, to in subject.transitions if here in before}
+    return [phase for phase in lived if phase in heard]
 
 
 def _is_changed(condition: Condition, first: Rule) -> bool:

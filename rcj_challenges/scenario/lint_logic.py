@@ -195,10 +195,10 @@ def _in_two_zones(one: InZone, other: InZone, rules: tuple[Rule, Rule], subject:
         return False
     zones = subject.scenario.zones
     first, second = subject.members(one.zone, rules[0]), subject.members(other.zone, rules[1])
-    return all(_are_apart(zones[here], zones[there]) for here, there in product(first, second))
+    return all(are_apart(zones[here], zones[there]) for here, there in product(first, second))
 
 
-def _are_apart(zone: Zone, other: Zone) -> bool:
+def are_apart(zone: Zone, other: Zone) -> bool:
     """Return whether there is room between two zones, as far as the rectangles around them tell."""
     # Limits are strict: who is on a common side is in neither.
     return any(

@@ -126,7 +126,8 @@ class Merger:
 
     def _null(self, base: Entries, key: str, node: Leaf, key_mark: Mark, shape: Shape, path: Path) -> None:
         if node.empty:
-            self._add(key_mark, (*path, key), "an empty value; write one, or leave the line out")
+            remedy = _of_empty(key, base, key_mark, shape) or "write one, or leave the line out"
+            self._add(key_mark, (*path, key), f"an empty value; {remedy}")
             base.put(key, node, key_mark)  # it stays, so that it is not called missing too
         elif path == (TESTS,) and key == ALL_INHERITED:
             pass  # they are gone already
@@ -160,6 +161,20 @@ def of_repeated(name: str, rules: Entries) -> str:
         if row in listed:
             return f"; it comes of the repeated rule '{rule}': change that one, or '{row}' in its repeat_for"
     return ""
+
+
+def _of_empty(key: str, base: Entries, key_mark: Mark, shape: Shape) -> str:
+    """Return what to do about a key without a value that is no key at all; empty: the value was forgotten."""
+    word, colon, value = key.partition(":")
+    if colon:
+        return f"a blank comes after the ':', {word}: {value}"
+    before = list(base.entries.items())[-1:]
+    if not before or step_into(shape, base, key) is not None:
+        return ""
+    (name, node) = before[0]
+    if not isinstance(node, Leaf) or not isinstance(node.value, str) or node.mark.line != key_mark.line:
+        return ""
+    return f"several values stand in brackets, {name}: [{node.value}, {key}], and a text with a ',' in quotes"
 
 
 def make_way(base: Entries, written: AbstractSet[str], shape: Shape) -> None:

@@ -77,6 +77,54 @@ def for_drawn(name: str, kind: str, path: Path, *, each: bool) -> str:
     return f"; to do it to the one drawn: for_each, {{condition: drawn, draw: {name}, equals: each}}, and 'each' here"
 
 
+_USUAL_KEYS = {
+    "when": "triggers",
+    "on": "triggers",
+    "if": "conditions",
+    "then": "actions",
+    "do": "actions",
+    "team": "entrant",
+}
+"""What others call a key, and how it is written here."""
+
+
+def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
+    """Return what an unknown key is called here, or where it belongs; empty: nobody knows.
+
+    Args:
+        key: the key.
+        above: where the mapping stands.
+        allowed: the keys that it may have.
+        root: the whole scenario.
+    """
+    usual = _USUAL_KEYS.get(key)
+    if usual is not None and usual in allowed:
+        return f"; it is called {usual!r} here"
+    if above[:1] == ("rules",) and len(above) == 2 and key == "else":
+        return "; what else is to happen is a rule of its own, whose conditions have negate: true"
+    if above or not isinstance(root, Entries):
+        return ""
+    before = list(root.entries)[: list(root.entries).index(key)] if key in root.entries else []
+    last = root.entries[before[-1]] if before else None
+    if not isinstance(last, Leaf) or not last.empty:
+        return ""
+    return f"; what belongs to '{before[-1]}' above it is indented: put two blanks before it"
+
+
+def for_param(node: Node | None, root: Node) -> str:
+    """Return how the value of a param is written where its name stands as a text; empty: it is no param's name."""
+    params = child(root, "params")
+    if isinstance(node, Entries) and len(node.entries) == 1:
+        (written,) = node.entries
+    elif isinstance(node, Leaf) and isinstance(node.value, str):
+        written = node.value
+    else:
+        return ""
+    name = written.strip("${}() ")
+    known = isinstance(params, Entries) and name in params.entries
+    return f"; the value of that param is written {{param: {name}}}" if known else ""
+
+
 def for_value(path: Path, node: Node | None) -> str:
     """Return how something is said that cannot stand here as a value; empty: nothing is known that was meant.
 

@@ -14,13 +14,20 @@ from rcj_challenges.scenario.models.base import Colour, EventName, Name, Names, 
 from rcj_challenges.scenario.models.conditions import SaidText
 from rcj_challenges.scenario.models.places import At
 from rcj_challenges.scenario.models.robots import EntryPoint
-from rcj_challenges.scenario.shape import Shape, bare, is_model, is_named, is_union, members, without_none
+from rcj_challenges.scenario.shape import Shape, bare, is_list, is_model, is_named, is_union, members, without_none
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node
 
 NAME_RULE = "letters, digits and _, not beginning with a digit, at most 64"
 
 _YES, _NO = frozenset({"yes", "on", "y"}), frozenset({"no", "off", "n"})
+_ALL = frozenset({"all", "every", "always", "each"})
+_LIST_OF_NAMES = "a list of names"
 _NUMBER = re.compile(r"[-+]?[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?")
+_DECIMAL_COMMA = re.compile(r"[-+]?[0-9]+,[0-9]+")
+_FEW = 4
+"""So many keys are listed where a mapping is expected."""
+_FORMULA = re.compile(r"[-+*/] ")
+_BEGINS_WITH_NUMBER = re.compile(r"[-+]?[0-9]")
 _TYPES = {str: "a text", int: "a whole number", float: "a number", bool: "true/false"}
 _SPECIAL: tuple[tuple[Any, str], ...] = (
     (Names, "a name or a list of names"),
@@ -37,10 +44,14 @@ def expected(shape: Shape, node: Node | None) -> str:
     hint = ""
     if isinstance(node, Leaf) and isinstance(node.value, str):
         hint = nearest(node.value, _words(shape)) or _hint(shape, node.value)
+    elif isinstance(node, Leaf) and str(node.value) in _words(shape):
+        hint = f"; write it in quotes: '{node.value}'"
     elif isinstance(node, Items) and without_none(shape) == At:
         hint = _point(node)
     elif isinstance(node, Entries) and without_none(shape) in (Name, Names):
         hint = _draw(node)
+    elif node is not None:
+        hint = _hint_at_list(shape, node)
     return f"expected {expectation(shape)}, found {found_text(node)}{hint}"
 
 
@@ -51,9 +62,40 @@ def _hint(shape: Shape, text: str) -> str:
         return _named_place(text) if text.isidentifier() else ""
     if bool in kinds and text.lower() in _YES | _NO:
         return f"; did you mean {'true' if text.lower() in _YES else 'false'}?"
-    if (int in kinds or float in kinds) and _NUMBER.fullmatch(text):
-        return "; leave the quotes out"
+    if int in kinds or float in kinds:
+        return _hint_at_number(text)
+    if "any" in _words(shape) and text.lower() in _ALL:
+        return "; did you mean any?"
+    if _LIST_OF_NAMES in map(expectation, members(shape)) and text.isidentifier():
+        return f"; a list of one is written [{text}]"
     return ""
+
+
+def _hint_at_number(text: str) -> str:
+    if _NUMBER.fullmatch(text):
+        return "; leave the quotes out"
+    if _DECIMAL_COMMA.fullmatch(text):
+        return f"; a decimal number is written with a point: {text.replace(',', '.')}"
+    if _FORMULA.search(text):
+        return (
+            "; no formula is read: {param: NAME, times: 2, plus: 1} reckons with a param, a list of parts is added up"
+        )
+    if _BEGINS_WITH_NUMBER.match(text):
+        return "; write one number and nothing else: its unit is the one that the key's name ends with"
+    return ""
+
+
+def _hint_at_list(shape: Shape, node: Node) -> str:
+    """Return how a list is written where its one entry stands without brackets, or decimals have commas."""
+    shape = without_none(shape)
+    if isinstance(node, Entries) and is_list(shape):
+        return "; a list stands in brackets, also of one: [{…}]"
+    if not isinstance(node, Items) or shape != Point or len(node.items) != 4:
+        return ""
+    numbers = [item.value if isinstance(item, Leaf) else None for item in node.items]
+    if not all(isinstance(one, int) and not isinstance(one, bool) for one in numbers):
+        return ""
+    return f"; a decimal number is written with a point: [{numbers[0]}.{numbers[1]}, {numbers[2]}.{numbers[3]}]"
 
 
 def _named_place(text: str) -> str:
@@ -129,12 +171,15 @@ def _expectation_of_mapping(kind: Any) -> str:
     if is_named(kind):
         return "a mapping by name"
     keys = [info.alias or key for key, info in kind.model_fields.items() if info.is_required()]
-    return f"{{{keys[0]}: …}}" if len(keys) == 1 else "a mapping"
+    if len(keys) == 1:
+        return f"{{{keys[0]}: …}}"
+    known = [info.alias or key for key, info in kind.model_fields.items()]
+    return "a mapping" if keys or len(known) > _FEW else f"a mapping that may have {listing(known)}, such as {{}}"
 
 
 def _expectation_of_list(arguments: tuple[Any, ...]) -> str:
     if len(arguments) == 2 and arguments[1] is Ellipsis:
-        return "a list of names" if arguments[0] == Name else "a list"
+        return _LIST_OF_NAMES if arguments[0] == Name else "a list"
     if arguments == (float, float):
         return "two numbers [x, y]"
     if all(argument == Point for argument in arguments):

@@ -43,16 +43,26 @@ _SURROGATE = re.compile("[\ud800-\udfff]")
 # Listed one by one: the complement of what YAML 1.2 prints (section 5.1) takes 20 times as long to compile.
 _UNPRINTABLE = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufeff\ufffe\uffff]")
 
+_OFF = (
+    "the indentation is off, a quote or bracket before it is not closed, or a text that begins with { or [ is not in "
+    "quotes"
+)
+_UNCLOSED = (
+    "a ',' or the closing bracket is missing, or a text that has ': ' in it or begins with { or [ is not in quotes"
+)
+_NO_VALUE = "a value is missing; what begins with # is a comment, unless it is in quotes: '#ff8800'"
 # What both of PyYAML's parsers say, and what an author should do about it.
 _HINTS = (
     ("cannot start any token", "a tab, or a character that YAML reserves: indent with spaces, put texts in quotes"),
     ("mapping values are not allowed", "a ': ' inside a text needs quotes around the text; or the indentation is off"),
     ("could not find expected ':'", "a key without ': ' after it"),
-    ("did not find expected key", "the indentation is off, or a quote or bracket before it is not closed"),
-    ("expected <block end>", "the indentation is off, or a quote or bracket before it is not closed"),
+    ("did not find expected key", _OFF),
+    ("expected <block end>", _OFF),
     ("did not find expected '-' indicator", "a list entry that does not begin with '- ', or the indentation is off"),
-    ("did not find expected ',' or", "a ',' or the closing bracket is missing"),
-    ("expected ',' or", "a ',' or the closing bracket is missing"),
+    ("did not find expected ',' or", _UNCLOSED),
+    ("expected ',' or", _UNCLOSED),
+    ("did not find expected node content", _NO_VALUE),
+    ("expected the node content", _NO_VALUE),
     ("unexpected end of stream", "a quote that is not closed"),
 )
 
@@ -137,6 +147,22 @@ def _syntax_problem(error: yaml.MarkedYAMLError, file: str) -> Problem:
     hint = next((f" ({text})" for found, text in _HINTS if found in said), "")
     line, column = (mark.line + 1, mark.column + 1) if mark is not None else (1, 1)
     return Problem(file, line, column, "", f"not valid YAML: {said}{hint}")
+
+
+def _of_a_number(node: Items | Entries, value: object, mark: Mark) -> str:
+    """Return what to do about a number where a key is expected, behind another number: a decimal comma, or a list."""
+    before = list(node.entries.values())[-1] if isinstance(node, Entries) and node.entries else None
+    if not isinstance(before, Leaf) or before.mark.line != mark.line:
+        return ""
+    numbers = [one for one in (before.value, value) if isinstance(one, int | float) and not isinstance(one, bool)]
+    if len(numbers) < 2:
+        return ""
+    point = (
+        f"a decimal number is written with a point, {before.value}.{value}, and " if isinstance(numbers[0], int) else ""
+    )
+    return (
+        f"{value} stands where a key is expected: {point}several numbers stand in brackets, [{before.value}, {value}]"
+    )
 
 
 class _HopelessError(Exception):
@@ -228,7 +254,7 @@ class _Builder:
         top.skipped = True
         if not isinstance(value, str):
             what = f"key {written} is not text; write it in quotes" if written else "a key is missing before ':'"
-            self._refuse(mark, what)
+            self._refuse(mark, _of_a_number(top.node, value, mark) or what)
         elif isinstance(top.node, Entries) and value in top.node.entries:
             first = top.node.key_marks[value]
             self._refuse(mark, f"key '{value}' is already given in line {first.line}; only one of them can count")

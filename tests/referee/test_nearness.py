@@ -249,3 +249,43 @@ class TestActionSetSpotToAZone:
             "{action: emit, event: KEPT, payload: {at: {position_of: found}}}]}}",
         )
         assert payload(play) == {"at": centre}
+
+
+CURLING = """
+spots: {button: {x_m: 0, y_m: 0}}
+counters: {of_blue_m: {}, of_yellow_m: {}, blue_points: {}, yellow_points: {}}
+rules:
+  measured:
+    triggers: [{trigger: program_fault, robot: Y1}]
+    actions:
+      - {action: count, counter: of_blue_m, to: {distance: [B2, button]}}
+      - {action: count, counter: of_yellow_m, to: {distance: [Y2, button]}}
+      - {action: emit, event: MEASURED}
+  blue:
+    triggers: [{trigger: event, event: MEASURED}]
+    conditions: [{condition: distance, entity: B2, to: button, at_least: {counter: of_yellow_m}, negate: true}]
+    actions: [{action: count, counter: blue_points}]
+  yellow:
+    triggers: [{trigger: event, event: MEASURED}]
+    conditions: [{condition: distance, entity: Y2, to: button, at_least: {counter: of_blue_m}, negate: true}]
+    actions: [{action: count, counter: yellow_points}]
+"""
+
+
+class TestWhatIsComparedWithACounter:
+    @pytest.mark.parametrize(
+        ("blue_m", "yellow_m", "points"),
+        [
+            (0.2996, 0.2998, (0, 0)),  # both are 0.3 m off, to the millimetre: neither is nearer
+            (0.2984, 0.2998, (1, 0)),
+            (0.3012, 0.2998, (0, 1)),
+        ],
+    )
+    def test_of_two_that_are_measured_to_the_millimetre_at_most_one_is_nearer(self, stage, blue_m, yellow_m, points):
+        play = stage(CURLING)
+        play.place("B2", blue_m, 0.0)
+        play.place("Y2", 0.0, yellow_m)
+        play.fail("Y1")
+        play.play(2)
+        counters = play.referee.counters
+        assert (counters["blue_points"], counters["yellow_points"]) == points

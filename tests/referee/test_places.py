@@ -210,6 +210,55 @@ class TestFacing:
         put(play)
         assert play.pose("B1")[2] == pytest.approx(yaw, abs=1e-6)
 
+    @pytest.mark.parametrize("order", ["B1, ball", "ball, B1"])
+    def test_it_looks_at_where_a_thing_is_afterwards_whichever_is_put_first(self, stage, order):
+        things = {
+            "B1": "{entity: B1, at: {point: [0, 0.3]}, facing: {towards: ball}}",
+            "ball": "{entity: ball, at: {point: [0, 0]}}",
+        }
+        play = stage(f"""
+        placements:
+          shot: [{", ".join(things[name] for name in order.split(", "))}]
+        rules:
+          put:
+            triggers: [{{trigger: program_fault, robot: Y1}}]
+            actions: [{{action: place, layout: shot}}]
+        """)
+        play.place("ball", 0, 0.7)
+        put(play)
+        assert play.pose("B1") == pytest.approx((0, 0.3, -math.pi / 2), abs=1e-6)
+
+    def test_two_that_look_at_each_other_both_do(self, stage):
+        play = stage("""
+        rules:
+          put:
+            triggers: [{trigger: program_fault, robot: Y1}]
+            actions:
+              - {action: place, entity: B1, at: {point: [-0.3, 0]}, facing: {towards: Y1}}
+              - {action: place, entity: Y1, at: {point: [0.3, 0]}, facing: {towards: B1}}
+        """)
+        put(play)
+        assert play.pose("B1")[2] == pytest.approx(0, abs=1e-6)
+        assert abs(play.pose("Y1")[2]) == pytest.approx(math.pi, abs=1e-6)
+
+    def test_who_has_no_room_to_turn_looks_where_the_thing_was(self, stage):
+        play = stage("""
+        placements:
+          shot:
+            - {entity: B1, at: {point: [0, 0.3]}, facing: {towards: ball}}
+            # Turned to the ball's new place, the corner of B1 would be in Y1.
+            - {entity: Y1, at: {point: [0.09, 0.3]}, facing: 1.5708}
+            - {entity: ball, at: {point: [0.4, -0.1]}}
+        rules:
+          put:
+            triggers: [{trigger: program_fault, robot: Y1}]
+            actions: [{action: place, layout: shot}]
+        """)
+        play.place("ball", 0.4, 0.3)
+        put(play)
+        assert play.pose("Y1")[:2] == pytest.approx((0.09, 0.3))
+        assert play.pose("B1")[2] == pytest.approx(0, abs=1e-6)
+
     def test_it_can_be_random(self, stage):
         play = stage(placing("B1", "{point: [0, 0.3]}", ", facing: {random: true}"))
         yaws = [put(play) and play.pose("B1")[2] for _ in range(40)]

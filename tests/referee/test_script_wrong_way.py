@@ -102,3 +102,44 @@ rules:
             "missing: ROUND, event 1 of the test",
             NO_STEP.replace("0.32", "0.64"),
         ]
+
+
+COUNTDOWN = """
+gates: {halfway: {from_m: [0.65, 0.1], to_m: [-0.65, 0.1]}}
+phases: {countdown: {lasts_s: 0.64}}
+first_phase: countdown
+rules:
+  over:
+    triggers: [{trigger: crosses, entity: ball, gate: halfway}]
+    actions: [{action: emit, event: OVER}]
+"""
+BEFORE = "keyframes: [{at_s: 0, place: {ball: [0, 0.2]}}, {at_s: 0.32, place: {ball: [0, 0]}}]"
+
+
+class TestTheCourseOfThePhases:
+    @pytest.fixture
+    def differences(self, small):
+        def run(block: str, more: str = "") -> list[str]:
+            scenario: Scenario = small(COUNTDOWN, more, f"expect: {{it: {{lasts_s: 2, {block}}}}}")
+            return run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it")
+
+        return run
+
+    def test_what_comes_in_a_phase_in_which_the_rule_does_not_live_is_missing_and_the_phases_are_told(
+        self, differences
+    ):
+        assert differences(BEFORE + ", events: [{event: OVER}]") == [
+            "missing: OVER, event 1 of the test",
+            "note: the phase was countdown until 0.64 s, then play",
+        ]
+
+    def test_where_nothing_is_missing_nothing_is_told_of_phases(self, differences):
+        assert differences(BEFORE + ", score: {yellow: 1}") == ["score of yellow: expected 1, is 0"]
+
+    def test_of_many_phases_the_first_are_told(self, differences):
+        to_and_fro = "phases: {countdown: {lasts_s: 0.32, next: pause}, pause: {lasts_s: 0.32, next: countdown}}"
+        (_, note) = differences(BEFORE + ", events: [{event: OVER}]", to_and_fro)
+        assert note == (
+            "note: the phase was countdown until 0.32 s, then pause until 0.64 s, then countdown until 0.96 s, then pause "
+            "until 1.28 s, then countdown until 1.6 s, then pause, …"
+        )

@@ -59,7 +59,7 @@ CASES = [
       "counter, flag, drawn, timer, last_touch, told, spot_free, sequence_at, half, all_of; 'any_of' cannot stand in itself: write all "
       "conditions into one list")),
     (rule("{trigger: event, event: Goal}"), "rules.r.triggers[0] (event).event: 'Goal' is no event's name: capitals, digits and _, such as GOAL"),
-    (rule(rest="    phases: all\n"), "rules.r.phases: expected any or a list of names, found 'all'"),
+    (rule(rest="    phases: all\n"), "rules.r.phases: expected any or a list of names, found 'all'; did you mean any?"),
     (rule(rest="    phases: [play, 3]\n"), "rules.r.phases[1]: expected a name, found 3"),
     (rule(rest="    for_each: [B1]\n"), ("rules.r.for_each: expected a name, found a list of 1; for several, name a group "
      "of them, or write the rule once for each name with repeat_for")),
@@ -125,7 +125,7 @@ CASES = [
     ("expect: {t: {lasts_s: 1, keyframes: [{at_s: 0, touch: [[ball]]}]}}\n", "expect.t.keyframes[0].touch[0]: expected a list of 2, found a list of 1"),
     ("balls: {ball: {colour: 'red;'}}\n", "balls.ball.colour: 'red;' is no colour: a CSS colour name or #rrggbb"),
     ("draws: {d: {values: [[1]]}}\n", "draws.d.values[0]: expected a text, a number or true/false, found a list of 1"),
-    ("groups: {g: B1}\n", "groups.g: expected a list of names, found 'B1'"),
+    ("groups: {g: B1}\n", "groups.g: expected a list of names, found 'B1'; a list of one is written [B1]"),
     ("zones: {z: {shape: 3}}\n", "zones.z: unknown shape '3'; there are rect, circle, polygon, half_plane"),
     ("zones: {z: {inverted: true}}\n", "zones.z: 'shape' is missing; it is one of rect, circle, polygon, half_plane"),
 ]  # fmt: skip

@@ -25,6 +25,10 @@ def never_fires(condition):
     ("condition", "denied"),
     [
         (OUT, True),
+        # Who has just come into one goal is not in the other one.
+        ("{condition: in_zone, entity: ball, zone: yellow_goal}", True),
+        ("{condition: in_zone, entity: ball, zone: [yellow_goal, pitch]}", False),
+        ("{condition: in_zone, entity: Y1, zone: yellow_goal}", False),
         (f"{{condition: any_of, conditions: [{OUT}]}}", True),
         (f"{{condition: any_of, conditions: [{OUT}, {OUT}]}}", True),
         (f"{{condition: any_of, conditions: [{OUT}, {Y1_OUT}]}}", False),
@@ -40,6 +44,38 @@ def never_fires(condition):
 )
 def test_a_rule_whose_trigger_denies_all_of_several_conditions_never_fires(condition, denied):
     assert never_fires(condition) is denied
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "denied"),
+    [
+        (IN, OUT, True),
+        (IN, "{condition: in_zone, entity: ball, zone: yellow_goal}", True),
+        (IN, "{condition: in_zone, entity: Y1, zone: yellow_goal}", False),
+        (
+            "{condition: counter, counter: yellow, at_least: 3}",
+            "{condition: counter, counter: yellow, at_most: 2}",
+            True,
+        ),
+        (
+            "{condition: counter, counter: yellow, at_least: 3}",
+            "{condition: counter, counter: blue, at_most: 2}",
+            False,
+        ),
+        (IN, f"{{condition: any_of, conditions: [{OUT}, {Y1_OUT}]}}", False),
+    ],
+)
+def test_a_rule_of_which_two_conditions_never_hold_together_never_fires(one, other, denied):
+    body = (
+        f"rules: {{r: {{triggers: [{{trigger: time_reached, at_s: 5}}], conditions: [{one}, {other}], "
+        "actions: [{action: end}]}}\n"
+    )
+    found = [text for text in findings(body) if "rule_never_fires" in text]
+    said = (
+        "conditions: all of them must hold, and two of them never do at the same time; take one of them out, or write "
+        "those of which one suffices as {condition: any_of, conditions: […]} [rule_never_fires]"
+    )
+    assert [text.partition("rules.r.")[2] for text in found] == [said] * denied
 
 
 def test_of_a_sequence_that_rules_only_begin_anew_the_steps_decide_nothing():

@@ -79,6 +79,21 @@ class TestTheTimerRunsOutInTheTickBetween:
         assert rules_of(there(phases="[ready]") + late(told="") + after(RESTART, triggers=IN_TIME)) == []
 
     @pytest.mark.parametrize(
+        ("ends", "reported"),
+        # What counts an attempt that has ended its phase comes in the phase after it, wherever else it may live.
+        [((READY,), []), ((), ["counted"])],
+    )
+    def test_a_rule_that_hears_the_outcome_judges_in_the_phase_that_comes_with_it(self, ends, reported):
+        rules = (
+            f"  there: {{triggers: [{{trigger: enters, entity: ball, zone: blue_goal}}], actions: "
+            f"[{', '.join(('{action: emit, event: IN_TIME}', *ends))}], says: There.}}\n"
+            f"  counted: {{phases: any, triggers: [{IN_TIME}], says: Counted., actions: "
+            "[{action: score, entrant: yellow}, {action: emit, event: COUNTED}]}\n"
+            "  over: {phases: any, triggers: [{trigger: event, event: COUNTED}], actions: [{action: end}]}\n"
+        )
+        assert rules_of(rules + late(READY, told="")) == reported
+
+    @pytest.mark.parametrize(
         ("first", "then"),
         [
             (

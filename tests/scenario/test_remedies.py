@@ -74,6 +74,11 @@ def test_two_entrants_on_one_channel_are_told_which_key_to_write():
             "write placements.l anew without it",
         ),
         (rule(action="{action: remove, entity: B3}"), "write rules.r anew without it"),
+        # A list is replaced as a whole: nothing is taken out of it by null.
+        (
+            rule() + "expect: {t: {keyframes: [{at_s: 1, place: {B3: [0, 0]}}], lasts_s: 2}}\n",
+            "write expect.t anew without it",
+        ),
     ],
 )
 def test_what_still_names_a_removed_robot_is_to_be_written_anew(body, remedy):
@@ -168,3 +173,104 @@ def test_a_value_of_a_draw_that_does_not_fit_is_told_once_whoever_needs_it():
     points = "{action: score, entrant: yellow, points: {draw: d}}"
     (text,) = complaints("draws: {d: {values: [many, 2]}}\n" + rule(action=f"{points}, {points}"))
     assert text.startswith("draws.d.values[0]: expected a number, found 'many' (needed by rules.r.actions[0] (score)")
+
+
+@pytest.mark.parametrize(
+    ("body", "remedy"),
+    [
+        ("match: {half_s: 10 min}\n", "its unit is the one that the key's name ends with"),
+        ("match: {half_s: '1:30'}\n", "its unit is the one that the key's name ends with"),
+        ("match:\n  half_s: 7,5\n", "a decimal number is written with a point: 7.5"),
+        ("spots: {s: {x_m: '0.5', y_m: 0}}\n", "leave the quotes out"),
+        (
+            "params: {far_m: 0.3}\nspots: {s: {x_m: far_m, y_m: 0}}\n",
+            "the value of that param is written {param: far_m}",
+        ),
+        (
+            "params: {far_m: 0.3}\nspots: {s: {x_m: $far_m, y_m: 0}}\n",
+            "the value of that param is written {param: far_m}",
+        ),
+        ("gates: {g: {from_m: [0,5, 0,2], to_m: [0, 0]}}\n", "a decimal number is written with a point: [0.5, 0.2]"),
+        (
+            rule(action="{action: score, entrant: yellow, points: 2 * goals}"),
+            "no formula is read: {param: NAME, times: 2, plus: 1} reckons with a param, a list of parts is added up",
+        ),
+        ("kits: {v2: {messages: 2021}}\n", "expected v2.1, v2.2 or 2021, found 2021; write it in quotes: '2021'"),
+        ("counters: {c: 0}\n", "expected a mapping that may have initial, per, keep, such as {}, found 0"),
+        (rule().replace("[{trigger: half_started}]", "{trigger: half_started}"), "also of one: [{…}]"),
+        (rule(rest="    phases: play\n"), "a list of one is written [play]"),
+    ],
+)
+def test_a_value_that_is_written_otherwise_elsewhere(body, remedy):
+    assert any(line.endswith(remedy) for line in complaints(body)), complaints(body)
+
+
+@pytest.mark.parametrize(
+    ("key", "remedy"),
+    [
+        ("when", "it is called 'triggers' here"),
+        ("if", "it is called 'conditions' here"),
+        ("then", "it is called 'actions' here"),
+        ("else", "what else is to happen is a rule of its own, whose conditions have negate: true"),
+    ],
+)
+def test_a_rule_in_the_words_of_other_languages(key, remedy):
+    (text,) = complaints(rule(rest=f"    {key}: []\n"))
+    assert text.startswith(f"rules.r: unknown key '{key}'; ")
+    assert text.endswith(f"; {remedy}")
+
+
+def test_a_section_that_is_not_indented():
+    texts = complaints("rules:\nr:\n  triggers: [{trigger: half_started}]\n  actions: [{action: end}]\n")
+    assert texts[1].startswith("unknown key 'r'; ")
+    assert texts[1].endswith("; what belongs to 'rules' above it is indented: put two blanks before it")
+
+
+def test_a_key_that_is_unknown_anywhere_else_is_no_matter_of_indentation():
+    (text,) = complaints("regeln: {}\n")
+    assert "indented" not in text
+
+
+def test_without_a_preset_it_is_told_what_brings_robots():
+    texts = complaints("", head="schema_version: 1\nid: a\ntitle: A\n")
+    assert [text.partition("; ")[2] for text in texts] == ["a preset brings them: extends: soccersim_v2"] * 2
+
+
+@pytest.mark.parametrize(
+    ("trigger", "said"),
+    [
+        ("{trigger:enters, entity: ball}", "an empty value; a blank comes after the ':', trigger: enters"),
+        (
+            "{trigger: enters, entity: ball, zone: blue_goal, yellow_goal}",
+            "several values stand in brackets, zone: [blue_goal, yellow_goal], and a text with a ',' in quotes",
+        ),
+        ("{trigger: enters, entity: ball, zone: }", "an empty value; write one, or leave the line out"),
+    ],
+)
+def test_a_key_without_a_value(trigger, said):
+    assert any(text.endswith(said) for text in complaints(rule(trigger))), complaints(rule(trigger))
+
+
+@pytest.mark.parametrize(
+    ("body", "said"),
+    [
+        (
+            "match: {half_s: 7,5}",
+            "a decimal number is written with a point, 7.5, and several numbers stand in brackets, [7, 5]",
+        ),
+        (
+            "spots: {s: {x_m: 0.3, 0}}",
+            "0 stands where a key is expected: several numbers stand in brackets, [0.3, 0]",
+        ),
+        ("spots: {a: {x_m: 0, y_m: 0}, 1: {x_m: 0, y_m: 0}}", "key 1 is not text; write it in quotes"),
+        ("rules: {r: {says: {entity} scores}}", "or begins with { or [ is not in quotes)"),
+        ("rules:\n  r:\n    says: {entity} scores", "or a text that begins with { or [ is not in quotes)"),
+        ("balls: {b: {colour: #ff0000}}", "what begins with # is a comment, unless it is in quotes: '#ff8800')"),
+        (
+            "rules: {r: {says: A goal: one point}}",
+            "or a text that has ': ' in it or begins with { or [ is not in quotes)",
+        ),
+    ],
+)
+def test_what_yaml_takes_for_something_else(body, said):
+    assert any(text.endswith(said) for text in complaints(body + "\n")), complaints(body + "\n")

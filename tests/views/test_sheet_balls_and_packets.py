@@ -256,6 +256,33 @@ def test_a_broadcast_is_told_to_come_when_it_comes(preset, every_ticks):
     assert BROADCASTS[preset, every_ticks] in sheet(broadcast + RULE, preset)
 
 
+@pytest.mark.parametrize(
+    ("preset", "messages", "said"),
+    [
+        ("soccersim_v2", "v2.1", True),
+        ("soccersim_2021", "2021", True),
+        # Then the official packet is JSON text as well, and its key tells it.
+        ("soccersim_v2", "v2.2", False),
+    ],
+)
+def test_how_programs_tell_the_broadcast_from_the_packet_is_told(preset, messages, said):
+    kit = "legacy_2021" if preset == "soccersim_2021" else "v2"
+    fields = "broadcast: {fields: {now: {word: time_s}}}\n"
+    written = sheet(f"kits: {{{kit}: {{messages: '{messages}'}}}}\n{fields}{RULE}", preset)
+    by_its_end = 'A packet for which packet.endswith(b"}") is true is that object, any other the official one'
+    by_its_key = "That with the key “waiting_for_kickoff” is the official packet, the other one is that object"
+    assert (by_its_end in written, by_its_key in written) == (said, not said)
+
+
+def test_no_packet_of_2021_ends_like_json_whatever_it_begins_with():
+    # 0.1 + this many steps of the smallest size begins with the byte of "{".
+    x = next(x for x in (0.1 + step * 2**-56 for step in range(1000)) if struct.pack("d", x).startswith(b"{"))
+    for waiting in (False, True):
+        packet = struct.pack("ddd?", x, 0, 0, waiting)
+        assert packet.startswith(b"{")
+        assert not packet.endswith(b"}")
+
+
 # --- nothing is said twice ------------------------------------------------------------------------------------------
 
 SETTING = re.compile(

@@ -340,6 +340,7 @@ ZONES = {
     "off_the_ring": "the zone “off the ring”",
     "another_small_zone": "the zone “another small zone”",
     "a_corner": "the zone “a corner”",
+    "nw": "the zone “nw”",
     "the_hill": "the hill",
     "hill": "the hill",
 }

@@ -72,6 +72,7 @@ TIMERS = "timers: {rest: {lasts_s: 9}, own: {lasts_s: 9, per: yellow}}\ncounters
         ("[5, {distance: [Y3, ball], weight: -2}]", "5, minus 2 times the distance between Y3 and the ball in m"),
         ("{distance: [ball, [0, 0.5]]}", "the distance between the ball and (0, 0.5) in m"),
         ("{distance: [blue_goal, ball]}", "the distance between the blue goal and the ball in m (0 inside)"),
+        ("{distance: [Y3, yellow]}", "the distance between Y3 and the nearest other one of the yellow robots in m"),
         ("{distance: [ball, yellow]}", "the distance between the ball and the nearest of the yellow robots in m"),
         ("{timer: rest}", "the time in s that the timer “rest” has run (rounded down)"),
         ("[9, {timer: rest, weight: -1}]", "9, minus the time in s that the timer “rest” has run (rounded down)"),
@@ -193,6 +194,13 @@ def test_it_follows_what_is_set_on_the_command_line():
         (
             "entity: ball, to: goals, at_most: 0.2, negate: true",
             "the ball is more than 0.2 m from the nearest of the goals",
+        ),
+        # Nothing is measured to itself.
+        ("entity: Y1, to: yellow, at_most: 0.2", "Y1 is at most 0.2 m from the nearest other one of the yellow robots"),
+        ("entity: B1, to: yellow, at_most: 0.2", "B1 is at most 0.2 m from the nearest of the yellow robots"),
+        (
+            "entity: yellow, to: robots, at_least: 0.2, of: all",
+            "all of the yellow robots are at least 0.2 m from the nearest other one of the robots",
         ),
     ],
 )

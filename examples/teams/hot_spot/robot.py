@@ -38,7 +38,7 @@ while robot.step(TIME_STEP) != -1:
     while referee.getQueueLength():
         packet = referee.getBytes()
         referee.nextPacket()
-        if packet.startswith(b"{"):
+        if packet.endswith(b"}"):
             hot = json.loads(packet)["hot"]
     x, y, _ = gps.getValues()
     north = compass.getValues()

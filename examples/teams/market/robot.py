@@ -37,7 +37,7 @@ while robot.step(TIME_STEP) != -1:
     while referee.getQueueLength():
         packet = referee.getBytes()
         referee.nextPacket()
-        if packet.startswith(b"{"):
+        if packet.endswith(b"}"):
             told = json.loads(packet)
     x, y, _ = gps.getValues()
     north = compass.getValues()

@@ -34,7 +34,7 @@ while robot.step(TIME_STEP) != -1:
     while referee.getQueueLength():
         packet = referee.getBytes()
         referee.nextPacket()
-        if packet.startswith(b"{") and json.loads(packet)["touched_posts"]:
+        if packet.endswith(b"}") and json.loads(packet)["touched_posts"]:
             NEAR = 0.05  # be more careful
     x, y, _ = gps.getValues()
     north = compass.getValues()

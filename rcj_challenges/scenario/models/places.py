@@ -181,7 +181,7 @@ At = Annotated[
 
 
 class Towards(Strict):
-    """Look at an entity, a spot or a point."""
+    """Look at an entity, a spot or a point: at where it is once all is put that is put in that tick."""
 
     towards: Name | Point = described(..., "an entity, a spot, or [x, y] in m")
 

@@ -63,7 +63,7 @@ def sequence_words(nouns: Nouns, c: Any) -> str:
 
 def distance_words(nouns: Nouns, c: Any) -> str:
     """Return a condition on how far things are apart."""
-    who, to = nouns.quantified(c.of, c.entity, negate=c.negate), nouns.point(c.to)
+    who, to = nouns.quantified(c.of, c.entity, negate=c.negate), nouns.point(c.to, c.entity)
     limit = _only_limit(c) if who.negated else None
     if limit is None:
         return f"{who.does('is', 'are')} {compared(nouns, c, ' m', f' from {to}')}"

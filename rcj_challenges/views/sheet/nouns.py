@@ -37,6 +37,9 @@ _MEASURED_BY_SEVERAL = "what was measured"
 _MOST_NAMED = 4
 """Of a draw that decides among more places than this the sheet's list of draws says which."""
 
+_LETTERS = 2
+"""A name of so few letters is no word that an article could stand before: `a`, `nw`."""
+
 _GROUPS_OF_ALL = ("robots", "balls", "obstacles")
 _WITHOUT_ARTICLE = frozenset(
     ("a", "above", "all", "an", "another", "any", "around", "at", "behind", "below", "beside", "between", "beyond",
@@ -169,7 +172,7 @@ class Nouns:
         kind = _kind(scenario, name)
         first = name.lower().partition("_")[0]
         bare = kind in ("ball", "obstacle", "gate", "spot") and kind not in name.lower()
-        bare = bare or (len(name) == 1 and kind not in ("", "robot"))
+        bare = bare or (len(name) <= _LETTERS and kind not in ("", "robot"))
         if bare or (kind not in ("", "robot") and first in _WITHOUT_ARTICLE) or self._one_like_others(name, kind):
             return f"the {kind} {quoted(name)}"
         if name in scenario.draws:
@@ -237,11 +240,21 @@ class Nouns:
             return Subject(f"{'not ' if negate else ''}both {first} and {second}", plural=True)
         return Subject(f"{first} or {second}" if (of == "any") != negate else f"neither {first} nor {second}")
 
-    def point(self, at: Any) -> str:
-        """Return a named thing or a point ``(x, y)``; of a group the nearest of it is meant."""
+    def point(self, at: Any, measured_from: Any = None) -> str:
+        """Return a named thing or a point ``(x, y)``; of a group the nearest of it is meant.
+
+        Args:
+            at: the thing, the group or the point.
+            measured_from: whose distance to it is told; nothing is measured to itself.
+        """
         if not isinstance(at, str):
             return f"({at[0] + 0.0:g}, {at[1] + 0.0:g})"  # adding 0 makes no -0
-        return f"the nearest of {self._group(at)}" if self._several(at) else self._one(at)
+        if not self._several(at):
+            return self._one(at)
+        own = (
+            {name for one in _tuple(measured_from) for name in self.meant(one)} if measured_from is not None else set()
+        )
+        return f"the nearest {'other one ' if own & set(self.meant(at)) else ''}of {self._group(at)}"
 
     def meant(self, at: Any) -> tuple[str, ...]:
         """Return the names for which a name may stand; none for a point."""

@@ -120,7 +120,8 @@ def _part(nouns: Nouns, part: Any, weight: float) -> str:
 
 
 def _apart(nouns: Nouns, model: state.DistanceValue) -> str:
-    one, other = map(nouns.point, model.distance)
+    here, there = model.distance
+    one, other = nouns.point(here, there), nouns.point(there, here)
     inside = any(name in nouns.scenario.zones for end in model.distance for name in nouns.meant(end))
     return f"the distance between {one} and {other} in m" + (" (0 inside)" if inside else "")
 

@@ -29,6 +29,14 @@ _FLAG_PACKETS = {
 """The packets that hold nothing but the flag, by the kit's messages."""
 
 
+_TOLD_APART = {
+    # A number of 8 bytes may begin with any of them, also with that of "{"; what it ends with is no letter.
+    False: 'A packet for which packet.endswith(b"}") is true is that object, any other the official one.',
+    True: "That with the key “waiting_for_kickoff” is the official packet, the other one is that object.",
+}
+"""How programs tell the broadcast from the official packet: whether both are JSON text."""
+
+
 def told_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     """Return the sections about what programs are told, and what the log is told."""
     yield Heading(2, "What programs are told")
@@ -123,6 +131,7 @@ def _broadcast(broadcast: Broadcast, kits: dict[str, Kit], nouns: Nouns) -> Iter
         told = nouns.all_of(name).does("is told", "are told")
         yield Paragraph(f"Only {told}{' in it as well' if broadcast.fields else ''}:")
         yield _told(fields, nouns)
+    yield from (Paragraph(_TOLD_APART[by_key]) for by_key in sorted({kit.messages == "v2.2" for kit in kits.values()}))
 
 
 def _told(fields: Mapping[str, Value], nouns: Nouns) -> Table:

@@ -1,0 +1,48 @@
+"""Lint of names that are told as texts."""
+
+import pytest
+
+from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.load import load_text
+from tests.scenario.writing import HEAD, rule
+
+KEPT = "counters: {laps: {}}\nflags: {armed: {}}\ntimers: {attempt: {lasts_s: 5}}\ndraws: {side: {values: [left, right]}}\n"
+
+
+def found(body):
+    findings = lint(load_text(HEAD + KEPT + body, file="a.yaml"))
+    return [str(one) for one in findings if one.kind == "text_instead_of_value"]
+
+
+def test_a_word_that_programs_are_told_as_a_text():
+    (text,) = found("broadcast: {fields: {left: time_left_s}}\n" + rule())
+    assert text.partition("warning: ")[2] == (
+        "broadcast.fields.left: it is told as the text 'time_left_s', the same each time; write {word: time_left_s} for the "
+        "value [text_instead_of_value]"
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("laps", "{counter: laps}"),
+        ("armed", "{flag: armed}"),
+        ("attempt", "{timer: attempt}"),
+        ("side", "{draw: side}"),
+    ],
+)
+def test_what_rules_remember_likewise(name, value):
+    (text,) = found(f"broadcast: {{fields: {{it: {name}}}}}\n" + rule())
+    assert f"write {value} for the value" in text
+
+
+def test_what_only_some_robots_are_told_likewise():
+    (text,) = found("broadcast: {fields: {}, only: {Y1: {it: laps}}}\n" + rule())
+    assert "broadcast.only.Y1.it: it is told as the text 'laps'" in text
+
+
+@pytest.mark.parametrize(
+    ("payload", "count"), [("time_s", 1), ("score", 1), ("{word: time_s}", 0), ("robot", 0), ("7", 0), ("side", 0)]
+)
+def test_in_a_payload_a_name_may_be_meant_but_no_word(payload, count):
+    assert len(found(rule(action=f"{{action: emit, event: GO, payload: {{it: {payload}}}}}"))) == count
