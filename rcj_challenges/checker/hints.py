@@ -41,6 +41,11 @@ _NO_SUCH_NAME = re.compile(r"cannot import name '(?P<name>\w+)' from (partially 
 _NO_SUCH_MODULE = re.compile(r"No module named '(?:\w+\.)*(?P<module>\w+)'")
 _NO_SUCH_ATTRIBUTE = re.compile(r"module '(?P<module>\w+)' has no attribute '(?P<name>\w+)'")
 _CAME_TO_ITS_END = "the program came to its end"
+_CALLED_EXIT = "the program called sys.exit"
+_LATER = (
+    "leave out exit(), quit() and sys.exit(), or call them only after step has returned -1: "
+    "the robot of a program that ends stands for the rest of the half"
+)
 _NOBODY_TYPES = "EOFError: EOF when reading a line"
 # Calls of Python's own library that come back only when something else happens. ``wait`` and the like stand here with
 # empty brackets or a time: what a team calls so itself, or ``", ".join(…)``, is none.
@@ -81,6 +86,8 @@ def hint_on(
     if fault["kind"] == "exit" and fault["detail"].startswith(_CAME_TO_ITS_END):
         remedy = why_it_ended(team.files, PurePosixPath(team.entries[fault["robot"]]))
         return Hint(remedy) if remedy else None
+    if fault["kind"] == "exit" and fault["detail"].startswith(_CALLED_EXIT):
+        return Hint(_LATER)
     if fault["kind"] in ("step_timeout", "start_timeout") and whereabouts:
         return _on_place(team, fault["kind"], whereabouts)
     return None

@@ -43,6 +43,10 @@ _NOTHING_THERE = (
     "return gives; ask first: if ball is not None:"
 )
 _NO_SCREEN = "there is no screen in a match: do without windows (tkinter, turtle)"
+_NO_DEBUGGER = (
+    "nobody types in a match: leave out breakpoint() and pdb.set_trace(); "
+    "they work with rcj-challenge run match --debug Y1"
+)
 _STEP_FIRST = "a sensor gives NaN before its first sample: enable it, and call robot.step(32) before it is read"
 _REMEDIES = (
     (re.compile(r"^RecursionError: maximum recursion depth exceeded"), _GO_ROUND),
@@ -56,6 +60,7 @@ _REMEDIES = (
     (re.compile(r"^TypeError: .{1,100} and 'NoneType'"), _NOTHING_THERE),
     (re.compile(r"^TypeError: cannot unpack non-iterable NoneType object"), _NOTHING_THERE),
     (re.compile(r"^_tkinter\.TclError: "), _NO_SCREEN),
+    (re.compile(r"^bdb\.BdbQuit\b"), _NO_DEBUGGER),
     (re.compile(r"^UnicodeDecodeError: 'utf-8' codec can't decode "), _NO_TEXT),
     (
         re.compile(r"^TypeError: (?:a bytes-like object is required, not 'str'|can't concat str to bytes)"),

@@ -126,7 +126,7 @@ class _Walk:
             return []
         module = module or self._library.top_namespace(first)
         if module is None:
-            self._say(unit, wanted, *self._missing(first))
+            self._say(unit, wanted, *self._missing(first, rest))
             return []
         return self._through(unit, wanted, module, rest, first, 0)
 
@@ -208,8 +208,13 @@ class _Walk:
             )
             self._say(unit, wanted, "not_on_this_computer", message, "do without it: matches are played on any system")
 
-    def _missing(self, name: str) -> tuple[str, str, str]:
-        """Return code, message and remedy for a module that is nowhere."""
+    def _missing(self, name: str, inside: list[str]) -> tuple[str, str, str]:
+        """Return code, message and remedy for a module that is nowhere.
+
+        Args:
+            name: what it is called.
+            inside: names of what is asked for in it, one in the other: then it is a folder.
+        """
         quoted = shown(name)
         names = self._usual.names()
         other_case = next((near for near in names if near.casefold() == name.casefold()), None)
@@ -229,6 +234,13 @@ class _Walk:
         # Of robot1, robot2 and robot3 none is another one misspelled: that file was forgotten.
         if near and re.findall(r"\d+", near[0]) == re.findall(r"\d+", name):
             return "missing_module", message, f'did you mean "{shown(near[0])}"?'
+        if inside:
+            folder = f"the folder {quoted} (with {shown('/'.join(inside))}.py in it)"
+            return (
+                "missing_module",
+                message,
+                f"put {folder} beside the program or the program's folder, or do without it",
+            )
         return "missing_module", message, f"put {quoted}.py beside the program, or do without it"
 
     def _no_such_part(self, module: Module, name: str, part: str) -> tuple[str, str, str]:
@@ -312,7 +324,8 @@ def _wrong(source: Source, line: str) -> tuple[str, str, str]:
     if any(words in said for words in ("codec can't decode", "encoding", "Non-UTF-8")):
         return "encoding", f"the letters of the file cannot be read ({said})", _SAVE_AS_UTF8
     deep = any(words in said for words in ("too many nested", "too many statically nested"))
-    remedy = _SMALLER_STEPS if deep else _syntax_remedy(source, line)
+    strange = _STRANGE.search(said)
+    remedy = _SMALLER_STEPS if deep else _typed_anew(strange["letter"]) if strange else _syntax_remedy(source, line)
     return "too_deep" if deep else "syntax", f"{_PYTHON} cannot read this: {said}", remedy
 
 
@@ -361,6 +374,19 @@ def _syntax_remedy(source: Source, line: str) -> str:
     return f"correct this line or the one before it; {_PYTHON} is used here, so newer words of Python do not exist yet"
 
 
+def _typed_anew(letter: str | None) -> str:
+    """Return what to do about a letter that is none of Python's.
+
+    Args:
+        letter: None if it cannot be seen.
+    """
+    from_where = "it comes from a web page or a text processor"
+    if letter is None:
+        return f"delete what cannot be seen in this line, and type its blanks anew: {from_where}"
+    instead = next((f", as {typed}" for letters, typed in _TYPED.items() if letter in letters), "")
+    return f"type {shown(letter)} anew{instead}: {from_where}"
+
+
 def _instead_of_python_2(said: str, line: str) -> str:
     """Return what is written today where a line is as only Python 2 could read it; else nothing."""
     call = _CALL.search(said)
@@ -374,6 +400,17 @@ def _instead_of_python_2(said: str, line: str) -> str:
 
 
 _MOST_LINE_BYTES = 500
+_STRANGE = re.compile(r"invalid (?:character '(?P<letter>.)'|non-printable character) ")
+_TYPED = {
+    "\u201c\u201d\u201e\u201f\u00ab\u00bb\u2033\u2018\u2019\u201a\u2032\u00b4": "\" or '",
+    "\u2010\u2011\u2012\u2013\u2014\u2212": "-",
+    "\u00d7\u00b7\u22c5": "*",
+    "\u00f7": "/",
+    "\u2264": "<=",
+    "\u2265": ">=",
+    "\u2260": "!=",
+}
+"""By letters that a text processor makes: what is typed for them."""
 _LEFT_BY_GIT = ("<<<<<<< ", ">>>>>>> ")
 _PARENTHESES = "exception types must be parenthesized"
 _CALL = re.compile(r"Missing parentheses in call to '(?P<name>print|exec)'")

@@ -100,6 +100,8 @@ def test_a_number_that_is_none_before_the_first_sample_is_told_so(failure):
         ("ball = None\nif ball < 1: pass\n", "if ball is not None"),
         ("ball = None; x, y = ball\n", "if ball is not None"),
         ("ball = None\nfor x in ball: pass\n", "if ball is not None"),
+        ("breakpoint()\n", "leave out breakpoint()"),
+        ("import pdb; pdb.set_trace()\n", "leave out breakpoint()"),
         ("import math; math.acos(1.0000001)\n", "math.acos(max(-1, min(1, x)))"),
     ],
 )

@@ -79,6 +79,15 @@ WRONG = {
     "attributes without end": (b"x" + b".a" * 100_000, "too_deep", "smaller"),
     "minus signs without end": (b"x = " + b"-" * 100_000 + b"1", "too_deep", "smaller"),
     "lists without end": (b"x = " + b"[" * 150 + b"]" * 150 + b"\n" + b"y=" + b"{" * 50_000, "too_deep", "smaller"),
+    "quotation marks of a text": ("speed = “fast”\n".encode(), "syntax", "type “ anew, as \" or ':"),
+    "a minus of a text": ("speed = 5 \u2212 3\n".encode(), "syntax", "type \u2212 anew, as -:"),
+    "an ellipsis of a text": ("speed = [1, 2…]\n".encode(), "syntax", "type … anew:"),
+    "a blank of a web page": (
+        "if 1:\n\u00a0   speed = 5\n".encode(),
+        "syntax",
+        "delete what cannot be seen in this line",
+    ),
+    "a blank without width": ("speed = 5\u200b\n".encode(), "syntax", "delete what cannot be seen in this line"),
     "nothing": (b"# later\n", "empty", "put your program"),
 }
 
@@ -132,6 +141,19 @@ def test_the_nearest_name_is_suggested(check):
     assert 'did you mean "utils"?' in only(check("import util\n", rcj_soccer_team_blue__utils="")).remedy
     found = only(check("import robot3\n", rcj_soccer_team_blue__robot2=""))
     assert found.remedy == "put robot3.py beside the program, or do without it"
+
+
+@pytest.mark.parametrize(
+    ("line", "lacks"),
+    [
+        ("from team_7_libraries.robot1.player import Player", "team_7_libraries (with robot1/player.py in it)"),
+        ("import team_7_libraries.tools", "team_7_libraries (with tools.py in it)"),
+    ],
+)
+def test_of_a_folder_that_was_not_packed_the_folder_is_asked_for_and_no_file_of_its_name(check, line, lacks):
+    found = only(check(line + "\n"))
+    assert found.code == "sources.missing_module"
+    assert found.remedy == f"put the folder {lacks} beside the program or the program's folder, or do without it"
 
 
 def test_capital_and_small_letters_count(check):
