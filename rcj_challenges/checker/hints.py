@@ -13,6 +13,7 @@ from typing import Any
 from rcj_challenges.checker.asked_of_the_system import on_system
 from rcj_challenges.checker.early_ends import why_it_ended
 from rcj_challenges.checker.modules import COMPILED, Library, places_of
+from rcj_challenges.checker.not_given import on_not_given
 from rcj_challenges.checker.old_names import on_old_name
 from rcj_challenges.checker.preloaded import never_read
 from rcj_challenges.checker.slips import on_slip
@@ -81,7 +82,8 @@ def hint_on(
         sandbox: ``auto``, ``strict`` or ``off``, as it was started.
     """
     if fault["kind"] == "crash":
-        names = on_messages(scenario, team, fault) or _on_names(team, fault, sandbox)
+        outside = on_messages(scenario, team, fault) or on_files(team, fault)
+        names = outside or _on_names(team, fault, sandbox)
         return names or _on_typing(fault["detail"]) or _on_system(team, fault) or _on_slip(team, fault)
     if fault["kind"] == "exit" and fault["detail"].startswith(_CAME_TO_ITS_END):
         remedy = why_it_ended(team.files, PurePosixPath(team.entries[fault["robot"]]))
@@ -119,6 +121,12 @@ def on_messages(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hin
             ": this program seems to be written for messages v2.1",
         )
     return None
+
+
+def on_files(team: Team, fault: Mapping[str, Any]) -> Hint | None:
+    """Return what is behind a crash of a program that was given without the folder in which it lies."""
+    remedy = on_not_given(team, fault["detail"])
+    return Hint(remedy) if remedy else None
 
 
 def _on_flag(scenario: Scenario, kit: str, detail: str) -> Hint | None:

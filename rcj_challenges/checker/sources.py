@@ -21,6 +21,7 @@ from rcj_challenges.checker.modules import (
     places_of,
     refused_use,
 )
+from rcj_challenges.checker.not_given import module_not_given
 from rcj_challenges.checker.preloaded import never_read
 from rcj_challenges.checker.reading import MOST_BYTES, Import, Source, read_sources
 from rcj_challenges.controllers.team import Team
@@ -61,7 +62,7 @@ def check_sources(team: Team, sandbox: str = "auto") -> Stage:
     for entry in sorted(entries):
         passed_over = never_read(files, entry, sandbox)
         unread |= {path: name for name, path in passed_over.items() if path not in entries}
-        walk = _Walk(files, sources, entry, passed_over)
+        walk = _Walk(team, sources, entry, passed_over)
         used |= {path: used.get(path, False) or weight is _Weight.FATAL for path, weight in walk.used.items()}
         found |= dict.fromkeys(walk.findings)
     found |= dict.fromkeys(_unreadable(files, sources, used))
@@ -80,15 +81,16 @@ class _Walk:
 
     def __init__(
         self,
-        files: Mapping[PurePosixPath, bytes],
+        team: Team,
         sources: Mapping[PurePosixPath, Source],
         entry: PurePosixPath,
         unread: Collection[str],
     ) -> None:
+        self._team = team
         self._sources = sources
-        self._makes_modules = any(_MAKES_MODULES.search(files[path]) for path in sources)
+        self._makes_modules = any(_MAKES_MODULES.search(team.files[path]) for path in sources)
         self._unread = unread
-        self._usual = Library(files, places_of(entry))
+        self._usual = Library(team.files, places_of(entry))
         self._library = self._usual
         self._follow(entry)
         if any(sources[path].moves_path for path in self.used):
@@ -228,20 +230,23 @@ class _Walk:
             message = f'imports "{quoted}", but {shown(place)} is not where Python looks for it'
             return "elsewhere", message, "move the file beside the program, or import it by the name of its folder"
         message = f'imports "{quoted}", which is neither part of Python, nor numpy or scipy, nor in the submission'
+        return "missing_module", message, self._instead_of_missing(name, inside, names)
+
+    def _instead_of_missing(self, name: str, inside: list[str], names: list[str]) -> str:
+        """Return what to do about a module that is nowhere, where ``names`` could be imported."""
         if name in WELL_KNOWN:
-            return "missing_module", message, f"do without it: {_IN_A_MATCH}"
+            return f"do without it: {_IN_A_MATCH}"
+        beside = module_not_given(self._team, name)
+        if beside:
+            return beside
         near = get_close_matches(name, [*names, *INSTALLED], 1, 0.75)
         # Of robot1, robot2 and robot3 none is another one misspelled: that file was forgotten.
         if near and re.findall(r"\d+", near[0]) == re.findall(r"\d+", name):
-            return "missing_module", message, f'did you mean "{shown(near[0])}"?'
+            return f'did you mean "{shown(near[0])}"?'
         if inside:
-            folder = f"the folder {quoted} (with {shown('/'.join(inside))}.py in it)"
-            return (
-                "missing_module",
-                message,
-                f"put {folder} beside the program or the program's folder, or do without it",
-            )
-        return "missing_module", message, f"put {quoted}.py beside the program, or do without it"
+            folder = f"the folder {shown(name)} (with {shown('/'.join(inside))}.py in it)"
+            return f"put {folder} beside the program or the program's folder, or do without it"
+        return f"put {shown(name)}.py beside the program, or do without it"
 
     def _no_such_part(self, module: Module, name: str, part: str) -> tuple[str, str, str]:
         whole = shown(f"{name}.{part}")

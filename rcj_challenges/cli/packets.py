@@ -1,4 +1,4 @@
-"""What ``run`` says of programs that read the referee's packets in another form than they have in this match."""
+"""What ``run`` says of programs that read packets of another form than they have in this match, or that lack files."""
 
 from __future__ import annotations
 
@@ -27,11 +27,12 @@ def packet_hints(
     crashes = [fault for fault in faults if fault["kind"] == "crash" and fault["team"] in teams]
     if not crashes:
         return []
-    from rcj_challenges.checker.hints import on_messages
+    from rcj_challenges.checker.hints import on_files, on_messages
 
     robots: dict[str, dict[str, None]] = {}
     for fault in crashes:
-        hint = on_messages(scenario, teams[fault["team"]], fault)
+        team = teams[fault["team"]]
+        hint = on_messages(scenario, team, fault) or on_files(team, fault)
         if hint is not None:
             robots.setdefault(hint.remedy, {})[fault["robot"]] = None
     for remedy, alike in robots.items():

@@ -140,7 +140,8 @@ class RunResult(_Part):
         default=[],
         exclude=True,  # advice is no part of what happened, and later versions may know better
         description="what to do about programs that read the referee's packets in another form than they have in this "
-        "match; only in what `run --json` prints, and a line at the end of each such robot's log",
+        "match, or that were given without their folder; only in what `run --json` prints, and a line at the end of "
+        "each such robot's log",
     )
     folder: str = Field(
         default="",

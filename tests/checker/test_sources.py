@@ -156,6 +156,20 @@ def test_of_a_folder_that_was_not_packed_the_folder_is_asked_for_and_no_file_of_
     assert found.remedy == f"put the folder {lacks} beside the program or the program's folder, or do without it"
 
 
+@pytest.mark.parametrize("beside", ["tools.py", "tools/speeds.py"])
+def test_a_module_beside_a_single_program_is_there_and_was_not_given(tmp_path, beside):
+    (tmp_path / "robot.py").write_text("import tools\n", encoding="utf-8")
+    (tmp_path / beside).parent.mkdir(exist_ok=True)
+    (tmp_path / beside).write_text("", encoding="utf-8")
+    with open_team(tmp_path / "robot.py", *ENTRANTS) as team:
+        found = only(check_sources(team))
+    assert (found.code, found.level) == ("sources.missing_module", "failure")
+    assert found.remedy == (
+        f"{beside.partition('/')[0]} lies beside robot.py, but only that one file was given: "
+        "give the folder in which both lie"
+    )
+
+
 def test_capital_and_small_letters_count(check):
     found = only(check("import Utils\n", rcj_soccer_team_blue__utils=""))
     assert found.code == "sources.wrong_case"

@@ -1,4 +1,4 @@
-"""``run`` says of a program that reads the referee's packets in another form what ``check`` says of it."""
+"""``run`` says of a program what ``check`` says where it reads packets of another form, or where its files were not given."""
 
 from __future__ import annotations
 
@@ -77,6 +77,38 @@ def test_who_reads_the_result_as_json_is_told_the_same_and_the_record_keeps_what
     RunResult.model_validate(told)
     (result,) = tmp_path.glob("runs/*/result.json")
     assert "hints" not in json.loads(result.read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize(
+    ("program", "beside", "named"),
+    [
+        ("import tools\n", "tools.py", "tools.py"),
+        ("import tools.speeds\n", "tools/speeds.py", "tools"),
+        ("open('speeds.csv')\n", "speeds.csv", "speeds.csv"),
+    ],
+)
+def test_who_gives_one_file_and_not_its_folder_is_told_what_lies_beside_it(
+    tmp_path, monkeypatch, capsys, program, beside, named
+):
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "team.py").write_text(program, encoding="utf-8")
+    (tmp_path / "mine" / beside).parent.mkdir(exist_ok=True)
+    (tmp_path / "mine" / beside).write_text("", encoding="utf-8")
+    assert here(monkeypatch, tmp_path, *short("mine/team.py", "--quiet", "--no-replay", *DUEL)) == 0
+    (line,) = [line for line in capsys.readouterr().out.splitlines() if line.startswith("hint")]
+    assert line == (
+        f"hint for B1, Y2: {named} lies beside team.py, but only that one file was given: "
+        "give the folder in which both lie"
+    )
+
+
+@pytest.mark.parametrize("program", ["import tools\n", "open('speeds.csv')\n", "open('../secret')\n"])
+def test_where_nothing_of_the_name_lies_beside_the_file_nothing_is_said(tmp_path, monkeypatch, capsys, program):
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "secret").write_text("", encoding="utf-8")
+    (tmp_path / "mine" / "team.py").write_text(program, encoding="utf-8")
+    assert here(monkeypatch, tmp_path, *short("mine/team.py", "--quiet", "--no-replay", *DUEL)) == 0
+    assert "hint" not in capsys.readouterr().out
 
 
 def test_a_match_that_gives_no_hint_says_so_in_json(tmp_path, monkeypatch, capsys):
