@@ -187,6 +187,14 @@ def test_a_program_that_changes_sys_path_may_import_from_any_of_its_folders(chec
     assert codes(check(program, rcj_soccer_team_blue__lib__helper="")) == ["ok"]
 
 
+def test_who_looks_two_folders_up_finds_all_programs_in_controllers_as_in_the_original(check):
+    program = "import sys\nsys.path.append('../..')\nfrom controllers.rcj_soccer_team_blue.tools import SPEED\n"
+    assert codes(check(program, rcj_soccer_team_blue__tools="SPEED = 3\n")) == ["ok"]
+    assert codes(check(program.replace("tools", "tool"))) == ["missing_part"]
+    without = check(program.replace("sys.path.append('../..')\n", ""))
+    assert codes(without) == ["missing_module"]
+
+
 def test_the_layout_of_2021_finds_its_libraries_in_the_folder_above(check):
     entry = "import sys\nsys.path.append('..')\nfrom team_123_libraries.robot1.player import play\n"
     stage = check.paths(
