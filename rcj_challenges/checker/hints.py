@@ -81,17 +81,30 @@ def hint_on(
         whereabouts: where the program was when it was ended; empty if that is not known.
         sandbox: ``auto``, ``strict`` or ``off``, as it was started.
     """
+    if fault["kind"] in ("step_timeout", "start_timeout") and whereabouts:
+        return _on_place(team, fault["kind"], whereabouts)
+    return hint_at_once(scenario, team, fault, sandbox)
+
+
+def hint_at_once(scenario: Scenario, team: Team, fault: Mapping[str, Any], sandbox: str | None = None) -> Hint | None:
+    """Return what is behind a program that crashed or ended, as far as its own words and lines tell it.
+
+    Args:
+        scenario: what was played.
+        team: whose program failed.
+        fault: as in the result.
+        sandbox: how to start a program that finds out which modules hide others; None starts nothing.
+    """
     if fault["kind"] == "crash":
         outside = on_messages(scenario, team, fault) or on_files(team, fault)
         names = outside or _on_names(team, fault, sandbox)
         return names or _on_typing(fault["detail"]) or _on_system(team, fault) or _on_slip(team, fault)
     if fault["kind"] == "exit" and fault["detail"].startswith(_CAME_TO_ITS_END):
-        remedy = why_it_ended(team.files, PurePosixPath(team.entries[fault["robot"]]))
+        entry = team.entries.get(fault["robot"])
+        remedy = why_it_ended(team.files, PurePosixPath(entry)) if entry is not None else ""
         return Hint(remedy) if remedy else None
     if fault["kind"] == "exit" and fault["detail"].startswith(_CALLED_EXIT):
         return Hint(_LATER)
-    if fault["kind"] in ("step_timeout", "start_timeout") and whereabouts:
-        return _on_place(team, fault["kind"], whereabouts)
     return None
 
 
@@ -161,7 +174,7 @@ def _is_text_read_as_bytes(team: Team, detail: str, code: str) -> bool:
     return _TEXT_READ_AS_BYTES.search(detail) is not None and _any_mentions(team, _READS_PACKET)
 
 
-def _on_names(team: Team, fault: dict[str, Any], sandbox: str) -> Hint | None:
+def _on_names(team: Team, fault: Mapping[str, Any], sandbox: str | None) -> Hint | None:
     """Tell of a name that a module does not have: the match's own, one that a file of the team hides, an older one."""
     detail = fault["detail"]
     found = _NO_SUCH_NAME.search(detail) or _NO_SUCH_ATTRIBUTE.search(detail)
@@ -169,7 +182,11 @@ def _on_names(team: Team, fault: dict[str, Any], sandbox: str) -> Hint | None:
     if found is not None and module == "controller":
         return _on_controller(team, found["name"])
     if module in sys.stdlib_module_names and _own(team, module):
-        return _on_own_file(team, module, PurePosixPath(team.entries[fault["robot"]]), sandbox)
+        return (
+            None
+            if sandbox is None
+            else _on_own_file(team, module, PurePosixPath(team.entries[fault["robot"]]), sandbox)
+        )
     compiled = _compiled_otherwise(team, detail)
     if compiled:
         return Hint(compiled)
@@ -223,13 +240,13 @@ def _on_typing(detail: str) -> Hint | None:
     return Hint("nobody types in a match: do without input(), and write into the program what it asks for")
 
 
-def _on_system(team: Team, fault: dict[str, Any]) -> Hint | None:
+def _on_system(team: Team, fault: Mapping[str, Any]) -> Hint | None:
     entry = team.entries.get(fault["robot"])
     remedy = on_system(fault["detail"], PurePosixPath(entry), team.files) if entry is not None else ""
     return Hint(remedy) if remedy else None
 
 
-def _on_slip(team: Team, fault: dict[str, Any]) -> Hint | None:
+def _on_slip(team: Team, fault: Mapping[str, Any]) -> Hint | None:
     remedy = on_slip(fault["detail"], team.files)
     return Hint(remedy) if remedy else None
 

@@ -1,4 +1,4 @@
-"""What ``run`` says of programs that read packets of another form than they have in this match, or that lack files."""
+"""What ``run`` says of programs that failed beyond their faults, as far as it shows without starting them again."""
 
 from __future__ import annotations
 
@@ -13,10 +13,12 @@ if TYPE_CHECKING:
     from rcj_challenges.scenario.models.scenario import Scenario
 
 
-def packet_hints(
+def advice_on(
     scenario: Scenario, teams: Mapping[str, Team], faults: Sequence[Mapping[str, Any]], logs: Path
 ) -> list[dict[str, Any]]:
-    """Return each such mistake as in `HintResult`, in the words of ``check``, and write it into the robots' logs.
+    """Return what to do about faults, where that shows, as in `HintResult`, and write it into the robots' logs.
+
+    The words are those of ``check``.
 
     Args:
         scenario: what was played.
@@ -24,15 +26,14 @@ def packet_hints(
         faults: as in the result.
         logs: folder with the robots' logs.
     """
-    crashes = [fault for fault in faults if fault["kind"] == "crash" and fault["team"] in teams]
-    if not crashes:
+    ended = [fault for fault in faults if fault["kind"] in ("crash", "exit") and fault["team"] in teams]
+    if not ended:
         return []
-    from rcj_challenges.checker.hints import on_files, on_messages
+    from rcj_challenges.checker.hints import hint_at_once
 
     robots: dict[str, dict[str, None]] = {}
-    for fault in crashes:
-        team = teams[fault["team"]]
-        hint = on_messages(scenario, team, fault) or on_files(team, fault)
+    for fault in ended:
+        hint = hint_at_once(scenario, teams[fault["team"]], fault)
         if hint is not None:
             robots.setdefault(hint.remedy, {})[fault["robot"]] = None
     for remedy, alike in robots.items():

@@ -1,4 +1,4 @@
-"""``run`` says of a program what ``check`` says where it reads packets of another form, or where its files were not given."""
+"""``run`` says at its end what ``check`` says of programs that failed, as far as it shows without starting them again."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import json
 
 import pytest
 
-from rcj_challenges.cli.packets import packet_hints
+from rcj_challenges.cli.advice import advice_on
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.scenario.load import load
@@ -34,7 +34,7 @@ def told(tmp_path):
 
     def of(*faults):
         with open_team(tmp_path / "robot.py") as team:
-            return packet_hints(OF_2021, {"yellow": team}, faults, logs)
+            return advice_on(OF_2021, {"yellow": team}, faults, logs)
 
     return of
 
@@ -102,13 +102,36 @@ def test_who_gives_one_file_and_not_its_folder_is_told_what_lies_beside_it(
     )
 
 
+@pytest.mark.parametrize(
+    ("program", "told"),
+    [
+        ("x = math.pi\n", 'write "import math" at the top of team.py'),
+        ("x, y = controller.Robot().getDevice('gps').getValues()\n", "these are three numbers"),
+        ("input('Role? ')\n", "nobody types in a match"),
+        ("open('C:/me/speeds.csv')\n", "a place on your own computer"),
+        ("for n in xrange(5): pass\n", "Python 2 was the last that had xrange"),
+        ("robot = controller.Robot()\nwhile robot.step(32): pass\n", "the loop in line 3 ends at once"),
+        ("exit()\n", "leave out exit()"),
+        ("from queue import Stack\n", ""),  # to say what hides what, a program would have to be started
+        ("1 / 0\n", ""),
+    ],
+)
+def test_a_program_that_failed_is_told_what_to_do_where_that_shows(tmp_path, monkeypatch, capsys, program, told):
+    folder = tmp_path / "mine"
+    folder.mkdir()
+    (folder / "team.py").write_text("import controller\n" + program, encoding="utf-8")
+    assert here(monkeypatch, tmp_path, *short("mine/team.py", "--quiet", "--no-replay", *DUEL)) == 0
+    lines = [line for line in capsys.readouterr().out.splitlines() if line.startswith("hint")]
+    assert [told in line for line in lines] == [True] * bool(told)
+
+
 @pytest.mark.parametrize("program", ["import tools\n", "open('speeds.csv')\n", "open('../secret')\n"])
 def test_where_nothing_of_the_name_lies_beside_the_file_nothing_is_said(tmp_path, monkeypatch, capsys, program):
     (tmp_path / "mine").mkdir()
     (tmp_path / "secret").write_text("", encoding="utf-8")
     (tmp_path / "mine" / "team.py").write_text(program, encoding="utf-8")
     assert here(monkeypatch, tmp_path, *short("mine/team.py", "--quiet", "--no-replay", *DUEL)) == 0
-    assert "hint" not in capsys.readouterr().out
+    assert "lies beside" not in capsys.readouterr().out
 
 
 def test_a_match_that_gives_no_hint_says_so_in_json(tmp_path, monkeypatch, capsys):
@@ -139,4 +162,4 @@ def test_a_log_that_cannot_be_written_keeps_nothing_back(told):
     ],
 )
 def test_other_faults_say_nothing_about_packets(told, other):
-    assert told(other) == []
+    assert all("packet" not in hint["remedy"] for hint in told(other))
