@@ -113,6 +113,11 @@ def test_who_gives_one_file_and_not_its_folder_is_told_what_lies_beside_it(
         ("robot = controller.Robot()\nwhile robot.step(32): pass\n", "the loop in line 3 ends at once"),
         ("exit()\n", "leave out exit()"),
         ("from queue import Stack\n", ""),  # to say what hides what, a program would have to be started
+        (
+            "controller.Robot().getDevice('left_wheel_motor').setPosition(0)\n",
+            "the log tells which names there are",
+        ),
+        ("ball = None; ball.pop()\n", ""),
         ("1 / 0\n", ""),
     ],
 )
