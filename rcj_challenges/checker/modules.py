@@ -13,6 +13,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
+from rcj_challenges.checker.mains import HIDDEN_ENDING
+
 INSTALLED = ("numpy", "scipy", "controller")
 """What a program can import beside Python's own library (reference, sections 4.3 and 7)."""
 
@@ -110,6 +112,11 @@ class Library:
         wanted = (f"{name}.py", f"{name}/__init__.py")
         places = (folder / file for folder in sorted(self._folders, key=str) for file in wanted)
         return next((place for place in places if place in self._files), None)
+
+    def hidden(self, name: str) -> PurePosixPath | None:
+        """Return the file that is a module of this name but for an ending that Windows does not show."""
+        places = (place / f"{name}{HIDDEN_ENDING}" for place in self.places)
+        return next((path for path in places if path in self._files), None)
 
     def shadows(self) -> list[PurePosixPath]:
         """Return the files that hide a module of Python's library, numpy or scipy from the program."""

@@ -239,6 +239,9 @@ class _Walk:
         beside = module_not_given(self._team, name)
         if beside:
             return beside
+        hidden = self._usual.hidden(name)
+        if hidden is not None:
+            return f"call {shown(hidden)} {shown(name)}.py: Windows hides the last ending"
         near = get_close_matches(name, [*names, *INSTALLED], 1, 0.75)
         # Of robot1, robot2 and robot3 none is another one misspelled: that file was forgotten.
         if near and re.findall(r"\d+", near[0]) == re.findall(r"\d+", name):

@@ -170,6 +170,12 @@ def test_a_module_beside_a_single_program_is_there_and_was_not_given(tmp_path, b
     )
 
 
+def test_a_module_with_an_ending_that_windows_hides_is_named(check):
+    stage = check.paths({ENTRY: "import tools\n", f"{FOLDER}/tools.py.txt": "speed = 3\n"})
+    assert only(stage).code == "sources.missing_module"
+    assert only(stage).remedy == f"call {FOLDER}/tools.py.txt tools.py: Windows hides the last ending"
+
+
 def test_capital_and_small_letters_count(check):
     found = only(check("import Utils\n", rcj_soccer_team_blue__utils=""))
     assert found.code == "sources.wrong_case"
