@@ -7,6 +7,7 @@ import struct
 import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from difflib import get_close_matches
 from pathlib import PurePosixPath
 from typing import Any
 
@@ -23,6 +24,10 @@ from rcj_challenges.scenario.models.scenario import Scenario
 
 WHEREABOUTS = "It was here, the innermost call first:\n"
 """What the match writes into a program's log when it had to end it."""
+
+NO_DEVICE = re.compile(r'^Warning: "(?P<asked>.*)" device not found\. This robot has: (?P<has>.*)\.$', re.MULTILINE)
+"""What ``getDevice`` writes into a program's log when it gives None."""
+NOTHING = "'NoneType' object has no attribute"
 
 _FIRST_TICKS = 8  # who misreads the referee's packets does so with the first of them
 _MOST_CODE_LETTERS = 80
@@ -134,6 +139,22 @@ def on_messages(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hin
             ": this program seems to be written for messages v2.1",
         )
     return None
+
+
+def on_device(fault: Mapping[str, Any], log: str) -> Hint | None:
+    """Return what is behind a crash over None, where the program asked for a device that the robot has not.
+
+    Args:
+        fault: as in the result.
+        log: of the robot, or its beginning.
+    """
+    asked = list(NO_DEVICE.finditer(log)) if NOTHING in fault["detail"] else []
+    if not asked:
+        return None
+    name, there = asked[-1]["asked"], asked[-1]["has"].split(", ")
+    near = get_close_matches(name.casefold(), there, 1)
+    instead = f'did you mean "{near[0]}"?' if near else f"this robot has: {', '.join(there)}"
+    return Hint(f'getDevice("{shown(name)}") gave None: {instead}')
 
 
 def on_files(team: Team, fault: Mapping[str, Any]) -> Hint | None:

@@ -56,10 +56,6 @@ _NOTHING_THERE = (
     "something in this line is None: a ball that is not in sight, what has not come yet, what a function without "
     "return gives; ask first: if ball is not None:"
 )
-_NO_DEVICE = (
-    "what should be a device is None: getDevice gives that where the robot has none of the name that was asked for; "
-    "the log tells which names there are"
-)
 _NO_SCREEN = "there is no screen in a match: do without windows (tkinter, turtle)"
 _NO_DEBUGGER = (
     "nobody types in a match: leave out breakpoint() and pdb.set_trace(); "
@@ -77,13 +73,6 @@ _REMEDIES = (
     (re.compile(r"^TypeError: (?:.{1,100} )?'NoneType' (?:and|object is not|object cannot)"), _NOTHING_THERE),
     (re.compile(r"^TypeError: .{1,100} and 'NoneType'"), _NOTHING_THERE),
     (re.compile(r"^TypeError: cannot unpack non-iterable NoneType object"), _NOTHING_THERE),
-    (
-        re.compile(
-            r"^AttributeError: 'NoneType' object has no attribute '(?:enable|getData|getQueueLength|getRangeImage"
-            r"|getString|getValues?|send|setChannel|setPosition|setVelocity)'"
-        ),
-        _NO_DEVICE,
-    ),
     (re.compile(r"^_tkinter\.TclError: "), _NO_SCREEN),
     (re.compile(r"^bdb\.BdbQuit\b"), _NO_DEBUGGER),
     (re.compile(r"^UnicodeDecodeError: 'utf-8' codec can't decode "), _NO_TEXT),

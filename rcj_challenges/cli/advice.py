@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from rcj_challenges.controllers.team import Team
     from rcj_challenges.scenario.models.scenario import Scenario
 
+_BEGINNING = 100_000  # letters
+
 
 def advice_on(
     scenario: Scenario, teams: Mapping[str, Team], faults: Sequence[Mapping[str, Any]], logs: Path
@@ -29,11 +31,11 @@ def advice_on(
     ended = [fault for fault in faults if fault["kind"] in ("crash", "exit") and fault["team"] in teams]
     if not ended:
         return []
-    from rcj_challenges.checker.hints import hint_at_once
+    from rcj_challenges.checker.hints import hint_at_once, on_device
 
     robots: dict[str, dict[str, None]] = {}
     for fault in ended:
-        hint = hint_at_once(scenario, teams[fault["team"]], fault)
+        hint = hint_at_once(scenario, teams[fault["team"]], fault) or on_device(fault, _beginning(logs, fault["robot"]))
         if hint is not None:
             robots.setdefault(hint.remedy, {})[fault["robot"]] = None
     for remedy, alike in robots.items():
@@ -42,3 +44,12 @@ def advice_on(
             with contextlib.suppress(OSError), (logs / f"{robot}.log").open("a", encoding="utf-8") as log:
                 log.write(f"hint: {remedy}\n")
     return [{"robots": list(alike), "remedy": remedy} for remedy, alike in robots.items()]
+
+
+def _beginning(logs: Path, robot: str) -> str:
+    """Return what a robot's log begins with: there a program asks for its devices."""
+    try:
+        with (logs / f"{robot}.log").open(encoding="utf-8", errors="replace") as log:
+            return log.read(_BEGINNING)
+    except OSError:
+        return ""

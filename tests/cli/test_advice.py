@@ -115,9 +115,10 @@ def test_who_gives_one_file_and_not_its_folder_is_told_what_lies_beside_it(
         ("from queue import Stack\n", ""),  # to say what hides what, a program would have to be started
         (
             "controller.Robot().getDevice('left_wheel_motor').setPosition(0)\n",
-            "the log tells which names there are",
+            'gave None: did you mean "left wheel motor"?',
         ),
-        ("ball = None; ball.pop()\n", ""),
+        ("controller.Robot().getDevice('imu').enable(32)\n", 'getDevice("imu") gave None: this robot has: left wheel'),
+        ("motor = None; motor.setPosition(0)\n", ""),
         ("1 / 0\n", ""),
     ],
 )
