@@ -1,4 +1,4 @@
-"""Why a program came to its end while the match goes on: a loop that ends at once, or one that nobody comes to.
+"""Why a program came to its end while the match goes on: a loop that ends at once, or lines that nobody comes to.
 
 Lines are looked at as text: strange programs are parsed in a process of their own only (`reader`).
 """
@@ -19,6 +19,8 @@ _MOST_LINE_BYTES = 300
 _STEP = rb"[\w.]{1,80}\.step\([\w\s.*/+,=-]{0,80}(?:\([\w\s.*/+-]{0,80}\))?\)"
 # Loops that go on only as long as step returns something other than 0, which it does at the end of the match.
 _ENDS_AT_ZERO = re.compile(rb"while[ \t(]{1,4}" + _STEP + rb"[ \t]{0,4}(?:==[ \t]?-?1|!=[ \t]?0|>[ \t]?0)?[ \t)]{0,4}:")
+# Whether the file is the one that was started; of another name it is so for no program.
+_ASKS_ITS_NAME = re.compile(rb"""if[ \t(]{1,4}__name__[ \t]{0,4}==[ \t]{0,4}["'](?P<name>[^"']{0,80})["']""")
 _FUNCTION = re.compile(rb"def[ \t]+(\w{1,80})[ \t]*\(")
 _CLASS = re.compile(rb"class[ \t]+(\w{1,80})")
 _VOWELS = frozenset("AEIOaeio")
@@ -43,7 +45,8 @@ def why_it_ended(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> 
                 )
     loops = list(_functions_that_step(programs.get(entry, b"")))
     used = {name[0] for content in programs.values() for name in _USE.finditer(content)} if loops else set()
-    return next((_told(loop) for loop in loops if loop.is_reached_by not in used), "")
+    unreached = next((_told(loop) for loop in loops if loop.is_reached_by not in used), "")
+    return unreached or _on_its_name(programs.get(entry, b""))
 
 
 @dataclass(frozen=True)
@@ -81,6 +84,17 @@ def _told(loop: _Loop) -> str:
     return (
         f"the loop with step is in the method {name}() of {owner}, {place}, and nothing calls it: make {one} at "
         f"the end of the program and call its {name}()"
+    )
+
+
+def _on_its_name(content: bytes) -> str:
+    """Return what to do about a program that does something only under a name which it has not when it is started."""
+    asked = [(number, found["name"]) for number, _, code in _lines(content) if (found := _ASKS_ITS_NAME.match(code))]
+    if not asked or b"__main__" in (name for _, name in asked):
+        return ""
+    return (
+        f'a program that is started has the name "__main__", so nothing comes to what is under line {asked[0][0]}: '
+        'write if __name__ == "__main__":'
     )
 
 

@@ -7,12 +7,14 @@ import struct
 import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from difflib import get_close_matches
 from pathlib import PurePosixPath
 from typing import Any
 
 from rcj_challenges.checker.asked_of_the_system import on_system
 from rcj_challenges.checker.early_ends import why_it_ended
 from rcj_challenges.checker.modules import COMPILED, Library, places_of
+from rcj_challenges.checker.not_given import on_not_given
 from rcj_challenges.checker.old_names import on_old_name
 from rcj_challenges.checker.preloaded import never_read
 from rcj_challenges.checker.slips import on_slip
@@ -22,6 +24,10 @@ from rcj_challenges.scenario.models.scenario import Scenario
 
 WHEREABOUTS = "It was here, the innermost call first:\n"
 """What the match writes into a program's log when it had to end it."""
+
+NO_DEVICE = re.compile(r'^Warning: "(?P<asked>.*)" device not found\. This robot has: (?P<has>.*)\.$', re.MULTILINE)
+"""What ``getDevice`` writes into a program's log when it gives None."""
+NOTHING = "'NoneType' object has no attribute"
 
 _FIRST_TICKS = 8  # who misreads the referee's packets does so with the first of them
 _MOST_CODE_LETTERS = 80
@@ -41,6 +47,11 @@ _NO_SUCH_NAME = re.compile(r"cannot import name '(?P<name>\w+)' from (partially 
 _NO_SUCH_MODULE = re.compile(r"No module named '(?:\w+\.)*(?P<module>\w+)'")
 _NO_SUCH_ATTRIBUTE = re.compile(r"module '(?P<module>\w+)' has no attribute '(?P<name>\w+)'")
 _CAME_TO_ITS_END = "the program came to its end"
+_CALLED_EXIT = "the program called sys.exit"
+_LATER = (
+    "leave out exit(), quit() and sys.exit(), or call them only after step has returned -1: "
+    "the robot of a program that ends stands for the rest of the half"
+)
 _NOBODY_TYPES = "EOFError: EOF when reading a line"
 # Calls of Python's own library that come back only when something else happens. ``wait`` and the like stand here with
 # empty brackets or a time: what a team calls so itself, or ``", ".join(…)``, is none.
@@ -75,14 +86,30 @@ def hint_on(
         whereabouts: where the program was when it was ended; empty if that is not known.
         sandbox: ``auto``, ``strict`` or ``off``, as it was started.
     """
-    if fault["kind"] == "crash":
-        names = on_messages(scenario, team, fault) or _on_names(team, fault, sandbox)
-        return names or _on_typing(fault["detail"]) or _on_system(team, fault) or _on_slip(team, fault)
-    if fault["kind"] == "exit" and fault["detail"].startswith(_CAME_TO_ITS_END):
-        remedy = why_it_ended(team.files, PurePosixPath(team.entries[fault["robot"]]))
-        return Hint(remedy) if remedy else None
     if fault["kind"] in ("step_timeout", "start_timeout") and whereabouts:
         return _on_place(team, fault["kind"], whereabouts)
+    return hint_at_once(scenario, team, fault, sandbox)
+
+
+def hint_at_once(scenario: Scenario, team: Team, fault: Mapping[str, Any], sandbox: str | None = None) -> Hint | None:
+    """Return what is behind a program that crashed or ended, as far as its own words and lines tell it.
+
+    Args:
+        scenario: what was played.
+        team: whose program failed.
+        fault: as in the result.
+        sandbox: how to start a program that finds out which modules hide others; None starts nothing.
+    """
+    if fault["kind"] == "crash":
+        outside = on_messages(scenario, team, fault) or on_files(team, fault)
+        names = outside or _on_names(team, fault, sandbox)
+        return names or _on_typing(fault["detail"]) or _on_system(team, fault) or _on_slip(team, fault)
+    if fault["kind"] == "exit" and fault["detail"].startswith(_CAME_TO_ITS_END):
+        entry = team.entries.get(fault["robot"])
+        remedy = why_it_ended(team.files, PurePosixPath(entry)) if entry is not None else ""
+        return Hint(remedy) if remedy else None
+    if fault["kind"] == "exit" and fault["detail"].startswith(_CALLED_EXIT):
+        return Hint(_LATER)
     return None
 
 
@@ -112,6 +139,28 @@ def on_messages(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hin
             ": this program seems to be written for messages v2.1",
         )
     return None
+
+
+def on_device(fault: Mapping[str, Any], log: str) -> Hint | None:
+    """Return what is behind a crash over None, where the program asked for a device that the robot has not.
+
+    Args:
+        fault: as in the result.
+        log: of the robot, or its beginning.
+    """
+    asked = list(NO_DEVICE.finditer(log)) if NOTHING in fault["detail"] else []
+    if not asked:
+        return None
+    name, there = asked[-1]["asked"], asked[-1]["has"].split(", ")
+    near = get_close_matches(name.casefold(), there, 1)
+    instead = f'did you mean "{near[0]}"?' if near else f"this robot has: {', '.join(there)}"
+    return Hint(f'getDevice("{shown(name)}") gave None: {instead}')
+
+
+def on_files(team: Team, fault: Mapping[str, Any]) -> Hint | None:
+    """Return what is behind a crash of a program that was given without the folder in which it lies."""
+    remedy = on_not_given(team, fault["detail"])
+    return Hint(remedy) if remedy else None
 
 
 def _on_flag(scenario: Scenario, kit: str, detail: str) -> Hint | None:
@@ -146,7 +195,7 @@ def _is_text_read_as_bytes(team: Team, detail: str, code: str) -> bool:
     return _TEXT_READ_AS_BYTES.search(detail) is not None and _any_mentions(team, _READS_PACKET)
 
 
-def _on_names(team: Team, fault: dict[str, Any], sandbox: str) -> Hint | None:
+def _on_names(team: Team, fault: Mapping[str, Any], sandbox: str | None) -> Hint | None:
     """Tell of a name that a module does not have: the match's own, one that a file of the team hides, an older one."""
     detail = fault["detail"]
     found = _NO_SUCH_NAME.search(detail) or _NO_SUCH_ATTRIBUTE.search(detail)
@@ -154,7 +203,11 @@ def _on_names(team: Team, fault: dict[str, Any], sandbox: str) -> Hint | None:
     if found is not None and module == "controller":
         return _on_controller(team, found["name"])
     if module in sys.stdlib_module_names and _own(team, module):
-        return _on_own_file(team, module, PurePosixPath(team.entries[fault["robot"]]), sandbox)
+        return (
+            None
+            if sandbox is None
+            else _on_own_file(team, module, PurePosixPath(team.entries[fault["robot"]]), sandbox)
+        )
     compiled = _compiled_otherwise(team, detail)
     if compiled:
         return Hint(compiled)
@@ -208,13 +261,13 @@ def _on_typing(detail: str) -> Hint | None:
     return Hint("nobody types in a match: do without input(), and write into the program what it asks for")
 
 
-def _on_system(team: Team, fault: dict[str, Any]) -> Hint | None:
+def _on_system(team: Team, fault: Mapping[str, Any]) -> Hint | None:
     entry = team.entries.get(fault["robot"])
     remedy = on_system(fault["detail"], PurePosixPath(entry), team.files) if entry is not None else ""
     return Hint(remedy) if remedy else None
 
 
-def _on_slip(team: Team, fault: dict[str, Any]) -> Hint | None:
+def _on_slip(team: Team, fault: Mapping[str, Any]) -> Hint | None:
     remedy = on_slip(fault["detail"], team.files)
     return Hint(remedy) if remedy else None
 

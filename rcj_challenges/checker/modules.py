@@ -13,6 +13,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
+from rcj_challenges.checker.mains import HIDDEN_ENDING
+
 INSTALLED = ("numpy", "scipy", "controller")
 """What a program can import beside Python's own library (reference, sections 4.3 and 7)."""
 
@@ -27,6 +29,8 @@ WELL_KNOWN = frozenset(
 """Libraries that no match has, and that no file beside a program replaces: compiled, or for what a match refuses."""
 
 _TOP = PurePosixPath()
+_ALL_PROGRAMS = "controllers"
+"""What the folder is called that holds all of a team's programs, as in the original: `Robot.getProjectPath`."""
 COMPILED = frozenset({".so", ".pyd"})
 
 
@@ -49,19 +53,23 @@ class Library:
     Args:
         files: paths of all files.
         places: folders in which imports are looked for, in order.
+        is_everywhere: whether these may be any folders, also the one that holds all programs.
     """
 
-    def __init__(self, files: Iterable[PurePosixPath], places: Sequence[PurePosixPath]) -> None:
+    def __init__(
+        self, files: Iterable[PurePosixPath], places: Sequence[PurePosixPath], *, is_everywhere: bool = False
+    ) -> None:
         self._files = frozenset(files)
         self._folders = frozenset(parent for path in self._files for parent in path.parents)
         self._compiled = frozenset(
             path.parent / path.name.partition(".")[0] for path in self._files if path.suffix in COMPILED
         )
         self.places = tuple(dict.fromkeys(places))
+        self._is_everywhere = is_everywhere
 
     def everywhere(self) -> Library:
         """Return the library of a program that changes ``sys.path``: all folders, the usual ones first."""
-        return Library(self._files, (*self.places, *sorted(self._folders)))
+        return Library(self._files, (*self.places, *sorted(self._folders)), is_everywhere=True)
 
     def tops(self, name: str) -> list[Module]:
         """Return what ``import name`` can find in the submission, before Python's own are asked: the first counts."""
@@ -78,7 +86,8 @@ class Library:
 
     def top_namespace(self, name: str) -> Module | None:
         """Return the folder without ``__init__.py`` that ``import name`` finds when nothing else is of that name."""
-        return next((Module(place / name, None) for place in self.places if place / name in self._folders), None)
+        found = next((Module(place / name, None) for place in self.places if place / name in self._folders), None)
+        return Module(_TOP, None) if found is None and name == _ALL_PROGRAMS and self._is_everywhere else found
 
     def inside(self, folder: PurePosixPath, name: str, *, namespace: bool = True) -> Module | None:
         """Return a module of a folder."""
@@ -103,6 +112,11 @@ class Library:
         wanted = (f"{name}.py", f"{name}/__init__.py")
         places = (folder / file for folder in sorted(self._folders, key=str) for file in wanted)
         return next((place for place in places if place in self._files), None)
+
+    def hidden(self, name: str) -> PurePosixPath | None:
+        """Return the file that is a module of this name but for an ending that Windows does not show."""
+        places = (place / f"{name}{HIDDEN_ENDING}" for place in self.places)
+        return next((path for path in places if path in self._files), None)
 
     def shadows(self) -> list[PurePosixPath]:
         """Return the files that hide a module of Python's library, numpy or scipy from the program."""

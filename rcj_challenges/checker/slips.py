@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import re
+import sys
 from collections.abc import Mapping
 from pathlib import PurePosixPath
 
@@ -12,10 +14,22 @@ _MOST_NAME = 100  # letters
 _CIRCLE = re.compile(
     r"partially initialized module '(?P<module>[\w.]+)' .{0,200}\(most likely due to a circular import\)"
 )
-_PLACE = re.compile(r" \((?P<file>[^()]{1,300}), line [0-9]{1,7}\)$")
+_PLACE = re.compile(r" \((?P<file>[^()]{1,300}), line (?P<line>[0-9]{1,7})\)$")
+_MOST_LINE = 500  # letters
 _UNSET = re.compile(
     rf"^UnboundLocalError: (?:cannot access local variable|local variable) '(?P<name>\w{{1,{_MOST_NAME}}})' "
 )
+_UNKNOWN = re.compile(rf"^NameError: name '(?P<name>\w{{1,{_MOST_NAME}}})' is not defined")
+_TOO_MANY = re.compile(r"^ValueError: too many values to unpack \(expected 2\)")
+_THREE = re.compile(r"\b(getValues|getEmitterDirection|values|emitter_direction)\b")
+_THREE_NUMBERS = "these are three numbers: x, y, z = gps.getValues()"
+_NO_VECTORS = (
+    "lists do not reckon as vectors: take their numbers one by one (p[0] - q[0]), or make arrays of them: "
+    "numpy.array(p) - numpy.array(q)"
+)
+_TEXT_AND_NUMBER = "text and numbers do not add up: print('x:', x), or str(x) makes text of a number"
+_WHOLE = "a whole number is wanted: 10 // 2 gives one, 10 / 2 does not; int(x) makes one of x"
+_NAME_IS_NO_NUMBER = "a robot's name is a letter and a number: int(robot.getName()[1])"
 _GO_ROUND = (
     "a function calls itself over and over (its name comes again and again in the report below): write a while loop"
 )
@@ -43,6 +57,10 @@ _NOTHING_THERE = (
     "return gives; ask first: if ball is not None:"
 )
 _NO_SCREEN = "there is no screen in a match: do without windows (tkinter, turtle)"
+_NO_DEBUGGER = (
+    "nobody types in a match: leave out breakpoint() and pdb.set_trace(); "
+    "they work with rcj-challenge run match --debug Y1"
+)
 _STEP_FIRST = "a sensor gives NaN before its first sample: enable it, and call robot.step(32) before it is read"
 _REMEDIES = (
     (re.compile(r"^RecursionError: maximum recursion depth exceeded"), _GO_ROUND),
@@ -56,6 +74,7 @@ _REMEDIES = (
     (re.compile(r"^TypeError: .{1,100} and 'NoneType'"), _NOTHING_THERE),
     (re.compile(r"^TypeError: cannot unpack non-iterable NoneType object"), _NOTHING_THERE),
     (re.compile(r"^_tkinter\.TclError: "), _NO_SCREEN),
+    (re.compile(r"^bdb\.BdbQuit\b"), _NO_DEBUGGER),
     (re.compile(r"^UnicodeDecodeError: 'utf-8' codec can't decode "), _NO_TEXT),
     (
         re.compile(r"^TypeError: (?:a bytes-like object is required, not 'str'|can't concat str to bytes)"),
@@ -68,6 +87,15 @@ _REMEDIES = (
         _OUT_OF_BOUNDS,
     ),
     (re.compile(r"^ValueError: cannot convert float NaN to integer"), _STEP_FIRST),
+    (re.compile(r"^TypeError: unsupported operand type\(s\) for \S{1,4}: '(?:list|tuple)' and '"), _NO_VECTORS),
+    (
+        re.compile(r"^TypeError: unsupported operand type\(s\) for \S{1,4}: '\w{1,20}' and '(?:list|tuple)'"),
+        _NO_VECTORS,
+    ),
+    (re.compile(r"^TypeError: can't multiply sequence by non-int of type 'float'"), _NO_VECTORS),
+    (re.compile(r"^TypeError: can only concatenate str \(not \"(?:float|int)\"\) to str"), _TEXT_AND_NUMBER),
+    (re.compile(r"^TypeError: 'float' object cannot be interpreted as an integer"), _WHOLE),
+    (re.compile(r"^ValueError: invalid literal for int\(\) with base 10: '[BY][0-9]'"), _NAME_IS_NO_NUMBER),
 )
 
 
@@ -82,6 +110,10 @@ def on_slip(detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
         return _on_circle(found["module"], detail)
     if found := _UNSET.match(detail):
         return _on_unset(found["name"], detail, files)
+    if found := _UNKNOWN.match(detail):
+        return _on_unknown(found["name"], detail, files)
+    if _TOO_MANY.match(detail):
+        return _THREE_NUMBERS if _THREE.search(_code(detail, files)) else ""
     return next((remedy for words, remedy in _REMEDIES if words.match(detail)), "")
 
 
@@ -95,6 +127,34 @@ def _on_circle(module: str, detail: str) -> str:
         f"{shown(file)} and {shown(importer)} import each other, in a circle: move what both need into a third file, "
         "or write the import into the function that needs it"
     )
+
+
+def _on_unknown(name: str, detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
+    """Tell of a module, or a function of ``math``, that a line uses and the file does not import."""
+    code, place = _code(detail, files), _PLACE.search(detail)
+    if place is not None and re.search(rf"(?<![\w.]){name}\.", code) and (line := _import_of(name)):
+        return f'write "{line}" at the top of {shown(PurePosixPath(place["file"]).name)}'
+    if place is not None and re.search(rf"(?<![\w.]){name}\(", code) and hasattr(math, name):
+        return f'write "from math import {name}" at the top of {shown(PurePosixPath(place["file"]).name)}'
+    return ""
+
+
+def _import_of(name: str) -> str:
+    """Return the line that gives a program a module by a name; nothing if there is none of this name in a match."""
+    if name in ("np", "numpy"):
+        return "import numpy as np" if name == "np" else "import numpy"
+    return f"import {name}" if name in sys.stdlib_module_names else ""
+
+
+def _code(detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
+    """Return the beginning of the line that a crash names."""
+    place = _PLACE.search(detail)
+    content = files.get(PurePosixPath(place["file"].replace("\\", "/"))) if place is not None else None
+    if place is None or content is None:
+        return ""
+    lines = content.splitlines()  # of bytes: at the same places as Python does
+    number = int(place["line"])
+    return _text(lines[number - 1][:_MOST_LINE]) if 0 < number <= len(lines) else ""
 
 
 def _on_unset(name: str, detail: str, files: Mapping[PurePosixPath, bytes]) -> str:

@@ -21,6 +21,7 @@ from rcj_challenges.checker.modules import (
     places_of,
     refused_use,
 )
+from rcj_challenges.checker.not_given import module_not_given
 from rcj_challenges.checker.preloaded import never_read
 from rcj_challenges.checker.reading import MOST_BYTES, Import, Source, read_sources
 from rcj_challenges.controllers.team import Team
@@ -61,7 +62,7 @@ def check_sources(team: Team, sandbox: str = "auto") -> Stage:
     for entry in sorted(entries):
         passed_over = never_read(files, entry, sandbox)
         unread |= {path: name for name, path in passed_over.items() if path not in entries}
-        walk = _Walk(files, sources, entry, passed_over)
+        walk = _Walk(team, sources, entry, passed_over)
         used |= {path: used.get(path, False) or weight is _Weight.FATAL for path, weight in walk.used.items()}
         found |= dict.fromkeys(walk.findings)
     found |= dict.fromkeys(_unreadable(files, sources, used))
@@ -80,15 +81,16 @@ class _Walk:
 
     def __init__(
         self,
-        files: Mapping[PurePosixPath, bytes],
+        team: Team,
         sources: Mapping[PurePosixPath, Source],
         entry: PurePosixPath,
         unread: Collection[str],
     ) -> None:
+        self._team = team
         self._sources = sources
-        self._makes_modules = any(_MAKES_MODULES.search(files[path]) for path in sources)
+        self._makes_modules = any(_MAKES_MODULES.search(team.files[path]) for path in sources)
         self._unread = unread
-        self._usual = Library(files, places_of(entry))
+        self._usual = Library(team.files, places_of(entry))
         self._library = self._usual
         self._follow(entry)
         if any(sources[path].moves_path for path in self.used):
@@ -126,7 +128,7 @@ class _Walk:
             return []
         module = module or self._library.top_namespace(first)
         if module is None:
-            self._say(unit, wanted, *self._missing(first))
+            self._say(unit, wanted, *self._missing(first, rest))
             return []
         return self._through(unit, wanted, module, rest, first, 0)
 
@@ -208,8 +210,13 @@ class _Walk:
             )
             self._say(unit, wanted, "not_on_this_computer", message, "do without it: matches are played on any system")
 
-    def _missing(self, name: str) -> tuple[str, str, str]:
-        """Return code, message and remedy for a module that is nowhere."""
+    def _missing(self, name: str, inside: list[str]) -> tuple[str, str, str]:
+        """Return code, message and remedy for a module that is nowhere.
+
+        Args:
+            name: what it is called.
+            inside: names of what is asked for in it, one in the other: then it is a folder.
+        """
         quoted = shown(name)
         names = self._usual.names()
         other_case = next((near for near in names if near.casefold() == name.casefold()), None)
@@ -223,13 +230,26 @@ class _Walk:
             message = f'imports "{quoted}", but {shown(place)} is not where Python looks for it'
             return "elsewhere", message, "move the file beside the program, or import it by the name of its folder"
         message = f'imports "{quoted}", which is neither part of Python, nor numpy or scipy, nor in the submission'
+        return "missing_module", message, self._instead_of_missing(name, inside, names)
+
+    def _instead_of_missing(self, name: str, inside: list[str], names: list[str]) -> str:
+        """Return what to do about a module that is nowhere, where ``names`` could be imported."""
         if name in WELL_KNOWN:
-            return "missing_module", message, f"do without it: {_IN_A_MATCH}"
+            return f"do without it: {_IN_A_MATCH}"
+        beside = module_not_given(self._team, name)
+        if beside:
+            return beside
+        hidden = self._usual.hidden(name)
+        if hidden is not None:
+            return f"call {shown(hidden)} {shown(name)}.py: Windows hides the last ending"
         near = get_close_matches(name, [*names, *INSTALLED], 1, 0.75)
         # Of robot1, robot2 and robot3 none is another one misspelled: that file was forgotten.
         if near and re.findall(r"\d+", near[0]) == re.findall(r"\d+", name):
-            return "missing_module", message, f'did you mean "{shown(near[0])}"?'
-        return "missing_module", message, f"put {quoted}.py beside the program, or do without it"
+            return f'did you mean "{shown(near[0])}"?'
+        if inside:
+            folder = f"the folder {shown(name)} (with {shown('/'.join(inside))}.py in it)"
+            return f"put {folder} beside the program or the program's folder, or do without it"
+        return f"put {shown(name)}.py beside the program, or do without it"
 
     def _no_such_part(self, module: Module, name: str, part: str) -> tuple[str, str, str]:
         whole = shown(f"{name}.{part}")
@@ -312,7 +332,8 @@ def _wrong(source: Source, line: str) -> tuple[str, str, str]:
     if any(words in said for words in ("codec can't decode", "encoding", "Non-UTF-8")):
         return "encoding", f"the letters of the file cannot be read ({said})", _SAVE_AS_UTF8
     deep = any(words in said for words in ("too many nested", "too many statically nested"))
-    remedy = _SMALLER_STEPS if deep else _syntax_remedy(source, line)
+    strange = _STRANGE.search(said)
+    remedy = _SMALLER_STEPS if deep else _typed_anew(strange["letter"]) if strange else _syntax_remedy(source, line)
     return "too_deep" if deep else "syntax", f"{_PYTHON} cannot read this: {said}", remedy
 
 
@@ -361,6 +382,19 @@ def _syntax_remedy(source: Source, line: str) -> str:
     return f"correct this line or the one before it; {_PYTHON} is used here, so newer words of Python do not exist yet"
 
 
+def _typed_anew(letter: str | None) -> str:
+    """Return what to do about a letter that is none of Python's.
+
+    Args:
+        letter: None if it cannot be seen.
+    """
+    from_where = "it comes from a web page or a text processor"
+    if letter is None:
+        return f"delete what cannot be seen in this line, and type its blanks anew: {from_where}"
+    instead = next((f", as {typed}" for letters, typed in _TYPED.items() if letter in letters), "")
+    return f"type {shown(letter)} anew{instead}: {from_where}"
+
+
 def _instead_of_python_2(said: str, line: str) -> str:
     """Return what is written today where a line is as only Python 2 could read it; else nothing."""
     call = _CALL.search(said)
@@ -374,6 +408,17 @@ def _instead_of_python_2(said: str, line: str) -> str:
 
 
 _MOST_LINE_BYTES = 500
+_STRANGE = re.compile(r"invalid (?:character '(?P<letter>.)'|non-printable character) ")
+_TYPED = {
+    "\u201c\u201d\u201e\u201f\u00ab\u00bb\u2033\u2018\u2019\u201a\u2032\u00b4": "\" or '",
+    "\u2010\u2011\u2012\u2013\u2014\u2212": "-",
+    "\u00d7\u00b7\u22c5": "*",
+    "\u00f7": "/",
+    "\u2264": "<=",
+    "\u2265": ">=",
+    "\u2260": "!=",
+}
+"""By letters that a text processor makes: what is typed for them."""
 _LEFT_BY_GIT = ("<<<<<<< ", ">>>>>>> ")
 _PARENTHESES = "exception types must be parenthesized"
 _CALL = re.compile(r"Missing parentheses in call to '(?P<name>print|exec)'")

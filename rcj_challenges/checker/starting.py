@@ -9,6 +9,7 @@ from difflib import get_close_matches
 
 from rcj_challenges.checker.failing import fault_findings
 from rcj_challenges.checker.findings import Finding, Stage
+from rcj_challenges.checker.hints import NO_DEVICE, NOTHING
 from rcj_challenges.checker.others import looks_like, others_that_fit
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, rehearse
 from rcj_challenges.controllers.team import Team
@@ -31,9 +32,7 @@ _MESSAGES_2021 = "2021"
 _Asked = dict[tuple[str, str], list[str]]
 """Robots by the name that they asked for in vain, and by what they have."""
 
-_NOTHING = "'NoneType' object has no attribute"
 _IGNORED = re.compile(r"^Warning: (\w+) is ignored and gives None", re.MULTILINE)
-_NO_DEVICE = re.compile(r'^Warning: "(?P<asked>.*)" device not found\. This robot has: (?P<has>.*)\.$', re.MULTILINE)
 
 
 def check_start(rehearsal: Rehearsal) -> Stage:
@@ -79,7 +78,7 @@ def _slow(started: Rehearsed, limit_s: float) -> Finding | None:
 def _asked_in_vain(started: Rehearsed) -> _Asked:
     asked: _Asked = {}
     for robot in started.motions:
-        for found in dict.fromkeys(_NO_DEVICE.findall(started.log(robot))):
+        for found in dict.fromkeys(NO_DEVICE.findall(started.log(robot))):
             asked.setdefault(found, []).append(robot)
     return asked
 
@@ -94,7 +93,7 @@ def _because_of(asked: _Asked, ignored: Mapping[str, list[str]], crash: Finding)
     robots = set(crash.where.split(", "))
     missing = [name for (name, _), those in asked.items() if robots & set(those)]
     calls = [call for robot in robots for call in ignored.get(robot, ())]
-    if _NOTHING not in crash.message or not (missing or calls):
+    if NOTHING not in crash.message or not (missing or calls):
         return crash
     if not missing:
         return replace(

@@ -138,11 +138,11 @@ def _tell(options: RunOptions, console: Console, plan: MatchPlan, outcome: Playe
 
 
 def _tell_all(options: RunOptions, console: Console, plan: MatchPlan, outcome: PlayedMatch) -> None:
-    from rcj_challenges.cli.packets import packet_hints
+    from rcj_challenges.cli.advice import advice_on
     from rcj_challenges.records.folder import LOGS
 
     scenario, written = plan.loaded.scenario, False
-    hints = packet_hints(scenario, plan.teams, outcome.result["faults"], outcome.folder / LOGS)
+    hints = advice_on(scenario, plan.teams, outcome.result["faults"], outcome.folder / LOGS)
     try:
         if options.replay:
             from rcj_challenges.views.replay import write_replay

@@ -12,6 +12,7 @@ from rcj_challenges.facts.errors import RcjError
 if TYPE_CHECKING:
     from rcj_challenges.controllers.team import Team
     from rcj_challenges.scenario.load import Loaded
+    from rcj_challenges.scenario.models.robots import Entrant
     from rcj_challenges.scenario.models.scenario import Scenario
 
 
@@ -29,20 +30,44 @@ def open_teams(loaded: Loaded, given_teams: list[str]) -> dict[str, Team]:
     Raises:
         RcjError: a seat that is none, a team that cannot be opened, or a seat for which there is no sample team.
     """
-    from rcj_challenges.controllers.team import open_team
-
     entrants = loaded.scenario.entrants
     given = assignments(given_teams, entrants, "--team")
     opened: dict[str, Team] = {}
     try:
         for seat, entrant in entrants.items():
             path = Path(given[seat]) if seat in given else _sample_team(loaded, seat)
-            opened[seat] = open_team(path, *(entrants.values() if loaded.scenario.match.swap_sides else (entrant,)))
+            seats = entrants.values() if loaded.scenario.match.swap_sides else (entrant,)
+            opened[seat] = _opened(path, tuple(seats), loaded.scenario)
     except BaseException:
         for team in opened.values():
             team.close()
         raise
     return opened
+
+
+def _opened(path: Path, seats: tuple[Entrant, ...], scenario: Scenario) -> Team:
+    """Open a team that plays for some seats.
+
+    Raises:
+        TeamError: it cannot be; of programs that are not where they are asked for, as ``check`` tells it.
+    """
+    from rcj_challenges.controllers.team import TeamError, look_into, open_team
+
+    try:
+        return open_team(path, *seats)
+    except TeamError as error:
+        opening = look_into(path, *seats)
+        if not opening.missing or opening.contents.refused:
+            raise
+        from rcj_challenges.checker.layout import layout_findings
+        from rcj_challenges.checker.others import others_that_fit
+        from rcj_challenges.controllers.troubles import MOST_PATH_SHOWN, told
+
+        others = others_that_fit(opening.contents.files, scenario)
+        found = next(one for one in layout_findings(opening, seats, others) if one.level == "failure")
+        copy = "; rcj-challenge check … --fix NEW.zip makes such a copy" if found.repair else ""
+        message = f"{told(path, MOST_PATH_SHOWN)}: {found.message}\nwhat to do: {found.remedy}{copy}"
+        raise TeamError(message) from error
 
 
 def _sample_team(loaded: Loaded, seat: str) -> Path:

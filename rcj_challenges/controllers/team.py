@@ -6,7 +6,7 @@ import hashlib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from difflib import get_close_matches
-from pathlib import Path, PurePosixPath
+from pathlib import Path, PurePath, PurePosixPath
 from types import MappingProxyType
 from typing import Self
 
@@ -102,6 +102,19 @@ class Team:
             if is_of_the_host(error):
                 raise temporary_trouble(error, "cannot take the team's files") from error
             raise TeamError(f"{self.source}: {name} cannot be written on this computer: {told_of(error)}") from error
+
+    def leaves_beside(self, name: str) -> bool:
+        """Return whether a file or folder lies beside a program that was given alone, and so was not read.
+
+        Args:
+            name: its own, without folders.
+        """
+        if not self._single or name in ("", ".", "..") or PurePath(name).name != name:
+            return False
+        try:
+            return self.source.with_name(on_disk(name)).exists()
+        except (OSError, ValueError):
+            return False
 
     def size_bytes(self) -> int:
         """Return the size of all files together."""

@@ -139,8 +139,9 @@ class RunResult(_Part):
     hints: list[HintResult] = Field(
         default=[],
         exclude=True,  # advice is no part of what happened, and later versions may know better
-        description="what to do about programs that read the referee's packets in another form than they have in this "
-        "match; only in what `run --json` prints, and a line at the end of each such robot's log",
+        description="what to do about programs that crashed or ended, where their own words and lines tell it (for "
+        "another form of the referee's packets, say); only in what `run --json` prints, and a line at the end of each "
+        "such robot's log",
     )
     folder: str = Field(
         default="",

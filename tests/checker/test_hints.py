@@ -259,6 +259,31 @@ def test_a_loop_that_nobody_comes_to_is_named(check, last):
     )
 
 
+@pytest.mark.parametrize("name", ["main", "__main", "__name__", "rcj_soccer_team_blue"])
+def test_a_name_that_the_started_program_does_not_have_is_told_with_its_line(check, name):
+    play = "def play():\n    while robot.step(32) != -1:\n        pass\n"
+    found = failure(check(ENDS + play + f"if __name__ == '{name}':\n    play()\n"))
+    assert found.remedy == (
+        'a program that is started has the name "__main__", so nothing comes to what is under line 6: '
+        'write if __name__ == "__main__":'
+    )
+
+
+def test_who_asks_for_the_right_name_elsewhere_is_told_nothing_of_names():
+    entry = PurePosixPath("a.py")
+    program = b"def play():\n    pass\nif __name__ == '__main__':\n    play()\nif __name__ == 'test':\n    play()\n"
+    assert why_it_ended({entry: program}, entry) == ""
+
+
+@pytest.mark.parametrize("leave", ["exit()", "quit()", "sys.exit(1)", "raise SystemExit"])
+def test_who_calls_exit_while_the_match_goes_on_is_told_of_that_call(check, leave):
+    found = failure(check("import sys\n" + ENDS + f"while robot.step(32) != -1:\n    {leave}\n"))
+    assert found.remedy == (
+        "leave out exit(), quit() and sys.exit(), or call them only after step has returned -1: "
+        "the robot of a program that ends stands for the rest of the half"
+    )
+
+
 METHOD = """
 class Bot(Robot):
     def other(self):

@@ -100,6 +100,18 @@ def test_a_number_that_is_none_before_the_first_sample_is_told_so(failure):
         ("ball = None\nif ball < 1: pass\n", "if ball is not None"),
         ("ball = None; x, y = ball\n", "if ball is not None"),
         ("ball = None\nfor x in ball: pass\n", "if ball is not None"),
+        ("x = math.atan2(1, 2)\n", 'write "import math" at the top of rcj_soccer_team_blue.py'),
+        ("x = np.array([1])\n", 'write "import numpy as np" at the top of rcj_soccer_team_blue.py'),
+        ("x = sqrt(2)\n", 'write "from math import sqrt" at the top of rcj_soccer_team_blue.py'),
+        ("x, y = gps.getValues()\n", "three numbers: x, y, z = gps.getValues()"),
+        ("d = gps.getValues() - [0, 0, 0]\n", "numpy.array"),
+        ("v = 0.5 * gps.getValues()\n", "numpy.array"),
+        ("v = gps.getValues() / 2\n", "numpy.array"),
+        ("print('x: ' + 1.5)\n", "print('x:', x)"),
+        ("for n in range(10 / 2): pass\n", "10 // 2"),
+        ("n = int('B1')\n", "robot.getName()[1]"),
+        ("breakpoint()\n", "leave out breakpoint()"),
+        ("import pdb; pdb.set_trace()\n", "leave out breakpoint()"),
         ("import math; math.acos(1.0000001)\n", "math.acos(max(-1, min(1, x)))"),
     ],
 )
@@ -109,6 +121,18 @@ def test_small_things_that_are_left_out_are_told(failure, lines, told):
 
 def test_that_a_match_has_no_screen_is_told():
     assert "no screen" in on_slip("_tkinter.TclError: no display name and no $DISPLAY (robot.py, line 2)", {})
+
+
+@pytest.mark.parametrize(
+    ("line", "detail"),
+    [
+        ("speed = signal + 1", "NameError: name 'signal' is not defined"),
+        ("speed = spede", "NameError: name 'spede' is not defined. Did you mean: 'speed'?"),
+        ("a, b = mates", "ValueError: too many values to unpack (expected 2)"),
+    ],
+)
+def test_of_what_is_no_module_and_no_sensor_nothing_is_said_of_them(line, detail):
+    assert on_slip(f"{detail} (robot.py, line 1)", {PurePosixPath("robot.py"): line.encode()}) == ""
 
 
 def test_of_other_crashes_nothing_is_said():

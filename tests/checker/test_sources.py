@@ -79,6 +79,15 @@ WRONG = {
     "attributes without end": (b"x" + b".a" * 100_000, "too_deep", "smaller"),
     "minus signs without end": (b"x = " + b"-" * 100_000 + b"1", "too_deep", "smaller"),
     "lists without end": (b"x = " + b"[" * 150 + b"]" * 150 + b"\n" + b"y=" + b"{" * 50_000, "too_deep", "smaller"),
+    "quotation marks of a text": ("speed = “fast”\n".encode(), "syntax", "type “ anew, as \" or ':"),
+    "a minus of a text": ("speed = 5 \u2212 3\n".encode(), "syntax", "type \u2212 anew, as -:"),
+    "an ellipsis of a text": ("speed = [1, 2…]\n".encode(), "syntax", "type … anew:"),
+    "a blank of a web page": (
+        "if 1:\n\u00a0   speed = 5\n".encode(),
+        "syntax",
+        "delete what cannot be seen in this line",
+    ),
+    "a blank without width": ("speed = 5\u200b\n".encode(), "syntax", "delete what cannot be seen in this line"),
     "nothing": (b"# later\n", "empty", "put your program"),
 }
 
@@ -134,6 +143,39 @@ def test_the_nearest_name_is_suggested(check):
     assert found.remedy == "put robot3.py beside the program, or do without it"
 
 
+@pytest.mark.parametrize(
+    ("line", "lacks"),
+    [
+        ("from team_7_libraries.robot1.player import Player", "team_7_libraries (with robot1/player.py in it)"),
+        ("import team_7_libraries.tools", "team_7_libraries (with tools.py in it)"),
+    ],
+)
+def test_of_a_folder_that_was_not_packed_the_folder_is_asked_for_and_no_file_of_its_name(check, line, lacks):
+    found = only(check(line + "\n"))
+    assert found.code == "sources.missing_module"
+    assert found.remedy == f"put the folder {lacks} beside the program or the program's folder, or do without it"
+
+
+@pytest.mark.parametrize("beside", ["tools.py", "tools/speeds.py"])
+def test_a_module_beside_a_single_program_is_there_and_was_not_given(tmp_path, beside):
+    (tmp_path / "robot.py").write_text("import tools\n", encoding="utf-8")
+    (tmp_path / beside).parent.mkdir(exist_ok=True)
+    (tmp_path / beside).write_text("", encoding="utf-8")
+    with open_team(tmp_path / "robot.py", *ENTRANTS) as team:
+        found = only(check_sources(team))
+    assert (found.code, found.level) == ("sources.missing_module", "failure")
+    assert found.remedy == (
+        f"{beside.partition('/')[0]} lies beside robot.py, but only that one file was given: "
+        "give the folder in which both lie"
+    )
+
+
+def test_a_module_with_an_ending_that_windows_hides_is_named(check):
+    stage = check.paths({ENTRY: "import tools\n", f"{FOLDER}/tools.py.txt": "speed = 3\n"})
+    assert only(stage).code == "sources.missing_module"
+    assert only(stage).remedy == f"call {FOLDER}/tools.py.txt tools.py: Windows hides the last ending"
+
+
 def test_capital_and_small_letters_count(check):
     found = only(check("import Utils\n", rcj_soccer_team_blue__utils=""))
     assert found.code == "sources.wrong_case"
@@ -149,6 +191,14 @@ def test_a_module_where_python_does_not_look_is_named(check):
 def test_a_program_that_changes_sys_path_may_import_from_any_of_its_folders(check):
     program = "import os, sys\nsys.path.append(os.path.join(os.path.dirname(__file__), 'lib'))\nimport helper\n"
     assert codes(check(program, rcj_soccer_team_blue__lib__helper="")) == ["ok"]
+
+
+def test_who_looks_two_folders_up_finds_all_programs_in_controllers_as_in_the_original(check):
+    program = "import sys\nsys.path.append('../..')\nfrom controllers.rcj_soccer_team_blue.tools import SPEED\n"
+    assert codes(check(program, rcj_soccer_team_blue__tools="SPEED = 3\n")) == ["ok"]
+    assert codes(check(program.replace("tools", "tool"))) == ["missing_part"]
+    without = check(program.replace("sys.path.append('../..')\n", ""))
+    assert codes(without) == ["missing_module"]
 
 
 def test_the_layout_of_2021_finds_its_libraries_in_the_folder_above(check):

@@ -53,6 +53,41 @@ DUEL = [
 """One robot on each side has a program, for what does not depend on the others: that starts fewer processes."""
 
 
+@pytest.mark.parametrize(
+    ("scenario", "files", "remedy"),
+    [
+        (
+            "match",
+            ["foxes/foxes.py", "foxes/robot1.py", "team_name.txt"],
+            (
+                "rename the folder foxes to rcj_soccer_team_blue, rename the file rcj_soccer_team_blue/foxes.py to "
+                "rcj_soccer_team_blue/rcj_soccer_team_blue.py; rcj-challenge check … --fix NEW.zip makes such a copy"
+            ),
+        ),
+        (
+            "match",
+            ["code/score_goal/score_goal.py"],
+            "it looks like one for fast_shooter or precision_lidar: ",
+        ),
+        (
+            "match_2021",
+            [f"rcj_soccer_player_b{number}/rcj_soccer_player_b{number}.py" for number in (1, 2, 3)],
+            "rename the folder rcj_soccer_player_b1 to robot1, ",
+        ),
+    ],
+)
+def test_of_programs_that_are_called_otherwise_it_is_said_which_renaming_would_do(
+    tmp_path, monkeypatch, capsys, scenario, files, remedy
+):
+    for name in files:
+        (tmp_path / "mine" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "mine" / name).write_text("import robot1\n" if name == files[0] else "x = 1\n", encoding="utf-8")
+    assert here(monkeypatch, tmp_path, "run", scenario, "--yellow", "mine") == 2
+    told = capsys.readouterr()
+    assert remedy in told.err + told.out
+    assert "did you mean" not in told.err + told.out
+
+
 def test_json_prints_the_result_and_nothing_else(tmp_path, team):
     done = command(*short(team, "--json", *DUEL), cwd=tmp_path)
     assert done.returncode == 0, done.stderr

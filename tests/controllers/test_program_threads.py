@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 
 import pytest
-from fake_match import FakeMatch, Played
+from fake_match import INDEX, FakeMatch, Played
 
 SECOND = 1000 // 32  # ticks
 
@@ -115,6 +115,58 @@ for n in range(3):
     assert played.fault is not None
     assert (played.fault.kind, played.fault.tick) == ("exit", 3)
     assert time.perf_counter() - began_s < match.limits.step_s
+
+
+STEPPED_BY_A_THREAD = """
+import threading, time
+from controller import Robot
+robot = Robot()
+motor, emitter, gps = (robot.getDevice(name) for name in ("left wheel motor", "team emitter", "gps"))
+motor.setPosition(float("inf"))
+motor.setVelocity(0)
+running = True
+def drive():
+    global running
+    while robot.step(32) != -1: pass
+    running = False
+threading.Thread(target=drive).start()
+"""
+
+
+def test_what_is_set_while_another_thread_steps_acts_in_the_next_step(match: FakeMatch) -> None:
+    """As in the original: what one thread sets is kept until the other one steps again."""
+    program = STEPPED_BY_A_THREAD.replace(
+        "running = True\n",
+        """running = True
+from controller import _hub
+wire = _hub.connected()._wire
+real, settings = wire.exchange, iter([
+    lambda: motor.setVelocity(3), lambda: emitter.send(b"now"), lambda: gps.enable(64), lambda: motor.setAcceleration(1),
+    lambda: motor.setVelocity(5),
+])
+def exchange(frame):
+    other = threading.Thread(target=next(settings, int))
+    other.start()
+    other.join()
+    return real(frame)
+wire.exchange = exchange
+""",
+    )
+    played = match.play(program, 9)
+    assert played.fault is None
+    requests = [request for _, request in played.requests]
+    assert [m.velocity_radps for m in requests[1].motors] == [3.0]
+    assert requests[2].emissions == ((INDEX["team emitter"], 3, b"now"),)
+    assert requests[3].sampling == ((INDEX["gps"], 2),)
+    assert [m.velocity_radps for m in requests[5].motors] == [pytest.approx(3.032)]
+
+
+def test_a_main_thread_may_drive_while_another_one_steps(match: FakeMatch) -> None:
+    played = match.play(
+        STEPPED_BY_A_THREAD + "time.sleep(0.1)\nmotor.setVelocity(7)\nwhile running: time.sleep(0.1)\n", 3 * SECOND
+    )
+    assert played.fault is None
+    assert [velocity for _, velocity, _ in played.motors()] == [0.0, 7.0]
 
 
 def test_after_a_thread_that_stepped_has_ended_time_is_the_main_threads_again(match: FakeMatch) -> None:

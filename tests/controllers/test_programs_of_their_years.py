@@ -222,6 +222,15 @@ robot.step(32)
     assert said[3:] == ["b'\\x01\\x00\\x02\\x00' ['b', 'c'] 2", "6 24 int", "no half numbers"]
 
 
+def test_help_may_be_left_in_a_program(match: FakeMatch) -> None:
+    played = match.play(
+        "from controller import Motor, Robot\nrobot = Robot()\nhelp(Motor.setVelocity)\nwhile robot.step(32) != -1:\n    pass\n",
+        3,
+    )
+    assert played.fault is None
+    assert any("Set the velocity in rad/s" in line for line in played.said)
+
+
 def test_a_program_has_a_user_and_a_home(match: FakeMatch) -> None:
     program = """
 import getpass, os, tempfile

@@ -120,6 +120,7 @@ class Boot:
 
         for name in ("exit", "quit"):
             setattr(builtins, name, _sitebuiltins.Quitter(name, "Ctrl-D (i.e. EOF)"))
+        builtins.help = _sitebuiltins._Helper()  # noqa: SLF001 - it is what programs know by that name
 
     def _left(self, left: SystemExit) -> None:
         code = left.code

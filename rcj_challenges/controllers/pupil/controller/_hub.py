@@ -27,8 +27,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-    from ._wire import Motors
-
     Seen = tuple[int, tuple[Any, ...]]
     """A tick, and the numbers of a sample that was taken then."""
 else:
@@ -231,9 +229,12 @@ class Hub:
         if duration_ms != self._step_ms:
             self._step_ms, self._step_ticks = duration_ms, self._checked_ticks(duration_ms)
         clock = self._clock
-        missed, printed, motors = clock.missed_ticks(), self._output.printed_bytes, self._motors.values()
-        build = self._with_others if self._has_others else motors_frame
-        request = build(self.tick, self._step_ticks, missed, printed, motors)
+        missed, printed = clock.missed_ticks(), self._output.printed_bytes
+        if self._has_others:
+            request = self._with_others(self.tick, self._step_ticks, missed, printed)
+        else:
+            motors, self._motors = self._motors, {}
+            request = motors_frame(self.tick, self._step_ticks, missed, printed, motors.values())
         clock.step_began()
         frame = self._wire.exchange(request)
         if self._followed:
@@ -247,7 +248,6 @@ class Hub:
 
     def _take_in(self, frame: bytes) -> None:
         """Take in what came when a step was over."""
-        self._motors.clear()
         self.previous, self.previous_tick = self.numbers, self.tick
         self.numbers = numbers = self._form.unpack_from(frame)
         _, kind, tick, flags, _, packets = numbers[:HEAD_FIELDS]
@@ -284,40 +284,45 @@ class Hub:
         if self._begun is not None:
             raise RuntimeError("stepBegin was called again before stepEnd")
         ticks, printed = self._checked_ticks(duration_ms), self._output.printed_bytes
-        self._begun = self._with_others(self.tick, ticks, 0, printed, self._motors.values())
+        self._begun = self._with_others(self.tick, ticks, 0, printed)
         self._begun_ms = duration_ms
-        self._motors.clear()
         self._has_others = True  # the exchange is to look here for its request
 
     def end(self) -> bool:
         """Take the step that `begin` began. What was set since then acts in the next one. Returns False at the end."""
         if self._begun is None:
             raise RuntimeError("stepEnd was called without stepBegin before it")
-        later = self._motors.copy()
         self._ending = True
         try:
             return self.exchange(self._begun_ms)
         finally:
             self._ending, self._begun = False, None
-            self._motors.update(later)
 
-    def _with_others(self, tick: int, advance_ticks: int, missed_ticks: int, printed: int, motors: Motors) -> bytes:
-        """Return a request with all that is asked for, and forget it. ``motors`` shows what ramps add meanwhile."""
+    def _with_others(self, tick: int, advance_ticks: int, missed_ticks: int, printed: int) -> bytes:
+        """Return a request with all that is asked for, and forget it.
+
+        What another thread asks for meanwhile stays for the next one: everything is taken and replaced at once.
+        """
         if self._begun is not None:
             if not self._ending:
                 raise RuntimeError("step was called between stepBegin and stepEnd")
             return with_missed_ticks(self._begun, missed_ticks)
-        if self._ramps:
-            self._ramps = {device: approach for device, approach in self._ramps.items() if approach(advance_ticks)}
+        self._has_others = False
+        ramps, self._ramps = self._ramps, {}
+        for device, approach in ramps.items():
+            if approach(advance_ticks):
+                self._has_others = True
+                self._ramps.setdefault(device, approach)
+        motors, self._motors = self._motors, {}
         emissions, self._emissions, self._emitted_bytes = self._emissions, [], 0
-        self._has_others = bool(self._ramps)
         if not (self._sampling or self._channels or self._frequencies):  # many teams talk on every tick
-            return motors_frame(tick, advance_ticks, missed_ticks, printed, motors, emissions)
-        settings = self._sampling.items(), self._channels.items(), self._frequencies.items()
-        frame = request_frame(tick, advance_ticks, missed_ticks, printed, motors, *settings, emissions)
-        self._followed_anew = {one: period for one, period in self._sampling.items() if one in self._followed}
-        self._sampling, self._channels, self._frequencies = {}, {}, {}
-        return frame
+            return motors_frame(tick, advance_ticks, missed_ticks, printed, motors.values(), emissions)
+        sampling, self._sampling = self._sampling, {}
+        channels, self._channels = self._channels, {}
+        frequencies, self._frequencies = self._frequencies, {}
+        self._followed_anew = {one: period for one, period in sampling.items() if one in self._followed}
+        settings = sampling.items(), channels.items(), frequencies.items()
+        return request_frame(tick, advance_ticks, missed_ticks, printed, motors.values(), *settings, emissions)
 
     def _set_periods(self, tick: int) -> None:
         """Take note of the periods that a request has asked for, as of the tick in which it acts."""

@@ -1,4 +1,4 @@
-"""What ``run`` says of programs that read the referee's packets in another form than they have in this match."""
+"""What ``run`` says of programs that failed beyond their faults, as far as it shows without starting them again."""
 
 from __future__ import annotations
 
@@ -12,11 +12,15 @@ if TYPE_CHECKING:
     from rcj_challenges.controllers.team import Team
     from rcj_challenges.scenario.models.scenario import Scenario
 
+_BEGINNING = 100_000  # letters
 
-def packet_hints(
+
+def advice_on(
     scenario: Scenario, teams: Mapping[str, Team], faults: Sequence[Mapping[str, Any]], logs: Path
 ) -> list[dict[str, Any]]:
-    """Return each such mistake as in `HintResult`, in the words of ``check``, and write it into the robots' logs.
+    """Return what to do about faults, where that shows, as in `HintResult`, and write it into the robots' logs.
+
+    The words are those of ``check``.
 
     Args:
         scenario: what was played.
@@ -24,14 +28,14 @@ def packet_hints(
         faults: as in the result.
         logs: folder with the robots' logs.
     """
-    crashes = [fault for fault in faults if fault["kind"] == "crash" and fault["team"] in teams]
-    if not crashes:
+    ended = [fault for fault in faults if fault["kind"] in ("crash", "exit") and fault["team"] in teams]
+    if not ended:
         return []
-    from rcj_challenges.checker.hints import on_messages
+    from rcj_challenges.checker.hints import hint_at_once, on_device
 
     robots: dict[str, dict[str, None]] = {}
-    for fault in crashes:
-        hint = on_messages(scenario, teams[fault["team"]], fault)
+    for fault in ended:
+        hint = hint_at_once(scenario, teams[fault["team"]], fault) or on_device(fault, _beginning(logs, fault["robot"]))
         if hint is not None:
             robots.setdefault(hint.remedy, {})[fault["robot"]] = None
     for remedy, alike in robots.items():
@@ -40,3 +44,12 @@ def packet_hints(
             with contextlib.suppress(OSError), (logs / f"{robot}.log").open("a", encoding="utf-8") as log:
                 log.write(f"hint: {remedy}\n")
     return [{"robots": list(alike), "remedy": remedy} for remedy, alike in robots.items()]
+
+
+def _beginning(logs: Path, robot: str) -> str:
+    """Return what a robot's log begins with: there a program asks for its devices."""
+    try:
+        with (logs / f"{robot}.log").open(encoding="utf-8", errors="replace") as log:
+            return log.read(_BEGINNING)
+    except OSError:
+        return ""

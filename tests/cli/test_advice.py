@@ -1,4 +1,4 @@
-"""``run`` says of a program that reads the referee's packets in another form what ``check`` says of it."""
+"""``run`` says at its end what ``check`` says of programs that failed, as far as it shows without starting them again."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import json
 
 import pytest
 
-from rcj_challenges.cli.packets import packet_hints
+from rcj_challenges.cli.advice import advice_on
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.scenario.load import load
@@ -34,7 +34,7 @@ def told(tmp_path):
 
     def of(*faults):
         with open_team(tmp_path / "robot.py") as team:
-            return packet_hints(OF_2021, {"yellow": team}, faults, logs)
+            return advice_on(OF_2021, {"yellow": team}, faults, logs)
 
     return of
 
@@ -79,6 +79,67 @@ def test_who_reads_the_result_as_json_is_told_the_same_and_the_record_keeps_what
     assert "hints" not in json.loads(result.read_text(encoding="utf-8"))
 
 
+@pytest.mark.parametrize(
+    ("program", "beside", "named"),
+    [
+        ("import tools\n", "tools.py", "tools.py"),
+        ("import tools.speeds\n", "tools/speeds.py", "tools"),
+        ("open('speeds.csv')\n", "speeds.csv", "speeds.csv"),
+    ],
+)
+def test_who_gives_one_file_and_not_its_folder_is_told_what_lies_beside_it(
+    tmp_path, monkeypatch, capsys, program, beside, named
+):
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "team.py").write_text(program, encoding="utf-8")
+    (tmp_path / "mine" / beside).parent.mkdir(exist_ok=True)
+    (tmp_path / "mine" / beside).write_text("", encoding="utf-8")
+    assert here(monkeypatch, tmp_path, *short("mine/team.py", "--quiet", "--no-replay", *DUEL)) == 0
+    (line,) = [line for line in capsys.readouterr().out.splitlines() if line.startswith("hint")]
+    assert line == (
+        f"hint for B1, Y2: {named} lies beside team.py, but only that one file was given: "
+        "give the folder in which both lie"
+    )
+
+
+@pytest.mark.parametrize(
+    ("program", "told"),
+    [
+        ("x = math.pi\n", 'write "import math" at the top of team.py'),
+        ("x, y = controller.Robot().getDevice('gps').getValues()\n", "these are three numbers"),
+        ("input('Role? ')\n", "nobody types in a match"),
+        ("open('C:/me/speeds.csv')\n", "a place on your own computer"),
+        ("for n in xrange(5): pass\n", "Python 2 was the last that had xrange"),
+        ("robot = controller.Robot()\nwhile robot.step(32): pass\n", "the loop in line 3 ends at once"),
+        ("exit()\n", "leave out exit()"),
+        ("from queue import Stack\n", ""),  # to say what hides what, a program would have to be started
+        (
+            "controller.Robot().getDevice('left_wheel_motor').setPosition(0)\n",
+            'gave None: did you mean "left wheel motor"?',
+        ),
+        ("controller.Robot().getDevice('imu').enable(32)\n", 'getDevice("imu") gave None: this robot has: left wheel'),
+        ("motor = None; motor.setPosition(0)\n", ""),
+        ("1 / 0\n", ""),
+    ],
+)
+def test_a_program_that_failed_is_told_what_to_do_where_that_shows(tmp_path, monkeypatch, capsys, program, told):
+    folder = tmp_path / "mine"
+    folder.mkdir()
+    (folder / "team.py").write_text("import controller\n" + program, encoding="utf-8")
+    assert here(monkeypatch, tmp_path, *short("mine/team.py", "--quiet", "--no-replay", *DUEL)) == 0
+    lines = [line for line in capsys.readouterr().out.splitlines() if line.startswith("hint")]
+    assert [told in line for line in lines] == [True] * bool(told)
+
+
+@pytest.mark.parametrize("program", ["import tools\n", "open('speeds.csv')\n", "open('../secret')\n"])
+def test_where_nothing_of_the_name_lies_beside_the_file_nothing_is_said(tmp_path, monkeypatch, capsys, program):
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "secret").write_text("", encoding="utf-8")
+    (tmp_path / "mine" / "team.py").write_text(program, encoding="utf-8")
+    assert here(monkeypatch, tmp_path, *short("mine/team.py", "--quiet", "--no-replay", *DUEL)) == 0
+    assert "lies beside" not in capsys.readouterr().out
+
+
 def test_a_match_that_gives_no_hint_says_so_in_json(tmp_path, monkeypatch, capsys):
     (tmp_path / "team.py").write_text("import controller\ncontroller.Robot()\n", encoding="utf-8")
     assert here(monkeypatch, tmp_path, *short("team.py", "--json", "--no-replay", *DUEL)) == 0
@@ -107,4 +168,4 @@ def test_a_log_that_cannot_be_written_keeps_nothing_back(told):
     ],
 )
 def test_other_faults_say_nothing_about_packets(told, other):
-    assert told(other) == []
+    assert all("packet" not in hint["remedy"] for hint in told(other))
