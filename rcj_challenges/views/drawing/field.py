@@ -21,6 +21,7 @@ from rcj_challenges.views.drawing.reaches import reaches
 from rcj_challenges.views.drawing.shapes import (
     box,
     floor_of,
+    goal_floor,
     home,
     home_yaw_rad,
     inverted_outlines,
@@ -44,6 +45,7 @@ _IN_A_ROBOT = 4  # characters of a name that fit into its body
 _PUT = "#f08c00"  # what rules put somewhere
 # Of zones; none of these is near orange.
 _ZONE_COLOURS = ("#7048e8", "#1098ad", "#d6336c", "#5c940d", "#9c36b5", "#4263eb", "#0b7285", "#a61e4d")
+_WITHIN = "within-the-walls"
 _WHITE, _BLACK = "#ffffff", "#161c24"
 _SET = " when a half starts; rules set it"  # of a spot
 _STYLE = (
@@ -86,13 +88,11 @@ def _ground(paper: Paper, scenario: Scenario) -> None:
     walls = 'fill="#e9f5ec" stroke="#343a40" stroke-width="4"'
     paper.polygon(floor_of(field), walls, "the field, inside its walls", in_the_way=_THICK)
     for name, goal in field.goals.items():
-        sign = 1 if goal.end == "positive_y" else -1
-        near, far, g = sign * h, sign * (h + goal.depth_m), goal.width_m / 2
-        corners = [(-g, near), (g, near), (g, far), (-g, far)]
+        corners = goal_floor(goal, field)
         paper.polygon(corners, f'fill="{_colour(goal.colour)}" fill-opacity="0.35"', name)
         for start, end in zip(corners[1:], [*corners[2:], corners[0]], strict=True):
             paper.line(start, end, f'stroke="{_colour(goal.colour)}" stroke-width="4"')
-        paper.line((-g, near), (g, near), 'stroke="#ffffff" stroke-width="3"')
+        paper.line(corners[0], corners[1], 'stroke="#ffffff" stroke-width="3"')
     # As on the replay page, the halfway line is one between two goals; without them it is but the axis.
     middle_words = "halfway line, y = 0" if field.goals else "y = 0"
     paper.line((-w, 0), (w, 0), 'stroke="#adb5bd" stroke-dasharray="2 6"', middle_words, in_the_way=0)
@@ -154,10 +154,15 @@ def _start(scenario: Scenario, name: str) -> Point | None:
 
 
 def _reaches(paper: Paper, scenario: Scenario, roster: Roster) -> None:
-    remembered = remembered_spots(scenario)
-    for reach in reaches(scenario, roster):
+    """Draw the distances that rules measure, within the walls: nothing is ever behind them."""
+    remembered, measured = remembered_spots(scenario), reaches(scenario, roster)
+    if measured:
+        field = scenario.field
+        paper.clip(_WITHIN, [floor_of(field), *(goal_floor(goal, field) for goal in field.goals.values())])
+    for reach in measured:
         is_set = reach.name in remembered
-        style = f'fill="none" stroke="{_PUT if is_set else "#495057"}" stroke-dasharray="1 4" class="reach"'
+        line = f'stroke="{_PUT if is_set else "#495057"}" stroke-dasharray="1 4"'
+        style = f'fill="none" {line} clip-path="url(#{_WITHIN})" class="reach"'
         words = f"{reach.words(' m')}{_SET if is_set else ''}"
         if reach.centre_m is not None:
             paper.circle(reach.centre_m, reach.radius_m, style, words)

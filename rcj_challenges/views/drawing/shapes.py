@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from rcj_challenges.scenario.models.field import FieldModel, Wall
+from rcj_challenges.scenario.models.field import FieldModel, Goal, Wall
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.starting import start_pose
@@ -52,6 +52,14 @@ def floor_of(field: FieldModel) -> list[Point]:
     w, h, cut = field.width_m / 2, field.length_m / 2, field.corner_cut_m
     return [(w - cut, h), (w, h - cut), (w, -h + cut), (w - cut, -h),
             (-w + cut, -h), (-w, -h + cut), (-w, h - cut), (-w + cut, h)]  # fmt: skip
+
+
+def goal_floor(goal: Goal, field: FieldModel) -> list[Point]:
+    """Return the corners of the floor inside a goal, the two on the goal line first."""
+    sign = 1 if goal.end == "positive_y" else -1
+    near, half = sign * field.length_m / 2, goal.width_m / 2
+    far = near + sign * goal.depth_m
+    return [(-half, near), (half, near), (half, far), (-half, far)]
 
 
 def floor_outline(zone: Zone, field: FieldModel) -> list[Point]:
