@@ -21,6 +21,7 @@ from rcj_challenges.views.drawing.reaches import reaches
 from rcj_challenges.views.drawing.shapes import (
     box,
     floor_of,
+    forward_mark,
     goal_floor,
     home,
     home_yaw_rad,
@@ -185,10 +186,7 @@ def _gates(paper: Paper, scenario: Scenario) -> None:
         for post in (start, end):
             paper.circle(post, 0.008, 'fill="#c92a2a"')
             paper.reserve(post, 0.008)
-        centre = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
-        length = math.dist(start, end) or 1.0
-        ahead = (-(end[1] - start[1]) / length * 0.05, (end[0] - start[0]) / length * 0.05)
-        tip = _shifted(centre, ahead)
+        centre, tip = forward_mark(start, end)
         paper.line(centre, tip, 'stroke="#c92a2a" stroke-width="2"', "forward", in_the_way=_THICK)
         paper.circle(tip, 0.006, 'fill="#c92a2a"')
         paper.reserve(tip, 0.006)
