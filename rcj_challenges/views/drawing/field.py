@@ -46,6 +46,7 @@ _IN_A_ROBOT = 4  # characters of a name that fit into its body
 _PUT = "#f08c00"  # what rules put somewhere
 # Of zones; none of these is near orange.
 _ZONE_COLOURS = ("#7048e8", "#1098ad", "#d6336c", "#5c940d", "#9c36b5", "#4263eb", "#0b7285", "#a61e4d")
+_READABLE = 1.05 / 4.5 - 0.05  # the luminance whose contrast to white is the least for small text in WCAG 2
 _WITHIN = "within-the-walls"
 _WHITE, _BLACK = "#ffffff", "#161c24"
 _SET = " when a half starts; rules set it"  # of a spot
@@ -327,7 +328,17 @@ def _shifted(point: Point, by: Point) -> Point:
 
 def _dark(colour: str) -> str:
     """Return a colour #rrggbb so much darker that text of it is readable on white."""
-    return "#" + "".join(f"{round(int(colour[k : k + 2], 16) * 0.65):02x}" for k in (1, 3, 5))
+    rgb = [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+    share = 0.65
+    while _brightness([share * part for part in rgb]) > _READABLE:
+        share -= 0.05
+    return "#" + "".join(f"{round(share * part * 255):02x}" for part in rgb)
+
+
+def _brightness(rgb: list[float]) -> float:
+    """Return the relative luminance of a colour in sRGB, 0 to 1 (WCAG 2)."""
+    linear = (part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in rgb)
+    return sum(weight * part for weight, part in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
 
 
 def _axes_words(scenario: Scenario, anchor: str) -> str:
