@@ -92,7 +92,7 @@ const Ground = {
     if (shown.gates) {
       for (const gate of facts.gates) {
         const end = Ground.outerEnd(gate); // the same one always: a name does not jump while its gate moves
-        names.push({ text: gate.name, at: (poses) => Ground.moved(gate, poses)[end] });
+        names.push({ text: gate.name, moves: gate.anchor !== null, at: (poses) => Ground.moved(gate, poses)[end] });
       }
     }
     if (shown.spots) for (const spot of facts.spots) names.push({ text: spot.name, at: () => [spot.x_m, spot.y_m] });
