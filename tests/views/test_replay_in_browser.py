@@ -261,6 +261,25 @@ def test_the_whole_field_is_in_the_picture_on_any_screen(show: Callable[..., Any
         assert spread.max() > 0.85, size
 
 
+@pytest.mark.parametrize("size", [(1280, 800), (1024, 600), (360, 740)], ids=str)
+def test_the_buttons_of_the_cameras_cover_no_part_of_the_field(
+    size: tuple[int, int], show: Callable[..., Any], run: Path
+) -> None:
+    page = show(run, viewport={"width": size[0], "height": size[1]})
+    for camera in ("overview", "top"):
+        page.click(f"[data-camera={camera}]")
+        settled(page)
+        highest, lower_edge = page.evaluate(
+            """() => {
+              const stage = document.querySelector(".stage").getBoundingClientRect();
+              const floor = replay.app.camera.outermost().filter(([x, y, z]) => z === 0);
+              const heights = floor.map((corner) => replay.app.view.project(...corner)[1] * stage.height);
+              return [Math.min(...heights), document.getElementById("cameras").getBoundingClientRect().bottom - stage.top];
+            }"""
+        )
+        assert highest >= lower_edge, camera
+
+
 @pytest.mark.nightly
 def test_drag_turns_wheel_zooms_and_shift_drag_moves(show: Callable[..., Any], run: Path) -> None:
     page = show(run)
@@ -453,9 +472,11 @@ WHOLE = """() => [...document.querySelectorAll(".team .name, .half, .phase:not([
     ("size", "names"),
     [
         ({"width": 360, "height": 740}, ("Roles and Radio", "All Sensors")),
+        ({"width": 844, "height": 390}, ("Roles and Radio", "All Sensors")),
+        ({"width": 900, "height": 700}, ("Roles and Radio", "All Sensors")),
         ({"width": 1280, "height": 800}, ("Good Old Days (blue first)", "Good Old Days (yellow first)")),
     ],
-    ids=["phone", "laptop"],
+    ids=["phone", "phone that lies", "tablet that lies", "laptop"],
 )
 def test_the_scoreboard_cuts_off_nothing_for_which_there_is_room(
     size: dict[str, int], names: tuple[str, str], show: Callable[..., Any], tmp_path: Path
