@@ -10,6 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from rcj_challenges.checker.findings import RANKS, STAGES, Level, Stage, StageName, gravest
 from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.timing import SUBSTEP_S
 
 if TYPE_CHECKING:
     from rcj_challenges.checker.rehearsal import Rehearsed
@@ -68,7 +69,7 @@ class RobotReport(_Part):
 ROBOT_NUMBERS: dict[str, Callable[[RobotReport], str]] = {
     "way": lambda robot: f"{robot.path_m:.2f} m",
     "turned": lambda robot: f"{robot.turned_rad:.1f} rad",
-    "touches": lambda robot: str(robot.ball_touches),
+    "at the ball": lambda robot: f"{robot.ball_touches * SUBSTEP_S:.2f} s",
     "steps": lambda robot: str(robot.steps),
     "start": lambda robot: f"{robot.start_s:.2f} s",
     "a step": lambda robot: f"{robot.step_mean_ms:.1f} ms",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -28,6 +28,10 @@ _HEADS = {
     "own_half": "own\nhalf %",
 }
 """Narrow enough for a terminal of 80 columns."""
+_NAMES = 10
+"""Columns of the terminal that names have at least; longer ones take more lines."""
+_GAP = 2
+"""Between two columns of the table."""
 
 
 def register(app: typer.Typer) -> None:
@@ -86,33 +90,10 @@ def show_stats(runs: Sequence[Path | None], out: Path, *, as_json: bool, explain
 
 
 def _print(console: Console, stats: Stats, *, explain: bool) -> None:
-    from rich.box import SIMPLE_HEAD
-    from rich.table import Table
+    from rcj_challenges.views.sentences import plain
+    from rcj_challenges.views.stats.figures import DEFINITIONS, shown_keys
 
-    from rcj_challenges.facts.timing import TICK_S
-    from rcj_challenges.views.sentences import clock, plain
-    from rcj_challenges.views.stats.figures import DEFINITIONS, figures, shown_keys
-
-    keys = [key for key in shown_keys(stats) if key not in ("faults", "calls")]
-    table = Table(
-        title=f"{_counted(len(stats.runs), 'run')}, {clock(stats.play_ticks * TICK_S)} of play", box=SIMPLE_HEAD,
-        pad_edge=False, padding=(0, 0, 0, 1), collapse_padding=True, title_justify="left",
-    )  # fmt: skip
-    table.add_column("robot")
-    for key in keys:
-        table.add_column(_HEADS[key], justify="right", no_wrap=True)
-    for name, team in stats.teams.items():
-        points = f"{plain(name, 32)}: {team.points:g}"
-        told = figures(team.total, stats)
-        table.add_row(points, *(_cell(key, told[key]) for key in keys), style="bold")
-        for label, robot in sorted(team.robots.items()):
-            told = figures(robot, stats)
-            table.add_row(f"  {plain(label, 40)}", *(_cell(key, told[key]) for key in keys))
-        table.add_section()
-    for name, ball in stats.balls.items():
-        told = {key: figures(ball, stats)[key] for key in ("distance_m", "mean_mps", "max_mps")}
-        table.add_row(plain(name, 32), *(_cell(key, told.get(key)) for key in keys))
-    console.print(table)
+    _print_table(console, stats)
     _print_calls(console, stats)
     for note in stats.notes:
         console.print(f"note: {plain(note, 500)}", markup=False, highlight=False, soft_wrap=True)
@@ -122,6 +103,68 @@ def _print(console: Console, stats: Stats, *, explain: bool) -> None:
             console.print(line, markup=False, highlight=False, soft_wrap=True)
     else:
         console.print("--explain says how each figure is defined.", markup=False, highlight=False)
+
+
+def _print_table(console: Console, stats: Stats) -> None:
+    """Print the figures of teams, robots and balls, in parts where the terminal is narrow."""
+    from rich.box import SIMPLE_HEAD
+    from rich.table import Table
+
+    from rcj_challenges.facts.timing import TICK_S
+    from rcj_challenges.views.sentences import clock
+    from rcj_challenges.views.stats.figures import shown_keys
+
+    keys = [key for key in shown_keys(stats) if key not in ("faults", "calls")]
+    blocks = _blocks(stats, keys)
+    told = [cells for block in blocks for _, cells, _ in block]
+    widths = [max(map(len, [*_HEADS[key].splitlines(), *(cells[key] for cells in told)])) for key in keys]
+    title = f"{_counted(len(stats.runs), 'run')}, {clock(stats.play_ticks * TICK_S)} of play"
+    for part in _parts(widths, console.width):
+        table = Table(
+            title=title, box=SIMPLE_HEAD, pad_edge=False, padding=(0, 0, 0, 1), collapse_padding=True,
+            title_justify="left",
+        )  # fmt: skip
+        table.add_column("robot", min_width=_NAMES, overflow="fold")
+        for place in part:
+            table.add_column(_HEADS[keys[place]], justify="right", no_wrap=True)
+        for block in blocks:
+            for who, cells, style in block:
+                table.add_row(who, *(cells[keys[place]] for place in part), style=style)
+            table.add_section()
+        console.print(table)
+        title = ""
+
+
+def _blocks(stats: Stats, keys: Sequence[str]) -> list[list[tuple[str, dict[str, str], str]]]:
+    """Return the lines of each team and those of the balls: who, the figures by key, how it is printed."""
+    from rcj_challenges.views.sentences import plain
+    from rcj_challenges.views.stats.figures import figures
+
+    blocks = []
+    for name, team in stats.teams.items():
+        block = [(f"{plain(name, 32)}: {team.points:g}", _cells(figures(team.total, stats), keys), "bold")]
+        for label, robot in sorted(team.robots.items()):
+            block.append((f"  {plain(label, 40)}", _cells(figures(robot, stats), keys), ""))
+        blocks.append(block)
+    of_balls = ("distance_m", "mean_mps", "max_mps")
+    balls = [
+        (plain(name, 32), _cells({key: figures(ball, stats)[key] for key in of_balls}, keys), "")
+        for name, ball in stats.balls.items()
+    ]
+    return [*blocks, balls]
+
+
+def _parts(widths: Sequence[int], room: int) -> list[list[int]]:
+    """Return which columns stand in one table: as many as have room beside the names, all of them on 80 columns."""
+    parts: list[list[int]] = [[]]
+    left = room - _NAMES - 1
+    for place, width in enumerate(widths):
+        if parts[-1] and left < width + _GAP:
+            parts.append([])
+            left = room - _NAMES - 1
+        parts[-1].append(place)
+        left -= width + _GAP
+    return parts
 
 
 def _print_calls(console: Console, stats: Stats) -> None:
@@ -138,6 +181,10 @@ def _print_calls(console: Console, stats: Stats) -> None:
     if stats.calls:
         told = [f"{event} {count}" for event, count in sorted(stats.calls.items())]
         console.print(f"about no robot: {', '.join(told)}", markup=False, highlight=False, soft_wrap=True)
+
+
+def _cells(told: Mapping[str, Any], keys: Sequence[str]) -> dict[str, str]:
+    return {key: _cell(key, told.get(key)) for key in keys}
 
 
 def _cell(key: str, value: Any) -> str:

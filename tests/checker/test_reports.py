@@ -11,12 +11,13 @@ from pathlib import Path
 
 import jsonschema
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from rich.console import Console
 
 from rcj_challenges.checker.findings import STAGES
 from rcj_challenges.checker.report import (
+    ROBOT_NUMBERS,
     SCHEMA_FILE,
     CheckReport,
     FileReport,
@@ -88,6 +89,15 @@ def printed(told, width=80, *, terminal=False):
     stream = io.StringIO()
     print_report(Console(file=stream, width=width, force_terminal=terminal, color_system=None), told)
     return stream.getvalue()
+
+
+def test_how_long_a_robot_touched_the_ball_is_told_in_seconds():
+    # `stats` counts touches: a robot that leans on the ball touches it once there, for as long as this says.
+    told = report(file_report(matches=[match_report()]))
+    assert ROBOT_NUMBERS["at the ball"](told.files[0].matches[0].robots[0]) == "0.02 s"  # three sub-steps of 8 ms
+    assert "0.02 s" in printed(told)
+    assert "0.02 s" in html_page(told, Path())
+    assert "touches" not in printed(told)
 
 
 def test_the_committed_schema_is_fresh():
@@ -247,6 +257,7 @@ def test_names_of_strangers_do_no_harm_in_the_page(tmp_path):
     assert "".join(tags.text).count("<script>alert(1)</script>") > 8
 
 
+@settings(deadline=None)
 @given(st.text(max_size=60))
 def test_whatever_a_team_is_called_the_page_stays_whole(name):
     safe = shown(name)

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import math
 import re
+from io import BytesIO
 from itertools import pairwise
 
+import numpy as np
 import pytest
+from PIL import Image
 
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.scenario.models.places import RectZone
 from rcj_challenges.views.drawing import draw_scenario
 from rcj_challenges.views.drawing.around import lines_around, measure
+from rcj_challenges.views.drawing.png import ZOOM, png_from_svg
 
 SMALL = """schema_version: 1
 id: small
@@ -148,3 +152,36 @@ def test_a_distance_from_a_zone_or_a_gate_is_drawn_and_stands_in_the_legend(to, 
     picture = draw_scenario(loaded.scenario, loaded.roster)
     assert [title for _, title in LINE.findall(picture)] == titles
     assert all(f">{title.replace(' m from', ' from')}<" in picture for title in titles)
+
+
+HALF_FLOOR_M = (0.65, 0.75)
+
+
+def pixels(condition: str) -> np.ndarray:
+    """Return the picture of the field, without the legend, as it is seen."""
+    with Image.open(BytesIO(png_from_svg(drawn(condition)))) as picture:
+        scale = ZOOM * PX_PER_M
+        return np.asarray(picture.convert("L").crop((0, 0, round(1.5 * scale), round(1.9 * scale)))).astype(int)
+
+
+@pytest.mark.parametrize(
+    ("to", "far_m", "in_a_goal"),
+    [
+        ("[0.6, 0]", 0.12, False),  # beside a wall
+        ("[0, 0.72]", 0.1, True),  # before a goal: what lies in it is on the floor
+        ("[0.62, 0.72]", 0.1, False),  # where a wall cuts the corner
+        ("pitch", 0.02, True),  # a line around a zone that is as wide as the field
+    ],
+)
+def test_no_distance_is_drawn_behind_the_walls(to, far_m, in_a_goal):
+    # Nothing is ever there, so that nothing is measured there.
+    changed = np.abs(pixels(NEAR % (to, f"at_most: {far_m}")) - pixels("")) > 8
+    rows, columns = np.nonzero(changed)
+    xs = columns / (ZOOM * PX_PER_M) - HALF_WIDTH_M
+    ys = HALF_LENGTH_M - rows / (ZOOM * PX_PER_M)
+    width_m, length_m = HALF_FLOOR_M
+    on_floor = (np.abs(xs) < width_m) & (np.abs(ys) < length_m) & (np.abs(xs) + np.abs(ys) < width_m + length_m - 0.058)
+    in_goal = (np.abs(xs) < 0.2) & (np.abs(ys) < length_m + 0.1)
+    assert (on_floor | in_goal).all()
+    assert on_floor.any() or in_goal.any()
+    assert (in_goal & ~on_floor).any() == in_a_goal

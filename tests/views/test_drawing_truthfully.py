@@ -259,3 +259,15 @@ def test_no_zone_has_the_orange_of_what_rules_put_somewhere():
         hues.add(round(360 * colorsys.rgb_to_hsv(red, green, blue)[0]))
     assert len(hues) > 4
     assert [hue for hue in hues if 10 < hue < 60] == []
+
+
+@pytest.mark.parametrize("colour", ["yellow", "white", "lime", "gold", "pink", "blue", "black", "'#ffd700'"])
+def test_the_name_of_a_zone_can_be_read_whatever_its_colour(colour):
+    # 4.5 is the least contrast of small text in the Web Content Accessibility Guidelines 2 (1.4.3).
+    picture = drawn(f"zones: {{hill: {{shape: circle, centre_m: [0, 0], radius_m: 0.2, colour: {colour}}}}}")
+    (label,) = (one for one in picture.iter(f"{SVG}text") if one.text == "hill")
+    ink = label.attrib["style"].removeprefix("fill:#")
+    shares = [int(ink[k : k + 2], 16) / 255 for k in (0, 2, 4)]
+    linear = [share / 12.92 if share <= 0.04045 else ((share + 0.055) / 1.055) ** 2.4 for share in shares]
+    luminance = sum(weight * share for weight, share in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
+    assert 1.05 / (luminance + 0.05) >= 4.5

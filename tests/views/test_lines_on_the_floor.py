@@ -10,7 +10,7 @@ from rcj_challenges.records.testing import write_made_up_run
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.views.drawing.shapes import floor_outline
 from rcj_challenges.views.replay.things import visible_things
-from rcj_challenges.views.video.colours import LINE
+from rcj_challenges.views.video.colours import GATE, LINE
 from rcj_challenges.views.video.footage import Footage
 from rcj_challenges.views.video.ground import paint_ground, whole_field
 from rcj_challenges.views.video.lettering import Lettering
@@ -104,3 +104,36 @@ def test_a_base_is_painted_in_its_own_colour(footage, colour, told, line):
     assert len([x for (x, _, _), _ in painted(shown, line) if 0.25 < x < 0.55]) == 4
     (zone,) = (zone for zone in shown.things["zones"] if zone["name"] == "base")
     assert zone.get("colour") == told
+
+
+DOOR = "\ngates: {door: {from_m: [0.1, 0.4], to_m: [0.5, 0.4]%s}}\n"
+JUDGED = (
+    "rules: {through: {triggers: [{trigger: crosses, entity: Y3, gate: door}],"
+    " actions: [{action: score, entrant: yellow, points: 1}], says: A gate.}}\n"
+)
+
+
+def test_a_gate_by_which_a_rule_judges_is_painted_with_its_way_forward(footage):
+    # A film of a race in which nobody sees the finish tells nothing.
+    shown = playing(footage, (DOOR % "") + JUDGED)
+    assert is_line(shown, (0.2, 0.4), GATE)
+    assert is_line(shown, (0.3, 0.43), GATE)  # forward: who drives so has the first post on the left hand
+    assert not is_line(shown, (0.3, 0.37), GATE)
+    (line, line_size), (mark, mark_size) = painted(shown, GATE)
+    assert list(line[:2]) == pytest.approx([0.3, 0.4])
+    assert line_size[0] == pytest.approx(0.2, abs=0.005)
+    assert list(mark[:2]) == pytest.approx([0.3, 0.425])
+    assert mark_size[0] == pytest.approx(0.025, abs=0.005)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        pytest.param(DOOR % "", id="no rule judges by it"),
+        pytest.param((DOOR % ", anchor: Y1") + JUDGED, id="it moves with a robot"),
+    ],
+)
+def test_other_gates_are_not_painted(footage, text):
+    shown = playing(footage, text)
+    assert not is_line(shown, (0.2, 0.4), GATE)
+    assert painted(shown, GATE) == []

@@ -261,6 +261,25 @@ def test_the_whole_field_is_in_the_picture_on_any_screen(show: Callable[..., Any
         assert spread.max() > 0.85, size
 
 
+@pytest.mark.parametrize("size", [(1280, 800), (1024, 600), (360, 740)], ids=str)
+def test_the_buttons_of_the_cameras_cover_no_part_of_the_field(
+    size: tuple[int, int], show: Callable[..., Any], run: Path
+) -> None:
+    page = show(run, viewport={"width": size[0], "height": size[1]})
+    for camera in ("overview", "top"):
+        page.click(f"[data-camera={camera}]")
+        settled(page)
+        highest, lower_edge = page.evaluate(
+            """() => {
+              const stage = document.querySelector(".stage").getBoundingClientRect();
+              const floor = replay.app.camera.outermost().filter(([x, y, z]) => z === 0);
+              const heights = floor.map((corner) => replay.app.view.project(...corner)[1] * stage.height);
+              return [Math.min(...heights), document.getElementById("cameras").getBoundingClientRect().bottom - stage.top];
+            }"""
+        )
+        assert highest >= lower_edge, camera
+
+
 @pytest.mark.nightly
 def test_drag_turns_wheel_zooms_and_shift_drag_moves(show: Callable[..., Any], run: Path) -> None:
     page = show(run)
@@ -357,6 +376,34 @@ def test_a_zone_that_has_a_colour_is_shown_in_it(show: Callable[..., Any], run: 
     assert len(colours) == 5  # the edge of the field, and each zone as a line and as a mark
 
 
+@pytest.mark.parametrize(
+    ("zone", "ends"),
+    [
+        ("x_min_m: -0.35, x_max_m: 0.35, y_min_m: 0.59, y_max_m: null", [-0.35, 0.35, 0.59, 0.75]),  # to the wall
+        ("x_min_m: null, x_max_m: null, y_min_m: null, y_max_m: 0", [-0.65, 0.65, -0.75, 0]),
+        ("x_min_m: -0.2, x_max_m: 0.2, y_min_m: 0.745, y_max_m: 0.849", [-0.2, 0.2, 0.745, 0.849]),  # nothing is open
+        ("x_min_m: null, x_max_m: null, y_min_m: 0.8, y_max_m: null", [-0.81, 0.81, 0.8, 0.91]),  # behind the floor
+    ],
+)
+def test_a_zone_with_an_open_side_ends_where_the_floor_does(
+    zone: str, ends: list[float], show: Callable[..., Any], run: Path
+) -> None:
+    # As in the drawing of the rule sheet: a penalty area reaches to the wall, not into the goal and beyond.
+    viewer = Path(rcj_challenges.__file__).parent / "views" / "replay" / "viewer"
+    parts = "\n".join((viewer / f"{name}.js").read_text(encoding="utf-8") for name in PARTS_OF_THE_FLOOR)
+    found = show(run).evaluate(
+        "() => {"
+        + parts
+        + f"""
+          const field = {{ width_m: 1.3, length_m: 1.5, corner_cut_m: 0.06, goals: [] }};
+          const points = Ground.zone({{ shape: "rect", {zone} }}, field);
+          const [xs, ys] = [0, 1].map((axis) => points.map((point) => point[axis]));
+          return [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+        }}"""
+    )
+    assert found == pytest.approx(ends)
+
+
 def test_zones_gates_and_spots_can_be_shown(show: Callable[..., Any], run: Path) -> None:
     page = show(run)
     before = picture(page)
@@ -413,6 +460,45 @@ def test_on_a_phone_the_picture_and_the_keys_are_in_sight_and_nothing_is_cut_off
         assert box["y"] + box["height"] <= NARROW["height"], thing
     page.tap("#play")
     until(page, "replay.place > 5")
+
+
+WHOLE = """() => [...document.querySelectorAll(".team .name, .half, .phase:not([hidden])")]
+  .filter((one) => one.scrollWidth > one.clientWidth + 1 && one.clientWidth || one.scrollHeight > one.clientHeight + 1 && one.clientHeight)
+  .map((one) => one.textContent)"""
+"""Names and words of the scoreboard of which something is cut off."""
+
+
+@pytest.mark.parametrize(
+    ("size", "names"),
+    [
+        ({"width": 360, "height": 740}, ("Roles and Radio", "All Sensors")),
+        ({"width": 844, "height": 390}, ("Roles and Radio", "All Sensors")),
+        ({"width": 900, "height": 700}, ("Roles and Radio", "All Sensors")),
+        ({"width": 1280, "height": 800}, ("Good Old Days (blue first)", "Good Old Days (yellow first)")),
+    ],
+    ids=["phone", "phone that lies", "tablet that lies", "laptop"],
+)
+def test_the_scoreboard_cuts_off_nothing_for_which_there_is_room(
+    size: dict[str, int], names: tuple[str, str], show: Callable[..., Any], tmp_path: Path
+) -> None:
+    folder = write_made_up_run(tmp_path, ticks=TICKS, halves=1, names=names)
+    write_replay(folder)
+    page = show(folder, "#h1t800", viewport=size, script=NO_WEBGL)
+    assert page.locator("#phase").inner_text() == "goal pause · robots held"
+    assert page.evaluate(WHOLE) == []
+    tools = page.locator(".tools").bounding_box()
+    words = page.locator("#phase").bounding_box()
+    assert words["x"] + words["width"] <= tools["x"]
+
+
+def test_of_a_long_caption_whole_lines_are_shown(show: Callable[..., Any], run: Path) -> None:
+    # Text is cut off where the border begins: in a padding the upper half of a third line could be seen.
+    page = show(run, "#h1t800", viewport={"width": 360, "height": 740}, script=NO_WEBGL)
+    caption = page.locator("#caption")
+    assert "GOAL" in caption.inner_text()
+    caption.evaluate("box => { box.textContent = 'whoever touched it last '.repeat(9); }")
+    shown_px, line_px = caption.evaluate("box => [box.clientHeight, parseFloat(getComputedStyle(box).lineHeight)]")
+    assert shown_px == pytest.approx(2 * line_px, abs=1)
 
 
 @pytest.mark.parametrize("size", [WIDE, pytest.param(NARROW, marks=pytest.mark.nightly)], ids=["wide", "narrow"])

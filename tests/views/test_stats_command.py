@@ -23,8 +23,8 @@ def out(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return runs
 
 
-def stats(*arguments: str, out: Path) -> tuple[int, str]:
-    result = CliRunner().invoke(app, ["stats", *arguments, "--out", str(out)], env={"COLUMNS": "80"})
+def stats(*arguments: str, out: Path, columns: int = 80) -> tuple[int, str]:
+    result = CliRunner().invoke(app, ["stats", *arguments, "--out", str(out)], env={"COLUMNS": str(columns)})
     if result.exception is not None and not isinstance(result.exception, SystemExit):
         raise result.exception
     return result.exit_code, result.stdout
@@ -42,6 +42,21 @@ def test_the_table_has_a_line_for_each_team_and_robot_and_fits_80_columns(out: P
     assert "\u202e" not in text
     assert max(len(line) for line in text.splitlines()[:20]) <= 80
     assert "…" not in text.split("ball")[0]  # no column is cut off
+
+
+@pytest.mark.parametrize("columns", [60, 40])
+def test_on_a_narrow_terminal_the_table_is_told_in_parts_each_with_the_names(out: Path, columns: int) -> None:
+    _, wide = stats(out=out)
+    code, told = stats(out=out, columns=columns)
+    assert code == 0
+    assert "…" not in told  # no figure is cut off
+    table = told.partition("--explain")[0]
+    assert all(len(line.rstrip()) <= columns for line in table.splitlines())
+    heads = [line for line in table.splitlines() if line.lstrip().startswith("robot")]
+    lines = [line.split()[1:] for line in table.splitlines() if line.split()[:1] == ["B1"]]
+    assert len(lines) == len(heads) > 1
+    (whole,) = [line.split()[1:] for line in wide.splitlines() if line.split()[:1] == ["B1"]]
+    assert [figure for part in lines for figure in part] == whole
 
 
 def test_every_definition_is_told_on_request(out: Path) -> None:

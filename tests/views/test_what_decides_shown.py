@@ -6,6 +6,7 @@ import json
 import math
 import re
 from collections.abc import Callable
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -254,6 +255,26 @@ def test_a_gate_that_moves_with_a_robot_is_drawn_where_the_robot_is(
     assert math.dist(first, last) > 0.03
     assert first_label != last_label
     assert not _is_pink(page.evaluate(COLOUR_AT, first)), "it has gone on"
+
+
+@pytest.mark.parametrize("script", ["", NO_WEBGL], ids=["3-D", "2-D"])
+def test_names_of_zones_do_not_cover_each_other(show: Callable[..., Any], tmp_path: Path, script: str) -> None:
+    # A goal and the penalty area before it, as in the match: on a laptop their names are wider than what lies between.
+    goal = {"shape": "rect", "x_min_m": -0.2, "x_max_m": 0.2, "y_min_m": 0.745, "y_max_m": 0.849}
+    area = {"shape": "rect", "x_min_m": -0.35, "x_max_m": 0.35, "y_min_m": 0.59}
+    zones = {"blue_goal": goal, "blue_penalty_area": area, "all_in_front_of_the_goal": area}
+    spots = {"corner": {"x_m": 0, "y_m": 0.63}}
+    page = show(_replay(tmp_path, zones=zones, spots=spots), script=script, viewport={"width": 1280, "height": 800})
+    page.keyboard.press("z")
+    for camera in ("overview", "top"):
+        page.evaluate("(camera) => replay.app.look(camera)", camera)
+        settled(page)
+        names = page.locator(".label.mark")
+        boxes = {one.inner_text(): one.bounding_box() for one in names.all()}
+        assert set(boxes) >= {*zones, *spots}
+        for (one, a), (other, b) in combinations(boxes.items(), 2):
+            beside = a["x"] + a["width"] <= b["x"] or b["x"] + b["width"] <= a["x"]
+            assert beside or a["y"] + a["height"] <= b["y"] or b["y"] + b["height"] <= a["y"], (camera, one, other)
 
 
 def test_a_live_match_tells_what_counts_where_it_changes() -> None:

@@ -21,6 +21,8 @@ from rcj_challenges.views.drawing.reaches import reaches
 from rcj_challenges.views.drawing.shapes import (
     box,
     floor_of,
+    forward_mark,
+    goal_floor,
     home,
     home_yaw_rad,
     inverted_outlines,
@@ -44,6 +46,8 @@ _IN_A_ROBOT = 4  # characters of a name that fit into its body
 _PUT = "#f08c00"  # what rules put somewhere
 # Of zones; none of these is near orange.
 _ZONE_COLOURS = ("#7048e8", "#1098ad", "#d6336c", "#5c940d", "#9c36b5", "#4263eb", "#0b7285", "#a61e4d")
+_READABLE = 1.05 / 4.5 - 0.05  # the luminance whose contrast to white is the least for small text in WCAG 2
+_WITHIN = "within-the-walls"
 _WHITE, _BLACK = "#ffffff", "#161c24"
 _SET = " when a half starts; rules set it"  # of a spot
 _STYLE = (
@@ -86,13 +90,11 @@ def _ground(paper: Paper, scenario: Scenario) -> None:
     walls = 'fill="#e9f5ec" stroke="#343a40" stroke-width="4"'
     paper.polygon(floor_of(field), walls, "the field, inside its walls", in_the_way=_THICK)
     for name, goal in field.goals.items():
-        sign = 1 if goal.end == "positive_y" else -1
-        near, far, g = sign * h, sign * (h + goal.depth_m), goal.width_m / 2
-        corners = [(-g, near), (g, near), (g, far), (-g, far)]
+        corners = goal_floor(goal, field)
         paper.polygon(corners, f'fill="{_colour(goal.colour)}" fill-opacity="0.35"', name)
         for start, end in zip(corners[1:], [*corners[2:], corners[0]], strict=True):
             paper.line(start, end, f'stroke="{_colour(goal.colour)}" stroke-width="4"')
-        paper.line((-g, near), (g, near), 'stroke="#ffffff" stroke-width="3"')
+        paper.line(corners[0], corners[1], 'stroke="#ffffff" stroke-width="3"')
     # As on the replay page, the halfway line is one between two goals; without them it is but the axis.
     middle_words = "halfway line, y = 0" if field.goals else "y = 0"
     paper.line((-w, 0), (w, 0), 'stroke="#adb5bd" stroke-dasharray="2 6"', middle_words, in_the_way=0)
@@ -154,10 +156,15 @@ def _start(scenario: Scenario, name: str) -> Point | None:
 
 
 def _reaches(paper: Paper, scenario: Scenario, roster: Roster) -> None:
-    remembered = remembered_spots(scenario)
-    for reach in reaches(scenario, roster):
+    """Draw the distances that rules measure, within the walls: nothing is ever behind them."""
+    remembered, measured = remembered_spots(scenario), reaches(scenario, roster)
+    if measured:
+        field = scenario.field
+        paper.clip(_WITHIN, [floor_of(field), *(goal_floor(goal, field) for goal in field.goals.values())])
+    for reach in measured:
         is_set = reach.name in remembered
-        style = f'fill="none" stroke="{_PUT if is_set else "#495057"}" stroke-dasharray="1 4" class="reach"'
+        line = f'stroke="{_PUT if is_set else "#495057"}" stroke-dasharray="1 4"'
+        style = f'fill="none" {line} clip-path="url(#{_WITHIN})" class="reach"'
         words = f"{reach.words(' m')}{_SET if is_set else ''}"
         if reach.centre_m is not None:
             paper.circle(reach.centre_m, reach.radius_m, style, words)
@@ -180,10 +187,7 @@ def _gates(paper: Paper, scenario: Scenario) -> None:
         for post in (start, end):
             paper.circle(post, 0.008, 'fill="#c92a2a"')
             paper.reserve(post, 0.008)
-        centre = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
-        length = math.dist(start, end) or 1.0
-        ahead = (-(end[1] - start[1]) / length * 0.05, (end[0] - start[0]) / length * 0.05)
-        tip = _shifted(centre, ahead)
+        centre, tip = forward_mark(start, end)
         paper.line(centre, tip, 'stroke="#c92a2a" stroke-width="2"', "forward", in_the_way=_THICK)
         paper.circle(tip, 0.006, 'fill="#c92a2a"')
         paper.reserve(tip, 0.006)
@@ -324,7 +328,17 @@ def _shifted(point: Point, by: Point) -> Point:
 
 def _dark(colour: str) -> str:
     """Return a colour #rrggbb so much darker that text of it is readable on white."""
-    return "#" + "".join(f"{round(int(colour[k : k + 2], 16) * 0.65):02x}" for k in (1, 3, 5))
+    rgb = [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+    share = 0.65
+    while _brightness([share * part for part in rgb]) > _READABLE:
+        share -= 0.05
+    return "#" + "".join(f"{round(share * part * 255):02x}" for part in rgb)
+
+
+def _brightness(rgb: list[float]) -> float:
+    """Return the relative luminance of a colour in sRGB, 0 to 1 (WCAG 2)."""
+    linear = (part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in rgb)
+    return sum(weight * part for weight, part in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
 
 
 def _axes_words(scenario: Scenario, anchor: str) -> str:

@@ -59,6 +59,11 @@ class Paper:
         """Draw a path whose description is already in pixels."""
         self._add("path", f'd="{description}" {style}', title)
 
+    def clip(self, name: str, outlines: Sequence[Sequence[Point]]) -> None:
+        """Name an area, so that what is drawn with ``clip-path="url(#name)"`` shows only in there."""
+        area = " ".join(map(self.outline, outlines))
+        self._elements.append(f'<clipPath id="{name}"><path d="{area}"/></clipPath>')
+
     def outline(self, points: Sequence[Point]) -> str:
         """Return the path description of a closed polygon."""
         return "M" + " L".join(f"{x:.1f} {y:.1f}" for x, y in map(self.px, points)) + " Z"

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 
-from rcj_challenges.scenario.models.field import FieldModel, Wall
+from rcj_challenges.scenario.models.field import FieldModel, Goal, Wall
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.starting import start_pose
 from rcj_challenges.views.drawing.labels import Box, Point
 
 _NOTHING_M2 = 1e-6  # an area that nobody sees: a square millimetre
+_FORWARD_M = 0.05
 
 
 def zone_outline(zone: Zone, bounds: Box) -> list[Point]:
@@ -52,6 +53,14 @@ def floor_of(field: FieldModel) -> list[Point]:
     w, h, cut = field.width_m / 2, field.length_m / 2, field.corner_cut_m
     return [(w - cut, h), (w, h - cut), (w, -h + cut), (w - cut, -h),
             (-w + cut, -h), (-w, -h + cut), (-w, h - cut), (-w + cut, h)]  # fmt: skip
+
+
+def goal_floor(goal: Goal, field: FieldModel) -> list[Point]:
+    """Return the corners of the floor inside a goal, the two on the goal line first."""
+    sign = 1 if goal.end == "positive_y" else -1
+    near, half = sign * field.length_m / 2, goal.width_m / 2
+    far = near + sign * goal.depth_m
+    return [(-half, near), (half, near), (half, far), (-half, far)]
 
 
 def floor_outline(zone: Zone, field: FieldModel) -> list[Point]:
@@ -133,6 +142,13 @@ def turned(points: list[Point], at: Point, yaw_rad: float) -> list[Point]:
     """Return points of a body's own frame (x forward) as points of the field."""
     c, s = math.cos(yaw_rad), math.sin(yaw_rad)
     return [(at[0] + c * x - s * y, at[1] + s * x + c * y) for x, y in points]
+
+
+def forward_mark(start: Point, end: Point) -> tuple[Point, Point]:
+    """Return both ends of a gate's short mark, which points forward: of who drives so the first post is on the left."""
+    x, y = (start[0] + end[0]) / 2, (start[1] + end[1]) / 2
+    share = _FORWARD_M / (math.dist(start, end) or 1.0)
+    return (x, y), (x - share * (end[1] - start[1]), y + share * (end[0] - start[0]))
 
 
 def box(width_m: float, height_m: float) -> list[Point]:

@@ -54,7 +54,8 @@ _CSS = """
 body{font:16px/1.5 system-ui,-apple-system,'Segoe UI',sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem}
 table{border-collapse:collapse;margin:.5rem 0 1rem}th,td{border:1px solid #8886;padding:.3rem .6rem;text-align:left}
 th{background:#8882}svg{max-width:100%;height:auto;background:#fff;border-radius:6px}li{margin:.3rem 0}
-@media print{body{margin:0;max-width:none}}
+@media screen and (max-width:45rem){table{display:block;overflow-x:auto}}
+@media print{body{margin:0;max-width:none}h1,h2,h3{break-after:avoid}tr,svg{break-inside:avoid}}
 """
 
 
@@ -109,7 +110,8 @@ def _html(block: Block) -> str:
         tag = "ol" if block.numbered else "ul"
         return f"<{tag}>" + "".join(f"<li>{escape(entry)}</li>" for entry in block.entries) + f"</{tag}>"
     if isinstance(block, Table):
-        return "<table>" + _row("th", block.head) + "".join(_row("td", row) for row in block.rows) + "</table>"
+        rows = "".join(_row("td", row) for row in block.rows)
+        return f"<table><thead>{_row('th', block.head)}</thead><tbody>{rows}</tbody></table>"
     return block.svg
 
 

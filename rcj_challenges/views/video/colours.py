@@ -9,6 +9,7 @@ Rgb = tuple[int, int, int]
 OUTSIDE: Rgb = (220, 227, 234)
 GRASS: tuple[Rgb, Rgb] = ((46, 128, 86), (41, 119, 79))
 LINE: Rgb = (232, 240, 236)
+GATE: Rgb = (255, 107, 178)
 WALL: Rgb = (148, 163, 184)
 WHEEL: Rgb = (24, 27, 32)
 EDGE: Rgb = (22, 28, 36)

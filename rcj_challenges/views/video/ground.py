@@ -10,9 +10,9 @@ from PIL import Image, ImageDraw
 
 from rcj_challenges.scenario.models.field import Box, Cylinder
 from rcj_challenges.scenario.remembered import fixed_spots
-from rcj_challenges.views.drawing.shapes import box, floor_outline, turned
+from rcj_challenges.views.drawing.shapes import box, floor_outline, forward_mark, turned
 from rcj_challenges.views.video.camera import WALL_M, ends_of_field
-from rcj_challenges.views.video.colours import EDGE, GRASS, LINE, OUTSIDE, WALL, Rgb, mixed, rgb
+from rcj_challenges.views.video.colours import EDGE, GATE, GRASS, LINE, OUTSIDE, WALL, Rgb, mixed, rgb
 from rcj_challenges.views.video.footage import Footage
 
 Point = tuple[float, float]
@@ -71,10 +71,25 @@ def paint_ground(footage: Footage, size: tuple[int, int], view: Projection) -> I
     if goals:  # the halfway line is one between goals
         paper.line([(-w, 0.0), (w, 0.0)], LINE)
     _zones(paper, footage)
+    for start, end in gate_lines(footage):
+        paper.line([start, end], GATE)
     for spot in fixed_spots(footage.scenario).values():
         paper.disc((spot.x_m, spot.y_m), 0.006, LINE)
     _obstacles(paper, footage)
     return paper.finished()
+
+
+def gate_lines(footage: Footage) -> list[tuple[Point, Point]]:
+    """Return the lines on the floor of gates by which rules judge, each with its mark forward.
+
+    As on the pages who watches must see them. Those that move with something are not painted on what stands still.
+    """
+    shown = [
+        footage.scenario.gates[gate["name"]]
+        for gate in footage.things["gates"]
+        if gate["used"] and gate["anchor"] is None
+    ]
+    return [line for gate in shown for line in ((gate.from_m, gate.to_m), forward_mark(gate.from_m, gate.to_m))]
 
 
 def _zones(paper: _Paper, footage: Footage) -> None:

@@ -18,8 +18,22 @@ from PIL import Image
 from rcj_challenges.scenario.models.field import Box, Cylinder
 from rcj_challenges.views.drawing.shapes import floor_outline
 from rcj_challenges.views.video.camera import WALL_M
-from rcj_challenges.views.video.colours import EDGE, GRASS, LINE, OUTSIDE, WALL, WHEEL, WHITE, Rgb, mixed, rgb, text_on
+from rcj_challenges.views.video.colours import (
+    EDGE,
+    GATE,
+    GRASS,
+    LINE,
+    OUTSIDE,
+    WALL,
+    WHEEL,
+    WHITE,
+    Rgb,
+    mixed,
+    rgb,
+    text_on,
+)
 from rcj_challenges.views.video.footage import Footage
+from rcj_challenges.views.video.ground import gate_lines
 from rcj_challenges.views.video.lettering import Lettering
 
 _STRIPES = 8
@@ -141,6 +155,8 @@ def _add_field(builder: _Builder, footage: Footage) -> None:
             outline = floor_outline(zone, footage.scenario.field)
             for start, end in zip(outline, [*outline[1:], *outline[:1]], strict=True):
                 builder.paint(start, end, rgb(zone.colour) if zone.colour else LINE)
+    for start, end in gate_lines(footage):
+        builder.paint(start, end, GATE)
     edge = [(w - cut, h), (w, h - cut), (w, -h + cut), (w - cut, -h),
             (-w + cut, -h), (-w, -h + cut), (-w, h - cut), (-w + cut, h)]  # fmt: skip
     for start, end in zip(edge, [*edge[1:], edge[0]], strict=True):

@@ -5,7 +5,10 @@ const NEAR = 0.02;
 const FAR = 40;
 const LOWEST = 0.04;
 const CAPTION_PX = 64; // two lines of it
-const MOST_BELOW = 0.16;
+const BUTTONS_PX = 46; // above, those of the cameras
+const MOST_BESIDE = 0.16;
+const LOW_PX = 320; // a phone that lies: the field needs all of the height, captions and buttons may stand before it
+const BESIDE_IF_LOW = 0.07;
 const HIGHEST = Math.PI / 2 - 0.001;
 
 class Camera {
@@ -14,7 +17,7 @@ class Camera {
     this.field = field;
     this.flat = flat;
     this.aspect = 1;
-    this.below = 0.05;
+    this.below = this.above = 0.05;
     this.mode = "overview";
     this.fitted = true;
     this.robot = null;
@@ -31,7 +34,9 @@ class Camera {
   resize(width, height) {
     const wasUpright = this.upright;
     this.aspect = width / height;
-    this.below = Math.min(MOST_BELOW, CAPTION_PX / height);
+    const most = height < LOW_PX ? BESIDE_IF_LOW : MOST_BESIDE;
+    this.below = Math.min(most, CAPTION_PX / height);
+    this.above = Math.min(most, BUTTONS_PX / height);
     if (["overview", "top", "side"].includes(this.mode) && (this.fitted || wasUpright !== this.upright)) {
       this.preset(this.mode, false);
     }
@@ -68,14 +73,14 @@ class Camera {
     const forward = [-Math.cos(azimuth) * Math.cos(elevation), -Math.sin(azimuth) * Math.cos(elevation), -Math.sin(elevation)];
     const up = Maths.cross(right, forward);
     const open = Math.tan(VIEW_ANGLE / 2);
-    // `before` and `beyond`: how far from the picture's middle they may come, as slopes; below there is room for a caption.
+    // `before` and `beyond`: how far from the picture's middle they may come, as slopes; below there is room for a caption, above for buttons.
     const along = (axis, before, beyond) => {
       const reach = (side, slope) => Math.max(...corners.map((corner) => side * Maths.dot(corner, axis) - Maths.dot(corner, forward) * slope));
       const high = reach(1, beyond), low = reach(-1, before);
       return { distance: (high + low) / (before + beyond), middle: (away) => ((high - beyond * away) + (before * away - low)) / 2 };
     };
     const wide = open * this.aspect * 0.97;
-    const across = along(right, wide, wide), upwards = along(up, open * (1 - 2 * this.below), open * 0.9);
+    const across = along(right, wide, wide), upwards = along(up, open * (1 - 2 * this.below), open * (1 - 2 * this.above));
     const away = Math.max(across.distance, upwards.distance);
     const eye = [0, 1, 2].map((k) => right[k] * across.middle(away) + up[k] * upwards.middle(away) - forward[k] * away);
     pose.distance = eye[2] / -forward[2];

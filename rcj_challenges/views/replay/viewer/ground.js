@@ -92,7 +92,7 @@ const Ground = {
     if (shown.gates) {
       for (const gate of facts.gates) {
         const end = Ground.outerEnd(gate); // the same one always: a name does not jump while its gate moves
-        names.push({ text: gate.name, at: (poses) => Ground.moved(gate, poses)[end] });
+        names.push({ text: gate.name, moves: gate.anchor !== null, at: (poses) => Ground.moved(gate, poses)[end] });
       }
     }
     if (shown.spots) for (const spot of facts.spots) names.push({ text: spot.name, at: () => [spot.x_m, spot.y_m] });
@@ -131,11 +131,19 @@ const Ground = {
     return Ground.rectangle(-half, Math.min(edge, edge + side * goal.depth_m), half, Math.max(edge, edge + side * goal.depth_m));
   },
 
-  /** A zone's outline; what is open ends a little outside of the field. */
+  /** A zone's outline. One with an open side ends where the floor does, as in the drawing; one that begins behind the floor a little outside. */
   zone(zone, field) {
-    const margin = 0.16, x = field.width_m / 2 + margin, y = field.length_m / 2 + margin;
     if (zone.shape === "circle") return Mesh.circle(...zone.centre_m, zone.radius_m);
     if (zone.shape === "polygon") return zone.points_m;
+    const sides = [zone.x_min_m, zone.y_min_m, zone.x_max_m, zone.y_max_m];
+    if (zone.shape === "rect" && sides.every((side) => side !== null)) return Ground.rectangle(...sides);
+    const whole = Ground.openZone(zone, field);
+    const inside = Ground.within(whole, field.width_m / 2, field.length_m / 2, field.corner_cut_m);
+    return inside.length > 2 ? inside : whole;
+  },
+
+  openZone(zone, field) {
+    const margin = 0.16, x = field.width_m / 2 + margin, y = field.length_m / 2 + margin;
     if (zone.shape === "half_plane") {
       const [nx, ny] = zone.normal, [px, py] = zone.through_m;
       return Ground.clipped(Ground.rectangle(-x, -y, x, y), nx, ny, nx * px + ny * py);

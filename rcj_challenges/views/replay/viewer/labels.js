@@ -19,17 +19,29 @@ class Labels {
       this.shown = frame.show;
       this.rebuild(frame.show, this.recording.facts, !view.writesNames);
     }
+    const taken = [];
     for (const sign of this.placed) {
       const place = view.project(...sign.at(frame.poses));
       const seen = place && place[0] > 0 && place[0] < 1 && place[1] > 0 && place[1] < 1;
       const x = seen ? place[0] * this.width : 0, y = seen ? (place[1] - place[2] * sign.reach) * this.height : 0;
-      const style = seen ? `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px) translate(-50%, ${sign.lift})` : "";
+      const down = seen && sign.still ? Labels.room(sign, x, y, taken) : 0;
+      const style = seen ? `translate(${x.toFixed(1)}px, ${(y + down).toFixed(1)}px) translate(-50%, ${100 * sign.lift}%)` : "";
       // The page is told of what changed only: most of these stand still.
       if (style === sign.style) continue;
       sign.style = style;
       sign.label.style.display = seen ? "" : "none";
       sign.label.style.transform = style;
     }
+  }
+
+  /** How far down a name moves so that it covers none of those that are written already; only a zone's has the choice. */
+  static room(sign, x, y, taken) {
+    const left = x - sign.width / 2, right = x + sign.width / 2, wanted = y + sign.lift * sign.height;
+    const covers = (other) => left < other.right && other.left < right && top < other.bottom && other.top < top + sign.height;
+    let top = wanted;
+    for (let other; sign.below && (other = taken.find(covers));) top = other.bottom + 1;
+    taken.push({ left, right, top, bottom: top + sign.height });
+    return top - wanted;
   }
 
   /** A robot's name stands just above its picture, a spot's above the spot, a zone's below its middle. */
@@ -39,12 +51,16 @@ class Labels {
       facts.entities.forEach((entity, index) => {
         if (entity.kind !== "robot") return;
         const label = element("bdi", "label", entity.name);
-        this.placed.push({ label, lift: "-100%", reach: entity.size_m * 0.8, at: (poses) => [poses[index].x, poses[index].y, poses[index].z] });
+        this.placed.push({ label, lift: -1, reach: entity.size_m * 0.8, at: (poses) => [poses[index].x, poses[index].y, poses[index].z] });
       });
     }
-    for (const { text, at, below } of Ground.names(facts, show)) {
-      this.placed.push({ label: element("bdi", "label mark", text), lift: below ? "30%" : "-130%", reach: 0, at: (poses) => [...at(poses), 0] });
+    // What has its place comes first, then zones, whose names may move a little.
+    const names = Ground.names(facts, show).sort((one, other) => Number(!!one.below) - Number(!!other.below));
+    for (const { text, at, below, moves } of names) {
+      const label = element("bdi", "label mark", text);
+      this.placed.push({ label, lift: below ? 0.3 : -1.3, reach: 0, below, still: !moves, at: (poses) => [...at(poses), 0] });
     }
     this.box.replaceChildren(...this.placed.map(({ label }) => label));
+    for (const sign of this.placed) [sign.width, sign.height] = [sign.label.offsetWidth, sign.label.offsetHeight];
   }
 }

@@ -1,0 +1,52 @@
+"""The rule sheet in a real browser: on a phone, and on paper."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rcj_challenges.scenario.load import load
+from rcj_challenges.views.sheet import sheet_html
+
+PHONE = {"width": 360, "height": 740}
+
+
+@pytest.fixture
+def sheet_of(watch: Callable[..., Any], tmp_path: Path) -> Callable[..., Any]:
+    """Opens the rule sheet of a shipped scenario."""
+
+    def open_sheet(name: str, viewport: dict[str, int]) -> Any:
+        loaded = load(name)
+        file = tmp_path / f"{name}.html"
+        file.write_text(sheet_html(loaded.scenario, loaded.roster), encoding="utf-8")
+        return watch(file.as_uri(), ready="table", viewport=viewport)
+
+    return open_sheet
+
+
+@pytest.mark.parametrize("name", ["match", "pass_the_ball"])
+def test_on_a_phone_text_stays_on_the_screen_and_wide_tables_are_scrolled_alone(
+    name: str, sheet_of: Callable[..., Any]
+) -> None:
+    page = sheet_of(name, PHONE)
+    assert page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
+    # What is wider than the screen can be brought there: the end of the longest row.
+    end = page.evaluate(
+        """() => {
+          const wide = [...document.querySelectorAll("table")].sort((a, b) => b.scrollWidth - a.scrollWidth)[0];
+          if (wide.scrollWidth <= wide.clientWidth) return "no table is wide";
+          wide.scrollLeft = wide.scrollWidth;
+          const cell = [...wide.querySelectorAll("td:last-child")].at(-1).getBoundingClientRect();
+          return cell.right;
+        }"""
+    )
+    assert end == pytest.approx(PHONE["width"] - 16, abs=2)
+
+
+def test_on_paper_the_head_of_a_table_comes_again_on_each_page(sheet_of: Callable[..., Any]) -> None:
+    page = sheet_of("match", {"width": 794, "height": 1123})
+    page.emulate_media(media="print")
+    head = "() => [...document.querySelectorAll('table')].map((one) => getComputedStyle(one.rows[0].parentElement).display)"
+    assert set(page.evaluate(head)) == {"table-header-group"}
+    assert set(page.evaluate("() => [...document.querySelectorAll('h2')].map((one) => getComputedStyle(one).breakAfter)")) == {"avoid"}  # fmt: skip
