@@ -103,7 +103,7 @@ def test_ctrl_c_in_the_middle_of_a_hang_ends_the_match_and_its_programs(tmp_path
     with parent:
         parent.send_signal(signal.SIGINT)
         assert parent.wait(20) == 130
-        assert gone_within(pids, 5)
+        assert gone_within(pids, 10)
 
 
 @posix
@@ -132,7 +132,7 @@ def test_a_program_that_does_not_stop_after_the_match_is_ended_after_a_second(tm
             assert isinstance(program.collect(), Request)
         began = time.perf_counter()
         crew.finish({program.name: Observation(1, values_at(1), [], over=True) for program in programs})
-        assert time.perf_counter() - began < 5
+        assert time.perf_counter() - began < 30  # they would go on for ever
         assert all(program.has_ended() for program in programs)
         assert all(program.fault is None for program in programs)
 

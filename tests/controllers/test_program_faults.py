@@ -170,7 +170,7 @@ def test_a_program_that_hangs_is_stopped_at_the_limit_and_its_log_shows_where(tm
     assert played.fault is not None
     assert (played.fault.kind, played.fault.tick) == ("step_timeout", 2)
     assert played.fault.detail == "the program did not call step for 0.4 s"
-    assert time.perf_counter() - began < 10
+    assert time.perf_counter() - began < 60  # it would hang for ever
     assert "now it hangs" in played.log
     where = played.log.split("It was here, the innermost call first:\n")[1].splitlines()
     assert where[0].startswith('  File "hangs_in_play.py", line ')

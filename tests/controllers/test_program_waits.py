@@ -194,8 +194,9 @@ def test_a_short_wait_goes_on_while_another_thread_computes(match: FakeMatch) ->
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there a short wait is simply waited for")
 def test_what_others_take_of_the_processor_does_not_end_a_short_wait(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Each look takes 0.2 s in which this program computed for 0.001 s."""
+    """Each look takes 0.2 s in which this program computed for 0.001 s; here no system tells who would run."""
     clock = SimpleNamespace(real_s=0.0, computed_s=0.0)
+    monkeypatch.setattr(_waits, "others_would_run", lambda: None)
     monkeypatch.setattr(_waits, "real_monotonic", lambda: clock.real_s)
     monkeypatch.setattr(_waits, "real_process_time", lambda: clock.computed_s)
     looks: list[float] = []
@@ -228,6 +229,24 @@ def test_a_short_wait_goes_on_while_another_thread_has_not_had_the_processor_yet
 
     assert not _waits._for_others(look, None, 0.031)
     assert len(looks) == 4
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there a short wait is simply waited for")
+def test_on_a_busy_machine_a_short_wait_is_over_as_soon_where_no_other_thread_would_run(monkeypatch) -> None:
+    """Each look takes 0.2 s, as others have the processor: waited for to its end, it would use up the half."""
+    clock = SimpleNamespace(real_s=0.0)
+    monkeypatch.setattr(_waits, "real_monotonic", lambda: clock.real_s)
+    monkeypatch.setattr(_waits, "real_process_time", lambda: 0.0)
+    monkeypatch.setattr(_waits, "others_would_run", lambda: False)
+    looks: list[float] = []
+
+    def look(_: object, timeout: float) -> bool:
+        looks.append(timeout)
+        clock.real_s += 0.2
+        return False
+
+    assert not _waits._for_others(look, None, 0.031)
+    assert len(looks) == 1
 
 
 def test_the_wait_of_one_thread_changes_nothing_about_those_of_the_one_that_steps_meanwhile(match: FakeMatch) -> None:

@@ -175,6 +175,11 @@ def _for_others(real: Wait, waiting: Any, timeout: float) -> Any:
         came = real(waiting, min(_SLICE_S, timeout))
         passed_s, computed_s = real_monotonic() - began_s, real_process_time() - computed_s
         left_s -= min(passed_s, _SLICE_S + computed_s)
-        nobody_computes = computed_s < _IDLE_SHARE * passed_s and passed_s < _HELD_UP_S
-        if came or left_s <= 0 or (nobody_computes and not others_would_run()):
+        if came or left_s <= 0 or (computed_s < _IDLE_SHARE * passed_s and not _would_others_run(passed_s)):
             return came
+
+
+def _would_others_run(passed_s: float) -> bool:
+    """Return whether other threads are held up; where nobody tells, whether this one has just been."""
+    would_run = others_would_run()
+    return passed_s >= _HELD_UP_S if would_run is None else would_run
