@@ -1,6 +1,7 @@
 """``rcj-challenge run`` as its users meet it: real processes, exit codes, nothing half written."""
 
 import errno
+import io
 import json
 import os
 import re
@@ -127,6 +128,29 @@ def test_the_result_is_told_also_if_there_is_no_room_for_the_replay_page(tmp_pat
     else:
         assert " 0 : 0 " in told
         assert "replay.html" not in told
+
+
+class Filling(io.StringIO):
+    """A file on a disk that is full after some lines."""
+
+    def write(self, text: str) -> int:
+        if self.getvalue().count("\n") >= 3:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        return super().write(text)
+
+
+def test_a_disk_that_is_full_of_what_a_match_tells_does_not_end_it(tmp_path, monkeypatch, capsys, team):
+    """``run match > told.txt``: what is told may go missing, the match counts."""
+    monkeypatch.setattr(sys, "stdout", Filling())
+    assert here(monkeypatch, tmp_path, *short(team, *DUEL)) == 2
+    complaint = capsys.readouterr().err
+    (folder,) = tmp_path.glob("runs/*")
+    assert read_result(folder).complete
+    assert (folder / "replay.html").exists()
+    assert complaint == (
+        f"the output cannot be written: {os.strerror(errno.ENOSPC)}; make room there, or write it elsewhere\n"
+        f"The match was played to its end, and its record is whole: {folder.relative_to(tmp_path)}\n"
+    )
 
 
 def test_show_output_shows_what_a_robot_prints(tmp_path, monkeypatch, capsys, team):
