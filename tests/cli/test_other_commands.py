@@ -12,6 +12,7 @@ from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.match import many
 from rcj_challenges.match.many import Job, Outcome
 from rcj_challenges.records.testing import write_made_up_run
+from tests.cli.in_this_process import played_one_after_the_other
 
 BALL_CHASER = Path(__file__).parents[2] / "examples/teams/ball_chaser"
 
@@ -125,6 +126,24 @@ def test_simulate_has_the_short_options_of_run(monkeypatch):
     assert {f"blue={BALL_CHASER}", f"yellow={BALL_CHASER}", "match.half_s=8.0", "match.halves=1"} < set(
         jobs[0].arguments
     )
+
+
+def test_simulate_isolates_programs_as_run_does(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(many, "play_many", played_one_after_the_other)
+    one_each = [
+        f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)
+    ]
+    out = tmp_path / "runs"
+    run("simulate", "match", "--seeds", "1", "--duration", "0.1", *one_each, "--out", out, "--sandbox", "off", "--json")
+    (played,) = json.loads(capsys.readouterr().out)["records"]
+    result = json.loads((Path(played["folder"]) / "result.json").read_text("utf-8"))
+    assert result["sandbox"]["mode"] == "off"
+
+
+def test_simulate_plays_nothing_in_a_sandbox_that_there_is_not(tmp_path, monkeypatch):
+    monkeypatch.setattr(many, "play_many", lambda *_: pytest.fail("a match was begun"))
+    with pytest.raises(RcjError, match="unknown sandbox 'loose'"):
+        run("simulate", "match", "--seeds", "1..9", "--sandbox", "loose", "--out", tmp_path / "runs")
 
 
 def outcome(seed, score=None, *, wrong_input=True):

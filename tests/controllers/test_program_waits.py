@@ -232,6 +232,23 @@ def test_a_short_wait_goes_on_while_another_thread_has_not_had_the_processor_yet
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there a short wait is simply waited for")
+def test_the_time_in_which_another_thread_would_run_and_has_no_processor_does_not_count(monkeypatch) -> None:
+    """On a busy machine who waits is told every 0.001 s, while the thread that is waited for gets nothing for long."""
+    clock = SimpleNamespace(real_s=0.0)
+    monkeypatch.setattr(_waits, "real_monotonic", lambda: clock.real_s)
+    monkeypatch.setattr(_waits, "real_process_time", lambda: 0.0)
+    monkeypatch.setattr(_waits, "others_would_run", lambda: True)
+    looks: list[float] = []
+
+    def look(_: object, timeout: float) -> bool:
+        looks.append(timeout)
+        clock.real_s += 0.001
+        return len(looks) == 300
+
+    assert _waits._for_others(look, None, 0.031)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there a short wait is simply waited for")
 def test_on_a_busy_machine_a_short_wait_is_over_as_soon_where_no_other_thread_would_run(monkeypatch) -> None:
     """Each look takes 0.2 s, as others have the processor: waited for to its end, it would use up the half."""
     clock = SimpleNamespace(real_s=0.0)
