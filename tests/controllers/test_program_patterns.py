@@ -454,3 +454,25 @@ print("after:", sorted(heavy & set(sys.modules)))
 robot.step(32)
 """
     assert match.play(program, 1).said == ["before: []", "after: []"]
+
+
+@pytest.mark.parametrize("again", ["importlib.reload(controller)", "del sys.modules['controller']; import controller"])
+def test_the_module_may_be_loaded_anew(match: FakeMatch, again: str) -> None:
+    """Also where the team has a file of that name: it never counts."""
+    program = f"""
+import importlib, sys
+import controller
+robot = controller.Robot()
+robot.step(32)
+{again}
+from controller import Motor
+print(isinstance(robot.getDevice("left wheel motor"), Motor), isinstance(robot, controller.Robot))
+robot.step(32)
+"""
+    team = match.folder / "team"
+    team.mkdir()
+    (team / "robot.py").write_text(program, encoding="utf-8")
+    (team / "controller.py").write_text("raise SystemExit('not this one')\n", encoding="utf-8")
+    played = match.play(open_team(team), 2, entry="robot.py")
+    assert played.fault is None
+    assert played.said == ["True True"]
