@@ -74,6 +74,9 @@ def test_what_the_match_itself_waited_for_a_processor_is_charged_to_nobody(stood
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells")
 def test_the_system_tells_for_how_long_this_thread_waited_for_a_processor() -> None:
     """Two threads in a loop on one processor stand in each other's way; one that sleeps in nobody's."""
+    usage = tasks.usage_of(os.getpid())
+    if usage is None or usage.held_up_s is None:
+        pytest.skip("this kernel does not count it")
     told: list[float] = []
 
     def computes() -> None:
