@@ -165,7 +165,7 @@ def test_ctrl_c_ends_with_130_a_report_in_json_and_no_temporary_folder(team, tmp
             time.sleep(0.1)
         time.sleep(0.5)  # its verdict may still be on its way
         os.killpg(process.pid, signal.SIGINT)  # as a terminal does: to all processes
-        out, err = process.communicate(timeout=60)
+        out, err = process.communicate(timeout=120)
     assert process.returncode == 130, err
     report = json.loads(out)  # and nothing else
     jsonschema.validate(report, json.loads(schema_text()))

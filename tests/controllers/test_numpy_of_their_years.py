@@ -80,7 +80,7 @@ restore_old_names(numpy)
 other_things = [bytearray(72) for _ in range(10_000)]
 print(numpy.array([3, 8]).ptp(), len(numpy.array([0.5, 2.0]).tostring()))
 """
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False)
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=300, check=False)
     assert (done.stdout, done.stderr, done.returncode) == ("5 16\n", "", 0)
 
 

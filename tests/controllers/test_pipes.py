@@ -89,7 +89,7 @@ def test_what_is_here_already_is_received_without_waiting(line: Line) -> None:
     assert line.channel.receive_now() is None
     line.says(framed(b"two")[5:] + framed(b"three"))
     assert line.channel.receive(5) == b"two"
-    until = time.perf_counter() + 5
+    until = time.perf_counter() + 60
     while (third := line.channel.receive_now()) is None and time.perf_counter() < until:
         time.sleep(0.001)
     assert third == b"three"
@@ -167,7 +167,7 @@ class TestOneThatAnswersAtOnce:
 
 
 def nothing_until_it_ends(channel: Channel) -> None:
-    until = time.perf_counter() + 5
+    until = time.perf_counter() + 60
     while time.perf_counter() < until:
         assert channel.receive_now() is None
 
