@@ -255,28 +255,32 @@ def _check_many(paths: list[Path], loaded: Loaded, options: CheckOptions, comman
 
 
 def _publish(report: CheckReport, command: CheckCommand, console: Console) -> None:
-    """Print the report, and write the page if one is asked for.
+    """Print the report, and write the page if one is asked for: also if the report finds no room where it is printed.
 
     Raises:
         CheckUsageError: the page cannot be written.
     """
-    if command.json:
-        say_json(report.model_dump(mode="json"))
-    else:
-        from rcj_challenges.checker.report_text import print_report
+    try:
+        if command.json:
+            say_json(report.model_dump(mode="json"))
+        else:
+            from rcj_challenges.checker.report_text import print_report
 
-        print_report(console, report)
-    if command.html is None:
-        return
+            print_report(console, report)
+    finally:
+        if command.html is not None:
+            _write_page(report, command.html)
+    if command.html is not None and not command.json:
+        console.print(f"report: {_safe(command.html)}", markup=False, highlight=False, soft_wrap=True)
 
+
+def _write_page(report: CheckReport, path: Path) -> None:
     from rcj_challenges.checker.report_files import write_page
     from rcj_challenges.checker.report_html import html_page
 
-    page = html_page(report, command.html.parent)
-    with _or_usage_error(command.html, "written"):
-        write_page(command.html, page)
-    if not command.json:
-        console.print(f"report: {_safe(command.html)}", markup=False, highlight=False, soft_wrap=True)
+    page = html_page(report, path.parent)
+    with _or_usage_error(path, "written"):
+        write_page(path, page)
 
 
 def _safe(path: Path) -> str:
