@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rcj_challenges.cli.says import say_json
+from rcj_challenges.cli.says import say_json, say_progress
 from rcj_challenges.facts.errors import RcjError, advised
 
 if TYPE_CHECKING:
@@ -245,7 +245,7 @@ def _check_many(paths: list[Path], loaded: Loaded, options: CheckOptions, comman
     def on_done(file: FileReport) -> None:
         done.append(file)
         if not command.json:
-            console.print(progress_line(len(done), len(paths), file), markup=False, highlight=False, soft_wrap=True)
+            say_progress(console, progress_line(len(done), len(paths), file))
 
     try:
         return _Checked(check_many(paths, loaded, options, command.jobs or os.cpu_count() or 1, on_done))

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.cli import OK, OUR_FAULT, WRONG_INPUT
-from rcj_challenges.cli.says import say_json
+from rcj_challenges.cli.says import say_json, say_progress
 from rcj_challenges.cli.seating import open_teams
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.facts.shown import shown
@@ -199,11 +199,8 @@ class _Progress:
         count = len(self.outcomes)
         left_s = (time.perf_counter() - self._began) / count * (self._total - count)
         score = "could not be played" if outcome.result is None else str(list(outcome.result["score"].values()))
-        self._console.print(
-            f"{count}/{self._total}  seed {outcome.job.seed}  {score}  done in about {left_s:.0f} s",
-            markup=False,
-            highlight=False,
-        )
+        line = f"{count}/{self._total}  seed {outcome.job.seed}  {score}  done in about {left_s:.0f} s"
+        say_progress(self._console, line)
 
 
 def _report(outcomes: Sequence[Outcome], rank: Sequence[Criterion], options: SimulateOptions) -> None:

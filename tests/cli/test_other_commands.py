@@ -1,8 +1,10 @@
 """The smaller commands: view, replay, schema, draw, sheet, simulate."""
 
 import errno
+import io
 import json
 import os
+import sys
 from pathlib import Path
 
 import pytest
@@ -163,6 +165,20 @@ def test_what_simulate_has_played_is_told_also_if_the_disk_is_full_then(monkeypa
         (2, "No space left on device"),
         (3, "No space left on device"),
     ]
+
+
+def test_no_room_for_lines_of_progress_ends_no_matches(monkeypatch, capsys):
+    """``simulate match 2> progress.txt``."""
+
+    class Full(io.StringIO):
+        def write(self, _):
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(sys, "stderr", Full())
+    outcomes = [outcome(1, 7), outcome(2, 5)]
+    monkeypatch.setattr(many, "play_many", lambda _, __, on_done: [on_done(one) or one for one in outcomes])
+    assert run("simulate", "match", "--seeds", "1..2") == 0
+    assert "2 matches" in capsys.readouterr().out
 
 
 def test_why_no_seed_could_be_played_is_in_the_json_too(monkeypatch, capsys):
