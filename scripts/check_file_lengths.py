@@ -1,4 +1,4 @@
-"""Fail if a Python or JavaScript file is longer than a reader can hold: 500 lines, tests 800.
+"""Fail if a Python or JavaScript file is longer than a reader can hold: 500 lines.
 
 Exempt are data, goldens and generated pages: what nobody reads from top to bottom.
 
@@ -12,13 +12,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 MOST_LINES = 500
-MOST_LINES_OF_A_TEST = 800
 SUFFIXES = {".py", ".js", ".mjs"}
 EXEMPT_FOLDERS = {"data", "goldens", "generated", "build", "dist", "node_modules", "runs", "__pycache__"}
 
 
 def checked_files(root: Path) -> Iterator[Path]:
-    """Yield, in a fixed order, the files below ``root`` that have a limit; hidden folders are not ours."""
+    """Yield, in a fixed order, the files below ``root`` that count; hidden folders are not ours."""
     for path in sorted(root.iterdir()):
         if path.is_symlink() or path.name.startswith(".") or path.name in EXEMPT_FOLDERS:
             continue
@@ -28,19 +27,13 @@ def checked_files(root: Path) -> Iterator[Path]:
             yield path
 
 
-def limit_of(path: Path, root: Path) -> int:
-    """Return the most lines that a file may have."""
-    return MOST_LINES_OF_A_TEST if path.relative_to(root).parts[0] == "tests" else MOST_LINES
-
-
 def too_long(root: Path) -> list[str]:
     """Return one line of complaint for each file below ``root`` that is over its limit."""
     complaints = []
     for path in checked_files(root):
         lines = len(path.read_bytes().splitlines())
-        limit = limit_of(path, root)
-        if lines > limit:
-            complaints.append(f"{path.relative_to(root).as_posix()}: {lines} lines, at most {limit} are allowed")
+        if lines > MOST_LINES:
+            complaints.append(f"{path.relative_to(root).as_posix()}: {lines} lines, at most {MOST_LINES} are allowed")
     return complaints
 
 

@@ -1,10 +1,11 @@
-"""For all tests: what they start can be interrupted, what was collected is no garbage, no file is parsed twice."""
+"""For all tests: what they start can be interrupted, examples may take their time, nothing is parsed or searched twice."""
 
 import gc
 import signal
 from collections.abc import Iterator
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 from tests.told_briefly import pytest_runtest_protocol  # noqa: F401 - a hook: pytest finds it here
 
@@ -14,6 +15,10 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
+
+# A busy machine is no failure: left alone, an example may take 200 ms of real time, and ten may take 1 s to make up.
+settings.register_profile("patient", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("patient")
 
 _OBJECTS_BETWEEN_COLLECTIONS = 50_000
 """As commands have it. With Python's own 700 the search for garbage takes a twentieth of the time of the tests."""

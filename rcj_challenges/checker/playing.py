@@ -23,6 +23,7 @@ _ABSENT_SHARE = 0.05  # a program that steps 640 ms at a time takes part in as m
 _SLOW_SHARE = 0.5
 _TOO_SLOW_SHARE = 2.0  # this computer may be slower than the tournament's, and is busy with other things
 _MUCH_SHARE = 0.5
+_TOO_MUCH_SHARE = 2.0  # it would be ended before the middle of a half; for less, ten seconds tell too little
 _MOST_COMPLAINTS = 5
 # What the controller module writes into a log, and what to do: errors, and those of its warnings behind which there may
 # be a mistake.
@@ -220,7 +221,7 @@ def _much(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
 def _too_much(
     rehearsal: Rehearsal, match: Rehearsed, grown: Mapping[str, Growth], kind: _Kind, side: str
 ) -> list[Finding]:
-    """Return one warning for all robots whose programs come near a limit, with the numbers of the worst."""
+    """Return what to say of robots whose programs come near a limit: of all of one level at once, by the worst."""
     half_ticks = ticks_from_s(longest_half_s(rehearsal.loaded.scenario.match))
     failed, limit_bytes = {fault["robot"] for fault in match.faults}, kind.limit_mb * 1e6
     near = {
@@ -228,17 +229,25 @@ def _too_much(
         for robot, growth in grown.items()
         if robot not in failed and (whole_bytes := growth.at_bytes(half_ticks)) > _MUCH_SHARE * limit_bytes
     }
-    if not near:
-        return []
-    worst = max(near, key=lambda robot: near[robot])
-    growth = grown[worst]
-    message = (
-        f"{side}{kind.does} {growth.total_bytes / 1e6:.1f} MB{kind.where} in {growth.total_s:.1f} s of play, "
-        f"that is about {near[worst] / 1e6:.0f} MB in a half; {kind.limit_mb:g} MB are allowed"
+    over = [robot for robot, whole_bytes in near.items() if whole_bytes > _TOO_MUCH_SHARE * limit_bytes]
+    findings = []
+    levels: tuple[tuple[Level, list[str]], ...] = (
+        ("failure", over),
+        ("warning", [one for one in near if one not in over]),
     )
-    if near[worst] > limit_bytes:
-        message += f": it would be ended after about {growth.reaches_s(limit_bytes):.0f} s (output_flood)"
-    return [Finding(f"play.{kind.does}_much", "warning", message, kind.remedy, ", ".join(near))]
+    for level, robots in levels:
+        if not robots:
+            continue
+        worst = max(robots, key=lambda robot: near[robot])
+        growth = grown[worst]
+        message = (
+            f"{side}{kind.does} {growth.total_bytes / 1e6:.1f} MB{kind.where} in {growth.total_s:.1f} s of play, "
+            f"that is about {near[worst] / 1e6:.0f} MB in a half; {kind.limit_mb:g} MB are allowed"
+        )
+        if near[worst] > limit_bytes:
+            message += f": it would be ended after about {growth.reaches_s(limit_bytes):.0f} s (output_flood)"
+        findings.append(Finding(f"play.{kind.does}_much", level, message, kind.remedy, ", ".join(robots)))
+    return findings
 
 
 def _shorter(first: Mapping[str, Waits], second: Mapping[str, Waits]) -> dict[str, Waits]:

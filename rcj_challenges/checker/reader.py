@@ -20,6 +20,9 @@ MEMORY_BYTES = 2_000_000_000
 """Far above what any honest file needs; where the system lets us, Python gets no more."""
 
 _CATCHES = frozenset({"ImportError", "ModuleNotFoundError", "Exception", "BaseException"})
+_CATCHES_UNREADABLE = frozenset({"SyntaxError", "IndentationError"})
+"""What is raised where the file is there and cannot be read: whether it comes to that, only running it can tell."""
+
 _IMPORTS = (ast.Import, ast.ImportFrom)
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 _MAY_NOT_BE_RUN = (
@@ -136,8 +139,7 @@ def _below(spot: _Spot) -> list[_Spot]:
     if isinstance(node, ast.With):
         if not any(_is_suppress(item.context_expr) for item in node.items):
             return _one_after_the_other(spot, node.body)
-        caught = any(_suppresses(item.context_expr) for item in node.items)
-        return _first_imports(spot._replace(guarded=spot.guarded or caught), node.body)
+        return _first_imports(_ready_for(spot, _suppressed(node)), node.body)
     if isinstance(node, ast.If) and _name(node.test) == "TYPE_CHECKING":
         return _one_after_the_other(spot, node.orelse)
     if isinstance(node, ast.Module | ast.ClassDef):
@@ -146,9 +148,9 @@ def _below(spot: _Spot) -> list[_Spot]:
 
 
 def _tried(spot: _Spot, node: ast.Try | ast.TryStar) -> list[_Spot]:
-    caught = any(_catches(handler.type) for handler in node.handlers)
+    caught = [handler.type for handler in node.handlers]
     return [
-        *_first_imports(spot._replace(guarded=spot.guarded or caught), node.body),
+        *_first_imports(_ready_for(spot, caught), node.body),
         *_each(spot, [*node.handlers, *node.orelse], certain=False),
         *_each(spot, node.finalbody, certain=not any(map(_holds_while, node.body))),
     ]
@@ -187,19 +189,28 @@ def _holds_while(tree: ast.AST) -> bool:
     return False
 
 
-def _catches(caught: ast.expr | None) -> bool:
+def _ready_for(spot: _Spot, caught: Sequence[ast.expr | None]) -> _Spot:
+    """Return a part of a file inside of something that catches these errors."""
+    return spot._replace(
+        guarded=spot.guarded or any(_catches(one, _CATCHES) for one in caught),
+        certain=spot.certain and not any(_catches(one, _CATCHES_UNREADABLE) for one in caught if one is not None),
+    )
+
+
+def _catches(caught: ast.expr | None, errors: frozenset[str]) -> bool:
     if caught is None:
         return True
     classes = caught.elts if isinstance(caught, ast.Tuple) else [caught]
-    return any(_name(one) in _CATCHES for one in classes)
+    return any(_name(one) in errors for one in classes)
 
 
 def _is_suppress(context: ast.expr) -> bool:
     return isinstance(context, ast.Call) and _name(context.func) == "suppress"
 
 
-def _suppresses(context: ast.expr) -> bool:
-    return isinstance(context, ast.Call) and _is_suppress(context) and any(map(_catches, context.args))
+def _suppressed(node: ast.With) -> list[ast.expr | None]:
+    contexts = (item.context_expr for item in node.items)
+    return [error for one in contexts if isinstance(one, ast.Call) and _is_suppress(one) for error in one.args]
 
 
 def _name(expression: ast.expr) -> str:

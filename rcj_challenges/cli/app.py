@@ -255,13 +255,16 @@ def simulate(
     at_once: Annotated[int | None, typer.Option("--at-once", min=1, help="Matches at a time; default: cores.")] = None,
     json_: Annotated[bool, typer.Option("--json", help="Print the summary as JSON and nothing else.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress lines.")] = False,
+    sandbox: _Sandbox = "auto",
 ) -> None:
     """Play a challenge with many seeds in parallel and report scores, events and faults."""
     from rcj_challenges.cli import simulate as command
 
     teams, overrides = _teams(team, blue, yellow), _overrides(set_, duration, halves)
     raise typer.Exit(
-        command.simulate(command.SimulateOptions(scenario, seeds, teams, overrides, out, at_once, json_, quiet))
+        command.simulate(
+            command.SimulateOptions(scenario, seeds, teams, overrides, out, at_once, json_, quiet, sandbox)
+        )
     )
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rcj_challenges.cli.says import say_json
+from rcj_challenges.cli.says import say_json, say_progress
 from rcj_challenges.facts.errors import RcjError, advised
 
 if TYPE_CHECKING:
@@ -245,7 +245,7 @@ def _check_many(paths: list[Path], loaded: Loaded, options: CheckOptions, comman
     def on_done(file: FileReport) -> None:
         done.append(file)
         if not command.json:
-            console.print(progress_line(len(done), len(paths), file), markup=False, highlight=False, soft_wrap=True)
+            say_progress(console, progress_line(len(done), len(paths), file))
 
     try:
         return _Checked(check_many(paths, loaded, options, command.jobs or os.cpu_count() or 1, on_done))
@@ -255,28 +255,32 @@ def _check_many(paths: list[Path], loaded: Loaded, options: CheckOptions, comman
 
 
 def _publish(report: CheckReport, command: CheckCommand, console: Console) -> None:
-    """Print the report, and write the page if one is asked for.
+    """Print the report, and write the page if one is asked for: also if the report finds no room where it is printed.
 
     Raises:
         CheckUsageError: the page cannot be written.
     """
-    if command.json:
-        say_json(report.model_dump(mode="json"))
-    else:
-        from rcj_challenges.checker.report_text import print_report
+    try:
+        if command.json:
+            say_json(report.model_dump(mode="json"))
+        else:
+            from rcj_challenges.checker.report_text import print_report
 
-        print_report(console, report)
-    if command.html is None:
-        return
+            print_report(console, report)
+    finally:
+        if command.html is not None:
+            _write_page(report, command.html)
+    if command.html is not None and not command.json:
+        console.print(f"report: {_safe(command.html)}", markup=False, highlight=False, soft_wrap=True)
 
+
+def _write_page(report: CheckReport, path: Path) -> None:
     from rcj_challenges.checker.report_files import write_page
     from rcj_challenges.checker.report_html import html_page
 
-    page = html_page(report, command.html.parent)
-    with _or_usage_error(command.html, "written"):
-        write_page(command.html, page)
-    if not command.json:
-        console.print(f"report: {_safe(command.html)}", markup=False, highlight=False, soft_wrap=True)
+    page = html_page(report, path.parent)
+    with _or_usage_error(path, "written"):
+        write_page(path, page)
 
 
 def _safe(path: Path) -> str:

@@ -70,7 +70,7 @@ def run_scenario(options: RunOptions) -> int:
     try:
         with on_air(options.live, scenario, titles, plan.logos, plan.seed, console) as show:
             outcome = play_match(plan, watcher if show is None else Together(watcher, show.watcher))
-            _tell(options, console, plan, outcome)
+            _tell(options, console, plan, outcome, getattr(watcher, "trouble", None))
             if options.open and options.live is None:
                 _open_page(outcome.folder, console)
             if show is not None and options.live is not None:
@@ -116,8 +116,17 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Watcher]:
     return plan, console, watcher
 
 
-def _tell(options: RunOptions, console: Console, plan: MatchPlan, outcome: PlayedMatch) -> None:
+def _tell(
+    options: RunOptions, console: Console, plan: MatchPlan, outcome: PlayedMatch, trouble: OSError | None
+) -> None:
     """Write the replay page, and say how it ended: also if there is no room for the page.
+
+    Args:
+        options: as given.
+        console: where to say it.
+        plan: what was played.
+        outcome: what came of it.
+        trouble: why the match could not be told as it was played; None: it could.
 
     Raises:
         HostError: something cannot be written; the match counts all the same.
@@ -128,11 +137,15 @@ def _tell(options: RunOptions, console: Console, plan: MatchPlan, outcome: Playe
 
     try:
         _tell_all(options, console, plan, outcome)
+        if trouble is not None:
+            raise output_trouble(trouble)
     except (OSError, HostError) as error:
         if isinstance(error, BrokenPipeError) or not (isinstance(error, HostError) or is_of_the_host(error)):
             raise
-        where = f"{shown(error.filename)}: " if isinstance(error, OSError) and error.filename else ""
-        told = output_trouble(error) if is_of_the_output(error) else f"{where}{advised(error)}"
+        file = error.filename if isinstance(error, OSError) else None
+        told = f"{shown(file)}: {advised(error)}" if file else advised(error)
+        if isinstance(error, OSError) and not file and (trouble is not None or is_of_the_output(error)):
+            told = str(output_trouble(error))
         whole = f"The match was played to its end, and its record is whole: {shown(outcome.folder)}"
         raise HostError(f"{told}\n{whole}") from error
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, TypeGuard
 
 if TYPE_CHECKING:
     from _typeshed import ReadableBuffer
+    from rich.console import Console
 
 from rcj_challenges.facts.errors import HostError, advised, is_no_room
 from rcj_challenges.facts.letters import READABLE
@@ -43,6 +44,12 @@ def say_json(value: Any) -> None:
         trouble = output_trouble(error)
         say_no_more(sys.stdout)
         raise trouble from error
+
+
+def say_progress(console: Console, line: str) -> None:
+    """Say how far something is that takes long. If there is no room for that, it goes on without a word."""
+    with contextlib.suppress(OSError):
+        console.print(line, markup=False, highlight=False, soft_wrap=True)
 
 
 def output_trouble(error: OSError) -> HostError:

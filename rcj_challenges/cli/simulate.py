@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.cli import OK, OUR_FAULT, WRONG_INPUT
-from rcj_challenges.cli.says import say_json
+from rcj_challenges.cli.says import say_json, say_progress
 from rcj_challenges.cli.seating import open_teams
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.facts.shown import shown
@@ -46,6 +46,7 @@ class SimulateOptions:
     at_once: int | None
     json: bool
     quiet: bool
+    sandbox: str = "auto"
 
 
 def simulate(options: SimulateOptions) -> int:
@@ -88,16 +89,19 @@ def _prepared(options: SimulateOptions) -> tuple[Loaded, list[Job]]:
     Raises:
         RcjError: wrong input.
     """
+    from rcj_challenges.controllers.isolation import active_layers
     from rcj_challenges.match.many import Job
     from rcj_challenges.records.folder import make_out_folder
     from rcj_challenges.scenario.load import load
 
     seeds = parse_seeds(options.seeds)
     loaded = load(options.scenario, options.overrides)
-    for team in open_teams(loaded, options.teams).values():  # one clear message instead of one for each seed
+    # One clear message instead of one for each seed.
+    for team in open_teams(loaded, options.teams).values():
         team.close()
+    active_layers(options.sandbox)
     make_out_folder(options.out, "the records")
-    arguments = [options.scenario, "--out", str(options.out), "--no-replay", "--quiet"]
+    arguments = [options.scenario, "--out", str(options.out), "--no-replay", "--quiet", "--sandbox", options.sandbox]
     arguments += [part for team in options.teams for part in ("--team", team)]
     arguments += [part for entry in options.overrides for part in ("--set", entry)]
     return loaded, [Job(seed, tuple(arguments)) for seed in seeds]
@@ -195,11 +199,8 @@ class _Progress:
         count = len(self.outcomes)
         left_s = (time.perf_counter() - self._began) / count * (self._total - count)
         score = "could not be played" if outcome.result is None else str(list(outcome.result["score"].values()))
-        self._console.print(
-            f"{count}/{self._total}  seed {outcome.job.seed}  {score}  done in about {left_s:.0f} s",
-            markup=False,
-            highlight=False,
-        )
+        line = f"{count}/{self._total}  seed {outcome.job.seed}  {score}  done in about {left_s:.0f} s"
+        say_progress(self._console, line)
 
 
 def _report(outcomes: Sequence[Outcome], rank: Sequence[Criterion], options: SimulateOptions) -> None:

@@ -2,7 +2,8 @@
 
 Programs think at the same time, on as many processors as there are, and whoever is waited for last would pay for all.
 So when the wall time comes near a limit, it is compared with what the program's process did meanwhile: computed, or
-was ready to compute without a processor. A program that sleeps, or waits for something else, has no such excuse.
+was ready to compute without a processor. A program that sleeps, or waits for something else, has no such excuse. Nor is
+anybody charged for what the match itself waited for a processor: then the answer may have been here for long.
 """
 
 from __future__ import annotations
@@ -38,23 +39,29 @@ class Account:
         limit_s: of `waited_s`; when it is reached, `may_go_on` is to be asked.
     """
 
-    def __init__(self, half_s: float, usage: Callable[[], Usage | None]) -> None:
+    def __init__(
+        self, half_s: float, usage: Callable[[], Usage | None], match_held_up_s: Callable[[], float] = float
+    ) -> None:
         """Open an account.
 
         Args:
             half_s: what it may be charged in all, in s.
             usage: tells what its process did until now; None if that cannot be told.
+            match_held_up_s: tells for how long the match was ready to go on and had no processor until now, in s; also
+                while it waited for nobody: to tell these times apart would cost more than it is worth.
         """
         self._half_s = half_s
         self._usage = usage
+        self._match_held_up_s = match_held_up_s
         self._first: Usage | None = None
+        self._first_held_up_s = 0.0
         self._charged_s: float | None = None
         self.waited_s = self.slowest_s = 0.0
         self.limit_s = half_s
 
     def begin(self) -> None:
         """Begin to charge: it has started."""
-        self._first = self._usage()
+        self._first, self._first_held_up_s = self._usage(), self._match_held_up_s()
 
     def wait_was(self, lasted_s: float) -> None:
         """Note a wait that is over, of so many seconds of wall time."""
@@ -94,4 +101,5 @@ class Account:
         held_up_s = _MOST_BESIDE * computed_s
         if now.held_up_s is not None and first.held_up_s is not None:
             held_up_s = max(0.0, now.held_up_s - first.held_up_s)  # threads that have ended count no more
+        held_up_s += self._match_held_up_s() - self._first_held_up_s
         return max(waited_s - held_up_s, min(waited_s, computed_s))

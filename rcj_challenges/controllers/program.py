@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.controllers import isolation, processes, scratch
+from rcj_challenges.controllers import isolation, processes, scratch, tasks
 from rcj_challenges.controllers.account import Account, Usage
 from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.log import ProgramLog
@@ -107,7 +107,8 @@ class Program:
         self._codec = Codec(assignment.spec, message_bytes)
         self._frame_limit = most_frame_bytes(message_bytes)
         self._step_s = math.inf if assignment.debug else self._limits.step_s
-        self.account = Account(math.inf if assignment.debug else self._limits.half_s, self._usage)
+        half_s = math.inf if assignment.debug else self._limits.half_s
+        self.account = Account(half_s, self._usage, tasks.held_up_here_s)
         self._slice_s = min(_SLICE_S, self._step_s)
         self._output_limit = isolation.output_bytes(self._limits) + _OUTPUT_SLACK_BYTES
         self._scratch_limit = isolation.megabytes(self._limits.scratch_mb) + assignment.team.size_bytes()

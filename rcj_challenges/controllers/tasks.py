@@ -66,6 +66,14 @@ def _held_up_s(pid: int) -> float | None:
     return held_up_ns / 1e9 if computed_ns or held_up_ns else None  # a kernel that does not count says nought
 
 
+def held_up_here_s() -> float:
+    """Return for how long this thread was ready to compute and had no processor, in s; 0 where nobody tells."""
+    if sys.platform == "linux":
+        with contextlib.suppress(OSError, ValueError, IndexError), open("/proc/thread-self/schedstat", "rb") as file:  # noqa: PTH123
+            return int(file.read().split()[1]) / 1e9
+    return 0.0
+
+
 def seconds_of(told: str) -> float:
     """Return a time as ``ps`` tells it, in s: ``2-03:04:05``, ``4:05.06``."""
     days, _, clock = told.strip().rpartition("-")

@@ -28,6 +28,7 @@ _UNKNOWN = {
     EACH: "'each' is known only in a rule with for_each",
     OTHER: "'other' is known only in a rule whose triggers are all touches; give what else sets it off its own rule",
 }
+_EACH_TIMER = "'each' is known only in a timer with per: there is one for each of a group"
 _WORDED = ("triggers", "conditions", "actions")
 _OF_OTHERS: dict[Any, str] = {state.LowestOfOthers: "lowest", state.HighestOfOthers: "highest"}
 _PLACES = ("zone", "gate")
@@ -164,7 +165,7 @@ class _Walker:
         elif not reference.each:
             self.add(path, mark, f"'{name}' cannot stand here; name {_a(reference.noun)}")
         elif members is None:
-            self.add(path, mark, _UNKNOWN[name])
+            self.add(path, mark, _EACH_TIMER if path[0] == "timers" and name == EACH else _UNKNOWN[name])
         else:
             kinds = self.names.kinds
             # What has no kind is a name that does not exist, which is reported where it is written.

@@ -126,13 +126,18 @@ def pace(progress: Progress) -> str:
 
 
 class PlainLines(Silent):
-    """One line for each event and each simulated minute: for logs, pipes and editors."""
+    """One line for each event and each simulated minute: for logs, pipes and editors.
+
+    Attributes:
+        trouble: why it fell silent in the middle of the match, such as a full disk; the match goes on to its end.
+    """
 
     progress_every_ticks = round(60 / TICK_S)
 
     def __init__(self, console: Console, title: str) -> None:
+        self.trouble: OSError | None = None
         self._console = console
-        self._say(title)
+        self._print(title)  # where this cannot be said no match need begin
 
     def half_started(self, half: HalfInfo) -> None:
         """Say who plays where."""
@@ -159,6 +164,13 @@ class PlainLines(Silent):
             self._say(f"{robot} | {plain(line, 2000)}")
 
     def _say(self, line: str) -> None:
+        if self.trouble is None:
+            try:
+                self._print(line)
+            except OSError as error:
+                self.trouble = error
+
+    def _print(self, line: str) -> None:
         self._console.print(line, markup=False, highlight=False, soft_wrap=True)
 
 

@@ -23,7 +23,8 @@ from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.scenario.models.scenario import Scenario
 from tests.hostile.archives import pictures
 from tests.hostile.archives.building import Member, pack, with_folders
-from tests.hostile.archives.cases import ALL, FINE, IMPORTS, SEEN, Case, built
+from tests.hostile.archives.case import Case
+from tests.hostile.archives.cases import ALL, FINE, IMPORTS, SEEN, built
 from tests.hostile.archives.making import ENTRY, NAME, OF_2021, PROGRAM, SOUND, named, plain
 
 loaded = cache(load)

@@ -25,14 +25,14 @@ LOOP = "while robot.step(32) != -1:\n"
 
 @pytest.fixture
 def much(tmp_path):
-    def found(program, scenario=MATCH, play_s=4.2, **files):
+    def found(program, scenario=MATCH, play_s=4.2, *, plays=True, **files):
         path = tmp_path / "team.zip"
         with zipfile.ZipFile(path, "w") as archive:
             archive.writestr(ENTRY, program)
             for name, content in files.items():
                 archive.writestr(name, content)
         report = check_file(path, scenario, CheckOptions(play_s=play_s))
-        assert report.level != "failure"
+        assert (report.level != "failure") is plays
         told = report.stages[5].findings
         much = [finding for finding in told if finding.code.endswith("_much")]
         assert much[:1] in ([], told[:1])  # what may be as it should comes later
@@ -65,6 +65,23 @@ def test_a_program_that_would_print_too_much_is_warned(much):
     whole_mb, ended_s = numbers(told[0], r"about (\d+) MB in a half; 32 MB are allowed: .* after about (\d+) s")
     assert (whole_mb, ended_s) == (pytest.approx(47, abs=2), pytest.approx(409, abs=20))
     assert told[0].remedy.startswith("print less")
+
+
+def test_a_program_that_would_be_ended_before_the_middle_of_a_half_does_not_play(much):
+    told = much(BEGIN + LOOP + '    print("x" * 4000)\n', plays=False)
+    assert [(finding.code, finding.level, finding.where) for finding in told] == [
+        ("play.prints_much", "failure", "B1"),
+        ("play.prints_much", "failure", "Y1"),
+    ]
+    (ended_s,) = numbers(told[0], r"it would be ended after about (\d+) s")
+    assert ended_s == pytest.approx(256, abs=10)
+
+
+def test_of_several_robots_each_is_told_by_its_own_amount(much):
+    """One would be ended soon, one late, one never."""
+    lengths = '{"B1": 4000, "B2": 2500}.get(robot.getName(), 1)'
+    told = much(BEGIN + LOOP + f'    print("x" * {lengths})\n', load("match"), plays=False)
+    assert [(finding.level, finding.where) for finding in told] == [("failure", "B1"), ("warning", "B2")]
 
 
 def test_a_program_that_comes_near_the_limit_is_warned_and_not_told_that_it_ends(much):

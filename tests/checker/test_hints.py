@@ -185,9 +185,9 @@ def test_a_line_without_end_is_looked_at_in_no_time(tmp_path):
     (tmp_path / "robot.py").write_text("x.wait(timeout=" * 200_000, encoding="utf-8")
     fault = {"kind": "step_timeout", "robot": "B1", "tick": 1, "detail": "", "traceback": ""}
     with open_team(tmp_path, *V21.scenario.entrants.values()) as team:
-        began = time.perf_counter()
+        began_s = time.process_time()  # what else the machine does is not counted
         hint = hint_on(V21.scenario, team, fault, 'It was here:\n  File "robot.py", line 1 in <module>\n')
-        assert time.perf_counter() - began < 5
+        assert time.process_time() - began_s < 5
     assert len(hint.remedy) < 400
 
 
@@ -328,12 +328,12 @@ def test_a_loop_in_a_method_that_nobody_comes_to_is_told_with_its_class(program,
 
 
 def test_among_very_many_functions_and_files_it_is_found_out_at_once():
-    began_s = time.monotonic()
+    began_s = time.process_time()
     loops = "".join(f"def f{number}():\n    while 1: x.step(1)\nf{number}()\n" for number in range(20_000))
     entry, other = PurePosixPath("a.py"), b"import a\n" * 1_500
     files = {entry: loops.encode() + other, **{PurePosixPath(f"d{number}/a.py"): other for number in range(4_000)}}
     assert why_it_ended(files, entry) == ""
-    assert time.monotonic() - began_s < 10
+    assert time.process_time() - began_s < 10
 
 
 @pytest.mark.parametrize(

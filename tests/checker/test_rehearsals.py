@@ -210,7 +210,7 @@ def test_a_hang_costs_its_limit_once(pack):
 
 
 def test_a_program_that_is_slow_on_every_step_fails_and_is_told_what_a_half_allows(pack):
-    slow = load("match", ["limits.step_s=0.4", "limits.half_s=10", *ONE_EACH])
+    slow = load("match", ["limits.step_s=5", "limits.half_s=10", *ONE_EACH])
     work = "    x = 0\n    while x < 120_000:\n        x += 1\n"
     report = check_file(pack(BEGIN + "while robot.step(32) != -1:\n" + work), slow, SHORT)
     found = findings(report, "play", "failure")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import errno
+import io
 import json
 import os
 import signal
@@ -17,6 +19,7 @@ import pytest
 from rcj_challenges.checker import many
 from rcj_challenges.checker.report import schema_text
 from rcj_challenges.cli.check import CheckUsageError
+from rcj_challenges.facts.errors import HostError
 from tests.checker.small_team import PLAYER, write_team
 from tests.cli.in_this_process import one_after_the_other
 from tests.cli.test_check import check
@@ -54,6 +57,20 @@ def test_what_lies_in_the_folder_and_was_not_looked_at_is_in_every_summary(team,
     assert check(tmp_path / "subs", json=True) == 0
     left_out = json.loads(capsys.readouterr().out)["left_out"]
     assert [Path(other["file"]).name for other in left_out] == ["stray.py", "team c"]
+
+
+@pytest.mark.parametrize("as_json", [True, False])
+def test_the_page_is_written_also_if_there_is_no_room_for_what_is_printed(team, tmp_path, monkeypatch, as_json):
+    """``check teams --html report.html > told.txt``: what took an hour is not lost."""
+
+    class Full(io.StringIO):
+        def write(self, _):
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(sys, "stdout", Full())
+    with pytest.raises((OSError, HostError), match=os.strerror(errno.ENOSPC)):
+        check(team("a.zip"), html=tmp_path / "report.html", json=as_json, play=False)
+    assert "a.zip" in (tmp_path / "report.html").read_text("utf-8")
 
 
 def test_with_one_archive_the_rest_of_the_folder_is_named_too(team, tmp_path, capsys):
@@ -165,7 +182,7 @@ def test_ctrl_c_ends_with_130_a_report_in_json_and_no_temporary_folder(team, tmp
             time.sleep(0.1)
         time.sleep(0.5)  # its verdict may still be on its way
         os.killpg(process.pid, signal.SIGINT)  # as a terminal does: to all processes
-        out, err = process.communicate(timeout=60)
+        out, err = process.communicate(timeout=120)
     assert process.returncode == 130, err
     report = json.loads(out)  # and nothing else
     jsonschema.validate(report, json.loads(schema_text()))

@@ -110,7 +110,7 @@ def test_json_keeps_its_letters_where_the_output_has_them(capsys: pytest.Capture
 def test_a_fault_of_ours_is_reported_whatever_letters_the_command_line_has(tmp_path: Path) -> None:
     breaks = "import rcj_challenges.scenario.load as l\nl.load = None\nfrom rcj_challenges.cli import main\nmain()\n"
     command = [sys.executable, "-c", breaks, "run", "a\udcffb"]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=60, check=False)
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=120, check=False)
     assert done.returncode == 3
     (report,) = tmp_path.glob("rcj-challenge-report-*.txt")
     assert "Traceback" in report.read_text("utf-8")

@@ -1,8 +1,10 @@
 """The smaller commands: view, replay, schema, draw, sheet, simulate."""
 
 import errno
+import io
 import json
 import os
+import sys
 from pathlib import Path
 
 import pytest
@@ -12,6 +14,7 @@ from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.match import many
 from rcj_challenges.match.many import Job, Outcome
 from rcj_challenges.records.testing import write_made_up_run
+from tests.cli.in_this_process import played_one_after_the_other
 
 BALL_CHASER = Path(__file__).parents[2] / "examples/teams/ball_chaser"
 
@@ -127,6 +130,24 @@ def test_simulate_has_the_short_options_of_run(monkeypatch):
     )
 
 
+def test_simulate_isolates_programs_as_run_does(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(many, "play_many", played_one_after_the_other)
+    one_each = [
+        f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)
+    ]
+    out = tmp_path / "runs"
+    run("simulate", "match", "--seeds", "1", "--duration", "0.1", *one_each, "--out", out, "--sandbox", "off", "--json")
+    (played,) = json.loads(capsys.readouterr().out)["records"]
+    result = json.loads((Path(played["folder"]) / "result.json").read_text("utf-8"))
+    assert result["sandbox"]["mode"] == "off"
+
+
+def test_simulate_plays_nothing_in_a_sandbox_that_there_is_not(tmp_path, monkeypatch):
+    monkeypatch.setattr(many, "play_many", lambda *_: pytest.fail("a match was begun"))
+    with pytest.raises(RcjError, match="unknown sandbox 'loose'"):
+        run("simulate", "match", "--seeds", "1..9", "--sandbox", "loose", "--out", tmp_path / "runs")
+
+
 def outcome(seed, score=None, *, wrong_input=True):
     result = {"score": {"blue": score}, "events": [], "faults": [], "folder": f"runs/{seed}", "digest": "f3"}
     result = None if score is None else result
@@ -144,6 +165,20 @@ def test_what_simulate_has_played_is_told_also_if_the_disk_is_full_then(monkeypa
         (2, "No space left on device"),
         (3, "No space left on device"),
     ]
+
+
+def test_no_room_for_lines_of_progress_ends_no_matches(monkeypatch, capsys):
+    """``simulate match 2> progress.txt``."""
+
+    class Full(io.StringIO):
+        def write(self, _):
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(sys, "stderr", Full())
+    outcomes = [outcome(1, 7), outcome(2, 5)]
+    monkeypatch.setattr(many, "play_many", lambda _, __, on_done: [on_done(one) or one for one in outcomes])
+    assert run("simulate", "match", "--seeds", "1..2") == 0
+    assert "2 matches" in capsys.readouterr().out
 
 
 def test_why_no_seed_could_be_played_is_in_the_json_too(monkeypatch, capsys):

@@ -14,7 +14,7 @@ from rcj_challenges.records.result import read_result
 
 COMMAND = [sys.executable, "-m", "rcj_challenges"]
 POSIX = pytest.mark.skipif(os.name != "posix", reason="processes are listed and killed as POSIX has it")
-ENDS_WITHIN_S = 3.0  # one second, and a busy machine
+ENDS_WITHIN_S = 20.0  # one second, and a very busy machine; they would play for an hour
 UNHURRIED = """
 import select
 from controller import Robot
@@ -65,7 +65,7 @@ def started(tmp_path: Path, many: list[str]):
     yield process, pids
     for pid in running({process.pid, *pids}):
         os.kill(pid, signal.SIGKILL)
-    process.communicate(timeout=30)
+    process.communicate(timeout=120)
 
 
 @POSIX
@@ -87,7 +87,7 @@ def test_a_kill_leaves_no_match_and_no_program(tmp_path: Path, started) -> None:
 def test_an_interruption_tells_how_many_were_played(tmp_path: Path, started, name: str) -> None:
     process, pids = started
     process.send_signal(getattr(signal, name))
-    _, complaint = process.communicate(timeout=30)
+    _, complaint = process.communicate(timeout=120)
     assert (process.returncode, complaint) == (130, "interrupted: 0 of 4 matches were played to their end\n")
     assert not running(pids)
     assert {read_result(folder).stopped for folder in tmp_path.glob("runs/*")} == {"KeyboardInterrupt"}

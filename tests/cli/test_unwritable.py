@@ -67,7 +67,7 @@ def test_a_record_that_somebody_deletes_meanwhile_is_no_fault_of_ours(tmp_path: 
         assert time.monotonic() < until
         time.sleep(0.02)
     shutil.rmtree(tmp_path / "runs")
-    _, complaint = process.communicate(timeout=60)
+    _, complaint = process.communicate(timeout=120)
     assert process.returncode == 2, complaint
     assert re.fullmatch(
         r"the record cannot be written: runs/\S+: No such file or directory; has somebody moved or deleted it\?\n",

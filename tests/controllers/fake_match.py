@@ -167,3 +167,11 @@ def copy_of(program: str, folder: Path, name: str) -> Path:
     """Copy a program of ``tests/programs`` under another name."""
     folder.mkdir(parents=True, exist_ok=True)
     return Path(shutil.copy(PROGRAMS / f"{program}.py", folder / name))
+
+
+def fault_of(match: FakeMatch, program: str, ticks: int = 30) -> Fault:
+    """The fault of a program that has to fail."""
+    played = match.play(program, ticks)
+    assert played.fault is not None
+    assert f"[{played.fault.kind}] Y1 at tick {played.fault.tick} " in played.log
+    return played.fault

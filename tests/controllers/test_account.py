@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -49,6 +51,52 @@ def test_a_program_is_charged_what_it_made_the_match_wait(
     computed_s: float, held_up_s: float | None, waited_s: float, charged_s: float
 ) -> None:
     assert account(computed_s, held_up_s, waited_s).charged_s == pytest.approx(charged_s)
+
+
+@pytest.mark.parametrize(
+    ("stood_s", "charged_s"),
+    [
+        (60.0, 50.0),  # others had the processors while the match was to take the answers
+        (0.0, 110.0),
+        (119.0, 4.0),  # what it computed it is charged all the same
+    ],
+)
+def test_what_the_match_itself_waited_for_a_processor_is_charged_to_nobody(stood_s: float, charged_s: float) -> None:
+    """On a busy machine the answer is here long before the match can take it."""
+    usages = iter([Usage(2.0, 1.0)])
+    stood = iter([7.0])
+    opened = Account(HALF_S, lambda: next(usages, Usage(6.0, 11.0)), match_held_up_s=lambda: next(stood, 7.0 + stood_s))
+    opened.begin()
+    opened.wait_was(120.0)
+    assert opened.charged_s == pytest.approx(charged_s)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells")
+def test_the_system_tells_for_how_long_this_thread_waited_for_a_processor() -> None:
+    """Two threads in a loop on one processor stand in each other's way; one that sleeps in nobody's."""
+    usage = tasks.usage_of(os.getpid())
+    if usage is None or usage.held_up_s is None:
+        pytest.skip("this kernel does not count it")
+    told: list[float] = []
+
+    def computes() -> None:
+        before_s = tasks.held_up_here_s()
+        end_s = time.monotonic() + 60
+        while tasks.held_up_here_s() - before_s < 0.01 and time.monotonic() < end_s:
+            hashlib.sha256(bytes(100_000))
+        told.append(tasks.held_up_here_s() - before_s)
+
+    allowed = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, {min(allowed)})
+    try:
+        threads = [threading.Thread(target=computes) for _ in range(2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+    finally:
+        os.sched_setaffinity(0, allowed)
+    assert max(told) >= 0.01
 
 
 def test_who_was_held_up_is_waited_for_until_the_rest_is_used_up() -> None:

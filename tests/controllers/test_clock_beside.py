@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import importlib.util
+import itertools
 import math
 import sys
 import threading
@@ -36,7 +37,15 @@ def stepped(clock: Clock, tick: int) -> None:
     clock.tick_began(tick)
 
 
-def run_beside(work: Callable[[], object], patience_s: float = 5.0) -> float:
+@pytest.fixture
+def real_time_goes_on_by_looking(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Real time as it is looked at, 0.01 ms for each look: how long others have the processor counts for nothing."""
+    looks = itertools.count()
+    monkeypatch.setattr(_beside, "real_monotonic", lambda: 1e-5 * next(looks))
+    monkeypatch.setattr(_beside, "real_process_time", lambda: 0.0)
+
+
+def run_beside(work: Callable[[], object], patience_s: float = 60.0) -> float:
     """Let another thread work while this one, that steps, waits for it. Returns how long that took in real s."""
     began_s = time.perf_counter()
     thread = threading.Thread(target=work, daemon=True)
@@ -44,6 +53,16 @@ def run_beside(work: Callable[[], object], patience_s: float = 5.0) -> float:
     thread.join(patience_s)
     assert not thread.is_alive(), "it waits for a clock that stands still"
     return time.perf_counter() - began_s
+
+
+def quickest_beside(work: Callable[[], object], enough_s: float) -> float:
+    """Run it again and again until it took less than enough: on a busy machine any single time may be a long one."""
+    quickest_s = math.inf
+    for _ in range(50):
+        quickest_s = min(quickest_s, run_beside(work))
+        if quickest_s < enough_s:
+            break
+    return quickest_s
 
 
 def look_until(clock: Clock, seconds: float) -> int:
@@ -55,22 +74,20 @@ def look_until(clock: Clock, seconds: float) -> int:
 
 
 def test_who_looks_at_the_clock_while_the_one_that_steps_waits_for_it_sees_it_go_on(clock: Clock) -> None:
-    took_s = min(run_beside(lambda: look_until(clock, 0.005)) for _ in range(5))
-    assert took_s < 0.09  # and not only after the standstill that real time needs to count
+    # Not only after the standstill that real time needs to count.
+    assert quickest_beside(lambda: look_until(clock, 0.005), 0.09) < 0.09
     assert clock.missed_ticks() == 0
 
 
 def test_who_sleeps_while_the_one_that_steps_waits_for_it_sleeps_about_as_long_in_real_time(clock: Clock) -> None:
-    took_s = min(run_beside(lambda: clock.sleep(0.02)) for _ in range(5))
-    assert 0.02 <= took_s < 0.1
+    assert 0.02 <= quickest_beside(lambda: clock.sleep(0.02), 0.1) < 0.1
     assert clock.missed_ticks() == 0
 
 
 def test_a_wait_with_a_limit_takes_about_as_long_where_the_thread_that_steps_is_idle(clock: Clock) -> None:
     """``await loop.run_in_executor(None, robot.step, 32)``, then ``await asyncio.sleep(0.001)``."""
     wait = Waits(clock)._patient(lambda _, timeout: time.sleep(timeout))
-    took_s = min(run_beside(lambda: wait(None, 0.02)) for _ in range(5))
-    assert 0.02 <= took_s < 0.1
+    assert 0.02 <= quickest_beside(lambda: wait(None, 0.02), 0.1) < 0.1
     assert clock.missed_ticks() == 0
 
 
@@ -78,7 +95,7 @@ def test_who_looks_while_the_one_that_steps_looks_as_well_sees_it_go_on_after_a_
     """It asks again and again whether the other is done: it is not stuck, and waits all the same."""
     thread = threading.Thread(target=look_until, args=(clock, 0.005), daemon=True)
     thread.start()
-    end_s = time.perf_counter() + 5
+    end_s = time.perf_counter() + 60
     while thread.is_alive():
         assert time.perf_counter() < end_s
 
@@ -93,6 +110,7 @@ def test_inside_a_step_no_real_time_counts(clock: Clock) -> None:
     assert clock.beside.read_ns() == before == 0
 
 
+@pytest.mark.usefixtures("real_time_goes_on_by_looking")
 def test_what_the_clock_is_ahead_is_taken_back_and_it_never_runs_back(clock: Clock) -> None:
     shown = []
     for tick in range(2, 12):
@@ -189,6 +207,7 @@ robot.step(32)
     assert match.play(program, 2).said == ["True", "True"]
 
 
+@pytest.mark.usefixtures("real_time_goes_on_by_looking")
 def test_a_wait_of_the_thread_that_steps_catches_up_with_the_clock_of_the_others(clock: Clock) -> None:
     run_beside(lambda: look_until(clock, 0.01))
     ahead_s = clock.beside.ahead_ns() / 1e9

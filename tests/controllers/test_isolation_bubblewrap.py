@@ -130,7 +130,7 @@ def test_nothing_of_it_is_left_when_the_match_has_ended_the_program(tmp_path: Pa
         assert exists(inner)
         program.kill()
         assert not exists(inner)
-        assert gone_within([outer], 5)
+        assert gone_within([outer], 10)
 
 
 @needs_bubblewrap
@@ -161,7 +161,7 @@ def test_the_end_of_a_program_is_waited_for_until_bubblewraps_last_process_is_go
     killing.join(0.1)
     assert killing.is_alive(), "somebody still holds the pipe"
     os.close(write_fd)
-    killing.join(5)
+    killing.join(30)
     assert not killing.is_alive()
     process.kill()
 
@@ -186,7 +186,7 @@ def test_auto_goes_without_a_bubblewrap_that_does_not_work(
     assert shutil.which("bwrap") == str(broken)
     began = time.perf_counter()
     assert "bubblewrap" not in isolation.active_layers("auto")
-    assert time.perf_counter() - began < 10
+    assert time.perf_counter() - began < 40  # it would sleep for 60
 
 
 @needs_linux

@@ -93,7 +93,7 @@ def test_no_program_outlives_a_killed_match(tmp_path: Path, portable: bool, prog
         assert all(map(exists, pids))
         parent.kill()
         parent.wait()
-        assert gone_within(pids, 10)
+        assert gone_within(pids, 60)
 
 
 @posix
@@ -102,8 +102,8 @@ def test_ctrl_c_in_the_middle_of_a_hang_ends_the_match_and_its_programs(tmp_path
     parent, pids = run_match(tmp_path, portable=False, program=hang, hangs=True)
     with parent:
         parent.send_signal(signal.SIGINT)
-        assert parent.wait(20) == 130
-        assert gone_within(pids, 5)
+        assert parent.wait(120) == 130
+        assert gone_within(pids, 60)
 
 
 @posix
@@ -116,7 +116,7 @@ def test_what_a_program_started_ends_with_it(tmp_path: Path) -> None:
         play_on(program, Played(), 2)
         pid = int(program.new_output().splitlines()[-1])
         assert exists(pid)
-    assert gone_within([pid], 10)
+    assert gone_within([pid], 60)
 
 
 def test_a_program_that_does_not_stop_after_the_match_is_ended_after_a_second(tmp_path: Path) -> None:
@@ -132,7 +132,7 @@ def test_a_program_that_does_not_stop_after_the_match_is_ended_after_a_second(tm
             assert isinstance(program.collect(), Request)
         began = time.perf_counter()
         crew.finish({program.name: Observation(1, values_at(1), [], over=True) for program in programs})
-        assert time.perf_counter() - began < 5
+        assert time.perf_counter() - began < 30  # they would go on for ever
         assert all(program.has_ended() for program in programs)
         assert all(program.fault is None for program in programs)
 
@@ -303,7 +303,7 @@ print("fault:", played.fault)
         read_until(ours, b"42")
         os.write(ours, b"continue\n")
         read_until(ours, b"fault: None")
-        parent.wait(20)
+        parent.wait(120)
     os.close(ours)
 
 

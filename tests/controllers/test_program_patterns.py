@@ -36,57 +36,6 @@ def test_a_program_reads_what_its_robot_senses_and_drives(either_match: FakeMatc
     assert set(played.requests[0][1].sampling) == wanted
 
 
-def test_steps_of_several_threads_that_come_one_after_the_other_are_those_of_one_program(match: FakeMatch) -> None:
-    program = """
-import threading
-from controller import Robot
-robot = Robot()
-for _ in range(5):
-    thread = threading.Thread(target=robot.step, args=(32,))
-    thread.start()
-    thread.join()
-    print(robot.getTime())
-while robot.step(32) != -1:
-    pass
-"""
-    played = match.play(program, ticks=6)
-    assert played.fault is None
-    assert played.said == ["0.032", "0.064", "0.096", "0.128", "0.16"]
-
-
-def test_threads_that_step_together_take_turns(either_match: FakeMatch) -> None:
-    """As in the original, where one waits for the step of the other."""
-    program = """
-import threading
-from controller import Robot, _hub
-robot = Robot()
-wire = _hub.connected()._wire
-real, inside, together = wire.exchange, [], []
-def exchange(frame):
-    inside.append(threading.get_ident())
-    together.append(len(inside))
-    answer = real(frame)
-    inside.pop()
-    return answer
-wire.exchange = exchange
-stepped = []
-def drive():
-    steps = 0
-    while robot.step(32) != -1:
-        steps += 1
-    stepped.append(steps)
-other = threading.Thread(target=drive)
-other.start()
-drive()
-other.join()
-print(sum(stepped), set(together))
-"""
-    played = either_match.play(program, ticks=60)
-    assert played.fault is None
-    assert [tick for tick, _ in played.requests] == list(range(60))
-    assert played.said == ["59 {1}"]
-
-
 def test_step_loops_may_be_nested_in_helpers(match: FakeMatch) -> None:
     played = match.play("patterns/nested_step_loops", ticks=12)
     assert played.fault is None
@@ -505,3 +454,25 @@ print("after:", sorted(heavy & set(sys.modules)))
 robot.step(32)
 """
     assert match.play(program, 1).said == ["before: []", "after: []"]
+
+
+@pytest.mark.parametrize("again", ["importlib.reload(controller)", "del sys.modules['controller']; import controller"])
+def test_the_module_may_be_loaded_anew(match: FakeMatch, again: str) -> None:
+    """Also where the team has a file of that name: it never counts."""
+    program = f"""
+import importlib, sys
+import controller
+robot = controller.Robot()
+robot.step(32)
+{again}
+from controller import Motor
+print(isinstance(robot.getDevice("left wheel motor"), Motor), isinstance(robot, controller.Robot))
+robot.step(32)
+"""
+    team = match.folder / "team"
+    team.mkdir()
+    (team / "robot.py").write_text(program, encoding="utf-8")
+    (team / "controller.py").write_text("raise SystemExit('not this one')\n", encoding="utf-8")
+    played = match.play(open_team(team), 2, entry="robot.py")
+    assert played.fault is None
+    assert played.said == ["True True"]

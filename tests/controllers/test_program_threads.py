@@ -228,3 +228,54 @@ helpers.join()
 robot.step(32)
 """
     assert match.play(program, 2).said == ["[1, 2, 3] 32", "[1, 2]"]
+
+
+def test_steps_of_several_threads_that_come_one_after_the_other_are_those_of_one_program(match: FakeMatch) -> None:
+    program = """
+import threading
+from controller import Robot
+robot = Robot()
+for _ in range(5):
+    thread = threading.Thread(target=robot.step, args=(32,))
+    thread.start()
+    thread.join()
+    print(robot.getTime())
+while robot.step(32) != -1:
+    pass
+"""
+    played = match.play(program, ticks=6)
+    assert played.fault is None
+    assert played.said == ["0.032", "0.064", "0.096", "0.128", "0.16"]
+
+
+def test_threads_that_step_together_take_turns(either_match: FakeMatch) -> None:
+    """As in the original, where one waits for the step of the other."""
+    program = """
+import threading
+from controller import Robot, _hub
+robot = Robot()
+wire = _hub.connected()._wire
+real, inside, together = wire.exchange, [], []
+def exchange(frame):
+    inside.append(threading.get_ident())
+    together.append(len(inside))
+    answer = real(frame)
+    inside.pop()
+    return answer
+wire.exchange = exchange
+stepped = []
+def drive():
+    steps = 0
+    while robot.step(32) != -1:
+        steps += 1
+    stepped.append(steps)
+other = threading.Thread(target=drive)
+other.start()
+drive()
+other.join()
+print(sum(stepped), set(together))
+"""
+    played = either_match.play(program, ticks=60)
+    assert played.fault is None
+    assert [tick for tick, _ in played.requests] == list(range(60))
+    assert played.said == ["59 {1}"]

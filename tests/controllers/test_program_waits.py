@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from importlib.util import module_from_spec
 from pathlib import Path
 from types import SimpleNamespace
@@ -193,41 +194,58 @@ def test_a_short_wait_goes_on_while_another_thread_computes(match: FakeMatch) ->
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there a short wait is simply waited for")
-def test_what_others_take_of_the_processor_does_not_end_a_short_wait(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Each look takes 0.2 s in which this program computed for 0.001 s."""
-    clock = SimpleNamespace(real_s=0.0, computed_s=0.0)
-    monkeypatch.setattr(_waits, "real_monotonic", lambda: clock.real_s)
-    monkeypatch.setattr(_waits, "real_process_time", lambda: clock.computed_s)
-    looks: list[float] = []
+class TestAShortWait:
+    """It is made of looks whether what is waited for has come."""
 
-    def look(_: object, timeout: float) -> bool:
-        looks.append(timeout)
-        clock.real_s += 0.2
-        clock.computed_s += 0.001
-        return len(looks) == 10
+    @staticmethod
+    def waited(
+        monkeypatch: pytest.MonkeyPatch,
+        would_run: Callable[[int], bool | None],
+        look_s: float,
+        computed_s: float = 0.0,
+        comes_at: int = 0,
+    ) -> tuple[bool, int]:
+        """Wait for 0.031 s; returns whether it came, and after how many looks.
 
-    assert _waits._for_others(look, None, 0.031)
-    looks[:] = [0.0] * 10
-    assert not _waits._for_others(look, None, 0.031)
-    assert 10 + 15 <= len(looks) <= 10 + 31
+        Args:
+            monkeypatch: of the test.
+            would_run: whether others would run, as the system tells it after so many looks; None: it does not tell.
+            look_s: how long each look takes.
+            computed_s: for how long the program computes meanwhile.
+            comes_at: the look by which it comes; 0: never.
+        """
+        seen = SimpleNamespace(real_s=0.0, computed_s=0.0, looks=0)
+        monkeypatch.setattr(_waits, "real_monotonic", lambda: seen.real_s)
+        monkeypatch.setattr(_waits, "real_process_time", lambda: seen.computed_s)
+        monkeypatch.setattr(_waits, "others_would_run", lambda: would_run(seen.looks))
 
+        def look(_: object, timeout: float) -> bool:
+            assert timeout == 0.001
+            seen.looks += 1
+            seen.real_s += look_s
+            seen.computed_s += computed_s
+            return seen.looks == comes_at
 
-@pytest.mark.skipif(sys.platform == "win32", reason="there a short wait is simply waited for")
-def test_a_short_wait_goes_on_while_another_thread_has_not_had_the_processor_yet(monkeypatch) -> None:
-    """For three looks somebody else has it; nobody computes then."""
-    clock = SimpleNamespace(real_s=0.0)
-    monkeypatch.setattr(_waits, "real_monotonic", lambda: clock.real_s)
-    monkeypatch.setattr(_waits, "real_process_time", lambda: 0.0)
-    looks: list[float] = []
-    monkeypatch.setattr(_waits, "others_would_run", lambda: len(looks) <= 3)
+        return bool(_waits._for_others(look, None, 0.031)), seen.looks
 
-    def look(_: object, timeout: float) -> bool:
-        looks.append(timeout)
-        clock.real_s += 0.001
-        return False
+    def test_goes_on_while_others_have_the_processor_where_no_system_tells_who_would_run(self, monkeypatch) -> None:
+        """Each look takes 0.2 s in which this program computed for 0.001 s."""
+        assert self.waited(monkeypatch, lambda _: None, 0.2, 0.001, comes_at=10) == (True, 10)
+        came, looks = self.waited(monkeypatch, lambda _: None, 0.2, 0.001)
+        assert not came
+        assert 15 <= looks <= 31
 
-    assert not _waits._for_others(look, None, 0.031)
-    assert len(looks) == 4
+    def test_goes_on_while_another_thread_has_not_had_the_processor_yet(self, monkeypatch) -> None:
+        """For three looks somebody else has it; nobody computes then."""
+        assert self.waited(monkeypatch, lambda looks: looks <= 3, 0.001) == (False, 4)
+
+    def test_does_not_count_the_time_in_which_another_thread_would_run_and_has_no_processor(self, monkeypatch) -> None:
+        """On a busy machine who waits is told every 0.001 s, while the thread that is waited for gets nothing."""
+        assert self.waited(monkeypatch, lambda _: True, 0.001, comes_at=300) == (True, 300)
+
+    def test_is_over_as_soon_on_a_busy_machine_where_no_other_thread_would_run(self, monkeypatch) -> None:
+        """Each look takes 0.2 s, as others have the processor: waited for to its end, it would use up the half."""
+        assert self.waited(monkeypatch, lambda _: False, 0.2) == (False, 1)
 
 
 def test_the_wait_of_one_thread_changes_nothing_about_those_of_the_one_that_steps_meanwhile(match: FakeMatch) -> None:

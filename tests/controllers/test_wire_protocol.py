@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from fake_match import INDEX, SPEC
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.controllers.pipes import FrameBuffer, FrameTooLongError
@@ -20,9 +20,6 @@ from rcj_challenges.facts.traffic import MotorCommand, Observation, Packet, Requ
 
 sys.path.append(str(PUPIL_FOLDER))
 from controller import _boot, _hub, _wire  # type: ignore[import-not-found]  # the program's end, as programs import it
-
-settings.register_profile("no deadline", deadline=None)  # a busy machine is no failure
-settings.load_profile("no deadline")
 
 MESSAGE_BYTES = 4_000
 CODEC = Codec(SPEC, MESSAGE_BYTES)

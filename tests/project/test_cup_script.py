@@ -119,7 +119,7 @@ def test_whatever_files_are_called_every_match_is_played(tmp_path):
     environment = pretended_cup(tmp_path, *teams)
     (tmp_path / "rcj-challenge").write_text(PRETENDED.replace("0.2", "0"), encoding="utf-8")
     done = subprocess.run(
-        ["bash", "-c", the_script()], cwd=tmp_path, capture_output=True, text=True, check=False, timeout=60, env=environment
+        ["bash", "-c", the_script()], cwd=tmp_path, capture_output=True, text=True, check=False, timeout=300, env=environment
     )  # fmt: skip
     assert (done.returncode, done.stderr) == (0, "")
     assert len(done.stdout.splitlines()) == len(teams) * (len(teams) - 1)
@@ -131,7 +131,7 @@ def test_whatever_files_are_called_every_match_is_played(tmp_path):
 def test_two_scripts_at_once_share_the_matches(tmp_path):
     environment = pretended_cup(tmp_path, "a", "b", "c", "d")
     scripts = [subprocess.Popen(["bash", "-c", the_script()], cwd=tmp_path, env=environment) for _ in range(2)]
-    assert [script.wait(timeout=60) for script in scripts] == [0, 0]
+    assert [script.wait(timeout=300) for script in scripts] == [0, 0]
     started = (tmp_path / "started").read_text("utf-8").splitlines()
     assert len(started) == len(set(started)) == 12
 
@@ -145,7 +145,7 @@ def test_a_match_that_outlives_its_script_is_not_played_twice(tmp_path):
         assert script.poll() is None
     script.kill()
     script.wait()
-    subprocess.run(["bash", "-c", the_script()], cwd=tmp_path, check=True, timeout=60, env=environment)
+    subprocess.run(["bash", "-c", the_script()], cwd=tmp_path, check=True, timeout=300, env=environment)
     assert sorted((tmp_path / "started").read_text("utf-8").splitlines()) == ["cup/a/b", "cup/b/a"]
 
 

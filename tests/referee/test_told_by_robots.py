@@ -274,6 +274,6 @@ class TestMessages:
     @pytest.mark.parametrize("text", ["1" * 99 + " " + "1" * 99 + "x", "1" * 66 + "," + " " * 66 + "1" * 66 + "x"])
     def test_what_is_nearly_a_position_is_read_as_fast_as_one(self, text):
         # A hostile program sends it in each step; it cost two and a half steps of real time.
-        started = time.perf_counter()
+        started = time.process_time()
         assert [position_in(text) for _ in range(100)] == [None] * 100
-        assert time.perf_counter() - started < 1
+        assert time.process_time() - started < 1

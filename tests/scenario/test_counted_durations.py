@@ -41,7 +41,10 @@ def test_of_a_timer_for_each_it_is_said_whose_counter_is_meant():
 
 def test_without_one_for_each_nobody_is_each():
     (complaint,) = complaints(f"{COUNTERS}timers: {{a: {{lasts_s: {{counter: own, entity: each}}}}}}\n")
-    assert "'each' is known only in a rule with for_each" in complaint
+    assert (
+        complaint
+        == "timers.a.lasts_s.entity: 'each' is known only in a timer with per: there is one for each of a group"
+    )
 
 
 def test_each_must_have_such_a_counter():

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from rcj_challenges.scenario.errors import Problem, ScenarioError, nearest
 from rcj_challenges.scenario.load import load, load_resolved, load_text
-from rcj_challenges.scenario.models.scenario import Scenario, blank_fields
+from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.resources import names_in, scenarios_folder
 from rcj_challenges.scenario.tree import plain
 from rcj_challenges.scenario.yaml_strict import parse_bytes
@@ -55,7 +55,7 @@ def test_what_a_record_holds_is_checked_too():
 
 
 def test_the_smallest_scenario():
-    fields = blank_fields() | {"balls": {"ball": {}}}
+    fields = {"schema_version": 1, "id": "a", "title": "A", "robots": {}, "entrants": {}, "balls": {"ball": {}}}
     assert load_text(json.dumps(fields)).scenario == Scenario.model_validate(fields)
 
 

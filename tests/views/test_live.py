@@ -59,7 +59,7 @@ def ask(show: LiveShow) -> Ask:
     def asked(
         method: str = "GET", path: str = "/", body: bytes | None = None, **headers: str
     ) -> tuple[int, dict[str, str], bytes]:
-        connection = http.client.HTTPConnection("127.0.0.1", show.port, timeout=10)
+        connection = http.client.HTTPConnection("127.0.0.1", show.port, timeout=120)
         named = {name.replace("_", "-"): value for name, value in headers.items()}
         connection.putrequest(method, path, skip_host="Host" in named)
         if body is not None:
@@ -323,7 +323,7 @@ def test_a_paused_match_waits_and_a_step_plays_so_many_ticks() -> None:
         return now_s
 
     pace = Pace(MAX_SPEED, clock=time_s)
-    assert asked.acquire(timeout=5)
+    assert asked.acquire(timeout=60)
     pace.pause()
     played = threading.Semaphore(0)
     held_up_s: list[float] = []
@@ -336,15 +336,15 @@ def test_a_paused_match_waits_and_a_step_plays_so_many_ticks() -> None:
     match = threading.Thread(target=play, daemon=True)
     match.start()
     assert not played.acquire(timeout=0.05)
-    assert asked.acquire(timeout=5)  # the match waits for its first tick
+    assert asked.acquire(timeout=60)  # the match waits for its first tick
     clock.now_s = 7.0
     pace.step(3)
-    assert all(played.acquire(timeout=5) for _ in range(3))
+    assert all(played.acquire(timeout=60) for _ in range(3))
     assert not played.acquire(timeout=0.05)
-    assert all(asked.acquire(timeout=5) for _ in range(6))  # and now for its fourth
+    assert all(asked.acquire(timeout=60) for _ in range(6))  # and now for its fourth
     clock.now_s = 9.0
     pace.resume()
-    match.join(5)
+    match.join(60)
     assert not match.is_alive()
     assert held_up_s == [7.0, 0.0, 0.0, 2.0, 0.0]
 

@@ -156,7 +156,7 @@ def short(team: Path, *more: str) -> list[str]:
 
 def command(*arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [*COMMAND, *arguments], cwd=cwd, capture_output=True, text=True, encoding="utf-8", timeout=60, check=False
+        [*COMMAND, *arguments], cwd=cwd, capture_output=True, text=True, encoding="utf-8", timeout=120, check=False
     )
 
 
@@ -184,7 +184,7 @@ def started(tmp_path: Path, team: Path) -> Iterator[Callable[..., tuple[subproce
 
 
 def status_of(port: int, path: str) -> int:
-    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=10)
+    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=120)
     connection.request("GET", path)
     status = connection.getresponse().status
     connection.close()
@@ -246,11 +246,11 @@ def test_after_the_match_it_is_served_until_ctrl_c_whoever_is_connected(
 ) -> None:
     process, port, _ = started("--live", "--speed", "max")
     next(line for line in process.stdout if "the match is over" in line)
-    spectator = socket.create_connection(("127.0.0.1", port), timeout=10)  # one who never asks
+    spectator = socket.create_connection(("127.0.0.1", port), timeout=120)  # one who never asks
     while status_of(port, "/replay.html") != 200:
         pass
     process.send_signal(signal.SIGINT)
-    _, complaint = process.communicate(timeout=10)
+    _, complaint = process.communicate(timeout=120)
     assert process.returncode == 0, complaint
     assert complaint == ""
     spectator.close()
@@ -259,12 +259,12 @@ def test_after_the_match_it_is_served_until_ctrl_c_whoever_is_connected(
 @POSIX
 def test_ctrl_c_ends_a_paused_match(started: Callable[..., Any], tmp_path: Path) -> None:
     process, port, token = started("--live", "--duration", "100")
-    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=10)
+    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=120)
     connection.request("POST", "/steer", b'{"do": "pause"}', {"Authorization": f"Bearer {token}"})
     assert connection.getresponse().status == 200
     connection.close()
     process.send_signal(signal.SIGINT)
-    _, complaint = process.communicate(timeout=20)
+    _, complaint = process.communicate(timeout=120)
     assert process.returncode == 130, complaint
     assert "Traceback" not in complaint
     assert token not in complaint

@@ -1,6 +1,6 @@
 """The whole file: rules, results, limits, tests, and the sections put together."""
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -297,8 +297,3 @@ class Scenario(Strict):
     expect: dict[Name, Expectation] = described(
         {}, "tests of the rules, by a name that says what must happen; 'inherited: null' removes all of the base"
     )
-
-
-def blank_fields() -> dict[str, Any]:
-    """Return the smallest sections that make a valid scenario, for tests and starters."""
-    return {"schema_version": SCHEMA_VERSION, "id": "blank", "title": "Blank", "robots": {}, "entrants": {}}

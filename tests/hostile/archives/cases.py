@@ -11,9 +11,7 @@ import io
 import random
 import tarfile
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cache
-from typing import Literal
 
 from tests.hostile.archives import pictures
 from tests.hostile.archives.building import (
@@ -29,6 +27,7 @@ from tests.hostile.archives.building import (
     with_folders,
 )
 
+from tests.hostile.archives.case import Case
 from tests.hostile.archives.making import (
     ENTRY,
     PROGRAM,
@@ -49,27 +48,6 @@ from tests.hostile.archives.making import (
     overlapping,
     quoted,
 )
-
-
-@dataclass(frozen=True)
-class Case:
-    """One archive.
-
-    Attributes:
-        build: makes it.
-        code: of the finding that must be there.
-        level: of that finding.
-        says: what its message must contain.
-        repair: whether a repair puts it right.
-        scenario: the scenario it is meant for.
-    """
-
-    build: Callable[[], bytes]
-    code: str
-    level: Literal["passed", "warning", "failure"] = "failure"
-    says: str = ""
-    repair: bool = False
-    scenario: str = "match"
 
 
 def leftover(path: str, says: str = "") -> Case:

@@ -133,15 +133,16 @@ class Beside:
         self._ahead_ns = max(0, self._ahead_ns - passed_ns)
 
 
-def others_would_run() -> bool:
-    """Return whether another thread of the program has a processor or waits for one; False where nobody tells that."""
+def others_would_run() -> bool | None:
+    """Return whether another thread of the program has a processor or waits for one; None where nobody tells that."""
     if sys.platform != "linux":
-        return False
+        return None
     own = str(get_native_id())
     try:
         threads = os.listdir("/proc/self/task")  # noqa: PTH208 - pathlib would cost each program its import
     except OSError:
-        return False
+        return None
+    # One that waits for Python's lock is woken by these calls, which give it away, and counts as well.
     return any(thread != own and _would_run(int(thread)) for thread in threads)
 
 

@@ -38,12 +38,14 @@ class _BuiltIn:
 class AfterImport:
     """An import hook: runs a patch on a module right after its code has run.
 
-    A file of the team that has the name of such a module is left alone.
+    A file of the team that has the name of such a module is left alone. The package itself, which is in no folder that
+    programs import from, is found here when it is loaded anew (``importlib.reload``).
     """
 
     def __init__(self, patches: dict[str, Patch], team_root: str) -> None:
         self._patches = patches
         self._team_root = team_root
+        self._ours = sys.modules[__package__].__spec__
 
     def install(self) -> None:
         """Patch what is imported already, and what will be."""
@@ -55,7 +57,7 @@ class AfterImport:
         """Find a module as the other finders do; the import system calls this."""
         patch = self._patches.get(name)
         if patch is None:
-            return None
+            return self._ours if name == __package__ else None
         for finder in sys.meta_path:
             if finder is self:
                 continue

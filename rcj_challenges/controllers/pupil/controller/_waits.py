@@ -174,7 +174,10 @@ def _for_others(real: Wait, waiting: Any, timeout: float) -> Any:
         began_s, computed_s = real_monotonic(), real_process_time()
         came = real(waiting, min(_SLICE_S, timeout))
         passed_s, computed_s = real_monotonic() - began_s, real_process_time() - computed_s
-        left_s -= min(passed_s, _SLICE_S + computed_s)
-        nobody_computes = computed_s < _IDLE_SHARE * passed_s and passed_s < _HELD_UP_S
-        if came or left_s <= 0 or (nobody_computes and not others_would_run()):
+        is_idle = computed_s < _IDLE_SHARE * passed_s
+        would_run = others_would_run() if is_idle else None
+        left_s -= computed_s if would_run else min(passed_s, _SLICE_S + computed_s)
+        if would_run is None:  # where nobody tells, others are taken to be held up if this one has just been
+            would_run = passed_s >= _HELD_UP_S
+        if came or left_s <= 0 or (is_idle and not would_run):
             return came

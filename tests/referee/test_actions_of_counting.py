@@ -1,0 +1,195 @@
+"""Actions that score and count: each word, set off by a rule at tick 10 (or by a fault of B1's program)."""
+
+import pytest
+
+from tests.referee.acting import acted, at_tick_10
+
+
+class TestActionScore:
+    def test_it_gives_points_to_an_entrant(self, stage):
+        play = acted(stage(at_tick_10("{action: score, entrant: blue, points: 2}"), scores={"blue": 1, "yellow": 4}))
+        assert play.referee.scores == {"blue": 3, "yellow": 4}
+        assert play.firings[-1].scored == {"blue": 2}
+
+    def test_points_can_be_negative_and_default_to_one(self, stage):
+        actions = ("{action: score, entrant: blue, points: -3}", "{action: score, entrant: yellow}")
+        assert acted(stage(at_tick_10(*actions))).referee.scores == {"blue": -3, "yellow": 1}
+
+    def test_points_can_be_a_counter_or_weighted_parts(self, stage):
+        state = """
+        counters: {streak: {initial: 4}, fouls: {initial: 2}}
+        flags: {bonus: {initial: true}, malus: {}}
+        """
+        play = acted(
+            stage(
+                state,
+                at_tick_10(
+                    "{action: score, entrant: blue, points: {counter: streak}}",
+                    "{action: score, entrant: yellow, points: [{counter: streak}, {counter: fouls, weight: -0.5}, "
+                    "{flag: bonus, weight: 10}, {flag: malus, weight: 100}]}",
+                ),
+            )
+        )
+        assert play.referee.scores == {"blue": 4, "yellow": 13}
+        assert isinstance(play.referee.scores["yellow"], int)
+
+    def test_a_flag_is_one_point_if_it_is_set_and_none_if_not(self, stage):
+        state = """
+        flags: {double: {initial: true}, malus: {}, home: {per: robots}}
+        rules:
+          comes_home: {triggers: [{trigger: half_started}], actions: [{action: set_flag, flag: home, entity: Y1}]}
+        """
+        points = ("{flag: double}", "{flag: malus}", "{flag: home}", "{flag: home, entity: B1}")
+        rules = (at_tick_10(f"{{action: score, entrant: blue, points: {one}}}") for one in points)
+        assert [acted(stage(state, rule)).referee.scores["blue"] for rule in rules] == [1, 0, 1, 0]
+
+    def test_in_a_rule_for_each_a_flag_kept_per_entity_is_that_of_the_current_one(self, stage):
+        play = stage(
+            "flags: {home: {per: blue}}",
+            """
+            rules:
+              home: {triggers: [{trigger: half_started}], actions: [{action: set_flag, flag: home, entity: B2}]}
+              pays:
+                for_each: blue
+                triggers: [{trigger: time_reached, at_s: 0.32}]
+                actions: [{action: score, entrant: blue, points: {flag: home, entity: each}}]
+            """,
+        )
+        acted(play)
+        assert [firing.scored for firing in play.firings if firing.rule == "pays"] == [{"blue": 0}, {"blue": 1}]
+
+    @pytest.mark.parametrize(
+        ("word", "points"),
+        # A half of 60 s; tick 10 is at 0.32 s, tick 1000 at 32 s, tick 1010 at 32.32 s.
+        [("time_s", [0, 32, 32]), ("time_left_s", [59, 28, 27]), ("total_match_time_s", [60, 60, 60]),
+         ("halftime", [2, 2, 2])],
+    )  # fmt: skip
+    def test_a_time_gives_its_whole_seconds_rounded_down(self, stage, word, points):
+        found = []
+        for at_s in (0.32, 32, 32.32):
+            rule = (
+                f"rules: {{act: {{triggers: [{{trigger: time_reached, at_s: {at_s}}}], "
+                f"actions: [{{action: score, entrant: blue, points: {{word: {word}}}}}]}}}}"
+            )
+            play = stage(rule, half=2)
+            play.play_until(1010)
+            found.append(play.referee.scores["blue"])
+        assert found == points
+        assert all(isinstance(number, int) for number in found)
+
+    def test_a_half_played_at_an_odd_length_gives_its_whole_seconds(self, stage):
+        rule = at_tick_10("{action: score, entrant: blue, points: {word: total_match_time_s}}")
+        assert acted(stage(rule, ticks=313)).referee.scores["blue"] == 10
+
+    def test_weighted_words_are_rounded_before_they_are_weighted(self, stage):
+        rule = at_tick_10(
+            "{action: score, entrant: blue, points: [{word: time_left_s, weight: 0.5}, {word: halftime}]}"
+        )
+        assert acted(stage(rule)).referee.scores["blue"] == 30.5
+
+    def test_a_draw_gives_the_number_that_it_decided(self, stage):
+        draws = "draws: {bonus: {values: [5, 2.5]}}"
+        actions = (
+            "{action: score, entrant: blue, points: {draw: bonus}}",
+            "{action: score, entrant: yellow, points: [{draw: bonus, weight: 2}]}",
+        )
+        found = [acted(stage(draws, at_tick_10(*actions), draws={"bonus": bonus})).referee.scores for bonus in (5, 2.5)]
+        assert found == [{"blue": 5, "yellow": 10}, {"blue": 2.5, "yellow": 5}]
+
+    def test_what_was_measured_gives_points_with_its_fraction_and_nothing_measured_none(self, stage):
+        play = stage("""
+        rules:
+          far:
+            triggers: [{trigger: displaced, entity: B1, distance_m: 0.25}]
+            actions:
+              - {action: score, entrant: blue, points: {word: measured}}
+              - {action: score, entrant: yellow, points: [{word: measured, weight: 10}, {word: limit, weight: -4}]}
+          fails:
+            triggers: [{trigger: program_fault}]
+            actions: [{action: score, entrant: blue, points: {word: measured}}]
+        """)
+        play.place("B1", 0.4, 0.0)
+        play.play()
+        play.fail("Y1")
+        play.play()
+        assert play.referee.scores == {"blue": 0.5, "yellow": 4}
+
+    def test_the_score_of_the_one_concerned_or_of_a_named_entrant(self, stage):
+        rule = """
+        rules:
+          doubles:
+            triggers: [{trigger: program_fault}]
+            actions:
+              - {action: score, entrant: yellow, points: {word: score}}
+              - {action: score, entrant: blue, points: {word: score, of: yellow}}
+        """
+        play = stage(rule, scores={"blue": 1, "yellow": 4})
+        play.fail("Y1")
+        play.play()
+        assert play.referee.scores == {"blue": 9, "yellow": 8}
+
+    def test_a_weighted_counter_or_flag_kept_per_entity_is_that_entitys_or_as_one(self, stage):
+        state = """
+        counters: {laps: {per: blue, initial: 3}}
+        flags: {home: {per: blue}}
+        rules:
+          home: {triggers: [{trigger: half_started}], actions: [{action: set_flag, flag: home, entity: B2}]}
+          pays:
+            for_each: blue
+            triggers: [{trigger: time_reached, at_s: 0.32}]
+            actions:
+              - {action: score, entrant: blue, points: [{counter: laps, entity: each, weight: 10}, {flag: home, entity: each}]}
+              - {action: score, entrant: yellow, points: [{counter: laps}, {flag: home}]}
+        """
+        play = acted(stage(state))
+        paid = [firing.scored for firing in play.firings if firing.rule == "pays"]
+        assert paid == [{"blue": 30, "yellow": 7}, {"blue": 31, "yellow": 7}]
+
+
+class TestActionCount:
+    def test_count_then_score_pays_the_new_count(self, stage):
+        play = stage(
+            "counters: {rounds: {}}",
+            at_tick_10("{action: count, counter: rounds}", "{action: score, entrant: blue, points: {counter: rounds}}"),
+        )
+        assert acted(play).referee.scores["blue"] == 1
+
+    @pytest.mark.parametrize(
+        ("how", "expected"),
+        [("by: 2.5", 7.5), ("by: -1", 4), ("to: 0", 0), ("to: {counter: other}", 9), ("by: {counter: other}", 14)],
+    )
+    def test_by_adds_and_to_sets(self, stage, how, expected):
+        play = stage(
+            "counters: {number: {initial: 5}, other: {initial: 9}}",
+            at_tick_10(f"{{action: count, counter: number, {how}}}"),
+        )
+        assert acted(play).referee.counters["number"] == expected
+
+    @pytest.mark.parametrize(
+        ("how", "expected"),
+        [
+            ("by: {flag: up}", 6),
+            ("by: {flag: down}", 5),
+            ("to: {flag: seen, entity: Y1}", 0),
+            ("by: {word: time_left_s}", 64),
+            ("to: {word: halftime}", 1),
+            ("by: {draw: bonus}", 7),
+            ("by: {word: measured}", 5.32),
+            ("to: {word: limit}", 0.32),
+        ],
+    )
+    def test_a_flag_or_a_word_can_be_counted_too(self, stage, how, expected):
+        play = stage(
+            "counters: {number: {initial: 5}}",
+            "draws: {bonus: {values: [2]}}",
+            "flags: {up: {initial: true}, down: {}, seen: {per: robots}}",
+            at_tick_10(f"{{action: count, counter: number, {how}}}"),
+        )
+        assert acted(play).referee.counters["number"] == expected
+
+    def test_one_per_entity_counts_for_one_or_for_all(self, stage):
+        play = stage(
+            "counters: {calls: {per: blue}}",
+            at_tick_10("{action: count, counter: calls, by: 5}", "{action: count, counter: calls, entity: B2}"),
+        )
+        assert acted(play).referee.counters["calls"] == {"B1": 5, "B2": 6}

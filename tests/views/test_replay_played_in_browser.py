@@ -1,0 +1,104 @@
+"""The replay page in a real browser as it is played: pace, keys, time line and the address of a moment."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rcj_challenges.records.testing import write_made_up_run
+from rcj_challenges.views.replay import write_replay
+from tests.views.browser_stage import NO_WEBGL, settled, shown_moment, until
+
+TICKS = 1500
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = write_made_up_run(tmp_path_factory.mktemp("runs"), ticks=TICKS, halves=2)
+    write_replay(folder)
+    return folder
+
+
+def test_play_pause_rewind_and_speed(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, "#h1t500")
+    page.select_option("#speed", "16")
+    page.click("#play")
+    until(page, "replay.tick > 700 || replay.half > 1")
+    page.click("#play")
+    settled(page)
+    assert page.get_by_role("button", name="Play", exact=True).count() == 1
+    stopped = page.evaluate("replay.place")
+    assert stopped == round(stopped)
+    page.select_option("#speed", "1")
+    page.click("#rewind")
+    until(page, f"replay.place < {stopped} - 20")
+    page.keyboard.press("k")
+    page.keyboard.press("k")
+    assert page.evaluate("replay.app.player.playing") is False
+
+
+@pytest.mark.parametrize(
+    "speed", [*(pytest.param(slow, marks=pytest.mark.nightly) for slow in ("0.25", "1")), "4", "16"]
+)
+def test_time_runs_as_fast_as_was_asked_for(speed: str, show: Callable[..., Any], run: Path) -> None:
+    page = show(run, "#h1t100")
+    moved = page.evaluate(
+        """(speed) => {
+          const player = replay.app.player;
+          player.speed = Number(speed);
+          player.start(1, 1);
+          const from = player.place;
+          player.advance(0.5);
+          player.pause();
+          return player.place - from;
+        }""",
+        speed,
+    )
+    assert moved == pytest.approx(0.5 * float(speed) / 0.032, abs=0.51)
+
+
+def test_keys_move_by_frames_seconds_events_and_to_the_ends(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, "#h1t450")
+    for key, expected in (
+        (".", [1, 451]), (",", [1, 450]), ("ArrowRight", [1, 606]), ("ArrowLeft", [1, 450]), ("n", [1, 800]),
+        ("p", [1, 400]), ("End", [2, TICKS]), ("Home", [1, 0]),
+    ):  # fmt: skip
+        page.keyboard.press(key)
+        assert shown_moment(page) == expected, key
+
+
+def test_the_time_line_can_be_dragged_and_says_where_it_is(show: Callable[..., Any], run: Path) -> None:
+    page = show(run)
+    box = page.locator("#seek").bounding_box()
+    page.mouse.move(box["x"] + 9, box["y"] + 28)
+    page.mouse.down()
+    page.mouse.move(box["x"] + box["width"] * 0.75, box["y"] + 28, steps=5)
+    page.mouse.up()
+    half, tick = shown_moment(page)
+    assert half == 2
+    assert abs(tick - TICKS / 2) < 30
+    settled(page)
+    assert page.get_attribute("#seek", "aria-valuetext").startswith("half 2, 0:2")
+
+
+def test_an_address_names_a_moment_and_follows_it(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, "#h2t123", script=NO_WEBGL)
+    assert shown_moment(page) == [2, 123]
+    page.evaluate("location.hash = '#h1t77'")
+    until(page, "replay.half === 1 && replay.tick === 77")
+    page.keyboard.press(".")
+    until(page, "location.hash === '#h1t78'")
+    page.evaluate("location.hash = '#nonsense'")
+    assert shown_moment(page) == [1, 78]
+
+
+def test_nothing_glides_where_the_referee_put_it(show: Callable[..., Any], run: Path) -> None:
+    # After a goal the ball is put on the centre spot: it is in the goal until the next tick, not on its way.
+    page = show(run)
+    before, between, after = page.evaluate(
+        "[400, 400.5, 401].map((tick) => replay.recording.halves[0].pose(6, tick).y)"
+    )
+    assert before == between != after
+    glided = page.evaluate("[402, 402.5, 403].map((tick) => replay.recording.halves[0].pose(6, tick).y)")
+    assert glided[1] == pytest.approx((glided[0] + glided[2]) / 2)
