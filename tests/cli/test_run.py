@@ -78,6 +78,17 @@ def test_without_a_terminal_there_are_plain_lines_and_the_path_of_the_record(tmp
     assert (tmp_path / folder / "replay.html").is_file()
 
 
+def test_in_a_terminal_that_a_debugged_program_has_too_nothing_is_written_over_what_it_prints(tmp_path, team):
+    terminal = os.environ | {"FORCE_COLOR": "1", "TERM": "xterm-256color"}
+    ends = [*short(team, "--no-replay"), *DUEL]
+    up_a_line = "\x1b[1A"
+    assert up_a_line in command(*ends, cwd=tmp_path, env=terminal).stdout
+    said = command(*ends, "--debug", "B1", cwd=tmp_path, env=terminal).stdout
+    assert up_a_line not in said
+    assert "half 1 of 1" in said
+    assert "KICKOFF" in said
+
+
 def test_robots_whose_programs_fail_alike_are_told_in_one_line(tmp_path, monkeypatch, capsys):
     program = "from controller import Robot\nrobot = Robot()\nrobot.step(32)\nname = robot.getName()\n"
     (tmp_path / "team.py").write_text(program + "if name == 'Y2': robot.step(32)\n1 / 0\n", encoding="utf-8")
