@@ -73,6 +73,10 @@ def printed(folder: Path, program: str, **files: str) -> str:
             "print(__file__, end='|', flush=True)\nprint(__file__)\n",
             "robot_blue/robot.py|robot_blue",
         ),
+        "the debugger, in small letters on Windows": (
+            "import bdb\nprint('<' + bdb.Bdb().canonic(__file__))\n",
+            "<robot_blue/robot.py",
+        ),
         "the folder's name": ("import os\nprint('in', os.getcwd())\n", "in robot_blue"),
         "bytes": ("import os, sys\nsys.stdout.buffer.write(os.fsencode(__file__) + b'!\\n')\n", "robot_blue/robot.py!"),
     }.values(),
@@ -107,6 +111,8 @@ def test_paths_of_windows_are_short_also_as_errors_quote_them(monkeypatch: pytes
         repr(path): r"'robot1\\map.txt'",
         repr("D:\\Temp\\rcj-1\\x"): r"'~\\x'",
         repr("C:\\Python\\Lib\\site-packages\\a.py"): r"'site-packages\\a.py'",
+        ntpath.normcase(path): "robot1\\map.txt",
+        repr(ntpath.normcase(path)): r"'robot1\\map.txt'",
     }.items():
         assert reduce(lambda said, name: said.replace(*name), names, quoted) == told
 
