@@ -123,6 +123,11 @@ def test_a_write_says_that_all_of_it_is_written(tmp_path: Path) -> None:
     assert printed(tmp_path, program) == f"{FOLDER}robot.py" * 1000 + "True"
 
 
+def escaped(folder: Path) -> str:
+    """As the interpreter writes it in a dump."""
+    return str(folder).encode("ascii", "backslashreplace").decode()
+
+
 @pytest.mark.parametrize(
     ("begins", "after", "is_end"),
     [
@@ -136,9 +141,7 @@ def test_where_the_interpreter_broke_is_taken_from_the_end_of_the_log(
     tmp_path: Path, begins: str, after: str, is_end: bool
 ) -> None:
     log = ProgramLog(tmp_path / "Y1.log", 100_000, tmp_path)
-    frames = (
-        f'  File "{tmp_path}{os.sep}robot.py", line 4 in drive\n  File "controller{os.sep}robot.py", line 9 in step\n'
-    )
+    frames = f'  File "{escaped(tmp_path)}{os.sep}robot.py", line 4 in drive\n  File "controller{os.sep}robot.py", line 9 in step\n'
     dump = f"{begins}\n\nThread 0x00000130 (most recent call first):\n\nCurrent thread 0x00000124:\n{frames}{after}"
     os.write(log.fd, f"said before\n{dump}".encode())
     told = log.take_dump(tmp_path)
@@ -165,7 +168,9 @@ def test_letters_that_a_dump_escapes_are_told_where_a_file_has_them(
     for name in ("xfa.py", "grün.py", "🙂.py"):
         (tmp_path / name).write_text("", encoding="utf-8")
     log = ProgramLog(tmp_path / "Y1.log", 100_000, tmp_path)
-    os.write(log.fd, f'Fatal Python error: x\n  File "{tmp_path}{os.sep}{dumped}", line 4 in f\\xfc\n'.encode())
+    os.write(
+        log.fd, f'Fatal Python error: x\n  File "{escaped(tmp_path)}{os.sep}{dumped}", line 4 in f\\xfc\n'.encode()
+    )
     said = log.take_dump(tmp_path)
     log.close()
     shown = dumped.replace(os.sep, "/") if told is None else told
