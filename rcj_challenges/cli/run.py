@@ -99,7 +99,8 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Watcher]:
     from rcj_challenges.views.scoreboard import console_for, watcher_for
 
     console = console_for(to_stderr=options.json)
-    watcher = watcher_for(console, loaded.scenario.title, quiet=options.quiet or options.json)
+    quiet = options.quiet or options.json
+    watcher = watcher_for(console, loaded.scenario.title, quiet=quiet, shared=bool(options.debug))
     plan = MatchPlan(
         loaded=loaded,
         teams=open_teams(loaded, options.teams),

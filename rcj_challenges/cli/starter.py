@@ -11,6 +11,7 @@ from rcj_challenges.cli.says import typed
 from rcj_challenges.facts.errors import RcjError, advised
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.scenario.errors import listing, nearest
+from rcj_challenges.scenario.naming import is_device_of_windows
 from rcj_challenges.scenario.resources import names_in, starters_folder
 
 _LONGEST_ID = 64
@@ -38,6 +39,8 @@ def new_scenario(name: str, preset: str) -> int:
     if preset not in known:
         raise StarterError(f"no preset '{preset}'; there are {listing(known)}{nearest(preset, known)}")
     file = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
+    if is_device_of_windows(file.name):
+        raise StarterError(f"'{file.stem}' is a device on Windows, where no file has that name; choose another name")
     short = _identifier(file.stem)
     program = file.with_name(f"{file.stem}_team") / "robot.py"
     for path in (file, program):

@@ -17,6 +17,8 @@ _DUMP_OF_WINDOWS = re.compile(
     rb"Windows fatal exception: .*\n(?:\n|(?:  |Thread |Current thread |Extension modules: ).*\n)*\Z"
 )
 """There the interpreter also dumps what a program then catches and goes on: only what stands at the end counts."""
+_ESCAPED = re.compile(r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U([0-9a-f]{8}))")
+"""In a dump the interpreter writes each letter beyond ASCII so."""
 _MOST_DUMP_BYTES = 32_768
 _CHUNK = 1 << 16
 _BINARY = getattr(os, "O_BINARY", 0)
@@ -123,10 +125,11 @@ class ProgramLog:
         if at < 0:
             return ""
         os.ftruncate(self._log_fd, size - len(tail) + at)
-        before = f'  File "{from_disk(str(folder))}{os.sep}'
+        escaped = from_disk(str(folder)).encode("ascii", "backslashreplace").decode()
+        before = f'  File "{escaped}{os.sep}'
         lines = tail[at:].decode("utf-8", "replace").splitlines()
         own = (line.removeprefix(before).partition('"') for line in lines if line.startswith(before))
-        return "".join(f'  File "{path.replace(os.sep, "/")}"{place}\n' for path, _, place in own)
+        return "".join(f'  File "{_file_of_dump(folder, path)}"{_with_letters(place)}\n' for path, _, place in own)
 
     def close(self) -> None:
         """Take over what is left, and close it."""
@@ -154,3 +157,21 @@ def _place_of_dump(tail: bytes) -> int:
     if at < 0 and (of_windows := _DUMP_OF_WINDOWS.search(tail)):
         return of_windows.start()
     return at
+
+
+def _file_of_dump(folder: Path, path: str) -> str:
+    """Return a path of a dump as the team writes it; on Windows what looks escaped may be the file ``xfa.py``."""
+    meant = _with_letters(path)
+    found = os.path.exists(folder / meant)  # noqa: PTH110 - that of pathlib raises for names that are too long
+    return (meant if found else path).replace(os.sep, "/")
+
+
+def _with_letters(text: str) -> str:
+    """Return a text of a dump with the letters that it escapes, as far as they can be read."""
+    return _ESCAPED.sub(_letter, text)
+
+
+def _letter(escaped: re.Match[str]) -> str:
+    code = int(escaped[escaped.lastindex or 0], 16)
+    letter = chr(code) if code <= sys.maxunicode else ""
+    return letter if letter.isprintable() and not letter.isascii() else escaped[0]

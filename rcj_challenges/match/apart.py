@@ -7,7 +7,7 @@ import sys
 import tempfile
 import threading
 from collections.abc import Callable, Sequence
-from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from pathlib import Path
 from typing import AnyStr, Generic, TypeVar
 
@@ -105,9 +105,10 @@ def do_all(
     Raises:
         KeyboardInterrupt: after the running processes have been ended.
     """
+    futures: list[Future[Result]] = []
     with ThreadPoolExecutor(max_workers=max(1, at_once)) as pool:
-        futures = [pool.submit(do, job) for job in jobs]
         try:
+            futures.extend(pool.submit(do, job) for job in jobs)  # the first is at work before the last is handed out
             pending = set(futures)
             while pending:
                 done, pending = wait(pending, timeout=_POLL_S, return_when=FIRST_COMPLETED)

@@ -14,8 +14,12 @@ from rcj_challenges.scenario.tree import Items, Mark, Path, child, in_names, mar
 _SECTIONS = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups")
 """What a group may gather, and groups: in any of the places where one of them is named, so may be another."""
 _DEVICES = re.compile(r"con|prn|aux|nul|(com|lpt)[0-9]", re.IGNORECASE)
-"""What no file of Windows may be called; each robot has a log of its name."""
 _MEANINGS = {EACH: "names the current entity of a rule", OTHER: "names what is touched in a rule"}
+
+
+def is_device_of_windows(name: str) -> bool:
+    """Return whether no file on Windows may be called so, whatever its ending; each robot has a log of its name."""
+    return _DEVICES.fullmatch(name.partition(".")[0].rstrip()) is not None
 
 
 def check_names(catalogue: Catalogue) -> list[Problem]:
@@ -46,7 +50,7 @@ def _namespace(catalogue: Catalogue) -> Iterator[Problem]:
                 yield _problem(catalogue, path, message, at_key=True)
             seen.setdefault(name.casefold(), (name, section, mark))
     for robot in catalogue.names("robots"):
-        if _DEVICES.fullmatch(robot):
+        if is_device_of_windows(robot):
             message = f"'{robot}' is a device on Windows, where no log can have that name; choose another name"
             yield _problem(catalogue, ("robots", robot), message, at_key=True)
         colour = catalogue.leaf("robots", robot, "colour")

@@ -28,11 +28,18 @@ Criterion = RankByScore | RankByTime | RankByCounter
 _EVENTS_SHOWN = 6
 
 
-def watcher_for(console: Console, title: str, *, quiet: bool) -> Watcher:
-    """Return the scoreboard in a terminal, plain lines elsewhere, nothing if quiet."""
+def watcher_for(console: Console, title: str, *, quiet: bool, shared: bool = False) -> Watcher:
+    """Return the scoreboard in a terminal, plain lines elsewhere, nothing if quiet.
+
+    Args:
+        console: where it is shown.
+        title: of what is played.
+        quiet: whether nothing is.
+        shared: whether somebody else writes into the terminal too, over whose lines the scoreboard would be drawn.
+    """
     if quiet:
         return Silent()
-    return Scoreboard(console, title) if console.is_terminal else PlainLines(console, title)
+    return Scoreboard(console, title) if console.is_terminal and not shared else PlainLines(console, title)
 
 
 def score_line(names: Mapping[str, str], scores: Mapping[str, int | float], *, sides_change: bool = False) -> str:

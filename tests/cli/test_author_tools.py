@@ -252,6 +252,18 @@ class TestNew:
         )
         assert isinstance(call("new", tmp_path / "ß").exception, StarterError)
 
+    @pytest.mark.parametrize("name", ["CON", "aux.yaml", "nul.yml", "Com1", "lpt9.old"])
+    def test_a_name_that_is_a_device_on_windows_is_refused_on_every_system(self, tmp_path, name):
+        done = call("new", tmp_path / name)
+        assert isinstance(done.exception, StarterError)
+        assert "is a device on Windows" in str(done.exception)
+        assert "choose another name" in str(done.exception)
+        assert list(tmp_path.iterdir()) == []
+
+    @pytest.mark.parametrize("name", ["console", "com10", "nullify"])
+    def test_a_name_that_only_begins_like_a_device_is_taken(self, tmp_path, name):
+        assert call("new", tmp_path / name).exit_code == 0
+
     def test_a_name_that_no_system_takes_is_told_so(self, tmp_path):
         done = call("new", tmp_path / ("x" * 5000))
         assert isinstance(done.exception, StarterError)

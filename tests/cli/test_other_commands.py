@@ -14,6 +14,7 @@ from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.match import many
 from rcj_challenges.match.many import Job, Outcome
 from rcj_challenges.records.testing import write_made_up_run
+from rcj_challenges.views.replay.browse import address_of
 from tests.cli.in_this_process import played_one_after_the_other
 
 BALL_CHASER = Path(__file__).parents[2] / "examples/teams/ball_chaser"
@@ -62,8 +63,15 @@ def test_view_opens_the_page_and_says_where_it_is(runs, capsys, monkeypatch):
     monkeypatch.setattr("webbrowser.open", lambda address, *_, **__: bool(opened.append(address)) or True)
     assert run("view", "--out", runs) == 0
     assert opened
-    assert opened[0].startswith("file://")
+    assert opened[0].startswith("file://") is (sys.platform != "win32")
     assert opened[0].endswith("replay.html")
+
+
+def test_a_browser_is_given_a_page_as_its_system_finds_it_also_in_a_folder_with_umlauts(tmp_path):
+    page = tmp_path / "Jörg Müller" / "100% #1" / "replay.html"
+    assert address_of(page, "win32") == str(page)
+    assert address_of(page, "linux").endswith("/J%C3%B6rg%20M%C3%BCller/100%25%20%231/replay.html")
+    assert address_of(page, "darwin") == address_of(page, "linux") == page.as_uri()
 
 
 def test_the_shipped_schema_is_fresh(capsys):

@@ -114,6 +114,18 @@ def test_without_a_terminal_there_are_plain_lines_and_the_path_of_the_record(tmp
     assert (tmp_path / folder / "replay.html").is_file()
 
 
+def test_in_a_terminal_that_a_debugged_program_has_too_nothing_is_written_over_what_it_prints(tmp_path, team):
+    terminal = os.environ | {"FORCE_COLOR": "1", "TERM": "xterm-256color"}
+    ends = [*short(team, "--no-replay"), *DUEL]
+    scoreboard = "0:00.0 / 0:01.0"
+    assert scoreboard in command(*ends, cwd=tmp_path, env=terminal).stdout
+    said = command(*ends, "--debug", "B1", cwd=tmp_path, env=terminal).stdout
+    assert scoreboard not in said
+    assert "\x1b[1A" not in said  # a line up
+    assert "half 1 of 1" in said
+    assert "KICKOFF" in said
+
+
 def test_robots_whose_programs_fail_alike_are_told_in_one_line(tmp_path, monkeypatch, capsys):
     program = "from controller import Robot\nrobot = Robot()\nrobot.step(32)\nname = robot.getName()\n"
     (tmp_path / "team.py").write_text(program + "if name == 'Y2': robot.step(32)\n1 / 0\n", encoding="utf-8")
@@ -144,7 +156,7 @@ def test_open_shows_the_page_when_the_match_is_over(tmp_path, monkeypatch, capsy
     monkeypatch.setattr("webbrowser.open", lambda address: opened.append(address) or there_is_a_browser)
     assert here(monkeypatch, tmp_path, *short(team, "--quiet", "--open", *DUEL)) == 0
     (page,) = tmp_path.glob("runs/*/replay.html")
-    assert opened == [page.as_uri()]
+    assert opened == [str(page) if sys.platform == "win32" else page.as_uri()]
     assert ("no browser could be started" in capsys.readouterr().out) is not there_is_a_browser
 
 

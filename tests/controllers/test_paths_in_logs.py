@@ -73,6 +73,10 @@ def printed(folder: Path, program: str, **files: str) -> str:
             "print(__file__, end='|', flush=True)\nprint(__file__)\n",
             "robot_blue/robot.py|robot_blue",
         ),
+        "the debugger, in small letters on Windows": (
+            "import bdb\nprint('<' + bdb.Bdb().canonic(__file__))\n",
+            "<robot_blue/robot.py",
+        ),
         "the folder's name": ("import os\nprint('in', os.getcwd())\n", "in robot_blue"),
         "bytes": ("import os, sys\nsys.stdout.buffer.write(os.fsencode(__file__) + b'!\\n')\n", "robot_blue/robot.py!"),
     }.values(),
@@ -107,6 +111,8 @@ def test_paths_of_windows_are_short_also_as_errors_quote_them(monkeypatch: pytes
         repr(path): r"'robot1\\map.txt'",
         repr("D:\\Temp\\rcj-1\\x"): r"'~\\x'",
         repr("C:\\Python\\Lib\\site-packages\\a.py"): r"'site-packages\\a.py'",
+        ntpath.normcase(path): "robot1\\map.txt",
+        repr(ntpath.normcase(path)): r"'robot1\\map.txt'",
     }.items():
         assert reduce(lambda said, name: said.replace(*name), names, quoted) == told
 
@@ -115,6 +121,11 @@ def test_a_write_says_that_all_of_it_is_written(tmp_path: Path) -> None:
     """Who writes bytes is told how many; fewer, and he would write the rest once more."""
     program = "import sys\ndata = __file__.encode() * 1000\nprint(sys.stdout.buffer.write(data) == len(data))\n"
     assert printed(tmp_path, program) == f"{FOLDER}robot.py" * 1000 + "True"
+
+
+def escaped(folder: Path) -> str:
+    """As the interpreter writes it in a dump."""
+    return str(folder).encode("ascii", "backslashreplace").decode()
 
 
 @pytest.mark.parametrize(
@@ -130,9 +141,7 @@ def test_where_the_interpreter_broke_is_taken_from_the_end_of_the_log(
     tmp_path: Path, begins: str, after: str, is_end: bool
 ) -> None:
     log = ProgramLog(tmp_path / "Y1.log", 100_000, tmp_path)
-    frames = (
-        f'  File "{tmp_path}{os.sep}robot.py", line 4 in drive\n  File "controller{os.sep}robot.py", line 9 in step\n'
-    )
+    frames = f'  File "{escaped(tmp_path)}{os.sep}robot.py", line 4 in drive\n  File "controller{os.sep}robot.py", line 9 in step\n'
     dump = f"{begins}\n\nThread 0x00000130 (most recent call first):\n\nCurrent thread 0x00000124:\n{frames}{after}"
     os.write(log.fd, f"said before\n{dump}".encode())
     told = log.take_dump(tmp_path)
@@ -140,3 +149,29 @@ def test_where_the_interpreter_broke_is_taken_from_the_end_of_the_log(
     left = (tmp_path / "Y1.log").read_text(encoding="utf-8")
     assert told == ('  File "robot.py", line 4 in drive\n' if is_end else "")
     assert left == ("said before\n" if is_end else f"said before\n{dump}")
+
+
+@pytest.mark.parametrize(
+    ("dumped", "told"),
+    [
+        (r"xfa.py", "xfa.py"),
+        (r"gr\xfcn.py", "grün.py"),
+        (r"nobody\xfcs.py", None),  # no file is called so
+        (r"\U0001f642.py", "🙂.py"),
+        (r"\x1b[2J.py", None),
+        (r"\Uffffffff.py", None),
+    ],
+)
+def test_letters_that_a_dump_escapes_are_told_where_a_file_has_them(
+    tmp_path: Path, dumped: str, told: str | None
+) -> None:
+    for name in ("xfa.py", "grün.py", "🙂.py"):
+        (tmp_path / name).write_text("", encoding="utf-8")
+    log = ProgramLog(tmp_path / "Y1.log", 100_000, tmp_path)
+    os.write(
+        log.fd, f'Fatal Python error: x\n  File "{escaped(tmp_path)}{os.sep}{dumped}", line 4 in f\\xfc\n'.encode()
+    )
+    said = log.take_dump(tmp_path)
+    log.close()
+    shown = dumped.replace(os.sep, "/") if told is None else told
+    assert said == f'  File "{shown}", line 4 in fü\n'

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 import sys
+import tempfile
 import time
 from pathlib import Path
 from types import SimpleNamespace
@@ -39,6 +40,23 @@ def test_a_program_that_hangs_is_stopped_at_the_limit_and_its_log_shows_where(tm
     where = played.log.split("It was here, the innermost call first:\n")[1].splitlines()
     assert where[0].startswith('  File "hangs_in_play.py", line ')
     assert where[1].startswith("[step_timeout] Y1 at tick 2 (0.064 s): ")
+
+
+def test_where_it_hangs_is_told_also_of_files_with_umlauts_below_a_users_folder_with_umlauts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "Jörg Ω").mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "Jörg Ω"))
+    (tmp_path / "t").mkdir()
+    (tmp_path / "t" / "robot.py").write_text("import größe\n", encoding="utf-8")
+    (tmp_path / "t" / "größe.py").write_text("def drehe_für():\n    while True: pass\ndrehe_für()\n", encoding="utf-8")
+    played = FakeMatch(tmp_path, start_s=2.0).play(open_team(tmp_path / "t"))
+    where = played.log.split("It was here, the innermost call first:\n")[1].splitlines()
+    assert where[:3] == [
+        '  File "größe.py", line 2 in drehe_für',
+        '  File "größe.py", line 3 in <module>',
+        '  File "robot.py", line 1 in <module>',
+    ]
 
 
 @posix

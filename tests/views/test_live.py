@@ -192,6 +192,13 @@ def test_the_65th_connection_is_told_to_come_back_and_the_first_goes_on(show: Li
             assert spectator.recv(12) == b"HTTP/1.1 200"
             waiting.append(spectator)
         assert ask()[0] == 503
+        # One who asks first and listens then gets it whole too: a connection that is broken off would take it along.
+        late = socket.create_connection(("127.0.0.1", show.port), timeout=10)
+        waiting.append(late)
+        late.sendall(f"GET / HTTP/1.1\r\nHost: 127.0.0.1:{show.port}\r\n\r\n".encode())
+        told = b"".join(iter(lambda: late.recv(1024), b""))
+        assert told.startswith(b"HTTP/1.1 503 ")
+        assert told.endswith(b"\r\n\r\n")
     finally:
         for spectator in waiting:
             spectator.close()

@@ -33,6 +33,8 @@ _STILL_HERE_S = 5.0
 _LONGEST_ORDER = 1_024
 _MOST_TAKEN_IN = 65_536
 _LINGERS_S = 1.0
+_REFUSED_WITHIN_S = 0.2
+"""So long the next one to connect may have to wait for one that finds no room and has not asked for anything yet."""
 
 _HEADERS = {
     "Cache-Control": "no-store",
@@ -108,11 +110,11 @@ class SpectatorServer(ThreadingHTTPServer):
     def process_request(self, request: Any, client_address: Any) -> None:
         """Give the connection a thread, if there is one left."""
         if not self._free.acquire(blocking=False):
-            try:
-                request.settimeout(1.0)
+            with suppress(OSError):
+                request.settimeout(_REFUSED_WITHIN_S)
                 request.sendall(b"HTTP/1.1 503 Service Unavailable\r\nConnection: close\r\nContent-Length: 0\r\n\r\n")
-            except OSError:
-                pass
+                request.shutdown(socket.SHUT_WR)
+                request.recv(_MOST_TAKEN_IN)  # what is left unread takes the answer with it on Windows
             self.shutdown_request(request)
             return
         super().process_request(request, client_address)

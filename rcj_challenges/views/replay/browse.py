@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 import webbrowser
 from dataclasses import dataclass
 from pathlib import Path
@@ -81,7 +82,20 @@ def open_replay(folder: Path) -> tuple[Path, bool]:
     page = folder / REPLAY
     if not page.exists():
         page = write_replay(folder)
-    return page, webbrowser.open(page.resolve().as_uri())
+    return page, webbrowser.open(address_of(page.absolute()))
+
+
+def address_of(page: Path, system: str = sys.platform) -> str:
+    """Return by what a browser is asked to show a page.
+
+    Windows takes what is escaped in an address of a file for letters of its old code pages: it does not find a page
+    below Jörg's folder. There the path itself is asked for, which has no escapes.
+
+    Args:
+        page: an absolute path.
+        system: as `sys.platform` calls it.
+    """
+    return str(page) if system == "win32" else page.resolve().as_uri()
 
 
 def _is_folder(path: Path) -> bool:

@@ -26,6 +26,8 @@ def short_names(team_root: str, site_folders: list[str]) -> list[tuple[str, str]
     ours = os.path.dirname(os.path.dirname(__file__))  # where `controller` is; not always installed
     shown += [(folder, "site-packages") for folder in (ours, *site_folders)]
     shown += [(place, "python") for place in (os.path.dirname(os.__file__), sys.executable) if place]
+    # The debugger tells them in small letters on Windows.
+    shown += [(small, short) for path, short in shown if (small := os.path.normcase(path)) != path]
     # Errors quote paths, and there backslashes are doubled.
     return shown + [(path.replace("\\", "\\\\"), short) for path, short in shown if "\\" in path]
 
