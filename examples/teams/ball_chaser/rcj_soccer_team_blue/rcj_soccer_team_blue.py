@@ -2,7 +2,7 @@
 
 Every robot does the same: look for the ball, turn to it, drive. Two small rules make it a football player:
 
-* never push the ball towards the own goal: drive past it first,
+* push the ball towards the other goal only: drive past it first, if it lies elsewhere from here,
 * do not stand around when the ball is out of sight: go home, where it will be seen again.
 
 Read this file from top to bottom; it is the whole program. One copy of it runs in each of the three robots.
@@ -16,6 +16,7 @@ from controller import Robot
 
 TIME_STEP = 32  # ms: the referee and all sensors work in steps of 32 ms
 MAX_SPEED = 10  # rad/s: the motors do not turn faster
+GOAL_Y = 0.75  # m: so far are the goals from the middle of the field
 
 # Where each robot waits when it does not see the ball: metres to the right of the own goal, and in front of the
 # middle line, seen by somebody who stands in the own goal. A ball is heard from 0.6 m away.
@@ -38,15 +39,15 @@ def wheel_speeds(angle):
     return forward + turn, forward - turn
 
 
-def angle_past_the_ball(ball_angle, ball_distance, ball_heading, attack_heading):
-    """Where to drive so that the ball goes to the right end of the field. All angles in rad.
+def angle_past_the_ball(ball_angle, ball_distance, ball_heading, goal_heading):
+    """Where to drive so that the ball goes to the other goal. All angles in rad.
 
-    ball_heading is the direction to the ball on the field, attack_heading the direction of the other goal.
-    If the two are alike, we stand behind the ball: go straight at it. If not, we would push it home: then we drive
-    past the ball, near enough to stay close and far enough not to touch it.
+    ball_heading is the direction to the ball on the field, goal_heading the direction to the other goal.
+    If the two are alike, we stand behind the ball: go straight at it. If not, we would push it elsewhere: then we
+    drive past the ball, near enough to stay close and far enough not to touch it.
     """
-    error = wrap(ball_heading - attack_heading)
-    if abs(error) < math.radians(75):
+    error = wrap(ball_heading - goal_heading)
+    if abs(error) < math.radians(45):
         return ball_angle
     room = 0.15  # metres between the ball's middle and our way
     detour = math.asin(min(1.0, room / max(ball_distance, 0.01)))
@@ -57,8 +58,8 @@ def main():
     robot = Robot()
     name = robot.getName()  # B1, B2, B3, Y1, Y2 or Y3
     number = int(name[1])
-    # The yellow team attacks the goal at +y, the blue team the goal at -y.
-    attack_heading = math.pi / 2 if name[0] == "Y" else -math.pi / 2
+    # The yellow team attacks the goal at +y, the blue team the goal at -y: this far from the middle of the field.
+    goal_y = GOAL_Y if name[0] == "Y" else -GOAL_Y
 
     left_motor = robot.getDevice("left wheel motor")
     right_motor = robot.getDevice("right wheel motor")
@@ -96,16 +97,18 @@ def main():
             ball = (math.atan2(y, x), 1 / math.sqrt(strength))
             ball_receiver.nextPacket()
 
+        x, y, _ = gps.getValues()  # where we are, in metres from the middle of the field
+
         if waiting_for_kickoff:
             left, right = 0.0, 0.0
         elif ball is not None:
             angle, distance = ball
-            left, right = wheel_speeds(angle_past_the_ball(angle, distance, wrap(heading + angle), attack_heading))
+            goal_heading = math.atan2(goal_y - y, 0 - x)
+            left, right = wheel_speeds(angle_past_the_ball(angle, distance, heading + angle, goal_heading))
         else:
             home_x, home_y = HOMES[number]
             if name[0] == "B":  # the same places, seen from the other goal
                 home_x, home_y = -home_x, -home_y
-            x, y, _ = gps.getValues()
             if math.hypot(home_x - x, home_y - y) > 0.05:
                 left, right = wheel_speeds(wrap(math.atan2(home_y - y, home_x - x) - heading))
             else:
