@@ -17,6 +17,7 @@ from rcj_challenges.scenario.models.actions import Action
 from rcj_challenges.scenario.models.conditions import Condition
 from rcj_challenges.scenario.models.state import TimerValue, WordValue
 from rcj_challenges.scenario.models.triggers import TimerExpired, Trigger
+from rcj_challenges.scenario.other_names import other_name
 from rcj_challenges.scenario.shape import (
     Shape,
     bare,
@@ -244,7 +245,7 @@ class _Explainer:
         message = f"unknown {discriminator} '{written[:64]}'; there are {listing(words, 40)}"
         message += (
             self._in_itself(mistake.path, written)
-            or _usual(written, discriminator)
+            or other_name(written, discriminator, words)
             or _of_another_list(written, discriminator)
             or nearest(written, words, _LIKE)
         )
@@ -260,78 +261,6 @@ class _Explainer:
 
 _LIKE = 0.65
 """A word of the language is taken for another only if it is more like it than a name need be."""
-_USUAL = {
-    "and": "all_of",
-    "or": "any_of",
-    "not": "the condition itself, with negate: true",
-    "none_of": "any_of, with negate: true",
-    "halftime": "half",
-    "score": "counter, with the entrant as the counter: a score is read like one",
-    "phase": "phases: […] beside 'conditions': a rule lives in the phases of that list",
-    "time_s": "timer, of a timer with starts: true",
-    "frozen": "held",
-    "tells": "told: what a robot has told the referee last",
-    "heard": "told: what a robot has told the referee last",
-    "said": "told: what a robot has told the referee last",
-    "hold": "held",
-}
-"""What others call a condition, and how it is written here."""
-
-
-_REPEATED = "every 5 s is {trigger: time_reached, at_s: 5, every_s: 5}"
-_LATER = "a pause is a phase, and what comes later waits for a timer"
-_HELD = "'hold' keeps a robot where it is, for_s or until 'release'"
-_LET_GO = "'release' lets a robot go that 'hold' holds"
-_BY_RADIO = "'tells' fires when a robot tells the referee something by radio"
-_ELSEWHERE = {
-    **{
-        ("trigger", word): _BY_RADIO
-        for word in (
-            "told",
-            "hears",
-            "heard",
-            "hear",
-            "reports",
-            "report",
-            "radio",
-            "message",
-            "receives",
-            "answers",
-            "answer",
-            "says",
-            "said",
-            "sends",
-            "tell",
-        )
-    },
-    ("trigger", "every"): _REPEATED,
-    ("trigger", "interval"): _REPEATED,
-    ("trigger", "repeat"): _REPEATED,
-    ("action", "wait"): _LATER,
-    ("action", "sleep"): _LATER,
-    ("action", "pause"): _LATER,
-    ("trigger", "hold"): "what waits for a condition is 'holds'; 'hold' is an action that keeps robots still",
-    ("action", "holds"): _HELD,
-    ("action", "freeze"): _HELD,
-    ("action", "stop"): _HELD,
-    ("action", "held"): _HELD,
-    ("action", "unfreeze"): _LET_GO,
-    ("action", "free"): _LET_GO,
-    ("action", "let_go"): _LET_GO,
-    ("action", "unhold"): _LET_GO,
-    ("action", "if"): "what depends on something is a rule of its own, with conditions",
-}
-"""What other languages have a trigger or an action for, and how it is said here."""
-
-
-def _usual(written: str, discriminator: str) -> str:
-    """Return how a condition is written that goes by another name elsewhere, or what stands for a trigger or action."""
-    word = written.casefold()
-    meant = _USUAL.get(word) if discriminator == "condition" else None
-    if meant:
-        return f"; write {meant}"
-    said = _ELSEWHERE.get((discriminator, word))
-    return f"; {said}" if said else ""
 
 
 _WORDS: tuple[tuple[str, Any], ...] = (("trigger", Trigger), ("condition", Condition), ("action", Action))
