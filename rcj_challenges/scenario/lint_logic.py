@@ -97,13 +97,13 @@ def exclude(one: Condition, other: Condition, rules: tuple[Rule, Rule], subject:
     """Return whether two single conditions, each of its rule, can never hold together."""
     if type(one) is not type(other):
         return False
-    one, other = _without_none(one), _without_none(other)
+    one, other = without_none(one), without_none(other)
     if one == other.model_copy(update={"negate": not other.negate}):
         return True
     return not (one.negate or other.negate) and _have_nothing_in_common(one, other, rules, subject)
 
 
-def _without_none(condition: Condition) -> Condition:
+def without_none(condition: Condition) -> Condition:
     """Return a condition as it reads with `any`: none of them is not any of them."""
     if getattr(condition, "of", None) != "none":
         return condition

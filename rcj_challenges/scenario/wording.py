@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Callable, Mapping
 from typing import Any, Literal, get_args, get_origin
 
@@ -18,6 +19,10 @@ from rcj_challenges.scenario.shape import Shape, bare, is_list, is_model, is_nam
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node
 
 NAME_RULE = "letters, digits and _, not beginning with a digit, at most 64"
+_SPELT = str.maketrans(
+    {"ä": "ae", "ö": "oe", "ü": "ue", "Ä": "Ae", "Ö": "Oe", "Ü": "Ue", "ß": "ss", "ø": "o", "Ø": "O", "ł": "l"}
+)
+"""Letters of which more is left than the letter below an accent, or that are none with one."""
 
 _YES, _NO = frozenset({"yes", "on", "y"}), frozenset({"no", "off", "n"})
 _ALL = frozenset({"all", "every", "always", "each"})
@@ -251,10 +256,28 @@ def is_fixed(shape: Shape) -> bool:
     return get_origin(kind) is tuple and Ellipsis not in get_args(kind)
 
 
+def no_name(text: str) -> str:
+    """Return why a text is no name, and what is one."""
+    return f"{quoted(text)} is no name: {NAME_RULE}{_from_a_to_z(text)}"
+
+
+def _from_a_to_z(text: str) -> str:
+    """Return how a name is written without the letters that only some languages have; empty: it has none."""
+    if text.isascii():
+        return ""
+    plain = unicodedata.normalize("NFKD", unicodedata.normalize("NFC", text).translate(_SPELT))
+    plain = "".join(letter for letter in plain if not unicodedata.combining(letter))
+    if text.isupper():
+        plain = plain.upper()
+    such = f": {plain}" if plain.isascii() and plain.isidentifier() else ""
+    return f"; letters are those from {'A to Z' if text.isupper() else 'a to z'}{such}"
+
+
 def _wrong_form(shape: Shape, node: Node | None) -> str:
     shape, shown = without_none(shape), found_text(node)
     if shape == EventName:
-        return f"{shown} is no event's name: capitals, digits and _, such as GOAL"
+        text = node.value if isinstance(node, Leaf) and isinstance(node.value, str) else ""
+        return f"{shown} is no event's name: capitals, digits and _, such as GOAL{_from_a_to_z(text)}"
     if shape == Colour:
         word = str(node.value) if isinstance(node, Leaf) else ""
         hint = nearest(word, CSS_COLOURS) if word.isalpha() else ""
@@ -264,5 +287,5 @@ def _wrong_form(shape: Shape, node: Node | None) -> str:
     if shape == SaidText:
         return f"{shown} is heard otherwise: with single blanks between its words, and none at its ends"
     if shape == Name:
-        return f"{shown} is no name: {NAME_RULE}"
+        return no_name(str(node.value)) if isinstance(node, Leaf) else f"{shown} is no name: {NAME_RULE}"
     return f"{shown} does not have the form that is needed: {expectation(shape)}"
