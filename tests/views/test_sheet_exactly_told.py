@@ -57,6 +57,34 @@ def test_who_is_told_what_others_are_not():
     assert "| more | 1 |" in told
 
 
+_LATER = "Where a robot is told two values under one key, the one further down counts."
+
+
+@pytest.mark.parametrize(
+    ("broadcast", "count"),
+    [
+        ("{fields: {a: 1}, only: {Y1: {b: 2}}}", 0),
+        ("{fields: {a: 1}, only: {Y1: {a: 2}}}", 1),
+        ("{fields: {}, only: {Y1: {a: 1}, Y2: {a: 2}, blue: {a: 3}}}", 0),
+        ("{fields: {}, only: {Y1: {a: 1}, yellow: {a: 2}}}", 1),
+    ],
+)
+def test_which_of_two_values_under_one_key_counts_is_told(broadcast, count):
+    assert sheet(f"broadcast: {broadcast}\n").count(_LATER) == count
+
+
+def test_texts_are_told_with_the_quotes_that_tell_them_from_numbers():
+    text = sheet("broadcast: {fields: {game: tag, version: '2', level: 2, open: true}}\n")
+    for row in ('| game | "tag" |', '| version | "2" |', "| level | 2 |", "| open | true |"):
+        assert row in text
+
+
+def test_who_is_told_nothing_more_has_no_table():
+    text = sheet("broadcast: {fields: {}, only: {Y1: {}, Y2: {a: 1}}}\n")
+    assert "Only Y1" not in text
+    assert "Only Y2 is told:" in text
+
+
 def test_where_some_alone_are_told_something():
     text = sheet(ONLY % "")
     assert "one JSON object follows on the same channel for some robots:\n\nOnly Y1 is told:\n" in text

@@ -123,19 +123,39 @@ def _broadcast(broadcast: Broadcast, kits: dict[str, Kit], nouns: Nouns) -> Iter
         yield Paragraph(f"After it, {_every(every)}, one JSON object follows on the same channel{whom}:")
     else:
         # It is made on a tick on which the official packet may be missing; then it waits, and a newer one replaces it.
-        newest = f"the newest follows the next packet, on its channel{whom}"
+        newest = f"the newest follows the next packet{whom}, on its channel"
         yield Paragraph(f"One JSON object is made {_every(every)}; {newest}:")
     if broadcast.fields:
         yield _told(broadcast.fields, nouns)
-    for name, fields in (broadcast.only or {}).items():
+    only = {name: fields for name, fields in (broadcast.only or {}).items() if fields}
+    for name, fields in only.items():
         told = nouns.all_of(name).does("is told", "are told")
         yield Paragraph(f"Only {told}{' in it as well' if broadcast.fields else ''}:")
         yield _told(fields, nouns)
+    if _are_told_twice(broadcast.fields, only, nouns):
+        yield Paragraph("Where a robot is told two values under one key, the one further down counts.")
     yield from (Paragraph(_TOLD_APART[by_key]) for by_key in sorted({kit.messages == "v2.2" for kit in kits.values()}))
 
 
+def _are_told_twice(fields: Mapping[str, Value], only: Mapping[str, Mapping[str, Value]], nouns: Nouns) -> bool:
+    """Return whether a robot is told two values under the same key."""
+    keys: dict[str, list[str]] = {}
+    for name, own in only.items():
+        for robot in nouns.meant(name):
+            keys.setdefault(robot, [*fields]).extend(own)
+    return any(len(told) > len(set(told)) for told in keys.values())
+
+
 def _told(fields: Mapping[str, Value], nouns: Nouns) -> Table:
-    told = ((key, value(nouns, entry) + _exactly(nouns.scenario, entry)) for key, entry in fields.items())
+    told = (
+        (
+            key,
+            json.dumps(entry, ensure_ascii=False)
+            if isinstance(entry, str | int | float)
+            else value(nouns, entry) + _exactly(nouns.scenario, entry),
+        )
+        for key, entry in fields.items()
+    )
     return Table(("key", "value"), tuple(told))
 
 
