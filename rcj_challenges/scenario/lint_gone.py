@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rcj_challenges.scenario.catalogue import EACH
+from rcj_challenges.scenario.floor import floor_parts
 from rcj_challenges.scenario.lint_logic import Way, ways_to_hold, without_none
-from rcj_challenges.scenario.lint_shapes import floor_parts, lies_in
+from rcj_challenges.scenario.lint_shapes import lies_in
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lengths_s
 from rcj_challenges.scenario.models.actions import Remove, Score
 from rcj_challenges.scenario.models.conditions import Condition, Distance, HalfIs, InZone, Looks, Speed

@@ -35,6 +35,12 @@ rules: {it: {triggers: [{trigger: half_started}], actions: [{action: score, entr
             "{position_of: hidden}",
             "the position of the spot drawn as “hidden”: [x, y] in m",
         ),
+        (
+            "target: {values: [ball, centre]}",
+            "{position_of: target}",
+            "the position of what was drawn as “target”: [x, y, yaw] in m and rad, of a spot [x, y], null while it is off the "
+            "field",
+        ),
         ("tile: {values: [1]}", "{position_of: centre}", "the position of the spot “centre”: [x, y] in m"),
     ],
 )

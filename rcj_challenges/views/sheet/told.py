@@ -166,10 +166,13 @@ def _exactly(scenario: Scenario, entry: object) -> str:
             values: Sequence[Scalar] = scenario.draws[entry.draw].values
         case WordValue(word="phase"):
             values = ("play", *(phase for phase in scenario.phases if phase != "play"))
-        case PositionValue(position_of=name) if _all_spots(scenario, name):
-            return ": [x, y] in m"
-        case PositionValue():
-            return ": [x, y, yaw] in m and rad, null while it is off the field"
+        case PositionValue(position_of=name):
+            of_spots = {one in scenario.spots for one in _stands_for(scenario, name)}
+            if of_spots == {True}:
+                return ": [x, y] in m"
+            return (
+                f": [x, y, yaw] in m and rad, {'of a spot [x, y], ' * (True in of_spots)}null while it is off the field"
+            )
         case _:
             return ""
     # As JSON, since 1 and true are one to Python.
@@ -177,10 +180,10 @@ def _exactly(scenario: Scenario, entry: object) -> str:
     return f": {listed(list(written), 'or')}"
 
 
-def _all_spots(scenario: Scenario, name: str) -> bool:
-    """Return whether a name is that of a spot, or of a draw that decides among spots."""
+def _stands_for(scenario: Scenario, name: str) -> Sequence[Scalar]:
+    """Return what a name in a value is: itself, or all among which a draw decides."""
     draw = None if name in scenario.spots else scenario.draws.get(name)
-    return all(one in scenario.spots for one in ([name] if draw is None else draw.values))
+    return (name,) if draw is None else draw.values
 
 
 def _to_referee(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
