@@ -169,13 +169,17 @@ def set_spot(model: models.SetSpot, workshop: Workshop, rule: StandingRule) -> A
 
     What is off the field leaves it where it is.
     """
-    spots, name = workshop.state.spots, spot_name(workshop, model.spot)
+    state, name = workshop.state, spot_name(workshop, model.spot)
     where = _place_of(model.to, workshop, rule, f"spot/{name}")
     signs = (lambda: (1, 1)) if model.mirror is None else compile_mirror(model.mirror, workshop)
     of_chance = isinstance(model.to, UniformIn | OnLine)
     floor = floor_parts(workshop.scenario.field)
 
     def act(_occasion: Occasion) -> None:
+        decided = state.decided_place(name) if of_chance else None
+        if decided is not None:
+            state.spots[name] = decided
+            return
         sign_x, sign_y = signs()
         for _ in range(_MOST_TRIES if of_chance else 1):
             point = where()
@@ -183,7 +187,7 @@ def set_spot(model: models.SetSpot, workshop: Workshop, rule: StandingRule) -> A
                 return
             there = (point[0] * sign_x + 0.0, point[1] * sign_y + 0.0)  # adding 0 makes no -0
             if not of_chance or on_floor(there, floor):
-                spots[name] = there
+                state.spots[name] = there
                 return
 
     return act

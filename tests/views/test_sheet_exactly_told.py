@@ -38,8 +38,7 @@ rules: {it: {triggers: [{trigger: half_started}], actions: [{action: score, entr
         (
             "target: {values: [ball, centre]}",
             "{position_of: target}",
-            "the position of what was drawn as “target”: [x, y, yaw] in m and rad, of a spot [x, y], null while it is off the "
-            "field",
+            "the position of what was drawn as “target”: [x, y, yaw] in m and rad, of a spot [x, y], null while it is off the field",
         ),
         ("tile: {values: [1]}", "{position_of: centre}", "the position of the spot “centre”: [x, y] in m"),
     ],
