@@ -14,6 +14,8 @@ from rcj_challenges.scenario.tree import Path
 
 _WORDS = frozenset(get_args(WordValue.model_fields["word"].annotation))
 
+_OR_MEANT = "; that the text is meant, says a test that expects it in the event's payload"
+
 
 def check_literals(subject: Subject) -> Iterator[Suspect]:
     """Texts that are told to programs, or in a payload, where the value of that name is meant."""
@@ -32,7 +34,7 @@ def check_literals(subject: Subject) -> Iterator[Suspect]:
                     "text_instead_of_value",
                     at,
                     f"it is told as the text '{value}', the same each time",
-                    f"write {written} for the value",
+                    f"write {written} for the value{_OR_MEANT if isinstance(model, Emit) else ''}",
                 )
 
 

@@ -51,7 +51,8 @@ def test_in_a_payload_a_name_may_be_meant_but_no_word(payload, count):
 def test_a_text_that_a_test_expects_is_meant():
     emits = rule(action="{action: emit, event: GO, payload: {why: limit}}")
     test = "expect: {it_goes: {keyframes: [{at_s: 1}], lasts_s: 2, events: [{event: GO, payload: {why: %s}}]}}\n"
-    assert len(found(emits)) == 1
+    (text,) = found(emits)
+    assert "write {word: limit} for the value; that the text is meant, says a test that expects it" in text
     assert found(emits + test % "limit") == []
     assert len(found(emits + test % "other")) == 1
 
