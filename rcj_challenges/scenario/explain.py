@@ -242,7 +242,7 @@ class _Explainer:
         if not isinstance(discriminator, str) or not isinstance(node, Entries):
             hints = (nearest(key, words) for key in node.entries) if isinstance(node, Entries) else ()
             hint = next(filter(None, hints), "") or _instead_of_list(mistake.path, node, words)
-            hint = for_value(mistake.path, node) or hint
+            hint = for_value(mistake.path, node) or for_param(node, self.root) or hint
             return self._at(mistake.path, expected(mistake.shape, node) + hint)
         tag = child(node, discriminator)
         if tag is None:

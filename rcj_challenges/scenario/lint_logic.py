@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from itertools import product
 from typing import Any
 
-from rcj_challenges.scenario.catalogue import BOUND
+from rcj_challenges.scenario.catalogue import BOUND, EACH
 from rcj_challenges.scenario.followed import followed
 from rcj_challenges.scenario.heard import fits, wanted
 from rcj_challenges.scenario.lint_suspect import Subject
@@ -191,7 +191,8 @@ def range_of(condition: Any) -> tuple[float, float]:
 
 def _in_two_zones(one: InZone, other: InZone, rules: tuple[Rule, Rule], subject: Subject) -> bool:
     who, whose = subject.members(one.entity, rules[0]), subject.members(other.entity, rules[1])
-    if who != whose or len(who) != 1 or {one.of, other.of} - {"any", "all"}:
+    same = one.entity == other.entity == EACH or (who == whose and len(who) == 1)
+    if not same or {one.of, other.of} - {"any", "all"}:
         return False
     zones = subject.scenario.zones
     first, second = subject.members(one.zone, rules[0]), subject.members(other.zone, rules[1])

@@ -168,6 +168,8 @@ def _of_empty(key: str, base: Entries, key_mark: Mark, shape: Shape) -> str:
     word, colon, value = key.partition(":")
     if colon:
         return f"a blank comes after the ':', {word}: {value}"
+    if key == "colour":
+        return "what begins with # is a comment, unless it is in quotes: '#ff8800'"
     before = list(base.entries.items())[-1:]
     if not before or step_into(shape, base, key) is not None:
         return ""

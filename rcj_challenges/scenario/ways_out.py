@@ -85,6 +85,9 @@ _USUAL_KEYS = {
     "then": "actions",
     "do": "actions",
     "team": "entrant",
+    "text": "says",
+    "message": "says",
+    "description": "says",
 }
 """What others call a key, and how it is written here."""
 

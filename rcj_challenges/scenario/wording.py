@@ -24,6 +24,11 @@ _SPELT = str.maketrans(
 )
 """Letters of which more is left than the letter below an accent, or that are none with one."""
 
+_MINUS = str.maketrans("\u2212\u2013\u2014", "---")
+"""Signs that a text processor writes for a minus."""
+_QUOTES = "\u201c\u201d\u201e\u201f\u2018\u2019\u201a\u201b\u00ab\u00bb\u2039\u203a"
+"""All that a text processor writes for quotes."""
+
 _YES, _NO = frozenset({"yes", "on", "y"}), frozenset({"no", "off", "n"})
 _ALL = frozenset({"all", "every", "always", "each"})
 _LIST_OF_NAMES = "a list of names"
@@ -77,6 +82,9 @@ def _hint(shape: Shape, text: str) -> str:
 
 
 def _hint_at_number(text: str) -> str:
+    plain = text.translate(_MINUS)
+    if plain != text and _NUMBER.fullmatch(plain):
+        return f"; its minus is another sign: write {plain}"
     if _NUMBER.fullmatch(text):
         return "; leave the quotes out"
     if _DECIMAL_COMMA.fullmatch(text):
@@ -91,8 +99,10 @@ def _hint_at_number(text: str) -> str:
 
 
 def _hint_at_list(shape: Shape, node: Node) -> str:
-    """Return how a list is written where its one entry stands without brackets, or decimals have commas."""
+    """Return how a list is written: of one entry, or of decimals; or a mapping in whose place a list stands."""
     shape = without_none(shape)
+    if isinstance(node, Items) and is_named(bare(shape).kind):
+        return "; each entry begins with its name and ':', not with '-'"
     if isinstance(node, Entries) and is_list(shape):
         return "; a list stands in brackets, also of one: [{…}]"
     if not isinstance(node, Items) or shape != Point or len(node.items) != 4:
@@ -265,6 +275,8 @@ def _from_a_to_z(text: str) -> str:
     """Return how a name is written without the letters that only some languages have; empty: it has none."""
     if text.isascii():
         return ""
+    if text.strip(_QUOTES) != text:
+        return f"; quotes of a text processor are part of it: write {text.strip(_QUOTES)}"
     plain = unicodedata.normalize("NFKD", unicodedata.normalize("NFC", text).translate(_SPELT))
     plain = "".join(letter for letter in plain if not unicodedata.combining(letter))
     if text.isupper():

@@ -103,7 +103,7 @@ CASES = [
     ("result: {rank: [{tim: ascending}]}\n", "result.rank[0]: unknown key 'tim'; allowed are time, plus; did you mean 'time'?"),
     ("result: {rank: [{order: ascending}]}\n", "result.rank[0]: 'counter' is missing: a counter"),
     ("result: {rank: score}\n", "result.rank: expected a list, found 'score'"),
-    ("rules: [1]\n", "rules: expected a mapping by name, found a list of 1"),
+    ("rules: [1]\n", "rules: expected a mapping by name, found a list of 1; each entry begins with its name and ':', not with '-'"),
     ("zones: {1st: {shape: rect, x_min_m: 0}}\n", "zones.1st: '1st' is no name: letters, digits and _, not beginning with a digit, at most 64"),
     ("zones: {Hügel_süß: {shape: rect, x_min_m: 0}}\n",
      ("zones.Hügel_süß: 'Hügel_süß' is no name: letters, digits and _, not beginning with a digit, at most 64; letters are "
