@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import product
 
-from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.floor import floor_parts, on_floor
 from rcj_challenges.scenario.lint_shapes import lies_in, to_segment_m
 from rcj_challenges.scenario.models.actions import SetSpot
 from rcj_challenges.scenario.models.places import Mirror, OnLine, UniformIn
-from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
+from rcj_challenges.scenario.models.scenario import Expectation, Scenario
 from rcj_challenges.scenario.outlines import Point
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import Path
@@ -40,21 +39,21 @@ def check_decided_spots(test: Expectation, path: Path, scenario: Scenario, roste
             yield Found(where, message, at_key=True)
             continue
         for index, point in enumerate(places_of(decided)):
-            if not any(_may_be_set(point, action, rule, scenario, roster) for action, rule in by_chance):
+            if not any(_may_be_set(point, action, scenario, roster) for action in by_chance):
                 at = where if decided is point else (*where, index)
                 yield Found(at, f"chance never sets '{name}' to ({point[0]:g}, {point[1]:g})")
 
 
-def _by_chance(name: str, scenario: Scenario) -> Iterable[tuple[SetSpot, Rule]]:
+def _by_chance(name: str, scenario: Scenario) -> Iterable[SetSpot]:
     return (
-        (action, rule)
+        action
         for rule in scenario.rules.values()
         for action in rule.actions
         if isinstance(action, SetSpot) and action.spot == name and isinstance(action.to, UniformIn | OnLine)
     )
 
 
-def _may_be_set(point: Point, action: SetSpot, rule: Rule, scenario: Scenario, roster: Roster) -> bool:
+def _may_be_set(point: Point, action: SetSpot, scenario: Scenario, roster: Roster) -> bool:
     if not on_floor(point, floor_parts(scenario.field)):
         return False
     points = [(point[0] * sign_x, point[1] * sign_y) for sign_x, sign_y in _signs(action.mirror)]
@@ -62,9 +61,7 @@ def _may_be_set(point: Point, action: SetSpot, rule: Rule, scenario: Scenario, r
         case OnLine(on_line=(start, end)):
             return any(to_segment_m(one, start, end) <= _ON_LINE_M for one in points)
         case UniformIn(uniform_in=names):
-            written = (names,) if isinstance(names, str) else names
-            zones = roster.expand(tuple(rule.for_each if name == EACH and rule.for_each else name for name in written))
-            return any(lies_in(one, scenario.zones[zone]) for one, zone in product(points, zones))
+            return any(lies_in(one, scenario.zones[zone]) for one, zone in product(points, roster.expand(names)))
     return False
 
 
