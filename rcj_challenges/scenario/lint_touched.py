@@ -60,9 +60,10 @@ def _is_of_another_touch(condition: LastTouch, rule: Rule, subject: Subject) -> 
         if touched not in (one, other):
             return False
         touching |= other if one == touched else one
-    robots = touching & subject.scenario.robots.keys()
+    if not touching or touching - subject.scenario.robots.keys():
+        return False  # at the touch of a wall or a crate it is the robot before
     by = subject.members(condition.by, rule)
-    return bool(robots) and (robots <= by if condition.negate else not robots & by)
+    return touching <= by if condition.negate else not touching & by
 
 
 def _touched(rule: Rule, subject: Subject) -> frozenset[str]:

@@ -82,6 +82,9 @@ def test_who_touches_it_now_is_the_last_one():
         ("by: Y1", TOUCH % ("yellow", "ball"), "", 0),
         ("by: blue", TOUCH % ("ball", "walls"), "", 0),
         ("by: blue", TOUCH % ("yellow", "walls"), "", 0),
+        # What else touches it has not been the last robot.
+        ("by: blue", TOUCH % ("ball", "[yellow, walls]"), "", 0),
+        ("by: yellow, negate: true", TOUCH % ("ball", "[yellow, walls]"), "", 0),
         ("by: blue", TOUCH % ("yellow", "ball") + ", {trigger: half_ended}", "", 0),
     ],
 )
