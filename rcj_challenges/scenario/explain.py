@@ -41,6 +41,14 @@ from rcj_challenges.scenario.ways_out import (
 )
 from rcj_challenges.scenario.wording import expected, found_text, is_fixed, no_name, refusal
 
+_OF_PRESETS = "; a preset brings them: extends: soccersim_v2"
+_OF_MISSING: dict[Path, str] = {
+    ("robots",): _OF_PRESETS,
+    ("entrants",): _OF_PRESETS,
+    ("broadcast", "fields"): "; write fields: {} for none",
+}
+"""What to do about keys that are missing."""
+
 _KEY = "[key]"
 """What pydantic appends to the place of a mapping's entry if its key is wrong."""
 
@@ -182,10 +190,8 @@ class _Explainer:
         if mistake.kind in {"missing", "extra_forbidden"} and isinstance(key, int):
             return self._at(above, expected(shape_at(self.shape, self.root, above), node_at(self.root, above)))
         if mistake.kind == "missing":
-            brings = (
-                "; a preset brings them: extends: soccersim_v2" if key in ("robots", "entrants") and not above else ""
-            )
-            return self._at(above, f"'{key}' is missing{self._sentence_about(above, str(key))}{brings}")
+            hint = _OF_MISSING.get((*above, key), "")
+            return self._at(above, f"'{key}' is missing{self._sentence_about(above, str(key))}{hint}")
         if mistake.kind == "extra_forbidden":
             return self._unknown_key(above, str(key))
         if mistake.kind.startswith("union_tag") or mistake.kind == "model_attributes_type":

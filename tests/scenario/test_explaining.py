@@ -114,6 +114,7 @@ CASES = [
      "rules.r.actions[0] (emit).event: 'TOR_FÜR' is no event's name: capitals, digits and _, such as GOAL; letters are those from A to Z: TOR_FUER"),
     ("rules: {r: {repeat_for: [blau, weiß], triggers: [{trigger: half_started}], actions: [{action: emit, event: GO, payload: {who: {param: this}}}]}}\n",
      "rules.r.repeat_for[1]: 'weiß' is no name: letters, digits and _, not beginning with a digit, at most 64; letters are those from a to z: weiss"),
+    ("broadcast: {only: {Y1: {a: 1}}}\n", "broadcast: 'fields' is missing: values by key, which all robots are told; write fields: {} for none"),
     ("match: {halves: 11}\n", "match.halves: must be at most 10, found 11"),
     ("match: {halves: true}\n", "match.halves: expected a whole number, found true"),
     ("match: {swap_sides: on}\n", "match.swap_sides: expected true/false, found 'on'; did you mean true?"),
