@@ -22,12 +22,16 @@ from rcj_challenges.referee.setting_down import Job
 from rcj_challenges.referee.state import Clock, Number
 from rcj_challenges.referee.values import compile_points, compile_value, counter_reader
 from rcj_challenges.scenario.catalogue import EACH, OTHER
+from rcj_challenges.scenario.floor import floor_parts, on_floor
 from rcj_challenges.scenario.models import actions as models
 from rcj_challenges.scenario.models.base import LONGEST_S
 from rcj_challenges.scenario.models.places import Mirror, OnLine, UniformIn
 from rcj_challenges.scenario.models.state import CounterValue, DrawValue, ToldValue
 
 Act = Callable[[Occasion], None]
+
+_MOST_TRIES = 1000
+"""So often chance looks for a point inside the walls, of a zone that may lie outside for the most part."""
 
 
 def compile_action(model: models.Action, workshop: Workshop, rule: StandingRule) -> Act:
@@ -161,17 +165,30 @@ def sequence(model: models.SequenceAction, workshop: Workshop, rule: StandingRul
 
 
 def set_spot(model: models.SetSpot, workshop: Workshop, rule: StandingRule) -> Act:
-    """Set a spot to where something is now, or to its mirror image; what is off the field leaves it where it is."""
-    spots, name = workshop.state.spots, spot_name(workshop, model.spot)
+    """Set a spot to where something is now, to its mirror image, or where chance says: there only inside the walls.
+
+    What is off the field leaves it where it is.
+    """
+    state, name = workshop.state, spot_name(workshop, model.spot)
     where = _place_of(model.to, workshop, rule, f"spot/{name}")
-    signs = None if model.mirror is None else compile_mirror(model.mirror, workshop)
+    signs = (lambda: (1, 1)) if model.mirror is None else compile_mirror(model.mirror, workshop)
+    of_chance = isinstance(model.to, UniformIn | OnLine)
+    floor = floor_parts(workshop.scenario.field)
 
     def act(_occasion: Occasion) -> None:
-        point = where()
-        if point is not None and signs is not None:
-            sign_x, sign_y = signs()
-            point = (point[0] * sign_x, point[1] * sign_y)
-        spots[name] = point or spots[name]
+        decided = state.decided_place(name) if of_chance else None
+        if decided is not None:
+            state.spots[name] = decided
+            return
+        sign_x, sign_y = signs()
+        for _ in range(_MOST_TRIES if of_chance else 1):
+            point = where()
+            if point is None:
+                return
+            there = (point[0] * sign_x + 0.0, point[1] * sign_y + 0.0)  # adding 0 makes no -0
+            if not of_chance or on_floor(there, floor):
+                state.spots[name] = there
+                return
 
     return act
 

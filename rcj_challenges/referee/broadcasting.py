@@ -32,7 +32,7 @@ class Broadcasting:
         self._to_some: dict[int, dict[str, Reader]] = {}
         for name, fields in (broadcast.only or {}).items():
             readers = _readers(fields, workshop)
-            for robot in workshop.roster.expand(name):
+            for robot in workshop.roster.expand(name) if readers else ():
                 self._to_some.setdefault(workshop.roster.index[robot], {}).update(readers)
 
     def told(self, tick: int) -> tuple[Told | None, dict[int, Told] | None]:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
 from math import isclose
+from typing import Any
 
 from rcj_challenges.facts.play import Event
 from rcj_challenges.facts.timing import s_from_ticks
@@ -34,6 +36,26 @@ def difference(what: str, expected: Scalar, found: Scalar | None, tolerance: flo
         return
     allowed = "" if tolerance is None else f"; up to {tolerance:g} off is allowed"
     yield f"{what}: expected {shown(expected)}, is {shown(found)}{allowed}"
+
+
+def told_difference(what: str, expected: Scalar | tuple[float, ...], found: Any, tolerance_m: float) -> Iterator[str]:
+    """Yield what is told of a value that programs are told and that is another one than expected.
+
+    Args:
+        what: what it is.
+        expected: the value, or the first numbers of a position.
+        found: what programs are told.
+        tolerance_m: how far off each number of a position may be, in m and rad.
+    """
+    if not isinstance(expected, tuple):
+        yield from difference(what, expected, found if isinstance(found, str | int | float) else None)
+        return
+    numbers = found if isinstance(found, list) else []
+    near = len(numbers) >= len(expected) and all(map(partial(equal, tolerance=tolerance_m), expected, numbers))
+    if not near:
+        shown_ones = [f"[{', '.join(map(shown, one))}]" if one else "nothing" for one in (expected, numbers)]
+        allowed = f"up to {tolerance_m:g} off is allowed, more by tolerance_m"
+        yield f"{what}: expected {shown_ones[0]}, is {shown_ones[1]}; {allowed}"
 
 
 def equal(expected: Scalar, found: object, tolerance: float = 0) -> bool:

@@ -6,7 +6,7 @@ as they were at the start of the tick; then the rules fire in order, and at last
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -44,14 +44,16 @@ class Referee:
         half: what makes this half different from others.
         draws: values of draws decided beforehand (for tests): one stands until a rule draws anew; of several the next
             one comes whenever the draw is drawn, and when all have come, chance decides again.
+        spots: where chance sets spots, likewise, in m.
 
     Raises:
         ValueError: ``draws`` names no draw, or a value that it cannot have; or a name in the scenario is unknown.
     """
 
     def __init__(
-        self, scenario: Scenario, roster: Roster, half: HalfInfo, draws: Mapping[str, Series] | None = None
-    ) -> None:
+        self, scenario: Scenario, roster: Roster, half: HalfInfo, draws: Mapping[str, Series] | None = None,
+        spots: Mapping[str, Sequence[tuple[float, float]]] | None = None,
+    ) -> None:  # fmt: skip
         self._state = State(scenario, roster, half)
         self._half = half
         self._workshop = Workshop(self._state)
@@ -59,6 +61,7 @@ class Referee:
         self._workshop.enter_phase = self._enter_phase
         self._rules = assemble(self._workshop)
         self._state.decide_draws(draws or {})
+        self._state.decide_spots(spots or {})
         self._lookout, self._hits = self._workshop.lookout, self._workshop.hits
         self._contacts, self._queue = self._workshop.contacts, self._workshop.queue
         self._moments, self._track = self._workshop.moments, self._workshop.track
@@ -113,6 +116,11 @@ class Referee:
     def undecided(self) -> dict[str, list[Scalar]]:
         """Of the values of draws that were decided beforehand those that have not come, by draw."""
         return self._state.undecided()
+
+    @property
+    def undecided_spots(self) -> dict[str, int]:
+        """How many of the places that were decided beforehand have not come, by spot."""
+        return self._state.undecided_spots()
 
     @property
     def true_before(self) -> dict[str, int]:

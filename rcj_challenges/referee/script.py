@@ -5,8 +5,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, Snapshot, Verdict
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, ticks_from_s
@@ -55,6 +56,7 @@ class ScriptedPlay:
         roster: its roster.
         half: facts of the half; left out: the first half with seed 1.
         draws: draws decided beforehand.
+        spots: where chance sets spots, decided beforehand, in m.
 
     Attributes:
         referee: the referee.
@@ -62,6 +64,7 @@ class ScriptedPlay:
         events, firings: all so far, in order.
         placements: all so far, each with its tick.
         verdict: the last verdict.
+        told: by robot what the broadcast has told it last.
         wrong_ways: the gates that were crossed the way that does not count.
         phases: all phases so far, each with the tick in which it was entered.
     """
@@ -72,9 +75,10 @@ class ScriptedPlay:
         roster: Roster,
         half: HalfInfo | None = None,
         draws: Mapping[str, Series] | None = None,
+        spots: Mapping[str, Sequence[tuple[float, float]]] | None = None,
     ) -> None:
         self.roster = roster
-        self.referee = Referee(scenario, roster, half or half_of(scenario), draws)
+        self.referee = Referee(scenario, roster, half or half_of(scenario), draws, spots)
         self.tick = 0
         self.events: list[Event] = []
         self.firings: list[Firing] = []
@@ -93,7 +97,9 @@ class ScriptedPlay:
         self._by_hand: set[int] = set()
         self.wrong_ways = WrongWays(scenario, roster)
         self.phases: list[tuple[int, str]] = [(0, scenario.first_phase)]
+        self.told: dict[str, dict[str, Any]] = {}
         self.verdict = self._take(self.referee.start(self._snapshot()))
+        self._tell_programs()
 
     # --- what the script does ---------------------------------------------------------------------------------------
 
@@ -138,6 +144,7 @@ class ScriptedPlay:
                 self.wrong_ways.look(self.tick, self._judged, snapshot.substeps, self._parked)
             by_hand, self._by_hand = frozenset(self._by_hand), set()
             self.verdict = self._take(self.referee.judge(snapshot, by_hand))
+            self._tell_programs()
         return self.verdict
 
     def play_until(self, tick: int) -> Verdict:
@@ -223,6 +230,14 @@ class ScriptedPlay:
                 self._uprights = uprights
         self._judged = self._poses  # what a hand puts elsewhere now moves within the next tick
         return verdict
+
+    def _tell_programs(self) -> None:
+        """Note what each robot's program is told beyond the official packet."""
+        to_all, to_some = self.verdict.broadcast, self.verdict.told_only or {}
+        if to_all is None:
+            return
+        for robot, name in enumerate(self.roster.entities[: self.roster.robots]):
+            self.told[name] = {**to_all, **to_some.get(robot, {})}
 
 
 def _start(scenario: Scenario, name: str) -> Pose2:

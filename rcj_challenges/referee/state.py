@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 import struct
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import sqrt
 
@@ -108,6 +108,7 @@ class State:
         self.draws: dict[str, Scalar] = {}
         self._undrawn: dict[str, list[Scalar]] = {}
         self._decided: dict[str, list[Scalar]] = {}
+        self._decided_spots: dict[str, list[tuple[float, float]]] = {}
         self.ended: str | None = None
         self.match_over = False
         self.entrant_of = {robot: name for name, entrant in scenario.entrants.items() for robot in entrant.robots}
@@ -228,6 +229,19 @@ class State:
     def undecided(self) -> dict[str, list[Scalar]]:
         """Return of the values that a test decided those that have not come."""
         return {name: list(left) for name, left in self._decided.items() if left}
+
+    def decide_spots(self, decided: Mapping[str, Sequence[tuple[float, float]]]) -> None:
+        """Let a test decide where chance sets spots, each the first times."""
+        self._decided_spots = {name: list(places) for name, places in decided.items()}
+
+    def decided_place(self, spot: str) -> tuple[float, float] | None:
+        """Return where a test has decided that chance sets a spot this time; None: chance decides."""
+        places = self._decided_spots.get(spot)
+        return places.pop(0) if places else None
+
+    def undecided_spots(self) -> dict[str, int]:
+        """Return how many of the places that a test decided have not come, by spot."""
+        return {name: len(left) for name, left in self._decided_spots.items() if left}
 
     def kept(self) -> dict[str, dict[str, object]]:
         """Return what lives on of draws, flags and counters, for the next half's `HalfInfo.kept`."""

@@ -9,11 +9,12 @@ from typing import Any, Protocol
 
 from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
-from rcj_challenges.referee.comparing import difference, event_differences
+from rcj_challenges.referee.comparing import difference, event_differences, told_difference
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.ranking import Tally, ranking
 from rcj_challenges.referee.script import ScriptedPlay, half_of
 from rcj_challenges.referee.state import Number
+from rcj_challenges.scenario.decided import places_of
 from rcj_challenges.scenario.drawn import series_of
 from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe, Scenario
@@ -81,7 +82,8 @@ def try_expectation(loaded: HasScenario, name: str) -> Trial:
         scores=half.scores | {seat: on_paper(score) for seat, score in expected.given.score.items()},
         kept=half.kept | _kept(scenario, loaded.roster, expected.given),
     )
-    play = ScriptedPlay(scenario, loaded.roster, half, expected.draws)
+    spots = {name: places_of(places) for name, places in (expected.spots or {}).items()}
+    play = ScriptedPlay(scenario, loaded.roster, half, expected.draws, spots)
     last = ticks_from_s(expected.lasts_s)
     before = 0
     for keyframe in sorted(expected.keyframes, key=lambda keyframe: keyframe.at_s):
@@ -144,11 +146,19 @@ def _course(play: ScriptedPlay, differences: Iterable[str]) -> Iterable[str]:
 
 
 def _not_drawn(play: ScriptedPlay, expected: Expectation) -> Iterable[str]:
-    """Return which draws were drawn less often than a test decides them."""
+    """Return which draws were drawn, and which spots were set by chance, less often than a test decides them."""
     for name, left in play.referee.undecided.items():
         series = series_of(expected.draws[name])
         drawn = len(series) - len(left)
-        yield f"note: {name} was drawn {'once' if drawn == 1 else f'{drawn} times'}; draws decides {len(series)} values"
+        yield f"note: {name} was drawn {_times(drawn)}; draws decides {len(series)} values"
+    for name, missing in play.referee.undecided_spots.items():
+        places = len(places_of((expected.spots or {})[name]))
+        decides = "a place" if places == 1 else f"{places} places"
+        yield f"note: chance set {name} {_times(places - missing)}; spots decides {decides}"
+
+
+def _times(count: int) -> str:
+    return {0: "never", 1: "once"}.get(count, f"{count} times")
 
 
 def _as_given(scenario: Scenario, given: Given) -> Scenario:
@@ -233,6 +243,11 @@ def _differences(play: ScriptedPlay, scenario: Scenario, expected: Expectation) 
     for name, is_held in (expected.held or {}).items():
         yield from difference(f"{name} held", is_held, referee.held.get(name))
     yield from _pose_differences(play, expected)
+    for whom, told in (expected.told or {}).items():
+        for robot in play.roster.expand(whom):
+            for key, value in told.items():
+                heard = play.told.get(robot, {}).get(key)
+                yield from told_difference(f"{key} told to {robot}", value, heard, expected.tolerance_m)
 
 
 def _state_differences(referee: Referee, expected: Expectation) -> Iterable[str]:

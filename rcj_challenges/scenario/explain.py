@@ -31,8 +31,24 @@ from rcj_challenges.scenario.shape import (
     tags,
 )
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, child, in_names, mark_of, node_at, plain
-from rcj_challenges.scenario.ways_out import for_key, for_param, for_reckoned, for_repeated, for_several, for_value
-from rcj_challenges.scenario.wording import NAME_RULE, expected, found_text, is_fixed, refusal
+from rcj_challenges.scenario.ways_out import (
+    for_degrees,
+    for_key,
+    for_param,
+    for_reckoned,
+    for_repeated,
+    for_several,
+    for_value,
+)
+from rcj_challenges.scenario.wording import expected, found_text, is_fixed, no_name, refusal
+
+_OF_PRESETS = "; a preset brings them: extends: soccersim_v2"
+_OF_MISSING: dict[Path, str] = {
+    ("robots",): _OF_PRESETS,
+    ("entrants",): _OF_PRESETS,
+    ("broadcast", "fields"): "; write fields: {} for none",
+}
+"""What to do about keys that are missing."""
 
 _KEY = "[key]"
 """What pydantic appends to the place of a mapping's entry if its key is wrong."""
@@ -171,14 +187,12 @@ class _Explainer:
         """Return a mistake in words."""
         above, key = mistake.path[:-1], (mistake.path or ("",))[-1]
         if mistake.of_key:
-            return self._at(mistake.path, f"'{key}' is no name: {NAME_RULE}", at_key=True)
+            return self._at(mistake.path, no_name(str(key)), at_key=True)
         if mistake.kind in {"missing", "extra_forbidden"} and isinstance(key, int):
             return self._at(above, expected(shape_at(self.shape, self.root, above), node_at(self.root, above)))
         if mistake.kind == "missing":
-            brings = (
-                "; a preset brings them: extends: soccersim_v2" if key in ("robots", "entrants") and not above else ""
-            )
-            return self._at(above, f"'{key}' is missing{self._sentence_about(above, str(key))}{brings}")
+            hint = _OF_MISSING.get((*above, key), "")
+            return self._at(above, f"'{key}' is missing{self._sentence_about(above, str(key))}{hint}")
         if mistake.kind == "extra_forbidden":
             return self._unknown_key(above, str(key))
         if mistake.kind.startswith("union_tag") or mistake.kind == "model_attributes_type":
@@ -186,7 +200,7 @@ class _Explainer:
         node = node_at(self.root, mistake.path)
         message = refusal(mistake.kind, mistake.details, mistake.shape, node)
         hints = for_value(mistake.path, node) + for_several(mistake.path, node) + for_param(node, self.root)
-        return self._at(mistake.path, message + hints)
+        return self._at(mistake.path, message + hints + for_degrees(mistake.path, node, mistake.kind))
 
     def _at(self, path: Path, message: str, *, at_key: bool = False) -> Problem:
         node = node_at(self.root, path)
@@ -235,7 +249,7 @@ class _Explainer:
         if not isinstance(discriminator, str) or not isinstance(node, Entries):
             hints = (nearest(key, words) for key in node.entries) if isinstance(node, Entries) else ()
             hint = next(filter(None, hints), "") or _instead_of_list(mistake.path, node, words)
-            hint = for_value(mistake.path, node) or hint
+            hint = for_value(mistake.path, node) or for_param(node, self.root) or hint
             return self._at(mistake.path, expected(mistake.shape, node) + hint)
         tag = child(node, discriminator)
         if tag is None:

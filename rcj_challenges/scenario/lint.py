@@ -53,7 +53,7 @@ from rcj_challenges.scenario.lint_state import (
 from rcj_challenges.scenario.lint_steps import check_kept_steps
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
 from rcj_challenges.scenario.lint_times import check_halves, check_last_tick, check_reached, check_rests, check_times
-from rcj_challenges.scenario.lint_touched import check_touched
+from rcj_challenges.scenario.lint_touched import check_last_touches, check_touched
 from rcj_challenges.scenario.lint_unheard import check_unheard
 from rcj_challenges.scenario.lint_units import check_units
 from rcj_challenges.scenario.lint_variants import (
@@ -80,6 +80,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_groups_of_groups,
     check_contradictions,
     check_touched,
+    check_last_touches,
     check_judged_twice,
     check_moments,
     check_unheard,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import combinations, product
 
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
@@ -10,27 +10,45 @@ from rcj_challenges.scenario.lint_logic import are_apart, exclude, range_of, way
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lengths_s
 from rcj_challenges.scenario.models.conditions import Condition, InZone, TimerIs
 from rcj_challenges.scenario.models.scenario import Rule
-from rcj_challenges.scenario.models.triggers import Enters, Leaves, TimerExpired, Trigger
+from rcj_challenges.scenario.models.triggers import Enters, Holds, Leaves, StaysIn, TimerExpired, Trigger
+from rcj_challenges.scenario.tree import Path
+
+_NEVER_TOGETHER = "all of them must hold, and two of them never do at the same time"
+_ONE_SUFFICES = "take one of them out, or write those of which one suffices as {condition: any_of, conditions: […]}"
 
 
 def check_contradictions(subject: Subject) -> Iterator[Suspect]:
     """Conditions of a rule that never hold together; triggers whose own edge denies one of them."""
     for name, rule in subject.scenario.rules.items():
-        ways = ways_to_hold(rule.conditions)
-        both = (rule, rule)
-        if ways and all(any(exclude(one, two, both, subject) for one, two in combinations(way, 2)) for way in ways):
+        if _never_hold(rule.conditions, rule, subject):
             yield Suspect(
-                "rule_never_fires",
-                ("rules", name, "conditions"),
-                "all of them must hold, and two of them never do at the same time",
-                "take one of them out, or write those of which one suffices as {condition: any_of, conditions: […]}",
-                at_key=True,
+                "rule_never_fires", ("rules", name, "conditions"), _NEVER_TOGETHER, _ONE_SUFFICES, at_key=True
             )
             continue
+        ways = ways_to_hold(rule.conditions)
         for index, trigger in enumerate(rule.triggers):
-            if ways and all(any(_denies(trigger, one, rule, subject) for one in way) for way in ways):
-                reason, remedy = _why(trigger)
-                yield Suspect("rule_never_fires", ("rules", name, "triggers", index), reason, remedy)
+            path = ("rules", name, "triggers", index)
+            if isinstance(trigger, Holds):
+                yield from _of_lasting(trigger, rule, path, subject)
+            elif ways and all(any(_denies(trigger, one, rule, subject) for one in way) for way in ways):
+                yield Suspect("rule_never_fires", path, *_why(trigger))
+
+
+def _of_lasting(trigger: Holds, rule: Rule, path: Path, subject: Subject) -> Iterator[Suspect]:
+    """A condition that must last and never holds, or not with those of the rule; with a grace it may just be broken."""
+    if _never_hold((trigger.condition,), rule, subject):
+        yield Suspect("rule_never_fires", path, _NEVER_TOGETHER, _ONE_SUFFICES)
+    elif not trigger.grace_s and _never_hold((trigger.condition, *rule.conditions), rule, subject):
+        reason = "when it fires its condition holds, and one of the rule's conditions never does at the same time"
+        yield Suspect("rule_never_fires", path, reason, "take that condition out, or let the trigger wait for another")
+
+
+def _never_hold(conditions: Iterable[Condition], rule: Rule, subject: Subject) -> bool:
+    """Return whether conditions can never all hold together."""
+    ways, both = ways_to_hold(conditions) or (), (rule, rule)
+    return bool(ways) and all(
+        any(exclude(one, two, both, subject) for one, two in combinations(way, 2)) for way in ways
+    )
 
 
 def _why(trigger: Trigger) -> tuple[str, str]:
@@ -39,7 +57,7 @@ def _why(trigger: Trigger) -> tuple[str, str]:
             "when it fires the timer has run out and stands at its length, and a condition asks for something else",
             "take the condition out: a timer that has run out is running no longer",
         )
-    now, asked = ("in", "elsewhere") if isinstance(trigger, Enters) else ("outside", "inside")
+    now, asked = ("in", "elsewhere") if isinstance(trigger, Enters | StaysIn) else ("outside", "inside")
     return (
         f"when it fires the entity is {now} the zone already, and a condition asks that it is {asked}",
         "take the condition or the trigger out, or correct the zone",
@@ -47,7 +65,10 @@ def _why(trigger: Trigger) -> tuple[str, str]:
 
 
 def _denies(trigger: Trigger, condition: Condition, rule: Rule, subject: Subject) -> bool:
-    if isinstance(trigger, Enters | Leaves) and isinstance(condition, InZone):
+    # A grace counts as a stay, so that it may be outside just then.
+    if isinstance(trigger, StaysIn) and trigger.grace_s:
+        return False
+    if isinstance(trigger, Enters | Leaves | StaysIn) and isinstance(condition, InZone):
         return _is_elsewhere(trigger, condition, rule, subject)
     if isinstance(trigger, TimerExpired) and isinstance(condition, TimerIs) and condition.timer == trigger.timer:
         return _is_of_expired(condition, rule, subject) and not _may_hold_at_end(condition, subject)
@@ -57,7 +78,7 @@ def _denies(trigger: Trigger, condition: Condition, rule: Rule, subject: Subject
 # --- zones ------------------------------------------------------------------------------------------------------------
 
 
-def _is_elsewhere(trigger: Enters | Leaves, condition: InZone, rule: Rule, subject: Subject) -> bool:
+def _is_elsewhere(trigger: Enters | Leaves | StaysIn, condition: InZone, rule: Rule, subject: Subject) -> bool:
     """Return whether one entity that has just entered is asked to be outside, or one that left to be inside."""
     if not _is_same_one(trigger, condition, rule, subject):
         return False
@@ -70,9 +91,9 @@ def _is_elsewhere(trigger: Enters | Leaves, condition: InZone, rule: Rule, subje
 
 
 def _denies_place(
-    trigger: Enters | Leaves, condition: InZone, rule: Rule, subject: Subject, *, asked_inside: bool
+    trigger: Enters | Leaves | StaysIn, condition: InZone, rule: Rule, subject: Subject, *, asked_inside: bool
 ) -> bool:
-    entered = isinstance(trigger, Enters)
+    entered = isinstance(trigger, Enters | StaysIn)
     if trigger.zone == condition.zone:
         return entered != asked_inside
     if entered and asked_inside:
@@ -84,7 +105,7 @@ def _denies_place(
     return asked_inside and subject.members(condition.zone, rule) <= subject.surely(trigger.zone, rule)
 
 
-def _is_same_one(trigger: Enters | Leaves, condition: InZone, rule: Rule, subject: Subject) -> bool:
+def _is_same_one(trigger: Enters | Leaves | StaysIn, condition: InZone, rule: Rule, subject: Subject) -> bool:
     found = subject.members(trigger.entity, rule)
     alone = len(found) == 1 and found == subject.members(condition.entity, rule)
     return alone or trigger.entity == condition.entity == "each"

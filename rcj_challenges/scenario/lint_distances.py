@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from itertools import combinations
 from math import dist, inf
 
-from rcj_challenges.scenario.lint_shapes import away_m, floor_parts, to_segment_m
+from rcj_challenges.scenario.floor import floor_parts
+from rcj_challenges.scenario.lint_shapes import away_m, to_segment_m
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
 from rcj_challenges.scenario.models.conditions import Distance
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lives_in
 from rcj_challenges.scenario.models.actions import Emit, End, SetPhase
@@ -45,14 +46,20 @@ def _emitted(rule: Rule) -> list[str]:
 
 
 def _heard_by(rule: Rule, rules: Mapping[str, Rule], subject: Subject) -> list[str]:
-    """Return the rules that hear what a rule emits, whoever it is about, in a phase in which both live."""
+    """Return the rules that surely hear what a rule emits, in a phase in which both live."""
     emitted = _emitted(rule)
     return [
         name
         for name, other in rules.items()
-        if any(isinstance(one, OnEvent) and one.entity is None and one.event in emitted for one in other.triggers)
+        if any(isinstance(one, OnEvent) and one.event in emitted and _hears(one, other, rule) for one in other.triggers)
         and any(lives_in(rule, phase) and lives_in(other, phase) for phase in subject.reached)
     ]
+
+
+def _hears(trigger: OnEvent, rule: Rule, emitting: Rule) -> bool:
+    """Return whether a trigger hears the event of another rule: one about anybody, or about each of the same group."""
+    about_each = trigger.entity == EACH and rule.for_each is not None and rule.for_each == emitting.for_each
+    return trigger.entity is None or about_each
 
 
 def _way_back(name: str, sets_off: Mapping[str, list[str]]) -> list[str] | None:

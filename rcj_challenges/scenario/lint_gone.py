@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rcj_challenges.scenario.catalogue import EACH
-from rcj_challenges.scenario.lint_logic import Way, ways_to_hold
-from rcj_challenges.scenario.lint_shapes import floor_parts, lies_in
+from rcj_challenges.scenario.floor import floor_parts
+from rcj_challenges.scenario.lint_logic import Way, ways_to_hold, without_none
+from rcj_challenges.scenario.lint_shapes import lies_in
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lengths_s
 from rcj_challenges.scenario.models.actions import Remove, Score
 from rcj_challenges.scenario.models.conditions import Condition, Distance, HalfIs, InZone, Looks, Speed
@@ -92,7 +93,7 @@ def _is_of_the_gone(way: Way, who: str, rule: Rule, subject: Subject) -> bool:
 
 
 def _is_negated_of(condition: Condition, who: str, rule: Rule, subject: Subject) -> bool:
-    if not isinstance(condition, InZone | Speed | Distance | Looks) or not condition.negate:
+    if not isinstance(condition, InZone | Speed | Distance | Looks) or not without_none(condition).negate:
         return False
     names = (condition.entity,) if isinstance(condition.entity, str) else condition.entity
     if len(names) != 1 or (names[0] != who and not (names[0] == EACH and rule.for_each is not None)):

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from rcj_challenges.scenario.floor import Corners, floor_parts, on_floor
 from rcj_challenges.scenario.ground import Body, Floor, obstacle_bodies
 from rcj_challenges.scenario.lint_shapes import (
-    Corners,
     corners_of,
-    floor_parts,
-    on_floor,
     points_in,
     segment_has_floor,
     share_in,
@@ -17,7 +15,7 @@ from rcj_challenges.scenario.lint_shapes import (
 )
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, on_field
 from rcj_challenges.scenario.models import places
-from rcj_challenges.scenario.models.actions import Place, Remove
+from rcj_challenges.scenario.models.actions import Place, Remove, SetSpot
 from rcj_challenges.scenario.models.conditions import Distance
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import DistanceValue
@@ -47,6 +45,11 @@ def check_places(subject: Subject) -> Iterator[Suspect]:
     for name, spot in fixed_spots(scenario).items():
         if not on_floor((spot.x_m, spot.y_m), parts):
             yield _off_field("spot", ("spots", name), f"spot '{name}' is off the field: nothing can be put there")
+    for model, path in subject.models:
+        line = model.to if isinstance(model, SetSpot) else None
+        if isinstance(line, places.OnLine) and not segment_has_floor(*line.on_line, parts):
+            reason = "no point of the line is on the field: the spot stays where it is"
+            yield Suspect("spot_off_the_field", (*path, "to"), reason, "correct its numbers")
 
 
 def _only_measured(subject: Subject) -> frozenset[str]:

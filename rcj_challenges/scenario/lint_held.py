@@ -2,24 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from math import inf
 from typing import NamedTuple
 
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.halves import longest_half_s
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect, lengths_s, lives_in
-from rcj_challenges.scenario.models.actions import Hold, Release
+from rcj_challenges.scenario.models.actions import End, Hold, Release, SetPhase
 from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.conditions import IsHeld
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import HeldValue
-from rcj_challenges.scenario.models.triggers import NoProgress
+from rcj_challenges.scenario.models.triggers import (
+    Crosses,
+    Displaced,
+    Enters,
+    Leaves,
+    NoProgress,
+    SequenceBroken,
+    SequenceCompleted,
+    TipsOver,
+    Touches,
+)
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.visiting import visit
 
 _NO_PROGRAM = "no robot has a program, and so none drives"
 _WHO_DRIVES = "leave it out, or name who drives under entrants:"
+_OF_MOTION = (Enters, Leaves, Crosses, Touches, Displaced, TipsOver, SequenceCompleted, SequenceBroken)
+"""What never comes where nothing moves."""
 
 
 def check_held(subject: Subject) -> Iterator[Suspect]:
@@ -36,6 +48,8 @@ def check_held(subject: Subject) -> Iterator[Suspect]:
             "enter a phase in which they are free: give this one lasts_s, or a rule that sets another",
         )
     else:
+        for phase in held:
+            yield from _never_left(phase, subject)
         for name, rule in subject.standing():
             yield from _expected_to_move(name, rule, held, driven, subject)
 
@@ -48,6 +62,43 @@ def _holding_phases(subject: Subject) -> list[str]:
 def _driven(subject: Subject) -> set[str]:
     """Return the robots that have a program."""
     return {robot for entrant in subject.scenario.entrants.values() for robot in entrant.robots}
+
+
+def _never_left(phase: str, subject: Subject) -> Iterator[Suspect]:
+    """A phase that holds all robots and that neither its length nor a rule ends."""
+    if subject.scenario.phases[phase].lasts_s is not None:
+        return
+    rules = {name: rule for name, rule in subject.standing() if lives_in(rule, phase)}
+    ways_out = {name: rule for name, rule in rules.items() if _leaves(rule, phase)}
+    still = _is_still(phase, rules.values(), subject)
+    if any(not still or not _waits_for_motion(rule) for rule in ways_out.values()):
+        return
+    why = "no rule that lives in it sets another phase or ends the half"
+    if ways_out:
+        why = f"{listing([repr(name) for name in ways_out])} would leave it once something moves, and nothing does"
+    yield Suspect(
+        "phase_never_left",
+        ("phases", phase, "robots"),
+        f"robots are held to the end of the half: '{phase}' has no lasts_s, and {why}",
+        f"give it lasts_s, or a rule with phases: [{phase}] and {{action: set_phase, …}}; where all is over, write "
+        "{action: end} in place of the phase",
+    )
+
+
+def _leaves(rule: Rule, phase: str) -> bool:
+    return any(
+        isinstance(action, End) or (isinstance(action, SetPhase) and action.phase != phase) for action in rule.actions
+    )
+
+
+def _is_still(phase: str, rules: Iterable[Rule], subject: Subject) -> bool:
+    """Return whether nothing moves in a phase that holds all: a half begins in it, and no rule of it puts anything."""
+    comes_back = any(to == phase for _, to in subject.transitions)
+    return phase == subject.scenario.first_phase and not comes_back and not any(map(subject.put, rules))
+
+
+def _waits_for_motion(rule: Rule) -> bool:
+    return all(isinstance(trigger, _OF_MOTION) for trigger in rule.triggers)
 
 
 def _expected_to_move(name: str, rule: Rule, held: list[str], driven: set[str], subject: Subject) -> Iterator[Suspect]:

@@ -14,6 +14,8 @@ from rcj_challenges.scenario.tree import Path
 
 _WORDS = frozenset(get_args(WordValue.model_fields["word"].annotation))
 
+_OR_MEANT = "; that the text is meant, says a test that expects it in the event's payload"
+
 
 def check_literals(subject: Subject) -> Iterator[Suspect]:
     """Texts that are told to programs, or in a payload, where the value of that name is meant."""
@@ -27,13 +29,23 @@ def check_literals(subject: Subject) -> Iterator[Suspect]:
                 # In a payload the name itself may be meant: which of several draws it was about.
                 kinds = [kind for kind, names in kept.items() if value in names]
                 written = f"{{{kinds[0]}: {value}}}" if kinds else ""
-            if written:
+            if written and not (isinstance(model, Emit) and _is_meant(model, str(at[-1]), value, subject)):
                 yield Suspect(
                     "text_instead_of_value",
                     at,
                     f"it is told as the text '{value}', the same each time",
-                    f"write {written} for the value",
+                    f"write {written} for the value{_OR_MEANT if isinstance(model, Emit) else ''}",
                 )
+
+
+def _is_meant(emit: Emit, key: str, text: str, subject: Subject) -> bool:
+    """Return whether a payload's text is meant as one: a test expects it, or another rule tells another text there."""
+    expected = (event for test in subject.scenario.expect.values() for event in test.events or ())
+    if any(event.event == emit.event and event.payload.get(key) == text for event in expected):
+        return True
+    # Which of several it was, a limit or a foul; no text is written as `time_left_s` is.
+    told = {one.payload.get(key) for one, _ in subject.models if isinstance(one, Emit) and one.event == emit.event}
+    return "_" not in text and any(isinstance(other, str) and other not in _WORDS for other in told)
 
 
 def _texts(model: Strict, path: Path) -> Iterator[tuple[Path, str]]:

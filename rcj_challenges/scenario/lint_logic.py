@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from itertools import product
 from typing import Any
 
-from rcj_challenges.scenario.catalogue import BOUND
+from rcj_challenges.scenario.catalogue import BOUND, EACH
 from rcj_challenges.scenario.followed import followed
 from rcj_challenges.scenario.heard import fits, wanted
 from rcj_challenges.scenario.lint_suspect import Subject
@@ -97,13 +97,13 @@ def exclude(one: Condition, other: Condition, rules: tuple[Rule, Rule], subject:
     """Return whether two single conditions, each of its rule, can never hold together."""
     if type(one) is not type(other):
         return False
-    one, other = _without_none(one), _without_none(other)
+    one, other = without_none(one), without_none(other)
     if one == other.model_copy(update={"negate": not other.negate}):
         return True
     return not (one.negate or other.negate) and _have_nothing_in_common(one, other, rules, subject)
 
 
-def _without_none(condition: Condition) -> Condition:
+def without_none(condition: Condition) -> Condition:
     """Return a condition as it reads with `any`: none of them is not any of them."""
     if getattr(condition, "of", None) != "none":
         return condition
@@ -191,7 +191,8 @@ def range_of(condition: Any) -> tuple[float, float]:
 
 def _in_two_zones(one: InZone, other: InZone, rules: tuple[Rule, Rule], subject: Subject) -> bool:
     who, whose = subject.members(one.entity, rules[0]), subject.members(other.entity, rules[1])
-    if who != whose or len(who) != 1 or {one.of, other.of} - {"any", "all"}:
+    same = one.entity == other.entity == EACH or (who == whose and len(who) == 1)
+    if not same or {one.of, other.of} - {"any", "all"}:
         return False
     zones = subject.scenario.zones
     first, second = subject.members(one.zone, rules[0]), subject.members(other.zone, rules[1])

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from math import cos, hypot, pi, sin
 
-from rcj_challenges.scenario.models.field import FieldModel
+from rcj_challenges.scenario.floor import Corners, side
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.outlines import Disc, Part, Point
 
@@ -16,20 +16,6 @@ _NOTHING_M2 = 1e-12
 _ARC_CORNERS = 180
 _DISC_CORNERS = 24
 """Enough for an obstacle, of which only a rough share is asked for, and quick to cut."""
-
-Corners = tuple[Point, ...]
-
-
-def floor_parts(field: FieldModel) -> list[Corners]:
-    """Return the convex parts of the floor inside the walls: the field, then its goals, counter-clockwise."""
-    x, y, cut = field.width_m / 2, field.length_m / 2, field.corner_cut_m
-    octagon = ((x, cut - y), (x, y - cut), (x - cut, y), (cut - x, y), (-x, y - cut), (-x, cut - y), (cut - x, -y))
-    parts: list[Corners] = [(*octagon, (x - cut, -y))]
-    for goal in field.goals.values():
-        half, far = goal.width_m / 2, y + goal.depth_m
-        low, high = (y, far) if goal.end == "positive_y" else (-far, -y)
-        parts.append(((-half, low), (half, low), (half, high), (-half, high)))
-    return parts
 
 
 def zone_has_floor(zone: Zone, parts: Sequence[Corners]) -> bool:
@@ -87,7 +73,7 @@ def _clipped(subject: Corners, window: Corners) -> Corners:
     for a, b in zip(window, (*window[1:], window[0]), strict=True):
         kept: list[Point] = []
         for p, q in zip(cut, (*cut[1:], *cut[:1]), strict=True):
-            side_p, side_q = _side(a, b, p), _side(a, b, q)
+            side_p, side_q = side(a, b, p), side(a, b, q)
             if side_p >= 0:
                 kept.append(p)
             if side_p * side_q < 0:
@@ -95,10 +81,6 @@ def _clipped(subject: Corners, window: Corners) -> Corners:
                 kept.append((p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])))
         cut = kept
     return tuple(cut)
-
-
-def _side(a: Point, b: Point, p: Point) -> float:
-    return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
 
 
 def _area(corners: Corners) -> float:
@@ -109,7 +91,7 @@ def _area(corners: Corners) -> float:
 def _distance(point: Point, part: Corners) -> float:
     """Return how far a point is from a convex part; 0 inside."""
     edges = [*pairwise(part), (part[-1], part[0])]
-    if all(_side(a, b, point) >= 0 for a, b in edges):
+    if all(side(a, b, point) >= 0 for a, b in edges):
         return 0.0
     return min(to_segment_m(point, a, b) for a, b in edges)
 
@@ -137,18 +119,13 @@ def segment_has_floor(a: Point, b: Point, parts: Sequence[Corners]) -> bool:
 def _segment_in(a: Point, b: Point, part: Corners) -> bool:
     low, high = 0.0, 1.0
     for p, q in zip(part, (*part[1:], part[0]), strict=True):
-        side_a, side_b = _side(p, q, a), _side(p, q, b)
+        side_a, side_b = side(p, q, a), side(p, q, b)
         if side_a < 0 and side_b < 0:
             return False
         if side_a * side_b < 0:
             share = side_a / (side_a - side_b)
             low, high = (max(low, share), high) if side_a < 0 else (low, min(high, share))
     return low <= high
-
-
-def on_floor(point: Point, parts: Sequence[Corners]) -> bool:
-    """Return whether a point is on the floor."""
-    return any(all(_side(a, b, point) >= 0 for a, b in zip(p, (*p[1:], p[0]), strict=True)) for p in parts)
 
 
 def lies_in(point: Point, zone: Zone) -> bool:

@@ -28,6 +28,9 @@ from rcj_challenges.scenario.shape import (
 )
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, in_names
 
+_SHOWN = 3
+"""So many names are written out that are to be removed one by one."""
+
 
 class Repeated(NamedTuple):
     """Where a rule comes from that was written once and repeated.
@@ -132,8 +135,9 @@ class Merger:
         elif path == (TESTS,) and key == ALL_INHERITED:
             pass  # they are gone already
         elif not is_named(chosen(shape, base)):
-            whole = is_list(step_into(shape, base, key))
-            instead = "a list is replaced as a whole, write [] for none" if whole else "leave the line out"
+            instead = _instead_of_null(base.entries.get(key), step_into(shape, base, key))
+            if (*path, key) == (TESTS,):
+                instead = f"{{{ALL_INHERITED}: null}} removes all tests of the base"
             self._add(node.mark, (*path, key), f"null removes named entries of the base only; {instead}")
             base.put(key, node, key_mark)
         elif key not in base.entries:
@@ -163,11 +167,24 @@ def of_repeated(name: str, rules: Entries) -> str:
     return ""
 
 
+def _instead_of_null(before: Node | None, shape: Shape) -> str:
+    """Return how that is taken away of which null alone takes nothing away."""
+    if is_list(shape):
+        return "a list is replaced as a whole, write [] for none"
+    if not isinstance(before, Entries) or not before.entries or not is_named(chosen(shape, before)):
+        return "leave the line out"
+    nulls = [f"{name}: null" for name in before.entries]
+    more = ", …" if len(nulls) > _SHOWN else ""
+    return f"for none write it for each of them: {{{', '.join(nulls[:_SHOWN])}{more}}}"
+
+
 def _of_empty(key: str, base: Entries, key_mark: Mark, shape: Shape) -> str:
     """Return what to do about a key without a value that is no key at all; empty: the value was forgotten."""
     word, colon, value = key.partition(":")
     if colon:
         return f"a blank comes after the ':', {word}: {value}"
+    if key == "colour":
+        return "what begins with # is a comment, unless it is in quotes: '#ff8800'"
     before = list(base.entries.items())[-1:]
     if not before or step_into(shape, base, key) is not None:
         return ""

@@ -17,7 +17,7 @@ from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.scenario import MAX_ROWS, Rule
 from rcj_challenges.scenario.params import THIS, Resolver, params_of
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, Step, copied, in_names
-from rcj_challenges.scenario.wording import NAME_RULE, found_text
+from rcj_challenges.scenario.wording import found_text, no_name
 
 RULES, REPEAT_FOR = "rules", "repeat_for"
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
@@ -210,7 +210,7 @@ class _Reader:
     def _is_name(self, name: str, at: Path, mark: Mark) -> bool:
         if _NAME.fullmatch(name) and len(name) <= _LONGEST:
             return True
-        self._add(at, mark, f"{found_text(Leaf(name, mark))} is no name: {NAME_RULE}")
+        self._add(at, mark, no_name(name))
         return False
 
     def _hidden(self, rows: list[_Row]) -> None:

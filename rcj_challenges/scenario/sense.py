@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from itertools import count
 
 from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.scenario.decided import check_decided_spots
 from rcj_challenges.scenario.drawn import never_drawn
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.halves import half_length_s, longest_half_s
@@ -60,6 +61,8 @@ def check_sense(scenario: Scenario, *, half_is_set: bool) -> Iterator[Found]:
         if isinstance(model, Expectation):
             yield from _series(model, path, scenario)
             yield from _places(model, path, scenario)
+            yield from check_decided_spots(model, path, scenario, roster)
+            yield from _told(model, path, scenario, roster)
         if isinstance(model, Expectation | Given):
             yield from _one_by_one(model, path, scenario, roster)
         if isinstance(model, LidarDevice) and model.min_range_m >= model.max_range_m:
@@ -105,6 +108,21 @@ def _series(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Found
         twice = draw.not_last and decided[index] == decided[index - 1]
         why = "twice running (not_last)" if twice else "again before all have been drawn (not_again)"
         yield Found((*path, "draws", name, index), f"{_as_written(decided[index])} is not drawn {why}")
+
+
+def _told(test: Expectation, path: Path, scenario: Scenario, roster: Roster) -> Iterator[Found]:
+    """Yield what a test says that robots are told and the broadcast never tells them."""
+    broadcast = scenario.broadcast
+    only = (broadcast.only or {}) if broadcast is not None else {}
+    for name, told in (test.told or {}).items():
+        for robot in roster.expand(name):
+            known = dict.fromkeys(broadcast.fields if broadcast is not None else ())
+            for whom, fields in only.items():
+                known |= dict.fromkeys(fields if robot in roster.expand(whom) else ())
+            for key in told:
+                if key not in known:
+                    message = f"the broadcast never tells '{robot}' {key}; it tells it {listing(known) or 'nothing'}"
+                    yield Found((*path, "told", name, key), message, at_key=True)
 
 
 def _one_by_one(test: Expectation | Given, path: Path, scenario: Scenario, roster: Roster) -> Iterator[Found]:

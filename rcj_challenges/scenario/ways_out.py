@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from math import pi, radians
 
 from rcj_challenges.scenario.catalogue import texts
 from rcj_challenges.scenario.errors import listing
@@ -84,6 +85,9 @@ _USUAL_KEYS = {
     "then": "actions",
     "do": "actions",
     "team": "entrant",
+    "text": "says",
+    "message": "says",
+    "description": "says",
 }
 """What others call a key, and how it is written here."""
 
@@ -123,6 +127,22 @@ def for_param(node: Node | None, root: Node) -> str:
     name = written.strip("${}() ")
     known = isinstance(params, Entries) and name in params.entries
     return f"; the value of that param is written {{param: {name}}}" if known else ""
+
+
+def for_degrees(path: Path, node: Node | None, kind: str) -> str:
+    """Return an angle of more than a turn as it would be written in rad; empty: it is no such angle.
+
+    Args:
+        path: where it stands.
+        node: what stands there.
+        kind: pydantic's type of the error.
+    """
+    if kind not in ("less_than", "less_than_equal") or not str(path[-1]).endswith("_rad"):
+        return ""
+    value = node.value if isinstance(node, Leaf) else None
+    if isinstance(value, bool) or not isinstance(value, int | float) or value <= 2 * pi:
+        return ""
+    return f"; angles are in rad: if degrees are meant, write {radians(value):.4f}"
 
 
 def for_value(path: Path, node: Node | None) -> str:

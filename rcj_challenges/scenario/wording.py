@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Callable, Mapping
 from typing import Any, Literal, get_args, get_origin
 
@@ -18,6 +19,15 @@ from rcj_challenges.scenario.shape import Shape, bare, is_list, is_model, is_nam
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node
 
 NAME_RULE = "letters, digits and _, not beginning with a digit, at most 64"
+_SPELT = str.maketrans(
+    {"ä": "ae", "ö": "oe", "ü": "ue", "Ä": "Ae", "Ö": "Oe", "Ü": "Ue", "ß": "ss", "ø": "o", "Ø": "O", "ł": "l"}
+)
+"""Letters of which more is left than the letter below an accent, or that are none with one."""
+
+_MINUS = str.maketrans("\u2212\u2013\u2014", "---")
+"""Signs that a text processor writes for a minus."""
+_QUOTES = "\u201c\u201d\u201e\u201f\u2018\u2019\u201a\u201b\u00ab\u00bb\u2039\u203a"
+"""All that a text processor writes for quotes."""
 
 _YES, _NO = frozenset({"yes", "on", "y"}), frozenset({"no", "off", "n"})
 _ALL = frozenset({"all", "every", "always", "each"})
@@ -72,6 +82,9 @@ def _hint(shape: Shape, text: str) -> str:
 
 
 def _hint_at_number(text: str) -> str:
+    plain = text.translate(_MINUS)
+    if plain != text and _NUMBER.fullmatch(plain):
+        return f"; its minus is another sign: write {plain}"
     if _NUMBER.fullmatch(text):
         return "; leave the quotes out"
     if _DECIMAL_COMMA.fullmatch(text):
@@ -86,8 +99,10 @@ def _hint_at_number(text: str) -> str:
 
 
 def _hint_at_list(shape: Shape, node: Node) -> str:
-    """Return how a list is written where its one entry stands without brackets, or decimals have commas."""
+    """Return how a list is written: of one entry, or of decimals; or a mapping in whose place a list stands."""
     shape = without_none(shape)
+    if isinstance(node, Items) and is_named(bare(shape).kind):
+        return "; each entry begins with its name and ':', not with '-'"
     if isinstance(node, Entries) and is_list(shape):
         return "; a list stands in brackets, also of one: [{…}]"
     if not isinstance(node, Items) or shape != Point or len(node.items) != 4:
@@ -251,10 +266,30 @@ def is_fixed(shape: Shape) -> bool:
     return get_origin(kind) is tuple and Ellipsis not in get_args(kind)
 
 
+def no_name(text: str) -> str:
+    """Return why a text is no name, and what is one."""
+    return f"{quoted(text)} is no name: {NAME_RULE}{_from_a_to_z(text)}"
+
+
+def _from_a_to_z(text: str) -> str:
+    """Return how a name is written without the letters that only some languages have; empty: it has none."""
+    if text.isascii():
+        return ""
+    if text.strip(_QUOTES) != text:
+        return f"; quotes of a text processor are part of it: write {text.strip(_QUOTES)}"
+    plain = unicodedata.normalize("NFKD", unicodedata.normalize("NFC", text).translate(_SPELT))
+    plain = "".join(letter for letter in plain if not unicodedata.combining(letter))
+    if text.isupper():
+        plain = plain.upper()
+    such = f": {plain}" if plain.isascii() and plain.isidentifier() else ""
+    return f"; letters are those from {'A to Z' if text.isupper() else 'a to z'}{such}"
+
+
 def _wrong_form(shape: Shape, node: Node | None) -> str:
     shape, shown = without_none(shape), found_text(node)
     if shape == EventName:
-        return f"{shown} is no event's name: capitals, digits and _, such as GOAL"
+        text = node.value if isinstance(node, Leaf) and isinstance(node.value, str) else ""
+        return f"{shown} is no event's name: capitals, digits and _, such as GOAL{_from_a_to_z(text)}"
     if shape == Colour:
         word = str(node.value) if isinstance(node, Leaf) else ""
         hint = nearest(word, CSS_COLOURS) if word.isalpha() else ""
@@ -264,5 +299,5 @@ def _wrong_form(shape: Shape, node: Node | None) -> str:
     if shape == SaidText:
         return f"{shown} is heard otherwise: with single blanks between its words, and none at its ends"
     if shape == Name:
-        return f"{shown} is no name: {NAME_RULE}"
+        return no_name(str(node.value)) if isinstance(node, Leaf) else f"{shown} is no name: {NAME_RULE}"
     return f"{shown} does not have the form that is needed: {expectation(shape)}"

@@ -48,7 +48,7 @@ _OFF = (
     "quotes"
 )
 _UNCLOSED = (
-    "a ',' or the closing bracket is missing, or a text that has ': ' in it or begins with { or [ is not in quotes"
+    "a ',' or the closing bracket is missing, or a text that has ': ' in it or begins with {, [ or # is not in quotes"
 )
 _NO_VALUE = "a value is missing; what begins with # is a comment, unless it is in quotes: '#ff8800'"
 # What both of PyYAML's parsers say, and what an author should do about it.

@@ -96,6 +96,36 @@ class TestActionSetSpot:
         play.play_until(10)
         assert play.referee.spots["found"] == pytest.approx((x, -y))
 
+    @pytest.mark.parametrize(
+        ("zone", "corner"),
+        [
+            ("shape: rect, x_min_m: 0.4, x_max_m: 1.2, y_min_m: 0.5, y_max_m: 1.5", (0.65, 0.75)),
+            ("shape: circle, centre_m: [0.64, 0.74], radius_m: 0.04", (0.65, 0.75)),  # behind the chamfer, but a bit
+        ],
+    )
+    def test_chance_sets_it_nowhere_outside_the_walls(self, stage, zone, corner):
+        every_tick = "{trigger: time_reached, at_s: 0.032, every_s: 0.032}"
+        rule = f"rules: {{r: {{triggers: [{every_tick}], actions: [{set_to('{uniform_in: box}')}]}}}}"
+        play = stage(PITCH, f"zones: {{box: {{{zone}}}}}", rule)
+        for _ in range(200):
+            play.play()
+            x, y = play.referee.spots["found"]
+            assert x <= corner[0]
+            assert y <= corner[1]
+            assert (corner[0] - x) + (corner[1] - y) >= 0.06 - 1e-9  # the chamfer
+
+    def test_where_no_point_of_a_line_is_on_the_floor_it_stays_where_it_is(self, stage):
+        play = stage(PITCH, at_s(0.32, set_to("{on_line: [[2, 2], [3, 3]]}")))
+        play.play_until(10)
+        assert play.referee.spots["found"] == (0.0, 0.2)
+
+    def test_the_mirror_image_of_a_middle_is_a_plain_0(self, stage):
+        play = stage(
+            PITCH, at_s(0.32, set_to("[0, 0]").replace("action: set_spot", "action: set_spot, mirror: {axis: both}"))
+        )
+        play.play_until(10)
+        assert str(play.referee.spots["found"]) == "(0.0, 0.0)"
+
     @pytest.mark.parametrize(("axis", "there"), [("x", (0.4, -0.5)), ("y", (-0.4, 0.5)), ("both", (0.4, 0.5))])
     def test_with_a_mirror_it_is_set_to_the_mirror_image(self, stage, axis, there):
         play = stage(PITCH, at_s(0.32, mirrored(f"axis: {axis}")))

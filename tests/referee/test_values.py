@@ -186,6 +186,12 @@ class TestBroadcast:
         play = stage("broadcast: {every_ticks: 3, fields: {}, only: {Y1: {a: 1}}}")
         assert [bool(play.play().told_only) for _ in range(6)] == [False, False, True, False, False, True]
 
+    def test_who_is_told_nothing_under_only_is_told_what_all_are(self, stage):
+        # So it stands there where a file that extends this one has taken a key away by null.
+        play = stage("broadcast: {fields: {}, only: {Y1: {}, Y2: {a: 1}}}")
+        assert list(play.play().told_only.values()) == [{"a": 1}]
+        assert stage("broadcast: {fields: {}, only: {Y1: {}}}").play().told_only is None
+
     def test_it_can_be_rarer(self, stage):
         play = stage(f"broadcast: {{every_ticks: 3, fields: {self.FIELDS}}}")
         assert [play.play().broadcast is not None for _ in range(6)] == [False, False, True, False, False, True]

@@ -84,3 +84,38 @@ def test_of_a_sequence_that_rules_only_begin_anew_the_steps_decide_nothing():
     assert "sequence 'way' only begins anew: its steps decide nothing; " in text
     (unnamed,) = [one for one in findings(way + rule()) if "sequence" in one]
     assert "sequence 'way' is never used; name it in a rule, or remove it" in unnamed
+
+
+ZONES = (
+    "zones: {west: {shape: rect, x_min_m: -0.3, x_max_m: 0, y_min_m: 0, y_max_m: 0.2}, "
+    "east: {shape: rect, x_min_m: 0, x_max_m: 0.3, y_min_m: 0, y_max_m: 0.2}}\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("trigger", "conditions", "count"),
+    [
+        (f"holds, condition: {IN}, for_s: 1", OUT, 1),
+        (f"holds, condition: {IN}", "{condition: in_zone, entity: ball, zone: yellow_goal}", 1),
+        (f"holds, condition: {{condition: all_of, conditions: [{IN}, {OUT}]}}, for_s: 1", "", 1),
+        (f"holds, condition: {{condition: any_of, conditions: [{IN}, {OUT}]}}, for_s: 1", "", 0),
+        (f"holds, condition: {IN}, for_s: 1, grace_s: 0.5", OUT, 0),
+        (f"holds, condition: {IN}, for_s: 1", Y1_OUT, 0),
+        (f"holds, condition: {IN}, for_s: 1", "", 0),
+        ("stays_in, entity: ball, zone: blue_goal, limit_s: 1", OUT, 1),
+        ("stays_in, entity: ball, zone: blue_goal, limit_s: 1", IN, 0),
+        ("stays_in, entity: ball, zone: blue_goal, limit_s: 1, grace_s: 0.5", OUT, 0),
+    ],
+)
+def test_what_holds_or_stays_is_true_when_the_rule_fires(trigger, conditions, count):
+    text = f"rules: {{r: {{triggers: [{{trigger: {trigger}}}], conditions: [{conditions}], actions: [{{action: end}}]}}}}\n"
+    assert sum("rule_never_fires" in one for one in findings(text)) == count
+
+
+@pytest.mark.parametrize(
+    ("second", "count"), [("each, zone: east", 1), ("each, zone: pitch", 0), ("robots, zone: east", 0)]
+)
+def test_each_is_one_that_is_not_in_two_places(second, count):
+    both = f"[{{condition: in_zone, entity: each, zone: west}}, {{condition: in_zone, entity: {second}}}]"
+    rule_ = f"{{for_each: robots, triggers: [{{trigger: half_ended}}], conditions: {both}, actions: [{{action: end}}]}}"
+    assert sum("rule_never_fires" in one for one in findings(f"{ZONES}rules: {{r: {rule_}}}\n")) == count

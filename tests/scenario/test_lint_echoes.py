@@ -54,3 +54,22 @@ def test_a_rule_that_leaves_the_phase_does_not_go_on():
 
 def test_an_event_of_another_one_sets_nobody_off():
     assert found(rule("there", "BACK", "THERE"), rule("back", "AWAY", "BACK")) == []
+
+
+def of_each(name, hears, emits, group="robots"):
+    return rule(name, hears, emits, f"for_each: {group}, ").replace(
+        f"event: {hears}}},", f"event: {hears}, entity: each}},", 1
+    )
+
+
+def test_a_rule_for_each_that_hears_its_own_event_about_each():
+    (text,) = found(of_each("go", "GO", "GO"))
+    assert "it waits for GO, which it sets off itself: once it has fired it fires in every tick" in text
+
+
+def test_two_rules_for_each_of_one_group_likewise():
+    assert len(found(of_each("there", "BACK", "THERE"), of_each("back", "THERE", "BACK"))) == 1
+
+
+def test_what_is_about_others_sets_nobody_off():
+    assert found(of_each("there", "BACK", "THERE", "yellow"), of_each("back", "THERE", "BACK", "blue")) == []

@@ -57,6 +57,8 @@ def test_whatever_the_moment_is(trigger):
         "{condition: distance, entity: each, to: centre, at_most: 0.3, negate: true}",
         "{condition: speed, entity: each, at_least: 0.01, negate: true}",
         "{condition: looks, entity: each, towards: centre, negate: true}",
+        "{condition: in_zone, entity: each, zone: hill, of: none}",
+        "{condition: speed, entity: each, of: none, at_least: 0.01}",
     ],
 )
 def test_so_it_is_with_whatever_is_measured(condition):
@@ -77,6 +79,10 @@ def test_what_keeps_them_apart_is_enough(asked):
 
 def test_who_asks_for_those_off_the_field_means_them():
     assert found(TIME, "{condition: in_zone, entity: each, zone: pitch, negate: true}") == []
+
+
+def test_not_none_of_them_is_one_that_is_there():
+    assert found(TIME, "{condition: in_zone, entity: each, zone: hill, of: none, negate: true}") == []
 
 
 def test_everything_but_the_middle_is_not_the_whole_field():

@@ -47,6 +47,14 @@ class TestGround:
         trigger = f"{{trigger: crosses, entity: ball, gate: {entered}}}" if entered else "{trigger: half_started}"
         assert kinds(walls, rules=rule("a", trigger, more=near)) == kinds_found
 
+    @pytest.mark.parametrize(("line", "count"), [("[[0.7, 0], [0.9, 0]]", 1), ("[[0.6, 0], [0.9, 0]]", 0)])
+    def test_chance_that_would_set_a_spot_outside_the_walls(self, line, count):
+        action = f"{{action: set_spot, spot: centre, to: {{on_line: {line}}}}}"
+        found = [one for one in found_in(rules=rule("a", "{trigger: half_started}", action)) if "spot_off" in one.kind]
+        assert len(found) == count
+        if count:
+            assert "no point of the line is on the field: the spot stays where it is" in str(found[0])
+
     def test_a_gate_or_a_spot_off_the_field(self):
         cross = rule("a", "{trigger: crosses, entity: ball, gate: g}")
         assert kinds("gates: {g: {from_m: [0.7, 0], to_m: [0.9, 0]}}", rules=cross) == ["gate_off_the_field"]

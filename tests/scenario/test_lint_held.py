@@ -10,7 +10,7 @@ from rcj_challenges.scenario.load import load_text
 HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n"
 KINDS = (
     "hold_without_effect", "robots_never_free", "held_robot_makes_no_progress", "held_for_ever", "release_without_effect",
-    "never_held", "limit_longer_than_the_half", "rule_never_fires",
+    "never_held", "phase_never_left", "limit_longer_than_the_half", "rule_never_fires",
 )  # fmt: skip
 COUNTDOWN = "phases: {countdown: {lasts_s: %s, robots: held}}\nfirst_phase: countdown\n"
 LAZY = (
@@ -50,6 +50,67 @@ class TestPhasesThatHoldRobots:
 
     def test_a_phase_that_is_never_entered_is_told_as_that_only(self):
         assert found("phases: {wait: {robots: held}}\n") == []
+
+
+GOAL = "rules:\n  goal: {triggers: [{trigger: enters, entity: ball, zone: blue_goal}], actions: [{action: set_phase, phase: over}]}\n"
+READY = "phases: {ready: {robots: held}}\nfirst_phase: ready\nrules:\n"
+GO = "  go: {phases: [ready], triggers: [%s], actions: [{action: set_phase, phase: play}]}\n"
+TOUCH = "{trigger: touches, entity: Y1, other: ball}"
+
+
+class TestPhasesThatHoldForEver:
+    def test_no_rule_leaves_the_phase_and_it_has_no_length(self):
+        assert found("phases: {over: {robots: held}}\n" + GOAL) == [
+            (
+                "it.yaml:6:25: warning: phases.over.robots: robots are held to the end of the half: 'over' has no lasts_s, and no "
+                "rule that lives in it sets another phase or ends the half; give it lasts_s, or a rule with phases: [over] and "
+                "{action: set_phase, …}; where all is over, write {action: end} in place of the phase [phase_never_left]"
+            )
+        ]
+
+    @pytest.mark.parametrize(
+        ("phase", "rule"),
+        [
+            ("lasts_s: 5, robots: held", ""),
+            ("lasts_s: 60, robots: held", ""),  # as long as the half: so it is meant
+            ("robots: free", ""),
+            (
+                "robots: held",
+                "  x: {phases: any, triggers: [{trigger: time_reached, at_s: 50}], actions: [{action: end}]}\n",
+            ),
+            (
+                "robots: held",
+                f"  x: {{phases: [over], triggers: [{TOUCH}], actions: [{{action: set_phase, phase: play}}]}}\n",
+            ),
+        ],
+    )
+    def test_what_ends_it_is_enough(self, phase, rule):
+        # The ball may still roll, and touch a robot.
+        assert [one for one in found(f"phases: {{over: {{{phase}}}}}\n{GOAL}{rule}") if "never_left" in one] == []
+
+    def test_a_rule_that_enters_it_once_more_does_not_leave_it(self):
+        again = "  x: {phases: any, triggers: [{trigger: time_reached, at_s: 9}], actions: [{action: set_phase, phase: over}]}\n"
+        assert len(found("phases: {over: {robots: held}}\n" + GOAL + again)) == 1
+
+    def test_where_a_half_begins_nothing_moves_that_could_end_it(self):
+        (text,) = found(READY + GO % TOUCH)
+        assert "'ready' has no lasts_s, and 'go' would leave it once something moves, and nothing does" in text
+
+    @pytest.mark.parametrize(
+        "trigger",
+        [
+            "{trigger: tells, entity: Y1}",
+            "{trigger: time_reached, at_s: 3}",
+            TOUCH + ", {trigger: timer_expired, timer: t}",
+            "{trigger: holds, condition: {condition: in_zone, entity: ball, zone: pitch}, for_s: 3}",
+        ],
+    )
+    def test_what_comes_by_itself_ends_it(self, trigger):
+        assert found("timers: {t: {lasts_s: 5, starts: true}}\n" + READY + GO % trigger) == []
+
+    def test_so_does_a_touch_of_what_a_rule_puts_there(self):
+        put = "  put: {phases: [ready], triggers: [{trigger: time_reached, at_s: 2}], actions: [{action: place, entity: ball, at: start}]}\n"
+        assert found(READY + GO % TOUCH + put) == []
 
 
 class TestHeldRobotsThatMustMove:

@@ -46,3 +46,20 @@ def test_what_only_some_robots_are_told_likewise():
 )
 def test_in_a_payload_a_name_may_be_meant_but_no_word(payload, count):
     assert len(found(rule(action=f"{{action: emit, event: GO, payload: {{it: {payload}}}}}"))) == count
+
+
+def test_a_text_that_a_test_expects_is_meant():
+    emits = rule(action="{action: emit, event: GO, payload: {why: limit}}")
+    test = "expect: {it_goes: {keyframes: [{at_s: 1}], lasts_s: 2, events: [{event: GO, payload: {why: %s}}]}}\n"
+    (text,) = found(emits)
+    assert "write {word: limit} for the value; that the text is meant, says a test that expects it" in text
+    assert found(emits + test % "limit") == []
+    assert len(found(emits + test % "other")) == 1
+
+
+def test_so_is_one_that_another_rule_tells_as_another_text():
+    other = "  s: {triggers: [{trigger: half_ended}], actions: [{action: emit, event: %s, payload: {why: %s}}]}\n"
+    emits = rule(action="{action: emit, event: GO, payload: {why: limit}}")
+    assert found(emits + other % ("GO", "slow")) == []
+    assert len(found(emits + other % ("GO", "limit"))) == 2
+    assert len(found(emits + other % ("STOP", "slow"))) == 1

@@ -53,3 +53,40 @@ def test_in_whatever_words_it_is_asked(condition, trigger, each):
 )
 def test_other_questions_are_sound(condition, trigger):
     assert warned(condition, trigger) == []
+
+
+def asks_in_vain(condition, trigger=TOUCH % ("yellow", "ball"), each=""):
+    rule = f"{{{each}triggers: [{trigger}], conditions: [{{condition: last_touch, {condition}}}], actions: [{{action: end}}]}}"
+    found = [str(one) for one in lint(load_text(f"{HEAD}rules: {{r: {rule}}}\n", file="a.yaml"))]
+    return [one for one in found if "last_touch_is_this_touch" in one]
+
+
+def test_who_touches_it_now_is_the_last_one():
+    (text,) = asks_in_vain("by: blue")
+    assert text.endswith(
+        "rules.r.conditions[0] (last_touch): in the tick in which it is touched, who touches it is the one who touched it "
+        "last: this holds only where both touch it in the same tick; let a flag remember who has touched it: a rule of that "
+        "touch sets it, and this one asks it [last_touch_is_this_touch]"
+    )
+
+
+@pytest.mark.parametrize(
+    ("condition", "trigger", "each", "count"),
+    [
+        ("by: blue", TOUCH % ("ball", "yellow"), "", 1),
+        ("by: yellow, negate: true", TOUCH % ("yellow", "ball"), "", 1),
+        ("by: each, negate: true", TOUCH % ("each", "ball"), "for_each: robots, ", 1),
+        ("by: each", TOUCH % ("each", "ball"), "for_each: robots, ", 0),
+        ("by: each, negate: true", TOUCH % ("robots", "ball"), "for_each: robots, ", 0),
+        ("by: yellow", TOUCH % ("robots", "ball"), "", 0),
+        ("by: Y1", TOUCH % ("yellow", "ball"), "", 0),
+        ("by: blue", TOUCH % ("ball", "walls"), "", 0),
+        ("by: blue", TOUCH % ("yellow", "walls"), "", 0),
+        # What else touches it has not been the last robot.
+        ("by: blue", TOUCH % ("ball", "[yellow, walls]"), "", 0),
+        ("by: yellow, negate: true", TOUCH % ("ball", "[yellow, walls]"), "", 0),
+        ("by: blue", TOUCH % ("yellow", "ball") + ", {trigger: half_ended}", "", 0),
+    ],
+)
+def test_whoever_is_asked_for(condition, trigger, each, count):
+    assert len(asks_in_vain(condition, trigger, each)) == count

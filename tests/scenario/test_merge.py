@@ -111,6 +111,10 @@ def test_the_match_with_one_rule_less_and_one_changed(tmp_path):
         ("robots: {B1: }\n", "robots.B1: an empty value; write one, or leave the line out"),
         ("match: {half_s: null}\n", "match.half_s: null removes named entries of the base only; leave the line out"),
         ("broadcast: null\n", "broadcast: null removes named entries of the base only; leave the line out"),
+        ("robots: null\n", ("robots: null removes named entries of the base only; for none write it for each of them: {B1: null, B2: null, "
+         "B3: null, …}")),
+        ("expect: null\n", "expect: null removes named entries of the base only; {inherited: null} removes all tests of the base"),
+        ("counters: null\n", "counters: null removes named entries of the base only; leave the line out"),
         ("groups: {g: [B1, ~]}\n", "groups.g[1]: null stands for nothing here; write a value, or leave the entry out"),
         ("rules: {r: null}\n", "rules.r: nothing to remove: the base has no 'r'"),
         ("zones: {pich: null}\n", ("zones.pich: nothing to remove: the base has no 'pich'; there are pitch, blue_goal, "

@@ -182,6 +182,16 @@ def test_a_value_of_a_draw_that_does_not_fit_is_told_once_whoever_needs_it():
         ("match: {half_s: '1:30'}\n", "its unit is the one that the key's name ends with"),
         ("match:\n  half_s: 7,5\n", "a decimal number is written with a point: 7.5"),
         ("spots: {s: {x_m: '0.5', y_m: 0}}\n", "leave the quotes out"),
+        ("spots: {s: {x_m: \u22120.5, y_m: 0}}\n", "found '\u22120.5'; its minus is another sign: write -0.5"),
+        ("groups: {g: [„Y1“]}\n", "at most 64; quotes of a text processor are part of it: write Y1"),
+        (
+            "zones:\n  - name: a\n",
+            "expected a mapping by name, found a list of 1; each entry begins with its name and ':', not with '-'",
+        ),
+        (
+            "rules: {r: {triggers: [{trigger: half_started}], actions: [{action: end}], text: So}}\n",
+            "; it is called 'says' here",
+        ),
         (
             "params: {far_m: 0.3}\nspots: {s: {x_m: far_m, y_m: 0}}\n",
             "the value of that param is written {param: far_m}",
@@ -263,12 +273,12 @@ def test_a_key_without_a_value(trigger, said):
             "0 stands where a key is expected: several numbers stand in brackets, [0.3, 0]",
         ),
         ("spots: {a: {x_m: 0, y_m: 0}, 1: {x_m: 0, y_m: 0}}", "key 1 is not text; write it in quotes"),
-        ("rules: {r: {says: {entity} scores}}", "or begins with { or [ is not in quotes)"),
+        ("rules: {r: {says: {entity} scores}}", "or begins with {, [ or # is not in quotes)"),
         ("rules:\n  r:\n    says: {entity} scores", "or a text that begins with { or [ is not in quotes)"),
         ("balls: {b: {colour: #ff0000}}", "what begins with # is a comment, unless it is in quotes: '#ff8800')"),
         (
             "rules: {r: {says: A goal: one point}}",
-            "or a text that has ': ' in it or begins with { or [ is not in quotes)",
+            "or a text that has ': ' in it or begins with {, [ or # is not in quotes)",
         ),
     ],
 )

@@ -184,6 +184,30 @@ def test_what_an_action_cannot_reckon_is_told_as_it_is_written(action, told):
     assert complaint.endswith(told)
 
 
+@pytest.mark.parametrize(
+    ("body", "told"),
+    [
+        (
+            rule(rest="    conditions: [{condition: looks, entity: Y1, towards: ball, within_rad: 20}]\n"),
+            "must be at most 3.14159, found 20; angles are in rad: if degrees are meant, write 0.3491",
+        ),
+        (
+            rule("{trigger: tips_over, entity: Y1, angle_rad: 45}"),
+            "must be less than 3.1416, found 45; angles are in rad: if degrees are meant, write 0.7854",
+        ),
+        (
+            "robots: {Y1: {devices: {laser: {device: lidar, field_of_view_rad: 360}}}}\n",
+            "found 360; angles are in rad: if degrees are meant, write 6.2832",
+        ),
+        ("match: {halves: 20}\n", "must be at most 10, found 20"),
+        (rule("{trigger: tips_over, entity: Y1, angle_rad: -1}"), "must be greater than 0, found -1"),
+    ],
+)
+def test_an_angle_beyond_its_bounds_was_hardly_meant_in_rad(body, told):
+    (complaint,) = complaints(body)
+    assert complaint.endswith(told)
+
+
 def test_where_a_spot_is_chance_decides_by_a_draw():
     (complaint,) = complaints(rule(action="{action: set_spot, spot: centre, to: {choice: [centre]}}"))
     assert complaint.endswith(

@@ -35,6 +35,11 @@ rules: {it: {triggers: [{trigger: half_started}], actions: [{action: score, entr
             "{position_of: hidden}",
             "the position of the spot drawn as “hidden”: [x, y] in m",
         ),
+        (
+            "target: {values: [ball, centre]}",
+            "{position_of: target}",
+            "the position of what was drawn as “target”: [x, y, yaw] in m and rad, of a spot [x, y], null while it is off the field",
+        ),
         ("tile: {values: [1]}", "{position_of: centre}", "the position of the spot “centre”: [x, y] in m"),
     ],
 )
@@ -55,6 +60,34 @@ def test_who_is_told_what_others_are_not():
     assert "\nOnly Y1 is told in it as well:\n\n| key | value |\n| --- | --- |\n| way |" in told
     assert "\nOnly the blue robots are told in it as well:\n" in told
     assert "| more | 1 |" in told
+
+
+_LATER = "Where a robot is told two values under one key, the one further down counts."
+
+
+@pytest.mark.parametrize(
+    ("broadcast", "count"),
+    [
+        ("{fields: {a: 1}, only: {Y1: {b: 2}}}", 0),
+        ("{fields: {a: 1}, only: {Y1: {a: 2}}}", 1),
+        ("{fields: {}, only: {Y1: {a: 1}, Y2: {a: 2}, blue: {a: 3}}}", 0),
+        ("{fields: {}, only: {Y1: {a: 1}, yellow: {a: 2}}}", 1),
+    ],
+)
+def test_which_of_two_values_under_one_key_counts_is_told(broadcast, count):
+    assert sheet(f"broadcast: {broadcast}\n").count(_LATER) == count
+
+
+def test_texts_are_told_with_the_quotes_that_tell_them_from_numbers():
+    text = sheet("broadcast: {fields: {game: tag, version: '2', level: 2, open: true}}\n")
+    for row in ('| game | "tag" |', '| version | "2" |', "| level | 2 |", "| open | true |"):
+        assert row in text
+
+
+def test_who_is_told_nothing_more_has_no_table():
+    text = sheet("broadcast: {fields: {}, only: {Y1: {}, Y2: {a: 1}}}\n")
+    assert "Only Y1" not in text
+    assert "Only Y2 is told:" in text
 
 
 def test_where_some_alone_are_told_something():

@@ -195,10 +195,14 @@ class Given(Strict):
     )
 
 
+ToldNumbers = Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]
+"""A position as programs are told it."""
+
+
 class Expectation(Grown):
     """A test inside the file: scripted poses and touches fed straight to the referee, and what must follow."""
 
-    later_keys = frozenset({"held", "ranking", "ended", "tolerance_counters"})
+    later_keys = frozenset({"spots", "told", "held", "ranking", "ended", "tolerance_counters"})
 
     seed: int = described(1, "seed of the draws", ge=0)
     half: int = described(1, "which half is played; teams keep their seats' names in all", ge=1)
@@ -206,6 +210,11 @@ class Expectation(Grown):
         {},
         "draws decided beforehand: a value stands until a rule draws anew; of a list each draw takes the next value, "
         "and chance decides again after the last",
+    )
+    spots: dict[Name, Point | Annotated[tuple[Point, ...], Field(strict=False, min_length=1)]] | None = described(
+        None,
+        "where chance sets spots, decided beforehand: spot -> [x, y] in m for the first time, or a list of them for "
+        "the first times; then chance decides again (where a spot is at the end is compared under poses)",
     )
     given: Given = described(Given(), "score, counters and flags when the half begins")
     keyframes: tuple[Keyframe, ...] = Field(..., strict=False, min_length=1, description="the script, in order of time")
@@ -238,6 +247,11 @@ class Expectation(Grown):
     )
     held: dict[Name, bool] | None = described(
         None, "robot -> whether it is held at the end, true or false, by a rule or by the phase"
+    )
+    told: dict[Name, dict[Name, Scalar | ToldNumbers]] | None = described(
+        None,
+        "robot or group -> key -> the value that the broadcast has told it last, [x, y] or [x, y, yaw] of a position; "
+        "keys that are left out are not compared",
     )
     ended: Literal["half", "match", "none"] | None = described(
         None,

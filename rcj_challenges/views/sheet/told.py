@@ -123,19 +123,39 @@ def _broadcast(broadcast: Broadcast, kits: dict[str, Kit], nouns: Nouns) -> Iter
         yield Paragraph(f"After it, {_every(every)}, one JSON object follows on the same channel{whom}:")
     else:
         # It is made on a tick on which the official packet may be missing; then it waits, and a newer one replaces it.
-        newest = f"the newest follows the next packet, on its channel{whom}"
+        newest = f"the newest follows the next packet{whom}, on its channel"
         yield Paragraph(f"One JSON object is made {_every(every)}; {newest}:")
     if broadcast.fields:
         yield _told(broadcast.fields, nouns)
-    for name, fields in (broadcast.only or {}).items():
+    only = {name: fields for name, fields in (broadcast.only or {}).items() if fields}
+    for name, fields in only.items():
         told = nouns.all_of(name).does("is told", "are told")
         yield Paragraph(f"Only {told}{' in it as well' if broadcast.fields else ''}:")
         yield _told(fields, nouns)
+    if _are_told_twice(broadcast.fields, only, nouns):
+        yield Paragraph("Where a robot is told two values under one key, the one further down counts.")
     yield from (Paragraph(_TOLD_APART[by_key]) for by_key in sorted({kit.messages == "v2.2" for kit in kits.values()}))
 
 
+def _are_told_twice(fields: Mapping[str, Value], only: Mapping[str, Mapping[str, Value]], nouns: Nouns) -> bool:
+    """Return whether a robot is told two values under the same key."""
+    keys: dict[str, list[str]] = {}
+    for name, own in only.items():
+        for robot in nouns.meant(name):
+            keys.setdefault(robot, [*fields]).extend(own)
+    return any(len(told) > len(set(told)) for told in keys.values())
+
+
 def _told(fields: Mapping[str, Value], nouns: Nouns) -> Table:
-    told = ((key, value(nouns, entry) + _exactly(nouns.scenario, entry)) for key, entry in fields.items())
+    told = (
+        (
+            key,
+            json.dumps(entry, ensure_ascii=False)
+            if isinstance(entry, str | int | float)
+            else value(nouns, entry) + _exactly(nouns.scenario, entry),
+        )
+        for key, entry in fields.items()
+    )
     return Table(("key", "value"), tuple(told))
 
 
@@ -146,10 +166,13 @@ def _exactly(scenario: Scenario, entry: object) -> str:
             values: Sequence[Scalar] = scenario.draws[entry.draw].values
         case WordValue(word="phase"):
             values = ("play", *(phase for phase in scenario.phases if phase != "play"))
-        case PositionValue(position_of=name) if _all_spots(scenario, name):
-            return ": [x, y] in m"
-        case PositionValue():
-            return ": [x, y, yaw] in m and rad, null while it is off the field"
+        case PositionValue(position_of=name):
+            of_spots = {one in scenario.spots for one in _stands_for(scenario, name)}
+            if of_spots == {True}:
+                return ": [x, y] in m"
+            return (
+                f": [x, y, yaw] in m and rad, {'of a spot [x, y], ' * (True in of_spots)}null while it is off the field"
+            )
         case _:
             return ""
     # As JSON, since 1 and true are one to Python.
@@ -157,10 +180,10 @@ def _exactly(scenario: Scenario, entry: object) -> str:
     return f": {listed(list(written), 'or')}"
 
 
-def _all_spots(scenario: Scenario, name: str) -> bool:
-    """Return whether a name is that of a spot, or of a draw that decides among spots."""
+def _stands_for(scenario: Scenario, name: str) -> Sequence[Scalar]:
+    """Return what a name in a value is: itself, or all among which a draw decides."""
     draw = None if name in scenario.spots else scenario.draws.get(name)
-    return all(one in scenario.spots for one in ([name] if draw is None else draw.values))
+    return (name,) if draw is None else draw.values
 
 
 def _to_referee(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:

@@ -1,0 +1,153 @@
+"""Tests of scenarios decide where chance sets spots, and compare what programs are told."""
+
+import pytest
+
+from rcj_challenges.referee.trials import run_expectation
+from rcj_challenges.scenario.dump import dumped
+from tests.scenario.writing import complaints, loaded, scenario
+
+HIDING = """spots: {treasure: {x_m: 0, y_m: 0}, mark: {x_m: 0.1, y_m: 0}}
+draws: {way: {values: [left, right]}}
+zones: {box: {shape: rect, x_min_m: 0.1, x_max_m: 0.3, y_min_m: -0.4, y_max_m: 0.2}}
+broadcast:
+  every_ticks: 10
+  fields: {near_m: {distance: [Y1, treasure]}, half: {word: halftime}, ball: {position_of: ball}}
+  only: {Y1: {way: {draw: way}}, blue: {hot: true}}
+rules:
+  hide:
+    triggers: [{trigger: half_started}]
+    actions: [{action: set_spot, spot: treasure, to: {uniform_in: box}}]
+  again:
+    triggers: [{trigger: time_reached, at_s: 2, every_s: 2}]
+    actions: [{action: set_spot, spot: treasure, to: {on_line: [[0, 0.1], [0, 0.5]]}, mirror: {axis: y}}]
+  mark:
+    triggers: [{trigger: time_reached, at_s: 1}]
+    actions: [{action: set_spot, spot: mark, to: treasure}]
+"""
+
+
+def tried(test, lasts_s=1):
+    """Return what comes out differently in a test of that scenario."""
+    return run_expectation(
+        loaded(f"{HIDING}expect: {{it: {{keyframes: [{{at_s: 0.5}}], lasts_s: {lasts_s}, {test}}}}}\n"), "it"
+    )
+
+
+def refused(test):
+    return complaints(f"{HIDING}expect: {{it: {{keyframes: [{{at_s: 0.5}}], lasts_s: 1, {test}}}}}\n")
+
+
+class TestExpectSpots:
+    def test_chance_sets_the_spot_where_the_test_has_decided(self):
+        assert tried("spots: {treasure: [0.2, -0.3]}, poses: {treasure: [0.2, -0.3]}") == []
+        assert tried("poses: {treasure: [0.2, -0.3]}") != []
+
+    def test_several_places_come_one_after_the_other_and_then_chance_decides_again(self):
+        places = "spots: {treasure: [[0.2, 0], [0, -0.4], [0, -0.2]]}"
+        assert not [line for line in tried(f"{places}, poses: {{treasure: [0, -0.4]}}", 3) if "expected" in line]
+        assert not [line for line in tried(f"{places}, poses: {{treasure: [0, -0.2]}}", 5) if "expected" in line]
+        assert [line for line in tried(f"{places}, poses: {{treasure: [0, -0.2]}}", 7) if "expected" in line]
+
+    def test_a_place_is_where_the_spot_is_then_after_the_mirror(self):
+        assert tried("spots: {treasure: [[0.2, 0], [0, -0.4]]}, poses: {treasure: [0, -0.4]}", 3) == []
+
+    def test_where_chance_sets_it_less_often_that_is_noted_beside_what_fails(self):
+        lines = tried("spots: {treasure: [[0.2, 0], [0, -0.4], [0, -0.2]]}, score: {yellow: 1}", 3)
+        assert lines[-1] == "note: chance set treasure 2 times; spots decides 3 places"
+        assert tried("spots: {treasure: [[0.2, 0], [0, -0.4]]}, score: {yellow: 1}")[-1].startswith(
+            "note: chance set treasure once;"
+        )
+
+    @pytest.mark.parametrize(
+        ("spots", "message"),
+        [
+            ("{treasure: [0.2, 0.3]}", "expect.it.spots.treasure: chance never sets 'treasure' to (0.2, 0.3)"),
+            (
+                "{treasure: [[0.2, 0], [0, 0.4]]}",
+                "expect.it.spots.treasure[1]: chance never sets 'treasure' to (0, 0.4)",
+            ),
+            (
+                "{mark: [0, 0]}",
+                "expect.it.spots.mark: chance never sets 'mark'; where it is at the end is compared under poses",
+            ),
+            ("{ball: [0, 0]}", "expect.it.spots.ball: 'ball' is a ball; expected a spot"),
+            ("{treasur: [0, 0]}", "expect.it.spots.treasur: unknown spot 'treasur'; did you mean 'treasure'?"),
+            ("{treasure: centre}", "expect.it.spots.treasure: expected two numbers [x, y] or a list, found 'centre'"),
+        ],
+    )
+    def test_only_what_chance_could_bring_can_be_decided(self, spots, message):
+        assert refused(f"spots: {spots}") == [message]
+
+    def test_a_line_is_met_within_a_millimetre_and_no_place_outside_the_walls_is(self):
+        assert tried("spots: {treasure: [[0.2, 0], [0.0009, -0.3]]}") == []
+        beyond = HIDING.replace("x_max_m: 0.3", "x_max_m: 3")
+        test = "expect: {it: {keyframes: [{at_s: 0.5}], lasts_s: 1, spots: {treasure: [1, 0]}}}\n"
+        assert complaints(beyond + test) == ["expect.it.spots.treasure: chance never sets 'treasure' to (1, 0)"]
+
+
+class TestExpectTold:
+    @pytest.mark.parametrize(
+        ("told", "differences"),
+        [
+            ("{Y1: {near_m: 0.5, way: left}, B2: {hot: true}}", []),
+            ("{robots: {half: 1}}", []),
+            ("{Y1: {ball: [0.1, 0.2]}, B3: {ball: [0.1, 0.2, 0]}}", []),
+            (
+                "{Y1: {near_m: 0.4, way: right}}",
+                ["near_m told to Y1: expected 0.4, is 0.5", "way told to Y1: expected right, is left"],
+            ),
+            (
+                "{Y1: {ball: [0.1, 0.25]}}",
+                [
+                    "ball told to Y1: expected [0.1, 0.25], is [0.1, 0.2, 0]; up to 0.001 off is allowed, more by tolerance_m"
+                ],
+            ),
+            ("{blue: {hot: false}}", [f"hot told to B{n}: expected false, is true" for n in (1, 2, 3)]),
+            (
+                "{Y1: {half: [1, 2]}}",
+                ["half told to Y1: expected [1, 2], is nothing; up to 0.001 off is allowed, more by tolerance_m"],
+            ),
+            ("{Y1: {ball: 3}}", ["ball told to Y1: expected 3, is nothing"]),
+        ],
+    )
+    def test_what_each_was_told_last_is_compared_key_by_key(self, told, differences):
+        put = "spots: {treasure: [0.2, 0.1]}, draws: {way: left}"
+        hand = "keyframes: [{at_s: 0.5, place: {Y1: [0.2, -0.4], ball: [0.1, 0.2]}}]"
+        text = f"{HIDING}expect: {{it: {{{hand}, lasts_s: 1, {put}, told: {told}}}}}\n"
+        assert run_expectation(loaded(text), "it") == differences
+
+    def test_between_two_broadcasts_the_last_one_counts(self):
+        # Ten ticks are 0.32 s: what happens at 0.7 s is told at 0.96 s.
+        test = (
+            "{keyframes: [{at_s: 0.7, place: {ball: [0.3, 0.3]}}], lasts_s: %s, told: {Y1: {ball: [%s, 0.3]}}, "
+            "spots: {treasure: [0.2, 0]}}"
+        )
+        for lasts_s, differences in ((1, 0), (0.9, 1)):
+            found = run_expectation(loaded(f"{HIDING}expect: {{it: {test % (lasts_s, 0.3)}}}\n"), "it")
+            assert len(found) == differences
+
+    @pytest.mark.parametrize(
+        ("told", "message"),
+        [
+            (
+                "{Y2: {way: left}}",
+                "expect.it.told.Y2.way: the broadcast never tells 'Y2' way; it tells it near_m, half, ball",
+            ),
+            (
+                "{Y1: {wai: left}}",
+                "expect.it.told.Y1.wai: the broadcast never tells 'Y1' wai; it tells it near_m, half, ball, way",
+            ),
+            ("{ball: {half: 1}}", "expect.it.told.ball: 'ball' is a ball; expected a robot"),
+        ],
+    )
+    def test_only_what_it_is_told_at_all_can_be_expected(self, told, message):
+        assert refused(f"told: {told}") == [message]
+
+    def test_without_a_broadcast_nobody_is_told_anything(self):
+        test = "expect: {it: {keyframes: [{at_s: 0.5}], lasts_s: 1, told: {Y1: {a: 1}}}}\n"
+        assert complaints(test) == ["expect.it.told.Y1.a: the broadcast never tells 'Y1' a; it tells it nothing"]
+
+
+def test_a_file_without_them_is_dumped_as_before():
+    plain = scenario("expect: {it: {keyframes: [{at_s: 0.5}], lasts_s: 1}}\n")
+    assert not {"spots", "told"} & dumped(plain)["expect"]["it"].keys()
