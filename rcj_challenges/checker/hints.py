@@ -7,13 +7,13 @@ import struct
 import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from pathlib import PurePosixPath
 from typing import Any
 
 from rcj_challenges.checker.asked_of_the_system import on_system
 from rcj_challenges.checker.early_ends import why_it_ended
 from rcj_challenges.checker.modules import COMPILED, Library, places_of
+from rcj_challenges.checker.no_device import InsteadOf, asked_in_vain, is_of_a_device
 from rcj_challenges.checker.not_given import on_not_given
 from rcj_challenges.checker.old_names import on_old_name
 from rcj_challenges.checker.preloaded import never_read
@@ -24,10 +24,6 @@ from rcj_challenges.scenario.models.scenario import Scenario
 
 WHEREABOUTS = "It was here, the innermost call first:\n"
 """What the match writes into a program's log when it had to end it."""
-
-NO_DEVICE = re.compile(r'^Warning: "(?P<asked>.*)" device not found\. This robot has: (?P<has>.*)\.$', re.MULTILINE)
-"""What ``getDevice`` writes into a program's log when it gives None."""
-NOTHING = "'NoneType' object has no attribute"
 
 _FIRST_TICKS = 8  # who misreads the referee's packets does so with the first of them
 _MOST_CODE_LETTERS = 80
@@ -141,20 +137,22 @@ def on_messages(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hin
     return None
 
 
-def on_device(fault: Mapping[str, Any], log: str) -> Hint | None:
+def on_device(scenario: Scenario, team: Team, fault: Mapping[str, Any], log: str) -> Hint | None:
     """Return what is behind a crash over None, where the program asked for a device that the robot has not.
 
     Args:
+        scenario: what was played.
+        team: whose program failed.
         fault: as in the result.
         log: of the robot, or its beginning.
     """
-    asked = list(NO_DEVICE.finditer(log)) if NOTHING in fault["detail"] else []
-    if not asked:
+    asked = asked_in_vain(log)
+    if fault["kind"] != "crash" or not asked or not is_of_a_device(fault["detail"], team):
         return None
-    name, there = asked[-1]["asked"], asked[-1]["has"].split(", ")
-    near = get_close_matches(name.casefold(), there, 1)
-    instead = f'did you mean "{near[0]}"?' if near else f"this robot has: {', '.join(there)}"
-    return Hint(f'getDevice("{shown(name)}") gave None: {instead}')
+    name, has = list(asked.items())[-1]
+    instead = InsteadOf(scenario, team, asked)
+    old = "this program seems to be written for the robots of 2021; " if instead.is_of_2021(name) else ""
+    return Hint(f'getDevice("{shown(name)}") gave None: {old}{instead.remedy(name, fault["robot"], has)}')
 
 
 def on_files(team: Team, fault: Mapping[str, Any]) -> Hint | None:
