@@ -27,12 +27,13 @@ _VOWELS = frozenset("AEIOaeio")
 _USE = re.compile(rb"(?<!def )(?<!class )\b\w+")
 
 
-def why_it_ended(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> str:
+def why_it_ended(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath, *, has_stepped: bool = False) -> str:
     """Return what to do about a program that ended without a fault; empty if its lines do not tell.
 
     Args:
         files: of its team.
         entry: the file that was started.
+        has_stepped: whether it called step: then it came to a loop, if there is any that it can come to.
     """
     programs = {path: files[path] for path in reached_from(entry, files) if len(files[path]) <= _MOST_BYTES}
     for path, content in programs.items():
@@ -43,10 +44,12 @@ def why_it_ended(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> 
                     f"step returns 0 while the match goes on and -1 at its end, so the loop in line {number}{place} "
                     "ends at once: write while robot.step(32) != -1:"
                 )
-    loops = list(_functions_that_step(programs.get(entry, b"")))
+    loops = list(_loops_with_step(programs.get(entry, b"")))
     used = {name[0] for content in programs.values() for name in _USE.finditer(content)} if loops else set()
-    unreached = next((_told(loop) for loop in loops if loop.is_reached_by not in used), "")
-    return unreached or _on_its_name(programs.get(entry, b""))
+    unreached = [loop for loop in loops if loop.name and loop.is_reached_by not in used]
+    if unreached and not (has_stepped and len(unreached) < len(loops)):
+        return _told(unreached[0])
+    return _on_its_name(programs.get(entry, b""))
 
 
 @dataclass(frozen=True)
@@ -54,9 +57,9 @@ class _Loop:
     """A loop with step.
 
     Attributes:
-        name: of the function or method that it is in.
+        name: of the function or method that it is in; empty outside of them.
         owner: class of the method; empty of a function.
-        line: where the function begins.
+        line: where the function begins, or the loop.
     """
 
     name: bytes
@@ -106,14 +109,14 @@ def _lines(content: bytes) -> Iterator[tuple[int, int, bytes]]:
             yield number, len(line) - len(line.lstrip()), code
 
 
-def _functions_that_step(content: bytes) -> Iterator[_Loop]:
-    """Return the functions and methods in which a loop calls step."""
+def _loops_with_step(content: bytes) -> Iterator[_Loop]:
+    """Return the functions and methods in which a loop calls step, and the first such loop outside of them."""
     around: list[tuple[int, bytes]] = []  # indentation, and name if it is a class, of what the line is in
-    function, owner, at, loops = b"", b"", 0, False
+    function, owner, at, loops, is_outside_told = b"", b"", 0, False, False
     for number, depth, code in _lines(content):
         while around and depth <= around[-1][0]:
             around.pop()
-            function = b""
+            function, loops = b"", False
         found = _FUNCTION.match(code)
         if found is not None:
             function, at, owner, loops = found[1], number, around[-1][1] if around else b"", False
@@ -121,6 +124,10 @@ def _functions_that_step(content: bytes) -> Iterator[_Loop]:
         elif (found := _CLASS.match(code)) is not None:
             around.append((depth, found[1]))
         loops = loops or code.startswith(b"while")
-        if function and loops and b".step(" in code:
-            yield _Loop(function, owner, at)
-            function = b""
+        if loops and b".step(" in code:
+            if function:
+                yield _Loop(function, owner, at)
+                function, loops = b"", False
+            elif not around and not is_outside_told:
+                is_outside_told = True
+                yield _Loop(b"", b"", number)

@@ -102,7 +102,8 @@ def hint_at_once(scenario: Scenario, team: Team, fault: Mapping[str, Any], sandb
         return names or _on_typing(fault["detail"]) or _on_system(team, fault) or _on_slip(team, fault)
     if fault["kind"] == "exit" and fault["detail"].startswith(_CAME_TO_ITS_END):
         entry = team.entries.get(fault["robot"])
-        remedy = why_it_ended(team.files, PurePosixPath(entry)) if entry is not None else ""
+        has_stepped = fault["tick"] > 0
+        remedy = why_it_ended(team.files, PurePosixPath(entry), has_stepped=has_stepped) if entry is not None else ""
         return Hint(remedy) if remedy else None
     if fault["kind"] == "exit" and fault["detail"].startswith(_CALLED_EXIT):
         return Hint(_LATER)

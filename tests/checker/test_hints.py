@@ -327,6 +327,27 @@ def test_a_loop_in_a_method_that_nobody_comes_to_is_told_with_its_class(program,
     assert why_it_ended({entry: program.encode()}, entry) == remedy
 
 
+HELPER = "def wait():\n    while robot.step(32) != -1:\n        break\n"
+
+
+@pytest.mark.parametrize(
+    "played",
+    [
+        "while robot.step(32) != -1:\n    break\n",
+        "while True:\n    if robot.step(32) == -1 or True:\n        break\n",
+        "def play():\n    while robot.step(32) != -1:\n        break\nplay()\n",
+    ],
+)
+def test_a_program_that_left_its_loop_is_not_told_to_call_a_helper_that_it_does_not_need(played):
+    entry = PurePosixPath("a.py")
+    assert why_it_ended({entry: (HELPER + played).encode()}, entry, has_stepped=True) == ""
+    assert "call wait()" in why_it_ended({entry: HELPER.encode()}, entry)
+    stepped_once = HELPER + "robot.step(32)\n"
+    assert "call wait()" in why_it_ended({entry: stepped_once.encode()}, entry, has_stepped=True)
+    loop_elsewhere = HELPER + "def play():\n    while robot.step(32) != -1:\n        pass\nplay\n"
+    assert "call wait()" in why_it_ended({entry: loop_elsewhere.encode()}, entry)
+
+
 def test_among_very_many_functions_and_files_it_is_found_out_at_once():
     began_s = time.process_time()
     loops = "".join(f"def f{number}():\n    while 1: x.step(1)\nf{number}()\n" for number in range(20_000))

@@ -340,7 +340,8 @@ def test_a_thread_that_just_ends_is_none(pack):
 
 
 def test_what_a_program_itself_prints_about_warnings_is_its_own_business(pack):
-    program = BEGIN + 'print("Warning: the goalie is asleep: wake him")\nprint("Warning: not enabled")\n' + LOOP
+    program = BEGIN + 'print("Warning: the goalie is asleep: wake him")\nprint("Warning: not enabled")\n'
+    program += 'print("Error: no ball")\nprint("Error: goalie: asleep")\n' + LOOP
     assert complaints(check_file(pack(program), DUEL, SHORT)) == []
 
 
