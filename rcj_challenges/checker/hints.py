@@ -18,6 +18,7 @@ from rcj_challenges.checker.not_given import on_not_given
 from rcj_challenges.checker.old_names import on_old_name
 from rcj_challenges.checker.preloaded import never_read
 from rcj_challenges.checker.slips import on_slip
+from rcj_challenges.controllers.log import AFTER_ITS_END
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -47,6 +48,10 @@ _CALLED_EXIT = "the program called sys.exit"
 _LATER = (
     "leave out exit(), quit() and sys.exit(), or call them only after step has returned -1: "
     "the robot of a program that ends stands for the rest of the half"
+)
+_THREADS_ALONE = (
+    "the program itself came to its end, and only its threads go on: let one of them call robot.step(32) in a loop, or "
+    "keep that loop in the program itself"
 )
 _NOBODY_TYPES = "EOFError: EOF when reading a line"
 # Calls of Python's own library that come back only when something else happens. ``wait`` and the like stand here with
@@ -273,6 +278,8 @@ def _on_slip(team: Team, fault: Mapping[str, Any]) -> Hint | None:
 
 def _on_place(team: Team, kind: str, whereabouts: str) -> Hint | None:
     """Name the line in which a program was when its patience ended, and what it did there as far as it shows."""
+    if AFTER_ITS_END in whereabouts.splitlines():
+        return Hint(_THREADS_ALONE)
     place = next(_places(whereabouts), None)
     if place is None or _any_mentions(team, re.compile(rb"\bthreading\b|\bconcurrent\b|\b_thread\b")):
         return None  # of several threads nobody can say whose line comes first
