@@ -281,22 +281,24 @@ class Hub:
 
     def begin(self, duration_ms: float) -> None:
         """Keep what was asked for until now as the request of a step that `end` takes."""
-        if self._begun is not None:
-            raise RuntimeError("stepBegin was called again before stepEnd")
-        ticks, printed = self._checked_ticks(duration_ms), self._output.printed_bytes
-        self._begun = self._with_others(self.tick, ticks, 0, printed)
-        self._begun_ms = duration_ms
-        self._has_others = True  # the exchange is to look here for its request
+        with self._turn:  # the step of another thread may be under way
+            if self._begun is not None:
+                raise RuntimeError("stepBegin was called again before stepEnd")
+            ticks, printed = self._checked_ticks(duration_ms), self._output.printed_bytes
+            self._begun = self._with_others(self.tick, ticks, 0, printed)
+            self._begun_ms = duration_ms
+            self._has_others = True  # the exchange is to look here for its request
 
     def end(self) -> bool:
         """Take the step that `begin` began. What was set since then acts in the next one. Returns False at the end."""
-        if self._begun is None:
-            raise RuntimeError("stepEnd was called without stepBegin before it")
-        self._ending = True
-        try:
-            return self.exchange(self._begun_ms)
-        finally:
-            self._ending, self._begun = False, None
+        with self._turn:
+            if self._begun is None:
+                raise RuntimeError("stepEnd was called without stepBegin before it")
+            self._ending = True
+            try:
+                return self.exchange(self._begun_ms)
+            finally:
+                self._ending, self._begun = False, None
 
     def _with_others(self, tick: int, advance_ticks: int, missed_ticks: int, printed: int) -> bytes:
         """Return a request with all that is asked for, and forget it.
