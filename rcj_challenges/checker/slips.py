@@ -106,6 +106,7 @@ _REMEDIES = (
     (re.compile(r"^TypeError: can only concatenate str \(not \"(?:float|int)\"\) to str"), _TEXT_AND_NUMBER),
     (re.compile(r"^TypeError: unsupported operand type\(s\) for \+: '(?:float|int)' and 'str'"), _TEXT_AND_NUMBER),
     (re.compile(r"^TypeError: 'float' object cannot be interpreted as an integer"), _WHOLE),
+    (re.compile(r"^TypeError: (?:list|tuple|string) indices must be integers(?: or slices)?, not '?float"), _WHOLE),
     (re.compile(r"^ValueError: invalid literal for int\(\) with base 10: '[BY][0-9]'"), _NAME_IS_NO_NUMBER),
 )
 

@@ -109,6 +109,7 @@ def test_a_number_that_is_none_before_the_first_sample_is_told_so(failure):
         ("v = gps.getValues() / 2\n", "numpy.array"),
         ("print('x: ' + 1.5)\n", "print('x:', x)"),
         ("for n in range(10 / 2): pass\n", "10 // 2"),
+        ("speeds = [1, 2, 3]; speeds[4 / 2]\n", "10 // 2"),
         ("n = int('B1')\n", "robot.getName()[1]"),
         ("breakpoint()\n", "leave out breakpoint()"),
         ("import pdb; pdb.set_trace()\n", "leave out breakpoint()"),
