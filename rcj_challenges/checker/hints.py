@@ -157,8 +157,8 @@ def on_device(scenario: Scenario, team: Team, fault: Mapping[str, Any], log: str
         return None
     name, has = list(asked.items())[-1]
     instead = InsteadOf(scenario, team, asked)
-    old = "this program seems to be written for the robots of 2021; " if instead.is_of_2021(name) else ""
-    return Hint(f'getDevice("{shown(name)}") gave None: {old}{instead.remedy(name, fault["robot"], has)}')
+    made_for = f"{told}; " if (told := instead.made_for(name)) else ""
+    return Hint(f'getDevice("{shown(name)}") gave None: {made_for}{instead.remedy(name, fault["robot"], has)}')
 
 
 def on_files(team: Team, fault: Mapping[str, Any]) -> Hint | None:

@@ -25,7 +25,9 @@ _OF_DEVICES = re.compile(
     r"|enable|disable|send"
 )
 _ASKS = rb"get(?:Device|Motor|Receiver|Emitter|GPS|Compass|DistanceSensor|PositionSensor|Lidar|Camera|LED|Gyro)\("
-_PRESET_2021, _KIT_2021 = "soccersim_2021.yaml", "legacy_2021"
+_OF_2021, _SINCE = "2021", "2022 and later"
+_KITS = {_OF_2021: ("soccersim_2021.yaml", "legacy_2021"), _SINCE: ("soccersim_v2.yaml", "v2")}
+"""Of the years: where their robots are described."""
 _MESSAGES_2021 = "2021"
 
 
@@ -75,11 +77,12 @@ class InsteadOf:
     def __init__(self, scenario: Scenario, team: Team, names: Iterable[str]) -> None:
         self._scenario = scenario
         self._team = team
-        self._old = _devices_of_2021(scenario, team, set(names))
+        self._years = _SINCE if _plays_2021(scenario) else _OF_2021
+        self._theirs = _devices_of_other_years(scenario, team, set(names), self._years)
 
-    def is_of_2021(self, name: str) -> bool:
-        """Return whether the programs seem to be written for the robots of 2021, which have it."""
-        return name in self._old
+    def made_for(self, name: str) -> str:
+        """Return for which robots the programs seem to be written, if those have it; else nothing."""
+        return f"this program seems to be written for the robots of {self._years}" if name in self._theirs else ""
 
     def remedy(self, name: str, robot: str, has: str) -> str:
         """Return what to do about one of them.
@@ -89,32 +92,34 @@ class InsteadOf:
             robot: that has not got it.
             has: the devices that it has, as its log lists them.
         """
-        if name in self._old:
-            return _for_2021(self._scenario, self._team) + _in_place(self._scenario, robot, self._old[name], has)
+        if name in self._theirs:
+            meant = self._scenarios_of_their_years()
+            return meant + _in_place(self._scenario, robot, self._theirs[name], has)
         near = get_close_matches(name.casefold(), has.split(", "), 1)
         return f'did you mean "{shown(near[0])}"?' if near else _all_of(has)
 
+    def _scenarios_of_their_years(self) -> str:
+        """Return where programs of such a layout meet the robots that they were written for, as a remedy begins."""
+        of_2021 = self._years == _OF_2021
+        names = others_that_fit(self._team.files, self._scenario, lambda other: _plays_2021(other) == of_2021)
+        return f"{looks_like(names)}; " if names else ""
 
-def _devices_of_2021(scenario: Scenario, team: Team, asked: set[str]) -> Mapping[str, Device]:
-    """Return the devices of the robots of 2021, if programs seem to be written for those, but play others; else none.
 
-    All that they asked for in vain is of those robots then, and they mention no device that only others have.
+def _devices_of_other_years(scenario: Scenario, team: Team, asked: set[str], years: str) -> Mapping[str, Device]:
+    """Return the devices of the robots of some years, if programs seem to be written for those, not these; else none.
+
+    All that they asked for in vain is of those robots then, and they mention no device that only these have.
     """
-    if not asked or _plays_2021(scenario):
+    if not asked:
         return {}
-    devices = load(presets_folder() / _PRESET_2021).scenario.kits[_KIT_2021].devices
+    preset, kit = _KITS[years]
+    devices = load(presets_folder() / preset).scenario.kits[kit].devices
     others = {name for robot in scenario.robots for name in devices_of(scenario, robot)} - devices.keys()
     return devices if asked <= devices.keys() and not _mentions(team, others) else {}
 
 
 def _plays_2021(scenario: Scenario) -> bool:
     return any(scenario.kits[robot.kit].messages == _MESSAGES_2021 for robot in scenario.robots.values())
-
-
-def _for_2021(scenario: Scenario, team: Team) -> str:
-    """Return where programs of such a layout meet robots of 2021, as the beginning of a remedy."""
-    names = others_that_fit(team.files, scenario, _plays_2021)
-    return f"{looks_like(names)}; " if names else ""
 
 
 def _mentions(team: Team, names: Iterable[str]) -> bool:
@@ -125,11 +130,12 @@ def _mentions(team: Team, names: Iterable[str]) -> bool:
 
 
 def _in_place(scenario: Scenario, robot: str, wanted: Device, has: str) -> str:
-    """Return what a robot has in place of a device of the robots of 2021."""
+    """Return what a robot has in place of a device of the robots of other years."""
     alike = [name for name, device in devices_of(scenario, robot).items() if device.device == wanted.device]
     if not alike or wanted.device != "supervisor_receiver":
         return _all_of(has)
-    return f'here "{shown(alike[0])}" gets the referee\'s packets, without positions in them; {_all_of(has)}'
+    positions = "with" if _plays_2021(scenario) else "without"
+    return f'here "{shown(alike[0])}" gets the referee\'s packets, {positions} positions in them; {_all_of(has)}'
 
 
 def _all_of(has: str) -> str:

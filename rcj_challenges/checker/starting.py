@@ -102,8 +102,8 @@ def _devices(asked: _Asked, rehearsal: Rehearsal) -> list[Finding]:
     findings = []
     for (name, has), robots in list(asked.items())[:_MOST_DEVICES]:
         message = f'asks for a device "{shown(name)}"; there is none'
-        if instead.is_of_2021(name):
-            message += ": this program seems to be written for the robots of 2021"
+        if made_for := instead.made_for(name):
+            message += f": {made_for}"
         remedy = instead.remedy(name, robots[0], has)
         findings.append(Finding("start.no_device", "warning", message, remedy, ", ".join(robots)))
     return findings
