@@ -6,7 +6,8 @@ Lines are looked at as text: strange programs are parsed in a process of their o
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
@@ -23,16 +24,19 @@ _ENDS_AT_ZERO = re.compile(rb"while[ \t(]{1,4}" + _STEP + rb"[ \t]{0,4}(?:==[ \t
 _ASKS_ITS_NAME = re.compile(rb"""if[ \t(]{1,4}__name__[ \t]{0,4}==[ \t]{0,4}["'](?P<name>[^"']{0,80})["']""")
 _FUNCTION = re.compile(rb"def[ \t]+(\w{1,80})[ \t]*\(")
 _CLASS = re.compile(rb"class[ \t]+(\w{1,80})")
+_TEXT = re.compile(rb"""\"{3}|'{3}""")
 _VOWELS = frozenset("AEIOaeio")
+_NAME = re.compile(rb"(?:[\w.]{1,80}\.)?(\w{1,80})")
 _USE = re.compile(rb"(?<!def )(?<!class )\b\w+")
 
 
-def why_it_ended(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> str:
+def why_it_ended(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath, *, has_stepped: bool = False) -> str:
     """Return what to do about a program that ended without a fault; empty if its lines do not tell.
 
     Args:
         files: of its team.
         entry: the file that was started.
+        has_stepped: whether it called step: then it came to a loop, if there is any that it can come to.
     """
     programs = {path: files[path] for path in reached_from(entry, files) if len(files[path]) <= _MOST_BYTES}
     for path, content in programs.items():
@@ -43,10 +47,14 @@ def why_it_ended(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> 
                     f"step returns 0 while the match goes on and -1 at its end, so the loop in line {number}{place} "
                     "ends at once: write while robot.step(32) != -1:"
                 )
-    loops = list(_functions_that_step(programs.get(entry, b"")))
-    used = {name[0] for content in programs.values() for name in _USE.finditer(content)} if loops else set()
-    unreached = next((_told(loop) for loop in loops if loop.is_reached_by not in used), "")
-    return unreached or _on_its_name(programs.get(entry, b""))
+    loops = list(_loops_with_step(programs.get(entry, b"")))
+    used_times = Counter(name[0] for content in programs.values() for name in _USE.finditer(content) if loops)
+    unreached = [loop for loop in loops if loop.name and loop.is_reached_by not in used_times]
+    if unreached and not (has_stepped and len(unreached) < len(loops)):
+        return _told(unreached[0])
+    begun = programs.get(entry, b"")
+    named = _only_named(loops, begun, used_times) if loops and not has_stepped else ""
+    return named or _on_its_name(begun)
 
 
 @dataclass(frozen=True)
@@ -54,9 +62,9 @@ class _Loop:
     """A loop with step.
 
     Attributes:
-        name: of the function or method that it is in.
+        name: of the function or method that it is in; empty outside of them.
         owner: class of the method; empty of a function.
-        line: where the function begins.
+        line: where the function begins, or the loop.
     """
 
     name: bytes
@@ -87,6 +95,16 @@ def _told(loop: _Loop) -> str:
     )
 
 
+def _only_named(loops: Sequence[_Loop], content: bytes, used_times: Mapping[bytes, int]) -> str:
+    """Return what to do about a function whose name stands in a line alone, without brackets; empty if it is called."""
+    wanted = {loop.is_reached_by for loop in loops if loop.name and used_times[loop.is_reached_by] == 1}
+    for number, _, code in _lines(content):
+        if (alone := _NAME.fullmatch(code)) is not None and alone[1] in wanted:
+            name = shown(alone[1])
+            return f"line {number} names {name} and does not call it: a call needs brackets, {name}()"
+    return ""
+
+
 def _on_its_name(content: bytes) -> str:
     """Return what to do about a program that does something only under a name which it has not when it is started."""
     asked = [(number, found["name"]) for number, _, code in _lines(content) if (found := _ASKS_ITS_NAME.match(code))]
@@ -100,20 +118,26 @@ def _on_its_name(content: bytes) -> str:
 
 def _lines(content: bytes) -> Iterator[tuple[int, int, bytes]]:
     """Return number, indentation and code of each line that has any and is not too long to be looked at."""
+    ends_text = b""
     for number, line in enumerate(content.splitlines(), start=1):
         code = line.strip()
+        if ends_text:  # of several lines: a description, or a part of the program that is switched off
+            ends_text = b"" if ends_text in code else ends_text
+            continue
+        if (quotes := _TEXT.search(code)) is not None and code.count(quotes[0]) % 2 and not code.startswith(b"#"):
+            ends_text = quotes[0]
         if code and not code.startswith(b"#") and len(line) <= _MOST_LINE_BYTES:
             yield number, len(line) - len(line.lstrip()), code
 
 
-def _functions_that_step(content: bytes) -> Iterator[_Loop]:
-    """Return the functions and methods in which a loop calls step."""
+def _loops_with_step(content: bytes) -> Iterator[_Loop]:
+    """Return the functions and methods in which a loop calls step, and the first such loop outside of them."""
     around: list[tuple[int, bytes]] = []  # indentation, and name if it is a class, of what the line is in
-    function, owner, at, loops = b"", b"", 0, False
+    function, owner, at, loops, is_outside_told = b"", b"", 0, False, False
     for number, depth, code in _lines(content):
         while around and depth <= around[-1][0]:
             around.pop()
-            function = b""
+            function, loops = b"", False
         found = _FUNCTION.match(code)
         if found is not None:
             function, at, owner, loops = found[1], number, around[-1][1] if around else b"", False
@@ -121,6 +145,10 @@ def _functions_that_step(content: bytes) -> Iterator[_Loop]:
         elif (found := _CLASS.match(code)) is not None:
             around.append((depth, found[1]))
         loops = loops or code.startswith(b"while")
-        if function and loops and b".step(" in code:
-            yield _Loop(function, owner, at)
-            function = b""
+        if loops and b".step(" in code:
+            if function:
+                yield _Loop(function, owner, at)
+                function, loops = b"", False
+            elif not around and not is_outside_told:
+                is_outside_told = True
+                yield _Loop(b"", b"", number)

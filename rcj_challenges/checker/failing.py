@@ -7,6 +7,7 @@ from typing import Any
 from rcj_challenges.checker.findings import Finding, StageName
 from rcj_challenges.checker.hints import WHEREABOUTS, Hint, hint_on
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
+from rcj_challenges.controllers.log import AFTER_ITS_END
 from rcj_challenges.facts.shown import shown, shown_block
 from rcj_challenges.facts.timing import s_from_ticks
 
@@ -68,5 +69,5 @@ def _whereabouts(log: str) -> str:
     """Return what stands in a log about where a program was when it was ended."""
     _, found, rest = log.rpartition(WHEREABOUTS)
     lines = rest.splitlines() if found else []
-    inside = [line for line in lines if line.startswith("  File ")]
+    inside = [line for line in lines if line.startswith("  File ") or line == AFTER_ITS_END]
     return "\n".join([WHEREABOUTS.strip(), *inside]) if inside else ""

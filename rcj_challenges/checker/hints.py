@@ -7,27 +7,24 @@ import struct
 import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from pathlib import PurePosixPath
 from typing import Any
 
 from rcj_challenges.checker.asked_of_the_system import on_system
 from rcj_challenges.checker.early_ends import why_it_ended
 from rcj_challenges.checker.modules import COMPILED, Library, places_of
+from rcj_challenges.checker.no_device import InsteadOf, asked_in_vain, is_of_a_device
 from rcj_challenges.checker.not_given import on_not_given
 from rcj_challenges.checker.old_names import on_old_name
 from rcj_challenges.checker.preloaded import never_read
 from rcj_challenges.checker.slips import on_slip
+from rcj_challenges.controllers.log import AFTER_ITS_END
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.scenario.models.scenario import Scenario
 
 WHEREABOUTS = "It was here, the innermost call first:\n"
 """What the match writes into a program's log when it had to end it."""
-
-NO_DEVICE = re.compile(r'^Warning: "(?P<asked>.*)" device not found\. This robot has: (?P<has>.*)\.$', re.MULTILINE)
-"""What ``getDevice`` writes into a program's log when it gives None."""
-NOTHING = "'NoneType' object has no attribute"
 
 _FIRST_TICKS = 8  # who misreads the referee's packets does so with the first of them
 _MOST_CODE_LETTERS = 80
@@ -51,6 +48,10 @@ _CALLED_EXIT = "the program called sys.exit"
 _LATER = (
     "leave out exit(), quit() and sys.exit(), or call them only after step has returned -1: "
     "the robot of a program that ends stands for the rest of the half"
+)
+_THREADS_ALONE = (
+    "the program itself came to its end, and only its threads go on: let one of them call robot.step(32) in a loop, or "
+    "keep that loop in the program itself"
 )
 _NOBODY_TYPES = "EOFError: EOF when reading a line"
 # Calls of Python's own library that come back only when something else happens. ``wait`` and the like stand here with
@@ -106,7 +107,8 @@ def hint_at_once(scenario: Scenario, team: Team, fault: Mapping[str, Any], sandb
         return names or _on_typing(fault["detail"]) or _on_system(team, fault) or _on_slip(team, fault)
     if fault["kind"] == "exit" and fault["detail"].startswith(_CAME_TO_ITS_END):
         entry = team.entries.get(fault["robot"])
-        remedy = why_it_ended(team.files, PurePosixPath(entry)) if entry is not None else ""
+        has_stepped = fault["tick"] > 0
+        remedy = why_it_ended(team.files, PurePosixPath(entry), has_stepped=has_stepped) if entry is not None else ""
         return Hint(remedy) if remedy else None
     if fault["kind"] == "exit" and fault["detail"].startswith(_CALLED_EXIT):
         return Hint(_LATER)
@@ -141,20 +143,22 @@ def on_messages(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hin
     return None
 
 
-def on_device(fault: Mapping[str, Any], log: str) -> Hint | None:
+def on_device(scenario: Scenario, team: Team, fault: Mapping[str, Any], log: str) -> Hint | None:
     """Return what is behind a crash over None, where the program asked for a device that the robot has not.
 
     Args:
+        scenario: what was played.
+        team: whose program failed.
         fault: as in the result.
         log: of the robot, or its beginning.
     """
-    asked = list(NO_DEVICE.finditer(log)) if NOTHING in fault["detail"] else []
-    if not asked:
+    asked = asked_in_vain(log)
+    if fault["kind"] != "crash" or not asked or not is_of_a_device(fault["detail"], team):
         return None
-    name, there = asked[-1]["asked"], asked[-1]["has"].split(", ")
-    near = get_close_matches(name.casefold(), there, 1)
-    instead = f'did you mean "{near[0]}"?' if near else f"this robot has: {', '.join(there)}"
-    return Hint(f'getDevice("{shown(name)}") gave None: {instead}')
+    name, has = list(asked.items())[-1]
+    instead = InsteadOf(scenario, team, asked)
+    made_for = f"{told}; " if (told := instead.made_for(name)) else ""
+    return Hint(f'getDevice("{shown(name)}") gave None: {made_for}{instead.remedy(name, fault["robot"], has)}')
 
 
 def on_files(team: Team, fault: Mapping[str, Any]) -> Hint | None:
@@ -274,6 +278,8 @@ def _on_slip(team: Team, fault: Mapping[str, Any]) -> Hint | None:
 
 def _on_place(team: Team, kind: str, whereabouts: str) -> Hint | None:
     """Name the line in which a program was when its patience ended, and what it did there as far as it shows."""
+    if AFTER_ITS_END in whereabouts.splitlines():
+        return Hint(_THREADS_ALONE)
     place = next(_places(whereabouts), None)
     if place is None or _any_mentions(team, re.compile(rb"\bthreading\b|\bconcurrent\b|\b_thread\b")):
         return None  # of several threads nobody can say whose line comes first

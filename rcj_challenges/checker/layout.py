@@ -125,7 +125,7 @@ def plan_moves(opening: Opening, seats: Sequence[Entrant]) -> Plan | None:
         return None
     roles = roles_of(files)
     # What names say comes first.
-    for known in [Roles(roles.libraries)] + [roles] * (roles.main is not None):
+    for known in [Roles(roles.libraries)] + [roles] * (roles.main_of_a_place is not None or roles.main is not None):
         for folders in _roots(files):
             plans = [plan for folder in folders if (plan := _out_of(folder, files, seats, known)) is not None]
             if plans:
@@ -160,7 +160,8 @@ def _surroundings(opening: Opening) -> list[Finding]:
 
 def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) -> list[Finding]:
     plan = plan_moves(opening, seats)
-    message = missing_programs(opening.contents.files, opening.missing, hint=plan is None)
+    files = opening.contents.files
+    message = missing_programs(files, opening.missing, hint=plan is None, not_meant=roles_of(files).libraries)
     nested = [trouble for trouble in opening.contents.troubles if trouble.code == "archive.nested"]
     if plan is None and nested:
         remedy = f"pack what is in {nested[0].where}, not the archive itself"
@@ -283,7 +284,8 @@ def _meant_to_be(
             # Of what others import, only the very name can say that it is a program all the same.
             if files[path] in roles.libraries and rank < _SAME:
                 rank = 0
-            ranks.setdefault(rank or int(files[path] == roles.main), []).append(path)
+            here = len(entry.parts) > 1 and path.parent == entry.parent and files[path] == roles.main_of_a_place
+            ranks.setdefault(rank or int(here or files[path] == roles.main), []).append(path)
     best = ranks[max(ranks)] if ranks else []
     if len(best) > 1 and len({without_comments(files[path]) for path in best}) == 1:
         best = [path for path in best if not of_yellow(path.stem)]  # one program for either colour

@@ -28,12 +28,14 @@ class Roles:
 
     Attributes:
         libraries: those that others import, as far as their lines show.
-        main: the only one that no other imports and that meets the robot, or imports others that may; None if there is
-            none, or more than one.
+        main: the only one that no other imports and that meets the robot, or imports others that may, and whose place
+            is none that some scenario names; None if there is none, or more than one.
+        main_of_a_place: likewise, but only its name is none of those: in the right folder it is meant.
     """
 
     libraries: frozenset[bytes]
     main: bytes | None = None
+    main_of_a_place: bytes | None = None
 
 
 def roles_of(files: Mapping[PurePosixPath, bytes]) -> Roles:
@@ -44,12 +46,17 @@ def roles_of(files: Mapping[PurePosixPath, bytes]) -> Roles:
     libraries = {path for path, name in called.items() if importers[name] > (name in words[path])}
     names = {called[path] for path in libraries}
     mains = [
-        files[path]
+        path
         for path in words.keys() - libraries
-        if not _OF_ANOTHER_PLACE.search(str(path))
+        if not _OF_ANOTHER_PLACE.search(path.name)
         and (_ROBOT.search(files[path], 0, _LOOKED_AT_BYTES) or not names.isdisjoint(words[path]))
     ]
-    return Roles(frozenset(files[path] for path in libraries), mains[0] if len(mains) == 1 else None)
+    elsewhere = [path for path in mains if not _OF_ANOTHER_PLACE.search(str(path))]
+    return Roles(
+        frozenset(files[path] for path in libraries),
+        files[elsewhere[0]] if len(elsewhere) == 1 else None,
+        files[mains[0]] if len(mains) == 1 else None,
+    )
 
 
 def reached_from(entry: PurePosixPath, files: Mapping[PurePosixPath, bytes]) -> list[PurePosixPath]:

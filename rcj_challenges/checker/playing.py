@@ -31,7 +31,7 @@ _COMPLAINTS = tuple(
     (re.compile(words), remedy)
     for words, remedy in (
         (r"Error: (only one Robot can be made: .+)", "make it once, and hand it to what needs it: def run(robot): …"),
-        (r"Error: (.+)", "correct this call"),
+        (r"Error: ('[^']+': .+)", "correct this call"),  # each of them begins with the device
         (r"Warning: (.+ is read but not enabled): call enable.+", "call enable(32) before the first step"),
         (r"Warning: (step was called .+); write a while loop\.", "write a loop: while robot.step(32) != -1:"),
         (r"Warning: (.+ is ignored and gives None: .+)", "do without this call"),

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 import re
-import sys
 from collections.abc import Mapping
 from pathlib import PurePosixPath
 
+from rcj_challenges.checker.crash_lines import crash_line, text_of
+from rcj_challenges.checker.unknown_names import on_unknown_name
 from rcj_challenges.facts.shown import shown
 
 _MOST_NAME = 100  # letters
@@ -15,17 +15,24 @@ _CIRCLE = re.compile(
     r"partially initialized module '(?P<module>[\w.]+)' .{0,200}\(most likely due to a circular import\)"
 )
 _PLACE = re.compile(r" \((?P<file>[^()]{1,300}), line (?P<line>[0-9]{1,7})\)$")
-_MOST_LINE = 500  # letters
 _UNSET = re.compile(
     rf"^UnboundLocalError: (?:cannot access local variable|local variable) '(?P<name>\w{{1,{_MOST_NAME}}})' "
 )
 _UNKNOWN = re.compile(rf"^NameError: name '(?P<name>\w{{1,{_MOST_NAME}}})' is not defined")
 _TOO_MANY = re.compile(r"^ValueError: too many values to unpack \(expected 2\)")
+_ONE_TOO_MANY = re.compile(
+    rf"^TypeError: \w{{1,{_MOST_NAME}}}\.(?P<method>\w{{1,{_MOST_NAME}}})\(\) takes (?P<takes>[0-9]{{1,3}}) positional "
+    r"arguments? but (?P<given>[0-9]{1,3}) were given"
+)
 _THREE = re.compile(r"\b(getValues|getEmitterDirection|values|emitter_direction)\b")
 _THREE_NUMBERS = "these are three numbers: x, y, z = gps.getValues()"
 _NO_VECTORS = (
     "lists do not reckon as vectors: take their numbers one by one (p[0] - q[0]), or make arrays of them: "
     "numpy.array(p) - numpy.array(q)"
+)
+_NO_FACTOR = (
+    "a list or a text can be taken twice (2 * p), but not 2.5 times: take the numbers of a list one by one "
+    "(2.5 * p[0]), or make an array of it (2.5 * numpy.array(p)); float(x) makes a number of a text"
 )
 _TEXT_AND_NUMBER = "text and numbers do not add up: print('x:', x), or str(x) makes text of a number"
 _WHOLE = "a whole number is wanted: 10 // 2 gives one, 10 / 2 does not; int(x) makes one of x"
@@ -61,7 +68,10 @@ _NO_DEBUGGER = (
     "nobody types in a match: leave out breakpoint() and pdb.set_trace(); "
     "they work with rcj-challenge run match --debug Y1"
 )
-_STEP_FIRST = "a sensor gives NaN before its first sample: enable it, and call robot.step(32) before it is read"
+_STEP_FIRST = (
+    "this number is NaN: so is what a sensor gives before its first sample (enable it, and call robot.step(32) before "
+    "it is read), and getSignalStrength() where no packet waits (ask getQueueLength() first)"
+)
 _REMEDIES = (
     (re.compile(r"^RecursionError: maximum recursion depth exceeded"), _GO_ROUND),
     (re.compile(r"^TypeError: .{1,100}'(?:builtin_function_or_)?method' and '"), _BRACKETS),
@@ -92,9 +102,11 @@ _REMEDIES = (
         re.compile(r"^TypeError: unsupported operand type\(s\) for \S{1,4}: '\w{1,20}' and '(?:list|tuple)'"),
         _NO_VECTORS,
     ),
-    (re.compile(r"^TypeError: can't multiply sequence by non-int of type 'float'"), _NO_VECTORS),
+    (re.compile(r"^TypeError: can't multiply sequence by non-int of type 'float'"), _NO_FACTOR),
     (re.compile(r"^TypeError: can only concatenate str \(not \"(?:float|int)\"\) to str"), _TEXT_AND_NUMBER),
+    (re.compile(r"^TypeError: unsupported operand type\(s\) for \+: '(?:float|int)' and 'str'"), _TEXT_AND_NUMBER),
     (re.compile(r"^TypeError: 'float' object cannot be interpreted as an integer"), _WHOLE),
+    (re.compile(r"^TypeError: (?:list|tuple|string) indices must be integers(?: or slices)?, not '?float"), _WHOLE),
     (re.compile(r"^ValueError: invalid literal for int\(\) with base 10: '[BY][0-9]'"), _NAME_IS_NO_NUMBER),
 )
 
@@ -111,9 +123,12 @@ def on_slip(detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
     if found := _UNSET.match(detail):
         return _on_unset(found["name"], detail, files)
     if found := _UNKNOWN.match(detail):
-        return _on_unknown(found["name"], detail, files)
+        return on_unknown_name(found["name"], detail, files)
     if _TOO_MANY.match(detail):
-        return _THREE_NUMBERS if _THREE.search(_code(detail, files)) else ""
+        line = crash_line(detail, files)
+        return _THREE_NUMBERS if line is not None and _THREE.search(line.code) else ""
+    if found := _ONE_TOO_MANY.match(detail):
+        return _on_self(found["method"], files) if int(found["given"]) == int(found["takes"]) + 1 else ""
     return next((remedy for words, remedy in _REMEDIES if words.match(detail)), "")
 
 
@@ -129,40 +144,11 @@ def _on_circle(module: str, detail: str) -> str:
     )
 
 
-def _on_unknown(name: str, detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
-    """Tell of a module, or a function of ``math``, that a line uses and the file does not import."""
-    code, place = _code(detail, files), _PLACE.search(detail)
-    if place is not None and re.search(rf"(?<![\w.]){name}\.", code) and (line := _import_of(name)):
-        return f'write "{line}" at the top of {shown(PurePosixPath(place["file"]).name)}'
-    if place is not None and re.search(rf"(?<![\w.]){name}\(", code) and hasattr(math, name):
-        return f'write "from math import {name}" at the top of {shown(PurePosixPath(place["file"]).name)}'
-    return ""
-
-
-def _import_of(name: str) -> str:
-    """Return the line that gives a program a module by a name; nothing if there is none of this name in a match."""
-    if name in ("np", "numpy"):
-        return "import numpy as np" if name == "np" else "import numpy"
-    return f"import {name}" if name in sys.stdlib_module_names else ""
-
-
-def _code(detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
-    """Return the beginning of the line that a crash names."""
-    place = _PLACE.search(detail)
-    content = files.get(PurePosixPath(place["file"].replace("\\", "/"))) if place is not None else None
-    if place is None or content is None:
-        return ""
-    lines = content.splitlines()  # of bytes: at the same places as Python does
-    number = int(place["line"])
-    return _text(lines[number - 1][:_MOST_LINE]) if 0 < number <= len(lines) else ""
-
-
 def _on_unset(name: str, detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
     """Tell of a variable that is set outside of a function as well: what most likely is meant is that one."""
-    place = _PLACE.search(detail)
-    content = files.get(PurePosixPath(place["file"].replace("\\", "/"))) if place is not None else None
-    if content is None or not re.search(
-        rf"^{name}[ \t]{{0,20}}(?::[^=\n]{{1,100}})?=(?!=)", _text(content), re.MULTILINE
+    place = crash_line(detail, files)
+    if place is None or not re.search(
+        rf"^{name}[ \t]{{0,20}}(?::[^=\n]{{1,100}})?=(?!=)", text_of(files[place.file]), re.MULTILINE
     ):
         return ""
     return (
@@ -171,5 +157,11 @@ def _on_unset(name: str, detail: str, files: Mapping[PurePosixPath, bytes]) -> s
     )
 
 
-def _text(content: bytes) -> str:
-    return content.decode("utf-8", "replace").replace("\r\n", "\n").replace("\r", "\n")
+def _on_self(method: str, files: Mapping[PurePosixPath, bytes]) -> str:
+    """Tell of a method whose first argument is none for the object, if all of its name are so."""
+    first = rf"^[ \t]{{1,40}}def[ \t]{{1,4}}{method}[ \t]{{0,4}}\([ \t]{{0,4}}(\w{{0,{_MOST_NAME}}})"
+    programs = [text_of(content) for path, content in files.items() if path.suffix == ".py"]
+    if any(words in program for words in ("staticmethod", "classmethod") for program in programs):
+        return ""
+    named = {found for program in programs for found in re.findall(first, program, re.MULTILINE)}
+    return f"a method has self as its first argument: def {method}(self, …):" if named and "self" not in named else ""

@@ -35,7 +35,9 @@ def advice_on(
 
     robots: dict[str, dict[str, None]] = {}
     for fault in ended:
-        hint = hint_at_once(scenario, teams[fault["team"]], fault) or on_device(fault, _beginning(logs, fault["robot"]))
+        team = teams[fault["team"]]
+        hint = hint_at_once(scenario, team, fault)
+        hint = hint or on_device(scenario, team, fault, _beginning(logs, fault["robot"]))
         if hint is not None:
             robots.setdefault(hint.remedy, {})[fault["robot"]] = None
     for remedy, alike in robots.items():

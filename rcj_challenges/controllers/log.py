@@ -19,6 +19,10 @@ _DUMP_OF_WINDOWS = re.compile(
 """There the interpreter also dumps what a program then catches and goes on: only what stands at the end counts."""
 _ESCAPED = re.compile(r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U([0-9a-f]{8}))")
 """In a dump the interpreter writes each letter beyond ASCII so."""
+AFTER_ITS_END = "  after its last line: it waited there for its threads to end"
+"""What is told of a program of which only threads beside the main one go on."""
+_WAITS_FOR_THREADS = re.compile(r'^  File ".*", line [0-9]+ in _wait_for_threads$')
+"""What the dump says then, of the code that started the program."""
 _MOST_DUMP_BYTES = 32_768
 _CHUNK = 1 << 16
 _BINARY = getattr(os, "O_BINARY", 0)
@@ -129,7 +133,10 @@ class ProgramLog:
         before = f'  File "{escaped}{os.sep}'
         lines = tail[at:].decode("utf-8", "replace").splitlines()
         own = (line.removeprefix(before).partition('"') for line in lines if line.startswith(before))
-        return "".join(f'  File "{_file_of_dump(folder, path)}"{_with_letters(place)}\n' for path, _, place in own)
+        told = [f'  File "{_file_of_dump(folder, path)}"{_with_letters(place)}\n' for path, _, place in own]
+        if any(_WAITS_FOR_THREADS.match(line) for line in lines if not line.startswith(before)):
+            told.append(f"{AFTER_ITS_END}\n")
+        return "".join(told)
 
     def close(self) -> None:
         """Take over what is left, and close it."""

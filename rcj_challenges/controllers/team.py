@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 from pathlib import Path, PurePath, PurePosixPath
@@ -318,8 +318,21 @@ def may_be_logo(path: PurePosixPath) -> bool:
     return stem in _LOGO_STEMS and path.suffix.casefold() in _PICTURE_ENDINGS
 
 
-def missing_programs(files: Files, missing: Mapping[str, tuple[str, ...]], *, hint: bool = True) -> str:
-    """Say which programs are missing, what was looked for, what is there and, as a hint, what comes nearest."""
+def missing_programs(
+    files: Files,
+    missing: Mapping[str, tuple[str, ...]],
+    *,
+    hint: bool = True,
+    not_meant: Collection[bytes] = (),
+) -> str:
+    """Say which programs are missing, what was looked for, what is there and, as a hint, what comes nearest.
+
+    Args:
+        files: of the submission.
+        missing: by robot, what was looked for in vain.
+        hint: whether to say what comes nearest.
+        not_meant: contents of files that are none of the programs: others import them.
+    """
     wanted = list(dict.fromkeys(missing.values()))
     looked_for = "; ".join(
         f"{', '.join(robot for robot, paths in missing.items() if paths == entries)}: looked for {' or '.join(entries)}"
@@ -329,7 +342,8 @@ def missing_programs(files: Files, missing: Mapping[str, tuple[str, ...]], *, hi
     python = ([name for name in present if name.endswith(".py")] or present)[:_MOST_COMPARED]
     found = ", ".join(map(told, python[:_SHOWN_FILES])) + (", …" if len(python) > _SHOWN_FILES else "")
     message = f"no program for {looked_for}; found: {found or 'nothing'}"
-    nearest = ((near, entry) for entries in wanted for entry in entries if (near := _nearest(entry, python)))
+    meant = [name for name in python if files[PurePosixPath(name)] not in not_meant]
+    nearest = ((near, entry) for entries in wanted for entry in entries if (near := _nearest(entry, meant)))
     for near, entry in nearest if hint else ():
         return f"{message}; did you mean {told(near)} to be {entry}?"
     return message

@@ -181,6 +181,14 @@ def test_of_several_threads_no_line_is_blamed(check):
     assert "line" not in found.remedy
 
 
+def test_a_program_of_which_only_threads_go_on_is_told_that_it_came_to_its_end(check):
+    threads = "import threading\nthreading.Thread(target=threading.Event().wait).start()\n"
+    found = failure(check(BEGIN + threads + "robot.step(32)\n"))
+    assert found.code == "start.step_timeout"
+    assert found.remedy.startswith("the program itself came to its end, and only its threads go on")
+    assert found.details.splitlines()[-1].startswith("  after its last line")
+
+
 def test_a_line_without_end_is_looked_at_in_no_time(tmp_path):
     (tmp_path / "robot.py").write_text("x.wait(timeout=" * 200_000, encoding="utf-8")
     fault = {"kind": "step_timeout", "robot": "B1", "tick": 1, "detail": "", "traceback": ""}
@@ -325,6 +333,45 @@ INIT = METHOD.replace("run", "__init__").replace("Bot", "Attacker")
 def test_a_loop_in_a_method_that_nobody_comes_to_is_told_with_its_class(program, remedy):
     entry = PurePosixPath("a.py")
     assert why_it_ended({entry: program.encode()}, entry) == remedy
+
+
+HELPER = "def wait():\n    while robot.step(32) != -1:\n        break\n"
+
+
+@pytest.mark.parametrize(
+    "played",
+    [
+        "while robot.step(32) != -1:\n    break\n",
+        "while True:\n    if robot.step(32) == -1 or True:\n        break\n",
+        "def play():\n    while robot.step(32) != -1:\n        break\nplay()\n",
+    ],
+)
+def test_a_program_that_left_its_loop_is_not_told_to_call_a_helper_that_it_does_not_need(played):
+    entry = PurePosixPath("a.py")
+    assert why_it_ended({entry: (HELPER + played).encode()}, entry, has_stepped=True) == ""
+    assert "call wait()" in why_it_ended({entry: HELPER.encode()}, entry)
+    stepped_once = HELPER + "robot.step(32)\n"
+    assert "call wait()" in why_it_ended({entry: stepped_once.encode()}, entry, has_stepped=True)
+    loop_elsewhere = HELPER + "def play():\n    while robot.step(32) != -1:\n        pass\nplay\n"
+    assert "call wait()" in why_it_ended({entry: loop_elsewhere.encode()}, entry)
+
+
+@pytest.mark.parametrize("quotes", ['"""', "'''"])
+def test_a_loop_that_stands_in_a_text_is_none(quotes):
+    entry = PurePosixPath("a.py")
+    loop = "while robot.step(32):\n    pass\n"
+    text = f'"""One line."""\n# don{quotes}t\nx = {quotes}\n{loop}{quotes}\n'
+    assert why_it_ended({entry: text.encode()}, entry) == ""
+    assert "the loop in line 7 ends at once" in why_it_ended({entry: (text + loop).encode()}, entry)
+
+
+def test_a_function_that_is_named_and_not_called_is_told_with_its_line():
+    entry = PurePosixPath("a.py")
+    program = "class Bot:\n    def run(self):\n        while robot.step(32) != -1:\n            pass\nbot = Bot()\n"
+    remedy = "line 6 names run and does not call it: a call needs brackets, run()"
+    assert why_it_ended({entry: (program + "bot.run\n").encode()}, entry) == remedy
+    assert why_it_ended({entry: (program + "bot.run\nbot.run()\n").encode()}, entry) == ""
+    assert why_it_ended({entry: (program + "bot.run\n").encode()}, entry, has_stepped=True) == ""
 
 
 def test_among_very_many_functions_and_files_it_is_found_out_at_once():

@@ -47,6 +47,17 @@ def test_the_only_program_that_no_other_imports_is_meant_whatever_it_is_called(t
     assert "rcj_soccer_team_blue/rcj_soccer_robot.py" in mended(tmp_path)
 
 
+def test_it_is_meant_too_where_only_its_folder_is_called_as_asked_for(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, below("rcj_soccer_team_blue", {"main.py": MAIN} | SHARED))
+    assert found.remedy == (
+        "rename the file rcj_soccer_team_blue/main.py to rcj_soccer_team_blue/rcj_soccer_team_blue.py"
+    )
+    assert "rcj_soccer_team_blue/rcj_soccer_robot.py" in mended(tmp_path)
+    found = misplaced(tmp_path, below("score_goal", {"main.py": MAIN} | SHARED))
+    assert found.code == "layout.missing"  # for another challenge, it seems
+    assert "did you mean" not in found.message  # none of the files that it imports
+
+
 def test_a_program_called_main_at_the_top_is_meant_and_no_file_that_it_imports(tmp_path: Path) -> None:
     found = misplaced(tmp_path, {"main.py": MAIN} | SHARED)
     assert found.remedy == "rename the file main.py to robot.py"

@@ -154,6 +154,17 @@ def test_a_program_that_uses_what_came_after_2021_is_not_taken_for_one_of_2021(p
     assert "receiver" in no_device(report).remedy
 
 
+@pytest.mark.parametrize("device", ["supervisor receiver", "team receiver", "gps"])
+def test_a_program_for_later_robots_is_told_so_where_those_of_2021_play(pack, device):
+    program = BEGIN + f"robot.getDevice({device!r}).enable(32)\n" + LOOP
+    found = no_device(check_file(pack(program), load("match_2021"), SHORT))
+    assert found.message.endswith("this program seems to be written for the robots of 2022 and later")
+    assert found.remedy.startswith("it looks like one for match: rcj-challenge check … --scenario match; ")
+    assert "did you mean" not in found.remedy
+    told = '"receiver" gets the referee\'s packets, with positions in them'
+    assert (told in found.remedy) == (device == "supervisor receiver")
+
+
 OLD_WITHOUT_RECEIVER = """\
 schema_version: 1
 id: deaf
@@ -340,7 +351,8 @@ def test_a_thread_that_just_ends_is_none(pack):
 
 
 def test_what_a_program_itself_prints_about_warnings_is_its_own_business(pack):
-    program = BEGIN + 'print("Warning: the goalie is asleep: wake him")\nprint("Warning: not enabled")\n' + LOOP
+    program = BEGIN + 'print("Warning: the goalie is asleep: wake him")\nprint("Warning: not enabled")\n'
+    program += 'print("Error: no ball")\nprint("Error: goalie: asleep")\n' + LOOP
     assert complaints(check_file(pack(program), DUEL, SHORT)) == []
 
 

@@ -109,10 +109,15 @@ def test_a_number_that_is_none_before_the_first_sample_is_told_so(failure):
         ("v = gps.getValues() / 2\n", "numpy.array"),
         ("print('x: ' + 1.5)\n", "print('x:', x)"),
         ("for n in range(10 / 2): pass\n", "10 // 2"),
+        ("speeds = [1, 2, 3]; speeds[4 / 2]\n", "10 // 2"),
         ("n = int('B1')\n", "robot.getName()[1]"),
         ("breakpoint()\n", "leave out breakpoint()"),
         ("import pdb; pdb.set_trace()\n", "leave out breakpoint()"),
         ("import math; math.acos(1.0000001)\n", "math.acos(max(-1, min(1, x)))"),
+        ("speed = robot.getName()[1] * 2.5\n", "float(x) makes a number of a text"),
+        ("print(1.5 + ' m')\n", "str(x) makes text of a number"),
+        ("class Bot:\n    def go(speed): pass\nBot().go(5)\n", "def go(self, …):"),
+        ("ball = robot.getDevice('ball receiver')\nint(ball.getSignalStrength())\n", "ask getQueueLength() first"),
     ],
 )
 def test_small_things_that_are_left_out_are_told(failure, lines, told):
@@ -133,6 +138,14 @@ def test_that_a_match_has_no_screen_is_told():
 )
 def test_of_what_is_no_module_and_no_sensor_nothing_is_said_of_them(line, detail):
     assert on_slip(f"{detail} (robot.py, line 1)", {PurePosixPath("robot.py"): line.encode()}) == ""
+
+
+@pytest.mark.parametrize(
+    "method", ["def go(self): pass", "@staticmethod\n    def go(speed): pass", "def come(speed): pass", "pass"]
+)
+def test_a_method_that_is_given_too_much_and_has_self_is_told_nothing_of_it(method):
+    detail = "TypeError: Bot.go() takes 1 positional argument but 2 were given (robot.py, line 4)"
+    assert on_slip(detail, {PurePosixPath("robot.py"): f"class Bot:\n    {method}\n".encode()}) == ""
 
 
 def test_of_other_crashes_nothing_is_said():

@@ -113,6 +113,7 @@ class Hub:
         previous: the observation before, of ``previous_tick``.
         queues: unread packets by the index of the receiver.
         devices: all devices of the robot by name, once it is made.
+        motors: what motors are told with the next request, by their index: that, velocity in rad/s, position in rad.
         message_bytes: of the largest radio packet.
     """
 
@@ -138,7 +139,7 @@ class Hub:
         self._turn = RLock()  # threads that step together take turns; a handler of a signal may step within a step
         self.raised: BaseException | None = None  # by the program's handler of a signal, in the middle of an exchange
         self.message_bytes: int = hello["limits"]["message_bytes"]
-        self._motors: dict[int, tuple[int, float, float]] = {}
+        self.motors: dict[int, tuple[int, float, float]] = {}
         self._has_others = False
         self._ramps: dict[int, Callable[[int], bool]] = {}
         self._sampling: dict[int, int] = {}
@@ -168,7 +169,7 @@ class Hub:
 
     def command(self, device: int, velocity_radps: float, position_rad: float) -> None:
         """Set a motor; the last setting before the step counts."""
-        self._motors[device] = (device, velocity_radps, position_rad)
+        self.motors[device] = (device, velocity_radps, position_rad)
 
     def ramp(self, device: int, approach: Callable[[int], bool]) -> None:
         """Before each request call ``approach``, which commands the motor, with the step's ticks, until it is False."""
@@ -233,7 +234,7 @@ class Hub:
         if self._has_others:
             request = self._with_others(self.tick, self._step_ticks, missed, printed)
         else:
-            motors, self._motors = self._motors, {}
+            motors, self.motors = self.motors, {}
             request = motors_frame(self.tick, self._step_ticks, missed, printed, motors.values())
         clock.step_began()
         frame = self._wire.exchange(request)
@@ -281,22 +282,24 @@ class Hub:
 
     def begin(self, duration_ms: float) -> None:
         """Keep what was asked for until now as the request of a step that `end` takes."""
-        if self._begun is not None:
-            raise RuntimeError("stepBegin was called again before stepEnd")
-        ticks, printed = self._checked_ticks(duration_ms), self._output.printed_bytes
-        self._begun = self._with_others(self.tick, ticks, 0, printed)
-        self._begun_ms = duration_ms
-        self._has_others = True  # the exchange is to look here for its request
+        with self._turn:  # the step of another thread may be under way
+            if self._begun is not None:
+                raise RuntimeError("stepBegin was called again before stepEnd")
+            ticks, printed = self._checked_ticks(duration_ms), self._output.printed_bytes
+            self._begun = self._with_others(self.tick, ticks, 0, printed)
+            self._begun_ms = duration_ms
+            self._has_others = True  # the exchange is to look here for its request
 
     def end(self) -> bool:
         """Take the step that `begin` began. What was set since then acts in the next one. Returns False at the end."""
-        if self._begun is None:
-            raise RuntimeError("stepEnd was called without stepBegin before it")
-        self._ending = True
-        try:
-            return self.exchange(self._begun_ms)
-        finally:
-            self._ending, self._begun = False, None
+        with self._turn:
+            if self._begun is None:
+                raise RuntimeError("stepEnd was called without stepBegin before it")
+            self._ending = True
+            try:
+                return self.exchange(self._begun_ms)
+            finally:
+                self._ending, self._begun = False, None
 
     def _with_others(self, tick: int, advance_ticks: int, missed_ticks: int, printed: int) -> bytes:
         """Return a request with all that is asked for, and forget it.
@@ -313,7 +316,7 @@ class Hub:
             if approach(advance_ticks):
                 self._has_others = True
                 self._ramps.setdefault(device, approach)
-        motors, self._motors = self._motors, {}
+        motors, self.motors = self.motors, {}
         emissions, self._emissions, self._emitted_bytes = self._emissions, [], 0
         if not (self._sampling or self._channels or self._frequencies):  # many teams talk on every tick
             return motors_frame(tick, advance_ticks, missed_ticks, printed, motors.values(), emissions)

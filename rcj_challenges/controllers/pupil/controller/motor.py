@@ -73,11 +73,14 @@ class Motor(Device):
         if self._rcj_noted_tick != self._rcj_hub.tick:
             self._rcj_note_turning()
         self._rcj_commanded = True
-        self._rcj_velocity, self._rcj_position = velocity, position
+        hub, index = self._rcj_hub, self._rcj_index
         if self._rcj_acceleration < 0.0 or position != math.inf:
-            self._rcj_hub.command(self._rcj_index, velocity, position)
+            # At once: between them another thread could set the motor, and believe that it goes as it was set last.
+            setting = index, velocity, position
+            self._rcj_velocity, self._rcj_position, hub.motors[index] = velocity, position, setting
         else:
-            self._rcj_hub.ramp(self._rcj_index, self._rcj_approach)
+            self._rcj_velocity, self._rcj_position = velocity, position
+            hub.ramp(index, self._rcj_approach)
 
     def _rcj_note_turning(self) -> None:
         """Before the first change of a step: keep how fast the motor was told to turn until now."""

@@ -1,0 +1,48 @@
+"""Where a program crashed: the file and the line that the last line of its report names."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import PurePosixPath
+
+_PLACE = re.compile(r" \((?P<file>[^()]{1,300}), line (?P<line>[0-9]{1,7})\)$")
+_MOST_LINE = 500  # letters
+
+
+@dataclass(frozen=True)
+class CrashLine:
+    """A line of a team's program.
+
+    Attributes:
+        file: in which it is.
+        number: of the line, from 1.
+        code: its beginning.
+    """
+
+    file: PurePosixPath
+    number: int
+    code: str
+
+
+def crash_line(detail: str, files: Mapping[PurePosixPath, bytes]) -> CrashLine | None:
+    """Return the line that a crash names; None if it names none of the team's.
+
+    Args:
+        detail: the last line of what the program told of its end, and its place.
+        files: of the team.
+    """
+    found = _PLACE.search(detail)
+    file = PurePosixPath(found["file"].replace("\\", "/")) if found is not None else None
+    content = files.get(file) if file is not None else None
+    if found is None or file is None or content is None:
+        return None
+    lines = content.splitlines()  # of bytes: at the same places as Python does
+    number = int(found["line"])
+    return CrashLine(file, number, text_of(lines[number - 1][:_MOST_LINE])) if 0 < number <= len(lines) else None
+
+
+def text_of(content: bytes) -> str:
+    """Return a program as text, with the line ends of Unix."""
+    return content.decode("utf-8", "replace").replace("\r\n", "\n").replace("\r", "\n")
