@@ -109,9 +109,11 @@ def check_submissions(command: CheckCommand) -> int:
         RcjError: wrong usage.
         KeyboardInterrupt: somebody interrupted it; what was checked before has been reported.
     """
+    from rcj_challenges.cli.outputs import refuse_devices
     from rcj_challenges.controllers.isolation import active_layers
     from rcj_challenges.scenario.load import load
 
+    refuse_devices(html=command.html, fix=command.fix, replay=command.replays)
     loaded = load(command.scenario, command.overrides)
     active_layers(command.sandbox)
     given = submissions(command.paths)

@@ -87,8 +87,10 @@ def run_scenario(options: RunOptions) -> int:
 
 def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Watcher]:
     """Return what is to be played, with its teams opened, where it is told, and who tells it."""
+    from rcj_challenges.cli.outputs import refuse_devices
     from rcj_challenges.scenario.load import load
 
+    refuse_devices(out=options.out)
     loaded = load(options.scenario, options.overrides)
     robots = frozenset(robot for entrant in loaded.scenario.entrants.values() for robot in entrant.robots)
     for robot in (*options.show_output, *options.debug):
