@@ -39,7 +39,7 @@ def print_report(console: Console, report: CheckReport) -> None:
     for file in report.files:
         if single or file.level != "passed":
             print_file(console, file)
-    if not single:
+    if report.files and not single:
         print_table(console, report)
     _print_left_out(console, report)
     if not single:

@@ -131,7 +131,10 @@ def check_submissions(command: CheckCommand) -> int:
         sandbox=command.sandbox, play=command.play, replays=command.replays, show_output=command.show_output
     )
     if len(given.paths) == 1:
-        checked = _Checked([_check_one(given.paths[0], loaded, options, command.fix)])
+        try:
+            checked = _Checked([_check_one(given.paths[0], loaded, options, command.fix)])
+        except KeyboardInterrupt:  # it may name the record of a short match, which is gone by now
+            checked = _Checked([], interrupted=True)
     else:
         checked = _check_many(given.paths, loaded, options, command)
     report = check_report(
