@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rich.console import Console, RenderableType
+from rich.measure import Measurement
 from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
@@ -38,7 +39,7 @@ def print_report(console: Console, report: CheckReport) -> None:
     for file in report.files:
         if single or file.level != "passed":
             print_file(console, file)
-    if not single:
+    if report.files and not single:
         print_table(console, report)
     _print_left_out(console, report)
     if not single:
@@ -63,7 +64,7 @@ def print_file(console: Console, file: FileReport) -> None:
     for match in file.matches:
         against = "".join(f" against {name}" for name in match.opponents.values())
         _indented(console, Text(f"as {', '.join(match.seats)}{against}:", style="dim"))
-        _say(console, Padding(_robots(match), (0, 0, 0, _INDENT), expand=False))
+        _print_robots(console, match)
         if match.replay:
             _indented(console, Text(f"watch: {shown(match.replay, 400)}"))
         if match.no_replay:
@@ -176,6 +177,20 @@ def _indented(console: Console, text: Text, word: Text | None = None) -> None:
         lead = head.copy() if number == 0 else Text()
         lead.pad_right(max(2 * bool(head) * (number == 0), _INDENT - lead.cell_len))
         console.print(lead + line, markup=False, highlight=False, soft_wrap=True)
+
+
+def _print_robots(console: Console, match: MatchReport) -> None:
+    """Print a table of a short match's robots; where it has no room a paragraph for each, for no number is cut off."""
+    table = _robots(match)
+    if Measurement.get(console, console.options.update(max_width=_WIDE), table).maximum <= console.width - _INDENT:
+        _say(console, Padding(table, (0, 0, 0, _INDENT), expand=False))
+        return
+    for robot in match.robots:
+        numbers = ", ".join(f"{name} {number_of(robot)}" for name, number_of in ROBOT_NUMBERS.items())
+        line = Text(f"{robot.robot}: {numbers}")
+        if robot.fault:
+            line.append(f", {robot.fault}", style=_STYLES["failure"])
+        _indented(console, line)
 
 
 def _robots(match: MatchReport) -> Table:

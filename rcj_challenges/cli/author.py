@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+from rcj_challenges.cli.outputs import refuse_devices
 from rcj_challenges.cli.says import typed
 from rcj_challenges.facts.errors import RcjError, advised
 
@@ -73,11 +74,13 @@ def _to_stdout(document: str) -> None:
 
 
 def _check_ending(out: Path | None, endings: tuple[str, ...], told: str) -> None:
-    """Refuse a file whose name would promise something else than what is written.
+    """Refuse a file whose name would promise something else than what is written, or is none everywhere.
 
     Raises:
         OutputError: it has none of these endings.
+        OutputNameError: it is the name of a device.
     """
+    refuse_devices(out=out)
     if out is not None and out.suffix.lower() not in endings:
         raise OutputError(f"--out {out}: {told}")
 

@@ -109,9 +109,11 @@ def check_submissions(command: CheckCommand) -> int:
         RcjError: wrong usage.
         KeyboardInterrupt: somebody interrupted it; what was checked before has been reported.
     """
+    from rcj_challenges.cli.outputs import refuse_devices
     from rcj_challenges.controllers.isolation import active_layers
     from rcj_challenges.scenario.load import load
 
+    refuse_devices(html=command.html, fix=command.fix, replay=command.replays)
     loaded = load(command.scenario, command.overrides)
     active_layers(command.sandbox)
     given = submissions(command.paths)
@@ -129,7 +131,10 @@ def check_submissions(command: CheckCommand) -> int:
         sandbox=command.sandbox, play=command.play, replays=command.replays, show_output=command.show_output
     )
     if len(given.paths) == 1:
-        checked = _Checked([_check_one(given.paths[0], loaded, options, command.fix)])
+        try:
+            checked = _Checked([_check_one(given.paths[0], loaded, options, command.fix)])
+        except KeyboardInterrupt:  # it may name the record of a short match, which is gone by now
+            checked = _Checked([], interrupted=True)
     else:
         checked = _check_many(given.paths, loaded, options, command)
     report = check_report(

@@ -62,6 +62,7 @@ def run_scenario(options: RunOptions) -> int:
         raise KeyboardInterrupt("the match had not begun, and nothing is recorded") from error
     from rcj_challenges.cli import INTERRUPTED
     from rcj_challenges.cli.live import on_air, stay_on_air
+    from rcj_challenges.facts.errors import interruption_behind
     from rcj_challenges.match.match import MatchInterruptedError, play_match
     from rcj_challenges.match.watching import Together
 
@@ -70,7 +71,12 @@ def run_scenario(options: RunOptions) -> int:
     try:
         with on_air(options.live, scenario, titles, plan.logos, plan.seed, console) as show:
             outcome = play_match(plan, watcher if show is None else Together(watcher, show.watcher))
-            _tell(options, console, plan, outcome, getattr(watcher, "trouble", None))
+            try:
+                _tell(options, console, plan, outcome, getattr(watcher, "trouble", None))
+            except BaseException as error:
+                if interruption_behind(error) is None:
+                    raise
+                raise MatchInterruptedError(outcome, "") from error
             if options.open and options.live is None:
                 _open_page(outcome.folder, console)
             if show is not None and options.live is not None:
@@ -87,8 +93,10 @@ def run_scenario(options: RunOptions) -> int:
 
 def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Watcher]:
     """Return what is to be played, with its teams opened, where it is told, and who tells it."""
+    from rcj_challenges.cli.outputs import refuse_devices
     from rcj_challenges.scenario.load import load
 
+    refuse_devices(out=options.out)
     loaded = load(options.scenario, options.overrides)
     robots = frozenset(robot for entrant in loaded.scenario.entrants.values() for robot in entrant.robots)
     for robot in (*options.show_output, *options.debug):

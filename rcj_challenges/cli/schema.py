@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+from rcj_challenges.cli.outputs import refuse_devices
 from rcj_challenges.facts.errors import RcjError, advised
 from rcj_challenges.scenario.json_schema import FILE, schema_is_fresh, schema_text
 from rcj_challenges.scenario.resources import schemas_folder
@@ -25,7 +26,9 @@ def write_schema(out: Path | None) -> int:
 
     Raises:
         SchemaFileError: the file cannot be written.
+        OutputNameError: it is the name of a device.
     """
+    refuse_devices(out=out)
     file = Path("schemas") / FILE if out is None else out
     try:
         file.parent.mkdir(parents=True, exist_ok=True)

@@ -89,11 +89,13 @@ def _prepared(options: SimulateOptions) -> tuple[Loaded, list[Job]]:
     Raises:
         RcjError: wrong input.
     """
+    from rcj_challenges.cli.outputs import refuse_devices
     from rcj_challenges.controllers.isolation import active_layers
     from rcj_challenges.match.many import Job
     from rcj_challenges.records.folder import make_out_folder
     from rcj_challenges.scenario.load import load
 
+    refuse_devices(out=options.out)
     seeds = parse_seeds(options.seeds)
     loaded = load(options.scenario, options.overrides)
     # One clear message instead of one for each seed.

@@ -9,9 +9,9 @@ from pathlib import Path
 
 from rcj_challenges.cli.says import typed
 from rcj_challenges.facts.errors import RcjError, advised
+from rcj_challenges.facts.file_names import is_device_of_windows
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.scenario.errors import listing, nearest
-from rcj_challenges.scenario.naming import is_device_of_windows
 from rcj_challenges.scenario.resources import names_in, starters_folder
 
 _LONGEST_ID = 64

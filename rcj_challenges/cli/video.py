@@ -127,8 +127,10 @@ def make_video(options: VideoOptions) -> int:
     Raises:
         RcjError: wrong input, a record that cannot be shown, or a missing extra.
     """
+    from rcj_challenges.cli.outputs import refuse_devices
     from rcj_challenges.views.video.errors import FilmInterruptedError, need_extra
 
+    refuse_devices(out=options.out)
     need_extra("av", "PIL")
     from rcj_challenges.views.scoreboard import console_for
     from rcj_challenges.views.video.make import Look, size_from, studio, write_video
@@ -172,8 +174,10 @@ def make_snapshot(options: SnapshotOptions) -> int:
     Raises:
         RcjError: wrong input, a record that cannot be shown, or a missing extra.
     """
+    from rcj_challenges.cli.outputs import refuse_devices
     from rcj_challenges.views.video.errors import need_extra
 
+    refuse_devices(out=options.out)
     need_extra("PIL")
     from rcj_challenges.views.scoreboard import console_for
     from rcj_challenges.views.video.make import Look, size_from, studio, write_snapshot

@@ -87,7 +87,7 @@ class PlayedMatch:
 
 
 class MatchInterruptedError(KeyboardInterrupt):
-    """Ctrl-C while a match was played. Its record is closed and holds all that was played.
+    """Ctrl-C while a match was played, or told of. Its record is closed and holds all that was played.
 
     Attributes:
         played: as far as it went.
@@ -156,8 +156,12 @@ class _MatchPlay:
                 if isinstance(stopped_by, KeyboardInterrupt):
                     raise MatchInterruptedError(PlayedMatch(record.folder, record.result), trouble) from error
                 raise
-        self._watcher.finished(record.result)
-        return PlayedMatch(record.folder, record.result)
+        played = PlayedMatch(record.folder, record.result)
+        try:
+            self._watcher.finished(record.result)
+        except KeyboardInterrupt as error:
+            raise MatchInterruptedError(played, "") from error
+        return played
 
     def _break_off(self, record: RecordWriter, error: BaseException) -> str:
         """Close the record of a match that is not played to its end; returns why it could not be, if so."""

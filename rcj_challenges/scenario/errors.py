@@ -80,6 +80,8 @@ def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str:
     for name in islice(known, _COMPARED):
         if not may_turn or not _is_contrary(written, name, may_turn):
             by_folded.setdefault(name.casefold(), name)
+    if word.casefold() in by_folded:  # it differs in upper and lower case, or is known elsewhere
+        return f"; did you mean {by_folded[word.casefold()]!r}?"
     for folded, name in by_folded.items():
         if folded.startswith(f"{word.casefold()}_"):  # the unit was forgotten
             return f"; did you mean {name!r}?"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 
 from rcj_challenges.scenario.errors import Problem, ScenarioError, listing, nearest
 from rcj_challenges.scenario.resources import names_in, scenarios_folder
@@ -26,6 +26,7 @@ def find_scenario(source: str | Path) -> Path:
         return shipped[str(source)]
     if exists:
         raise ScenarioError([Problem(str(source), 0, 0, "", "this is no file; expected a scenario in YAML")])
-    hint = nearest(path.stem, shipped) or nearest(path.stem, names_in(path.parent))
+    stem = PureWindowsPath(source).stem  # documents may have been read on Windows: both kinds of slashes count
+    hint = nearest(stem, shipped) or nearest(stem, names_in(path.parent))
     message = f"no such file, and no shipped scenario of that name; shipped are {listing(shipped)}{hint}"
     raise ScenarioError([Problem(str(source)[:200], 0, 0, "", message)])

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from rcj_challenges.facts.colours import CSS_COLOURS, hex_colour
+from rcj_challenges.facts.file_names import is_device_of_windows
 from rcj_challenges.scenario.catalogue import ALWAYS, BOUND, EACH, FAMILIES, OTHER, Catalogue, texts
 from rcj_challenges.scenario.errors import Problem, listing, nearest
 from rcj_challenges.scenario.models.scenario import MAX_MEMBERS
@@ -13,13 +13,7 @@ from rcj_challenges.scenario.tree import Items, Mark, Path, child, in_names, mar
 
 _SECTIONS = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups")
 """What a group may gather, and groups: in any of the places where one of them is named, so may be another."""
-_DEVICES = re.compile(r"con|prn|aux|nul|(com|lpt)[0-9]", re.IGNORECASE)
 _MEANINGS = {EACH: "names the current entity of a rule", OTHER: "names what is touched in a rule"}
-
-
-def is_device_of_windows(name: str) -> bool:
-    """Return whether no file on Windows may be called so, whatever its ending; each robot has a log of its name."""
-    return _DEVICES.fullmatch(name.partition(".")[0].rstrip()) is not None
 
 
 def check_names(catalogue: Catalogue) -> list[Problem]:
@@ -50,7 +44,7 @@ def _namespace(catalogue: Catalogue) -> Iterator[Problem]:
                 yield _problem(catalogue, path, message, at_key=True)
             seen.setdefault(name.casefold(), (name, section, mark))
     for robot in catalogue.names("robots"):
-        if is_device_of_windows(robot):
+        if is_device_of_windows(robot):  # each robot has a log of its name
             message = f"'{robot}' is a device on Windows, where no log can have that name; choose another name"
             yield _problem(catalogue, ("robots", robot), message, at_key=True)
         colour = catalogue.leaf("robots", robot, "colour")

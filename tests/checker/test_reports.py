@@ -100,6 +100,21 @@ def test_how_long_a_robot_touched_the_ball_is_told_in_seconds():
     assert "touches" not in printed(told)
 
 
+@pytest.mark.parametrize("width", [40, 60, 72, 80, 100])
+def test_on_a_terminal_of_any_width_each_number_of_a_robot_can_be_read(width):
+    told = report(file_report(matches=[match_report()]))
+    lines = printed(told, width, terminal=True).splitlines()
+    shown = " ".join(" ".join(lines).split())
+    robot = told.files[0].matches[0].robots[0]
+    assert "B1" in shown
+    assert "…" not in shown
+    assert [
+        name for name, number_of in ROBOT_NUMBERS.items() if name not in shown or number_of(robot) not in shown
+    ] == []
+    assert "crash" in shown
+    assert max(map(len, lines)) <= width
+
+
 def test_the_committed_schema_is_fresh():
     committed = Path(__file__).parents[2] / "schemas" / SCHEMA_FILE
     assert committed.read_text("utf-8") == schema_text()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shlex
 import subprocess
 import sys
@@ -18,6 +19,7 @@ from rcj_challenges.cli.app import app
 from rcj_challenges.cli.author import OutputError
 from rcj_challenges.cli.says import typed
 from rcj_challenges.cli.starter import StarterError
+from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.scenario.load import load
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -269,6 +271,43 @@ class TestNew:
         assert isinstance(done.exception, StarterError)
         assert "cannot be written" in str(done.exception)
         assert len(str(done.exception)) < 500
+
+
+class TestNamesOfDevices:
+    """A file that one makes on Linux must be one on the Windows of those who get it."""
+
+    @pytest.mark.parametrize(
+        "arguments",
+        [
+            ("draw", "match", "--out", "aux.svg"),
+            ("draw", "match", "--out", "CON.png"),
+            ("sheet", "match", "--out", "aux.html"),
+            ("sheet", "match", "--out", "com1.md"),
+            ("schema", "--out", "nul"),
+            ("video", "--out", "aux.mp4"),
+            ("snapshot", "--at", "1", "--out", "lpt1.png"),
+            ("check", ".", "--html", "aux.html"),
+            ("check", ".", "--fix", "aux.zip"),
+            ("check", ".", "--replay", "con"),
+            ("run", "match", "--out", "aux"),
+            ("simulate", "match", "--out", "nul"),
+        ],
+        ids=" ".join,
+    )
+    def test_are_refused_on_every_system_before_anything_is_done(self, tmp_path, monkeypatch, arguments):
+        monkeypatch.chdir(tmp_path)
+        done = call(*arguments)
+        assert isinstance(done.exception, RcjError), done.output
+        assert re.fullmatch(
+            r"--(out|html|fix|replay) [\w./]+: '\w+' is a device on Windows, "
+            r"where no file has that name; choose another name",
+            str(done.exception).replace("\\", "/"),
+        )
+        assert list(tmp_path.iterdir()) == []
+
+    def test_that_only_look_alike_are_taken(self, tmp_path):
+        for name in ("auxiliary.html", "con_1.html", "my.aux.html"):
+            assert call("sheet", "match", "--out", tmp_path / name).exit_code == 0
 
 
 class TestDraw:

@@ -20,6 +20,7 @@ from rcj_challenges.checker import many
 from rcj_challenges.checker.report import schema_text
 from rcj_challenges.cli.check import CheckUsageError
 from rcj_challenges.facts.errors import HostError
+from rcj_challenges.match.match import MatchInterruptedError, PlayedMatch
 from tests.checker.small_team import PLAYER, write_team
 from tests.cli.in_this_process import one_after_the_other
 from tests.cli.test_check import check
@@ -152,6 +153,30 @@ def test_an_interruption_tells_what_was_checked_so_far(team, tmp_path, monkeypat
         else:
             assert "interrupted, 1 submission: 1 ok, 0 warnings, 0 failures, 1 not looked at" in out
             assert "slow.zip: somebody interrupted the check" in out
+
+
+def test_an_interruption_of_the_only_check_is_reported_too_and_names_no_folder_that_is_gone(
+    team, tmp_path, monkeypatch, capsys
+):
+    def interrupted(*_):
+        raise MatchInterruptedError(PlayedMatch(tmp_path / "temporary" / "20210618-001159-match", {}), "")
+
+    monkeypatch.setattr("rcj_challenges.checker.check.check_file", interrupted)
+    for as_json in (False, True):
+        page = tmp_path / f"{as_json}.html"
+        with pytest.raises(KeyboardInterrupt) as ended:
+            check(team("slow.zip"), html=page, json=as_json)
+        assert str(ended.value) == ""
+        assert "slow.zip" in page.read_text("utf-8")
+        out = capsys.readouterr().out
+        if as_json:
+            told = json.loads(out)
+            assert told["interrupted"]
+            assert told["files"] == []
+            assert [other["file"] for other in told["left_out"]] == ["slow.zip"]
+        else:
+            assert "slow.zip: somebody interrupted the check before it was done" in out
+            assert "first thing to do" not in out  # no table of nobody
 
 
 @pytest.mark.skipif(os.name != "posix", reason="there are no such signals")

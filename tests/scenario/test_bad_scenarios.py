@@ -71,6 +71,14 @@ def test_a_folder_is_no_scenario(tmp_path):
     assert "this is no file" in complaint(tmp_path)
 
 
+@pytest.mark.parametrize("source", ["scenarios/match.yaml", "Match", "match.yml", "scenarios\\match.yaml"])
+def test_who_means_a_shipped_scenario_is_told_its_name_and_not_that_of_another(source, tmp_path, monkeypatch):
+    # Documents write "scenarios/match.yaml": who has installed a wheel has no such folder.
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ScenarioError, match=r"did you mean 'match'\?"):
+        load(source)
+
+
 def test_an_unknown_file_names_the_shipped_scenarios_and_the_nearest():
     text = complaint("matsch")
     assert text.startswith("matsch: no such file")

@@ -7,7 +7,7 @@ import subprocess
 import sys
 import xml.etree.ElementTree as ET
 from functools import cache
-from itertools import combinations
+from itertools import combinations, product
 from pathlib import Path
 
 import pytest
@@ -165,6 +165,19 @@ def test_the_name_of_an_area_stands_in_it(source):
             (x, y), radius = px(scenario, zone.centre_m), zone.radius_m * 460
             ((_, box),) = [one for one in boxes(picture, "label") if one[0] == name]
             assert max(math.dist((x, y), corner) for corner in ((box[0], box[1]), (box[2], box[3]))) < radius
+
+
+@pytest.mark.parametrize("radius_m", [0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08])
+@pytest.mark.parametrize("name", ["a", "nest", "treasure", "a_long_name_of_a_zone"])
+def test_a_name_stands_in_a_small_circle_or_beside_it_and_not_across_its_line(name, radius_m):
+    zone = f"zones: {{{name}: {{shape: circle, centre_m: [0.1, 0], radius_m: {radius_m}}}}}\n"
+    scenario, picture = picture_of(f"schema_version: 1\nid: small\ntitle: Small\nextends: empty_field\n{zone}")
+    (x, y), radius = px(scenario, (0.1, 0)), radius_m * 460
+    ((_, (left, top, right, bottom)),) = [one for one in boxes(picture, "label") if one[0] == name]
+    farthest = max(math.dist((x, y), corner) for corner in product((left, right), (top, bottom)))
+    nearest = math.dist((x, y), (min(max(x, left), right), min(max(y, top), bottom)))
+    assert farthest < radius or radius < nearest < radius + 12
+    assert not [line for line in picture.iter(f"{SVG}line") if line.get("class") == "leader"]  # it is near enough
 
 
 CROWD = """

@@ -342,6 +342,30 @@ def test_everything_that_can_be_pressed_has_a_name(show: Callable[..., Any], run
         assert nameless == []
 
 
+def test_who_opens_a_link_to_a_late_moment_sees_the_event_that_has_just_happened_in_the_list(
+    show: Callable[..., Any], run: Path
+) -> None:
+    page = show(run, "#h2t1400", anew=True)
+    settled(page)
+    current = page.locator("#events [aria-current]").bounding_box()
+    events = page.locator("#events").bounding_box()
+    assert page.evaluate("document.getElementById('events').scrollHeight") > events["height"]  # not all fit in
+    assert events["y"] <= current["y"]
+    assert current["y"] + current["height"] <= events["y"] + events["height"]
+
+
+def test_the_tab_key_reaches_the_time_line_and_its_buttons_before_the_hundreds_of_events(
+    show: Callable[..., Any], run: Path
+) -> None:
+    page = show(run)
+    page.focus("#behind")
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.id") == "seek"
+    page.focus("#speed")
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.id") == "tab-events"
+
+
 @pytest.mark.nightly
 def test_tabs_are_walked_with_the_arrow_keys(show: Callable[..., Any], run: Path) -> None:
     page = show(run)

@@ -45,6 +45,9 @@ _LEADER_OVER_LEADER = 150.0
 _LEADER_OVER_SOLID = 40.0
 _LEADER = 12.0
 _IN_A_SMALLER_AREA = 20.0
+_ACROSS_ITS_OWN_EDGE = 60.0
+_OFF_ITS_THING = 60.0
+_BESIDE_ITS_AREA, _ABOUT_ITS_MIDDLE = 15.0, 40.0
 
 # Sides at which a label may stand: below first, as a name under a picture; then the corners and what lies between.
 _SIDES = (
@@ -127,7 +130,7 @@ def place_labels(labels: Sequence[Label], around: Surroundings) -> list[Placed]:
             label, before = labels[k], placed.get(k)
             if before is not None:
                 board.take(k, before)
-            placed[k] = board.best(_placed(label, *label.at, frame), inside[k], _around(label, frame))
+            placed[k] = board.best(_placed(label, *label.at, frame), inside[k], *_around(label, around))
             board.put(k, placed[k])
             moved |= placed[k] != before
         if not moved:
@@ -189,18 +192,38 @@ def _points_inside(label: Label, frame: Box) -> Iterator[tuple[float, float, flo
                 yield 0.2 * to_edge + 0.1 * to_column + 0.01 * (y - top), x, y
 
 
-def _around(label: Label, frame: Box) -> Iterator[tuple[float, Placed]]:
-    """Yield places in rings around what is named, until the rings leave the picture; the nearest come first."""
-    (x, y), (half_x, half_y) = label.at, label.half
-    reach_x, reach_y = label.reach
+def _around(label: Label, around: Surroundings) -> list[Iterator[tuple[float, Placed]]]:
+    """Return rows of places around what is named. Those for an area are worse than what is well inside it.
+
+    The name of a thing rather stands on it, even across its edge, than beside it.
+    """
+    if not label.outline:
+        return [_rings(label, label.at, label.reach, around.frame, 0.0)]
+    rows = [_rings(label, label.at, label.reach, around.frame, _ABOUT_ITS_MIDDLE)]
+    if label.outline not in around.bodies:
+        left, top, right, bottom = _bounds(label.outline)
+        middle, reach = ((left + right) / 2, (top + bottom) / 2), ((right - left) / 2, (bottom - top) / 2)
+        rows.append(_rings(label, middle, reach, around.frame, _BESIDE_ITS_AREA))
+    return rows
+
+
+def _rings(label: Label, at: Point, reach: Point, frame: Box, far: float) -> Iterator[tuple[float, Placed]]:
+    """Yield places in rings around a point, until the rings leave the picture; the nearest come first.
+
+    Args:
+        label: what is placed.
+        at: the point.
+        reach: half width and half height of what the rings leave free around it.
+        frame: the picture.
+        far: by how much they are worse than the places of another row.
+    """
+    (x, y), (half_x, half_y) = at, label.half
     longest = max(frame[2] - frame[0], frame[3] - frame[1])
-    # Beside an area is worse than in it.
-    outside = 40.0 if label.outline else 0.0
     ring, gap = 0, _GAP_PX
     while gap < longest:
         for rank, (side_x, side_y) in enumerate(_SIDES):
-            at = (x + side_x * (reach_x + gap + half_x), y + side_y * (reach_y + gap + half_y))
-            yield outside + gap + 0.2 * rank, _placed(label, *at, frame)
+            place = (x + side_x * (reach[0] + gap + half_x), y + side_y * (reach[1] + gap + half_y))
+            yield far + gap + 0.2 * rank, _placed(label, *place, frame)
         ring += 1
         # Close together where it matters to be near, wide apart where it is far anyway.
         gap += _RING_PX * (1 + ring / _WIDER_AFTER)
@@ -212,6 +235,8 @@ def _leader(label: Label, centre: Point) -> Segment | None:
         return None
     half_x, half_y = label.half
     (x, y), (at_x, at_y) = centre, label.at
+    if _edge_meets(label.outline, _grown((x - half_x, y - half_y, x + half_x, y + half_y), _LEADER_FROM_PX)):
+        return None
     start = (_within(at_x, x - half_x, x + half_x), _within(at_y, y - half_y, y + half_y))
     gap_x = max(abs(at_x - start[0]) - label.reach[0], 0.0)
     gap_y = max(abs(at_y - start[1]) - label.reach[1], 0.0)
@@ -233,6 +258,7 @@ class _Board:
         self._bodies: _Grid[tuple[Point, ...]] = _Grid(around.frame)
         for k, body in enumerate(around.bodies):
             self._bodies.add(k, _bounds(body), body)
+        self._things = frozenset(around.bodies)
         self._labels: _Grid[Box] = _Grid(around.frame)
         self._leaders: _Grid[Segment] = _Grid(around.frame)
 
@@ -288,7 +314,12 @@ class _Board:
             yield _ON_A_SOLID + _ON_A_SOLID_PER_PX2 * shared if shared > 0 else 0.0
         for body in self._bodies.near(box):
             yield _ON_ANOTHERS_BODY if body != placed.label.outline and _meets(box, body) else 0.0
-        with_rim = (box[0] - _HALO_PX, box[1] - _HALO_PX, box[2] + _HALO_PX, box[3] + _HALO_PX)
+        own = placed.label.outline
+        if own in self._things:
+            yield 0.0 if _is_inside((placed.x, placed.y), own) else _OFF_ITS_THING
+        elif _edge_meets(own, box):
+            yield _ACROSS_ITS_OWN_EDGE
+        with_rim = _grown(box, _HALO_PX)
         for line, weight in self._lines.near(with_rim):
             yield _covered(line, with_rim) * weight
         if leader is not None:
@@ -368,8 +399,18 @@ def _covered(line: Segment, box: Box) -> float:
 def _meets(box: Box, outline: Sequence[Point]) -> bool:
     """Return whether a text stands on a polygon: with its middle, or across its edge."""
     middle = (box[0] + box[2]) / 2, (box[1] + box[3]) / 2
-    sides = zip(outline, [*outline[1:], outline[0]], strict=True)
-    return _is_inside(middle, outline) or any(_covered(side, box) > 0 for side in sides)
+    return _is_inside(middle, outline) or _edge_meets(outline, box)
+
+
+def _edge_meets(outline: Sequence[Point], box: Box) -> bool:
+    """Return whether the edge of a polygon runs through a box."""
+    sides = zip(outline, [*outline[1:], *outline[:1]], strict=True)
+    return any(_covered(side, box) > 0 for side in sides)
+
+
+def _grown(box: Box, by: float) -> Box:
+    """Return a box that reaches further on all sides."""
+    return box[0] - by, box[1] - by, box[2] + by, box[3] + by
 
 
 def _cross(a: Segment, b: Segment) -> bool:

@@ -16,11 +16,12 @@ from rcj_challenges.views.video.colours import EDGE, GATE, GRASS, LINE, OUTSIDE,
 from rcj_challenges.views.video.footage import Footage
 
 Point = tuple[float, float]
+Segment = tuple[Point, Point]
 
 _FINER = 2
 """The ground is drawn this many times larger each way and then reduced: smooth edges."""
 _STRIPES = 8
-_LINE_M = 0.008
+LINE_M = 0.008
 
 
 @dataclass(frozen=True)
@@ -79,17 +80,28 @@ def paint_ground(footage: Footage, size: tuple[int, int], view: Projection) -> I
     return paper.finished()
 
 
-def gate_lines(footage: Footage) -> list[tuple[Point, Point]]:
-    """Return the lines on the floor of gates by which rules judge, each with its mark forward.
+def gate_lines(footage: Footage) -> list[Segment]:
+    """Return the lines on the floor of gates that stand still and by which rules judge, each with its mark forward.
 
-    As on the pages who watches must see them. Those that move with something are not painted on what stands still.
+    As on the pages who watches must see them.
     """
-    shown = [
-        footage.scenario.gates[gate["name"]]
-        for gate in footage.things["gates"]
-        if gate["used"] and gate["anchor"] is None
-    ]
-    return [line for gate in shown for line in ((gate.from_m, gate.to_m), forward_mark(gate.from_m, gate.to_m))]
+    return _lines_by_anchor(footage).get(None, [])
+
+
+def moving_gate_lines(footage: Footage) -> dict[int, list[Segment]]:
+    """Return those of gates that move, by the entity with which they do: x ahead of its centre, y on its left, in m."""
+    return {anchor: lines for anchor, lines in _lines_by_anchor(footage).items() if anchor is not None}
+
+
+def _lines_by_anchor(footage: Footage) -> dict[int | None, list[Segment]]:
+    found: dict[int | None, list[Segment]] = {}
+    for told in footage.things["gates"]:
+        if told["used"]:
+            gate = footage.scenario.gates[told["name"]]
+            found.setdefault(told["anchor"], []).extend(
+                ((gate.from_m, gate.to_m), forward_mark(gate.from_m, gate.to_m))
+            )
+    return found
 
 
 def _zones(paper: _Paper, footage: Footage) -> None:
@@ -152,7 +164,7 @@ class _Paper:
         self._image.paste(grass, (0, 0), mask)
 
     def line(self, corners: Sequence[Point], colour: Rgb) -> None:
-        width = max(_FINER, round(_LINE_M * self._view.px_per_m * _FINER))
+        width = max(_FINER, round(LINE_M * self._view.px_per_m * _FINER))
         self._pen.line(self._finer(corners), fill=colour, width=width, joint="curve")
 
     def disc(self, centre: Point, radius_m: float, colour: Rgb) -> None:

@@ -15,8 +15,9 @@ from PIL import Image
 from rcj_challenges.views.video.camera import CALM_S, Camera, ends_of_field
 from rcj_challenges.views.video.colours import EDGE, WHITE
 from rcj_challenges.views.video.footage import Footage, Poses
+from rcj_challenges.views.video.ground import moving_gate_lines
 from rcj_challenges.views.video.lettering import Lettering, line_height
-from rcj_challenges.views.video.solid_model import solid_model
+from rcj_challenges.views.video.solid_model import gates_of, solid_model
 from rcj_challenges.views.video.timeline import Moment
 
 _SAMPLES = 4
@@ -62,6 +63,10 @@ class Solid:
         self._model.vis.global_.fovy = _FOV_DEG
         self._data: Any = mujoco.MjData(self._model)
         self._mocap = [int(self._model.body(entity["name"]).mocapid[0]) for entity in self._entities]
+        self._gates = {
+            entity: int(self._model.body(gates_of(footage.roster.entities[entity])).mocapid[0])
+            for entity in moving_gate_lines(footage)
+        }
         self._renderer: Any = mujoco.Renderer(self._model, height, width)
         self._frame = Image.new("RGB", size)
         self._flags = {
@@ -109,7 +114,12 @@ class Solid:
             if facts["kind"] == "ball":
                 self._data.mocap_quat[mocap] = self._rolling(entity, x_m, y_m, float(facts["radius_m"]))
             else:
-                self._data.mocap_quat[mocap] = (math.cos(yaw_rad / 2), 0, 0, math.sin(yaw_rad / 2))
+                self._data.mocap_quat[mocap] = _upright(yaw_rad)
+        for entity, mocap in self._gates.items():
+            x_m, y_m, yaw_rad, _ = poses[entity].tolist()
+            off = math.isnan(x_m)
+            self._data.mocap_pos[mocap] = (0, 0, _HIDDEN_M) if off else (x_m, y_m, 0)
+            self._data.mocap_quat[mocap] = _upright(0.0 if off else yaw_rad)
 
     def _rolling(self, entity: int, x_m: float, y_m: float, radius_m: float) -> Any:
         """Return how a ball is turned that rolled from where it was in the last frame.
@@ -214,6 +224,11 @@ class Solid:
         width, height = self._size[0], self._size[1] - self._top
         scale = height / 2 / math.tan(math.radians(_FOV_DEG) / 2) / deep
         return width / 2 + float(to @ right) * scale, self._top + height / 2 - float(to @ up) * scale
+
+
+def _upright(yaw_rad: float) -> tuple[float, float, float, float]:
+    """Return the quaternion of what stands upright and is turned by a yaw."""
+    return math.cos(yaw_rad / 2), 0.0, 0.0, math.sin(yaw_rad / 2)
 
 
 def _axes(azimuth_deg: float, elevation_deg: float) -> tuple[Any, Any, Any]:

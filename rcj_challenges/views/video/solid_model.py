@@ -33,11 +33,10 @@ from rcj_challenges.views.video.colours import (
     text_on,
 )
 from rcj_challenges.views.video.footage import Footage
-from rcj_challenges.views.video.ground import gate_lines
+from rcj_challenges.views.video.ground import LINE_M, gate_lines, moving_gate_lines
 from rcj_challenges.views.video.lettering import Lettering
 
 _STRIPES = 8
-_LINE_M = 0.008
 _LID_PX = 128
 _FLOOR_M = 0.01
 _PAINT_M = 0.0004
@@ -48,7 +47,7 @@ Point3 = tuple[float, float, float]
 
 
 def solid_model(footage: Footage, size: tuple[int, int], samples: int, lettering: Lettering, *, shadows: bool) -> Any:
-    """Return the compiled model; each entity is a mocap body of its name.
+    """Return the compiled model; each entity is a mocap body of its name, the gates that move with it another.
 
     Args:
         footage: what is shown.
@@ -87,14 +86,23 @@ def solid_model(footage: Footage, size: tuple[int, int], samples: int, lettering
     _add_surroundings(builder, shadows=shadows)
     for entity in footage.things["entities"]:
         _add_entity(spec, entity, lettering, patch=not shadows)
+    for anchor, lines in moving_gate_lines(footage).items():
+        gates = _Builder(spec, spec.worldbody.add_body(name=gates_of(footage.roster.entities[anchor]), mocap=True))
+        for start, end in lines:
+            gates.paint(start, end, GATE)
     return spec.compile()
 
 
-class _Builder:
-    """Adds what never moves."""
+def gates_of(entity: str) -> str:
+    """Return the name of the body of the gates that move with an entity: on the floor, whatever its own one does."""
+    return f"{entity}/gates"
 
-    def __init__(self, spec: Any) -> None:
-        self.body = spec.worldbody
+
+class _Builder:
+    """Adds boxes and lines to the world, where they never move, or to another body."""
+
+    def __init__(self, spec: Any, body: Any = None) -> None:
+        self.body = spec.worldbody if body is None else body
         self._spec = spec
 
     def slab(self, name: str, corners: list[Point], colour: Rgb) -> None:
@@ -127,7 +135,7 @@ class _Builder:
 
     def paint(self, start: Point, end: Point, colour: Rgb = LINE) -> None:
         """Add a line on the floor."""
-        self.bar(start, end, _LINE_M, (0.0, _PAINT_M), colour)
+        self.bar(start, end, LINE_M, (0.0, _PAINT_M), colour)
 
 
 def _add_surroundings(builder: _Builder, *, shadows: bool) -> None:

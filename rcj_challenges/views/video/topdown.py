@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
-from PIL import Image
+from PIL import Image, ImageDraw
 
 from rcj_challenges.views.video.camera import Camera, ends_of_field
-from rcj_challenges.views.video.footage import Footage
-from rcj_challenges.views.video.ground import Projection, paint_ground, whole_field
+from rcj_challenges.views.video.colours import GATE
+from rcj_challenges.views.video.footage import Footage, Poses
+from rcj_challenges.views.video.ground import (
+    LINE_M,
+    Point,
+    Projection,
+    moving_gate_lines,
+    paint_ground,
+    whole_field,
+)
 from rcj_challenges.views.video.lettering import Lettering
 from rcj_challenges.views.video.sprites import sprites_of
 from rcj_challenges.views.video.timeline import Moment
 
+_FINER = 3
+"""Lines that move are drawn this many times larger each way and then reduced: smooth edges."""
 _CLOSE_VIEW_M = 0.9
 """What a camera that follows something shows of the field along the shorter side of the picture."""
 
@@ -38,6 +50,7 @@ class TopDown:
             self._ground, self._view = paint_ground(footage, size, whole), whole
         # One for all: fresh memory for each frame costs more than the drawing.
         self._frame = Image.new("RGB", size)
+        self._gates = moving_gate_lines(footage)
         self._sprites = [sprites_of(entity, self._view.px_per_m, lettering) for entity in footage.things["entities"]]
         # Robots hide what lies on the floor, and the ball is small: it is drawn last.
         kinds = [entity["kind"] for entity in footage.things["entities"]]
@@ -57,6 +70,7 @@ class TopDown:
         frame = self._frame
         self._put_ground(moment)
         poses = moment.half.poses(moment.t_s)
+        self._draw_gates(view, poses)
         for entity in self._order:
             x_m, y_m, yaw_rad, _ = poses[entity].tolist()
             if not np.isnan(x_m):
@@ -67,6 +81,32 @@ class TopDown:
 
     def close(self) -> None:
         """Nothing to give back."""
+
+    def _draw_gates(self, view: Projection, poses: Poses) -> None:
+        """Draw the gates that move with something on the field: lines on the floor, under all that stands on it."""
+        for entity, lines in self._gates.items():
+            x_m, y_m, yaw_rad, _ = poses[entity].tolist()
+            if math.isnan(x_m):
+                continue
+            c, s = math.cos(yaw_rad), math.sin(yaw_rad)
+            for line in lines:
+                start, end = (view.px(x_m + c * x - s * y, y_m + s * x + c * y) for x, y in line)
+                self._draw_line(start, end, LINE_M * view.px_per_m)
+
+    def _draw_line(self, start: Point, end: Point, width_px: float) -> None:
+        """Draw one with smooth edges: finer than the frame, on the part of it that the line covers."""
+        reach = math.ceil(width_px) + 1
+        left, top = (max(math.floor(min(pair)) - reach, 0) for pair in zip(start, end, strict=True))
+        right, bottom = (
+            min(math.ceil(max(pair)) + reach, edge)
+            for pair, edge in zip(zip(start, end, strict=True), self._size, strict=True)
+        )
+        if left >= right or top >= bottom:
+            return
+        mask = Image.new("L", ((right - left) * _FINER, (bottom - top) * _FINER))
+        finer = [((x - left) * _FINER, (y - top) * _FINER) for x, y in (start, end)]
+        ImageDraw.Draw(mask).line(finer, fill=255, width=max(_FINER, round(width_px * _FINER)))
+        self._frame.paste(GATE, (left, top), mask.reduce(_FINER))
 
     def _put_ground(self, moment: Moment) -> None:
         if self._camera.entity < 0:

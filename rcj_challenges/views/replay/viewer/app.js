@@ -246,10 +246,10 @@ class App {
   }
 
   write(frame) {
-    const { place, playing } = this.player;
+    const { place } = this.player;
     this.board.show(place);
     this.deck.show(place);
-    this.events.show(place, playing);
+    this.events.show(place);
     if (!this.find("panel-robots").hidden) {
       this.robots.show(place, frame.failed);
       this.sensors.show(place, this.player.moves);

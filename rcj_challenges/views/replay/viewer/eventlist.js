@@ -152,8 +152,8 @@ class EventList {
     row.item.append(details);
   }
 
-  /** Mark the last event that has happened, and keep it in sight while the match plays. */
-  show(place, playing) {
+  /** Mark the last event that has happened, and keep it in sight while nobody is busy with the list. */
+  show(place) {
     let current = null;
     for (const row of this.rows) {
       if (row.event.place > place + 0.5) break;
@@ -164,7 +164,7 @@ class EventList {
     this.current = current;
     if (!current) return;
     current.link.setAttribute("aria-current", "true");
-    if (playing && !this.list.matches(":hover, :focus-within")) this.keepInSight(current.item);
+    if (!this.list.matches(":hover, :focus-within")) this.keepInSight(current.item);
   }
 
   keepInSight(item) {

@@ -1,0 +1,12 @@
+"""What files cannot be called."""
+
+from __future__ import annotations
+
+import re
+
+_DEVICES = re.compile(r"con|prn|aux|nul|(com|lpt)[0-9¹²³]", re.IGNORECASE)
+
+
+def is_device_of_windows(name: str) -> bool:
+    """Return whether no file on Windows may be called so, whatever its ending."""
+    return _DEVICES.fullmatch(name.partition(".")[0].rstrip()) is not None
