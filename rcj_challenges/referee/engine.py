@@ -15,6 +15,7 @@ from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement,
 from rcj_challenges.referee.assembling import assemble
 from rcj_challenges.referee.broadcasting import Broadcasting
 from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.denied import Denial, Denied
 from rcj_challenges.referee.no_room import no_room_sentence
 from rcj_challenges.referee.places import compile_putting
 from rcj_challenges.referee.ranking import ranked_counters
@@ -37,6 +38,9 @@ class Referee:
 
     Call `start` once with the snapshot of tick 0, then `judge` with that of each tick in order, then `finish`. What a
     verdict places must be carried out exactly; the next snapshot shows what physics made of it.
+
+    Attributes:
+        denied: what kept triggered rules from firing; None: it is not noted (only tests ask).
 
     Args:
         scenario: a checked scenario.
@@ -77,6 +81,7 @@ class Referee:
         broadcast = scenario.broadcast
         self._broadcast = None if broadcast is None else Broadcasting(broadcast, self._workshop)
         self._ranked_by = ranked_counters(scenario)
+        self.denied: Denied | None = None
         self._counted: dict[str, Any] | None = None
 
     # --- what others may read ---------------------------------------------------------------------------------------
@@ -271,10 +276,29 @@ class Referee:
             for hit in self._hits.first_by_rule()
             if hit.listener.rule.lives_in(phase) and all(test() for test in hit.listener.rule.tests)
         ]
+        denied = self._denied_of(chosen) if self.denied is not None else ()
         self._hits.clear()
         won: set[tuple[str, str | None]] = set()
         for hit in chosen:
             self._run(hit, won)
+        for rule, place in denied:
+            self._note_denial(rule, place)
+
+    def _denied_of(self, chosen: list[Hit]) -> list[tuple[StandingRule, int]]:
+        """Return the triggered rules that do not fire, each with the place of the condition that does not hold."""
+        fire = {hit.listener.rule.rank for hit in chosen}
+        triggered = (hit.listener.rule for hit in self._hits.first_by_rule())
+        return [
+            (rule, next(place for place, test in enumerate(rule.tests) if not test()))
+            for rule in triggered
+            if rule.rank not in fire and rule.lives_in(self._state.phase)
+        ]
+
+    def _note_denial(self, rule: StandingRule, place: int) -> None:
+        """Note what kept a rule from firing, in a test; of several that it is for, what kept the first of them."""
+        if self.denied is not None:
+            held_after = rule.tests[place]()
+            self.denied.setdefault(rule.name, {}).setdefault(self._state.tick, Denial(place, held_after))
 
     def _run(self, hit: Hit, won: set[tuple[str, str | None]]) -> None:
         rule, state = hit.listener.rule, self._state

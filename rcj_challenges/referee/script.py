@@ -79,6 +79,7 @@ class ScriptedPlay:
     ) -> None:
         self.roster = roster
         self.referee = Referee(scenario, roster, half or half_of(scenario), draws, spots)
+        self.referee.denied = {}
         self.tick = 0
         self.events: list[Event] = []
         self.firings: list[Firing] = []

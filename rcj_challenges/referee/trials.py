@@ -9,7 +9,8 @@ from typing import Any, Protocol
 
 from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
-from rcj_challenges.referee.comparing import difference, event_differences, told_difference
+from rcj_challenges.referee.comparing import difference, equal, event_differences, told_difference
+from rcj_challenges.referee.denied import denied_notes
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.ranking import Tally, ranking
 from rcj_challenges.referee.script import ScriptedPlay, half_of
@@ -42,7 +43,8 @@ class Trial:
 
     Attributes:
         differences: what came out differently, one line each, then notes on why that may be: what found no room, draws
-            that were not drawn, gates crossed the wrong way, the course of the phases; empty if all is as expected.
+            that were not drawn, gates crossed the wrong way, rules of which a condition did not hold, the course of the
+            phases; empty if all is as expected.
         ticks: how many ticks were judged.
         fired: the rules that fired, in the order of their first time.
     """
@@ -107,6 +109,9 @@ def try_expectation(loaded: HasScenario, name: str) -> Trial:
             *_not_drawn(play, expected),
             *play.wrong_ways.notes(),
             *_true_before(play, fired),
+            *denied_notes(
+                play.referee.denied or {}, scenario, _missing(differences, expected), _scores(play, expected), fired
+            ),
             *_course(play, differences),
         )
         if differences
@@ -130,6 +135,18 @@ def _true_before(play: ScriptedPlay, fired: Container[str]) -> Iterable[str]:
                 f"note: {rule} waits for a condition to come true that held already at {s_from_ticks(tick):g} s; "
                 "with for_s: 0.05 that is heard too"
             )
+
+
+def _missing(differences: Iterable[str], expected: Expectation) -> dict[str, float | None]:
+    """Return which events did not come, each with the time in s at which it was expected, if at any."""
+    names = {words[1].rstrip(",") for one in differences if (words := one.split())[0] == "missing:"}
+    return {event.event: event.at_s for event in reversed(expected.events or ()) if event.event in names}
+
+
+def _scores(play: ScriptedPlay, expected: Expectation) -> set[str]:
+    """Return which entrants have another score than expected."""
+    scores = play.referee.scores
+    return {name for name, score in expected.score.items() if not equal(score, scores.get(name))}
 
 
 def _course(play: ScriptedPlay, differences: Iterable[str]) -> Iterable[str]:

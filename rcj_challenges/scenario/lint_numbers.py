@@ -76,7 +76,10 @@ def check_written_out(subject: Subject) -> Iterator[Suspect]:
     for rule, model in subject.scenario.rules.items():
         says = node_at(subject.tree, ("rules", rule, "says"))
         if params and isinstance(says, Leaf) and says.mark.file == subject.tree.mark.file:
-            found = [name for name, leaf in params.items() if _tells_in_its_unit(model.says, leaf, name)]
+            told = subject.repeated[rule].filled_in if rule in subject.repeated else ()
+            found = [
+                name for name, leaf in params.items() if name not in told and _tells_in_its_unit(model.says, leaf, name)
+            ]
             meant = _alone(found, params)
             yield from _written_out(
                 [name for name in meant if _is_meant(rule, name, params[name], subject)],

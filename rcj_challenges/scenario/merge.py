@@ -39,11 +39,13 @@ class Repeated(NamedTuple):
         rule: the name under which it is written.
         known: what is a param in it besides those of the scenario.
         unused: those of them for which nothing in it stands.
+        filled_in: params of the scenario whose values its sentence fills in from beside the name: it follows ``--set``.
     """
 
     rule: str
     known: tuple[str, ...]
     unused: tuple[str, ...] = ()
+    filled_in: tuple[str, ...] = ()
 
 
 @dataclass

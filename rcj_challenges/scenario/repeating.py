@@ -68,10 +68,12 @@ def repeat_rules(root: Entries, merger: Merger) -> None:
             message = f"too much is repeated: written out it would be more than {_MOST_VALUES} single values"
             merger.problems.append(rules.key_marks[name].problem(f"{RULES}.{name}", message))
             rows = []
-        used = {*_params_in(rule), *_blanks_in(rule)}
+        blanks = tuple(_blanks_in(rule))
+        used = {*_params_in(rule), *blanks}
         for row in rows:
             unused = tuple(key for key in row.values if key not in used)
-            merger.repeated[_joined(name, row)] = Repeated(name, tuple(row.values), unused)
+            filled_in = tuple(param for key in blanks for param in _params_of(row.values.get(key)))
+            merger.repeated[_joined(name, row)] = Repeated(name, tuple(row.values), unused, filled_in)
             fresh.put(_joined(name, row), copied(rule), rules.key_marks[name])
             _fill(root, _joined(name, row), row.values, merger)
         if not rows:  # what is wrong with them is told; what else is wrong in the rule can be told as well
@@ -118,6 +120,13 @@ def _blanks_in(rule: Entries) -> Iterator[str]:
     says = rule.entries.get("says")
     if isinstance(says, Leaf) and isinstance(says.value, str):
         yield from (name for name in in_braces(says.value) if name not in BLANKS)
+
+
+def _params_of(value: Leaf | Items | None) -> Iterator[str]:
+    """Yield the params for which a value of a row stands."""
+    for leaf in value.items if isinstance(value, Items) else (value,):
+        if isinstance(leaf, Leaf) and leaf.param:
+            yield leaf.param
 
 
 def _fill(root: Entries, name: str, values: Mapping[str, Leaf | Items], merger: Merger) -> None:

@@ -265,12 +265,14 @@ BAD = [
     (action, "place, entity: ball, at: {spot: formation}", "", None),
     (action, "place, entity: ball, at: {nearest_free: corner}", "", "unknown spot 'corner', which is a draw; did you mean"),
     (action, "place, entity: ball, at: {uniform_in: [pitch, doors]}", "", "group 'doors' contains 'door', a gate; expected a zone"),
-    (action, "place, entity: ball, at: {relative_to: pitch}", "", "'pitch' is a zone; expected an entity or spot"),
+    (action, "place, entity: ball, at: {relative_to: pitch}", "", ("'pitch' is a zone; expected an entity or spot, "
+     "and a spot can stand for its centre: {action: set_spot, spot: NAME, to: pitch}")),
     (action, "place, entity: ball, at: start, facing: {towards: doors}", "", "'doors' is a group; name one entity or spot"),
     (action, "remove, entity: post", "", "'post' is a fixed obstacle; expected an entity"),
     (action, "set_phase, phase: any", "", "unknown phase 'any'; there are play, pause"),
     (action, "emit, event: E, payload: {a: {word: score, of: B1}}", "", "unknown entrant 'B1', which is a robot; there are blue, yellow"),
-    (action, "emit, event: E, payload: {a: {position_of: pitch}}", "", "'pitch' is a zone; expected an entity, obstacle or spot"),
+    (action, "emit, event: E, payload: {a: {position_of: pitch}}", "", ("'pitch' is a zone; expected an entity, obstacle "
+     "or spot, and a spot can stand for its centre: {action: set_spot, spot: NAME, to: pitch}")),
     (action, "emit, event: E, payload: {a: {position_of: all_spots}}", "", "'all_spots' is a group; name one entity, obstacle or spot"),
 ]  # fmt: skip
 

@@ -70,6 +70,17 @@ class TestNumbersInSentences:
         assert of_kind("number_instead_of_param", text % ("-4", "Too late; 5 points less.")) == []
         assert len(of_kind("number_instead_of_param", text % ("-4", "Nobody came for 5 s."))) == 1
 
+    @pytest.mark.parametrize(("says", "found"), [("{par} points.", 0), ("5 points.", 1), ("{this}: 5 points.", 1)])
+    def test_a_value_beside_a_name_that_is_a_param_follows_it(self, says: str, found: int):
+        # --set par_long=6 changes what {par} fills in.
+        text = (
+            f"{head()}params: {{par_long: 5}}\n"
+            "rules:\n  home:\n    repeat_for: {blue_goal: {par: {param: par_long}}, yellow_goal: {par: 3}}\n"
+            "    triggers: [{trigger: enters, entity: ball, zone: {param: this}}]\n"
+            f"    actions: [{{action: score, entrant: yellow, points: {{param: par}}}}]\n    says: '{says}'\n"
+        )
+        assert len(of_kind("number_instead_of_param", text)) == found
+
     def test_what_is_said_by_the_base_is_not_the_author_s(self):
         text = head(extends="match") + "params: {damaged_for_s: 90}\n"
         assert of_kind("number_instead_of_param", text) == []

@@ -109,6 +109,23 @@ def test_points_of_several_parts_are_one_sentence(points, words):
             "blue gets points: the counter “tries” (at least 1; the score does not fall below 0 or rise above 9 by it)",
         ),
         (
+            "count, counter: tries, by: [{counter: tries, weight: -1}, -2], keeps_at_least: 0",
+            "the counter “tries” falls by the counter “tries”, plus 2 (the counter does not fall below 0 by it)",
+        ),
+        (
+            "score, entrant: blue, points: [{counter: tries, weight: -2}]",
+            "blue loses points: 2 times the counter “tries”",
+        ),
+        # What bounds the points bounds them as they are written: at most -1 is a loss of at least 1.
+        (
+            "score, entrant: blue, points: [{counter: tries, weight: -2}], at_most: -1",
+            "blue gets points: -2 times the counter “tries” (at most -1)",
+        ),
+        (
+            "count, counter: tries, by: [{counter: tries, weight: -1}, 2]",
+            "the counter “tries” grows by -1 times the counter “tries”, plus 2",
+        ),
+        (
             "count, counter: tries, keeps_at_most: 3",
             "the counter “tries” grows by 1 (the counter does not rise above 3 by it)",
         ),

@@ -40,6 +40,12 @@ def test_what_it_says_is_about_who_crosses_and_names_the_gate():
     [
         ("{each} is open; who crosses {each} closes it.", "One of the doors is open; who crosses the gate closes it."),
         ("{entity} has passed the gate {each}.", "One of the yellow robots has passed one of the doors."),
+        # Where the rule fires a name stands there, “The west door is open.”; a group has its own article.
+        (
+            "The {each} is open; who crosses the {each} closes it.",
+            "One of the doors is open; who crosses the gate closes it.",
+        ),
+        ("The {entity} has passed the {each}.", "One of the yellow robots has passed one of the doors."),
         ("Gate {each} is passed.", "One of the doors is passed."),
         ("The gate's name is {each}.", "The gate's name is one of the doors."),
         ("The colour of {each}'s posts counts.", "The colour of the gate's posts counts."),

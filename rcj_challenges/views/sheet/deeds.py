@@ -171,6 +171,8 @@ def _count(nouns: Nouns, action: Any) -> str:
         return f"{counter} is set to {amount(nouns, action.to)}{bounds}"
     if isinstance(action.by, (int, float)) and action.by < 0:
         return f"{counter} falls by {amount(nouns, -action.by)}{bounds}"
+    if taken := _taken(action, action.by):
+        return f"{counter} falls by {amount(nouns, taken)}{bounds}"
     return f"{counter} grows by {amount(nouns, 1 if action.by is None else action.by)}{bounds}"
 
 
@@ -243,8 +245,23 @@ def points_words(nouns: Nouns, action: Any) -> str:
     return f"{amount(nouns, action.points)}{bounds_words(action, 'score')}"
 
 
+def _taken(action: Any, parts: Any) -> tuple[Any, ...]:
+    """Return what is taken away, where all parts of a sum are; empty where not, or where the sum is bounded itself."""
+    bounded = action.at_least is not None or action.at_most is not None
+    if bounded or not isinstance(parts, tuple):
+        return ()
+    weights = [part if isinstance(part, (int, float)) else part.weight for part in parts]
+    if any(weight >= 0 for weight in weights):
+        return ()
+    return tuple(
+        -part if isinstance(part, (int, float)) else part.model_copy(update={"weight": -part.weight}) for part in parts
+    )
+
+
 def _points(nouns: Nouns, action: Any) -> str:
     who, points, bounds = receiver_words(nouns, action.entrant), action.points, bounds_words(action, "score")
+    if taken := _taken(action, points):
+        return f"{who} loses points: {amount(nouns, taken)}{bounds}"
     if not isinstance(points, (int, float)):
         return f"{who} gets points: {amount(nouns, points)}{bounds}"
     number = amount(nouns, abs(points))

@@ -17,6 +17,9 @@ OPEN = "…"
 
 _SOME_TEAM = "the team"
 
+_ARTICLES = ("the ", "one of ", "a ", "an ")
+"""How those words begin that need no “the” before them."""
+
 _OF_ITS_PLACE = ("in_zone", "speed", "distance", "looks", "last_touch")
 """The conditions that ``holds`` follows on behalf of an entity."""
 
@@ -51,8 +54,15 @@ def spoken(nouns: Nouns, rule: Rule) -> str:
         words = words.replace("{entity} of {team}", "{entity}")
     words = _first_of_a_group(nouns, rule, words)
     for blank, known in filled.items():
+        if known.startswith(_ARTICLES):
+            words = _without_article(blank, words)
         words = words.replace(blank, known)
     return f"{words[:1].upper()}{words[1:]}{end}"
+
+
+def _without_article(blank: str, words: str) -> str:
+    """Leave out the “the” of an author who thinks of a name, “the {each} is open”: what stands there has its own."""
+    return re.sub(rf"\bthe (?={re.escape(blank)})", "", words, flags=re.IGNORECASE)
 
 
 def _first_of_a_group(nouns: Nouns, rule: Rule, words: str) -> str:
@@ -73,7 +83,8 @@ def _first_of_a_group(nouns: Nouns, rule: Rule, words: str) -> str:
         return words
     kind = nouns.one_kind(group)
     if kind:
-        before = re.sub(rf"\b(the )?{kind} $", "", before, flags=re.IGNORECASE)
+        before = re.sub(rf"\b{kind} $", "", before, flags=re.IGNORECASE)
+    before = re.sub(r"\bthe $", "", before, flags=re.IGNORECASE)
     return f"{before}{nouns.any_of(group)}{after}"
 
 

@@ -1,0 +1,96 @@
+"""A test that misses an event says of a rule that was triggered and did not fire which condition did not hold."""
+
+import pytest
+
+from rcj_challenges.referee.trials import run_expectation
+from rcj_challenges.scenario.load import load_text
+
+HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n"
+GOAL = "triggers: [{trigger: enters, entity: ball, zone: blue_goal}]"
+
+
+def notes(
+    more: str, wanted: str, keyframes: str = "{at_s: 1, place: {ball: [0, 0.8]}}", score: str = "{}"
+) -> list[str]:
+    expect = (
+        f"expect:\n  it:\n    keyframes: [{keyframes}]\n    lasts_s: 4\n    events: [{wanted}]\n    score: {score}\n"
+    )
+    found = run_expectation(load_text(HEAD + more + expect, file="it.yaml"), "it")
+    return [line for line in found if line.startswith("note: ")]
+
+
+COUNTED = (
+    "counters: {goals: {}}\nrules:\n"
+    f"  goal: {{{GOAL}, actions: [{{action: count, counter: goals}}]}}\n"
+    f"  first: {{{GOAL}, conditions: [{{condition: half, equals: 1}}, {{condition: counter, counter: goals, at_least: 1}}], "
+    "actions: [{action: emit, event: FIRST}]}\n"
+)
+
+
+def test_it_is_told_which_condition_did_not_hold():
+    assert notes(COUNTED.replace("at_least: 1", "at_least: 2"), "{event: FIRST}") == [
+        "note: first was triggered at 1.024 s, and {condition: counter, counter: goals, at_least: 2} did not hold"
+    ]
+
+
+def test_what_a_rule_of_the_same_tick_makes_true_is_told_as_such():
+    assert notes(COUNTED, "{event: FIRST}") == [
+        (
+            "note: first was triggered at 1.024 s, and {condition: counter, counter: goals, at_least: 1} did not hold yet: "
+            "a rule of that very tick made it true, which others see one tick later, as they hear an event that it emits"
+        )
+    ]
+
+
+def test_of_several_times_that_is_told_which_is_nearest_to_when_the_event_was_expected():
+    twice = "{at_s: 1, place: {ball: [0, 0.8]}}, {at_s: 2, place: {ball: [0, 0]}}, {at_s: 3, place: {ball: [0, 0.8]}}"
+    more = COUNTED.replace("at_least: 1", "at_least: 9")
+    assert "triggered at 3.008 s" in notes(more, "{event: FIRST, at_s: 3}", twice)[0]
+    assert "triggered at 1.024 s" in notes(more, "{event: FIRST, at_s: 1}", twice)[0]
+    assert "triggered at 3.008 s" in notes(more, "{event: FIRST}", twice)[0]
+
+
+def test_rules_that_fired_and_those_that_emit_nothing_that_is_missing_are_not_told():
+    other = COUNTED + f"  second: {{{GOAL}, actions: [{{action: emit, event: SECOND}}]}}\n"
+    assert notes(other, "{event: SECOND}, {event: SECOND}") == []
+
+
+def test_rules_that_would_have_changed_a_score_are_told():
+    more = (
+        "rules:\n"
+        f"  for_yellow: {{{GOAL}, conditions: [{{condition: half, equals: 2}}], actions: [{{action: score, entrant: yellow}}]}}\n"
+        f"  for_blue: {{{GOAL}, conditions: [{{condition: half, equals: 2}}], actions: [{{action: score, entrant: blue}}]}}\n"
+    )
+    assert notes(more, "", score="{yellow: 1, blue: 0}") == [
+        "note: for_yellow was triggered at 1.024 s, and {condition: half, equals: 2} did not hold"
+    ]
+
+
+@pytest.mark.parametrize("entrant", ["each", "{last_touch: ball}"])
+def test_a_rule_that_scores_for_whom_it_concerns_may_have_changed_any_score(entrant):
+    more = (
+        f"rules:\n  own:\n    for_each: yellow\n    {GOAL}\n    conditions: [{{condition: half, equals: 2}}, "
+        "{condition: in_zone, entity: each, zone: pitch}]\n"
+        f"    actions: [{{action: score, entrant: {entrant}}}]\n"
+    )
+    assert len(notes(more, "", score="{yellow: 1}")) == 1
+    assert notes(more, "{event: KICKOFF}", score="{yellow: 0}") == []
+
+
+def test_a_rule_without_the_phase_is_not_triggered():
+    assert notes(COUNTED.replace("first: {", "first: {phases: [pause], ").replace("rules:", "phases: {pause: {}}\nrules:"),
+                 "{event: FIRST}") == []  # fmt: skip
+
+
+def test_a_condition_of_several_is_told_as_it_is_written():
+    several = (
+        "rules:\n  near:\n    for_each: blue\n    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]\n"
+        "    conditions: [{condition: any_of, conditions: [{condition: distance, entity: each, to: ball, at_most: 0.01},"
+        " {condition: in_zone, entity: [Y1, Y2], zone: blue_goal, of: {at_least: 2}, negate: true}], negate: true}]\n"
+        "    actions: [{action: emit, event: NEAR}]\n"
+    )
+    assert notes(several, "{event: NEAR}")[0].startswith(
+        "note: near was triggered at 1.024 s, and {condition: any_of, conditions: [{condition: distance, entity: each, "
+        "to: ball, at_most: 0.01}, {condition: in_zone, entity: [Y1, Y2], zone: blue_goal, of: {at_least: 2}, negate: true}], "
+        "negate: true} did not hold"
+    )
