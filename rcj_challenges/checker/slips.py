@@ -19,7 +19,7 @@ _UNSET = re.compile(
     rf"^UnboundLocalError: (?:cannot access local variable|local variable) '(?P<name>\w{{1,{_MOST_NAME}}})' "
 )
 _UNKNOWN = re.compile(rf"^NameError: name '(?P<name>\w{{1,{_MOST_NAME}}})' is not defined")
-_TOO_MANY = re.compile(r"^ValueError: too many values to unpack \(expected 2\)")
+_TOO_MANY = re.compile(r"^ValueError: too many values to unpack \(expected 2[,)]")
 _ONE_TOO_MANY = re.compile(
     rf"^TypeError: \w{{1,{_MOST_NAME}}}\.(?P<method>\w{{1,{_MOST_NAME}}})\(\) takes (?P<takes>[0-9]{{1,3}}) positional "
     r"arguments? but (?P<given>[0-9]{1,3}) were given"

@@ -36,7 +36,7 @@ def on_unknown_name(name: str, detail: str, files: Mapping[PurePosixPath, bytes]
         return f'write "{imported}" {at_the_top}' if imported else ""
     if not re.search(rf"(?<![\w.]){name}\(", line.code):
         return ""
-    programs = {path: text_of(content) for path, content in files.items() if path.suffix == ".py"}
+    programs = {path: text_of(content) for path, content in files.items() if path.suffix == ".py" or path == line.file}
     if any(re.search(rf"\b(?:def|class)[ \t]{{1,4}}{name}\b", program) for program in programs.values()):
         return _on_own(name, line, programs)
     return f'write "from math import {name}" {at_the_top}' if hasattr(math, name) else ""

@@ -14,7 +14,7 @@ from rcj_challenges.controllers.disk_names import from_disk
 
 _DUMP_BEGINS = b"Fatal Python error:"
 _DUMP_OF_WINDOWS = re.compile(
-    rb"Windows fatal exception: .*\n(?:\n|(?:  |Thread |Current thread |Extension modules: ).*\n)*\Z"
+    rb"Windows fatal exception: .*\n(?:\n|(?:  |Thread |Current thread(?:'s)? |Extension modules: ).*\n)*\Z"
 )
 """There the interpreter also dumps what a program then catches and goes on: only what stands at the end counts."""
 _ESCAPED = re.compile(r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U([0-9a-f]{8}))")

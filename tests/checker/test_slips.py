@@ -124,6 +124,12 @@ def test_small_things_that_are_left_out_are_told(failure, lines, told):
     assert told in failure(BEGIN + "gps = robot.getDevice('gps')\n" + lines + LOOP).remedy
 
 
+@pytest.mark.parametrize("words", ["expected 2", "expected 2, got 3"])  # the latter from Python 3.14 on
+def test_that_a_position_has_three_numbers_is_told(words):
+    detail = f"ValueError: too many values to unpack ({words}) (robot.py, line 1)"
+    assert "x, y, z = " in on_slip(detail, {PurePosixPath("robot.py"): b"x, y = gps.getValues()"})
+
+
 def test_that_a_match_has_no_screen_is_told():
     assert "no screen" in on_slip("_tkinter.TclError: no display name and no $DISPLAY (robot.py, line 2)", {})
 

@@ -78,3 +78,14 @@ def test_a_function_that_is_defined_below_is_told_to_be_moved_up():
 def test_what_no_line_of_the_team_shows_is_not_guessed():
     assert on_unknown_name("math", "NameError: name 'math' is not defined", {}) == ""
     assert on_unknown_name("math", "NameError: name 'math' is not defined (other.py, line 3)", {}) == ""
+
+
+@pytest.mark.parametrize("file", ["moves.pyw", "moves.txt"])
+def test_a_program_in_a_file_of_another_ending_is_read_like_any(file):
+    """On Windows ``import moves`` finds moves.pyw; anything can be read and executed."""
+    files = {PurePosixPath(file): b"drive()\n", PurePosixPath("robot.py"): b"import moves\ndef drive(): pass\n"}
+    detail = f"NameError: name 'drive' is not defined ({file}, line 1)"
+    assert on_unknown_name("drive", detail, files) == ""
+    files[PurePosixPath(file)] += b"def drive(): pass\n"
+    moved = "line 1 uses drive before Python has read line 2, where it is defined: move that up"
+    assert on_unknown_name("drive", detail, files) == moved

@@ -128,12 +128,17 @@ def escaped(folder: Path) -> str:
     return str(folder).encode("ascii", "backslashreplace").decode()
 
 
+NO_STACK_OF_C = "Current thread's C stack trace (most recent call first):\n  <cannot get C stack on this system>\n"
+"""What Python 3.14 adds on Windows."""
+
+
 @pytest.mark.parametrize(
     ("begins", "after", "is_end"),
     [
         ("Fatal Python error: Segmentation fault", "", True),
         ("Windows fatal exception: access violation", "", True),
         ("Windows fatal exception: stack overflow", "\nExtension modules: numpy._core (total: 1)\n", True),
+        ("Windows fatal exception: access violation", f"\n{NO_STACK_OF_C}", True),
         ("Windows fatal exception: access violation", "caught\n", False),  # not its end: it goes on
     ],
 )

@@ -139,6 +139,12 @@ def test_where_a_program_broke_the_interpreter_is_told_as_each_system_does_it(ma
     assert "controller" not in played.log
 
 
+def test_a_debugger_that_finds_nobody_is_told_as_such_by_every_python(match: FakeMatch) -> None:
+    """From Python 3.14 on it calls sys.exit(1), which the program did not."""
+    fault = fault_of(match, "from controller import Robot\nRobot().step(32)\nbreakpoint()\nRobot().step(32)\n")
+    assert (fault.kind, fault.detail[:11]) == ("crash", "bdb.BdbQuit")
+
+
 def test_a_fault_is_the_same_in_every_run(match: FakeMatch) -> None:
     assert fault_of(match, "faults/crashes_in_play") == fault_of(match, "faults/crashes_in_play")
 

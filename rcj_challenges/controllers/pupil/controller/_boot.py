@@ -63,7 +63,10 @@ class Boot:
             self._run_entry()
             _wait_for_threads()
         except SystemExit as left:
-            self._left(left)
+            if _debugger_quit(left):
+                self._crashed("crash", sys.modules["bdb"].BdbQuit().with_traceback(left.__traceback__))
+            else:
+                self._left(left)
         except MemoryError as error:
             del reserve
             self._crashed("memory", error)
@@ -228,6 +231,15 @@ def _print_quietly(text: str) -> None:
         print(text, file=sys.stderr)
     except BaseException:  # noqa: BLE001, S110 - a program may have closed it, or put anything in its place
         pass
+
+
+def _debugger_quit(left: SystemExit) -> bool:
+    """Return whether it was the debugger that left: until Python 3.13 it raises an error of its own there."""
+    trace = left.__traceback__
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    where = None if trace is None else (trace.tb_frame.f_globals.get("__name__"), trace.tb_frame.f_code.co_name)
+    return where == ("pdb", "do_quit") and hasattr(sys.modules.get("bdb"), "BdbQuit")
 
 
 def _told(code: object) -> str:
