@@ -40,6 +40,8 @@ class Move:
         if self.new == PurePosixPath():
             return f"move what is in {told(self.old)} to the top"
         kind = "file" if self.new.suffix == ".py" else "folder"
+        if kind == "file" and self.old.parent != self.new.parent:
+            return f"move the file {told(self.old)} into a folder {told(self.new.parent)}"
         return f"rename the {kind} {told(self.old)} to {told(self.new)}"
 
 
@@ -167,13 +169,26 @@ def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) 
         remedy = f"pack what is in {nested[0].where}, not the archive itself"
         return [Finding("layout.missing", "failure", message, remedy)]
     if plan is None:
-        wanted = next(iter(opening.missing.values()))
-        remedy = f"{_elsewhere(others)}call the program {' or '.join(wanted)}"
+        remedy = f"{_elsewhere(others)}{_into_folders_with_copies(opening) or _call_it_so(opening)}"
         return [Finding("layout.missing", "failure", message, remedy)]
     remedy = _elsewhere(others) + ", ".join(map(str, plan.moves))
     if plan.mentioned:
         remedy += f"; the programs mention {told(plan.mentioned)}: change that as well"
     return [Finding("layout.misnamed", "failure", message, remedy, told(plan.moves[0].old), not plan.mentioned)]
+
+
+def _into_folders_with_copies(opening: Opening) -> str:
+    """Return what to do about programs beside their folders that import from beside them; empty if it is not so."""
+    for wanted in zip(*opening.missing.values(), strict=False):
+        entries = dict.fromkeys(map(PurePosixPath, wanted))
+        moves = _beside_their_folders(opening.contents.files, entries)
+        if moves:
+            return f"{', '.join(map(str, moves))}, each with a copy of what it imports from beside it"
+    return ""
+
+
+def _call_it_so(opening: Opening) -> str:
+    return f"call the program {' or '.join(next(iter(opening.missing.values())))}"
 
 
 def _elsewhere(others: Sequence[str]) -> str:
@@ -260,12 +275,33 @@ def _by_renaming(files: Files, seats: Sequence[Entrant], roles: Roles) -> Plan |
     for choice in range(max(map(len, missing), default=0)):
         wanted = list(dict.fromkeys(PurePosixPath(entries[choice]) for entries in missing if choice < len(entries)))
         pairs = [(found, entry) for entry in wanted if (found := _meant_to_be(entry, files, seats, roles)) is not None]
-        moves = _moves(pairs)
-        result = None if moves is None or len(pairs) < len(wanted) else moved(files, moves)
+        moves = _moves(pairs) if len(pairs) == len(wanted) else _into_folders(files, wanted)
+        result = None if moves is None else moved(files, moves)
         if moves and result is not None and _complete(result, seats):
-            old_names = [move.old.stem if move.old.suffix == ".py" else move.old.name for move in moves]
+            old_names = [
+                move.old.stem if move.old.suffix == ".py" else move.old.name
+                for move in moves
+                if move.old.name != move.new.name
+            ]
             return Plan(tuple(moves), result, mentioned(files, old_names))
     return None
+
+
+def _into_folders(files: Files, wanted: Sequence[PurePosixPath]) -> list[Move] | None:
+    """Return how programs that lie beside the folders in which they belong come into them.
+
+    None if one is not there, or if there are more: what a program imports from beside it would lie elsewhere then.
+    """
+    moves = _beside_their_folders(files, wanted)
+    programs = sum(path.suffix == ".py" and bool(content.strip(BLANK)) for path, content in files.items())
+    return moves if len(moves) == programs else None
+
+
+def _beside_their_folders(files: Files, wanted: Iterable[PurePosixPath]) -> list[Move]:
+    """Return the moves of programs at the top into the folders in which they belong; none if one is not there."""
+    moves = [Move(PurePosixPath(entry.name), entry) for entry in wanted]
+    there = (len(move.new.parts) > 1 and files.get(move.old, b"").strip(BLANK) for move in moves)
+    return moves if all(there) else []
 
 
 def _meant_to_be(

@@ -91,7 +91,7 @@ def test_the_base_class_of_three_programs_at_the_top_is_not_meant(tmp_path: Path
     files = {f"robot{n}.py": ROBOT + b"MyRobot1().run()\n" for n in (1, 2, 3)}
     found = misplaced(tmp_path, files | {"rcj_soccer_robot.py": BASE, "utils.py": b"x = 1\n"}, OF_2021)
     assert found.code == "layout.missing"
-    assert "robot1/robot1.py" in found.remedy
+    assert "move the file robot1.py into a folder robot1" in found.remedy
     assert "rename the file rcj_soccer_robot.py" not in found.remedy
 
 
@@ -106,6 +106,39 @@ def test_of_the_same_programs_for_both_colours_those_of_blue_are_meant(tmp_path:
     assert "rename the folder rcj_soccer_player_b1 to robot1" in found.remedy
     assert "player_y" not in found.remedy
     assert "robot3/robot3.py" in mended(tmp_path, OF_2021)
+
+
+FLAT = {f"robot{number}.py": ALONE for number in (1, 2, 3)}
+
+
+def test_programs_that_lie_beside_their_folders_belong_into_them(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, FLAT)
+    assert found.code == "layout.misnamed"
+    assert found.remedy == (
+        "move the file robot1.py into a folder robot1, move the file robot2.py into a folder robot2, "
+        "move the file robot3.py into a folder robot3"
+    )
+    assert mended(tmp_path) == {"robot1/robot1.py", "robot2/robot2.py", "robot3/robot3.py", "team_name.txt"}
+
+
+def test_so_do_those_in_an_extra_folder(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, below("cats", FLAT))
+    assert found.remedy.startswith("move what is in cats to the top, move the file robot1.py into a folder robot1, ")
+    assert "robot3/robot3.py" in mended(tmp_path)
+
+
+def test_programs_that_import_from_beside_them_take_it_with_them(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, FLAT | {"robot1.py": b"import utils\n" + ALONE, "utils.py": b"x = 1\n"})
+    assert found.code == "layout.missing"  # nothing is repaired: no file is copied
+    assert found.remedy.endswith(
+        "move the file robot3.py into a folder robot3, each with a copy of what it imports from beside it"
+    )
+
+
+def test_two_programs_for_three_robots_are_not_taken_for_all(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, {"robot1.py": ALONE, "robot2.py": ALONE})
+    assert found.code == "layout.missing"
+    assert "into a folder" not in found.remedy
 
 
 def test_an_ending_that_windows_hides_is_named(tmp_path: Path) -> None:
