@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import importlib
+import importlib.util
 import math
 import re
 import sys
 from collections.abc import Mapping
-from pathlib import PurePosixPath
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 from rcj_challenges.checker.crash_lines import CrashLine, crash_line, text_of
@@ -48,14 +49,29 @@ def _import_of(name: str, attribute: str) -> str:
         return "import numpy as np" if name == "np" else "import numpy"
     if name not in sys.stdlib_module_names or name in _DO_SOMETHING or name in REFUSED:
         return ""
-    try:
-        module: Any = importlib.import_module(name)
-    except ImportError:  # of another system
+    if not _is_of_python(name):
         return ""
+    module: Any = importlib.import_module(name)
     if hasattr(module, attribute):
         return f"import {name}"
     # `datetime.now()` is of the class.
     return f"from {name} import {name}" if hasattr(getattr(module, name, None), attribute) else ""
+
+
+def _is_of_python(name: str) -> bool:
+    """Return whether a module is that of Python: not of another system, nor a file of this name in the current folder.
+
+    With ``python -m`` that folder comes first, and a team's files may lie in it: they are never run here.
+    """
+    try:
+        spec = importlib.util.find_spec(name)
+    except (ImportError, ValueError):
+        return False
+    if spec is None or spec.origin is None:
+        return False
+    return spec.origin in ("built-in", "frozen") or Path(spec.origin).resolve().is_relative_to(
+        Path(sys.base_prefix).resolve()
+    )
 
 
 def _on_own(name: str, line: CrashLine, programs: Mapping[PurePosixPath, str]) -> str:

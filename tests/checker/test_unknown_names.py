@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import PurePosixPath
 
 import pytest
@@ -89,3 +90,12 @@ def test_a_program_in_a_file_of_another_ending_is_read_like_any(file):
     files[PurePosixPath(file)] += b"def drive(): pass\n"
     moved = "line 1 uses drive before Python has read line 2, where it is defined: move that up"
     assert on_unknown_name("drive", detail, files) == moved
+
+
+def test_a_file_of_the_current_folder_that_is_called_like_a_module_of_python_is_never_run(tmp_path, monkeypatch):
+    ran = tmp_path / "ran"
+    (tmp_path / "fileinput.py").write_text(f"open({str(ran)!r}, 'w').close()\ninput = 1\n", encoding="utf-8")
+    monkeypatch.delitem(sys.modules, "fileinput", raising=False)
+    monkeypatch.syspath_prepend(tmp_path)  # as `python -m` does with the current folder
+    assert told("fileinput", "x = fileinput.input()") == ""
+    assert not ran.exists()

@@ -9,10 +9,10 @@ from tests.scenario.writing import HEAD
 TOUCH = "{trigger: touches, entity: %s, other: %s}"
 
 
-def warned(condition, trigger=TOUCH % ("robots", "ball"), each=""):
+def warned(condition, trigger=TOUCH % ("robots", "ball"), each="", kind="still_when_touched"):
     rule = f"{{{each}triggers: [{trigger}], conditions: [{{condition: {condition}}}], actions: [{{action: end}}]}}"
     found = [str(one) for one in lint(load_text(f"{HEAD}rules: {{r: {rule}}}\n", file="a.yaml"))]
-    return [one for one in found if "still_when_touched" in one]
+    return [one for one in found if kind in one]
 
 
 def test_a_touch_of_a_ball_that_lies_still_is_warned_of():
@@ -56,9 +56,7 @@ def test_other_questions_are_sound(condition, trigger):
 
 
 def asks_in_vain(condition, trigger=TOUCH % ("yellow", "ball"), each=""):
-    rule = f"{{{each}triggers: [{trigger}], conditions: [{{condition: last_touch, {condition}}}], actions: [{{action: end}}]}}"
-    found = [str(one) for one in lint(load_text(f"{HEAD}rules: {{r: {rule}}}\n", file="a.yaml"))]
-    return [one for one in found if "last_touch_is_this_touch" in one]
+    return warned(f"last_touch, {condition}", trigger, each, "last_touch_is_this_touch")
 
 
 def test_who_touches_it_now_is_the_last_one():
