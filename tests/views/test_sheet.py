@@ -173,6 +173,10 @@ EDGES = {
     "trigger: touches, entity: robots, other: walls": "one of the robots touches a wall",
     "trigger: touches, entity: lone, other: obstacles": "Y1 touches the obstacle “vase”",
     "trigger: touches, entity: [Y1, blue], other: balls": "Y1 or one of the blue robots touches one of the balls",
+    "trigger: touches, entity: blue, other: blue": "one of the blue robots touches another of them",
+    "trigger: touches, entity: wings, other: robots": "one of the wings touches another of the robots",
+    "trigger: touches, entity: Y1, other: robots": "Y1 touches another of the robots",
+    "trigger: touches, entity: robots, other: blue": "one of the robots touches one of the blue robots",
     "trigger: leaves, entity: ball, zone: in_play": "the ball “ball” leaves the zones “in play”",
     "trigger: enters, entity: red, zone: penalty_areas": "the ball “red” enters one of the penalty areas",
     "trigger: stays_in, entity: wings, zone: pitch, limit_s: 3": (

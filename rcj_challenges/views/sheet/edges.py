@@ -72,7 +72,7 @@ def _touches(nouns: Nouns, t: Any) -> str:
     again = f", and again every {seconds(t.every_s)} while they touch" if t.every_s else ""
     # What stands fast is touched, whichever of the two is written first.
     one, other = (t.other, t.entity) if nouns.stands_fast(t.entity) else (t.entity, t.other)
-    return f"{nouns.any_of(one)} touches {nouns.any_of(other)}{again}"
+    return f"{nouns.any_of(one)} touches {nouns.another_of(other, than=one)}{again}"
 
 
 def _displaced(nouns: Nouns, t: Any) -> str:

@@ -210,6 +210,14 @@ class Nouns:
         return listed([f"one of {self._group(name)}" if self._several(name) else self._one(name)
                        for name in _tuple(names)], "or")  # fmt: skip
 
+    def another_of(self, names: Names, than: Names) -> str:
+        """Return the one of several that somebody else meets: ``another of the robots``, if that is a robot as well."""
+        group, first = _tuple(names), {member for name in _tuple(than) for member in self.meant(name)}
+        if len(group) > 1 or not first or not first <= set(self.meant(group[0])) or not self._several(group[0]):
+            return self.any_of(names)
+        same = first == set(self.meant(group[0]))
+        return f"another of {'them' if same else self._group(group[0])}"
+
     def all_of(self, names: Names) -> Subject:
         """Return several together: ``the blue robots and Y3``, which is plural."""
         parts = [self._group(name) if self._several(name) else self._one(name) for name in _tuple(names)]
