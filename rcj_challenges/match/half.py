@@ -11,6 +11,7 @@ from rcj_challenges.facts.traffic import Observation, Request
 
 if TYPE_CHECKING:
     from rcj_challenges.match.stage import HalfStage
+    from rcj_challenges.referee.engine import Referee
 
 
 class Driver(Protocol):
@@ -53,6 +54,13 @@ _LOOKED_AFTER_EVERY = 64
 """Ticks between looks at programs that stay away for longer than that."""
 
 OnTick = Callable[[Snapshot, Verdict, bytes], None]
+
+
+def goes_on(referee: Referee, verdict: Verdict, tick: int, half: HalfInfo) -> bool:
+    """Return whether another tick follows this one: the clock of the half decides, which a phase may stop."""
+    if verdict.ended is not None or referee.time_is_up:
+        return False
+    return tick < _MOST_LENGTHS * half.ticks
 
 
 class HalfPlay:
@@ -102,7 +110,7 @@ class HalfPlay:
         """
         verdict = self._begin()
         before_tick = self._before_tick
-        while self._goes_on(verdict):
+        while goes_on(self._stage.referee, verdict, self.tick, self._half):
             if before_tick is not None:
                 before_tick(self.tick + 1)
             verdict = self._one_tick(self.tick + 1)
@@ -112,12 +120,6 @@ class HalfPlay:
         if ended is None and not self._stage.referee.time_is_up:
             ended = f"the clock of the half stood still for too long: {self.tick} ticks were played"
         return HalfOutcome(self.tick, ended, closing.ends_match, closing)
-
-    def _goes_on(self, verdict: Verdict) -> bool:
-        """Return whether another tick follows: the clock of the half decides, which a phase may stop."""
-        if verdict.ended is not None or self._stage.referee.time_is_up:
-            return False
-        return self.tick < _MOST_LENGTHS * self._half.ticks
 
     def _begin(self) -> Verdict:
         """Tick 0: draws, layouts, arming; no physics. Programs run to their first ``step``."""
@@ -152,7 +154,7 @@ class HalfPlay:
         stage.rack.begin_sensing(tick, verdict)
         self.tick = tick
 
-        due = self._sense_and_release(tick, plays_on=self._goes_on(verdict))
+        due = self._sense_and_release(tick, plays_on=goes_on(stage.referee, verdict, tick, self._half))
         self._on_tick(snapshot, verdict, state)
         self._collect(due)
         if tick % _LOOKED_AFTER_EVERY == 0:

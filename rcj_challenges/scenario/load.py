@@ -89,19 +89,41 @@ def load_text(text: str, overrides: Sequence[str] = (), *, file: str = "scenario
     return _load(Source.of_text(text, file), overrides, Path(file).stem, None)
 
 
-def load_resolved(resolved: Mapping[str, Any], name: str = "") -> Loaded:
+def load_resolved(resolved: Mapping[str, Any], name: str = "", overrides: Sequence[str] = ()) -> Loaded:
     """Load what ``Loaded.resolved`` holds, for example from a record.
 
     Args:
         resolved: the data, as read from JSON.
         name: short name; left out: the scenario's ``id``.
+        overrides: ``PATH=VALUE`` each. The values of params stand where they are used: there they can be changed.
 
     Raises:
-        ScenarioError: it is not what this version writes.
+        ScenarioError: it is not what this version writes, or is wrong with the overrides.
     """
-    source = Source.of_data(resolved, RESOLVED)
-    scenario = _checked(source.tree, Merger())
+    tree, merger = Source.of_data(resolved, RESOLVED).tree, Merger()
+    if overrides:
+        _refuse_params(tree, overrides)
+        apply_overrides(tree, overrides, merger)
+    scenario = _checked(tree, merger)
     return Loaded(scenario, Roster.of(scenario), name or scenario.id, None, _dumped(scenario))
+
+
+def _refuse_params(tree: Entries, overrides: Sequence[str]) -> None:
+    """Refuse overrides of params: nothing would come of them.
+
+    Raises:
+        ScenarioError: names them.
+    """
+    params = tree.entries.get("params")
+    names = params.entries if isinstance(params, Entries) else {}
+    problems = []
+    for override in overrides:
+        first, _, rest = override.partition("=")[0].strip().partition(".")
+        if first in names or (first == "params" and rest):
+            told = f"{rest or first} is a param, and here its value stands already wherever it is used; set it there, "
+            problems.append(Mark(f"--set {override}").problem("", f"{told}or name the scenario's file"))
+    if problems:
+        raise ScenarioError(problems)
 
 
 def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None) -> Loaded:

@@ -1,0 +1,220 @@
+"""``rcj-challenge judge``: the referee's verdict on a recorded match, by its own rules or by others."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from rcj_challenges.cli.says import say_json
+from rcj_challenges.facts.errors import RcjError
+
+if TYPE_CHECKING:
+    from rcj_challenges.match.judging import Difference, Judgement
+    from rcj_challenges.records.result import RunResult
+    from rcj_challenges.scenario.load import Loaded
+
+_MOST_SHOWN = 40
+"""Lines about events that differ: a rule that changes the score changes what all later goals tell."""
+
+
+@dataclass(frozen=True)
+class JudgeOptions:
+    """What the command line asks for.
+
+    Attributes:
+        runs: records' folders, or how their names begin; None for the newest.
+        out: where records are.
+        scenario: by which to judge; None: that of the record.
+        overrides: ``PATH=VALUE`` each.
+        as_json: print one JSON object and nothing else.
+    """
+
+    runs: Sequence[Path | None]
+    out: Path
+    scenario: str | None
+    overrides: Sequence[str]
+    as_json: bool
+
+    @property
+    def other_rules(self) -> bool:
+        """Whether it is to be judged by others than its own rules."""
+        return self.scenario is not None or bool(self.overrides)
+
+
+@dataclass(frozen=True)
+class _Judged:
+    folder: Path
+    result: RunResult
+    loaded: Loaded
+    judgement: Judgement
+    alike: int
+    differences: list[Difference]
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command."""
+    app.command("judge")(_judge)
+
+
+def _judge(
+    runs: Annotated[
+        list[Path] | None,
+        typer.Argument(metavar="RUN...", help="Records' folders, or how their names begin; left out: the newest."),
+    ] = None,
+    scenario: Annotated[
+        str | None,
+        typer.Option("--scenario", metavar="SCENARIO", help="Judge by the rules of this one; left out: by their own."),
+    ] = None,
+    set_: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="PATH=VALUE", help="Change a value of these rules. Repeatable."),
+    ] = None,
+    out: Annotated[Path, typer.Option("--runs", "--out", metavar="DIR", help="Where the records are.")] = Path("runs"),
+    json_: Annotated[bool, typer.Option("--json", help="Print the verdicts as JSON and nothing else.")] = False,
+) -> None:
+    """Judge recorded matches again, by their own rules or by changed ones, and say what comes out differently.
+
+    The poses stay those of the record; no program runs. Exit status 0: judged; 1: by its own rules another verdict
+    comes out than was recorded; 2: a record or a scenario that cannot be used.
+    """
+    raise typer.Exit(judge(JudgeOptions(runs or [None], out, scenario, set_ or [], json_)))
+
+
+def judge(options: JudgeOptions) -> int:
+    """Judge records again and print what comes out; returns the exit code.
+
+    Raises:
+        RcjError: the scenario that is to judge them cannot be used.
+    """
+    from rcj_challenges.scenario.load import load
+    from rcj_challenges.views.scoreboard import console_for
+
+    loaded = load(options.scenario, options.overrides) if options.scenario is not None else None
+    console, code = console_for(), 0
+    told: list[dict[str, Any]] = []
+    for run in options.runs:
+        try:
+            judged = _judge_one(run, options, loaded)
+        except RcjError as error:
+            code = RcjError.exit_code
+            told.append({"record": None if run is None else run.name, "problem": str(error)})
+            sys.stderr.write(f"{error}\n")
+            continue
+        if judged.differences and not options.other_rules:
+            code = max(code, 1)
+        told.append(_as_json(judged))
+        if not options.as_json:
+            for line in _lines(judged, options):
+                console.print(line, markup=False, highlight=False, soft_wrap=True)
+    if options.as_json:
+        say_json({"other_rules": options.other_rules, "records": told})
+    else:
+        for line in _closing(told, options):
+            console.print(line, markup=False, highlight=False, soft_wrap=True)
+    return code
+
+
+def _closing(told: Sequence[dict[str, Any]], options: JudgeOptions) -> Iterator[str]:
+    """Yield what is to be said after all records: of how many the score differs, and what to think of that."""
+    judged = [one for one in told if one["problem"] is None]
+    if len(told) > 1:
+        other = sum(one["recorded"]["score"] != one["judged"]["score"] for one in judged)
+        left = f"; {len(told) - len(judged)} could not be judged" if len(judged) < len(told) else ""
+        records = "1 record" if len(judged) == 1 else f"{len(judged)} records"
+        yield f"{records} judged, {other} of them with another score{left}"
+    if judged and options.other_rules:
+        yield "Poses stay those of the record: what these rules put elsewhere goes on from where it was."
+
+
+def _judge_one(run: Path | None, options: JudgeOptions, loaded: Loaded | None) -> _Judged:
+    from rcj_challenges.match.judging import differences, judge_again
+    from rcj_challenges.records.refereelog import read_referee_log
+    from rcj_challenges.records.result import read_result
+    from rcj_challenges.records.trajectory import Trajectory
+    from rcj_challenges.records.upgrades import read_scenario
+    from rcj_challenges.scenario.load import load_resolved
+    from rcj_challenges.views.replay.browse import find_run
+
+    folder = find_run(run, options.out)
+    result = read_result(folder)
+    if loaded is None:
+        recorded = read_scenario(folder, result.record)
+        loaded = load_resolved(recorded.model_dump(mode="json", by_alias=True), overrides=options.overrides)
+    judgement = judge_again(Trajectory.open(folder), loaded)
+    before = [line for line in read_referee_log(folder)[0] if line["kind"] == "event"]
+    found = differences(before, judgement.events)
+    alike = len(judgement.events) - sum(one.after is not None for one in found)
+    return _Judged(folder, result, loaded, judgement, alike, found)
+
+
+def _as_json(judged: _Judged) -> dict[str, Any]:
+    result, judgement = judged.result, judged.judgement
+    return {
+        "record": judged.folder.name,
+        "problem": None,
+        "recorded": {
+            "complete": result.complete,
+            "score": result.score,
+            "ranking": [one.model_dump() for one in result.ranking],
+        },
+        "judged": {
+            "scenario": judged.loaded.name,
+            "complete": judgement.complete,
+            "score": judgement.scores,
+            "ranking": judgement.ranking,
+            "halves": [asdict(half) for half in judgement.halves],
+            "events": judgement.events,
+        },
+        "events_alike": judged.alike,
+        "differences": [one.as_json() for one in judged.differences],
+    }
+
+
+def _lines(judged: _Judged, options: JudgeOptions) -> Iterator[str]:
+    """Yield what people read of a judgement: scores, then each event that differs."""
+    from rcj_challenges.views.naming import changes_sides
+    from rcj_challenges.views.scoreboard import ranking_lines, score_line
+    from rcj_challenges.views.sentences import plain
+
+    result, judgement, scenario = judged.result, judged.judgement, judged.loaded.scenario
+    names = {team: entrant.name for team, entrant in result.entrants.items()}
+    swap = changes_sides(scenario)
+    yield plain(judged.folder.name)
+    yield f"  recorded: {score_line(names, result.score, sides_change=swap)}" + (
+        "" if result.complete else "  (not complete)"
+    )
+    yield f"  judged:   {score_line(names, judgement.scores, sides_change=swap)}" + (
+        "" if judgement.complete else "  (the record ends before the match does)"
+    )
+    for line in ranking_lines(scenario.result.rank, names, judgement.ranking, sides_change=swap):
+        yield f"            {line}"
+    found = judged.differences
+    yield from map(_line, found[:_MOST_SHOWN])
+    if len(found) > _MOST_SHOWN:
+        yield f"  … and {len(found) - _MOST_SHOWN} more: --json has them all"
+    if not found:
+        yield f"  all {judged.alike} events as recorded"
+        return
+    gone, new = (sum(getattr(one, side) is None for one in found) for side in ("after", "before"))
+    changed = len(found) - gone - new
+    yield f"  {judged.alike} events as recorded, {gone} only in the record, {new} only now, {changed} changed"
+    if not options.other_rules:
+        yield "  By its own rules the same should come out: were its files changed, or did another version play it?"
+
+
+def _line(one: Difference) -> str:
+    from rcj_challenges.facts.timing import s_from_ticks
+    from rcj_challenges.views.sentences import clock, plain
+
+    told = f"  half {one.half} {clock(s_from_ticks(one.tick)):>7}  {plain(one.event, 60)}: "
+    if one.before is None or one.after is None:
+        which = "only now" if one.before is None else "only in the record"
+        payload = ", ".join(f"{key} {plain(value)}" for key, value in (one.after or one.before or {}).items())
+        return told + which + (f" ({payload})" if payload else "")
+    keys = [key for key in one.before | one.after if one.before.get(key) != one.after.get(key)]
+    return told + ", ".join(f"{key} {plain(one.before.get(key))} -> {plain(one.after.get(key))}" for key in keys)

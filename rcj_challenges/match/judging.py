@@ -1,0 +1,214 @@
+"""Judging a recorded match again: its poses, by its own rules or by others. No physics and no programs take part."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.play import Event, HalfInfo
+from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
+from rcj_challenges.match.half import goes_on
+from rcj_challenges.records.lines import json_line
+from rcj_challenges.records.reflog import event_line, events_of
+from rcj_challenges.records.trajectory import HalfTrack, Trajectory
+from rcj_challenges.referee.engine import Referee
+from rcj_challenges.referee.ranking import Tally, ranking
+from rcj_challenges.scenario.halves import half_length_s
+from rcj_challenges.scenario.load import Loaded
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.seats import by_seat, by_team
+
+Score = int | float
+
+
+class MisfitError(RcjError):
+    """A record that a scenario cannot judge: others took part in it."""
+
+
+@dataclass(frozen=True)
+class JudgedHalf:
+    """One half, as far as it could be judged.
+
+    Attributes:
+        half: 1-based.
+        ticks: how many were judged.
+        ended: the reason of the rule that ended it; None if none did.
+        complete: False if the recorded poses end before these rules end the half.
+    """
+
+    half: int
+    ticks: int
+    ended: str | None
+    complete: bool
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """What the rules say of a whole match.
+
+    Attributes:
+        scores: points by team.
+        ranking: as in ``result.json``.
+        events: as in ``result.json``, in order.
+        halves: those that were judged.
+        complete: whether all halves that these rules ask for were judged to their end.
+    """
+
+    scores: dict[str, Score]
+    ranking: list[dict[str, Any]]
+    events: list[dict[str, Any]]
+    halves: tuple[JudgedHalf, ...]
+    complete: bool
+
+
+@dataclass(frozen=True)
+class Difference:
+    """An event that two judgements tell otherwise.
+
+    Attributes:
+        half, tick: when.
+        event: its name.
+        before, after: its payload; None where there is no such event.
+    """
+
+    half: int
+    tick: int
+    event: str
+    before: dict[str, Any] | None
+    after: dict[str, Any] | None
+
+    def as_json(self) -> dict[str, Any]:
+        """Return it for programs, with the match time in s."""
+        return {
+            "half": self.half,
+            "tick": self.tick,
+            "matchtime": s_from_ticks(self.tick),
+            "event": self.event,
+            "recorded": self.before,
+            "judged": self.after,
+        }
+
+
+def judge_again(trajectory: Trajectory, loaded: Loaded) -> Judgement:
+    """Judge a recorded match by the rules of a scenario; scores and what is kept pass from half to half by these.
+
+    The poses stay those that were recorded: what these rules put elsewhere goes on from where it was.
+
+    Args:
+        trajectory: of the match.
+        loaded: the scenario that it was played by, or one with the same robots, balls and obstacles.
+
+    Raises:
+        MisfitError: others took part in the match than in the scenario.
+    """
+    scenario = loaded.scenario
+    _must_fit(trajectory, loaded)
+    scores: dict[str, Score] = dict.fromkeys(scenario.entrants, 0)
+    kept: dict[str, Any] = {}
+    tallies: list[Tally] = []
+    events: list[dict[str, Any]] = []
+    halves: list[JudgedHalf] = []
+    over = False
+    for track in trajectory.halves[: scenario.match.halves]:
+        if track.start is None or over:
+            break
+        info = _info(track.info, scenario, scores, kept)
+        half, referee, told, over = _judge_half(track, loaded, info)
+        halves.append(half)
+        # As JSON they can be compared with those of a record.
+        events += [json.loads(json_line(event_line(info.half, event))) for event in told]
+        scores, kept = by_team(referee.scores, info.teams), dict(referee.kept)
+        began = info.kept.get("counters", {})
+        tallies.append(Tally(dict(referee.counters), info.teams, s_from_ticks(half.ticks), began))
+    all_there = over or len(halves) == scenario.match.halves
+    complete = all_there and all(half.complete for half in halves)
+    return Judgement(scores, ranking(scenario, scores, tallies), events, tuple(halves), complete)
+
+
+def differences(before: Sequence[Mapping[str, Any]], after: Sequence[Mapping[str, Any]]) -> list[Difference]:
+    """Return the events that stand in one list alone, or with another payload, in the order of time.
+
+    Args:
+        before: as in ``result.json``.
+        after: the same, told by the other judgement.
+    """
+    found: list[Difference] = []
+    first, second = _by_moment(before), _by_moment(after)
+    for half, tick, name in first | second:
+        old, new = first.get((half, tick, name), []), second.get((half, tick, name), [])
+        for payload in list(old):
+            if payload in new:
+                old.remove(payload)
+                new.remove(payload)
+        for place in range(max(len(old), len(new))):
+            pair = [many[place] if place < len(many) else None for many in (old, new)]
+            found.append(Difference(half, tick, name, *pair))
+    return sorted(found, key=lambda one: (one.half, one.tick))
+
+
+def _by_moment(events: Iterable[Mapping[str, Any]]) -> dict[tuple[int, int, str], list[dict[str, Any]]]:
+    grouped: dict[tuple[int, int, str], list[dict[str, Any]]] = {}
+    for event in events:
+        grouped.setdefault((event["half"], event["tick"], event["event"]), []).append(event["payload"])
+    return grouped
+
+
+def _must_fit(trajectory: Trajectory, loaded: Loaded) -> None:
+    """Refuse a scenario in which others take part than in the match.
+
+    Raises:
+        MisfitError: says who is missing and who was not there.
+    """
+    roster, seats = loaded.roster, set(loaded.scenario.entrants)
+    there = (trajectory.entities, trajectory.robots, trajectory.balls, trajectory.things)
+    if there != (roster.entities, roster.robots, roster.balls, roster.things):
+        raise MisfitError(
+            f"the scenario {loaded.name!r} cannot judge this match: robots, balls and obstacles must be the same, in "
+            f"the same order; {_told(trajectory.things, roster.things)}"
+        )
+    played = {seat for track in trajectory.halves for seat in track.info.teams}
+    if played and played != seats:
+        raise MisfitError(
+            f"the scenario {loaded.name!r} cannot judge this match: the entrants must be the same; "
+            f"{_told(sorted(played), sorted(seats))}"
+        )
+
+
+def _told(played: Sequence[str], wanted: Sequence[str]) -> str:
+    lists = f"the match had {', '.join(played)}, the scenario has {', '.join(wanted)}"
+    return lists if set(played) != set(wanted) else f"their order differs: {lists}"
+
+
+def _info(recorded: HalfInfo, scenario: Scenario, scores: Mapping[str, Score], kept: Mapping[str, Any]) -> HalfInfo:
+    """Return the facts of a half as these rules have them: who sat where stays, what was counted before does not."""
+    return replace(
+        recorded,
+        halves=scenario.match.halves,
+        ticks=ticks_from_s(half_length_s(scenario.match, recorded.half)),
+        scores=by_seat(scores, recorded.teams),
+        kept=dict(kept),
+    )
+
+
+def _judge_half(track: HalfTrack, loaded: Loaded, info: HalfInfo) -> tuple[JudgedHalf, Referee, list[Event], bool]:
+    """Judge a half; returns what became of it, the referee, the events, and whether the match is over with it."""
+    assert track.start is not None  # noqa: S101 - the caller has looked
+    referee = Referee(loaded.scenario, loaded.roster, info)
+    verdict = referee.start(track.start)
+    told = list(events_of(track.start, verdict))
+    tick = 0
+    for snapshot in track.snapshots():
+        if not goes_on(referee, verdict, tick, info):
+            break
+        verdict = referee.judge(snapshot)
+        told += events_of(snapshot, verdict)
+        tick = snapshot.tick
+    if goes_on(referee, verdict, tick, info):
+        return JudgedHalf(info.half, tick, None, complete=False), referee, told, False
+    closing = referee.finish()
+    told += closing.events
+    ended = closing.ended if closing.ends_match else verdict.ended
+    return JudgedHalf(info.half, tick, ended, complete=True), referee, told, closing.ends_match

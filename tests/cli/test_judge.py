@@ -1,0 +1,128 @@
+"""``rcj-challenge judge``: what people and programs are told of a recorded match that is judged again."""
+
+import json
+
+import pytest
+
+from rcj_challenges.cli.app import app
+from rcj_challenges.facts.errors import RcjError
+
+GIFT = """\
+schema_version: 1
+id: gift
+title: A gift
+extends: match
+params: {gift_at_s: 1}
+match: {halves: 1, half_s: 3}
+placements:
+  before_the_goal: [{entity: ball, at: {point: [0, 0.5]}, kick: {towards: {point: [0, 0.8]}, speed_mps: 1}}]
+rules:
+  gift:
+    triggers: [{trigger: time_reached, at_s: {param: gift_at_s}}]
+    actions: [{action: place, layout: before_the_goal}]
+    says: The ball rolls into the goal.
+"""
+
+
+@pytest.fixture(scope="module")
+def records(tmp_path_factory):
+    """The folder of one record: a half of 3 s in which yellow gets a goal, at about 1.3 s."""
+    folder = tmp_path_factory.mktemp("judged")
+    (folder / "gift.yaml").write_text(GIFT, "utf-8")
+    team = folder / "team.py"
+    team.write_text("from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n", "utf-8")
+    alone = [f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
+    teams = ["--blue", str(team), "--yellow", str(team), "--team-name", "blue=Hanse", "--team-name", "yellow=Alster"]
+    runs = folder / "runs"
+    arguments = ["run", str(folder / "gift.yaml"), *teams, *alone, "--quiet", "--no-replay", "--out", str(runs)]
+    assert app(arguments, standalone_mode=False) == 0
+    return runs
+
+
+@pytest.fixture
+def judge(records, capsys, monkeypatch):
+    """Run the command on that record, or others; returns the exit code and what was printed."""
+    monkeypatch.setenv("COLUMNS", "200")
+
+    def run(*arguments, runs=records):
+        capsys.readouterr()
+        code = app(["judge", *map(str, arguments), "--runs", str(runs)], standalone_mode=False)
+        return code, capsys.readouterr().out
+
+    return run
+
+
+def test_the_newest_record_is_judged_by_its_own_rules_and_the_same_comes_out(judge):
+    code, told = judge()
+    assert code == 0
+    assert "recorded: Hanse 0 : 1 Alster\n" in told
+    assert "judged:   Hanse 0 : 1 Alster\n" in told
+    assert "events as recorded" in told
+    assert "Poses stay" not in told
+
+
+def test_with_a_changed_rule_it_says_both_scores_and_what_differs(judge):
+    code, told = judge("--set", "rules.goal_in_blue.actions[0].points=2")
+    assert code == 0
+    assert "judged:   Hanse 0 : 2 Alster\n" in told
+    assert "GOAL: score_yellow 1 -> 2\n" in told
+    assert "Poses stay those of the record" in told
+
+
+def test_another_scenario_judges_and_its_params_can_be_set(judge, records):
+    file = records.parent / "stricter.yaml"
+    file.write_text(
+        "schema_version: 1\nid: stricter\ntitle: S\nextends: gift.yaml\nrules: {goal_in_blue: null}\n", "utf-8"
+    )
+    code, told = judge("--scenario", file, "--set", "gift_at_s=0.5")
+    assert code == 0
+    assert "judged:   Hanse 0 : 0 Alster\n" in told
+    assert "GOAL: only in the record" in told
+
+
+def test_a_verdict_that_is_not_complete_says_why(judge):
+    code, told = judge("--set", "match.half_s=9")
+    assert code == 0
+    assert "judged:   Hanse 0 : 1 Alster  (the record ends before the match does)\n" in told
+
+
+def test_json_has_both_scores_all_events_and_the_differences(judge):
+    code, told = judge("--json", "--set", "rules.goal_in_blue.actions[0].points=2")
+    (one,) = json.loads(told)["records"]
+    assert code == 0
+    assert one["recorded"]["score"] == {"blue": 0, "yellow": 1}
+    assert one["judged"]["score"] == {"blue": 0, "yellow": 2}
+    assert [event["event"] for event in one["judged"]["events"]].count("GOAL") == 1
+    goal = next(difference for difference in one["differences"] if difference["event"] == "GOAL")
+    assert (goal["recorded"]["score_yellow"], goal["judged"]["score_yellow"]) == (1, 2)
+
+
+def test_a_record_that_its_own_rules_judge_otherwise_is_told_with_exit_code_1(judge, records, tmp_path):
+    (record,) = records.iterdir()
+    other = tmp_path / record.name
+    other.mkdir()
+    for file in record.iterdir():
+        if file.is_file():
+            (other / file.name).write_bytes(file.read_bytes())
+    log = other / "referee.jsonl"
+    log.write_text(log.read_text("utf-8").replace('"score_yellow": 1', '"score_yellow": 7'), "utf-8")
+    code, told = judge(runs=tmp_path)
+    assert code == 1
+    assert "score_yellow 7 -> 1" in told
+    assert "By its own rules the same should come out" in told
+
+
+def test_of_several_the_others_are_judged_where_one_cannot_be(judge, records, capsys):
+    (record,) = records.iterdir()
+    capsys.readouterr()
+    code = app(["judge", str(record), "none", "--runs", str(records)], standalone_mode=False)
+    printed = capsys.readouterr()
+    assert code == 2
+    assert "Hanse 0 : 1 Alster" in printed.out
+    assert "1 record judged, 0 of them with another score; 1 could not be judged" in printed.out
+    assert "no record 'none'" in printed.err
+
+
+def test_the_option_of_a_scenario_that_is_none_ends_at_once(judge):
+    with pytest.raises(RcjError, match="nowhere"):
+        judge("--scenario", "nowhere.yaml")
