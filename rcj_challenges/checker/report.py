@@ -139,7 +139,7 @@ class CheckReport(_Part):
     scenario: str = _described("id of the scenario")
     title: str = _described("title of the scenario")
     sandbox: str = _described("how programs were isolated: auto, strict or off")
-    level: Level = _described("the gravest verdict of all")
+    level: Level = _described("the gravest verdict of all; unchecked if somebody ended the check")
     interrupted: bool = _described("whether somebody ended the check before all were checked", default=False)
     summary: Summary
     files: list[FileReport] = _described("the submissions, in the order in which they were given")
@@ -187,7 +187,7 @@ def check_report(
         scenario=scenario,
         title=title,
         sandbox=sandbox,
-        level=gravest(file.level for file in files),
+        level="unchecked" if interrupted else gravest(file.level for file in files),
         interrupted=interrupted,
         summary=Summary(files=len(files), **counts),
         files=files,

@@ -148,6 +148,7 @@ def test_an_interruption_tells_what_was_checked_so_far(team, tmp_path, monkeypat
         if as_json:
             told = json.loads(out)
             assert told["interrupted"]
+            assert told["level"] == "unchecked"  # nobody shall read that all have passed
             assert [file["file"] for file in told["files"]] == ["fast.zip"]
             assert [other["file"] for other in told["left_out"]] == ["slow.zip"]
         else:
@@ -172,6 +173,7 @@ def test_an_interruption_of_the_only_check_is_reported_too_and_names_no_folder_t
         if as_json:
             told = json.loads(out)
             assert told["interrupted"]
+            assert told["level"] == "unchecked"  # nobody shall read that all have passed
             assert told["files"] == []
             assert [other["file"] for other in told["left_out"]] == ["slow.zip"]
         else:
