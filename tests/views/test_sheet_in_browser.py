@@ -44,6 +44,17 @@ def test_on_a_phone_text_stays_on_the_screen_and_wide_tables_are_scrolled_alone(
     assert end == pytest.approx(PHONE["width"] - 16, abs=2)
 
 
+def test_on_a_phone_the_field_fills_the_screen_and_its_key_is_scrolled_to(sheet_of: Callable[..., Any]) -> None:
+    page = sheet_of("match", PHONE)
+    width_of = """() => {
+      const boxes = [...document.querySelectorAll("svg .label")].map((one) => one.getBoundingClientRect());
+      return Math.max(...boxes.map((box) => box.right)) - Math.min(...boxes.map((box) => box.left));
+    }"""
+    assert page.evaluate(width_of) > 0.8 * PHONE["width"]
+    page.emulate_media(media="print")
+    assert page.evaluate("document.querySelector('svg').getBoundingClientRect().width") <= PHONE["width"]
+
+
 def test_on_paper_the_head_of_a_table_comes_again_on_each_page(sheet_of: Callable[..., Any]) -> None:
     page = sheet_of("match", {"width": 794, "height": 1123})
     page.emulate_media(media="print")

@@ -54,7 +54,8 @@ _CSS = """
 body{font:16px/1.5 system-ui,-apple-system,'Segoe UI',sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem}
 table{border-collapse:collapse;margin:.5rem 0 1rem}th,td{border:1px solid #8886;padding:.3rem .6rem;text-align:left}
 th{background:#8882}svg{max-width:100%;height:auto;background:#fff;border-radius:6px}li{margin:.3rem 0}
-@media screen and (max-width:45rem){table{display:block;overflow-x:auto}}
+@media screen and (max-width:45rem){table,.drawing{display:block;overflow-x:auto}
+.drawing svg{width:37rem;max-width:none}}
 @media print{body{margin:0;max-width:none}h1,h2,h3{break-after:avoid}tr,svg{break-inside:avoid}}
 """
 
@@ -112,7 +113,8 @@ def _html(block: Block) -> str:
     if isinstance(block, Table):
         rows = "".join(_row("td", row) for row in block.rows)
         return f"<table><thead>{_row('th', block.head)}</thead><tbody>{rows}</tbody></table>"
-    return block.svg
+    # Where a phone shows the whole field, its key stands beside it, off the screen.
+    return f'<div class="drawing">\n{block.svg}</div>'
 
 
 def _row(tag: str, cells: Sequence[str]) -> str:
