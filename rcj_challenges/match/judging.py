@@ -10,16 +10,16 @@ from typing import Any
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.facts.play import Event, HalfInfo
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
+from rcj_challenges.match.carried import Carried
 from rcj_challenges.match.half import goes_on
 from rcj_challenges.records.lines import json_line
 from rcj_challenges.records.reflog import event_line, events_of
 from rcj_challenges.records.trajectory import HalfTrack, Trajectory
 from rcj_challenges.referee.engine import Referee
-from rcj_challenges.referee.ranking import Tally, ranking
 from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.seats import by_seat, by_team
+from rcj_challenges.scenario.seats import by_seat
 
 Score = int | float
 
@@ -106,26 +106,22 @@ def judge_again(trajectory: Trajectory, loaded: Loaded) -> Judgement:
     """
     scenario = loaded.scenario
     _must_fit(trajectory, loaded)
-    scores: dict[str, Score] = dict.fromkeys(scenario.entrants, 0)
-    kept: dict[str, Any] = {}
-    tallies: list[Tally] = []
+    carried = Carried(scenario)
     events: list[dict[str, Any]] = []
     halves: list[JudgedHalf] = []
     over = False
     for track in trajectory.halves[: scenario.match.halves]:
         if track.start is None or over:
             break
-        info = _info(track.info, scenario, scores, kept)
+        info = _info(track.info, scenario, carried)
         half, referee, told, over = _judge_half(track, loaded, info)
         halves.append(half)
         # As JSON they can be compared with those of a record.
         events += [json.loads(json_line(event_line(info.half, event))) for event in told]
-        scores, kept = by_team(referee.scores, info.teams), dict(referee.kept)
-        began = info.kept.get("counters", {})
-        tallies.append(Tally(dict(referee.counters), info.teams, s_from_ticks(half.ticks), began))
+        carried.add(info, referee, half.ticks)
     all_there = over or len(halves) == scenario.match.halves
     complete = all_there and all(half.complete for half in halves)
-    return Judgement(scores, ranking(scenario, scores, tallies), events, tuple(halves), complete)
+    return Judgement(carried.scores, carried.ranking(), events, tuple(halves), complete)
 
 
 def differences(before: Sequence[Mapping[str, Any]], after: Sequence[Mapping[str, Any]]) -> list[Difference]:
@@ -182,14 +178,14 @@ def _told(played: Sequence[str], wanted: Sequence[str]) -> str:
     return lists if set(played) != set(wanted) else f"their order differs: {lists}"
 
 
-def _info(recorded: HalfInfo, scenario: Scenario, scores: Mapping[str, Score], kept: Mapping[str, Any]) -> HalfInfo:
+def _info(recorded: HalfInfo, scenario: Scenario, carried: Carried) -> HalfInfo:
     """Return the facts of a half as these rules have them: who sat where stays, what was counted before does not."""
     return replace(
         recorded,
         halves=scenario.match.halves,
         ticks=ticks_from_s(half_length_s(scenario.match, recorded.half)),
-        scores=by_seat(scores, recorded.teams),
-        kept=dict(kept),
+        scores=by_seat(carried.scores, recorded.teams),
+        kept=dict(carried.kept),
     )
 
 

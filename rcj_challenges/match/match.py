@@ -15,8 +15,9 @@ from rcj_challenges.controllers.team import Team
 from rcj_challenges.devices.fitting import fit, robot_specs
 from rcj_challenges.facts.errors import interruption_behind, told_of
 from rcj_challenges.facts.play import HalfInfo
-from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
+from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.facts.traffic import RobotSpec
+from rcj_challenges.match.carried import Carried
 from rcj_challenges.match.clerk import HalfClerk
 from rcj_challenges.match.half import HalfOutcome, HalfPlay
 from rcj_challenges.match.loading import load_stage
@@ -25,12 +26,9 @@ from rcj_challenges.match.watching import Silent, Waits, Watcher
 from rcj_challenges.records.errors import UnwritableError
 from rcj_challenges.records.logos import logo_of
 from rcj_challenges.records.writer import RecordWriter, RunHeader
-from rcj_challenges.referee.ranking import Tally, ranking
 from rcj_challenges.scenario.halves import half_length_s, half_lengths_s
 from rcj_challenges.scenario.load import Loaded
-from rcj_challenges.scenario.seats import by_seat, by_team, teams_by_seat
-
-Score = int | float
+from rcj_challenges.scenario.seats import by_seat, teams_by_seat
 
 
 @dataclass(frozen=True)
@@ -122,10 +120,7 @@ class _MatchPlay:
         self._watcher = watcher
         self._scenario = plan.loaded.scenario
         self._roster = plan.loaded.roster
-        self._scores: dict[str, Score] = dict.fromkeys(self._scenario.entrants, 0)
-        self._kept: dict[str, Any] = {}
-        self._tallies: list[Tally] = []
-        self._ranking: list[dict[str, Any]] = []
+        self._carried = Carried(self._scenario)
         self._held_up_s = 0.0
         self._began = 0.0
         self._start_up_s: float | None = None
@@ -148,7 +143,7 @@ class _MatchPlay:
                 for number in range(1, self._scenario.match.halves + 1):
                     if self._play_half(number, record).ends_match:
                         break
-                record.finish({"ranking": self._ranking} | self._times())
+                record.finish({"ranking": self._carried.ranking()} | self._times())
             except BaseException as error:
                 stopped_by = interruption_behind(error) or error
                 trouble = self._break_off(record, stopped_by)
@@ -205,11 +200,7 @@ class _MatchPlay:
             )
             clerk.closed(outcome.closing)
         self._watcher.half_ended(half, tuple(_waits(driver) for driver in drivers.values()))
-        self._scores = by_team(referee.scores, half.teams)
-        self._kept = dict(referee.kept)
-        began = half.kept.get("counters", {})
-        self._tallies.append(Tally(dict(referee.counters), half.teams, s_from_ticks(outcome.ticks), began))
-        self._ranking = ranking(scenario, self._scores, self._tallies)
+        self._carried.add(half, referee, outcome.ticks)
         return outcome
 
     def _before_tick(self, tick: int) -> None:
@@ -240,8 +231,8 @@ class _MatchPlay:
             match_id=self._plan.match_id,
             team_names={seat: self._plan.name_of(team) for seat, team in teams.items()},
             teams=teams,
-            scores=by_seat(self._scores, teams),
-            kept=dict(self._kept),
+            scores=by_seat(self._carried.scores, teams),
+            kept=dict(self._carried.kept),
         )
 
 

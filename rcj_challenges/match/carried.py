@@ -1,0 +1,49 @@
+"""What passes from half to half of a match, whether it is played or judged again."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from rcj_challenges.facts.play import HalfInfo
+from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.referee.ranking import Tally, ranking
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.seats import by_team
+
+if TYPE_CHECKING:  # it is loaded while programs start
+    from rcj_challenges.referee.engine import Referee
+
+Score = int | float
+
+
+class Carried:
+    """Points, what is kept for the next half, and what was counted until now.
+
+    Attributes:
+        scores: points by team.
+        kept: as `HalfInfo.kept` of the half that follows.
+    """
+
+    def __init__(self, scenario: Scenario) -> None:
+        """Begin a match: nobody has a point."""
+        self.scores: dict[str, Score] = dict.fromkeys(scenario.entrants, 0)
+        self.kept: dict[str, Any] = {}
+        self._scenario = scenario
+        self._tallies: list[Tally] = []
+
+    def add(self, half: HalfInfo, referee: Referee, ticks: int) -> None:
+        """Add a half that is over.
+
+        Args:
+            half: as the referee got it.
+            referee: who has judged it.
+            ticks: how many were judged.
+        """
+        self.scores = by_team(referee.scores, half.teams)
+        self.kept = dict(referee.kept)
+        began = half.kept.get("counters", {})
+        self._tallies.append(Tally(dict(referee.counters), half.teams, s_from_ticks(ticks), began))
+
+    def ranking(self) -> list[dict[str, Any]]:
+        """Return who is where after the halves so far, as in ``result.json``."""
+        return ranking(self._scenario, self.scores, self._tallies)
