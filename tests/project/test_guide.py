@@ -116,7 +116,7 @@ def test_the_example_that_extends_the_match_passes_its_own_test_and_lint():
 
 
 def test_the_example_of_places_that_follow_from_one_number_is_symmetric_whatever_the_number():
-    _, begins, rest = GUIDE.read_text("utf-8").partition("   params: {gap_m: 0.15}\n")
+    _, begins, rest = GUIDE.read_text("utf-8").partition("params: {gap_m: 0.15}\n")
     text = HEAD + dedent((begins + rest).partition("```")[0])
     for gap_m, overrides in ((0.15, ()), (0.2, ("gap_m=0.2",))):
         scenario = load_text(text, overrides).scenario
