@@ -107,8 +107,18 @@ def test_counters_kept_per_robot_are_summed_by_entrant_and_others_tell_nobody_ap
     assert {entry["team"]: entry["values"] for entry in told} == {"yellow": [10, 0, 14], "blue": [6, 0, 14]}
 
 
+def test_the_rule_of_the_fifth_step_gives_two_points_if_y3_touched_the_ball_last():
+    _, begins, rest = GUIDE.read_text("utf-8").partition("   rules:\n     goal:\n")
+    play = "{keyframes: [{at_s: 1, touch: [[%s, ball]]}, {at_s: 2, place: {ball: [0, 0.8]}}], lasts_s: 3, score: {yellow: %d}}"
+    tests = "expect:\n" + f"  yes: {play % ('Y3', 2)}\n" + f"  no: {play % ('Y2', 0)}\n"
+    loaded = load_text(HEAD + dedent((begins + rest).partition("```")[0]) + tests)
+    assert [try_expectation(loaded, name).differences for name in loaded.scenario.expect] == [(), ()]
+    assert lint(loaded) == []
+
+
 def test_the_example_that_extends_the_match_passes_its_own_test_and_lint():
-    loaded = load_text(dedent(GUIDE.read_text("utf-8").partition("```yaml\n")[2].partition("```")[0]))
+    _, begins, rest = GUIDE.read_text("utf-8").partition("schema_version: 1\nid: quick_match\n")
+    loaded = load_text((begins + rest).partition("```")[0])
     assert loaded.scenario.match.half_s == 180
     assert lint(loaded) == []
     (name,) = loaded.scenario.expect
