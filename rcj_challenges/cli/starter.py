@@ -40,6 +40,8 @@ def new_scenario(name: str, preset: str) -> int:
     if preset not in known:
         raise StarterError(f"no preset '{preset}'; there are {listing(known)}{nearest(preset, known)}")
     file = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
+    if file.name in (".yaml", ".yml"):  # hidden on many systems, and nobody's name
+        raise StarterError(f"'{shown(name)}' is no name of a file; choose one such as slalom")
     if is_device_of_windows(file.name):
         raise StarterError(f"'{file.stem}' is a device on Windows, where no file has that name; choose another name")
     short = _identifier(file.stem)

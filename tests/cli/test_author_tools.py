@@ -287,6 +287,13 @@ class TestNew:
     def test_a_name_that_only_begins_like_a_device_is_taken(self, tmp_path, name):
         assert call("new", tmp_path / name).exit_code == 0
 
+    @pytest.mark.parametrize("name", ["", ".yaml", ".yml", "challenges/", "challenges/.yaml"])
+    def test_a_name_without_a_letter_before_the_ending_is_none(self, tmp_path, monkeypatch, name):
+        monkeypatch.chdir(tmp_path)
+        done = call("new", name)
+        assert str(done.exception) == f"'{name}' is no name of a file; choose one such as slalom"
+        assert list(tmp_path.iterdir()) == []
+
     def test_a_name_that_no_system_takes_is_told_so(self, tmp_path):
         done = call("new", tmp_path / ("x" * 5000))
         assert isinstance(done.exception, StarterError)
