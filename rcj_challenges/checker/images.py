@@ -77,7 +77,7 @@ def as_png(data: bytes) -> bytes:
     try:
         from PIL import Image  # noqa: PLC0415 - an extra
     except ImportError:
-        raise PictureError("converting it needs the extra [images]: pip install rcj-challenges[images]") from None
+        raise PictureError('converting it needs the extra [images]: pip install "rcj-challenges[images]"') from None
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")

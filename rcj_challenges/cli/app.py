@@ -86,7 +86,9 @@ def run(
         "runs"
     ),
     json_: Annotated[bool, typer.Option("--json", help="Print the result as JSON and nothing else.")] = False,
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Print only the last lines.")] = False,
+    quiet: Annotated[
+        bool, typer.Option("--quiet", "-q", help="Print only the last lines, and what --show-output shows.")
+    ] = False,
     real_time: Annotated[bool, typer.Option("--real-time", help="Play at the pace of the clock.")] = False,
     show_output: Annotated[
         list[str] | None, typer.Option("--show-output", metavar="ROBOT", help="Show what its program prints.")

@@ -118,7 +118,7 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Watcher]:
         out=options.out,
         sandbox=options.sandbox,
         real_time=options.real_time,
-        show_output=options.show_output,
+        show_output=frozenset() if options.json else options.show_output,
         debug=options.debug,
         record_sensors=options.record_sensors,
     )

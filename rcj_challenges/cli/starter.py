@@ -12,6 +12,7 @@ from rcj_challenges.facts.errors import RcjError, advised
 from rcj_challenges.facts.file_names import is_device_of_windows
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.scenario.errors import listing, nearest
+from rcj_challenges.scenario.json_schema import FILE
 from rcj_challenges.scenario.resources import names_in, starters_folder
 
 _LONGEST_ID = 64
@@ -39,6 +40,8 @@ def new_scenario(name: str, preset: str) -> int:
     if preset not in known:
         raise StarterError(f"no preset '{preset}'; there are {listing(known)}{nearest(preset, known)}")
     file = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
+    if file.name in (".yaml", ".yml"):  # hidden on many systems, and nobody's name
+        raise StarterError(f"'{shown(name)}' is no name of a file; choose one such as slalom")
     if is_device_of_windows(file.name):
         raise StarterError(f"'{file.stem}' is a device on Windows, where no file has that name; choose another name")
     short = _identifier(file.stem)
@@ -49,6 +52,7 @@ def new_scenario(name: str, preset: str) -> int:
     text = (starters_folder() / f"{preset}.yaml").read_text(encoding="utf-8")
     title = " ".join(part for part in re.split(r"[-_\s]+", file.stem) if part).capitalize()[:_LONGEST_TITLE]
     text = text.replace("id: starter", f"id: {short}", 1).replace("title: Starter", f'title: "{title}"', 1)
+    text = text.replace("SCHEMA_FILE", _schema_seen_from(file), 1)
     text = text.replace("FILE_NAME", typed(file.name)).replace("TEAM_FOLDER", typed(program.parent.name))
     _write(file, text)
     _write(program, (starters_folder() / f"{preset}.robot.txt").read_text(encoding="utf-8"))
@@ -61,6 +65,18 @@ Now:
   rcj-challenge run {typed(file)} --yellow {typed(program.parent)}
 """)
     return 0
+
+
+def _schema_seen_from(file: Path) -> str:
+    """Return where ``schema``, typed in the current folder, writes its file, as seen from the scenario's folder.
+
+    Of a scenario outside the current folder it is the place beside it.
+    """
+    try:
+        depth = len(Path(os.path.abspath(file.parent)).relative_to(Path.cwd()).parts)  # noqa: PTH100 - links stay
+    except ValueError:
+        depth = 0
+    return "../" * depth + f"schemas/{FILE}"
 
 
 def _identifier(stem: str) -> str:

@@ -437,13 +437,13 @@ _DRAWN_NUMBERS: dict[Any, Callable[[Leaf], str]] = {
 
 
 def _way_out(name: str, kind: str, reference: Field) -> str:
-    """Return what to write where a fixed obstacle is taken for something that moves, or a zone for a point."""
+    """Return what to write where an obstacle is taken for something that moves or tips, or a zone for a point."""
     if kind == "zone" and "spot" in reference.kinds and len(reference.kinds) > 1 and not reference.keys:
         return f", and a spot can stand for its centre: {{action: set_spot, spot: NAME, to: {name}}}"
+    if reference.instead and kind in ("obstacle", "fixed obstacle"):
+        return f"; {reference.instead}"
     if kind != "fixed obstacle" or "obstacle" not in reference.kinds:
         return ""
-    if reference.instead:
-        return f"; {reference.instead}"
     if "spot" in reference.kinds:
         return ": with movable: true it is an entity, and a spot of the same place can stand for it"
     return ", which can move: with movable: true it is one"

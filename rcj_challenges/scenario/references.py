@@ -23,7 +23,7 @@ class Field:
         drawn: whether a draw's name may stand for what it decided.
         words: words that are no names.
         keys: True if the names are the keys of the mapping.
-        instead: what to write in place of a fixed obstacle, where something that moves is needed; empty: what fits all.
+        instead: what to write in place of an obstacle, where something that moves or tips is needed; empty: the usual.
     """
 
     noun: str
@@ -67,6 +67,13 @@ _THINGS = Field("entity or obstacle", _MOVING | _FIXED, groups=True, each=True)
 _THING = Field("entity or obstacle", _MOVING | _FIXED, each=True)
 _TOUCHED = Field("entity or obstacle", _MOVING | _FIXED | {"walls"}, groups=True, each=True)
 _ROBOTS = Field("robot", _ROBOT, groups=True, each=True)
+_TIPPING = Field(
+    "robot",
+    _ROBOT,
+    groups=True,
+    each=True,
+    instead="an obstacle does not tip over: of a movable one 'displaced' tells that it was pushed away",
+)
 _ONE_ROBOT = Field("robot", _ROBOT, each=True)
 _ZONES = Field("zone", _ZONE, groups=True, each=True, drawn=True)
 _PUT_IN = Field("zone", _ZONE, groups=True)
@@ -118,7 +125,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (triggers.NoProgress, "entity"): _ENTITIES,
     (triggers.StaysIn, "entity"): _ENTITIES,
     (triggers.StaysIn, "zone"): _ZONES,
-    (triggers.TipsOver, "entity"): _ROBOTS,
+    (triggers.TipsOver, "entity"): _TIPPING,
     (triggers.SequenceCompleted, "sequence"): _SEQUENCE,
     (triggers.SequenceCompleted, "entity"): _ENTITIES,
     (triggers.SequenceBroken, "sequence"): _SEQUENCE,

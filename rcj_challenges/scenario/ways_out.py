@@ -106,6 +106,8 @@ def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
         return f"; it is called {usual!r} here"
     if above[:1] == ("rules",) and len(above) == 2 and key == "else":
         return "; what else is to happen is a rule of its own, whose conditions have negate: true"
+    if above[:1] == ("draws",) and key.startswith(("weight", "probabilit")):
+        return "; a value that shall come more often is written more than once: values: [a, a, a, b]"
     if above or not isinstance(root, Entries):
         return ""
     before = list(root.entries)[: list(root.entries).index(key)] if key in root.entries else []
@@ -152,10 +154,22 @@ def for_value(path: Path, node: Node | None) -> str:
         path: where the value stands.
         node: the value, as it is written.
     """
-    if path[:1] != ("rules",) or not isinstance(node, Entries):
+    if not isinstance(node, Entries):
+        return ""
+    if path[:1] == ("broadcast",) or "payload" in path:
+        return _told_otherwise(node)
+    if path[:1] != ("rules",):
         return ""
     compared = (_no_number, _score_compared, _measured_before, _drawn_compared, _told_compared)
     return next(filter(None, (way(path, node) for way in (*compared, _zone_to_put, _spot_of_chance))), "")
+
+
+def _told_otherwise(node: Entries) -> str:
+    """Return how programs, or the log, are told what is no value."""
+    if "condition" in node.entries:
+        return "; a condition cannot be told: let rules set a flag, and tell {flag: NAME}"
+    score = texts(child(node, "score"))
+    return f"; a score is read like a counter: {{counter: {score[0]}}}" if score else ""
 
 
 def _no_number(path: Path, node: Entries) -> str:

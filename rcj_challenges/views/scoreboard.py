@@ -29,16 +29,16 @@ _EVENTS_SHOWN = 6
 
 
 def watcher_for(console: Console, title: str, *, quiet: bool, shared: bool = False) -> Watcher:
-    """Return the scoreboard in a terminal, plain lines elsewhere, nothing if quiet.
+    """Return the scoreboard in a terminal, plain lines elsewhere; if quiet what programs print, if that is asked for.
 
     Args:
         console: where it is shown.
         title: of what is played.
-        quiet: whether nothing is.
+        quiet: whether nothing of the match is.
         shared: whether somebody else writes into the terminal too, over whose lines the scoreboard would be drawn.
     """
     if quiet:
-        return Silent()
+        return PrintedLines(console)
     return Scoreboard(console, title) if console.is_terminal and not shared else PlainLines(console, title)
 
 
@@ -132,18 +132,40 @@ def pace(progress: Progress) -> str:
     return f"{progress.factor:.0f} x real time, done in about {progress.remaining_s:.0f} s"
 
 
-class PlainLines(Silent):
-    """One line for each event and each simulated minute: for logs, pipes and editors.
+class PrintedLines(Silent):
+    """What programs print whose output is shown, and nothing else.
 
     Attributes:
         trouble: why it fell silent in the middle of the match, such as a full disk; the match goes on to its end.
     """
 
+    def __init__(self, console: Console) -> None:
+        self.trouble: OSError | None = None
+        self._console = console
+
+    def printed(self, robot: str, text: str) -> None:
+        """Show what a program printed."""
+        for line in text.splitlines():
+            self._say(f"{robot} | {plain(line, 2000)}")
+
+    def _say(self, line: str) -> None:
+        if self.trouble is None:
+            try:
+                self._print(line)
+            except OSError as error:
+                self.trouble = error
+
+    def _print(self, line: str) -> None:
+        self._console.print(line, markup=False, highlight=False, soft_wrap=True)
+
+
+class PlainLines(PrintedLines):
+    """One line for each event and each simulated minute: for logs, pipes and editors."""
+
     progress_every_ticks = round(60 / TICK_S)
 
     def __init__(self, console: Console, title: str) -> None:
-        self.trouble: OSError | None = None
-        self._console = console
+        super().__init__(console)
         self._print(title)  # where this cannot be said no match need begin
 
     def half_started(self, half: HalfInfo) -> None:
@@ -164,21 +186,6 @@ class PlainLines(Silent):
     def fault(self, fault: Fault) -> None:
         """Say the fault."""
         self._say(fault_line(fault))
-
-    def printed(self, robot: str, text: str) -> None:
-        """Show what a program printed."""
-        for line in text.splitlines():
-            self._say(f"{robot} | {plain(line, 2000)}")
-
-    def _say(self, line: str) -> None:
-        if self.trouble is None:
-            try:
-                self._print(line)
-            except OSError as error:
-                self.trouble = error
-
-    def _print(self, line: str) -> None:
-        self._console.print(line, markup=False, highlight=False, soft_wrap=True)
 
 
 class Scoreboard(Silent):

@@ -231,7 +231,7 @@ def test_without_pillow_such_a_logo_is_left_out_with_a_note(tmp_path: Path, monk
     monkeypatch.setitem(sys.modules, "PIL", None)
     result, out = repaired(tmp_path, plain(SOUND | {"logo.png": pictures.gif()}))
     assert result.done == [
-        "left out logo.png: converting it needs the extra [images]: pip install rcj-challenges[images]"
+        'left out logo.png: converting it needs the extra [images]: pip install "rcj-challenges[images]"'
     ]
     assert contents(out) == SOUND
 

@@ -226,6 +226,27 @@ class TestNew:
         assert "rcj-challenge validate slalom.yaml" in text
         assert "FILE_NAME" not in text
 
+    @pytest.mark.parametrize("preset", PRESETS)
+    @pytest.mark.parametrize("name", ["slalom", "of 2026/juniors/slalom.yaml"])
+    def test_editors_find_the_schema_that_is_written_where_new_was_typed(self, tmp_path, monkeypatch, name, preset):
+        monkeypatch.chdir(tmp_path)
+        call("new", name, "--from", preset)
+        call("schema")
+        file = Path(name).with_suffix(".yaml")
+        first = file.read_text(encoding="utf-8").splitlines()[0]
+        assert first.startswith("# yaml-language-server: $schema=")
+        named = first.partition("=")[2]
+        assert " " not in named  # editors take the line to its first blank
+        assert (file.parent / named).resolve() == (tmp_path / "schemas" / "scenario.schema.json").resolve()
+        assert (file.parent / named).is_file()
+
+    def test_editors_find_the_schema_beside_a_file_that_lies_elsewhere(self, tmp_path, monkeypatch):
+        (tmp_path / "here").mkdir()
+        monkeypatch.chdir(tmp_path / "here")
+        call("new", tmp_path / "there" / "slalom")
+        first = (tmp_path / "there" / "slalom.yaml").read_text(encoding="utf-8").splitlines()[0]
+        assert first == "# yaml-language-server: $schema=schemas/scenario.schema.json"
+
     def test_what_it_says_to_type_can_be_typed(self, tmp_path, monkeypatch):
         monkeypatch.chdir(tmp_path)
         said = call("new", "My chairs").stdout.splitlines()
@@ -265,6 +286,13 @@ class TestNew:
     @pytest.mark.parametrize("name", ["console", "com10", "nullify"])
     def test_a_name_that_only_begins_like_a_device_is_taken(self, tmp_path, name):
         assert call("new", tmp_path / name).exit_code == 0
+
+    @pytest.mark.parametrize("name", ["", ".yaml", ".yml", "challenges/", "challenges/.yaml"])
+    def test_a_name_without_a_letter_before_the_ending_is_none(self, tmp_path, monkeypatch, name):
+        monkeypatch.chdir(tmp_path)
+        done = call("new", name)
+        assert str(done.exception) == f"'{name}' is no name of a file; choose one such as slalom"
+        assert list(tmp_path.iterdir()) == []
 
     def test_a_name_that_no_system_takes_is_told_so(self, tmp_path):
         done = call("new", tmp_path / ("x" * 5000))

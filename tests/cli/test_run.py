@@ -208,6 +208,19 @@ def test_show_output_shows_what_a_robot_prints(tmp_path, monkeypatch, capsys, te
     assert "B1 |" not in said
 
 
+def test_quiet_leaves_of_it_what_a_robot_prints(tmp_path, monkeypatch, capsys, team):
+    Path(team).write_text(STAND.replace("    pass", "    print('schön', robot.getName())"), encoding="utf-8")
+    options = short(team, "--quiet", "--show-output", "Y2", "--no-replay", *DUEL)
+    assert here(monkeypatch, tmp_path, *options) == 0
+    said = capsys.readouterr().out.splitlines()
+    assert said[0].startswith("Y2 | --- half 1")
+    assert "Y2 | schön Y2" in said
+    assert [line.split()[0] for line in said if not line.startswith("Y2 |")][-1] == "record:"
+    assert not any("KICKOFF" in line for line in said)
+    assert here(monkeypatch, tmp_path, *options, "--json") == 0
+    assert "Y2 |" not in "".join(capsys.readouterr())
+
+
 WRONG = {
     "no such scenario": (["run", "matsch"], "match"),
     "no such file": (["run", "nowhere/thing.yaml"], "thing.yaml"),

@@ -141,6 +141,8 @@ def test_the_plain_match_is_told_by_its_score(capsys, still, monkeypatch):
     assert run("simulate", "match", "--seeds", "1", *still, "--json") == 0
     assert "ranking" not in json.loads(capsys.readouterr().out)
     assert run("simulate", "match", "--seeds", "1", *still, "--quiet") == 0
-    assert "place" not in capsys.readouterr().out
+    shown = capsys.readouterr().out
+    assert "place" not in shown
+    assert shown.split("\n", 1)[0].strip() == "1 match"
     assert run("run", "match", *still, "--quiet", "--no-replay") == 0
     assert len(capsys.readouterr().out.splitlines()) == 3

@@ -7,7 +7,10 @@ import tomllib
 from pathlib import Path
 
 import pytest
+import typer.main
 import yaml
+
+from rcj_challenges.cli.app import app
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCUMENTS = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), *(ROOT / "examples").rglob("*.md")])
@@ -71,3 +74,18 @@ def test_every_decision_is_in_the_index():
     for record in sorted((ROOT / "docs" / "adr").glob("0*.md")):
         number, title = re.match(r"# (\d+)\. (.+)", record.read_text(encoding="utf-8")).groups()
         assert f"| {number} | [{title}]({record.name}) |" in index
+
+
+COMMANDS = typer.main.get_command(app).commands
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_command_and_every_option_stands_in_a_document(name):
+    text = "\n".join(path.read_text(encoding="utf-8") for path in DOCUMENTS if path.name != "CHANGELOG.md")
+    assert re.search(rf"rcj-challenge {name}\b", text)
+    # Of a pair such as --replay/--no-replay the one that changes something suffices.
+    spellings = [
+        {*option.opts, *option.secondary_opts} for option in COMMANDS[name].params if option.opts[0][:1] == "-"
+    ]
+    missing = [names for names in spellings if not any(re.search(rf"(?<![\w-]){one}(?![\w-])", text) for one in names)]
+    assert missing == []

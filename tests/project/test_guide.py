@@ -107,8 +107,18 @@ def test_counters_kept_per_robot_are_summed_by_entrant_and_others_tell_nobody_ap
     assert {entry["team"]: entry["values"] for entry in told} == {"yellow": [10, 0, 14], "blue": [6, 0, 14]}
 
 
+def test_the_rule_of_the_fifth_step_gives_two_points_if_y3_touched_the_ball_last():
+    _, begins, rest = GUIDE.read_text("utf-8").partition("   rules:\n     goal:\n")
+    play = "{keyframes: [{at_s: 1, touch: [[%s, ball]]}, {at_s: 2, place: {ball: [0, 0.8]}}], lasts_s: 3, score: {yellow: %d}}"
+    tests = "expect:\n" + f"  yes: {play % ('Y3', 2)}\n" + f"  no: {play % ('Y2', 0)}\n"
+    loaded = load_text(HEAD + dedent((begins + rest).partition("```")[0]) + tests)
+    assert [try_expectation(loaded, name).differences for name in loaded.scenario.expect] == [(), ()]
+    assert lint(loaded) == []
+
+
 def test_the_example_that_extends_the_match_passes_its_own_test_and_lint():
-    loaded = load_text(dedent(GUIDE.read_text("utf-8").partition("```yaml\n")[2].partition("```")[0]))
+    _, begins, rest = GUIDE.read_text("utf-8").partition("schema_version: 1\nid: quick_match\n")
+    loaded = load_text((begins + rest).partition("```")[0])
     assert loaded.scenario.match.half_s == 180
     assert lint(loaded) == []
     (name,) = loaded.scenario.expect
@@ -116,10 +126,39 @@ def test_the_example_that_extends_the_match_passes_its_own_test_and_lint():
 
 
 def test_the_example_of_places_that_follow_from_one_number_is_symmetric_whatever_the_number():
-    _, begins, rest = GUIDE.read_text("utf-8").partition("   params: {gap_m: 0.15}\n")
+    _, begins, rest = GUIDE.read_text("utf-8").partition("params: {gap_m: 0.15}\n")
     text = HEAD + dedent((begins + rest).partition("```")[0])
     for gap_m, overrides in ((0.15, ()), (0.2, ("gap_m=0.2",))):
         scenario = load_text(text, overrides).scenario
         assert (scenario.zones["west"].x_max_m, scenario.zones["east"].x_min_m) == (-gap_m, gap_m)
         (left, _), (right, _) = scenario.gates["between"].from_m, scenario.gates["between"].to_m
         assert -left == right == round(gap_m - 0.02, 9)
+
+
+def test_overtime_is_a_third_half_that_only_a_draw_leads_to_and_a_goal_ends_it():
+    _, begins, rest = GUIDE.read_text("utf-8").partition("  match: {halves: 3, half_s: [300, 300, 120]}\n")
+    play = "keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}], ignore: [MATCH_START, KICKOFF, LACK_OF_PROGRESS, ROBOT_DAMAGED]"
+    level = "given: {score: {yellow: 1, blue: 2}}"
+    tests = [
+        f"  led: {{half: 2, keyframes: [{{at_s: 1}}], lasts_s: 300, {level}, ended: match}}",
+        f"  level: {{half: 2, {play}, lasts_s: 300, {level}, ended: half, score: {{yellow: 2, blue: 2}}}}",
+        f"  golden: {{half: 3, {play}, lasts_s: 20, {level}, ended: match}}",
+        f"  no_goal: {{half: 3, keyframes: [{{at_s: 1}}], lasts_s: 20, {level}, ended: none}}",
+    ]
+    text = dedent((begins + rest).partition("```")[0]) + "\n".join(["expect:", "  inherited: null", *tests]) + "\n"
+    loaded = load_text(HEAD.replace("soccersim_v2", "match") + text)
+    trials = {name: try_expectation(loaded, name).differences for name in loaded.scenario.expect}
+    assert trials == {"led": (), "level": (), "golden": (), "no_goal": ()}
+    assert lint(loaded) == []
+
+
+def test_a_value_that_is_written_three_times_comes_three_times_as_often():
+    written = "values: [common, common, common, rare]"
+    assert f"`{written}`" in GUIDE.read_text("utf-8")
+    rules = "rules: {r: {triggers: [{trigger: time_reached, at_s: 0.1, every_s: 0.1}], actions: [{action: draw, draw: v}, EMIT]}}"
+    emit = "{action: emit, event: DRAWN, payload: {v: {draw: v}}}"
+    loaded = load_text(
+        HEAD + "match: {half_s: 200}\n" + f"draws: {{v: {{{written}}}}}\n" + rules.replace("EMIT", emit) + "\n"
+    )
+    drawn = [event.payload["v"] for event in played(loaded, 200).events]
+    assert 0.7 < drawn.count("common") / len(drawn) < 0.8

@@ -234,3 +234,48 @@ def test_a_rule_for_each_spot_is_repeated():
 )
 def test_what_is_no_counter_gets_no_way_out(counter):
     assert complaints(HEAD_OF_ALL + rule(action=f"{{action: count, counter: n, by: {counter}}}"))
+
+
+OBSTACLES = (
+    "obstacles:\n  pin: {shape: cylinder, centre_m: [0.5, 0], radius_m: 0.02, movable: true}\n"
+    "  post: {shape: cylinder, centre_m: [-0.5, 0], radius_m: 0.02}\ngroups: {pins: [pin]}\n"
+)
+
+
+@pytest.mark.parametrize("name", ["pin", "post", "pins"])
+def test_who_waits_for_an_obstacle_to_tip_over_is_told_what_tells_that_it_was_pushed(name):
+    complaint = next(iter(complaints(OBSTACLES + rule(trigger=f"{{trigger: tips_over, entity: {name}}}"))))
+    assert "expected a robot" in complaint
+    assert complaint.endswith(
+        "; an obstacle does not tip over: of a movable one 'displaced' tells that it was pushed away"
+    )
+
+
+def test_of_a_ball_nothing_is_said_of_obstacles():
+    assert complaints(rule(trigger="{trigger: tips_over, entity: ball}"))[0].endswith(
+        "'ball' is a ball; expected a robot"
+    )
+
+
+TOLD = {
+    "{condition: distance, entity: Y1, to: ball, at_most: 0.1}": "a condition cannot be told: let rules set a flag, and tell {flag: NAME}",
+    "{score: yellow}": "a score is read like a counter: {counter: yellow}",
+}
+
+
+@pytest.mark.parametrize("value", TOLD)
+@pytest.mark.parametrize("where", ["fields", "only", "payload"])
+def test_what_cannot_be_told_is_told_otherwise(value, where):
+    text = {
+        "fields": f"broadcast: {{fields: {{key: {value}}}}}\n" + rule(),
+        "only": f"broadcast: {{fields: {{}}, only: {{Y1: {{key: {value}}}}}}}\n" + rule(),
+        "payload": rule(action=f"{{action: emit, event: SEEN, payload: {{key: {value}}}}}"),
+    }[where]
+    (complaint,) = complaints(text)
+    assert complaint.endswith(f"; {TOLD[value]}")
+
+
+@pytest.mark.parametrize("key", ["weights", "weight", "probabilities"])
+def test_who_wants_a_value_to_come_more_often_is_told_to_write_it_more_than_once(key):
+    (complaint,) = complaints(f"draws: {{prize: {{values: [a, b], {key}: [3, 1]}}}}\n" + rule())
+    assert complaint.endswith("; a value that shall come more often is written more than once: values: [a, a, a, b]")

@@ -234,6 +234,20 @@ def test_a_draw_that_rules_repeat_is_not_made_once():
     assert set_too in sheet(draws % (", keep: match", GOAL, ", as: 5"))
 
 
+def test_a_value_that_is_written_more_than_once_is_told_once_with_how_often_it_comes():
+    draws = "draws: {gain: {values: [1, 5, 1, 1]}, way: {values: [a, b]}}\n"
+    text = sheet(f"{draws}rules: {{it: {{{GOAL}, actions: [{{action: end}}]}}}}\n")
+    assert "Chance decides “gain” when a half starts: 1 (in 3 of 4 cases) or 5 (in 1 of 4 cases)." in text
+    assert "Chance decides “way” when a half starts: a or b." in text
+    timer = "draws: {long_s: {values: [1, 1, 2]}}\ntimers: {rest: {lasts_s: {draw: long_s}, starts: true}}\n"
+    assert "lasts 1 s or 2 s, as “long (s)” is drawn" in sheet(
+        f"{timer}rules: {{it: {{{GOAL}, actions: [{{action: end}}]}}}}\n"
+    )
+    kick = "{action: place, entity: ball, at: {spot: centre}, kick: {towards: {spot: middle_blue}, speed_mps: {draw: fast}}}"
+    fast = "draws: {fast: {values: [0.5, 0.5, 1]}}\n"
+    assert "at 0.5 or 1 m/s, as “fast” is drawn" in sheet(f"{fast}rules: {{it: {{{GOAL}, actions: [{kick}]}}}}\n")
+
+
 KING = (
     "draws: {king: {values: [nobody, Y1, Y2, Y3]}}\n"
     "zones: {hill: {shape: circle, centre_m: [0, 0], radius_m: 0.1}}\n"

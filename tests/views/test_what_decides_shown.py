@@ -66,6 +66,9 @@ def test_a_number_has_no_superfluous_zeros(value: float, words: str) -> None:
         ("TIME", {"run_s": 8.4}, "After 8.4 seconds.", "run 8.4 s"),
         ("POLE", {"pole": "pole_1"}, "The robot touches pole_1.", ""),
         ("POLE", {"pole": "pole_1"}, "The robot touches pole_12.", "pole pole_1"),
+        # Sentences tell names with blanks in place of _.
+        ("KNOCKED", {"pin": "pin_1"}, "pin 1 is knocked.", ""),
+        ("KNOCKED", {"pin": "pin_1"}, "pin 12 is knocked.", "pin pin_1"),
         ("SAVE", {"number": 1, "seen": False}, "Saved.", "number 1, seen no"),
         ("HIT", {"by": None, "at": [0.5, 0]}, "A hit.", "by none, at [0.5, 0]"),
         ("FOUND", {"robot_name": "Y1"}, "The ball is found.", "robot Y1"),

@@ -12,7 +12,12 @@ class Draw(Grown):
 
     later_keys = frozenset({"not_again"})
 
-    values: tuple[Scalar, ...] = Field(..., strict=False, min_length=1, description="the values, equally likely")
+    values: tuple[Scalar, ...] = Field(
+        ...,
+        strict=False,
+        min_length=1,
+        description="the values, equally likely; one that is written twice comes twice as often",
+    )
     not_last: bool = described(False, "True: never the same value twice running")
     not_again: Literal["half", "match"] | None = described(
         None,

@@ -157,7 +157,7 @@ class TipsOver(Strict):
     """Fires when a robot tilts further than an angle."""
 
     trigger: Literal["tips_over"]
-    entity: Names = described(..., _ENTITY)
+    entity: Names = described(..., "whose: a robot, a group of robots (any of them), or each")
     angle_rad: Positive = described(0.7854, "tilt of its vertical axis in rad", lt=3.1416)
 
 

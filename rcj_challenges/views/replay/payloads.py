@@ -39,7 +39,9 @@ def _is_said(key: str, value: Any, says: str) -> bool:
         text = f"{_number(value)} {unit}" if unit else ""
     else:
         text = value if isinstance(value, str) else ""
-    return bool(text) and re.search(rf"(?<![\w.]){re.escape(text)}(?!\w)", says) is not None
+    # A name stands in a sentence with blanks in place of _, and in texts of records of older versions as it is.
+    forms = {text, text.replace("_", " ")} if text else set()
+    return any(re.search(rf"(?<![\w.]){re.escape(form)}(?!\w)", says) for form in forms)
 
 
 def _words(key: str, value: Any) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 
 from rcj_challenges.scenario.blanks import description_of
@@ -134,9 +135,12 @@ def _kept_words(nouns: Nouns, kind: str, name: str) -> str:
 
 def _draw_words(nouns: Nouns, name: str, draw: Draw) -> str:
     # As they are written: a program may be told them, or have to tell them.
-    values = listed([value(nouns, entry) for entry in draw.values], "or")
+    times = Counter(value(nouns, entry) for entry in draw.values)
     if nouns.is_set(name):
-        return f"{quoted_measure(name)} is {values}, as rules set it."
+        return f"{quoted_measure(name)} is {listed(list(times), 'or')}, as rules set it."
+    often = len(times) < len(draw.values)
+    cases = [f"{word} (in {count} of {len(draw.values)} cases)" if often else word for word, count in times.items()]
+    values = listed(cases, "or")
     again = ", never the same twice running" if draw.not_last else ""
     if draw.not_again is not None:
         where = "in a half" if draw.not_again == "half" else "in the match"
