@@ -368,7 +368,7 @@ def test_a_loop_that_stands_in_a_text_is_none(quotes):
 def test_a_function_that_is_named_and_not_called_is_told_with_its_line():
     entry = PurePosixPath("a.py")
     program = "class Bot:\n    def run(self):\n        while robot.step(32) != -1:\n            pass\nbot = Bot()\n"
-    remedy = "line 6 names run and does not call it: a call needs brackets, run()"
+    remedy = "line 6 names bot.run and does not call it: a call needs brackets, bot.run()"
     assert why_it_ended({entry: (program + "bot.run\n").encode()}, entry) == remedy
     assert why_it_ended({entry: (program + "bot.run\nbot.run()\n").encode()}, entry) == ""
     assert why_it_ended({entry: (program + "bot.run\n").encode()}, entry, has_stepped=True) == ""

@@ -44,6 +44,9 @@ def test_what_is_not_imported_is_told_with_the_line_that_imports_it(name, code, 
         ("self", "self.run()"),
         ("sqrt", "x = sqrt"),
         ("go", "go()"),
+        ("log", "log('kick-off')"),  # a function of the team's own that is called like one of math
+        ("log", 'log(f"ball at {x}")'),
+        ("e", "e(3)"),  # a number
     ],
 )
 def test_what_is_no_such_module_is_not_taken_for_one(name, code):
@@ -90,6 +93,13 @@ def test_a_program_in_a_file_of_another_ending_is_read_like_any(file):
     files[PurePosixPath(file)] += b"def drive(): pass\n"
     moved = "line 1 uses drive before Python has read line 2, where it is defined: move that up"
     assert on_unknown_name("drive", detail, files) == moved
+
+
+def test_a_module_that_this_computer_has_only_in_part_is_not_told(monkeypatch):
+    """As of a Python that was built without a library, or ``crypt`` on Windows."""
+    monkeypatch.delitem(sys.modules, "lzma", raising=False)
+    monkeypatch.setitem(sys.modules, "_lzma", None)
+    assert told("lzma", "x = lzma.compress(b'')") == ""
 
 
 def test_a_file_of_the_current_folder_that_is_called_like_a_module_of_python_is_never_run(tmp_path, monkeypatch):
