@@ -171,7 +171,7 @@ class _Walker:
             # What has no kind is a name that does not exist, which is reported where it is written.
             wrong = next((one for one in members if one in kinds and kinds[one] not in reference.kinds), None)
             if wrong is not None:
-                wanted = f"{_a(reference.noun)}{_way_out(wrong, kinds[wrong], reference)}"
+                wanted = f"{_a(reference.noun)}{_way_out(name, kinds[wrong], reference)}"
                 self.add(path, mark, f"'{name}' stands for '{wrong}', {_a(kinds[wrong])}; expected {wanted}")
 
     def _check_on_field(self, reference: Field, name: str, path: Path, mark: Mark) -> None:

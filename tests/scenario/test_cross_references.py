@@ -187,6 +187,8 @@ BAD = [
     (trigger, "crosses, entity: ball, gate: pitch", "", "'pitch' is a zone; expected a gate"),
     (trigger, "touches, entity: ball, other: centre", "", "'centre' is a spot; expected an entity or obstacle"),
     (trigger, "tips_over, entity: ball", "", "'ball' is a ball; expected a robot"),
+    (action, "place, entity: ball, at: {relative_to: each}", "penalty_areas", ("'each' stands for 'blue_penalty_area', a zone; "
+     "expected an entity or spot, and a spot can stand for its centre: {action: set_spot, spot: NAME, to: each}")),
     (trigger, "tips_over, entity: each", "movers", "'each' stands for 'ball', a ball; expected a robot"),
     (trigger, "program_fault, robot: each", "balls", "'each' stands for 'ball', a ball; expected a robot"),
     (trigger, "holds, condition: {condition: in_zone, entity: bal, zone: pitch}", "", "unknown entity 'bal'; did you mean 'ball'?"),
