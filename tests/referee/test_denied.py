@@ -1,6 +1,7 @@
 """A test that misses an event says of a rule that was triggered and did not fire which condition did not hold."""
 
 import pytest
+import yaml
 
 from rcj_challenges.referee.trials import run_expectation
 from rcj_challenges.scenario.load import load_text
@@ -80,6 +81,19 @@ def test_a_rule_that_scores_for_whom_it_concerns_may_have_changed_any_score(entr
 def test_a_rule_without_the_phase_is_not_triggered():
     assert notes(COUNTED.replace("first: {", "first: {phases: [pause], ").replace("rules:", "phases: {pause: {}}\nrules:"),
                  "{event: FIRST}") == []  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "condition",
+    [
+        '{condition: told, entity: Y1, text: ["a, b", "3", 3.25, "no", home]}',
+        "{condition: distance, entity: ball, to: [0.25, 123.45678], at_most: 0.001}",
+    ],
+)
+def test_texts_and_numbers_are_told_as_an_author_writes_them(condition):
+    more = f"rules:\n  late: {{{GOAL}, conditions: [{condition}], actions: [{{action: emit, event: LATE}}]}}\n"
+    said = notes(more, "{event: LATE}")[0].partition(", and ")[2].removesuffix(" did not hold")
+    assert yaml.safe_load(said) == yaml.safe_load(condition)
 
 
 def test_a_condition_of_several_is_told_as_it_is_written():
