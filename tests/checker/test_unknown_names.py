@@ -40,6 +40,7 @@ def test_what_is_not_imported_is_told_with_the_line_that_imports_it(name, code, 
         ("queue", "queue.append(1)"),  # a list of the team's own that is called like a module
         ("signal", "signal.strength = 3"),
         ("this", "this.speed = 3"),
+        ("this", "x = this.s"),  # of Python, and prints a poem when it is imported
         ("socket", "socket.socket()"),  # which a match refuses
         ("self", "self.run()"),
         ("sqrt", "x = sqrt"),
@@ -66,6 +67,19 @@ def test_a_function_of_another_file_is_not_taken_for_one_of_math_and_where_it_is
     assert told("dist", "dist(1, 2)", utils=dist, tools=dist) == ""
     assert told("dist", "dist(1, 2)", utils=dist) == ""  # nobody imports by such a name here: it may be a package
     assert told("dist", "from utils import x\ndist(1, 2)", utils="import robot\n" + dist) == ""
+
+
+def test_what_lies_in_another_folder_and_what_is_no_program_counts_for_nothing():
+    other = {PurePosixPath("other/utils.py"): b"def dist(a, b): return abs(a - b)\n"}
+    robot = {PurePosixPath("team/robot.py"): b"from utils import x\nfar(dist(1, 2))"}
+    detail = "NameError: name 'dist' is not defined (team/robot.py, line 2)"
+    assert on_unknown_name("dist", detail, other | robot) == ""
+    notes = {PurePosixPath("team/notes.md"): b"def dist(a, b): of math\n"}
+    assert on_unknown_name("dist", detail, notes | robot) == 'write "from math import dist" at the top of robot.py'
+
+
+def test_a_function_that_is_defined_above_and_gone_is_not_told_to_be_moved_up():
+    assert told("go", "def go(): pass\ndel go\ngo()") == ""
 
 
 def test_a_method_is_told_to_be_called_as_one():
