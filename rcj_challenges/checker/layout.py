@@ -164,7 +164,8 @@ def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) 
     plan = plan_moves(opening, seats)
     files = opening.contents.files
     into_folders = _into_folders_with_copies(opening) if plan is None else ""
-    not_meant = roles_of(files).libraries | {files[path] for path in _asked(seats) if path in files}
+    libraries = roles_of(files).libraries
+    not_meant = _asked(seats).union(path for path, content in files.items() if content in libraries)
     is_unclear = plan is None and not into_folders
     message = missing_programs(files, opening.missing, hint=is_unclear, not_meant=not_meant)
     nested = [trouble for trouble in opening.contents.troubles if trouble.code == "archive.nested"]

@@ -176,6 +176,11 @@ def test_a_program_that_serves_is_not_meant_to_be_another_one(tmp_path: Path) ->
     assert "did you mean" not in found.message
 
 
+def test_a_copy_of_a_program_that_serves_may_be_meant_to_be_another_one(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, {"robot2/robot2.py": ALONE, "robot3/robot3.py": ALONE, "Robot1.py": ALONE})
+    assert "did you mean Robot1.py to be robot1/robot1.py?" in found.message
+
+
 def test_no_folder_is_made_where_a_file_of_its_name_lies(tmp_path: Path) -> None:
     found = misplaced(tmp_path, FLAT | {"robot1": b"x"})
     assert found.code == "layout.missing"
