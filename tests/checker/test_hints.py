@@ -356,6 +356,11 @@ def test_a_program_that_left_its_loop_is_not_told_to_call_a_helper_that_it_does_
     assert "call wait()" in why_it_ended({entry: loop_elsewhere.encode()}, entry)
 
 
+def test_whether_it_left_its_loop_is_told_by_the_match(check):
+    assert "wait()" not in failure(check(BEGIN + HELPER + "while robot.step(32) != -1:\n    break\n")).remedy
+    assert "call wait()" in failure(check(BEGIN + HELPER)).remedy
+
+
 @pytest.mark.parametrize("quotes", ['"""', "'''"])
 def test_a_loop_that_stands_in_a_text_is_none(quotes):
     entry = PurePosixPath("a.py")
