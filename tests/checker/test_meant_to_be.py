@@ -123,6 +123,13 @@ def test_programs_that_lie_beside_their_folders_belong_into_them(tmp_path: Path)
     assert mended(tmp_path) == {"robot1/robot1.py", "robot2/robot2.py", "robot3/robot3.py", "team_name.txt"}
 
 
+def test_so_do_those_that_mention_themselves(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, {file: b"# %s\n" % file.encode() + content for file, content in FLAT.items()})
+    assert found.code == "layout.misnamed"
+    assert found.repair
+    assert "robot1/robot1.py" in mended(tmp_path)
+
+
 def test_so_do_those_in_an_extra_folder(tmp_path: Path) -> None:
     found = misplaced(tmp_path, below("cats", FLAT))
     assert found.remedy.startswith("move what is in cats to the top, move the file robot1.py into a folder robot1, ")
