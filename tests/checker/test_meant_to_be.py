@@ -58,6 +58,8 @@ def test_it_is_meant_too_where_only_its_folder_is_called_as_asked_for(tmp_path: 
     found = misplaced(tmp_path, below("score_goal", {"main.py": MAIN} | SHARED))
     assert found.code == "layout.missing"  # for another challenge, it seems
     assert "did you mean" not in found.message  # none of the files that it imports
+    found = misplaced(tmp_path, below("rcj_soccer_team_blue", {"score_goal.py": MAIN} | SHARED))
+    assert found.code == "layout.missing"  # so its own name says
 
 
 def test_a_program_called_main_at_the_top_is_meant_and_no_file_that_it_imports(tmp_path: Path) -> None:
