@@ -83,6 +83,27 @@ def test_a_rule_without_the_phase_is_not_triggered():
                  "{event: FIRST}") == []  # fmt: skip
 
 
+def test_of_several_that_a_rule_is_for_that_is_told_which_kept_the_first_of_them():
+    more = (
+        "zones: {lane: {shape: rect, x_min_m: -0.1, x_max_m: 0.1}}\n"  # in which Y3 starts alone
+        "rules:\n  near:\n    for_each: yellow\n    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]\n"
+        "    conditions: [{condition: in_zone, entity: each, zone: lane}, {condition: half, equals: 2}]\n"
+        "    actions: [{action: emit, event: NEAR}]\n"
+    )
+    assert notes(more, "{event: NEAR}") == [
+        "note: near was triggered at 1.024 s, and {condition: in_zone, entity: each, zone: lane} did not hold"
+    ]
+
+
+@pytest.mark.parametrize("half", [1, 2])
+def test_a_rule_of_another_phase_is_not_told_whether_its_conditions_hold_or_not(half):
+    more = (
+        "phases: {pause: {}}\nrules:\n  later: {phases: [pause], triggers: [{trigger: time_reached, at_s: 2}], "
+        f"conditions: [{{condition: half, equals: {half}}}], actions: [{{action: emit, event: LATER}}]}}\n"
+    )
+    assert notes(more, "{event: LATER}") == []
+
+
 @pytest.mark.parametrize(
     "condition",
     [
