@@ -54,6 +54,16 @@ def test_of_several_times_that_is_told_which_is_nearest_to_when_the_event_was_ex
 def test_rules_that_fired_and_those_that_emit_nothing_that_is_missing_are_not_told():
     other = COUNTED + f"  second: {{{GOAL}, actions: [{{action: emit, event: SECOND}}]}}\n"
     assert notes(other, "{event: SECOND}, {event: SECOND}") == []
+    twice = "{at_s: 1, place: {ball: [0, 0.8]}}, {at_s: 2, place: {ball: [0, 0]}}, {at_s: 3, place: {ball: [0, 0.8]}}"
+    assert notes(COUNTED, "{event: FIRST}, {event: FIRST}", twice) == []  # kept from it at first, and fired then
+
+
+def test_of_many_rules_that_did_not_fire_the_first_three_are_told():
+    more = "rules:\n" + "".join(
+        f"  r{number}: {{{GOAL}, conditions: [{{condition: half, equals: 2}}], actions: [{{action: emit, event: E}}]}}\n"
+        for number in range(5)
+    )
+    assert [note.split()[1] for note in notes(more, "{event: E}")] == ["r0", "r1", "r2"]
 
 
 def test_rules_that_would_have_changed_a_score_are_told():
