@@ -54,7 +54,8 @@ def is_of_a_device(detail: str, team: Team) -> bool:
     line = crash_line(detail, team.files)
     held = re.search(rf"\b(\w{{1,100}})\.{attribute}\b", line.code) if line is not None else None
     holder = held[1].encode() if held is not None else b""
-    if holder and _any_program_has(rb"\b%b[ \t]{0,4}=[^\n]{0,200}?%b" % (holder, _ASKS), team):
+    # Up to the next "=" alone: of a line full of them each would be looked at as often as there are letters.
+    if holder and _any_program_has(rb"\b%b[ \t]{0,4}=[^\n=]{0,200}?%b" % (holder, _ASKS), team):
         return True
     if not _OF_DEVICES.fullmatch(attribute):
         return False

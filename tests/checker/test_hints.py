@@ -11,6 +11,7 @@ import pytest
 from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.checker.early_ends import why_it_ended
 from rcj_challenges.checker.hints import hint_on
+from rcj_challenges.checker.no_device import is_of_a_device
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.scenario.load import load
 
@@ -187,6 +188,17 @@ def test_a_program_of_which_only_threads_go_on_is_told_that_it_came_to_its_end(c
     assert found.code == "start.step_timeout"
     assert found.remedy.startswith("the program itself came to its end, and only its threads go on")
     assert found.details.splitlines()[-1].startswith("  after its last line")
+
+
+@pytest.mark.parametrize("attribute", ["enable", "value"])
+def test_who_holds_a_device_is_found_out_in_no_time(tmp_path, attribute):
+    program = f"x.{attribute}\n" + "x=" * 2_500_000 + "1\nx = robot.getDevice('lidar')\n"
+    (tmp_path / "robot.py").write_text(program, encoding="utf-8")
+    detail = f"AttributeError: 'NoneType' object has no attribute '{attribute}' (robot.py, line 1)"
+    with open_team(tmp_path / "robot.py") as team:
+        began_s = time.process_time()  # what else the machine does is not counted
+        assert is_of_a_device(detail, team)
+        assert time.process_time() - began_s < 5
 
 
 def test_a_line_without_end_is_looked_at_in_no_time(tmp_path):
