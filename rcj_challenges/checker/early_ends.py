@@ -100,7 +100,7 @@ def _only_named(loops: Sequence[_Loop], content: bytes, used_times: Mapping[byte
     wanted = {loop.is_reached_by for loop in loops if loop.name and used_times[loop.is_reached_by] == 1}
     for number, _, code in _lines(content):
         if (alone := _NAME.fullmatch(code)) is not None and alone[1] in wanted:
-            name = shown(alone[1])
+            name = shown(code)
             return f"line {number} names {name} and does not call it: a call needs brackets, {name}()"
     return ""
 

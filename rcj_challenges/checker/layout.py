@@ -163,13 +163,17 @@ def _surroundings(opening: Opening) -> list[Finding]:
 def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) -> list[Finding]:
     plan = plan_moves(opening, seats)
     files = opening.contents.files
-    message = missing_programs(files, opening.missing, hint=plan is None, not_meant=roles_of(files).libraries)
+    into_folders = _into_folders_with_copies(opening) if plan is None else ""
+    libraries = roles_of(files).libraries
+    not_meant = _asked(seats).union(path for path, content in files.items() if content in libraries)
+    is_unclear = plan is None and not into_folders
+    message = missing_programs(files, opening.missing, hint=is_unclear, not_meant=not_meant)
     nested = [trouble for trouble in opening.contents.troubles if trouble.code == "archive.nested"]
     if plan is None and nested:
         remedy = f"pack what is in {nested[0].where}, not the archive itself"
         return [Finding("layout.missing", "failure", message, remedy)]
     if plan is None:
-        remedy = f"{_elsewhere(others)}{_into_folders_with_copies(opening) or _call_it_so(opening)}"
+        remedy = f"{_elsewhere(others)}{into_folders or _call_it_so(opening)}"
         return [Finding("layout.missing", "failure", message, remedy)]
     remedy = _elsewhere(others) + ", ".join(map(str, plan.moves))
     if plan.mentioned:
@@ -178,12 +182,13 @@ def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) 
 
 
 def _into_folders_with_copies(opening: Opening) -> str:
-    """Return what to do about programs beside their folders that import from beside them; empty if it is not so."""
+    """Return what to do about programs beside their folders that use what lies there; empty if it is not so."""
     for wanted in zip(*opening.missing.values(), strict=False):
         entries = dict.fromkeys(map(PurePosixPath, wanted))
         moves = _beside_their_folders(opening.contents.files, entries)
         if moves:
-            return f"{', '.join(map(str, moves))}, each with a copy of what it imports from beside it"
+            each = "each " if len(moves) > 1 else ""
+            return f"{', '.join(map(str, moves))}, {each}with a copy of what it imports or opens beside it"
     return ""
 
 
@@ -234,7 +239,10 @@ def _asked(seats: Iterable[Entrant]) -> set[PurePosixPath]:
 
 
 def _complete(files: Files, seats: Sequence[Entrant]) -> bool:
-    return all(entry is not None for entry in entries_of(files, seats).values())
+    """Return whether every robot has its program, and no file lies where a folder is."""
+    if any(entry is None for entry in entries_of(files, seats).values()):
+        return False
+    return files.keys().isdisjoint(folder for path in files for folder in path.parents)
 
 
 def _roots(files: Files) -> Iterator[list[PurePosixPath]]:
@@ -290,11 +298,12 @@ def _by_renaming(files: Files, seats: Sequence[Entrant], roles: Roles) -> Plan |
 def _into_folders(files: Files, wanted: Sequence[PurePosixPath]) -> list[Move] | None:
     """Return how programs that lie beside the folders in which they belong come into them.
 
-    None if one is not there, or if there are more: what a program imports from beside it would lie elsewhere then.
+    None if one is not there, or if one mentions what lies beside it: that would lie elsewhere then.
     """
     moves = _beside_their_folders(files, wanted)
-    programs = sum(path.suffix == ".py" and bool(content.strip(BLANK)) for path, content in files.items())
-    return moves if len(moves) == programs else None
+    names = {path.parts[0].partition(".")[0] for path in files} - {""}
+    uses = (mentioned({move.old: files[move.old]}, names - {move.old.stem}) for move in moves)
+    return None if any(uses) else moves
 
 
 def _beside_their_folders(files: Files, wanted: Iterable[PurePosixPath]) -> list[Move]:

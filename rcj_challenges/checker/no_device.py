@@ -51,14 +51,17 @@ def is_of_a_device(detail: str, team: Team) -> bool:
     if found is None:
         return False
     attribute = found["attribute"]
-    if _OF_DEVICES.fullmatch(attribute):
-        own = rb"\bdef[ \t]{1,4}%b\b" % attribute.encode()
-        return not _any_program_has(own, team)
     line = crash_line(detail, team.files)
-    holder = re.search(rf"\b(\w{{1,100}})\.{attribute}\b", line.code) if line is not None else None
-    return holder is not None and _any_program_has(
-        rb"\b%b[ \t]{0,4}=[^\n]{0,200}?%b" % (holder[1].encode(), _ASKS), team
-    )
+    held = re.search(rf"\b(\w{{1,100}})\.{attribute}\b", line.code) if line is not None else None
+    holder = held[1].encode() if held is not None else b""
+    # Up to the next "=" alone: of a line full of them each would be looked at as often as there are letters.
+    if holder and _any_program_has(rb"\b%b[ \t]{0,4}=[^\n=]{0,200}?%b" % (holder, _ASKS), team):
+        return True
+    if not _OF_DEVICES.fullmatch(attribute):
+        return False
+    if holder and _any_program_has(rb"\b%b[ \t]{0,4}=[ \t]{0,4}None\b" % holder, team):
+        return False  # which the program set itself
+    return not _any_program_has(rb"\bdef[ \t]{1,4}%b\b" % attribute.encode(), team)
 
 
 def _any_program_has(words: bytes, team: Team) -> bool:

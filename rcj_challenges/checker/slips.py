@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 from pathlib import PurePosixPath
 
-from rcj_challenges.checker.crash_lines import crash_line, text_of
+from rcj_challenges.checker.crash_lines import CrashLine, crash_line, text_of
 from rcj_challenges.checker.unknown_names import on_unknown_name
 from rcj_challenges.facts.shown import shown
 
@@ -24,7 +24,9 @@ _ONE_TOO_MANY = re.compile(
     rf"^TypeError: \w{{1,{_MOST_NAME}}}\.(?P<method>\w{{1,{_MOST_NAME}}})\(\) takes (?P<takes>[0-9]{{1,3}}) positional "
     r"arguments? but (?P<given>[0-9]{1,3}) were given"
 )
-_THREE = re.compile(r"\b(getValues|getEmitterDirection|values|emitter_direction)\b")
+_THREE = re.compile(r"\b(?:getValues|getEmitterDirection)\b|\.(?:values|emitter_direction)\b(?!\()")
+_TAKES_A_NAME = re.compile(rf"=[ \t]{{0,20}}(?P<name>\w{{1,{_MOST_NAME}}})[ \t]{{0,20}}(?:#|$)")
+_OF_THREE = r"(?:(?:getValues|getEmitterDirection)\(\)|values|emitter_direction)[ \t]{0,20}(?:#|$)"
 _THREE_NUMBERS = "these are three numbers: x, y, z = gps.getValues()"
 _NO_VECTORS = (
     "lists do not reckon as vectors: take their numbers one by one (p[0] - q[0]), or make arrays of them: "
@@ -126,10 +128,20 @@ def on_slip(detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
         return on_unknown_name(found["name"], detail, files)
     if _TOO_MANY.match(detail):
         line = crash_line(detail, files)
-        return _THREE_NUMBERS if line is not None and _THREE.search(line.code) else ""
-    if found := _ONE_TOO_MANY.match(detail):
-        return _on_self(found["method"], files) if int(found["given"]) == int(found["takes"]) + 1 else ""
+        return _THREE_NUMBERS if line is not None and _takes_a_place(line, files) else ""
+    if (found := _ONE_TOO_MANY.match(detail)) and int(found["given"]) == int(found["takes"]) + 1:
+        return _on_self(found["method"], files)
     return next((remedy for words, remedy in _REMEDIES if words.match(detail)), "")
+
+
+def _takes_a_place(line: CrashLine, files: Mapping[PurePosixPath, bytes]) -> bool:
+    """Return whether a line takes apart what a sensor gives for a place or a direction, or a name that was given it."""
+    if _THREE.search(line.code):
+        return True
+    if (taken := _TAKES_A_NAME.search(line.code)) is None:
+        return False
+    gives = rf"^[ \t]{{0,100}}{taken['name']}[ \t]{{0,20}}=[ \t]{{0,20}}[\w.]{{1,{_MOST_NAME}}}\.{_OF_THREE}"
+    return re.search(gives, text_of(files[line.file]), re.MULTILINE) is not None
 
 
 def _on_circle(module: str, detail: str) -> str:
@@ -164,4 +176,6 @@ def _on_self(method: str, files: Mapping[PurePosixPath, bytes]) -> str:
     if any(words in program for words in ("staticmethod", "classmethod") for program in programs):
         return ""
     named = {found for program in programs for found in re.findall(first, program, re.MULTILINE)}
-    return f"a method has self as its first argument: def {method}(self, …):" if named and "self" not in named else ""
+    if not named or any(rf"{name}." in program for name in named if name for program in programs):
+        return ""  # whatever it is called, it is taken for the object
+    return f"a method has self as its first argument: def {method}(self, …):" if "self" not in named else ""

@@ -17,6 +17,8 @@ from rcj_challenges.facts.shown import shown
 
 _DO_SOMETHING = frozenset({"antigravity", "this"})  # when they are imported
 _MOST_NAME = 100  # letters
+_TEXT = re.compile(r"[ \t]*[bfru]{0,2}[\"']", re.IGNORECASE)
+"""How a text begins: who writes ``log("kick-off")`` means no function of ``math``."""
 
 
 def on_unknown_name(name: str, detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
@@ -35,12 +37,13 @@ def on_unknown_name(name: str, detail: str, files: Mapping[PurePosixPath, bytes]
     if attributes:
         imported = _import_of(name, attributes[0])
         return f'write "{imported}" {at_the_top}' if imported else ""
-    if not re.search(rf"(?<![\w.]){name}\(", line.code):
+    if not (called := re.search(rf"(?<![\w.]){name}\((?P<with>.{{0,4}})", line.code)):
         return ""
     programs = {path: text_of(content) for path, content in files.items() if path.suffix == ".py" or path == line.file}
     if any(re.search(rf"\b(?:def|class)[ \t]{{1,4}}{name}\b", program) for program in programs.values()):
         return _on_own(name, line, programs)
-    return f'write "from math import {name}" {at_the_top}' if hasattr(math, name) else ""
+    is_of_math = callable(getattr(math, name, None)) and not _TEXT.match(called["with"])
+    return f'write "from math import {name}" {at_the_top}' if is_of_math else ""
 
 
 def _import_of(name: str, attribute: str) -> str:
@@ -51,7 +54,10 @@ def _import_of(name: str, attribute: str) -> str:
         return ""
     if not _is_of_python(name):
         return ""
-    module: Any = importlib.import_module(name)
+    try:
+        module: Any = importlib.import_module(name)
+    except ImportError:  # a Python that was built without it, or another system
+        return ""
     if hasattr(module, attribute):
         return f"import {name}"
     # `datetime.now()` is of the class.

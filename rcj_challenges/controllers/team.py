@@ -323,7 +323,7 @@ def missing_programs(
     missing: Mapping[str, tuple[str, ...]],
     *,
     hint: bool = True,
-    not_meant: Collection[bytes] = (),
+    not_meant: Collection[PurePosixPath] = (),
 ) -> str:
     """Say which programs are missing, what was looked for, what is there and, as a hint, what comes nearest.
 
@@ -331,7 +331,7 @@ def missing_programs(
         files: of the submission.
         missing: by robot, what was looked for in vain.
         hint: whether to say what comes nearest.
-        not_meant: contents of files that are none of the programs: others import them.
+        not_meant: files that are none of those that are missing: others import them, or robots have them.
     """
     wanted = list(dict.fromkeys(missing.values()))
     looked_for = "; ".join(
@@ -342,7 +342,7 @@ def missing_programs(
     python = ([name for name in present if name.endswith(".py")] or present)[:_MOST_COMPARED]
     found = ", ".join(map(told, python[:_SHOWN_FILES])) + (", …" if len(python) > _SHOWN_FILES else "")
     message = f"no program for {looked_for}; found: {found or 'nothing'}"
-    meant = [name for name in python if files[PurePosixPath(name)] not in not_meant]
+    meant = [name for name in python if PurePosixPath(name) not in not_meant]
     nearest = ((near, entry) for entries in wanted for entry in entries if (near := _nearest(entry, meant)))
     for near, entry in nearest if hint else ():
         return f"{message}; did you mean {told(near)} to be {entry}?"

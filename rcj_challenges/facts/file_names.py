@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-_DEVICES = re.compile(r"con|prn|aux|nul|(com|lpt)[0-9¹²³]", re.IGNORECASE)
+_DEVICES = re.compile(r"con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9¹²³]", re.IGNORECASE)
 
 
 def is_device_of_windows(name: str) -> bool:

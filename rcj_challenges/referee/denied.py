@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import re
 from collections.abc import Collection, Container, Iterable, Mapping
 from typing import Any, NamedTuple
 
@@ -33,6 +35,9 @@ _SHOWN = 3
 _YET = (
     " yet: a rule of that very tick made it true, which others see one tick later, as they hear an event that it emits"
 )
+_PLAIN = re.compile(r"[^\W\d][\w-]*")
+_NO_TEXT_TO_YAML = ("yes", "no", "on", "off", "true", "false", "null")
+"""What YAML takes for something else than a text, unless it stands in quotation marks."""
 _BEHIND = {"at_least": 1, "at_most": 1, "equals": 1, "negate": 2}
 """What people write behind all else."""
 
@@ -89,4 +94,6 @@ def _written(value: Any) -> str:
         return f"[{', '.join(map(_written, value))}]"
     if isinstance(value, bool):
         return str(value).lower()
-    return f"{value:g}" if isinstance(value, float) else str(value)
+    if isinstance(value, str) and (value.casefold() in _NO_TEXT_TO_YAML or not _PLAIN.fullmatch(value)):
+        return json.dumps(value, ensure_ascii=False)
+    return f"{value:.10g}" if isinstance(value, float) else str(value)

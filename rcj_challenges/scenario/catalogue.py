@@ -96,6 +96,12 @@ class Catalogue:
         found = node_at(self.root, path)
         return found.value if isinstance(found, Leaf) else None
 
+    def has_centre(self, zone: str) -> bool:
+        """Return whether a zone has one point that is its centre: see `measured.centre_of`, which asks a whole one."""
+        shape, sides = self.leaf("zones", zone, "shape"), ("x_min_m", "x_max_m", "y_min_m", "y_max_m")
+        is_bounded = shape == "rect" and all(self.leaf("zones", zone, side) is not None for side in sides)
+        return (shape == "circle" or is_bounded) and self.leaf("zones", zone, "inverted") is not True
+
     def parts(self, group: str) -> tuple[str, ...]:
         """Return what is written in a group."""
         section = self.section("groups")

@@ -5,7 +5,7 @@ Walks the tree beside the shapes of the models, so that unknown names come in on
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -171,15 +171,24 @@ class _Walker:
             # What has no kind is a name that does not exist, which is reported where it is written.
             wrong = next((one for one in members if one in kinds and kinds[one] not in reference.kinds), None)
             if wrong is not None:
-                wanted = f"{_a(reference.noun)}{_way_out(wrong, kinds[wrong], reference)}"
+                way_out = self._to_its_centre(name, members, reference) or _way_out(kinds[wrong], reference)
+                wanted = f"{_a(reference.noun)}{way_out}"
                 self.add(path, mark, f"'{name}' stands for '{wrong}', {_a(kinds[wrong])}; expected {wanted}")
+
+    def _to_its_centre(self, name: str, members: Iterable[str], reference: Field) -> str:
+        """Return what to write where a zone is taken for a point; empty if one of those meant has no centre."""
+        names, is_point = self.names, "spot" in reference.kinds and len(reference.kinds) > 1 and not reference.keys
+        if not is_point or not all(names.kinds.get(one) == "zone" and names.has_centre(one) for one in members):
+            return ""
+        return f", and a spot can stand for its centre: {{action: set_spot, spot: NAME, to: {name}}}"
 
     def _check_on_field(self, reference: Field, name: str, path: Path, mark: Mark) -> None:
         names = self.names
         kind = names.kinds.get(name)
         if kind is not None and (kind in reference.kinds or name not in names.groups):
             if kind not in reference.kinds:
-                wanted = f"{_a(reference.noun)}{_way_out(name, kind, reference)}"
+                way_out = self._to_its_centre(name, (name,), reference) or _way_out(kind, reference)
+                wanted = f"{_a(reference.noun)}{way_out}"
                 self.add(path, mark, f"'{name}' is {_a(kind)}; expected {wanted}")
         elif name in names.groups:
             self._check_group(reference, name, path, mark)
@@ -213,7 +222,7 @@ class _Walker:
         elif stranger is not None:
             kind = self.names.kinds[stranger]
             alike = sum(self.names.kinds.get(one) == kind for one in self.names.groups[name])
-            way_out = _way_out(stranger, kind, reference)
+            way_out = _way_out(kind, reference)
             more = f", and {alike - 1} more of them" if way_out and alike > 1 else ""
             what = f"'{name}' is" if name == stranger else f"group '{name}' contains '{stranger}',"
             wanted = f"{_a(reference.noun)}{way_out}"
@@ -436,10 +445,8 @@ _DRAWN_NUMBERS: dict[Any, Callable[[Leaf], str]] = {
 """What is wrong with a value of a draw, where its name stands for a number."""
 
 
-def _way_out(name: str, kind: str, reference: Field) -> str:
-    """Return what to write where an obstacle is taken for something that moves or tips, or a zone for a point."""
-    if kind == "zone" and "spot" in reference.kinds and len(reference.kinds) > 1 and not reference.keys:
-        return f", and a spot can stand for its centre: {{action: set_spot, spot: NAME, to: {name}}}"
+def _way_out(kind: str, reference: Field) -> str:
+    """Return what to write where an obstacle is taken for something that moves or tips."""
     if reference.instead and kind in ("obstacle", "fixed obstacle"):
         return f"; {reference.instead}"
     if kind != "fixed obstacle" or "obstacle" not in reference.kinds:

@@ -76,7 +76,7 @@ _TABLE: dict[str, tuple[tuple[str, str], ...]] = {
         ("tells heard said", _TOLD),
         ("inside in is_in within zone contains", _INSIDE),
         ("outside out out_of not_in not_in_zone", f"{_INSIDE}, with negate: true"),
-        ("near close close_to nearer closer_than distance_to", "write distance, with at_most_m"),
+        ("near close close_to nearer closer_than distance_to", "write distance, with at_most"),
         ("stopped still moving velocity", "write speed"),
         ("facing heading direction sees", "write looks"),
         ("touched touching touch possession owner", _TOUCHED),

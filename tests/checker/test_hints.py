@@ -11,6 +11,7 @@ import pytest
 from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.checker.early_ends import why_it_ended
 from rcj_challenges.checker.hints import hint_on
+from rcj_challenges.checker.no_device import is_of_a_device
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.scenario.load import load
 
@@ -189,6 +190,17 @@ def test_a_program_of_which_only_threads_go_on_is_told_that_it_came_to_its_end(c
     assert found.details.splitlines()[-1].startswith("  after its last line")
 
 
+@pytest.mark.parametrize("attribute", ["enable", "value"])
+def test_who_holds_a_device_is_found_out_in_no_time(tmp_path, attribute):
+    program = f"x.{attribute}\n" + "x=" * 2_500_000 + "1\nx = robot.getDevice('lidar')\n"
+    (tmp_path / "robot.py").write_text(program, encoding="utf-8")
+    detail = f"AttributeError: 'NoneType' object has no attribute '{attribute}' (robot.py, line 1)"
+    with open_team(tmp_path / "robot.py") as team:
+        began_s = time.process_time()  # what else the machine does is not counted
+        assert is_of_a_device(detail, team)
+        assert time.process_time() - began_s < 5
+
+
 def test_a_line_without_end_is_looked_at_in_no_time(tmp_path):
     (tmp_path / "robot.py").write_text("x.wait(timeout=" * 200_000, encoding="utf-8")
     fault = {"kind": "step_timeout", "robot": "B1", "tick": 1, "detail": "", "traceback": ""}
@@ -356,6 +368,11 @@ def test_a_program_that_left_its_loop_is_not_told_to_call_a_helper_that_it_does_
     assert "call wait()" in why_it_ended({entry: loop_elsewhere.encode()}, entry)
 
 
+def test_whether_it_left_its_loop_is_told_by_the_match(check):
+    assert "wait()" not in failure(check(BEGIN + HELPER + "while robot.step(32) != -1:\n    break\n")).remedy
+    assert "call wait()" in failure(check(BEGIN + HELPER)).remedy
+
+
 @pytest.mark.parametrize("quotes", ['"""', "'''"])
 def test_a_loop_that_stands_in_a_text_is_none(quotes):
     entry = PurePosixPath("a.py")
@@ -368,7 +385,7 @@ def test_a_loop_that_stands_in_a_text_is_none(quotes):
 def test_a_function_that_is_named_and_not_called_is_told_with_its_line():
     entry = PurePosixPath("a.py")
     program = "class Bot:\n    def run(self):\n        while robot.step(32) != -1:\n            pass\nbot = Bot()\n"
-    remedy = "line 6 names run and does not call it: a call needs brackets, run()"
+    remedy = "line 6 names bot.run and does not call it: a call needs brackets, bot.run()"
     assert why_it_ended({entry: (program + "bot.run\n").encode()}, entry) == remedy
     assert why_it_ended({entry: (program + "bot.run\nbot.run()\n").encode()}, entry) == ""
     assert why_it_ended({entry: (program + "bot.run\n").encode()}, entry, has_stepped=True) == ""

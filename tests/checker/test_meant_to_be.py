@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import time
-from pathlib import Path
+from pathlib import Path, PurePosixPath
+
+import pytest
 
 from rcj_challenges.checker.archives import inspect
 from rcj_challenges.checker.findings import Finding
@@ -56,6 +58,8 @@ def test_it_is_meant_too_where_only_its_folder_is_called_as_asked_for(tmp_path: 
     found = misplaced(tmp_path, below("score_goal", {"main.py": MAIN} | SHARED))
     assert found.code == "layout.missing"  # for another challenge, it seems
     assert "did you mean" not in found.message  # none of the files that it imports
+    found = misplaced(tmp_path, below("rcj_soccer_team_blue", {"score_goal.py": MAIN} | SHARED))
+    assert found.code == "layout.missing"  # so its own name says
 
 
 def test_a_program_called_main_at_the_top_is_meant_and_no_file_that_it_imports(tmp_path: Path) -> None:
@@ -121,6 +125,13 @@ def test_programs_that_lie_beside_their_folders_belong_into_them(tmp_path: Path)
     assert mended(tmp_path) == {"robot1/robot1.py", "robot2/robot2.py", "robot3/robot3.py", "team_name.txt"}
 
 
+def test_so_do_those_that_mention_themselves(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, {file: b"# %s\n" % file.encode() + content for file, content in FLAT.items()})
+    assert found.code == "layout.misnamed"
+    assert found.repair
+    assert "robot1/robot1.py" in mended(tmp_path)
+
+
 def test_so_do_those_in_an_extra_folder(tmp_path: Path) -> None:
     found = misplaced(tmp_path, below("cats", FLAT))
     assert found.remedy.startswith("move what is in cats to the top, move the file robot1.py into a folder robot1, ")
@@ -131,8 +142,59 @@ def test_programs_that_import_from_beside_them_take_it_with_them(tmp_path: Path)
     found = misplaced(tmp_path, FLAT | {"robot1.py": b"import utils\n" + ALONE, "utils.py": b"x = 1\n"})
     assert found.code == "layout.missing"  # nothing is repaired: no file is copied
     assert found.remedy.endswith(
-        "move the file robot3.py into a folder robot3, each with a copy of what it imports from beside it"
+        "move the file robot3.py into a folder robot3, each with a copy of what it imports or opens beside it"
     )
+
+
+@pytest.mark.parametrize(
+    ("program", "beside"),
+    [
+        (b"open('speeds.csv').read()\n", "speeds.csv"),
+        (b"import fast\n", "fast.cp311-win_amd64.pyd"),
+        (b"import lib.moves\n", "lib/moves.py"),
+        (b"from robot1 import *\n", "robot1.py"),
+        (b"exec(open('robot1.py').read())\n", "robot1.py"),
+    ],
+)
+def test_programs_that_use_what_lies_beside_them_are_not_taken_from_it(tmp_path: Path, program, beside) -> None:
+    """The archive of the repair would hold programs that do not find their files."""
+    found = misplaced(tmp_path, {beside: b"x = 1\n"} | FLAT | {"robot2.py": program + ALONE})
+    assert found.code == "layout.missing"
+    assert "each with a copy of what it imports or opens beside it" in found.remedy
+    assert "did you mean" not in found.message  # the remedy says it
+    repair(tmp_path / "team.zip", tmp_path / "mended.zip", MATCH)
+    assert PurePosixPath("robot2.py") in inspect(tmp_path / "mended.zip", MATCH).opening.contents.files
+
+
+def test_what_lies_beside_programs_and_is_not_used_hinders_nothing(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, FLAT | {"plot.py": b"import math\nprint(math.pi)\n", "notes.md": b"Hello\n"})
+    assert found.code == "layout.misnamed"
+    assert found.remedy.startswith("move the file robot1.py into a folder robot1, ")
+
+
+def test_one_program_that_lies_beside_its_folder_joins_those_that_lie_in_theirs(tmp_path: Path) -> None:
+    there = {f"robot{number}/robot{number}.py": ALONE for number in (2, 3)}
+    found = misplaced(tmp_path, {"robot1.py": ALONE + b"# defends\n"} | there)
+    assert found.remedy == "move the file robot1.py into a folder robot1"
+    assert "robot1/robot1.py" in mended(tmp_path)
+
+
+def test_a_program_that_serves_is_not_meant_to_be_another_one(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, {f"robot{number}/robot{number}.py": ALONE for number in (2, 3)})
+    assert found.code == "layout.missing"
+    assert "did you mean" not in found.message
+
+
+def test_a_copy_of_a_program_that_serves_may_be_meant_to_be_another_one(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, {"robot2/robot2.py": ALONE, "robot3/robot3.py": ALONE, "Robot1.py": ALONE})
+    assert "did you mean Robot1.py to be robot1/robot1.py?" in found.message
+
+
+def test_no_folder_is_made_where_a_file_of_its_name_lies(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, FLAT | {"robot1": b"x"})
+    assert found.code == "layout.missing"
+    repair(tmp_path / "team.zip", tmp_path / "mended.zip", MATCH)
+    assert inspect(tmp_path / "mended.zip", MATCH).stages[0].level == "passed"
 
 
 def test_two_programs_for_three_robots_are_not_taken_for_all(tmp_path: Path) -> None:

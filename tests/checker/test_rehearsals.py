@@ -148,6 +148,14 @@ def test_a_program_for_the_robots_of_2021_is_told_so_and_what_there_is_instead(p
     assert "did you mean" not in found.remedy
 
 
+def test_no_scenario_with_robots_of_other_years_is_named_to_whom_writes_for_later_ones(pack):
+    """Its program lies where another challenge of 2021 looks for it, too."""
+    program = pack(BEGIN + "robot.getDevice('gps').enable(32)\n" + LOOP, entry="score_goal/score_goal.py")
+    found = no_device(check_file(program, load("fast_shooter"), SHORT))
+    assert found.message.endswith("this program seems to be written for the robots of 2022 and later")
+    assert "it looks like one for" not in found.remedy
+
+
 def test_a_program_that_uses_what_came_after_2021_is_not_taken_for_one_of_2021(pack):
     report = check_file(pack(FOR_2021 + "robot.getDevice('gps')\n" + LOOP), DUEL, SHORT)
     assert no_device(report).message.endswith("there is none")

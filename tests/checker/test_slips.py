@@ -117,6 +117,7 @@ def test_a_number_that_is_none_before_the_first_sample_is_told_so(failure):
         ("speed = robot.getName()[1] * 2.5\n", "float(x) makes a number of a text"),
         ("print(1.5 + ' m')\n", "str(x) makes text of a number"),
         ("class Bot:\n    def go(speed): pass\nBot().go(5)\n", "def go(self, …):"),
+        ("class Bot:\n    def go(): pass\nBot().go(5)\n", "a method has self as its first argument"),
         ("ball = robot.getDevice('ball receiver')\nint(ball.getSignalStrength())\n", "ask getQueueLength() first"),
     ],
 )
@@ -128,6 +129,26 @@ def test_small_things_that_are_left_out_are_told(failure, lines, told):
 def test_that_a_position_has_three_numbers_is_told(words):
     detail = f"ValueError: too many values to unpack ({words}) (robot.py, line 1)"
     assert "x, y, z = " in on_slip(detail, {PurePosixPath("robot.py"): b"x, y = gps.getValues()"})
+
+
+@pytest.mark.parametrize("code", ["x, y = gps.values", "place = gps.getValues()\nx, y = place"])
+def test_it_is_told_wherever_the_position_comes_from(code):
+    detail = f"ValueError: too many values to unpack (expected 2) (robot.py, line {len(code.splitlines())})"
+    assert "x, y, z = " in on_slip(detail, {PurePosixPath("robot.py"): code.encode()})
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "left, right = speeds.values()",
+        "values = [1, 2, 3]\na, b = values",
+        "place = gps.getValues()\na, b = places",
+        "place = [gps.getValues()[0], 2, 3]\na, b = place",
+    ],
+)
+def test_what_is_no_position_is_not_taken_for_one(code):
+    detail = f"ValueError: too many values to unpack (expected 2) (robot.py, line {len(code.splitlines())})"
+    assert on_slip(detail, {PurePosixPath("robot.py"): code.encode()}) == ""
 
 
 def test_that_a_match_has_no_screen_is_told():
@@ -147,7 +168,11 @@ def test_of_what_is_no_module_and_no_sensor_nothing_is_said_of_them(line, detail
 
 
 @pytest.mark.parametrize(
-    "method", ["def go(self): pass", "@staticmethod\n    def go(speed): pass", "def come(speed): pass", "pass"]
+    "method",
+    [
+        *("def go(self): pass", "@staticmethod\n    def go(speed): pass", "def come(speed): pass", "pass"),
+        "def go(this): this.speed = 3",
+    ],
 )
 def test_a_method_that_is_given_too_much_and_has_self_is_told_nothing_of_it(method):
     detail = "TypeError: Bot.go() takes 1 positional argument but 2 were given (robot.py, line 4)"

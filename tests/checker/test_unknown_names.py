@@ -40,10 +40,14 @@ def test_what_is_not_imported_is_told_with_the_line_that_imports_it(name, code, 
         ("queue", "queue.append(1)"),  # a list of the team's own that is called like a module
         ("signal", "signal.strength = 3"),
         ("this", "this.speed = 3"),
+        ("this", "x = this.s"),  # of Python, and prints a poem when it is imported
         ("socket", "socket.socket()"),  # which a match refuses
         ("self", "self.run()"),
         ("sqrt", "x = sqrt"),
         ("go", "go()"),
+        ("log", "log('kick-off')"),  # a function of the team's own that is called like one of math
+        ("log", 'log(f"ball at {x}")'),
+        ("e", "e(3)"),  # a number
     ],
 )
 def test_what_is_no_such_module_is_not_taken_for_one(name, code):
@@ -63,6 +67,19 @@ def test_a_function_of_another_file_is_not_taken_for_one_of_math_and_where_it_is
     assert told("dist", "dist(1, 2)", utils=dist, tools=dist) == ""
     assert told("dist", "dist(1, 2)", utils=dist) == ""  # nobody imports by such a name here: it may be a package
     assert told("dist", "from utils import x\ndist(1, 2)", utils="import robot\n" + dist) == ""
+
+
+def test_what_lies_in_another_folder_and_what_is_no_program_counts_for_nothing():
+    other = {PurePosixPath("other/utils.py"): b"def dist(a, b): return abs(a - b)\n"}
+    robot = {PurePosixPath("team/robot.py"): b"from utils import x\nfar(dist(1, 2))"}
+    detail = "NameError: name 'dist' is not defined (team/robot.py, line 2)"
+    assert on_unknown_name("dist", detail, other | robot) == ""
+    notes = {PurePosixPath("team/notes.md"): b"def dist(a, b): of math\n"}
+    assert on_unknown_name("dist", detail, notes | robot) == 'write "from math import dist" at the top of robot.py'
+
+
+def test_a_function_that_is_defined_above_and_gone_is_not_told_to_be_moved_up():
+    assert told("go", "def go(): pass\ndel go\ngo()") == ""
 
 
 def test_a_method_is_told_to_be_called_as_one():
@@ -90,6 +107,13 @@ def test_a_program_in_a_file_of_another_ending_is_read_like_any(file):
     files[PurePosixPath(file)] += b"def drive(): pass\n"
     moved = "line 1 uses drive before Python has read line 2, where it is defined: move that up"
     assert on_unknown_name("drive", detail, files) == moved
+
+
+def test_a_module_that_this_computer_has_only_in_part_is_not_told(monkeypatch):
+    """As of a Python that was built without a library, or ``crypt`` on Windows."""
+    monkeypatch.delitem(sys.modules, "lzma", raising=False)
+    monkeypatch.setitem(sys.modules, "_lzma", None)
+    assert told("lzma", "x = lzma.compress(b'')") == ""
 
 
 def test_a_file_of_the_current_folder_that_is_called_like_a_module_of_python_is_never_run(tmp_path, monkeypatch):

@@ -124,6 +124,11 @@ def test_who_gives_one_file_and_not_its_folder_is_told_what_lies_beside_it(
         ("controller.Robot().getDevice('lidar')\nball = None\nball.x\n", ""),
         ("controller.Robot().getDevice('lidar')\nball = None\nball.value\n", ""),
         ("controller.Robot().getDevice('lidar')\nball = None\nball.getX()\ndef getX(): pass\n", ""),
+        ("controller.Robot().getDevice('lidar')\nnews = None\nnews.getData()\n", ""),
+        (
+            "lidar = None\nlidar = controller.Robot().getDevice('lidar')\nlidar.enable(9)\n",
+            'getDevice("lidar") gave None',
+        ),
         ("lidar = controller.Robot().getDevice('lidar')\nlidar.range_image\n", 'getDevice("lidar") gave None'),
         (
             "controller.Robot().getDevice('receiver').enable(64)\n",

@@ -275,7 +275,7 @@ class TestNew:
         )
         assert isinstance(call("new", tmp_path / "ß").exception, StarterError)
 
-    @pytest.mark.parametrize("name", ["CON", "aux.yaml", "nul.yml", "Com1", "lpt9.old"])
+    @pytest.mark.parametrize("name", ["CON", "aux.yaml", "nul.yml", "Com1", "lpt9.old", "com¹", "CONIN$", "conout$.x"])
     def test_a_name_that_is_a_device_on_windows_is_refused_on_every_system(self, tmp_path, name):
         done = call("new", tmp_path / name)
         assert isinstance(done.exception, StarterError)

@@ -20,6 +20,7 @@ from rcj_challenges.checker.report import schema_text
 from rcj_challenges.cli.check import CheckCommand, CheckUsageError, check_submissions, submissions
 from rcj_challenges.facts.errors import RcjError
 from tests.cli.in_this_process import one_after_the_other
+from tests.hostile.archives.making import plain
 
 COMMAND = [sys.executable, "-m", "rcj_challenges", "check"]
 PLAYER = """\
@@ -186,6 +187,22 @@ def test_fix_writes_a_repaired_archive_and_checks_that_one(tmp_path, capsys):
     assert out.startswith("fixed.zip  Hanse")
     with zipfile.ZipFile(tmp_path / "fixed.zip") as fixed:
         assert "rcj_soccer_team_blue/rcj_soccer_team_blue.py" in fixed.namelist()
+
+
+@pytest.mark.parametrize(
+    ("files", "said"),
+    [
+        ({"robot.py": b"import controller\n", "team_name.txt": b"Hanse\n"}, "nothing: there was no need"),
+        (
+            {"robot1.py": b"import controller\n", "team_name.txt": b"Hanse\n"},
+            "nothing: what follows has to be put right by hand",
+        ),
+    ],
+)
+def test_fix_says_whether_nothing_is_repaired_because_there_is_no_need(tmp_path, capsys, files, said):
+    (tmp_path / "team.zip").write_bytes(plain(files))
+    check(tmp_path / "team.zip", fix=tmp_path / "fixed.zip", play=False)
+    assert said in capsys.readouterr().out
 
 
 def test_fix_of_what_cannot_be_read_is_a_verdict(tmp_path, capsys):

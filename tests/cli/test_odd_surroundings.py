@@ -35,6 +35,17 @@ def the_record(folder: Path) -> Path:
     return record
 
 
+@pytest.mark.parametrize("arguments", [["validate", "match"], ["check", "robot.py", "--no-play"]])
+def test_what_lies_in_the_current_folder_is_never_run_by_us(tmp_path: Path, arguments: list[str]) -> None:
+    """It may be a team's: Python itself would take its random.py for the one of the library, with ``-m``."""
+    (tmp_path / "robot.py").write_text("from controller import Robot\n", encoding="utf-8")
+    for name in ("bisect", "calendar", "copy", "fractions", "json", "numbers", "queue", "random", "string", "struct"):
+        (tmp_path / f"{name}.py").write_text("open('ran', 'w').close()\n", encoding="utf-8")
+    done = subprocess.run([*COMMAND, *arguments], cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert not (tmp_path / "ran").exists()
+
+
 @POSIX
 def test_a_match_is_played_where_no_stream_is_open(tmp_path: Path, match: list[str]) -> None:
     done = in_shell('exec "$@" <&- >&- 2>&-', [*match, "--no-replay", "--json"], tmp_path)

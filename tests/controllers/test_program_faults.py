@@ -143,6 +143,10 @@ def test_a_debugger_that_finds_nobody_is_told_as_such_by_every_python(match: Fak
     """From Python 3.14 on it calls sys.exit(1), which the program did not."""
     fault = fault_of(match, "from controller import Robot\nRobot().step(32)\nbreakpoint()\nRobot().step(32)\n")
     assert (fault.kind, fault.detail[:11]) == ("crash", "bdb.BdbQuit")
+    left = 'import bdb\nspace = {"__name__": "%s"}\nexec("def do_quit():\\n    raise SystemExit(1)", space)\nspace["do_quit"]()\n'
+    fault = fault_of(match, left % "pdb")  # so it is there
+    assert (fault.kind, fault.detail[:11]) == ("crash", "bdb.BdbQuit")
+    assert fault_of(match, left % "robot").kind == "exit"
 
 
 def test_a_fault_is_the_same_in_every_run(match: FakeMatch) -> None:

@@ -1,6 +1,7 @@
 """A test that misses an event says of a rule that was triggered and did not fire which condition did not hold."""
 
 import pytest
+import yaml
 
 from rcj_challenges.referee.trials import run_expectation
 from rcj_challenges.scenario.load import load_text
@@ -53,6 +54,16 @@ def test_of_several_times_that_is_told_which_is_nearest_to_when_the_event_was_ex
 def test_rules_that_fired_and_those_that_emit_nothing_that_is_missing_are_not_told():
     other = COUNTED + f"  second: {{{GOAL}, actions: [{{action: emit, event: SECOND}}]}}\n"
     assert notes(other, "{event: SECOND}, {event: SECOND}") == []
+    twice = "{at_s: 1, place: {ball: [0, 0.8]}}, {at_s: 2, place: {ball: [0, 0]}}, {at_s: 3, place: {ball: [0, 0.8]}}"
+    assert notes(COUNTED, "{event: FIRST}, {event: FIRST}", twice) == []  # kept from it at first, and fired then
+
+
+def test_of_many_rules_that_did_not_fire_the_first_three_are_told():
+    more = "rules:\n" + "".join(
+        f"  r{number}: {{{GOAL}, conditions: [{{condition: half, equals: 2}}], actions: [{{action: emit, event: E}}]}}\n"
+        for number in range(5)
+    )
+    assert [note.split()[1] for note in notes(more, "{event: E}")] == ["r0", "r1", "r2"]
 
 
 def test_rules_that_would_have_changed_a_score_are_told():
@@ -80,6 +91,40 @@ def test_a_rule_that_scores_for_whom_it_concerns_may_have_changed_any_score(entr
 def test_a_rule_without_the_phase_is_not_triggered():
     assert notes(COUNTED.replace("first: {", "first: {phases: [pause], ").replace("rules:", "phases: {pause: {}}\nrules:"),
                  "{event: FIRST}") == []  # fmt: skip
+
+
+def test_of_several_that_a_rule_is_for_that_is_told_which_kept_the_first_of_them():
+    more = (
+        "zones: {lane: {shape: rect, x_min_m: -0.1, x_max_m: 0.1}}\n"  # in which Y3 starts alone
+        "rules:\n  near:\n    for_each: yellow\n    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]\n"
+        "    conditions: [{condition: in_zone, entity: each, zone: lane}, {condition: half, equals: 2}]\n"
+        "    actions: [{action: emit, event: NEAR}]\n"
+    )
+    assert notes(more, "{event: NEAR}") == [
+        "note: near was triggered at 1.024 s, and {condition: in_zone, entity: each, zone: lane} did not hold"
+    ]
+
+
+@pytest.mark.parametrize("half", [1, 2])
+def test_a_rule_of_another_phase_is_not_told_whether_its_conditions_hold_or_not(half):
+    more = (
+        "phases: {pause: {}}\nrules:\n  later: {phases: [pause], triggers: [{trigger: time_reached, at_s: 2}], "
+        f"conditions: [{{condition: half, equals: {half}}}], actions: [{{action: emit, event: LATER}}]}}\n"
+    )
+    assert notes(more, "{event: LATER}") == []
+
+
+@pytest.mark.parametrize(
+    "condition",
+    [
+        '{condition: told, entity: Y1, text: ["a, b", "3", 3.25, "no", home]}',
+        "{condition: distance, entity: ball, to: [0.25, 123.45678], at_most: 0.001}",
+    ],
+)
+def test_texts_and_numbers_are_told_as_an_author_writes_them(condition):
+    more = f"rules:\n  late: {{{GOAL}, conditions: [{condition}], actions: [{{action: emit, event: LATE}}]}}\n"
+    said = notes(more, "{event: LATE}")[0].partition(", and ")[2].removesuffix(" did not hold")
+    assert yaml.safe_load(said) == yaml.safe_load(condition)
 
 
 def test_a_condition_of_several_is_told_as_it_is_written():

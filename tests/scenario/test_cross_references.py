@@ -15,9 +15,16 @@ balls: {second: {start_m: [0, -0.1]}}
 obstacles:
   crate: {shape: box, centre_m: [0.5, 0], size_m: [0.05, 0.05], movable: true}
   post: {shape: cylinder, centre_m: [-0.5, 0], radius_m: 0.02}
+zones:
+  house: {shape: circle, centre_m: [0.2, 0.2], radius_m: 0.1}
+  barn: {shape: rect, x_min_m: 0, x_max_m: 0.1, y_min_m: 0, y_max_m: 0.1}
+  yard: {shape: polygon, points_m: [[0, 0], [0.1, 0], [0, 0.1]]}
+  outside: {shape: circle, centre_m: [0.2, 0.2], radius_m: 0.1, inverted: true}
 gates: {door: {from_m: [0, 0], to_m: [0, 0.1]}, hatch: {from_m: [0, 0], to_m: [0.1, 0], anchor: B1}}
 groups:
   doors: [door, hatch]
+  houses: [house, barn]
+  places: [house, yard]
   stones: [crate, post]
   movers: [blue, ball, crate]
   all_spots: [neutral_spots, centre]
@@ -187,6 +194,8 @@ BAD = [
     (trigger, "crosses, entity: ball, gate: pitch", "", "'pitch' is a zone; expected a gate"),
     (trigger, "touches, entity: ball, other: centre", "", "'centre' is a spot; expected an entity or obstacle"),
     (trigger, "tips_over, entity: ball", "", "'ball' is a ball; expected a robot"),
+    (action, "place, entity: ball, at: {relative_to: each}", "houses", ("'each' stands for 'house', a zone; "
+     "expected an entity or spot, and a spot can stand for its centre: {action: set_spot, spot: NAME, to: each}")),
     (trigger, "tips_over, entity: each", "movers", "'each' stands for 'ball', a ball; expected a robot"),
     (trigger, "program_fault, robot: each", "balls", "'each' stands for 'ball', a ball; expected a robot"),
     (trigger, "holds, condition: {condition: in_zone, entity: bal, zone: pitch}", "", "unknown entity 'bal'; did you mean 'ball'?"),
@@ -218,7 +227,7 @@ BAD = [
     (condition, "sequence_at, sequence: round, step: each", "hatch", ("'each' stands for 'hatch', which is no step of it; its "
      "steps are pitch, door, blue_goal")),
     (condition, "sequence_at, sequence: round, step: x_", "", ("unknown zone or gate 'x_'; there are pitch, blue_goal, yellow_goal, "
-     "blue_penalty_area, yellow_penalty_area, door, hatch")),
+     "blue_penalty_area, yellow_penalty_area, house, barn, yard, outside, door, hatch")),
     (trigger, "sequence_completed, sequence: round, entity: each", "balls", ("sequence 'round' is not kept per entity; leave "
      "'entity' out, or keep one for each: give it 'per', a group, in place of entity: ball")),
     (trigger, "sequence_completed, sequence: race", "blue", ("sequence 'race' is kept per movers: say whose with 'entity', "
@@ -288,6 +297,12 @@ def test_names_that_do_not_fit_are_refused_where_they_stand(write, text, for_eac
     word = text.partition(",")[0]
     part = {trigger: "triggers", condition: "conditions", action: "actions"}[write]
     assert line.startswith(f"rules.r.{part}[0] ({word}): {message}")
+
+
+@pytest.mark.parametrize("zone", ["yard", "outside", "blue_penalty_area", "each"])
+def test_of_a_zone_without_a_centre_none_is_promised(zone):
+    (said,) = action(f"place, entity: ball, at: {{relative_to: {zone}}}", "places" if zone == "each" else "")
+    assert said.endswith("a zone; expected an entity or spot")
 
 
 @pytest.mark.parametrize("text", ["score, entrant: yellow, points: {draw: mixed}", "count, counter: goals, by: {draw: mixed}",

@@ -101,3 +101,29 @@ def test_what_stands_in_braces_can_be_written_like_that(action):
     for placeholder, name in named.items():
         action = action.replace(placeholder, name)
     assert scenario(KNOWN + rule(action=action)).rules["r"].actions
+
+
+KEYS = {
+    (kind, *found.groups())
+    for (kind, _), hint in table().items()
+    if (found := re.fullmatch(r"(?:.*; )?write (\w+), with (\w+)(?: or .*|: .*)?", hint))
+}
+
+
+@pytest.mark.parametrize(("kind", "word", "key"), sorted(KEYS))
+def test_a_key_that_is_told_is_one_of_that_word(kind, word, key):
+    written = f"{{{kind}: {word}, {key}: {{}}}}"  # of the wrong kind, at best
+    texts = {
+        "trigger": lambda: rule(written),
+        "action": lambda: rule(action=written),
+        "condition": lambda: rule(rest=f"    conditions: [{written}]\n"),
+    }
+    assert not [text for text in complaints(KNOWN + texts[kind]()) if "unknown" in text]
+
+
+def test_keys_are_told_of_several_words():
+    assert {
+        ("condition", "distance", "at_most"),
+        ("trigger", "time_reached", "at_s"),
+        ("action", "remove", "for_s"),
+    } <= KEYS

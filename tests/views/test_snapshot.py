@@ -175,13 +175,17 @@ def test_anything_that_is_no_font_has_no_characters(data, headed):
     assert isinstance(characters_of(BytesIO(header + data if headed else data)), frozenset)
 
 
-def test_a_drawing_that_fails_is_a_reason_and_no_crash(monkeypatch):
+def test_a_drawing_that_fails_is_a_reason_and_no_crash(monkeypatch, tmp_path):
     monkeypatch.setitem(sys.modules, "mujoco", None)
     monkeypatch.setenv("MUJOCO_GL", "egl")
     monkeypatch.setattr(gl_probe, "_DRAW_ONE", "raise ImportError('no such library: libEGL')")
     reason = gl_probe.why_not_solid()
     assert "no such library: libEGL" in reason
     assert "EGL" in reason
+    (tmp_path / "of_the_team.py").touch()  # files of a team may lie in the current folder, and are none of ours
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(gl_probe, "_DRAW_ONE", "import of_the_team")
+    assert "No module named 'of_the_team'" in gl_probe.why_not_solid()
     monkeypatch.setattr(gl_probe, "_DRAW_ONE", "import os; os.abort()")
     assert "ended with" in gl_probe.why_not_solid()
 

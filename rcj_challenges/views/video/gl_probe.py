@@ -51,7 +51,7 @@ def why_not_solid() -> str | None:
     choose_backend()
     try:
         probe = subprocess.run(
-            [sys.executable, "-c", _DRAW_ONE],
+            [sys.executable, "-P", "-c", _DRAW_ONE],
             capture_output=True, text=True, encoding="utf-8", errors="replace", timeout=_PATIENCE_S, check=False,
         )  # fmt: skip
     except (OSError, subprocess.TimeoutExpired) as error:
