@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from pathlib import PurePosixPath
 
 from rcj_challenges.checker.crash_lines import crash_line, text_of
+from rcj_challenges.checker.modules import instead_of_the_folder
 from rcj_challenges.checker.unknown_names import on_unknown_name
 from rcj_challenges.facts.shown import shown
 
@@ -15,6 +16,9 @@ _CIRCLE = re.compile(
     r"partially initialized module '(?P<module>[\w.]+)' .{0,200}\(most likely due to a circular import\)"
 )
 _PLACE = re.compile(r" \((?P<file>[^()]{1,300}), line (?P<line>[0-9]{1,7})\)$")
+_NO_PACKAGE = re.compile(
+    r"^ModuleNotFoundError: No module named '(?P<whole>[\w.]{1,200})'; '(?P<file>[\w.]{1,200})' is not a package"
+)
 _UNSET = re.compile(
     rf"^UnboundLocalError: (?:cannot access local variable|local variable) '(?P<name>\w{{1,{_MOST_NAME}}})' "
 )
@@ -118,8 +122,8 @@ def on_slip(detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
         detail: the last line of what the program told of its end, and its place.
         files: of the team.
     """
-    if found := _CIRCLE.search(detail):
-        return _on_circle(found["module"], detail)
+    if found := _NO_PACKAGE.match(detail) or _CIRCLE.search(detail):
+        return _on_import(found, detail, files)
     if found := _UNSET.match(detail):
         return _on_unset(found["name"], detail, files)
     if found := _UNKNOWN.match(detail):
@@ -132,6 +136,12 @@ def on_slip(detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
     return next((remedy for words, remedy in _REMEDIES if words.match(detail)), "")
 
 
+def _on_import(found: re.Match[str], detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
+    return (
+        _on_circle(found["module"], detail) if found.re is _CIRCLE else _on_no_package(**found.groupdict(), files=files)
+    )
+
+
 def _on_circle(module: str, detail: str) -> str:
     place = _PLACE.search(detail)
     importer = PurePosixPath(place["file"]).name if place is not None else "another file"
@@ -142,6 +152,12 @@ def _on_circle(module: str, detail: str) -> str:
         f"{shown(file)} and {shown(importer)} import each other, in a circle: move what both need into a third file, "
         "or write the import into the function that needs it"
     )
+
+
+def _on_no_package(whole: str, file: str, files: Mapping[PurePosixPath, bytes]) -> str:
+    program = next((path for path in files if path.parts[-2:] == (file, f"{file}.py")), None)
+    part = whole.removeprefix(f"{file}.").partition(".")[0]
+    return "" if program is None else instead_of_the_folder(program, part, files)
 
 
 def _on_unset(name: str, detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
