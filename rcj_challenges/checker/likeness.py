@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from difflib import SequenceMatcher
 from pathlib import PurePosixPath
 
@@ -12,6 +12,10 @@ BLANK = b" \t\r\n\f\v\xef\xbb\xbf"
 
 _LEAST_LIKENESS = 0.75
 _LEAST_LETTERS = 5
+_IMPORT_OR_TEXT = re.compile(
+    rb"""(?<![\w.])(?:from|import)[ \t](?:[^\n#\\(;:"']|\\\r?\n|\([^()]*\))*"""
+    rb"""|(?P<text>"[^"\n]{0,200}"|'[^'\n]{0,200}')"""
+)
 
 
 def like_an_entry(path: PurePosixPath) -> bool:
@@ -43,10 +47,22 @@ def of_yellow(name: str) -> bool:
 
 
 def mentioned(files: Mapping[PurePosixPath, bytes], names: Iterable[str]) -> str:
-    """Return the first of some names that a program mentions."""
+    """Return the first of some names of files or folders that a program imports, or has in a text.
+
+    A function of that name is none of them: `main.py` begins with ``def main()`` more often than not.
+    """
     for name in names:
         raw = name.encode("utf-8", "surrogateescape")
         word = re.compile(rb"(?<!\w)" + re.escape(raw) + rb"(?!\w)")
-        if any(path.suffix == ".py" and raw in content and word.search(content) for path, content in files.items()):
+        programs = (content for path, content in files.items() if path.suffix == ".py" and raw in content)
+        if any(word.search(place) for content in programs for place in _named_places(content)):
             return name
     return ""
+
+
+def _named_places(content: bytes) -> Iterator[bytes]:
+    """Return the parts of a program that name modules, files and folders: a text with blanks and no / is a sentence."""
+    for found in _IMPORT_OR_TEXT.finditer(content):
+        text = found["text"]
+        if text is None or b" " not in text or b"/" in text or b"\\" in text:
+            yield found[0]

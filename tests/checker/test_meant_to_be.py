@@ -5,6 +5,8 @@ from __future__ import annotations
 import time
 from pathlib import Path
 
+import pytest
+
 from rcj_challenges.checker.archives import inspect
 from rcj_challenges.checker.findings import Finding
 from rcj_challenges.checker.repair import repair
@@ -162,3 +164,37 @@ def test_among_many_large_files_it_is_found_out_at_once(tmp_path: Path) -> None:
     began_s = time.process_time()
     assert misplaced(tmp_path, files).code == "layout.missing"
     assert time.process_time() - began_s < 10
+
+
+@pytest.mark.parametrize(
+    "program",
+    [
+        b"def main():\n    robot = Robot()\nif __name__ == '__main__':\n    main()\n",
+        b'if __name__ == "__main__": main()\n',
+        b"print('in the main loop')  # main\n",
+        b'"""The main program.\n\nmain is what is started.\n"""\nmain = 3\n',
+    ],
+)
+def test_a_function_of_its_name_does_not_keep_a_program_from_being_renamed(tmp_path: Path, program: bytes) -> None:
+    found = misplaced(tmp_path, {"main.py": ALONE + program})
+    assert found.remedy == "rename the file main.py to robot.py"
+    assert "robot.py" in mended(tmp_path)
+
+
+@pytest.mark.parametrize(
+    "program",
+    [
+        b"import tools, main\n",
+        b"try: from main import step\nexcept ImportError: pass\n",
+        b"from main.parts import (\n    one,\n)\n",
+        b"from tools import (  # these\n    one,\n    main,\n)\n",
+        b"import tools, \\\n    main\n",
+        b"importlib.import_module('main')\n",
+        b'__import__("main")\n',
+        b"open('../my robots/main/plan.json')\n",
+        b"exec(open(here + 'main.py').read())\n",
+    ],
+)
+def test_who_changes_a_name_that_programs_import_or_open_is_told_of_them(tmp_path: Path, program: bytes) -> None:
+    found = misplaced(tmp_path, {"main.py": ALONE + program, "tools.py": b"one = main = 1\nmain()\n"})
+    assert found.remedy.endswith("the programs mention main: change that as well")
