@@ -9,6 +9,7 @@ from pathlib import PurePosixPath
 from rcj_challenges.checker.crash_lines import crash_line, text_of
 from rcj_challenges.checker.modules import instead_of_the_folder
 from rcj_challenges.checker.unknown_names import on_unknown_name
+from rcj_challenges.checker.unset_attributes import on_unset_attribute
 from rcj_challenges.facts.shown import shown
 
 _MOST_NAME = 100  # letters
@@ -76,7 +77,26 @@ _STEP_FIRST = (
     "this number is NaN: so is what a sensor gives before its first sample (enable it, and call robot.step(32) before "
     "it is read), and getSignalStrength() where no packet waits (ask getQueueLength() first)"
 )
+_NO_FUNCTION = (
+    "what stands before the brackets is no function: is there a variable of a function's name (max = 10), "
+    "or is a * missing?"
+)
+_AS_IN_THE_CLASS = "has no such name: write it as it stands in the class, capital and small letters count"
+_THREADS_ONCE = (
+    "start a thread once, before the loop, and not in every step: a match allows 32 at a time, unless its scenario "
+    "says otherwise"
+)
 _REMEDIES = (
+    (
+        re.compile(r"^TypeError: '(?:int|float|complex|bool|str|bytes|list|tuple|dict|set)' object is not callable"),
+        _NO_FUNCTION,
+    ),
+    (re.compile(r"^AttributeError: \w{1,100}(?: \(|$)"), f"the class (an Enum, it seems) {_AS_IN_THE_CLASS}"),
+    (
+        re.compile(r"^AttributeError: type object '\w{1,100}' has no attribute '\w{1,100}'(?: \(|$)"),
+        f"the class {_AS_IN_THE_CLASS}",
+    ),
+    (re.compile(r"^RuntimeError: can't start new thread"), _THREADS_ONCE),
     (re.compile(r"^RecursionError: maximum recursion depth exceeded"), _GO_ROUND),
     (re.compile(r"^TypeError: .{1,100}'(?:builtin_function_or_)?method' and '"), _BRACKETS),
     (re.compile(r"^TypeError: .{1,100}' and '(?:builtin_function_or_)?method'"), _BRACKETS),
@@ -133,7 +153,8 @@ def on_slip(detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
         return _THREE_NUMBERS if line is not None and _THREE.search(line.code) else ""
     if found := _ONE_TOO_MANY.match(detail):
         return _on_self(found["method"], files) if int(found["given"]) == int(found["takes"]) + 1 else ""
-    return next((remedy for words, remedy in _REMEDIES if words.match(detail)), "")
+    told = next((remedy for words, remedy in _REMEDIES if words.match(detail)), "")
+    return told or on_unset_attribute(detail, files)
 
 
 def _on_import(found: re.Match[str], detail: str, files: Mapping[PurePosixPath, bytes]) -> str:

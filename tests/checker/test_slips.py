@@ -179,6 +179,26 @@ def test_a_method_that_is_given_too_much_and_has_self_is_told_nothing_of_it(meth
     assert on_slip(detail, {PurePosixPath("robot.py"): f"class Bot:\n    {method}\n".encode()}) == ""
 
 
+@pytest.mark.parametrize(
+    ("detail", "told"),
+    [
+        (
+            "TypeError: 'int' object is not callable",
+            "what stands before the brackets is no function: is there a variable",
+        ),
+        (
+            "TypeError: 'list' object is not callable",
+            "what stands before the brackets is no function: is there a variable",
+        ),
+        ("AttributeError: ATTACK", "the class (an Enum, it seems) has no such name"),
+        ("AttributeError: type object 'State' has no attribute 'ATTACK'", "the class has no such name"),
+        ("RuntimeError: can't start new thread", "start a thread once, before the loop, and not in every step"),
+    ],
+)
+def test_words_of_python_that_do_not_tell_what_is_meant_are_explained(detail, told):
+    assert on_slip(f"{detail} (robot.py, line 3)", {PurePosixPath("robot.py"): b""}).startswith(told)
+
+
 def test_of_other_crashes_nothing_is_said():
     for detail in (
         *("ZeroDivisionError: division by zero (robot.py, line 3)", "RuntimeError: no ball", ""),
