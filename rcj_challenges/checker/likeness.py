@@ -12,6 +12,8 @@ BLANK = b" \t\r\n\f\v\xef\xbb\xbf"
 
 _LEAST_LIKENESS = 0.75
 _LEAST_LETTERS = 5
+_LETTERS_OF_ITS_OWN = 9
+"""So long a name that is asked for is in no other one by chance; ``robot`` is in that of each of three robots."""
 _IMPORT_OR_TEXT = re.compile(
     rb"""(?<![\w.])(?:from|import)[ \t](?:[^\n#\\(;:"']|\\\r?\n|\([^()]*\))*"""
     rb"""|(?P<text>"[^"\n]{0,200}"|'[^'\n]{0,200}')"""
@@ -28,6 +30,8 @@ def alike(name: str, wanted: str) -> bool:
     one, other = (re.sub(r"[\W_]", "", text.casefold()) for text in (name, wanted))
     if one == other:
         return True
+    if len(other) >= _LETTERS_OF_ITS_OWN and not re.search(r"\d", other) and other in one:
+        return True  # and what else there is counts the versions
     if re.findall(r"\d+", one) != re.findall(r"\d+", other):
         return False
     if min(len(one), len(other)) >= _LEAST_LETTERS and (one in other or other in one):

@@ -110,6 +110,42 @@ def test_of_the_same_programs_for_both_colours_those_of_blue_are_meant(tmp_path:
     assert "robot3/robot3.py" in mended(tmp_path, OF_2021)
 
 
+def test_programs_that_import_from_the_folder_of_another_one_are_meant_all_the_same(tmp_path: Path) -> None:
+    """The template of 2021: what all share lies in the folder of B1; packed with all that its repository has."""
+    up = b"import sys\nfrom pathlib import Path\nsys.path.append(str(Path('.').absolute().parent))\n"
+    shared = up + b"from rcj_soccer_player_b1 import rcj_soccer_robot, utils\n" + ALONE
+    own = b"import rcj_soccer_robot, utils\n" + ALONE
+    players = {
+        f"controllers/rcj_soccer_player_{who}/rcj_soccer_player_{who}.py": own if who == "b1" else shared
+        for who in ("b1", "b2", "b3", "y1", "y2", "y3")
+    }
+    others = {
+        "controllers/rcj_soccer_player_b1/rcj_soccer_robot.py": BASE,
+        "controllers/rcj_soccer_player_b1/utils.py": b"x = 1\n",
+        "controllers/rcj_soccer_player_b1/__init__.py": b"",
+        "controllers/rcj_soccer_supervisor/rcj_soccer_supervisor.py": b"from controller import Supervisor\n",
+        "worlds/soccer.wbt": b"#VRML_SIM\n",
+        "README.md": b"#\n",
+    }
+    found = misplaced(tmp_path, below("rcj-soccer-sim-master", players | others), OF_2021)
+    assert found.code == "layout.misnamed"
+    assert "rename the folder rcj_soccer_player_b1 to robot1" in found.remedy
+    assert "rename the folder rcj_soccer_player_b3 to robot3" in found.remedy
+    assert found.remedy.endswith("the programs mention rcj_soccer_player_b1: change that as well")
+
+
+@pytest.mark.parametrize(
+    "name", ["rcj_soccer_team_blue_v2", "rcj_soccer_team_blue_final_2022", "My_rcj_soccer_team_blue3"]
+)
+def test_a_number_behind_the_name_that_is_asked_for_is_no_other_name(tmp_path: Path, name: str) -> None:
+    found = misplaced(tmp_path, below(name, {f"{name}.py": MAIN} | SHARED))
+    assert found.remedy == (
+        f"rename the folder {name} to rcj_soccer_team_blue, "
+        f"rename the file rcj_soccer_team_blue/{name}.py to rcj_soccer_team_blue/rcj_soccer_team_blue.py"
+    )
+    assert "rcj_soccer_team_blue/robot1.py" in mended(tmp_path)
+
+
 FLAT = {f"robot{number}.py": ALONE for number in (1, 2, 3)}
 
 
