@@ -81,7 +81,6 @@ _NO_FUNCTION = (
     "what stands before the brackets is no function: is there a variable of a function's name (max = 10), "
     "or is a * missing?"
 )
-_AS_IN_THE_CLASS = "has no such name: write it as it stands in the class, capital and small letters count"
 _THREADS_ONCE = (
     "start a thread once, before the loop, and not in every step: a match allows 32 at a time, unless its scenario "
     "says otherwise"
@@ -91,10 +90,9 @@ _REMEDIES = (
         re.compile(r"^TypeError: '(?:int|float|complex|bool|str|bytes|list|tuple|dict|set)' object is not callable"),
         _NO_FUNCTION,
     ),
-    (re.compile(r"^AttributeError: \w{1,100}(?: \(|$)"), f"the class (an Enum, it seems) {_AS_IN_THE_CLASS}"),
     (
         re.compile(r"^AttributeError: type object '\w{1,100}' has no attribute '\w{1,100}'(?: \(|$)"),
-        f"the class {_AS_IN_THE_CLASS}",
+        "the class has no such name: write it as it stands there, capital and small letters count",
     ),
     (re.compile(r"^RuntimeError: can't start new thread"), _THREADS_ONCE),
     (re.compile(r"^RecursionError: maximum recursion depth exceeded"), _GO_ROUND),

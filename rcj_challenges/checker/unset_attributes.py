@@ -1,4 +1,4 @@
-"""Attributes of a team's own objects that are used before anything has set them."""
+"""Attributes of a team's own objects that are used before anything has set them, and members that no Enum has."""
 
 from __future__ import annotations
 
@@ -15,6 +15,8 @@ _UNSET = re.compile(
     rf"^AttributeError: '(?P<owner>\w{{1,{_MOST_NAME}}})' object has no attribute "
     rf"'(?P<name>\w{{1,{_MOST_NAME}}})'(?!\. Did)"
 )
+_NO_MEMBER = re.compile(rf"^AttributeError: \w{{1,{_MOST_NAME}}}(?: \(|$)")  # up to Python 3.11 of an Enum
+_ENUM = re.compile(r"\bimport\b.{0,200}\bEnum\b|\bimport enum\b")
 _CLASS = re.compile(rf"[ \t]{{0,80}}class[ \t]{{1,8}}(\w{{1,{_MOST_NAME}}})[ \t]{{0,8}}(?:\(([^)\n]{{0,300}})\))?")
 
 
@@ -25,6 +27,8 @@ def on_unset_attribute(detail: str, files: Mapping[PurePosixPath, bytes]) -> str
         detail: the last line of what the program told of its end.
         files: of the team.
     """
+    if _NO_MEMBER.match(detail) and any(_ENUM.search(program) for _, program in _programs(files)):
+        return "the Enum has no such name: write it as it stands there, capital and small letters count"
     found = _UNSET.match(detail)
     if found is None:
         return ""

@@ -190,7 +190,6 @@ def test_a_method_that_is_given_too_much_and_has_self_is_told_nothing_of_it(meth
             "TypeError: 'list' object is not callable",
             "what stands before the brackets is no function: is there a variable",
         ),
-        ("AttributeError: ATTACK", "the class (an Enum, it seems) has no such name"),
         ("AttributeError: type object 'State' has no attribute 'ATTACK'", "the class has no such name"),
         ("RuntimeError: can't start new thread", "start a thread once, before the loop, and not in every step"),
     ],

@@ -40,3 +40,10 @@ def test_nothing_is_said_where_nothing_sets_it_or_something_else_does() -> None:
     assert on_slip(UNSET.format("Motor"), {PLAYER: LATE}) == ""
     guessed = "AttributeError: 'Player' object has no attribute 'best'. Did you mean: 'rest'? (player.py, line 9)"
     assert on_slip(guessed, {PLAYER: LATE}) == ""
+
+
+def test_a_member_that_an_enum_has_not_is_told_as_such_where_there_are_enums() -> None:
+    detail = "AttributeError: ATTACK (player.py, line 9)"  # all that Python says up to 3.11
+    for line in (b"from enum import Enum\n", b"import enum\n", b"from enum import IntEnum, Enum, auto\n"):
+        assert on_slip(detail, {PLAYER: line}).startswith("the Enum has no such name")
+    assert on_slip(detail, {PLAYER: LATE}) == ""
