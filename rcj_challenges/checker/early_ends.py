@@ -26,6 +26,12 @@ _FUNCTION = re.compile(rb"def[ \t]+(\w{1,80})[ \t]*\(")
 _CLASS = re.compile(rb"class[ \t]+(\w{1,80})")
 _TEXT = re.compile(rb"""\"{3}|'{3}""")
 _VOWELS = frozenset("AEIOaeio")
+# Whatever happens is taken by it; whether it tells it, is for the lines below it to say.
+_TAKES_ALL = re.compile(
+    rb"except[ \t]{0,4}\(?[ \t]{0,4}(?:(?:Base)?Exception)?[ \t]{0,4}\)?(?:[ \t]{1,4}as[ \t]{1,4}(?P<name>\w{1,80}))?"
+    rb"[ \t]{0,4}:(?P<rest>.*)"
+)
+_TELLS = re.compile(rb"\b(?:raise|exc_info|exception|print_exc\w*|format_exc\w*|print_last|excepthook)\b")
 _NAME = re.compile(rb"(?:[\w.]{1,80}\.)?(\w{1,80})")
 _USE = re.compile(rb"(?<!def )(?<!class )\b\w+")
 
@@ -54,7 +60,7 @@ def why_it_ended(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath, *, 
         return _told(unreached[0])
     begun = programs.get(entry, b"")
     named = _only_named(loops, begun, used_times) if loops and not has_stepped else ""
-    return named or _on_its_name(begun)
+    return named or _on_its_name(begun) or _on_quiet(programs, entry)
 
 
 @dataclass(frozen=True)
@@ -114,6 +120,33 @@ def _on_its_name(content: bytes) -> str:
         f'a program that is started has the name "__main__", so nothing comes to what is under line {asked[0][0]}: '
         'write if __name__ == "__main__":'
     )
+
+
+def _on_quiet(programs: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> str:
+    """Return what to do about the first ``except`` that takes every error and tells none of them."""
+    for path, content in programs.items():
+        lines = list(_lines(content))
+        for at, (number, _, code) in enumerate(lines):
+            found = _TAKES_ALL.fullmatch(code)
+            if found is None:
+                continue
+            handler = (found["rest"], *_inside(lines, at))
+            if not any(_TELLS.search(line) or (found["name"] and found["name"] in line) for line in handler):
+                place = "" if path == entry else f" of {shown(path)}"
+                return (
+                    f'the "except" in line {number}{place} takes every error: if one ended the program, it kept quiet '
+                    "about it. Write traceback.print_exc() there, and import traceback at the top"
+                )
+    return ""
+
+
+def _inside(lines: Sequence[tuple[int, int, bytes]], at: int) -> Iterator[bytes]:
+    """Return the code of the lines that are indented below one of them."""
+    for below in range(at + 1, len(lines)):
+        _, depth, code = lines[below]
+        if depth <= lines[at][1]:
+            return
+        yield code
 
 
 def _lines(content: bytes) -> Iterator[tuple[int, int, bytes]]:

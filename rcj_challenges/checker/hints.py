@@ -196,6 +196,9 @@ def _is_text_read_as_bytes(team: Team, detail: str, code: str) -> bool:
     """Return whether a fault comes of text where bytes were meant, or of bytes on the radio that are no text."""
     if _BYTES_READ_AS_TEXT.search(detail):
         return _READS_AS_TEXT.search(code) is not None
+    size = _OTHER_SIZE.search(detail)
+    if size is not None and size["bytes"] == "1":  # a flag: of the first ticks, that is the referee's
+        return _any_mentions(team, _READS_PACKET)
     return _TEXT_READ_AS_BYTES.search(detail) is not None and _any_mentions(team, _READS_PACKET)
 
 

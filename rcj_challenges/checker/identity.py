@@ -53,14 +53,16 @@ def find_logo(files: Mapping[PurePosixPath, bytes]) -> Logo:
             None, None, (Finding("identity.logo_missing", "passed", f"there is no {LOGO_FILE}: none is needed"),)
         )
     findings = []
+    taken = path.name.casefold() == LOGO_FILE
     if path != PurePosixPath(LOGO_FILE):
-        message, remedy = f"the logo is {told(path)}", f"call it {LOGO_FILE} and put it beside the programs' folders"
+        message = f"the logo is {told(path)}" + ("" if taken else ", which is not shown")
+        remedy = f"call it {LOGO_FILE} and put it beside the programs' folders"
         findings.append(_warning("logo_file", message, remedy, path))
     data = files[path]
     shown = None
     try:
-        if path.name.casefold() == LOGO_FILE:
-            shown = checked_png(data)
+        picture = checked_png(data)  # whatever it is called: a JPEG is none as logo.png either
+        shown = picture if taken else None
     except LogoError as error:
         findings.append(_refused(path, look_at(data), data, str(error)))
     else:

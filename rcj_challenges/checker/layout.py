@@ -9,7 +9,7 @@ from pathlib import PurePosixPath
 from rcj_challenges.checker.findings import Finding
 from rcj_challenges.checker.left_over import never_started
 from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned, of_yellow, same_number
-from rcj_challenges.checker.mains import HIDDEN_ENDING, Roles, roles_of, without_comments
+from rcj_challenges.checker.mains import HIDDEN_ENDING, Roles, roles_of, what_it_does
 from rcj_challenges.checker.others import looks_like
 from rcj_challenges.controllers.archive import Files
 from rcj_challenges.controllers.team import Opening, alternatives, missing_programs
@@ -332,7 +332,7 @@ def _meant_to_be(
             here = len(entry.parts) > 1 and path.parent == entry.parent and files[path] == roles.main_of_a_place
             ranks.setdefault(rank or int(here or files[path] == roles.main), []).append(path)
     best = ranks[max(ranks)] if ranks else []
-    if len(best) > 1 and len({without_comments(files[path]) for path in best}) == 1:
+    if len(best) > 1 and len({what_it_does(files[path]) for path in best}) == 1:
         best = [path for path in best if not of_yellow(path.stem)]  # one program for either colour
     return best[0] if len(best) == 1 and max(ranks) > 0 else None
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from difflib import SequenceMatcher
 from pathlib import PurePosixPath
 
@@ -12,6 +12,12 @@ BLANK = b" \t\r\n\f\v\xef\xbb\xbf"
 
 _LEAST_LIKENESS = 0.75
 _LEAST_LETTERS = 5
+_LETTERS_OF_ITS_OWN = 9
+"""So long a name that is asked for is in no other one by chance; ``robot`` is in that of each of three robots."""
+_IMPORT_OR_TEXT = re.compile(
+    rb"""(?<![\w.])(?:from|import)[ \t](?:[^\n#\\(;:"']|\\\r?\n|\([^()]*\))*"""
+    rb"""|(?P<text>"[^"\n]{0,200}"|'[^'\n]{0,200}')"""
+)
 
 
 def like_an_entry(path: PurePosixPath) -> bool:
@@ -24,6 +30,8 @@ def alike(name: str, wanted: str) -> bool:
     one, other = (re.sub(r"[\W_]", "", text.casefold()) for text in (name, wanted))
     if one == other:
         return True
+    if len(other) >= _LETTERS_OF_ITS_OWN and not re.search(r"\d", other) and other in one:
+        return True  # and what else there is counts the versions
     if re.findall(r"\d+", one) != re.findall(r"\d+", other):
         return False
     if min(len(one), len(other)) >= _LEAST_LETTERS and (one in other or other in one):
@@ -43,10 +51,22 @@ def of_yellow(name: str) -> bool:
 
 
 def mentioned(files: Mapping[PurePosixPath, bytes], names: Iterable[str]) -> str:
-    """Return the first of some names that a program mentions."""
+    """Return the first of some names of files or folders that a program imports, or has in a text.
+
+    A function of that name is none of them: `main.py` begins with ``def main()`` more often than not.
+    """
     for name in names:
         raw = name.encode("utf-8", "surrogateescape")
         word = re.compile(rb"(?<!\w)" + re.escape(raw) + rb"(?!\w)")
-        if any(path.suffix == ".py" and raw in content and word.search(content) for path, content in files.items()):
+        programs = (content for path, content in files.items() if path.suffix == ".py" and raw in content)
+        if any(word.search(place) for content in programs for place in _named_places(content)):
             return name
     return ""
+
+
+def _named_places(content: bytes) -> Iterator[bytes]:
+    """Return the parts of a program that name modules, files and folders: a text with blanks and no / is a sentence."""
+    for found in _IMPORT_OR_TEXT.finditer(content):
+        text = found["text"]
+        if text is None or b" " not in text or b"/" in text or b"\\" in text:
+            yield found[0]

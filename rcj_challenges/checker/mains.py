@@ -16,10 +16,15 @@ _LOOKED_AT_BYTES = 16_384
 
 _IMPORT = re.compile(rb"^[ \t]*(?:from|import)[ \t]+([^\r\n#]{1,500})", re.MULTILINE)
 _COMMENT = re.compile(rb"#[^\r\n]*")
+_FROM_WHERE = re.compile(rb"^[ \t]*(?:from[ \t]|import[ \t]|sys\.path\.append|sys\.path\.insert)[^\r\n]*", re.MULTILINE)
 _WORD = re.compile(rb"[\w\x80-\xff]+")
 _ROBOT = re.compile(rb"\bcontroller\b|\bRobot\b")
 # What is called so was meant for a place that some scenario names: its name says more than that it is alone.
 _OF_ANOTHER_PLACE = re.compile(r"rcj_soccer_|score_goal|pass_ball|robot_?\d", re.IGNORECASE)
+
+_TO_COME_THERE = frozenset(
+    {b"import", b"from", b"as", b"sys", b"path", b"os", b"pathlib", b"Path", b"append", b"insert"}
+)
 
 
 @dataclass(frozen=True)
@@ -42,8 +47,13 @@ def roles_of(files: Mapping[PurePosixPath, bytes]) -> Roles:
     """Find out what the Python files of a submission are to each other."""
     words = {path: frozenset(_words(content)) for path, content in files.items() if _is_python(path)}
     importers = Counter(word for theirs in words.values() for word in theirs)
+    beside = Counter((path.parent, word) for path, theirs in words.items() for word in theirs)
     called = {path: _imported_as(path) for path in words}
-    libraries = {path for path, name in called.items() if importers[name] > (name in words[path])}
+    libraries = {
+        path
+        for path, name in called.items()
+        if (beside[path.parent, name] if _gives_its_folder_the_name(path) else importers[name]) > (name in words[path])
+    }
     names = {called[path] for path in libraries}
     mains = [
         path
@@ -72,9 +82,17 @@ def reached_from(entry: PurePosixPath, files: Mapping[PurePosixPath, bytes]) -> 
     return reached
 
 
-def without_comments(content: bytes) -> bytes:
-    """Return what can tell two programs apart, roughly: without comments and white space."""
-    return b"".join(_COMMENT.sub(b"", content).split())
+def what_it_does(content: bytes) -> bytes:
+    """Return what can tell two programs apart, roughly: without comments and white space.
+
+    Of imports only what is imported counts, and not from which program's folder: in 2021 all lay in that of the first.
+    """
+    code = _COMMENT.sub(b"", content)
+    wanted = {word for line in _IMPORT.findall(code) for word in _WORD.findall(line)}
+    named = sorted(
+        word for word in wanted - _TO_COME_THERE if not _OF_ANOTHER_PLACE.search(word.decode("utf-8", "replace"))
+    )
+    return b" ".join([*_FROM_WHERE.sub(b"", code).split(), *named])
 
 
 def _is_python(path: PurePosixPath) -> bool:
@@ -87,6 +105,11 @@ def _is_python(path: PurePosixPath) -> bool:
 def _imported_as(path: PurePosixPath) -> bytes:
     """Return the last part of the name by which others import a file."""
     return (path.parent.name if path.stem == "__init__" else path.stem).encode("utf-8", "surrogateescape")
+
+
+def _gives_its_folder_the_name(path: PurePosixPath) -> bool:
+    """Whether others that import by its name mean its folder: ``from rcj_soccer_player_b1 import …``, as in 2021."""
+    return path.stem == path.parent.name and _OF_ANOTHER_PLACE.search(path.name) is not None
 
 
 def _words(content: bytes) -> list[bytes]:

@@ -7,7 +7,9 @@ from collections.abc import Mapping
 from pathlib import PurePosixPath
 
 from rcj_challenges.checker.crash_lines import CrashLine, crash_line, text_of
+from rcj_challenges.checker.modules import instead_of_the_folder
 from rcj_challenges.checker.unknown_names import on_unknown_name
+from rcj_challenges.checker.unset_attributes import on_unset_attribute
 from rcj_challenges.facts.shown import shown
 
 _MOST_NAME = 100  # letters
@@ -15,6 +17,9 @@ _CIRCLE = re.compile(
     r"partially initialized module '(?P<module>[\w.]+)' .{0,200}\(most likely due to a circular import\)"
 )
 _PLACE = re.compile(r" \((?P<file>[^()]{1,300}), line (?P<line>[0-9]{1,7})\)$")
+_NO_PACKAGE = re.compile(
+    r"^ModuleNotFoundError: No module named '(?P<whole>[\w.]{1,200})'; '(?P<file>[\w.]{1,200})' is not a package"
+)
 _UNSET = re.compile(
     rf"^UnboundLocalError: (?:cannot access local variable|local variable) '(?P<name>\w{{1,{_MOST_NAME}}})' "
 )
@@ -74,7 +79,24 @@ _STEP_FIRST = (
     "this number is NaN: so is what a sensor gives before its first sample (enable it, and call robot.step(32) before "
     "it is read), and getSignalStrength() where no packet waits (ask getQueueLength() first)"
 )
+_NO_FUNCTION = (
+    "what stands before the brackets is no function: is there a variable of a function's name (max = 10), "
+    "or is a * missing?"
+)
+_THREADS_ONCE = (
+    "start a thread once, before the loop, and not in every step: a match allows 32 at a time, unless its scenario "
+    "says otherwise"
+)
 _REMEDIES = (
+    (
+        re.compile(r"^TypeError: '(?:int|float|complex|bool|str|bytes|list|tuple|dict|set)' object is not callable"),
+        _NO_FUNCTION,
+    ),
+    (
+        re.compile(r"^AttributeError: type object '\w{1,100}' has no attribute '\w{1,100}'(?: \(|$)"),
+        "the class has no such name: write it as it stands there, capital and small letters count",
+    ),
+    (re.compile(r"^RuntimeError: can't start new thread"), _THREADS_ONCE),
     (re.compile(r"^RecursionError: maximum recursion depth exceeded"), _GO_ROUND),
     (re.compile(r"^TypeError: .{1,100}'(?:builtin_function_or_)?method' and '"), _BRACKETS),
     (re.compile(r"^TypeError: .{1,100}' and '(?:builtin_function_or_)?method'"), _BRACKETS),
@@ -120,8 +142,8 @@ def on_slip(detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
         detail: the last line of what the program told of its end, and its place.
         files: of the team.
     """
-    if found := _CIRCLE.search(detail):
-        return _on_circle(found["module"], detail)
+    if found := _NO_PACKAGE.match(detail) or _CIRCLE.search(detail):
+        return _on_import(found, detail, files)
     if found := _UNSET.match(detail):
         return _on_unset(found["name"], detail, files)
     if found := _UNKNOWN.match(detail):
@@ -131,7 +153,14 @@ def on_slip(detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
         return _THREE_NUMBERS if line is not None and _takes_a_place(line, files) else ""
     if (found := _ONE_TOO_MANY.match(detail)) and int(found["given"]) == int(found["takes"]) + 1:
         return _on_self(found["method"], files)
-    return next((remedy for words, remedy in _REMEDIES if words.match(detail)), "")
+    told = next((remedy for words, remedy in _REMEDIES if words.match(detail)), "")
+    return told or on_unset_attribute(detail, files)
+
+
+def _on_import(found: re.Match[str], detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
+    return (
+        _on_circle(found["module"], detail) if found.re is _CIRCLE else _on_no_package(**found.groupdict(), files=files)
+    )
 
 
 def _takes_a_place(line: CrashLine, files: Mapping[PurePosixPath, bytes]) -> bool:
@@ -154,6 +183,12 @@ def _on_circle(module: str, detail: str) -> str:
         f"{shown(file)} and {shown(importer)} import each other, in a circle: move what both need into a third file, "
         "or write the import into the function that needs it"
     )
+
+
+def _on_no_package(whole: str, file: str, files: Mapping[PurePosixPath, bytes]) -> str:
+    program = next((path for path in files if path.parts[-2:] == (file, f"{file}.py")), None)
+    part = whole.removeprefix(f"{file}.").partition(".")[0]
+    return "" if program is None else instead_of_the_folder(program, part, files)
 
 
 def _on_unset(name: str, detail: str, files: Mapping[PurePosixPath, bytes]) -> str:

@@ -16,6 +16,7 @@ from rcj_challenges.checker.modules import (
     WELL_KNOWN,
     Library,
     Module,
+    instead_of_the_folder,
     is_here,
     is_pythons,
     places_of,
@@ -257,7 +258,7 @@ class _Walk:
             return (
                 "missing_part",
                 f'imports "{whole}", but "{shown(name)}" is a file, not a folder',
-                "correct the import",
+                (module.file and instead_of_the_folder(module.file, part, self._team.files)) or "correct the import",
             )
         message = f'imports "{whole}", but there is no {shown(part)}.py in the folder {shown(module.folder)}'
         return "missing_part", message, "add the file to the submission, or correct the import"

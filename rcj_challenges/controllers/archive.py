@@ -56,7 +56,7 @@ _CONTAINERS = (
 _TARRED = re.compile(r"\.(tar\.\w+|tgz|tbz2?|txz)$", re.IGNORECASE)
 # Files that happen to be ZIPs: weights, tables, documents.
 _DATA_ENDINGS = frozenset({".npz", ".pt", ".pth", ".keras", ".docx", ".xlsx", ".pptx", ".odt", ".ods", ".whl", ".jar"})
-_SHOWN_LEFTOVERS = 4
+_SHOWN_NAMES = 4
 _DEFLATE_RATIO = 1032
 _MOST_WASTED_BYTES = 300_000_000  # unpacked in vain from damaged entries: a second's work
 
@@ -246,6 +246,7 @@ class _ZipReading:
             return _unreadable("zip", *self._troubles, packed_bytes=len(self._data))
         used = [entry for entry in entries if not ignored(path_of(entry.name).parts)]
         self._tell_leftovers([entry for entry in entries if ignored(path_of(entry.name).parts)])
+        self._tell_guessed([entry for entry in used if entry.guessed])
         self._read_all([entry for entry in used if not entry.is_folder])
         self._tell_folders([entry for entry in used if entry.is_folder])
         self._refuse_files_in_files()
@@ -343,11 +344,16 @@ class _ZipReading:
     def _tell_leftovers(self, entries: list[zipped.Entry]) -> None:
         if not entries:
             return
-        names = list(dict.fromkeys(told(entry.name) for entry in entries))
-        shown = ", ".join(names[:_SHOWN_LEFTOVERS]) + (", …" if len(names) > _SHOWN_LEFTOVERS else "")
-        message = f"other programs left behind what is not used: {shown}"
+        message = f"other programs left behind what is not used: {_some(entries)}"
         remedy = "delete them before packing"
         self._troubles.add(Trouble("archive.leftovers", "warning", message, remedy, repair=True))
+
+    def _tell_guessed(self, entries: list[zipped.Entry]) -> None:
+        if not entries:
+            return
+        message = f"the archive does not tell in which encoding names are; they may be read wrongly: {_some(entries)}"
+        remedy = "use plain letters (a to z) in names of files and folders, also where programs import or open them"
+        self._troubles.add(Trouble("archive.name_guessed", "warning", message, remedy))
 
     def _tell_folders(self, entries: list[zipped.Entry]) -> None:
         for entry in entries:
@@ -362,6 +368,12 @@ class _ZipReading:
         if needed - have:
             message = "the archive has no entries of their own for its folders, which does no harm"
             self._troubles.add(Trouble("archive.no_folders", "passed", message, repair=True))
+
+
+def _some(entries: list[zipped.Entry]) -> str:
+    """Return the names of the first of them, for a message."""
+    names = list(dict.fromkeys(told(entry.name) for entry in entries))
+    return ", ".join(names[:_SHOWN_NAMES]) + (", …" if len(names) > _SHOWN_NAMES else "")
 
 
 def _tell_nested(files: Files, troubles: Troubles) -> None:

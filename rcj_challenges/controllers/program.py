@@ -389,8 +389,11 @@ class Program:
         return self._ended("exit", f"the program ended itself (exit status {status})")
 
     def _ended(self, kind: str, detail: str, traceback: str = "") -> Fault:
-        """Tell how a program ended, or what made it end: at the system's limit for files a flood ends in a crash."""
-        trespass = self._trespass()
+        """Tell how a program ended, or what made it end: at the system's limit for files a flood ends in a crash.
+
+        Its threads do not count: how many of them have ended by now is another thing in each run.
+        """
+        trespass = self._prints_too_much() or self._writes_too_much()
         if trespass is not None:
             return self._fail(*trespass)
         if _NO_ROOM.search(detail + traceback):
@@ -456,12 +459,20 @@ class Program:
             return None
         limits = self._limits
         self._look_at_s = self.account.waited_s + _SLICE_S
-        if self._folder is not None and self._has_written_more_than(self._folder, times * self._scratch_limit):
-            return "output_flood", f"the program wrote more than {limits.scratch_mb:g} MB into its folder"
+        written = self._writes_too_much(times)
+        if written is not None:
+            return written
         # Beside those that it may start it has its first one, and the one that watches over it.
         if self._process is not None and self._process.threads() > times * limits.processes + 2:
             return "memory", f"the program runs more than {limits.processes} threads"
         return None
+
+    def _writes_too_much(self, times: float = 1.0) -> tuple[str, str] | None:
+        if self._assignment.debug or self._folder is None:
+            return None
+        if not self._has_written_more_than(self._folder, times * self._scratch_limit):
+            return None
+        return "output_flood", f"the program wrote more than {self._limits.scratch_mb:g} MB into its folder"
 
     def _has_written_more_than(self, folder: Path, limit_bytes: float) -> bool:
         nameless = 0 if self._process is None else self._process.nameless_bytes(self._output_fd())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from difflib import get_close_matches
@@ -350,13 +351,19 @@ def missing_programs(
 
 
 def _nearest(entry: str, names: list[str]) -> str | None:
+    """Return the name that comes nearest; of robot1, robot2 and robot3 none is another one misspelled."""
     wanted = PurePosixPath(entry).name
+    names = [name for name in names if _numbers(PurePosixPath(name).stem) == _numbers(PurePosixPath(entry).stem)]
     by_file_name = {PurePosixPath(name).name: name for name in reversed(names)}
     found = get_close_matches(entry, names, 1, _LEAST_LIKENESS)
     if found:
         return found[0]
     close = get_close_matches(wanted, by_file_name, 1, _LEAST_LIKENESS)
     return by_file_name[close[0]] if close else None
+
+
+def _numbers(name: str) -> list[str]:
+    return re.findall(r"[0-9]+", name)
 
 
 def _digest(files: Files) -> str:

@@ -65,6 +65,11 @@ class Entry:
         return self.name.endswith(("/", "\\"))
 
     @property
+    def guessed(self) -> bool:
+        """Whether its name is read in code page 437, which the format prescribes and Windows hardly ever writes."""
+        return not self.flags & _UTF_8 and not _is_utf_8(self.raw_name)
+
+    @property
     def special(self) -> bool:
         """Whether it is neither a file nor a folder: a link, a device."""
         return stat.S_IFMT(self.mode) not in (0, stat.S_IFREG, stat.S_IFDIR)
@@ -267,10 +272,17 @@ def _entries(data: bytes, bounds: _Bounds) -> Iterator[Entry]:
 
 def _decoded(raw_name: bytes, flags: int) -> str:
     """Return a name as text. Tools that write UTF-8 without saying so are more common than real code page 437."""
+    if flags & _UTF_8 or _is_utf_8(raw_name):
+        return raw_name.decode("utf-8", "surrogateescape")
+    return raw_name.decode("cp437")
+
+
+def _is_utf_8(raw_name: bytes) -> bool:
     try:
-        return raw_name.decode("utf-8")
+        raw_name.decode("utf-8")
     except UnicodeDecodeError:
-        return raw_name.decode("utf-8", "surrogateescape") if flags & _UTF_8 else raw_name.decode("cp437")
+        return False
+    return True
 
 
 def _widened(extra: bytes, packed: int, size: int, offset: int) -> tuple[int, int, int]:

@@ -206,6 +206,26 @@ def test_a_name_is_one_line_and_changes_no_files_place(tmp_path: Path, content: 
     assert written == {PurePosixPath(ENTRY), PurePosixPath(ENTRY).with_name("utils.py"), PurePosixPath("team_name.txt")}
 
 
+def test_what_is_said_of_a_logo_called_otherwise_leads_to_one_that_is_shown(tmp_path: Path) -> None:
+    def told_of(name: str, picture: bytes) -> list[tuple[str, str]]:
+        found = findings(inspected(tmp_path, plain(SOUND | {name: picture})))
+        return [(finding.message, finding.remedy) for finding in found if "logo" in finding.code]
+
+    called = "call it logo.png and put it beside the programs' folders"
+    assert told_of("Team-Logo.PNG", pictures.png()) == [("the logo is Team-Logo.PNG, which is not shown", called)]
+    assert told_of("logo.jpg", pictures.jpeg_head()) == [
+        ("the logo is logo.jpg, which is not shown", called),
+        ("logo.jpg is a JPEG, not a PNG, and is not shown", "save it as a PNG"),
+    ]
+    assert told_of("team_logo.png", pictures.png(2500, 2500))[1:] == [
+        ("team_logo.png has 2500 x 2500 pixels and is not shown", "make it at most 1024 pixels wide and high")
+    ]
+    assert told_of("LOGO.PNG", pictures.png(8, 8)) == [
+        ("the logo is LOGO.PNG", called),
+        ("the logo has 8 x 8 pixels", ""),
+    ]
+
+
 def test_a_logo_is_shown_without_what_no_picture_needs(tmp_path: Path) -> None:
     told = pictures.chunk(b"tEXt", b"Comment\0<script>")
     assert inspected(tmp_path, plain(SOUND | {"logo.png": pictures.png(extra=told)})).logo == pictures.png()

@@ -86,8 +86,9 @@ def test_a_program_that_reads_json_where_the_packet_is_a_byte_is_told_how_to_pla
     assert "one byte" in found.remedy
 
 
-def test_a_program_that_reads_bytes_where_the_packet_is_json_is_told_how_to_play_with_v2_1(check):
-    found = failure(check(BYTE_PROGRAM, V22))
+@pytest.mark.parametrize("read", ["getData()", "getBytes()"])
+def test_a_program_that_reads_bytes_where_the_packet_is_json_is_told_how_to_play_with_v2_1(check, read):
+    found = failure(check(BYTE_PROGRAM.replace("getData()", read), V22))
     assert found.message.endswith("this program seems to be written for messages v2.1")
     assert "--set kits.v2.messages=v2.1" in found.remedy
     assert "getBytes()" in found.remedy

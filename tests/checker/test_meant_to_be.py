@@ -112,6 +112,42 @@ def test_of_the_same_programs_for_both_colours_those_of_blue_are_meant(tmp_path:
     assert "robot3/robot3.py" in mended(tmp_path, OF_2021)
 
 
+def test_programs_that_import_from_the_folder_of_another_one_are_meant_all_the_same(tmp_path: Path) -> None:
+    """The template of 2021: what all share lies in the folder of B1; packed with all that its repository has."""
+    up = b"import sys\nfrom pathlib import Path\nsys.path.append(str(Path('.').absolute().parent))\n"
+    shared = up + b"from rcj_soccer_player_b1 import rcj_soccer_robot, utils\n" + ALONE
+    own = b"import rcj_soccer_robot, utils\n" + ALONE
+    players = {
+        f"controllers/rcj_soccer_player_{who}/rcj_soccer_player_{who}.py": own if who == "b1" else shared
+        for who in ("b1", "b2", "b3", "y1", "y2", "y3")
+    }
+    others = {
+        "controllers/rcj_soccer_player_b1/rcj_soccer_robot.py": BASE,
+        "controllers/rcj_soccer_player_b1/utils.py": b"x = 1\n",
+        "controllers/rcj_soccer_player_b1/__init__.py": b"",
+        "controllers/rcj_soccer_supervisor/rcj_soccer_supervisor.py": b"from controller import Supervisor\n",
+        "worlds/soccer.wbt": b"#VRML_SIM\n",
+        "README.md": b"#\n",
+    }
+    found = misplaced(tmp_path, below("rcj-soccer-sim-master", players | others), OF_2021)
+    assert found.code == "layout.misnamed"
+    assert "rename the folder rcj_soccer_player_b1 to robot1" in found.remedy
+    assert "rename the folder rcj_soccer_player_b3 to robot3" in found.remedy
+    assert found.remedy.endswith("the programs mention rcj_soccer_player_b1: change that as well")
+
+
+@pytest.mark.parametrize(
+    "name", ["rcj_soccer_team_blue_v2", "rcj_soccer_team_blue_final_2022", "My_rcj_soccer_team_blue3"]
+)
+def test_a_number_behind_the_name_that_is_asked_for_is_no_other_name(tmp_path: Path, name: str) -> None:
+    found = misplaced(tmp_path, below(name, {f"{name}.py": MAIN} | SHARED))
+    assert found.remedy == (
+        f"rename the folder {name} to rcj_soccer_team_blue, "
+        f"rename the file rcj_soccer_team_blue/{name}.py to rcj_soccer_team_blue/rcj_soccer_team_blue.py"
+    )
+    assert "rcj_soccer_team_blue/robot1.py" in mended(tmp_path)
+
+
 FLAT = {f"robot{number}.py": ALONE for number in (1, 2, 3)}
 
 
@@ -224,3 +260,37 @@ def test_among_many_large_files_it_is_found_out_at_once(tmp_path: Path) -> None:
     began_s = time.process_time()
     assert misplaced(tmp_path, files).code == "layout.missing"
     assert time.process_time() - began_s < 10
+
+
+@pytest.mark.parametrize(
+    "program",
+    [
+        b"def main():\n    robot = Robot()\nif __name__ == '__main__':\n    main()\n",
+        b'if __name__ == "__main__": main()\n',
+        b"print('in the main loop')  # main\n",
+        b'"""The main program.\n\nmain is what is started.\n"""\nmain = 3\n',
+    ],
+)
+def test_a_function_of_its_name_does_not_keep_a_program_from_being_renamed(tmp_path: Path, program: bytes) -> None:
+    found = misplaced(tmp_path, {"main.py": ALONE + program})
+    assert found.remedy == "rename the file main.py to robot.py"
+    assert "robot.py" in mended(tmp_path)
+
+
+@pytest.mark.parametrize(
+    "program",
+    [
+        b"import tools, main\n",
+        b"try: from main import step\nexcept ImportError: pass\n",
+        b"from main.parts import (\n    one,\n)\n",
+        b"from tools import (  # these\n    one,\n    main,\n)\n",
+        b"import tools, \\\n    main\n",
+        b"importlib.import_module('main')\n",
+        b'__import__("main")\n',
+        b"open('../my robots/main/plan.json')\n",
+        b"exec(open(here + 'main.py').read())\n",
+    ],
+)
+def test_who_changes_a_name_that_programs_import_or_open_is_told_of_them(tmp_path: Path, program: bytes) -> None:
+    found = misplaced(tmp_path, {"main.py": ALONE + program, "tools.py": b"one = main = 1\nmain()\n"})
+    assert found.remedy.endswith("the programs mention main: change that as well")

@@ -13,6 +13,9 @@ from rcj_challenges.scenario.load import load
 
 FOLDER = "rcj_soccer_team_blue/"
 BEGIN = "from controller import Robot\nrobot = Robot()\n"
+HERE_WITHOUT_ITS_NAME = (
+    'leave out "robot1.": base lies beside robot1.py; the folder\'s name is for programs in other folders'
+)
 LOOP = "while robot.step(32) != -1:\n    pass\n"
 
 
@@ -44,6 +47,28 @@ def test_files_that_import_each_other_are_named(failure):
     )
     assert "circular import" in found.message
     assert found.remedy.startswith("ball.py and player.py import each other, in a circle: move what both need into a ")
+
+
+def test_a_file_that_stands_before_the_folder_of_its_name_is_told(tmp_path):
+    # As a team of 2021 wrote it: robot2 and robot3 find the folder robot1, and robot1 finds itself.
+    path = tmp_path / "team.zip"
+    begin = "import sys\nsys.path.append('..')\nfrom robot1.base import speed\n"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("robot1/__init__.py", "")
+        archive.writestr("robot1/base.py", "speed = 5\n")
+        archive.writestr("team_name.txt", "Hanse")
+        for number in (1, 2, 3):
+            archive.writestr(f"robot{number}/robot{number}.py", begin + BEGIN + LOOP)
+    report = check_file(path, load("match"), CheckOptions(play_s=1.0))
+    (found,) = [one for stage in report.stages for one in stage.findings if one.level == "failure"]
+    assert found.where == "B1, Y1"
+    assert "'robot1' is not a package" in found.message
+    assert found.remedy == HERE_WITHOUT_ITS_NAME
+
+
+def test_of_a_package_that_is_none_nothing_is_guessed():
+    detail = "ModuleNotFoundError: No module named 'math.utils'; 'math' is not a package (robot.py, line 1)"
+    assert on_slip(detail, {PurePosixPath("robot.py"): b"import math.utils\n"}) == ""
 
 
 @pytest.mark.parametrize(
@@ -177,6 +202,25 @@ def test_of_what_is_no_module_and_no_sensor_nothing_is_said_of_them(line, detail
 def test_a_method_that_is_given_too_much_and_has_self_is_told_nothing_of_it(method):
     detail = "TypeError: Bot.go() takes 1 positional argument but 2 were given (robot.py, line 4)"
     assert on_slip(detail, {PurePosixPath("robot.py"): f"class Bot:\n    {method}\n".encode()}) == ""
+
+
+@pytest.mark.parametrize(
+    ("detail", "told"),
+    [
+        (
+            "TypeError: 'int' object is not callable",
+            "what stands before the brackets is no function: is there a variable",
+        ),
+        (
+            "TypeError: 'list' object is not callable",
+            "what stands before the brackets is no function: is there a variable",
+        ),
+        ("AttributeError: type object 'State' has no attribute 'ATTACK'", "the class has no such name"),
+        ("RuntimeError: can't start new thread", "start a thread once, before the loop, and not in every step"),
+    ],
+)
+def test_words_of_python_that_do_not_tell_what_is_meant_are_explained(detail, told):
+    assert on_slip(f"{detail} (robot.py, line 3)", {PurePosixPath("robot.py"): b""}).startswith(told)
 
 
 def test_of_other_crashes_nothing_is_said():

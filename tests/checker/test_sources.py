@@ -356,6 +356,18 @@ def test_a_program_that_looks_in_its_own_folder_first_finds_itself_instead_of_it
     assert codes(check.paths({ENTRY: f"import {FOLDER}.utils\n", **PACKAGE}), "failure") == ["missing_part"]
 
 
+def test_who_finds_itself_instead_of_its_folder_is_told_to_leave_out_its_name(check):
+    def remedy(line, **files):
+        stage = check.paths({"robot1/robot1.py": line, "robot2/robot2.py": "1", "robot3/robot3.py": "1", **files})
+        (found,) = (finding for finding in stage.findings if finding.level == "failure")
+        return found.remedy
+
+    leave_out = 'leave out "robot1.": {} lies beside robot1.py; the folder\'s name is for programs in other folders'
+    assert remedy("from robot1.base import x\n", **{"robot1/base.py": ""}) == leave_out.format("base")
+    assert remedy("import robot1.lib.base\n", **{"robot1/lib/base.py": ""}) == leave_out.format("lib")
+    assert remedy("from robot1.plan import x\n", **{"robot2/plan.py": ""}) == "correct the import"
+
+
 def test_a_part_that_is_in_no_folder_of_that_name_fails_whatever_the_program_does_to_its_path(check):
     stage = check.paths({ENTRY: FROM_ABOVE + f"import {FOLDER}.tools\n", **PACKAGE})
     assert codes(stage, "failure") == ["missing_part"]

@@ -220,6 +220,14 @@ class TestTheTickOfAFaultDoesNotDependOnHowLongTheMatchWaits:
         assert (fault.kind, fault.tick) == ("memory", 0)
 
 
+@pytest.mark.parametrize("threads", [0, 10])
+def test_how_a_program_ended_does_not_depend_on_how_many_of_its_threads_have_ended_by_then(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, threads: int
+) -> None:
+    monkeypatch.setattr(processes.Process, "threads", lambda _: threads)
+    assert fault_of(FakeMatch(tmp_path, processes=7), "x = 1\nraise RuntimeError('no room')\n", 3).kind == "crash"
+
+
 def test_who_writes_fast_is_stopped_before_its_folder_is_looked_through_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

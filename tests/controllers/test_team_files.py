@@ -15,7 +15,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from rcj_challenges.controllers import archive
-from rcj_challenges.controllers.team import TeamError, open_team, safe_name
+from rcj_challenges.controllers.team import TeamError, missing_programs, open_team, safe_name
 from rcj_challenges.scenario.models.robots import Entrant
 
 ENTRY = "rcj_soccer_team_blue/rcj_soccer_team_blue.py"
@@ -128,6 +128,17 @@ def test_a_missing_program_is_told_with_what_was_looked_for_what_is_there_and_th
     assert "found: rcj_soccer_team_blue/rcj_soccer_team_bleu.py" in told
     assert f"did you mean rcj_soccer_team_blue/rcj_soccer_team_bleu.py to be {ENTRY}?" in told
     assert "\n" not in told
+
+
+def test_a_program_of_another_number_was_not_meant() -> None:
+    """Whoever forgot the program itself has three others left, and none of them is another one misspelled."""
+    missing = {"B1": ("rcj_soccer_team_blue/rcj_soccer_team_blue.py", "robot1/robot1.py", "robot.py")}
+    files = {PurePosixPath(f"rcj_soccer_team_blue/robot{number}.py"): b"1" for number in (2, 3)}
+    assert "did you mean" not in missing_programs(files, missing)
+    files[PurePosixPath("rcj_soccer_team_blue/robot1.py")] = b"1"
+    assert missing_programs(files, missing).endswith(
+        "did you mean rcj_soccer_team_blue/robot1.py to be robot1/robot1.py?"
+    )
 
 
 def test_one_of_three_programs_missing_is_told_for_that_robot_only(tmp_path: Path) -> None:

@@ -128,6 +128,18 @@ def test_whatever_files_are_called_every_match_is_played(tmp_path):
 
 
 @needs_flock
+def test_where_nothing_can_be_written_the_cup_does_not_end_as_if_it_were_played(tmp_path):
+    environment = pretended_cup(tmp_path, "a", "b")
+    (tmp_path / "cup" / "a" / "b" / "lock").mkdir(parents=True)  # as on a disk that has become read-only: no file there
+    done = subprocess.run(
+        ["bash", "-c", the_script()], cwd=tmp_path, capture_output=True, text=True, check=False, timeout=300, env=environment
+    )  # fmt: skip
+    assert done.returncode == 2
+    assert "cup/a/b/lock" in done.stderr
+    assert not (tmp_path / "started").exists()
+
+
+@needs_flock
 def test_two_scripts_at_once_share_the_matches(tmp_path):
     environment = pretended_cup(tmp_path, "a", "b", "c", "d")
     scripts = [subprocess.Popen(["bash", "-c", the_script()], cwd=tmp_path, env=environment) for _ in range(2)]

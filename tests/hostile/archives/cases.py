@@ -367,6 +367,9 @@ HOSTILE: dict[str, Case] = {
     "name_in_no_encoding": Case(
         lambda: member_with(name=b"caf\xe9.txt", flags=0x800), "archive.name_encoding", says="UTF-8", repair=True
     ),
+    "name_in_an_encoding_that_is_not_told": Case(
+        lambda: member_with(name="設定/ボール.txt".encode("cp932")), "archive.name_guessed", "warning", "does not tell"
+    ),
     "name_reserved_on_windows": Case(
         lambda: member_with(name="notes/aux.txt"), "archive.name_reserved", says="device on Windows", repair=True
     ),

@@ -1,0 +1,49 @@
+"""What is told of an attribute that is used before it is set: a check says where it is, and what is missing."""
+
+from __future__ import annotations
+
+from pathlib import PurePosixPath
+
+from rcj_challenges.checker.slips import on_slip
+
+PLAYER = PurePosixPath("player.py")
+UNSET = "AttributeError: '{}' object has no attribute 'best' (player.py, line 9)"
+LATE = b"""class Player:
+    def __init__(self):
+        self.n = 0
+
+    def play(self):
+        # self.best = 3.0
+        if self.n == 10: self.best: float = 3.0
+        self.n += 1
+        return self.best
+"""
+
+
+def test_the_line_that_sets_it_is_named() -> None:
+    assert on_slip(UNSET.format("Player"), {PLAYER: LATE}) == (
+        'line 7 of player.py sets "best", and the program had not come there yet: give it a first value at the '
+        "beginning of __init__ of Player"
+    )
+
+
+def test_a_class_whose_base_sets_it_has_forgotten_to_call_its_init() -> None:
+    keeper = b"from player import Player\nclass Keeper(Player):\n    def __init__(self, robot):\n        self.robot = robot\n"
+    assert on_slip(UNSET.format("Keeper"), {PLAYER: LATE, PurePosixPath("keeper.py"): keeper}) == (
+        'line 7 of player.py, in Player, sets "best": call super().__init__() at the beginning of __init__ of Keeper'
+    )
+
+
+def test_nothing_is_said_where_nothing_sets_it_or_something_else_does() -> None:
+    assert on_slip(UNSET.format("Player"), {PLAYER: LATE.replace(b"self.best: float =", b"best =")}) == ""
+    assert on_slip(UNSET.format("Player"), {PLAYER: LATE.replace(b"self.best: float =", b"self.best ==")}) == ""
+    assert on_slip(UNSET.format("Motor"), {PLAYER: LATE}) == ""
+    guessed = "AttributeError: 'Player' object has no attribute 'best'. Did you mean: 'rest'? (player.py, line 9)"
+    assert on_slip(guessed, {PLAYER: LATE}) == ""
+
+
+def test_a_member_that_an_enum_has_not_is_told_as_such_where_there_are_enums() -> None:
+    detail = "AttributeError: ATTACK (player.py, line 9)"  # all that Python says up to 3.11
+    for line in (b"from enum import Enum\n", b"import enum\n", b"from enum import IntEnum, Enum, auto\n"):
+        assert on_slip(detail, {PLAYER: line}).startswith("the Enum has no such name")
+    assert on_slip(detail, {PLAYER: LATE}) == ""
