@@ -1,4 +1,4 @@
-"""How large and how small numbers may be: what has no place in a hall, and what physics and pictures cannot hold.
+"""How large and how small numbers may be: what has no place in a hall, and what nothing here could build or count.
 
 Not bounds of the models: what an older version took can still be read in a record.
 """
@@ -10,7 +10,7 @@ from functools import cache
 from typing import Any
 
 from rcj_challenges.scenario.models.actions import Count
-from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.scenario.models.base import LONGEST_S, Strict
 from rcj_challenges.scenario.models.field import Ball, Box, Cylinder, FieldModel, Goal, Wall
 from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -33,6 +33,8 @@ _SIZES = frozenset(
         "wheel_radius_m", "wheel_width_m", "wheel_track_m",
     }
 )  # fmt: skip
+_LASTING = frozenset({"for_s", "grace_s"})
+"""Durations that may be 0; all others have their bounds in the models."""
 _PLACES = frozenset({"point", "on_line", "choice", "to", "from_", "towards", "distance", "tells"})
 """Fields that may hold points, and do not say so by their unit."""
 _Range = tuple[float, float, str]
@@ -59,6 +61,8 @@ def _bounded(model: type[Strict]) -> tuple[tuple[str, str, _Range], ...]:
 def _range(model: type[Strict], name: str) -> _Range | None:
     if name.endswith("mass_kg"):
         return LIGHTEST_KG, float("inf"), " kg"
+    if name in _LASTING:
+        return 0.0, LONGEST_S, " s"
     if name == "noise_m":
         return 0.0, MAX_NOISE_M, " m"
     if model in _BODIES and name in _SIZES:

@@ -44,6 +44,14 @@ entrants: {blue: null, yellow: {robots: {Y1: null, Y2: null}}}
         (CRATE % ("box", "size_m: [0.1, 11]"), "obstacles.crate.size_m[1]: size_m must be at most 10 m, found 11"),
         ("field: {goals: {blue_goal: {depth_m: 1.0e+9}}}\n", "field.goals.blue_goal.depth_m: depth_m must be at most 10 m, found 1e+09"),
         ("zones: {z: {shape: circle, centre_m: [0, 0], radius_m: 1.0e+5}}\n", "zones.z.radius_m: radius_m must be at most 1000 m, found 100000"),
+        (
+            rule("{trigger: holds, condition: {condition: held, entity: Y1}, for_s: 1.0e+308}"),
+            "rules.r.triggers[0] (holds): for_s must be at most 86400 s, found 1e+308",
+        ),
+        (
+            rule("{trigger: stays_in, entity: ball, zone: pitch, limit_s: 1, grace_s: 1.0e+308}"),
+            "rules.r.triggers[0] (stays_in): grace_s must be at most 86400 s, found 1e+308",
+        ),
     ],
 )  # fmt: skip
 def test_what_is_out_of_all_measure_is_refused_with_the_bound(body, told):
