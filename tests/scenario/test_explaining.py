@@ -203,3 +203,21 @@ def test_whatever_stands_anywhere_is_explained_without_a_traceback(where, value)
     holder[last] = value
     found = problems_of(load_text, json.dumps(data))
     assert all(problem.message and "nput should" not in problem.message for problem in found)
+
+
+LONG = "x" * 900
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        rule(f"{{trigger: {LONG}}}"),
+        rule(f"{{trigger: enters, entity: ball, zone: {{{LONG}: start}}}}"),
+        f"draws: {{d: {{values: [{LONG}]}}}}\n" + rule(action="{action: draw, draw: d, as: b}"),
+        f"zones: {{pitch: {{x_min_m: {{param: {LONG}}}}}}}\n",
+    ],
+)
+def test_a_text_that_nobody_can_read_is_cut(body):
+    (complaint,) = complaints(body)
+    assert LONG[:60] in complaint
+    assert LONG[:70] not in complaint
