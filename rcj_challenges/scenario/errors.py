@@ -113,6 +113,6 @@ def cut(text: str) -> str:
 
 def listing(names: Iterable[str], most: int = 12) -> str:
     """Return names as a list for a sentence: sorted by the caller, cut after ``most``."""
-    known = [cut(name) for name in names]
+    known = list(names)
     more = f", … ({len(known)} in all)" if len(known) > most else ""
     return ", ".join(known[:most]) + more

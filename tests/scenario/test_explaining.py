@@ -23,6 +23,7 @@ def place(text):
     return rule(action=f"{{action: place, entity: ball, {text}}}")
 
 
+WHEEL = "kits: {v2: {devices: {left wheel motor: {direction: %s}}}}\n"
 CASES = [
     (rule("{trigger: enterz}"), f"rules.r.triggers[0] (enterz): unknown trigger 'enterz'; there are {TRIGGERS}; did you mean 'enters'?"),
     (rule("{entity: ball}"), f"rules.r.triggers[0]: 'trigger' is missing; it is one of {TRIGGERS}"),
@@ -124,6 +125,13 @@ CASES = [
     ("title: 2021\n", "title: expected a text, found 2021"),
     ("id: fast-shooter\n", "id: 'fast-shooter' is no name: letters, digits and _, not beginning with a digit, at most 64"),
     ("schema_version: 0\n", "schema_version: expected 1, found 0"),
+    ("schema_version: '1'\n", "schema_version: expected 1, found '1'; leave the quotes out"),
+    ("schema_version: true\n", "schema_version: expected 1, found true"),
+    (WHEEL % "true", "kits.v2.devices.left wheel motor.direction: expected 1 or -1, found true"),
+    (WHEEL % "'-1'", "kits.v2.devices.left wheel motor.direction: expected 1 or -1, found '-1'; leave the quotes out"),
+    (place("at: {start: 'true'}"), "rules.r.actions[0] (place).at.start: expected true, found 'true'; leave the quotes out"),
+    (place("at: {start: 1}"), "rules.r.actions[0] (place).at.start: expected true, found 1"),
+    (place("at: start, facing: {random: 1}"), "rules.r.actions[0] (place).facing.random: expected true, found 1"),
     ("robots: {B1: {colour: 3}}\n", "robots.B1.colour: expected a name, found 3"),
     ("robots: {B1: {start: {x_m: a}}}\n", "robots.B1.start.x_m: expected a number, found 'a'"),
     ("robots: {N1: {colour: blue, number: 7, kit: v2}}\n", "robots.N1: 'start' is missing: where it starts"),
