@@ -107,7 +107,9 @@ def known_text(names: Iterable[str], noun: str) -> str:
 
 
 def cut(text: str) -> str:
-    """Return a name or text without what nobody would read of it."""
+    """Return a name or text without what nobody would read of it; one without a letter in quotes."""
+    if not text.strip():
+        return "''"
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 4]}…"
 
 

@@ -223,9 +223,18 @@ LONG = "x" * 900
         rule(f"{{trigger: enters, entity: ball, zone: {{{LONG}: start}}}}"),
         f"draws: {{d: {{values: [{LONG}]}}}}\n" + rule(action="{action: draw, draw: d, as: b}"),
         f"zones: {{pitch: {{x_min_m: {{param: {LONG}}}}}}}\n",
+        f"zones: {{pitch: {{x_min_m:{LONG}}}}}\n",
+        rule(f"{{trigger: half_started, {LONG}}}"),
     ],
 )
 def test_a_text_that_nobody_can_read_is_cut(body):
-    (complaint,) = complaints(body)
+    complaint = "".join(complaints(body))
     assert LONG[:60] in complaint
     assert LONG[:70] not in complaint
+
+
+def test_a_key_without_a_letter_is_told_in_quotes():
+    (complaint,) = complaints(rule("{trigger: enters, entity: ball, zone: {'': pitch}}"))
+    assert complaint.endswith("expected a name or a list of names, found a mapping with ''")
+    (complaint,) = complaints("match: {'': {halves: []}}\n")
+    assert complaint.startswith("match: unknown key ''")
