@@ -69,7 +69,7 @@ CASES = [
      "{choice: …}, {nearest_free: …}, {furthest_free: …} or {relative_to: …}, found 'centre'; a spot is written {spot: centre}, "
      "a random point of a zone {uniform_in: centre}, beside a robot or a ball {relative_to: centre}")),
     (place("at: {spot: [centre]}"), "rules.r.actions[0] (place).at.spot: expected a name, found a list of 1"),
-    (place("at: {point: [0, 0], spot: centre}"), "rules.r.actions[0] (place).at: unknown key 'spot'; allowed are point; did you mean 'point'?"),
+    (place("at: {point: [0, 0], spot: centre}"), "rules.r.actions[0] (place).at: unknown key 'spot'; allowed are point; 'point' is given already, in line 8"),
     (place("at: {on_line: [[0, 0], [1]]}"), "rules.r.actions[0] (place).at.on_line[1]: expected two numbers [x, y], found a list of 1"),
     (place("at: {on_line: [[0, 0]]}"), "rules.r.actions[0] (place).at.on_line: expected 2 points, each [x, y], found a list of 1"),
     (place("at: start, facing: north"),
@@ -117,6 +117,10 @@ CASES = [
      "rules.r.repeat_for[1]: 'weiß' is no name: letters, digits and _, not beginning with a digit, at most 64; letters are those from a to z: weiss"),
     ("broadcast: {only: {Y1: {a: 1}}}\n", "broadcast: 'fields' is missing: values by key, which all robots are told; write fields: {} for none"),
     ("match: {halves: 11}\n", "match.halves: must be at most 10, found 11"),
+    ("match: {half_s: 60, half: 30}\n", "match: unknown key 'half'; allowed are halves, half_s, swap_sides; 'half_s' is given already, in line 5"),
+    ("zones: {pitch: {x_min: -0.5}}\n",
+     ("zones.pitch: unknown key 'x_min'; allowed are inverted, drawn, colour, shape, x_min_m, x_max_m, y_min_m, y_max_m; "
+      "did you mean 'x_min_m'?")),
     ("match: {halves: true}\n", "match.halves: expected a whole number, found true"),
     ("match: {swap_sides: on}\n", "match.swap_sides: expected true/false, found 'on'; did you mean true?"),
     ("match: {half_s: '60'}\n", "match.half_s: expected a number or a list, found '60'; leave the quotes out"),

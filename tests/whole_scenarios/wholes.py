@@ -12,6 +12,7 @@ import yaml
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import Loaded, load_text
 from rcj_challenges.scenario.models.places import Placing
+from rcj_challenges.scenario.models.robots import Chassis, Device
 from rcj_challenges.scenario.models.scenario import Broadcast, Expectation, Limits, Result
 from rcj_challenges.scenario.models.state import Counter, Flag, Phase, Sequence, Timer
 from rcj_challenges.scenario.tree import plain
@@ -112,6 +113,7 @@ class _NoAliases(yaml.SafeDumper):
 def _made(chance: random.Random) -> Data:
     stage = made_stage(chance)
     maker = Maker(chance, stage)
+    _fit_out(stage, maker)
     _add_layout_names(stage, chance)
     _add_phase_names(stage, chance)
     _add_draws(stage, chance)
@@ -140,6 +142,25 @@ def _made(chance: random.Random) -> Data:
             ("One line.", "Two\n\nparagraphs with {p_1}.", "<script>", "- a\n- b")
         )
     return data
+
+
+def _fit_out(stage: Stage, maker: Maker) -> None:
+    """Give kits, robots and balls what the models allow, also at its bounds."""
+    chance = maker.chance
+    for kit in stage.data.get("kits", {}).values():
+        if kit and chance.random() < 0.4:
+            kit["chassis"] = maker.model(Chassis, without=("size_m", "wheel_track_m"))
+        for _ in range(chance.choice((0, 0, 1, 3))):
+            kit["devices"][chance.choice(("more", "ball", "left", "a b"))] = maker.value(Device, "device")
+    for robot in stage.data.get("robots", {}).values():
+        if robot and chance.random() < 0.2:
+            robot["devices"] = {chance.choice(("more", "gps")): maker.value(Device, "device")}
+    for ball in stage.data.get("balls", {}).values():
+        if ball and chance.random() < 0.3:
+            ball |= {"radius_m": chance.choice((0.001, 0.03)), "mass_kg": chance.choice((1e-6, 0.001, 5))}
+    for obstacle in stage.data.get("obstacles", {}).values():
+        if obstacle and obstacle.get("movable") and chance.random() < 0.5:
+            obstacle["mass_kg"] = chance.choice((1e-6, 0.01, 50))
 
 
 def _add_layout_names(stage: Stage, chance: random.Random) -> None:
