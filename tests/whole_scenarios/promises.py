@@ -44,7 +44,7 @@ _OURS = re.compile(
     r"AtLeast|NoneType|\bNone\b(?!')|Input should"
 )
 """What only who works on the project can read."""
-_CHOSEN_BY_PARAM = re.compile(r"'(trigger|condition|action|shape|device|start|random)': {'param'")
+_CHOSEN_BY_PARAM = re.compile(r"'(trigger|condition|action|shape|device|start|random|id|schema_version)': {'param'")
 """A param in the place of a word by which the schema knows what else may stand there: that it cannot say."""
 _MEANT = re.compile(r"'([^']*)'[^']*; did you mean '([^']*)'\?")
 
@@ -182,6 +182,16 @@ def check_reading(text: str, loaded: Loaded) -> None:
         again = load_resolved(json.loads(json.dumps(loaded.resolved)))
         if again.resolved != loaded.resolved:
             raise BrokenPromiseError("what a record holds is another scenario", text)
+        whole = json.dumps(_given({**loaded.resolved, "extends": None}), ensure_ascii=False)
+        if load_text(whole, file=FILE).resolved | {"extends": 0} != loaded.resolved | {"extends": 0}:
+            raise BrokenPromiseError("with all that its base brings in one file it is another scenario", text)
+
+
+def _given(node: Any) -> Any:
+    """Return data without what is null, which in a file would remove something."""
+    if isinstance(node, dict):
+        return {key: _given(inner) for key, inner in node.items() if inner is not None}
+    return [_given(inner) for inner in node] if isinstance(node, list) else node
 
 
 def check_drawing(text: str, loaded: Loaded) -> None:

@@ -148,7 +148,9 @@ def _fit_out(stage: Stage, maker: Maker) -> None:
     """Give kits, robots and balls what the models allow, also at its bounds."""
     chance = maker.chance
     for kit in stage.data.get("kits", {}).values():
-        if kit and chance.random() < 0.4:
+        if not kit:
+            continue
+        if chance.random() < 0.4:
             kit["chassis"] = maker.model(Chassis, without=("size_m", "wheel_track_m"))
         for _ in range(chance.choice((0, 0, 1, 3))):
             kit["devices"][chance.choice(("more", "ball", "left", "a b"))] = maker.value(Device, "device")
