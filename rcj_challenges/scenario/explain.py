@@ -12,7 +12,7 @@ from typing import Any, get_args, get_origin
 
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
-from rcj_challenges.scenario.errors import MAX_FOUND, Problem, listing, nearest
+from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, listing, nearest
 from rcj_challenges.scenario.models.actions import Action
 from rcj_challenges.scenario.models.conditions import Condition
 from rcj_challenges.scenario.models.state import TimerValue, WordValue
@@ -236,6 +236,9 @@ class _Explainer:
 
     def _meant_by(self, key: str, above: Path, allowed: list[str]) -> str:
         """Return which key is meant, or that the author gives that one already; what a base gives may be given anew."""
+        word, colon, rest = key.partition(":")
+        if colon and word in allowed:  # score:{yellow: 1}
+            return f"; a blank comes after the ':', {word}: {cut(rest)}"
         hint, node = nearest(key, allowed), node_at(self.root, above)
         marks = node.key_marks if isinstance(node, Entries) else {}
         given = next((name for name in marks if name in allowed and hint == nearest(name, [name])), None)

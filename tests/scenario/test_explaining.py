@@ -121,6 +121,8 @@ CASES = [
     ("zones: {pitch: {x_min: -0.5}}\n",
      ("zones.pitch: unknown key 'x_min'; allowed are inverted, drawn, colour, shape, x_min_m, x_max_m, y_min_m, y_max_m; "
       "did you mean 'x_min_m'?")),
+    ("match:\n  half_s:{param: x}\n", ("match: unknown key 'half_s:{param'; allowed are halves, half_s, swap_sides; "
+     "a blank comes after the ':', half_s: {param")),
     ("match: {halves: true}\n", "match.halves: expected a whole number, found true"),
     ("match: {swap_sides: on}\n", "match.swap_sides: expected true/false, found 'on'; did you mean true?"),
     ("match: {half_s: '60'}\n", "match.half_s: expected a number or a list, found '60'; leave the quotes out"),

@@ -147,22 +147,25 @@ def _made(chance: random.Random) -> Data:
 def _fit_out(stage: Stage, maker: Maker) -> None:
     """Give kits, robots and balls what the models allow, also at its bounds."""
     chance = maker.chance
-    for kit in stage.data.get("kits", {}).values():
-        if not kit:
-            continue
+    for kit in _given(stage, "kits"):
         if chance.random() < 0.4:
             kit["chassis"] = maker.model(Chassis, without=("size_m", "wheel_track_m"))
         for _ in range(chance.choice((0, 0, 1, 3))):
             kit["devices"][chance.choice(("more", "ball", "left", "a b"))] = maker.value(Device, "device")
-    for robot in stage.data.get("robots", {}).values():
-        if robot and chance.random() < 0.2:
+    for robot in _given(stage, "robots"):
+        if chance.random() < 0.2:
             robot["devices"] = {chance.choice(("more", "gps")): maker.value(Device, "device")}
-    for ball in stage.data.get("balls", {}).values():
-        if ball and chance.random() < 0.3:
+    for ball in _given(stage, "balls"):
+        if chance.random() < 0.3:
             ball |= {"radius_m": chance.choice((0.001, 0.03)), "mass_kg": chance.choice((1e-6, 0.001, 5))}
-    for obstacle in stage.data.get("obstacles", {}).values():
-        if obstacle and obstacle.get("movable") and chance.random() < 0.5:
+    for obstacle in _given(stage, "obstacles"):
+        if obstacle.get("movable") and chance.random() < 0.5:
             obstacle["mass_kg"] = chance.choice((1e-6, 0.01, 50))
+
+
+def _given(stage: Stage, section: str) -> list[Data]:
+    """Return the entries of a section that are none of those that are removed."""
+    return [entry for entry in stage.data.get(section, {}).values() if entry]
 
 
 def _add_layout_names(stage: Stage, chance: random.Random) -> None:
