@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.referee.script import ScriptedPlay
 from rcj_challenges.scenario.lint import Finding
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -38,7 +39,9 @@ def contradictions(findings: list[Finding], scenario: Scenario, play: ScriptedPl
                 told = re.search(r"'([A-Z][A-Z0-9_]*)'", finding.problem.message)
                 wrong = told is not None and told[1] in events
             case "counter_never_counted" if abs(scenario.counters[name].initial) <= 1e15:
-                wrong = section == "counters" and _all(referee.counters[name]) != {scenario.counters[name].initial}
+                wrong = section == "counters" and _all(referee.counters[name]) != {
+                    on_paper(scenario.counters[name].initial)
+                }
             case "flag_never_set":
                 wrong = section == "flags" and _all(referee.flags[name]) != {scenario.flags[name].initial}
             case "no_way_to_score":
