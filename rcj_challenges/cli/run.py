@@ -77,7 +77,7 @@ def run_scenario(options: RunOptions) -> int:
                 if interruption_behind(error) is None:
                     raise
                 raise MatchInterruptedError(outcome, "") from error
-            if options.open and options.live is None:
+            if options.open and options.live is None and _has_ticks(outcome):
                 _open_page(outcome.folder, console)
             if show is not None and options.live is not None:
                 show.match_over(outcome.folder)
@@ -166,7 +166,7 @@ def _tell_all(options: RunOptions, console: Console, plan: MatchPlan, outcome: P
     scenario, written = plan.loaded.scenario, False
     hints = advice_on(scenario, plan.teams, outcome.result["faults"], outcome.folder / LOGS)
     try:
-        if options.replay:
+        if options.replay and _has_ticks(outcome):
             from rcj_challenges.views.replay import write_replay
 
             write_replay(outcome.folder)
@@ -176,6 +176,11 @@ def _tell_all(options: RunOptions, console: Console, plan: MatchPlan, outcome: P
             say_json({**outcome.result, "hints": hints, "folder": str(outcome.folder)})
         else:
             _summary(console, scenario, outcome, hints, replay=written)
+
+
+def _has_ticks(outcome: PlayedMatch) -> bool:
+    """Return whether there is anything to show: a rule may end a match as it begins."""
+    return any(half["ticks"] for half in outcome.result["halves"])
 
 
 def _open_page(folder: Path, console: Console) -> None:
@@ -244,6 +249,8 @@ def _summary(
     lines.append(f"record: {folder}")
     if replay:
         lines.append(f"watch:  {folder / 'replay.html'}")
+    elif not _has_ticks(outcome):
+        lines.append("watch:  there is nothing to show, the match was over before its first tick")
     for line in lines:
         console.print(line, markup=False, highlight=False, soft_wrap=True)
 

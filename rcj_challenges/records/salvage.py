@@ -104,7 +104,8 @@ def read_halves(
         damage += f" ({error})"
     halves = tuple(_fitting(half, scenario) for half in halves if half.ticks)
     if not halves:
-        raise RecordError(f"{folder.name}: the run was stopped before its first tick: there is nothing to show")
+        how = "match was over" if result is not None and result.complete else "run was stopped"
+        raise RecordError(f"{folder.name}: the {how} before its first tick: there is nothing to show")
     problems = [damage] if damage else []
     if result is not None and not result.complete:
         why = f" ({result.stopped})" if result.stopped else ""

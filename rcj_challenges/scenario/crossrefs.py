@@ -12,7 +12,7 @@ from typing import Any
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.bound import Bound
 from rcj_challenges.scenario.catalogue import BOUND, EACH, OTHER, Catalogue, texts
-from rcj_challenges.scenario.errors import MAX_FOUND, Problem, known_text, listing, nearest
+from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, known_text, listing, nearest
 from rcj_challenges.scenario.models import actions, conditions, places, state, triggers
 from rcj_challenges.scenario.models.base import LONGEST_S
 from rcj_challenges.scenario.models.robots import Kit
@@ -377,7 +377,7 @@ class _Walker:
             # To ask whether it is drawn, it suffices that one of them can be; to be set, each must.
             if strangers and (key == "as" or len(strangers) == len(members)):
                 message = f"'{name}' stands for '{strangers[0]}', which is never drawn; it draws from "
-                self.add(at, value.mark, message + listing([str(one) for one in known]))
+                self.add(at, value.mark, message + listing(cut(str(one)) for one in known))
 
     def _values_of(self, draw: Node | None) -> list[object] | None:
         """Return what a draw may decide; None if there is no such draw."""
@@ -392,7 +392,7 @@ class _Walker:
             return
         if not any(type(value.value) is type(one) and value.value == one for one in known):
             shown = [str(one) for one in known]
-            hint = nearest(str(value.value), shown) or f"; it draws from {listing(shown)}"
+            hint = nearest(str(value.value), shown) or f"; it draws from {listing(map(cut, shown))}"
             self.add(path, value.mark, f"{found_text(value)} is never drawn{hint}")
 
     def _among_steps(self, node: Entries, path: Path, bound: Bound) -> None:

@@ -16,6 +16,9 @@ _SHOWN = 100
 MAX_FOUND = 300
 """How many problems a search for them collects before it stops: more help nobody, and cost time."""
 
+_LONGEST = 64
+"""How much of a name is shown: as long as one may be."""
+
 _COMPARED = 300
 """How many known names are compared with a misspelt one."""
 
@@ -101,6 +104,13 @@ def known_text(names: Iterable[str], noun: str) -> str:
     if not known:
         return f"; this scenario has no {noun}"
     return f"; there is only {known[0]}" if len(known) == 1 else f"; there are {listing(known)}"
+
+
+def cut(text: str) -> str:
+    """Return a name or text without what nobody would read of it; one without a letter in quotes."""
+    if not text.strip():
+        return "''"
+    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 4]}…"
 
 
 def listing(names: Iterable[str], most: int = 12) -> str:

@@ -12,7 +12,7 @@ from typing import Any, get_args, get_origin
 
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
-from rcj_challenges.scenario.errors import MAX_FOUND, Problem, listing, nearest
+from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, listing, nearest
 from rcj_challenges.scenario.models.actions import Action
 from rcj_challenges.scenario.models.conditions import Condition
 from rcj_challenges.scenario.models.state import TimerValue, WordValue
@@ -228,11 +228,23 @@ class _Explainer:
             why = "; of a timer kept per entity for_each says whose is meant, without it any of them"
         if model in (TimerValue, WordValue) and key == "fraction":
             why = "; a payload and the broadcast tell times with their fraction anyway: leave it out"
-        meant = for_key(key, above, allowed, self.root) or nearest(key, allowed)
+        meant = for_key(key, above, allowed, self.root) or self._meant_by(key, above, allowed)
         message = f"unknown key '{key[:64]}'; allowed are {listing(allowed, 40)}{meant}{why}"
         reckoned = for_reckoned(above, key, node_at(self.root, above))
         message += for_repeated(above, key) or reckoned or self._as_list(above, key)
         return mark_of(self.root, (*above, key), at_key=True).problem(in_names(self.root, above), message)
+
+    def _meant_by(self, key: str, above: Path, allowed: list[str]) -> str:
+        """Return which key is meant, or that the author gives that one already; what a base gives may be given anew."""
+        word, colon, rest = key.partition(":")
+        if colon and word in allowed:  # score:{yellow: 1}
+            return f"; a blank comes after the ':', {word}: {cut(rest)}"
+        hint, node = nearest(key, allowed), node_at(self.root, above)
+        marks = node.key_marks if isinstance(node, Entries) else {}
+        given = next((name for name in marks if name in allowed and hint == nearest(name, [name])), None)
+        if given is None or key not in marks or marks[given].file != marks[key].file or not marks[given].line:
+            return hint
+        return f"; '{given}' is given already, in line {marks[given].line}"
 
     def _as_list(self, above: Path, key: str) -> str:
         """Return how a mapping with this key is written where a list of such mappings may stand as well."""

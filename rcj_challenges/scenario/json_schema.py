@@ -110,6 +110,8 @@ class _Writer:
         schema = self.schema(shape, partial=partial)
         if "$ref" not in schema:
             schema = _bounded(schema, keywords([info], shape))
+        if "const" in schema and not info.is_required():  # what tells forms apart has no default
+            schema = _or_param(schema)
         description = info.description or (_sentence(model) if "const" in schema else "")
         described = {"description": description} if description else {}
         default = {} if info.default in (PydanticUndefined, None) else {"default": _jsonable(info.default)}
@@ -140,9 +142,9 @@ class _Writer:
     def _with_param(self, shape: Shape, *, partial: bool) -> _Json:
         plain = self._plain(shape, partial=partial)
         options = plain.get("anyOf", [plain])
-        if any(_is_scalar(option) for option in options) and _PARAM_REF not in options:
-            return _or_param(plain)
-        return plain
+        # A word alone tells one form of a mapping from the others; beside other things it is a value like any.
+        scalar = any(_is_scalar(option) or ("const" in option and len(options) > 1) for option in options)
+        return _or_param(plain) if scalar and _PARAM_REF not in options else plain
 
     def _plain(self, shape: Shape, *, partial: bool) -> _Json:
         kind, discriminator = bare(shape)

@@ -104,9 +104,10 @@ def away_m(zone: Zone, point: Point) -> float:
 
 
 def to_segment_m(point: Point, a: Point, b: Point) -> float:
-    """Return how far a point is from a segment, in m."""
+    """Return how far a point is from a segment, in m; its ends may be one point."""
     dx, dy = b[0] - a[0], b[1] - a[1]
-    along = ((point[0] - a[0]) * dx + (point[1] - a[1]) * dy) / (dx * dx + dy * dy)
+    squared = dx * dx + dy * dy
+    along = ((point[0] - a[0]) * dx + (point[1] - a[1]) * dy) / squared if squared else 0.0
     share = min(1.0, max(0.0, along))
     return hypot(a[0] + share * dx - point[0], a[1] + share * dy - point[1])
 

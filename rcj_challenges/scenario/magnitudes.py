@@ -1,4 +1,4 @@
-"""How large and how small numbers may be: what has no place in a hall, and what physics and pictures cannot hold.
+"""How large and how small numbers may be: what has no place in a hall, and what nothing here could build or count.
 
 Not bounds of the models: what an older version took can still be read in a record.
 """
@@ -10,7 +10,7 @@ from functools import cache
 from typing import Any
 
 from rcj_challenges.scenario.models.actions import Count
-from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.scenario.models.base import LONGEST_S, Strict
 from rcj_challenges.scenario.models.field import Ball, Box, Cylinder, FieldModel, Goal, Wall
 from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -21,6 +21,10 @@ MAX_NOISE_M = 5.0
 """Half of the largest field: from anywhere on it a place may be noised to anywhere else."""
 FARTHEST_M = 1000.0
 """A hundred times the largest field, for zones that shall have no end; squares of it are far from any overflow."""
+MOST_RAD = 1000.0
+"""159 turns; angles are kept as float32, and of a much larger one no digit would tell the direction."""
+MOST_SHARE = 1000.0
+"""Of a noise as a share of what is measured: nothing of that is left at a hundredth of it."""
 SMALLEST_M, LARGEST_M = 0.001, 10.0
 """Of bodies, walls and goals: a millimetre, which contacts still resolve, to the largest field."""
 LIGHTEST_KG = 1e-6
@@ -36,10 +40,20 @@ _SIZES = frozenset(
 _PLACES = frozenset({"point", "on_line", "choice", "to", "from_", "towards", "distance", "tells"})
 """Fields that may hold points, and do not say so by their unit."""
 _Range = tuple[float, float, str]
+_ANGLE: _Range = (-MOST_RAD, MOST_RAD, " rad")
+_BY_NAME: dict[str, _Range] = {
+    "noise_m": (0.0, MAX_NOISE_M, " m"),
+    # Durations that may be 0; all others have their bounds in the models.
+    **dict.fromkeys(("for_s", "grace_s"), (0.0, LONGEST_S, " s")),
+    "facing": _ANGLE,
+    # Of a keyframe: x and y in m, and yaw in rad.
+    **dict.fromkeys(("place", "move"), (-FARTHEST_M, FARTHEST_M, "")),
+    **dict.fromkeys(("noise", "strength_noise"), (0.0, MOST_SHARE, "")),
+}
 
 
 def check_magnitudes(scenario: Scenario) -> Iterator[Found]:
-    """Yield the lengths, coordinates, noises and masses that are too large or too small."""
+    """Yield the lengths, coordinates, angles, durations, noises and masses that are too large or too small."""
     for model, path in visit(scenario):
         for name, key, (least, most, unit) in _bounded(type(model)):
             numbers = _numbers(getattr(model, name), (*path, key))
@@ -59,8 +73,10 @@ def _bounded(model: type[Strict]) -> tuple[tuple[str, str, _Range], ...]:
 def _range(model: type[Strict], name: str) -> _Range | None:
     if name.endswith("mass_kg"):
         return LIGHTEST_KG, float("inf"), " kg"
-    if name == "noise_m":
-        return 0.0, MAX_NOISE_M, " m"
+    if name in _BY_NAME:
+        return _BY_NAME[name]
+    if name.endswith("_rad"):
+        return _ANGLE
     if model in _BODIES and name in _SIZES:
         return SMALLEST_M, LARGEST_M, " m"
     holds_points = name in _PLACES and model is not Count  # whose `to` is a number of anything

@@ -13,7 +13,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from rcj_challenges.scenario.errors import Problem, listing, nearest
+from rcj_challenges.scenario.errors import Problem, cut, listing, nearest
 from rcj_challenges.scenario.inherited import ALL_INHERITED, TESTS
 from rcj_challenges.scenario.shape import (
     Shape,
@@ -184,7 +184,7 @@ def _of_empty(key: str, base: Entries, key_mark: Mark, shape: Shape) -> str:
     """Return what to do about a key without a value that is no key at all; empty: the value was forgotten."""
     word, colon, value = key.partition(":")
     if colon:
-        return f"a blank comes after the ':', {word}: {value}"
+        return f"a blank comes after the ':', {cut(word)}: {cut(value)}"
     if key == "colour":
         return "what begins with # is a comment, unless it is in quotes: '#ff8800'"
     before = list(base.entries.items())[-1:]
@@ -193,7 +193,7 @@ def _of_empty(key: str, base: Entries, key_mark: Mark, shape: Shape) -> str:
     (name, node) = before[0]
     if not isinstance(node, Leaf) or not isinstance(node.value, str) or node.mark.line != key_mark.line:
         return ""
-    return f"several values stand in brackets, {name}: [{node.value}, {key}], and a text with a ',' in quotes"
+    return f"several values stand in brackets, {name}: [{cut(node.value)}, {cut(key)}], and a text with a ',' in quotes"
 
 
 def make_way(base: Entries, written: AbstractSet[str], shape: Shape) -> None:

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import get_origin
 
-from rcj_challenges.scenario.errors import Problem, ScenarioError, known_text, listing, nearest
+from rcj_challenges.scenario.errors import Problem, ScenarioError, cut, known_text, listing, nearest
 from rcj_challenges.scenario.merge import Merger, is_param, make_way, of_repeated
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.reckoning import KEYS, reckoned, written_out
@@ -229,7 +229,7 @@ class Resolver:
         if not isinstance(value, Leaf) or (self.row is not None and value.value is None):
             # A value that is no scalar, and one that a row lacks, is reported where it is defined.
             if value is None:
-                self._add(path, use.mark, f"unknown param '{name}'{self._hint(name)}")
+                self._add(path, use.mark, f"unknown param '{cut(name)}'{self._hint(name)}")
             return Leaf(None, use.mark, note="unknown param")
         leaf, refused = reckoned(node, name, value)
         for refusal in refused:

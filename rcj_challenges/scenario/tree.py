@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from rcj_challenges.scenario.errors import Problem
+from rcj_challenges.scenario.errors import Problem, cut
 
 RESOLVED = "resolved scenario"
 """In place of a file: the scenario of a record."""
@@ -155,11 +155,11 @@ def in_names(root: Node, path: Sequence[Step]) -> str:
     text = ""
     for depth, step in enumerate(path):
         if isinstance(step, str):
-            text += f".{step}" if text else step
+            text += f".{cut(step)}" if text else cut(step)
             continue
         text += f"[{step}]"
         word = _KINDS.get(str(path[depth - 1])) if depth else None
         kind = child(deepest(root, path[: depth + 1])[0], word) if word else None
         if isinstance(kind, Leaf) and isinstance(kind.value, str):
-            text += f" ({kind.value})"
+            text += f" ({cut(kind.value)})"
     return text

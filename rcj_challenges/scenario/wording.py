@@ -10,7 +10,7 @@ from typing import Any, Literal, get_args, get_origin
 from rcj_challenges.facts.colours import CSS_COLOURS
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.catalogue import BOUND
-from rcj_challenges.scenario.errors import listing, nearest
+from rcj_challenges.scenario.errors import cut, listing, nearest
 from rcj_challenges.scenario.models.base import Colour, EventName, Name, Names, Point
 from rcj_challenges.scenario.models.conditions import SaidText
 from rcj_challenges.scenario.models.places import At
@@ -53,7 +53,11 @@ def expected(shape: Shape, node: Node | None) -> str:
     """Return the sentence for a value of the wrong type or an unknown word."""
     hint = ""
     if isinstance(node, Leaf) and isinstance(node.value, str):
-        hint = nearest(node.value, _words(shape)) or _hint(shape, node.value)
+        known = (str(word).casefold() for word in _literals(shape) if not isinstance(word, str))
+        if node.value.casefold() in known:
+            hint = "; leave the quotes out"
+        else:
+            hint = nearest(node.value, _words(shape)) or _hint(shape, node.value)
     elif isinstance(node, Leaf) and str(node.value) in _words(shape):
         hint = f"; write it in quotes: '{node.value}'"
     elif isinstance(node, Items) and without_none(shape) == At:
@@ -138,14 +142,18 @@ def _draw(node: Entries) -> str:
 
 
 def _words(shape: Shape) -> list[str]:
+    return [str(word) for word in _literals(shape)]
+
+
+def _literals(shape: Shape) -> list[Any]:
     kinds = [bare(member).kind for member in members(shape)]
-    return [str(word) for kind in kinds if get_origin(kind) is Literal for word in get_args(kind)]
+    return [word for kind in kinds if get_origin(kind) is Literal for word in get_args(kind)]
 
 
 def found_text(node: Node | None) -> str:
     """Return a value as authors write it, for ``found …``."""
     if isinstance(node, Entries):
-        return f"a mapping with {listing(node.entries, 6)}" if node.entries else "an empty mapping"
+        return f"a mapping with {listing(map(cut, node.entries), 6)}" if node.entries else "an empty mapping"
     if isinstance(node, Items):
         count = len(node.items)
         return "an empty list" if not count else f"a list of {count}"

@@ -150,6 +150,25 @@ def test_quiet_says_only_how_it_ended_with_the_scores_named_by_team_names(tmp_pa
     assert said.startswith("Häns e 0 : 0 team")
 
 
+OVER_AT_ONCE = "{over: {triggers: [{trigger: half_started}], actions: [{action: end, what: match}], says: Over.}}"
+
+
+def test_a_match_that_a_rule_ends_before_its_first_tick_was_played_and_has_no_page(tmp_path, monkeypatch, capsys, team):
+    monkeypatch.setattr("webbrowser.open", lambda address: pytest.fail(f"{address} was opened"))
+    (tmp_path / "over.yaml").write_text(
+        "schema_version: 1\nid: over\ntitle: Over\nextends: soccersim_v2\nrules: " + OVER_AT_ONCE, encoding="utf-8"
+    )
+    at_once = ["over.yaml" if one == "match" else one for one in short(team, "--quiet", "--open", *DUEL)]
+    assert here(monkeypatch, tmp_path, *at_once) == 0
+    said = capsys.readouterr()
+    assert said.err == ""
+    assert said.out.splitlines()[-1] == "watch:  there is nothing to show, the match was over before its first tick"
+    (folder,) = tmp_path.glob("runs/*")
+    assert read_result(folder).complete
+    assert here(monkeypatch, tmp_path, "replay", str(folder)) == 2
+    assert "the match was over before its first tick: there is nothing to show" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("there_is_a_browser", [True, False])
 def test_open_shows_the_page_when_the_match_is_over(tmp_path, monkeypatch, capsys, team, there_is_a_browser):
     opened = []

@@ -23,6 +23,7 @@ def place(text):
     return rule(action=f"{{action: place, entity: ball, {text}}}")
 
 
+WHEEL = "kits: {v2: {devices: {left wheel motor: {direction: %s}}}}\n"
 CASES = [
     (rule("{trigger: enterz}"), f"rules.r.triggers[0] (enterz): unknown trigger 'enterz'; there are {TRIGGERS}; did you mean 'enters'?"),
     (rule("{entity: ball}"), f"rules.r.triggers[0]: 'trigger' is missing; it is one of {TRIGGERS}"),
@@ -68,7 +69,7 @@ CASES = [
      "{choice: …}, {nearest_free: …}, {furthest_free: …} or {relative_to: …}, found 'centre'; a spot is written {spot: centre}, "
      "a random point of a zone {uniform_in: centre}, beside a robot or a ball {relative_to: centre}")),
     (place("at: {spot: [centre]}"), "rules.r.actions[0] (place).at.spot: expected a name, found a list of 1"),
-    (place("at: {point: [0, 0], spot: centre}"), "rules.r.actions[0] (place).at: unknown key 'spot'; allowed are point; did you mean 'point'?"),
+    (place("at: {point: [0, 0], spot: centre}"), "rules.r.actions[0] (place).at: unknown key 'spot'; allowed are point; 'point' is given already, in line 8"),
     (place("at: {on_line: [[0, 0], [1]]}"), "rules.r.actions[0] (place).at.on_line[1]: expected two numbers [x, y], found a list of 1"),
     (place("at: {on_line: [[0, 0]]}"), "rules.r.actions[0] (place).at.on_line: expected 2 points, each [x, y], found a list of 1"),
     (place("at: start, facing: north"),
@@ -116,6 +117,12 @@ CASES = [
      "rules.r.repeat_for[1]: 'weiß' is no name: letters, digits and _, not beginning with a digit, at most 64; letters are those from a to z: weiss"),
     ("broadcast: {only: {Y1: {a: 1}}}\n", "broadcast: 'fields' is missing: values by key, which all robots are told; write fields: {} for none"),
     ("match: {halves: 11}\n", "match.halves: must be at most 10, found 11"),
+    ("match: {half_s: 60, half: 30}\n", "match: unknown key 'half'; allowed are halves, half_s, swap_sides; 'half_s' is given already, in line 5"),
+    ("zones: {pitch: {x_min: -0.5}}\n",
+     ("zones.pitch: unknown key 'x_min'; allowed are inverted, drawn, colour, shape, x_min_m, x_max_m, y_min_m, y_max_m; "
+      "did you mean 'x_min_m'?")),
+    ("match:\n  half_s:{param: x}\n", ("match: unknown key 'half_s:{param'; allowed are halves, half_s, swap_sides; "
+     "a blank comes after the ':', half_s: {param")),
     ("match: {halves: true}\n", "match.halves: expected a whole number, found true"),
     ("match: {swap_sides: on}\n", "match.swap_sides: expected true/false, found 'on'; did you mean true?"),
     ("match: {half_s: '60'}\n", "match.half_s: expected a number or a list, found '60'; leave the quotes out"),
@@ -124,6 +131,13 @@ CASES = [
     ("title: 2021\n", "title: expected a text, found 2021"),
     ("id: fast-shooter\n", "id: 'fast-shooter' is no name: letters, digits and _, not beginning with a digit, at most 64"),
     ("schema_version: 0\n", "schema_version: expected 1, found 0"),
+    ("schema_version: '1'\n", "schema_version: expected 1, found '1'; leave the quotes out"),
+    ("schema_version: true\n", "schema_version: expected 1, found true"),
+    (WHEEL % "true", "kits.v2.devices.left wheel motor.direction: expected 1 or -1, found true"),
+    (WHEEL % "'-1'", "kits.v2.devices.left wheel motor.direction: expected 1 or -1, found '-1'; leave the quotes out"),
+    (place("at: {start: 'true'}"), "rules.r.actions[0] (place).at.start: expected true, found 'true'; leave the quotes out"),
+    (place("at: {start: 1}"), "rules.r.actions[0] (place).at.start: expected true, found 1"),
+    (place("at: start, facing: {random: 1}"), "rules.r.actions[0] (place).facing.random: expected true, found 1"),
     ("robots: {B1: {colour: 3}}\n", "robots.B1.colour: expected a name, found 3"),
     ("robots: {B1: {start: {x_m: a}}}\n", "robots.B1.start.x_m: expected a number, found 'a'"),
     ("robots: {N1: {colour: blue, number: 7, kit: v2}}\n", "robots.N1: 'start' is missing: where it starts"),
@@ -203,3 +217,30 @@ def test_whatever_stands_anywhere_is_explained_without_a_traceback(where, value)
     holder[last] = value
     found = problems_of(load_text, json.dumps(data))
     assert all(problem.message and "nput should" not in problem.message for problem in found)
+
+
+LONG = "x" * 900
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        rule(f"{{trigger: {LONG}}}"),
+        rule(f"{{trigger: enters, entity: ball, zone: {{{LONG}: start}}}}"),
+        f"draws: {{d: {{values: [{LONG}]}}}}\n" + rule(action="{action: draw, draw: d, as: b}"),
+        f"zones: {{pitch: {{x_min_m: {{param: {LONG}}}}}}}\n",
+        f"zones: {{pitch: {{x_min_m:{LONG}}}}}\n",
+        rule(f"{{trigger: half_started, {LONG}}}"),
+    ],
+)
+def test_a_text_that_nobody_can_read_is_cut(body):
+    complaint = "".join(complaints(body))
+    assert LONG[:60] in complaint
+    assert LONG[:70] not in complaint
+
+
+def test_a_key_without_a_letter_is_told_in_quotes():
+    (complaint,) = complaints(rule("{trigger: enters, entity: ball, zone: {'': pitch}}"))
+    assert complaint.endswith("expected a name or a list of names, found a mapping with ''")
+    (complaint,) = complaints("match: {'': {halves: []}}\n")
+    assert complaint.startswith("match: unknown key ''")

@@ -113,6 +113,10 @@ def test_every_word_has_its_sentence_where_it_is_chosen():
         "zones: {pitch: {x_min_m: {param: x}, inverted: {param: x}}}\n",
         "zones: {pitch: {x_min_m: {param: x, times: -1}, x_max_m: {param: x, plus: 0.5}}}\n",
         rule(action="{action: score, entrant: yellow, points: [{param: x, times: 2, plus: -1}]}"),
+        rule(rest="    phases: {param: x}\n"),
+        rule("{trigger: displaced, entity: ball, distance_m: 1, from: {param: x}}"),
+        rule(action="{action: remove, entity: ball, back_at: {param: x}}"),
+        rule(action="{action: sequence, sequence: lap, do: {param: x}}"),
     ],
 )
 def test_a_param_may_stand_for_any_single_value(body):

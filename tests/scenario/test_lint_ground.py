@@ -32,6 +32,11 @@ class TestGround:
     def test_a_zone_without_a_point_on_the_field(self, zone, has_floor):
         assert kinds(f"zones: {{z: {{{zone}}}}}", rules=self.USE) == ([] if has_floor else ["zone_off_the_field"])
 
+    @pytest.mark.parametrize(("x", "has_floor"), [(0.6, True), (0.8, False)])
+    def test_a_circle_on_a_field_with_square_corners(self, x, has_floor):
+        zone = f"field: {{corner_cut_m: 0}}\nzones: {{z: {{shape: circle, centre_m: [{x}, 0.8], radius_m: 0.1}}}}"
+        assert kinds(zone, rules=self.USE) == ([] if has_floor else ["zone_off_the_field"])
+
     def test_what_is_only_measured_to_may_lie_in_the_wall(self):
         near = "{condition: distance, entity: ball, to: z, at_least: 0.2}, {condition: distance, entity: ball, to: g, at_least: 0.2}"
         wall = "zones: {z: {shape: rect, x_min_m: 0.7}}\ngates: {g: {from_m: [-0.7, 0], to_m: [-0.7, 0.1]}}"

@@ -12,6 +12,8 @@ from tests.scenario.writing import complaints, loaded, rule
 
 PLACE = "{action: place, entity: ball, at: %s}"
 CRATE = "obstacles: {crate: {shape: %s, centre_m: [0, 0.1], movable: true, %s}}\n"
+DEVICE = "kits: {v2: {devices: {d: {%s}}}}\n"
+KEYFRAME = "expect: {it: {keyframes: [{at_s: 0.1, %s}], lasts_s: 1}}\n"
 CHASSIS = "kits: {v2: {chassis: {%s}}}\n"
 ALONE = """
 robots: {B1: null, B2: null, B3: null, Y1: null, Y2: null}
@@ -44,6 +46,23 @@ entrants: {blue: null, yellow: {robots: {Y1: null, Y2: null}}}
         (CRATE % ("box", "size_m: [0.1, 11]"), "obstacles.crate.size_m[1]: size_m must be at most 10 m, found 11"),
         ("field: {goals: {blue_goal: {depth_m: 1.0e+9}}}\n", "field.goals.blue_goal.depth_m: depth_m must be at most 10 m, found 1e+09"),
         ("zones: {z: {shape: circle, centre_m: [0, 0], radius_m: 1.0e+5}}\n", "zones.z.radius_m: radius_m must be at most 1000 m, found 100000"),
+        ("robots: {Y1: {start: {yaw_rad: 1.0e+39}}}\n", "robots.Y1.start.yaw_rad: yaw_rad must be at most 1000 rad, found 1e+39"),
+        (CRATE % ("box", "size_m: [0.1, 0.1], yaw_rad: -1.0e+308"), "obstacles.crate.yaw_rad: yaw_rad must be at least -1000 rad, found -1e+308"),
+        (rule(action=PLACE % "start, facing: 1.0e+308"), "rules.r.actions[0] (place): facing must be at most 1000 rad, found 1e+308"),
+        (DEVICE % "device: sonar, bearing_rad: 1.0e+308", "kits.v2.devices.d.bearing_rad: bearing_rad must be at most 1000 rad, found 1e+308"),
+        (DEVICE % "device: compass, noise_rad: 1.0e+308", "kits.v2.devices.d.noise_rad: noise_rad must be at most 1000 rad, found 1e+308"),
+        (DEVICE % "device: sonar, bearing_rad: 0, noise: 1.0e+308", "kits.v2.devices.d.noise: noise must be at most 1000, found 1e+308"),
+        (DEVICE % "device: ball_receiver, strength_noise: 1.0e+308", "kits.v2.devices.d.strength_noise: strength_noise must be at most 1000, found 1e+308"),
+        (KEYFRAME % "place: {Y1: [0, 0, 1.0e+308]}", "expect.it.keyframes[0].place.Y1[2]: place must be at most 1000, found 1e+308"),
+        (KEYFRAME % "move: {Y1: [-1.0e+308, 0]}", "expect.it.keyframes[0].move.Y1[0]: move must be at least -1000, found -1e+308"),
+        (
+            rule("{trigger: holds, condition: {condition: held, entity: Y1}, for_s: 1.0e+308}"),
+            "rules.r.triggers[0] (holds): for_s must be at most 86400 s, found 1e+308",
+        ),
+        (
+            rule("{trigger: stays_in, entity: ball, zone: pitch, limit_s: 1, grace_s: 1.0e+308}"),
+            "rules.r.triggers[0] (stays_in): grace_s must be at most 86400 s, found 1e+308",
+        ),
     ],
 )  # fmt: skip
 def test_what_is_out_of_all_measure_is_refused_with_the_bound(body, told):

@@ -92,6 +92,14 @@ def test_a_test_can_ask_where_a_spot_is_at_the_end():
     assert complaint.endswith("'blue_goal' is a zone; expected an entity or spot")
 
 
+def test_a_test_decides_a_place_on_a_line_of_one_point():
+    line = "{action: set_spot, spot: found, to: {on_line: [[0.1, 0], [0.1, 0]]}}"
+    test = "expect: {it: {keyframes: [{at_s: 0}], lasts_s: 1, spots: {found: %s}}}\n"
+    assert scenario(rules(line) + test % "[0.1, 0]").expect["it"].spots == {"found": (0.1, 0.0)}
+    (complaint,) = complaints(rules(line) + test % "[0.2, 0]")
+    assert "found" in complaint
+
+
 def test_a_spot_that_rules_set_and_nothing_reads_is_said():
     (said,) = (one for one in found(rules(SET)) if one.startswith("spots.found"))
     assert said.startswith("spots.found: spot 'found' is set and nothing asks where it is; put something there, ")

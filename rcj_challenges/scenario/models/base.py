@@ -4,11 +4,12 @@ No module of this package says ``from __future__ import annotations``: pydantic 
 annotations anew at every start, which is a seventh of the time that ``validate`` takes.
 """
 
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import (
     AfterValidator,
     BaseModel,
+    BeforeValidator,
     ConfigDict,
     Field,
     SerializerFunctionWrapHandler,
@@ -16,7 +17,7 @@ from pydantic import (
     ValidationInfo,
     model_serializer,
 )
-from pydantic_core import PydanticCustomError
+from pydantic_core import PydanticCustomError, PydanticKnownError
 
 from rcj_challenges.facts.colours import hex_colour
 from rcj_challenges.facts.timing import TICK_S
@@ -86,6 +87,25 @@ Colour = Annotated[
     Field(description="a colour: a CSS colour name or #rrggbb"),
 ]
 Scalar = str | int | float | bool
+
+
+def _no_truth(value: Any) -> Any:
+    """Return a number as it is; to Python true is 1, and would pass for it."""
+    if isinstance(value, bool):
+        raise PydanticKnownError("literal_error", {"expected": "a number"})
+    return value
+
+
+def _no_number(value: Any) -> Any:
+    """Return true as it is; to Python 1 is true."""
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        raise PydanticKnownError("literal_error", {"expected": "true"})
+    return value
+
+
+One = Annotated[Literal[1], BeforeValidator(_no_truth)]
+OneOrMinusOne = Annotated[Literal[1, -1], BeforeValidator(_no_truth)]
+Yes = Annotated[Literal[True], BeforeValidator(_no_number)]
 
 Point = Annotated[
     tuple[float, float],

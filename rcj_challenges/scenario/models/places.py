@@ -13,6 +13,7 @@ from rcj_challenges.scenario.models.base import (
     Point,
     Positive,
     Strict,
+    Yes,
     described,
 )
 from rcj_challenges.scenario.models.state import CounterValue
@@ -87,7 +88,7 @@ class Spot(Strict):
 class Start(Strict):
     """The entity's own start pose, with its noise."""
 
-    start: Literal[True]
+    start: Yes
 
 
 class AtPoint(Strict):
@@ -189,7 +190,7 @@ class Towards(Strict):
 class RandomFacing(Strict):
     """Look anywhere, every direction equally likely."""
 
-    random: Literal[True]
+    random: Yes
 
 
 Facing = Annotated[

@@ -4,7 +4,16 @@ from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints
 
-from rcj_challenges.scenario.models.base import DeviceName, Name, NotNegative, Point, Positive, Strict, described
+from rcj_challenges.scenario.models.base import (
+    DeviceName,
+    Name,
+    NotNegative,
+    OneOrMinusOne,
+    Point,
+    Positive,
+    Strict,
+    described,
+)
 
 
 class Chassis(Strict):
@@ -24,7 +33,7 @@ class MotorDevice(Strict):
 
     device: Literal["motor"]
     wheel: Literal["left", "right"] = described(..., "the wheel it turns; left is +y of the robot that looks along +x")
-    direction: Literal[1, -1] = described(1, "1: positive velocity drives the robot along its +x; -1: along -x")
+    direction: OneOrMinusOne = described(1, "1: positive velocity drives the robot along its +x; -1: along -x")
 
 
 class WheelSensorDevice(Strict):
@@ -32,7 +41,7 @@ class WheelSensorDevice(Strict):
 
     device: Literal["wheel_sensor"]
     wheel: Literal["left", "right"] = described(..., "the wheel it measures; left is +y of the robot")
-    direction: Literal[1, -1] = described(1, "1: grows while the robot drives along its +x; -1: falls")
+    direction: OneOrMinusOne = described(1, "1: grows while the robot drives along its +x; -1: falls")
 
 
 class GpsDevice(Strict):

@@ -10,6 +10,7 @@ from rcj_challenges.scenario.models.base import (
     EventName,
     Grown,
     Name,
+    One,
     Point,
     Scalar,
     Strict,
@@ -270,7 +271,7 @@ class Expectation(Grown):
 class Scenario(Strict):
     """A challenge: field, robots, rules, all that decides a result."""
 
-    schema_version: Literal[1] = described(..., "version of this format: 1")
+    schema_version: One = described(..., "version of this format: 1")
     id: Name = described(..., "short name, also of the records' folders")
     title: str = described(..., "what people call it", min_length=1, max_length=120)
     description: str = described(

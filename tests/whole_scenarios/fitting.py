@@ -1,0 +1,207 @@
+"""What no type says of a word: which keys exclude each other, whose counter it is, which values a draw has.
+
+Each function puts a made-up mapping in order. What still does not fit is refused by the loader, which is a test too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from rcj_challenges.scenario.models import actions, conditions, places, scenario, state, triggers
+
+if TYPE_CHECKING:
+    from tests.whole_scenarios.making import Maker
+
+Data = dict[str, Any]
+_PARTS = (
+    "{entity}",
+    "{each}",
+    "{other}",
+    "{team}",
+    "{measured}",
+    "{limit}",
+    "{points}",
+    "{goal_points}",
+    "{p_1}",
+    "{}",
+)
+
+
+def sentence(maker: Maker) -> str:
+    """Return what a rule says."""
+    words = [
+        maker.chance.choice((*_PARTS, "goes", "off", "the", "field.", "Ä", "<i>", "*so*", "|", "`x`", "\u200b", "{{"))
+        for _ in range(maker.chance.randrange(1, 7))
+    ]
+    return " ".join(words)
+
+
+def _kept_each(key: str) -> Callable[[Maker, Data], None]:
+    def fit(maker: Maker, data: Data) -> None:
+        per = maker.stage.kept.get((key, data[key]))
+        owners = () if per is None else maker.stage.groups.get(per, (per,))
+        data.pop("entity", None)
+        if per is None:
+            data.pop("of", None)
+            return
+        if maker.each and set(maker.each) <= set(owners):
+            data["entity"] = "each"
+        elif maker.each or maker.chance.random() < 0.6:
+            data["entity"] = maker.chance.choice(owners) if owners else per
+
+    return fit
+
+
+def _compared(maker: Maker, data: Data) -> None:
+    given = [key for key in ("at_least", "at_most", "equals") if key in data]
+    for key in given[1:]:
+        del data[key]
+    if not given:
+        data[maker.chance.choice(("at_least", "at_most"))] = maker.chance.choice((0, 0.1, 1, 2))
+    if isinstance(data.get("of"), dict):
+        data["of"] = {"at_least": 1}
+
+
+def _both(*fits: Callable[[Maker, Data], None]) -> Callable[[Maker, Data], None]:
+    def fit(maker: Maker, data: Data) -> None:
+        for one in fits:
+            one(maker, data)
+
+    return fit
+
+
+def _timer_is(maker: Maker, data: Data) -> None:
+    given = [key for key in ("at_least", "at_most", "equals") if key in data]
+    for key in given[1:]:
+        del data[key]
+
+
+def _half_is(maker: Maker, data: Data) -> None:
+    for key in ("at_least", "at_most", "equals"):
+        data.pop(key, None)
+    data[maker.chance.choice(("at_least", "at_most", "equals"))] = maker.chance.choice((1, 1, 2))
+
+
+def _place(maker: Maker, data: Data) -> None:
+    if "layout" in data and maker.chance.random() < 0.5:
+        for key in ("entity", "at", "kick"):
+            data.pop(key, None)
+        return
+    data.pop("layout", None)
+    _kick(maker, data)
+    for key in ("entity", "at"):
+        if key not in data:
+            data[key] = maker.field(actions.Place, key)
+
+
+def _kick(maker: Maker, data: Data) -> None:
+    """Let only balls roll."""
+    if "kick" in data:
+        balls = [name for name, kind in maker.stage.kinds.items() if kind == "ball"]
+        if balls:
+            data["entity"] = maker.chance.choice(balls)
+        else:
+            del data["kick"]
+        speed = data.get("kick", {}).get("speed_mps")
+        if isinstance(speed, list):
+            data["kick"]["speed_mps"] = sorted(speed)
+
+
+def _bounded(maker: Maker, data: Data) -> None:
+    for least, most in (("at_least", "at_most"), ("keeps_at_least", "keeps_at_most")):
+        if least in data and most in data:
+            data[least], data[most] = sorted((data[least], data[most]))
+
+
+def _count(maker: Maker, data: Data) -> None:
+    if "to" in data:
+        for key in ("by", "keeps_at_least", "keeps_at_most"):
+            data.pop(key, None)
+
+
+def _looks(maker: Maker, data: Data) -> None:
+    if "towards" in data:
+        data.pop("heading_rad", None)
+    else:
+        data["heading_rad"] = 0.5
+
+
+def _drawn(key: str) -> Callable[[Maker, Data], None]:
+    def fit(maker: Maker, data: Data) -> None:
+        if key in data:
+            values = maker.stage.draws[data["draw"]]
+            known = [name for name in ("each", "other") if (whom := getattr(maker, name)) and set(whom) <= set(values)]
+            data[key] = maker.chance.choice(known or values)
+
+    return fit
+
+
+def _sequence_at(maker: Maker, data: Data) -> None:
+    data["step"] = maker.chance.choice(maker.stage.steps[data["sequence"]])
+
+
+def _event(maker: Maker, data: Data) -> None:
+    if "entity" in data and maker.each:
+        data["entity"] = "each"
+
+
+def _word(maker: Maker, data: Data) -> None:
+    if data["word"] not in ("score", "team_name"):
+        data.pop("of", None)
+    if not data["word"].endswith("_s"):
+        data.pop("fraction", None)
+
+
+def _expected(maker: Maker, data: Data) -> None:
+    at_s = 0.0
+    for frame in data["keyframes"]:
+        at_s = frame["at_s"] = round(at_s + maker.chance.choice((0, 0.032, 0.5)) + 0.001, 3)
+    data["lasts_s"] = round(at_s + maker.chance.choice((0.032, 0.5, 1)), 3)
+    data.pop("half", None)
+    for event in data.get("events", ()):
+        event.pop("at_s", None)
+    for key in ("draws", "spots", "ranking", "told"):
+        if maker.chance.random() < 0.7:
+            data.pop(key, None)
+    for name in data.get("draws", {}):
+        data["draws"][name] = maker.chance.choice(maker.stage.draws[name])
+    for section in (data, data.get("given", {})):
+        _one_for_each(maker, section)
+
+
+def _one_for_each(maker: Maker, section: Data) -> None:
+    for key, kind, value in (("counters", "counter", 2), ("flags", "flag", True)):
+        for name in section.get(key, {}):
+            per = maker.stage.kept.get((kind, name))
+            owners = maker.stage.groups.get(per, (per,)) if per else ()
+            section[key][name] = {maker.chance.choice(owners): value} if owners else value
+
+
+FIT: dict[type, Callable[[Maker, Data], None]] = {
+    **dict.fromkeys((conditions.Speed, conditions.Distance, conditions.WayIs), _compared),
+    conditions.CounterIs: _both(_kept_each("counter"), _compared),
+    conditions.FlagIs: _kept_each("flag"),
+    conditions.TimerIs: _both(_kept_each("timer"), _timer_is),
+    conditions.HalfIs: _half_is,
+    conditions.Looks: _looks,
+    conditions.Drawn: _drawn("equals"),
+    conditions.SequenceAt: _both(_kept_each("sequence"), _sequence_at),
+    actions.Place: _place,
+    places.Placing: _kick,
+    actions.Score: _bounded,
+    actions.Count: _both(_kept_each("counter"), _bounded, _count),
+    actions.SetFlag: _kept_each("flag"),
+    actions.ToggleFlag: _kept_each("flag"),
+    actions.TimerAction: _kept_each("timer"),
+    actions.SequenceAction: _kept_each("sequence"),
+    actions.DrawAction: _drawn("as"),
+    triggers.SequenceCompleted: _kept_each("sequence"),
+    triggers.SequenceBroken: _kept_each("sequence"),
+    triggers.OnEvent: _event,
+    **{model: _kept_each("counter") for model in (state.CounterValue, state.WeightedCounter)},
+    **{model: _kept_each("flag") for model in (state.FlagValue, state.WeightedFlag)},
+    **{model: _kept_each("timer") for model in (state.TimerValue, state.NumberTimer, state.WeightedTimer)},
+    **dict.fromkeys((state.WordValue, state.NumberWord, state.WeightedWord), _word),
+    scenario.Expectation: _expected,
+}
