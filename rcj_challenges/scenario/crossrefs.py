@@ -388,11 +388,15 @@ class _Walker:
 
     def _among_values(self, draw: Node | None, value: Node | None, path: Path) -> None:
         known = self._values_of(draw)
-        if known is None or not isinstance(value, Leaf) or value.value is None:
-            return
+        if not known or not isinstance(value, Leaf) or value.value is None:
+            return  # that a draw has no values is said where it stands
         if not any(type(value.value) is type(one) and value.value == one for one in known):
             shown = [str(one) for one in known]
-            hint = nearest(str(value.value), shown) or f"; it draws from {listing(map(cut, shown))}"
+            if str(value.value) in shown:  # as another kind of value
+                quotes = f"write it in quotes: '{value.value}'"
+                hint = f"; {'leave the quotes out' if isinstance(value.value, str) else quotes}"
+            else:
+                hint = nearest(str(value.value), shown) or f"; it draws from {listing(map(cut, shown))}"
             self.add(path, value.mark, f"{found_text(value)} is never drawn{hint}")
 
     def _among_steps(self, node: Entries, path: Path, bound: Bound) -> None:

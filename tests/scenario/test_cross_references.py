@@ -32,6 +32,7 @@ draws:
   corner: {values: [centre, corner_blue_left]}
   formation: {values: [wide, narrow]}
   number: {values: [1, 2]}
+  text: {values: ['1', '2']}
 placements:
   wide: [{entity: ball, at: start}]
   narrow: [{entity: movers, at: {spot: corner}}]
@@ -220,7 +221,8 @@ BAD = [
     (condition, "flag, flag: clock", "", "unknown flag 'clock', which is a timer; there are armed, seen"),
     (condition, "drawn, draw: cornr, equals: centre", "", "unknown draw 'cornr'; did you mean 'corner'?"),
     (condition, "drawn, draw: corner, equals: middle_blue", "", "'middle_blue' is never drawn; it draws from centre, corner_blue_left"),
-    (condition, "drawn, draw: number, equals: '1'", "", "'1' is never drawn; did you mean '1'?"),
+    (condition, "drawn, draw: text, equals: 1", "", "1 is never drawn; write it in quotes: '1'"),
+    (condition, "drawn, draw: number, equals: '1'", "", "'1' is never drawn; leave the quotes out"),
     (condition, "last_touch, by: ball", "", "'ball' is a ball; expected a robot"),
     (condition, "spot_free, spot: pitch", "", "'pitch' is a zone; expected a spot"),
     (condition, "sequence_at, sequence: round, step: hatch", "", "'hatch' is no step of it; its steps are pitch, door, blue_goal"),

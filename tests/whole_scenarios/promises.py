@@ -257,7 +257,8 @@ class _Balanced(HTMLParser):
 
 def check_judging(text: str, loaded: Loaded, seed: int) -> None:
     """Let the referee judge the tests of a scenario, and scripted nonsense; twice the same."""
-    with promised("test", text, most_cpu_s=10):
+    # With the inherited tests of the match that may be half an hour of play, in which robots wait for room.
+    with promised("test", text, most_cpu_s=40):
         for name in loaded.scenario.expect:
             if try_expectation(loaded, name) != try_expectation(loaded, name):
                 raise BrokenPromiseError(f"the test {name} comes out otherwise the second time", text)
