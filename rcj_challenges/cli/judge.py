@@ -16,7 +16,7 @@ from rcj_challenges.facts.errors import RcjError
 if TYPE_CHECKING:
     from rcj_challenges.match.judging import Difference, Judgement
     from rcj_challenges.records.result import RunResult
-    from rcj_challenges.scenario.load import Loaded
+    from rcj_challenges.scenario.models.scenario import Scenario
 
 _MOST_SHOWN = 40
 """Lines about events that differ: a rule that changes the score changes what all later goals tell."""
@@ -50,10 +50,18 @@ class JudgeOptions:
 class _Judged:
     folder: Path
     result: RunResult
-    loaded: Loaded
+    scenario: Scenario
     judgement: Judgement
     alike: int
     differences: list[Difference]
+
+    @property
+    def is_as_recorded(self) -> bool:
+        """Whether the same came out: events, and of a match that is whole also what rules count without telling it."""
+        if self.differences or not (self.result.complete and self.judgement.complete):
+            return not self.differences
+        ranking = [one.model_dump() for one in self.result.ranking]
+        return (self.result.score, ranking) == (self.judgement.scores, self.judgement.ranking)
 
 
 def register(app: typer.Typer) -> None:
@@ -94,18 +102,18 @@ def judge(options: JudgeOptions) -> int:
     from rcj_challenges.scenario.load import load
     from rcj_challenges.views.scoreboard import console_for
 
-    loaded = load(options.scenario, options.overrides) if options.scenario is not None else None
+    scenario = load(options.scenario, options.overrides).scenario if options.scenario is not None else None
     console, code = console_for(), 0
     told: list[dict[str, Any]] = []
     for run in options.runs:
         try:
-            judged = _judge_one(run, options, loaded)
+            judged = _judge_one(run, options, scenario)
         except RcjError as error:
             code = RcjError.exit_code
             told.append({"record": None if run is None else run.name, "problem": str(error)})
             sys.stderr.write(f"{error}\n")
             continue
-        if judged.differences and not options.other_rules:
+        if not (judged.is_as_recorded or options.other_rules):
             code = max(code, 1)
         told.append(_as_json(judged))
         if not options.as_json:
@@ -131,7 +139,7 @@ def _closing(told: Sequence[dict[str, Any]], options: JudgeOptions) -> Iterator[
         yield "Poses stay those of the record: what these rules put elsewhere goes on from where it was."
 
 
-def _judge_one(run: Path | None, options: JudgeOptions, loaded: Loaded | None) -> _Judged:
+def _judge_one(run: Path | None, options: JudgeOptions, scenario: Scenario | None) -> _Judged:
     from rcj_challenges.match.judging import differences, judge_again
     from rcj_challenges.records.refereelog import read_referee_log
     from rcj_challenges.records.result import read_result
@@ -142,14 +150,16 @@ def _judge_one(run: Path | None, options: JudgeOptions, loaded: Loaded | None) -
 
     folder = find_run(run, options.out)
     result = read_result(folder)
-    if loaded is None:
-        recorded = read_scenario(folder, result.record)
-        loaded = load_resolved(recorded.model_dump(mode="json", by_alias=True), overrides=options.overrides)
-    judgement = judge_again(Trajectory.open(folder), loaded)
+    if scenario is None:
+        scenario = read_scenario(folder, result.record)
+        if options.overrides:
+            resolved = scenario.model_dump(mode="json", by_alias=True)
+            scenario = load_resolved(resolved, overrides=options.overrides).scenario
+    judgement = judge_again(Trajectory.open(folder), scenario)
     before = [line for line in read_referee_log(folder)[0] if line["kind"] == "event"]
     found = differences(before, judgement.events)
     alike = len(judgement.events) - sum(one.after is not None for one in found)
-    return _Judged(folder, result, loaded, judgement, alike, found)
+    return _Judged(folder, result, scenario, judgement, alike, found)
 
 
 def _as_json(judged: _Judged) -> dict[str, Any]:
@@ -163,7 +173,7 @@ def _as_json(judged: _Judged) -> dict[str, Any]:
             "ranking": [one.model_dump() for one in result.ranking],
         },
         "judged": {
-            "scenario": judged.loaded.name,
+            "scenario": judged.scenario.id,
             "complete": judgement.complete,
             "score": judgement.scores,
             "ranking": judgement.ranking,
@@ -181,7 +191,7 @@ def _lines(judged: _Judged, options: JudgeOptions) -> Iterator[str]:
     from rcj_challenges.views.scoreboard import ranking_lines, score_line
     from rcj_challenges.views.sentences import plain
 
-    result, judgement, scenario = judged.result, judged.judgement, judged.loaded.scenario
+    result, judgement, scenario = judged.result, judged.judgement, judged.scenario
     names = {team: entrant.name for team, entrant in result.entrants.items()}
     swap = changes_sides(scenario)
     yield plain(judged.folder.name)
@@ -197,13 +207,11 @@ def _lines(judged: _Judged, options: JudgeOptions) -> Iterator[str]:
     yield from map(_line, found[:_MOST_SHOWN])
     if len(found) > _MOST_SHOWN:
         yield f"  … and {len(found) - _MOST_SHOWN} more: --json has them all"
-    if not found:
-        yield f"  all {judged.alike} events as recorded"
-        return
     gone, new = (sum(getattr(one, side) is None for one in found) for side in ("after", "before"))
     changed = len(found) - gone - new
-    yield f"  {judged.alike} events as recorded, {gone} only in the record, {new} only now, {changed} changed"
-    if not options.other_rules:
+    otherwise = f", {gone} only in the record, {new} only now, {changed} changed" if found else ""
+    yield f"  {'' if found else 'all '}{judged.alike} events as recorded{otherwise}"
+    if not (judged.is_as_recorded or options.other_rules):
         yield "  By its own rules the same should come out: were its files changed, or did another version play it?"
 
 

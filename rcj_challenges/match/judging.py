@@ -17,8 +17,8 @@ from rcj_challenges.records.reflog import event_line, events_of
 from rcj_challenges.records.trajectory import HalfTrack, Trajectory
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.scenario.halves import half_length_s
-from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.seats import by_seat
 
 Score = int | float
@@ -92,20 +92,20 @@ class Difference:
         }
 
 
-def judge_again(trajectory: Trajectory, loaded: Loaded) -> Judgement:
+def judge_again(trajectory: Trajectory, scenario: Scenario) -> Judgement:
     """Judge a recorded match by the rules of a scenario; scores and what is kept pass from half to half by these.
 
     The poses stay those that were recorded: what these rules put elsewhere goes on from where it was.
 
     Args:
         trajectory: of the match.
-        loaded: the scenario that it was played by, or one with the same robots, balls and obstacles.
+        scenario: that it was played by, or one with the same robots, balls, obstacles and entrants.
 
     Raises:
         MisfitError: others took part in the match than in the scenario.
     """
-    scenario = loaded.scenario
-    _must_fit(trajectory, loaded)
+    roster = Roster.of(scenario)
+    _must_fit(trajectory, scenario, roster)
     carried = Carried(scenario)
     events: list[dict[str, Any]] = []
     halves: list[JudgedHalf] = []
@@ -114,7 +114,8 @@ def judge_again(trajectory: Trajectory, loaded: Loaded) -> Judgement:
         if track.start is None or over:
             break
         info = _info(track.info, scenario, carried)
-        half, referee, told, over = _judge_half(track, loaded, info)
+        referee = Referee(scenario, roster, info)
+        half, told, over = _judge_half(track, referee, info)
         halves.append(half)
         # As JSON they can be compared with those of a record.
         events += [json.loads(json_line(event_line(info.half, event))) for event in told]
@@ -152,23 +153,23 @@ def _by_moment(events: Iterable[Mapping[str, Any]]) -> dict[tuple[int, int, str]
     return grouped
 
 
-def _must_fit(trajectory: Trajectory, loaded: Loaded) -> None:
+def _must_fit(trajectory: Trajectory, scenario: Scenario, roster: Roster) -> None:
     """Refuse a scenario in which others take part than in the match.
 
     Raises:
         MisfitError: says who is missing and who was not there.
     """
-    roster, seats = loaded.roster, set(loaded.scenario.entrants)
+    seats = set(scenario.entrants)
     there = (trajectory.entities, trajectory.robots, trajectory.balls, trajectory.things)
     if there != (roster.entities, roster.robots, roster.balls, roster.things):
         raise MisfitError(
-            f"the scenario {loaded.name!r} cannot judge this match: robots, balls and obstacles must be the same, in "
+            f"the scenario {scenario.id!r} cannot judge this match: robots, balls and obstacles must be the same, in "
             f"the same order; {_told(trajectory.things, roster.things)}"
         )
     played = {seat for track in trajectory.halves for seat in track.info.teams}
     if played and played != seats:
         raise MisfitError(
-            f"the scenario {loaded.name!r} cannot judge this match: the entrants must be the same; "
+            f"the scenario {scenario.id!r} cannot judge this match: the entrants must be the same; "
             f"{_told(sorted(played), sorted(seats))}"
         )
 
@@ -189,10 +190,9 @@ def _info(recorded: HalfInfo, scenario: Scenario, carried: Carried) -> HalfInfo:
     )
 
 
-def _judge_half(track: HalfTrack, loaded: Loaded, info: HalfInfo) -> tuple[JudgedHalf, Referee, list[Event], bool]:
-    """Judge a half; returns what became of it, the referee, the events, and whether the match is over with it."""
+def _judge_half(track: HalfTrack, referee: Referee, info: HalfInfo) -> tuple[JudgedHalf, list[Event], bool]:
+    """Judge a half; returns what became of it, the events, and whether the match is over with it."""
     assert track.start is not None  # noqa: S101 - the caller has looked
-    referee = Referee(loaded.scenario, loaded.roster, info)
     verdict = referee.start(track.start)
     told = list(events_of(track.start, verdict))
     tick = 0
@@ -203,8 +203,8 @@ def _judge_half(track: HalfTrack, loaded: Loaded, info: HalfInfo) -> tuple[Judge
         told += events_of(snapshot, verdict)
         tick = snapshot.tick
     if goes_on(referee, verdict, tick, info):
-        return JudgedHalf(info.half, tick, None, complete=False), referee, told, False
+        return JudgedHalf(info.half, tick, None, complete=False), told, False
     closing = referee.finish()
     told += closing.events
     ended = closing.ended if closing.ends_match else verdict.ended
-    return JudgedHalf(info.half, tick, ended, complete=True), referee, told, closing.ends_match
+    return JudgedHalf(info.half, tick, ended, complete=True), told, closing.ends_match

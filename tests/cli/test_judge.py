@@ -52,6 +52,16 @@ def judge(records, capsys, monkeypatch):
     return run
 
 
+def copied(record, folder):
+    """Copy the files of a record into a folder and return where it is."""
+    other = folder / record.name
+    other.mkdir()
+    for file in record.iterdir():
+        if file.is_file():
+            (other / file.name).write_bytes(file.read_bytes())
+    return other
+
+
 def test_the_newest_record_is_judged_by_its_own_rules_and_the_same_comes_out(judge):
     code, told = judge()
     assert code == 0
@@ -99,17 +109,37 @@ def test_json_has_both_scores_all_events_and_the_differences(judge):
 
 def test_a_record_that_its_own_rules_judge_otherwise_is_told_with_exit_code_1(judge, records, tmp_path):
     (record,) = records.iterdir()
-    other = tmp_path / record.name
-    other.mkdir()
-    for file in record.iterdir():
-        if file.is_file():
-            (other / file.name).write_bytes(file.read_bytes())
+    other = copied(record, tmp_path)
     log = other / "referee.jsonl"
     log.write_text(log.read_text("utf-8").replace('"score_yellow": 1', '"score_yellow": 7'), "utf-8")
     code, told = judge(runs=tmp_path)
     assert code == 1
     assert "score_yellow 7 -> 1" in told
     assert "By its own rules the same should come out" in told
+
+
+def test_points_that_no_event_tells_count_as_well_for_what_its_own_rules_say(judge, records, tmp_path):
+    (record,) = records.iterdir()
+    other = copied(record, tmp_path)
+    result = json.loads((other / "result.json").read_text("utf-8"))
+    (other / "result.json").write_text(json.dumps(result | {"score": {"blue": 4, "yellow": 1}}), "utf-8")
+    code, told = judge(runs=tmp_path)
+    assert code == 1
+    assert "recorded: Hanse 4 : 1 Alster\n" in told
+    assert "By its own rules the same should come out" in told
+
+
+def test_what_an_older_version_took_is_judged_by_its_own_rules_although_no_new_scenario_may_have_it(
+    judge, records, tmp_path
+):
+    (record,) = records.iterdir()
+    other = copied(record, tmp_path)
+    scenario = json.loads((other / "scenario.json").read_text("utf-8"))
+    scenario["zones"]["pitch"]["colour"] = "grassy"
+    (other / "scenario.json").write_text(json.dumps(scenario), "utf-8")
+    code, told = judge(runs=tmp_path)
+    assert code == 0
+    assert "judged:   Hanse 0 : 1 Alster\n" in told
 
 
 def test_of_several_the_others_are_judged_where_one_cannot_be(judge, records, capsys):

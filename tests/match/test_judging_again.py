@@ -38,7 +38,7 @@ def by(gift):
 
     def judged(*overrides):
         resolved = json.loads((gift.folder / "scenario.json").read_text("utf-8"))
-        return judge_again(gift.trajectory, load_resolved(resolved, overrides=overrides))
+        return judge_again(gift.trajectory, load_resolved(resolved, overrides=overrides).scenario)
 
     return judged
 
@@ -92,9 +92,9 @@ def test_a_rule_that_ends_the_match_ends_it_in_the_first_half(by):
 
 def test_a_scenario_with_others_on_the_field_cannot_judge_it(gift):
     with pytest.raises(MisfitError, match=r"the match had B1, .*, the scenario has Y3, ball, walls"):
-        judge_again(gift.trajectory, load("fast_shooter"))
+        judge_again(gift.trajectory, load("fast_shooter").scenario)
     with pytest.raises(MisfitError, match=r"the scenario has B1, B2, B3, Y1, Y2, Y3, ball, coin, walls"):
-        judge_again(gift.trajectory, load("match", ["balls.coin={start_m: [0.4, 0]}"]))
+        judge_again(gift.trajectory, load("match", ["balls.coin={start_m: [0.4, 0]}"]).scenario)
 
 
 def test_a_param_of_a_record_is_refused_for_its_value_stands_where_it_is_used(gift):
