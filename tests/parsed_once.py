@@ -2,7 +2,7 @@
 
 from functools import lru_cache
 
-from rcj_challenges.scenario import extend
+from rcj_challenges.scenario.reading import extend
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node
 
 

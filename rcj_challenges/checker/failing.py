@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from rcj_challenges.checker.advice.hints import WHEREABOUTS, Hint, hint_on
 from rcj_challenges.checker.findings import Finding, StageName
-from rcj_challenges.checker.hints import WHEREABOUTS, Hint, hint_on
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
 from rcj_challenges.controllers.log import AFTER_ITS_END
 from rcj_challenges.facts.shown import shown, shown_block

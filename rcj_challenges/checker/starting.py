@@ -6,9 +6,9 @@ import re
 from collections.abc import Mapping
 from dataclasses import replace
 
+from rcj_challenges.checker.advice.no_device import InsteadOf, asked_in_vain, is_of_a_device
 from rcj_challenges.checker.failing import fault_findings
 from rcj_challenges.checker.findings import Finding, Stage
-from rcj_challenges.checker.no_device import InsteadOf, asked_in_vain, is_of_a_device
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, rehearse
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.shown import shown

@@ -31,7 +31,7 @@ def advice_on(
     ended = [fault for fault in faults if fault["kind"] in ("crash", "exit") and fault["team"] in teams]
     if not ended:
         return []
-    from rcj_challenges.checker.hints import hint_at_once, on_device
+    from rcj_challenges.checker.advice.hints import hint_at_once, on_device
 
     robots: dict[str, dict[str, None]] = {}
     for fault in ended:

@@ -13,8 +13,8 @@ from rcj_challenges.cli.validate import say
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.trials import Trial, try_expectation
 from rcj_challenges.scenario.errors import ScenarioError
-from rcj_challenges.scenario.inherited import TESTS
 from rcj_challenges.scenario.load import Loaded, load
+from rcj_challenges.scenario.reading.inherited import TESTS
 from rcj_challenges.scenario.tree import file_of
 
 _WALL_DIGITS = 4

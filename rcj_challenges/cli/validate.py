@@ -11,7 +11,7 @@ from rcj_challenges.cli.says import say_json, say_no_more
 from rcj_challenges.facts.letters import READABLE
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.halves import half_lengths_s
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from rcj_challenges.scenario.load import Loaded, load
 
 

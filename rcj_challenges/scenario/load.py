@@ -13,17 +13,17 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from rcj_challenges.scenario.checks import check
+from rcj_challenges.scenario.checks.table import check
 from rcj_challenges.scenario.errors import Problem, ScenarioError
-from rcj_challenges.scenario.explain import explain
-from rcj_challenges.scenario.extend import Source, read_chain
-from rcj_challenges.scenario.find import find_scenario
-from rcj_challenges.scenario.inherited import leave_out, unfit_tests
-from rcj_challenges.scenario.merge import Merger, Repeated
+from rcj_challenges.scenario.messages.explain import explain
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.own_devices import fill_in_devices
-from rcj_challenges.scenario.params import apply_overrides, resolve_params
-from rcj_challenges.scenario.repeating import repeat_rules, told_once
+from rcj_challenges.scenario.reading.extend import Source, read_chain
+from rcj_challenges.scenario.reading.find import find_scenario
+from rcj_challenges.scenario.reading.inherited import leave_out, unfit_tests
+from rcj_challenges.scenario.reading.merge import Merger, Repeated
+from rcj_challenges.scenario.reading.params import apply_overrides, resolve_params
+from rcj_challenges.scenario.reading.repeating import repeat_rules, told_once
 from rcj_challenges.scenario.resources import presets_folder
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import RESOLVED, Entries, Leaf, Mark, Step, plain

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rcj_challenges.checker.hints import hint_on
+from rcj_challenges.checker.advice.hints import hint_on
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.scenario.load import load
 

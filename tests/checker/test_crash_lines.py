@@ -4,7 +4,7 @@ from pathlib import PurePosixPath
 
 import pytest
 
-from rcj_challenges.checker.crash_lines import CrashLine, crash_line, text_of
+from rcj_challenges.checker.advice.crash_lines import CrashLine, crash_line, text_of
 
 ROBOT = PurePosixPath("team/robot.py")
 

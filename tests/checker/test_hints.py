@@ -8,10 +8,10 @@ from pathlib import Path, PurePosixPath
 
 import pytest
 
+from rcj_challenges.checker.advice.early_ends import why_it_ended
+from rcj_challenges.checker.advice.hints import hint_on
+from rcj_challenges.checker.advice.no_device import is_of_a_device
 from rcj_challenges.checker.check import CheckOptions, check_file
-from rcj_challenges.checker.early_ends import why_it_ended
-from rcj_challenges.checker.hints import hint_on
-from rcj_challenges.checker.no_device import is_of_a_device
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.scenario.load import load
 

@@ -6,8 +6,8 @@ from pathlib import PurePosixPath
 
 import pytest
 
+from rcj_challenges.checker.advice.early_ends import why_it_ended
 from rcj_challenges.checker.check import CheckOptions, check_file
-from rcj_challenges.checker.early_ends import why_it_ended
 from rcj_challenges.scenario.load import load
 
 ENTRY = PurePosixPath("robot.py")

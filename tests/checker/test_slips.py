@@ -7,8 +7,8 @@ from pathlib import PurePosixPath
 
 import pytest
 
+from rcj_challenges.checker.advice.slips import on_slip
 from rcj_challenges.checker.check import CheckOptions, check_file
-from rcj_challenges.checker.slips import on_slip
 from rcj_challenges.scenario.load import load
 
 FOLDER = "rcj_soccer_team_blue/"

@@ -7,7 +7,7 @@ from pathlib import PurePosixPath
 
 import pytest
 
-from rcj_challenges.checker.unknown_names import on_unknown_name
+from rcj_challenges.checker.advice.unknown_names import on_unknown_name
 
 
 def told(name, code, **others):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import PurePosixPath
 
-from rcj_challenges.checker.slips import on_slip
+from rcj_challenges.checker.advice.slips import on_slip
 
 PLAYER = PurePosixPath("player.py")
 UNSET = "AttributeError: '{}' object has no attribute 'best' (player.py, line 9)"

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from rcj_challenges.referee.trials import try_expectation
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from rcj_challenges.scenario.load import Loaded, load, load_text
 from rcj_challenges.views.drawing import draw_scenario
 from rcj_challenges.views.sheet import sheet_html, sheet_markdown

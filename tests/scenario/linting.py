@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rcj_challenges.scenario.lint import Finding, lint
+from rcj_challenges.scenario.lint.table import Finding, lint
 from rcj_challenges.scenario.load import load_text
 
 SOUND = """schema_version: 1

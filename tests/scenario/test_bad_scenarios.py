@@ -13,7 +13,7 @@ import yaml
 
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import load
-from rcj_challenges.scenario.yaml_strict import MAX_BYTES
+from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES
 
 FOLDER = Path(__file__).resolve().parent.parent / "bad_scenarios"
 BAD = sorted(path.name for path in FOLDER.glob("*.yaml"))

@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from tests.scenario.writing import complaints, loaded, scenario
 
 COUNTERS = "counters: {n: {initial: 3}, own: {per: robots, initial: 3}}\n"

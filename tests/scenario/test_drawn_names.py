@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from tests.scenario.writing import loaded, problems_of, rule
 
 DRAWS = """draws:

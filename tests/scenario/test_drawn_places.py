@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from tests.scenario.writing import complaints, loaded, rule, scenario
 
 HOT = "draws: {hot: {values: [blue_goal, yellow_goal]}}\n"

@@ -7,10 +7,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rcj_challenges.scenario.load import load_text
+from rcj_challenges.scenario.messages.wording import expectation
 from rcj_challenges.scenario.models.base import Name, Names, Point
 from rcj_challenges.scenario.models.places import At, Facing
 from rcj_challenges.scenario.models.state import Points
-from rcj_challenges.scenario.wording import expectation
 from tests.scenario.writing import HEAD, complaints, problems_of, rule
 
 TRIGGERS = (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from rcj_challenges.views.sheet import sheet_markdown
 from tests.scenario.writing import loaded
 

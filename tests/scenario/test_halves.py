@@ -7,7 +7,7 @@ from rcj_challenges.referee.trials import try_expectation
 from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.halves import half_length_s, half_lengths_s, longest_half_s
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from rcj_challenges.scenario.load import load
 from tests.scenario.writing import HEAD, complaints, loaded, rule, scenario
 

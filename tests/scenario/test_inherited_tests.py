@@ -8,7 +8,7 @@ import pytest
 
 from rcj_challenges.cli.expect import run_tests
 from rcj_challenges.scenario.errors import ScenarioError
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from rcj_challenges.scenario.load import load
 
 HEAD = "schema_version: 1\nid: mine\ntitle: Mine\n"

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from rcj_challenges.scenario.load import load, load_resolved, load_text
 from tests.scenario.linting import SOUND, found_in, kinds, rule
 
@@ -419,7 +419,7 @@ class TestDraws:
 
 
 def test_every_kind_of_finding_is_explained_to_authors():
-    source = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "rcj_challenges/scenario").glob("lint*.py"))
+    source = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "rcj_challenges/scenario/lint").glob("*.py"))
     written = set(re.findall(r'^\s+"([a-z]+(?:_[a-z]+)+)",$', source, re.MULTILINE))
     page = (ROOT / "docs" / "authoring.md").read_text(encoding="utf-8")
     assert len(written) >= 10

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rcj_challenges.scenario.blanks import points_of
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from tests.scenario.writing import complaints, loaded, rule, scenario
 
 COUNTERS = "counters: {n: {}}\n"

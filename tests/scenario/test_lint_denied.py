@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from rcj_challenges.scenario.load import load_text
 from tests.scenario.writing import HEAD, rule
 

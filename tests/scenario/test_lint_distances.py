@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rcj_challenges.scenario.lint import Finding, lint
+from rcj_challenges.scenario.lint.table import Finding, lint
 from tests.scenario.writing import loaded
 
 # The floor reaches to x = ±0.65 and, in the goals, to y = ±0.85.

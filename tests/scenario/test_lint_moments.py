@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rcj_challenges.referee.trials import try_expectation
-from rcj_challenges.scenario.lint import Finding, lint
+from rcj_challenges.scenario.lint.table import Finding, lint
 from rcj_challenges.scenario.load import load_text
 
 HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n"

@@ -1,6 +1,6 @@
 """Lint of rules over zones and gates: what is never named, never filled, never true."""
 
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from tests.scenario.writing import loaded
 
 HEAD = """gates: {west: {from_m: [-0.5, 0], to_m: [-0.3, 0]}, east: {from_m: [0.3, 0], to_m: [0.5, 0]}}

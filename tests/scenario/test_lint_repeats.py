@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rcj_challenges.referee.trials import try_expectation
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from rcj_challenges.scenario.load import load_text
 from tests.scenario.writing import HEAD
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from rcj_challenges.referee.script import ScriptedPlay, half_of
-from rcj_challenges.scenario.lint import Finding, lint
+from rcj_challenges.scenario.lint.table import Finding, lint
 from rcj_challenges.scenario.load import load_text
 
 BODY = """schema_version: 1

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rcj_challenges.scenario.lint import Finding, lint
+from rcj_challenges.scenario.lint.table import Finding, lint
 from rcj_challenges.scenario.load import load_text
 
 VARIANT = "schema_version: 1\nid: kept\ntitle: Kept\nextends: match\n"

@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 from rcj_challenges.scenario.errors import Problem, ScenarioError, nearest
 from rcj_challenges.scenario.load import load, load_resolved, load_text
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.reading.yaml_strict import parse_bytes
 from rcj_challenges.scenario.resources import names_in, scenarios_folder
 from rcj_challenges.scenario.tree import plain
-from rcj_challenges.scenario.yaml_strict import parse_bytes
 from tests.scenario.writing import HEAD, loaded, problems_of
 
 SHIPPED = names_in(scenarios_folder())

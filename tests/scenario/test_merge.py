@@ -8,10 +8,10 @@ from hypothesis import strategies as st
 
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import load
-from rcj_challenges.scenario.merge import Merger
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.reading.merge import Merger
+from rcj_challenges.scenario.reading.yaml_strict import parse_text
 from rcj_challenges.scenario.tree import Entries, plain
-from rcj_challenges.scenario.yaml_strict import parse_text
 from tests.scenario.writing import complaints
 
 

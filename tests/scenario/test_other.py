@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from rcj_challenges.scenario.other import with_other
 from rcj_challenges.scenario.references import REFERENCES, Field
 from tests.scenario.test_cross_references import WORLD

@@ -11,9 +11,9 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from rcj_challenges.scenario.errors import ScenarioError
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from rcj_challenges.scenario.load import load, load_text
-from rcj_challenges.scenario.reckoning import KEYS, reckoned
+from rcj_challenges.scenario.reading.reckoning import KEYS, reckoned
 from rcj_challenges.scenario.tree import Entries, Leaf, Mark
 from tests.scenario.writing import HEAD, loaded, rule, scenario
 from tests.views.sheets import sentence, sheet

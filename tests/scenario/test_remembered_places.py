@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from tests.scenario.writing import complaints, loaded, scenario
 
 SPOTS = "spots: {found: {x_m: 0, y_m: 0.2}, other_one: {x_m: 0.5, y_m: -0.5}}\ngroups: {both: [found, other_one]}\n"

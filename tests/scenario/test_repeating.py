@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from rcj_challenges.referee.trials import try_expectation
 from rcj_challenges.scenario.errors import ScenarioError
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from rcj_challenges.scenario.load import load, load_resolved, load_text
 from rcj_challenges.scenario.models.scenario import MAX_ROWS
 from tests.scenario.writing import HEAD, HEAD_LINES, complaints, loaded, scenario

@@ -3,7 +3,7 @@
 import pytest
 
 from rcj_challenges.scenario.heard import referee_listens, robots_that_speak
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from rcj_challenges.scenario.load import load, load_text
 from tests.scenario.writing import complaints
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.scenario.lint import lint
+from rcj_challenges.scenario.lint.table import lint
 from tests.scenario.writing import complaints, loaded, scenario
 
 WAITS = "{trigger: holds, condition: {condition: way, entity: Y1, at_least: 2}}"

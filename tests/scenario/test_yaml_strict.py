@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, MAX_DEPTH, parse_bytes, parse_text
 from rcj_challenges.scenario.tree import Entries, Leaf, Mark, child, plain
-from rcj_challenges.scenario.yaml_strict import MAX_BYTES, MAX_DEPTH, parse_bytes, parse_text
 from tests.scenario.writing import problems_of
 
 BOTH_PARSERS = [yaml.SafeLoader, *([yaml.CSafeLoader] if yaml.__with_libyaml__ else [])]

@@ -10,9 +10,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from rcj_challenges.scenario.reading.yaml_strict import parse_text
 from rcj_challenges.scenario.resources import scenarios_folder
 from rcj_challenges.scenario.tree import plain
-from rcj_challenges.scenario.yaml_strict import parse_text
 from scripts.write_reference import read_examples
 from tests.whole_scenarios.wholes import written
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.referee.script import ScriptedPlay
-from rcj_challenges.scenario.lint import Finding
+from rcj_challenges.scenario.lint.table import Finding
 from rcj_challenges.scenario.models.scenario import Scenario
 
 _NEVER_FIRES = frozenset({"rule_never_fires", "each_of_nobody"})

@@ -21,11 +21,11 @@ from rcj_challenges.referee.trials import try_expectation
 from rcj_challenges.scenario.errors import Problem, ScenarioError
 from rcj_challenges.scenario.floor import floor_parts
 from rcj_challenges.scenario.json_schema import scenario_schema
-from rcj_challenges.scenario.lint import lint
-from rcj_challenges.scenario.lint_shapes import zone_has_floor
+from rcj_challenges.scenario.lint.shapes import zone_has_floor
+from rcj_challenges.scenario.lint.table import lint
 from rcj_challenges.scenario.load import Loaded, load, load_resolved, load_text
+from rcj_challenges.scenario.reading.yaml_strict import parse_text
 from rcj_challenges.scenario.tree import plain
-from rcj_challenges.scenario.yaml_strict import parse_text
 from rcj_challenges.views.drawing import draw_scenario
 from rcj_challenges.views.drawing.labels import CHARACTER_PX
 from rcj_challenges.views.replay.page import write_replay

@@ -15,8 +15,8 @@ from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.robots import Chassis, Device
 from rcj_challenges.scenario.models.scenario import Broadcast, Expectation, Limits, Result
 from rcj_challenges.scenario.models.state import Counter, Flag, Phase, Sequence, Timer
+from rcj_challenges.scenario.reading.yaml_strict import parse_text
 from rcj_challenges.scenario.tree import plain
-from rcj_challenges.scenario.yaml_strict import parse_text
 from tests.whole_scenarios.making import ImpossibleError, Maker
 from tests.whole_scenarios.staging import Data, Stage, made_stage, point
 

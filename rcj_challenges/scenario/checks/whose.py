@@ -1,0 +1,89 @@
+"""Whose counter, flag, timer or sequence a rule means, where there is one for each of a group."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+from rcj_challenges.scenario.catalogue import Catalogue, texts
+from rcj_challenges.scenario.checks.bound import Bound
+from rcj_challenges.scenario.models import actions, conditions, state, triggers
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, mark_of, node_at
+
+_HEARS = (triggers.SequenceCompleted, triggers.SequenceBroken)
+_READS = (conditions.CounterIs, conditions.FlagIs, conditions.TimerIs, conditions.SequenceAt, state.CounterValue,
+          state.FlagValue, state.TimerValue, state.NumberTimer)  # fmt: skip
+_WEIGHTED = (state.WeightedCounter, state.WeightedFlag, state.WeightedTimer)
+_WRITES = (actions.Count, actions.SetFlag, actions.ToggleFlag, actions.TimerAction, actions.SequenceAction)
+_SECTIONS = {"counter": "counters", "flag": "flags", "timer": "timers", "sequence": "sequences"}
+_PLACES = ("zone", "gate")
+
+NAMING_ONE: tuple[Any, ...] = (*_HEARS, *_READS, *_WEIGHTED, *_WRITES)
+"""The words that name something of which there may be one for each."""
+
+
+class Wrong(NamedTuple):
+    """A mistake in one of these words: where it is, and what."""
+
+    path: Path
+    mark: Mark
+    message: str
+
+
+def check_whose(model: Any, node: Entries, path: Path, bound: Bound, names: Catalogue) -> Iterator[Wrong]:
+    """Yield what is wrong with whom ``entity`` names, or with its absence.
+
+    Args:
+        model: one of `NAMING_ONE`.
+        node: the word as it is written.
+        path: where it is.
+        bound: what ``each`` and ``other`` stand for there.
+        names: the names of the scenario.
+    """
+    key = next(key for key in _SECTIONS if key in model.model_fields)
+    name, whose = node.entries.get(key), node.entries.get("entity")
+    if not isinstance(name, Leaf) or not isinstance(name.value, str):
+        return
+    entry = node_at(names.root, (_SECTIONS[key], name.value))
+    per = child(entry, "per")
+    if not isinstance(per, Leaf) or not isinstance(per.value, str):
+        surplus = next((one for one in ("entity", "of") if one in node.entries), None)
+        if surplus is not None and (entry is not None or name.value in names.names("entrants")):
+            message = f"{key} '{name.value}' is not kept per entity; leave '{surplus}' out{_or_keep(key, entry)}"
+            yield Wrong((*path, surplus), mark_of(names.root, (*path, surplus)), message)
+        return
+    quantified = "of" in model.model_fields and "of" in node.entries
+    owners = names.expand(per.value)
+    if whose is None:
+        asked = model in (*_HEARS, *_READS) and not quantified
+        if asked and _is_for_one_of(owners, bound, names):
+            message = f"{key} '{name.value}' is kept per {per.value}: say whose with 'entity', such as entity: each"
+            yield Wrong(path, name.mark, message)
+        return
+    if "of" in model.model_fields and not quantified and _is_several(whose, names):
+        what = "these are several" if isinstance(whose, Items) else f"'{texts(whose)[0]}' is a group"
+        message = f"{what}; name one entity, or say with 'of' how many of them: any, all, none, {{at_least: n}}"
+        yield Wrong((*path, "entity"), whose.mark, message)
+        return
+    stranger = next((one for one in bound.meant(whose, names) if one not in owners and one in names.kinds), None)
+    if stranger is not None:
+        message = f"{key} '{name.value}' is kept per {per.value}, and '{stranger}' is not among them"
+        yield Wrong((*path, "entity"), whose.mark, message)
+
+
+def _or_keep(key: str, entry: Node | None) -> str:
+    """Return the other way out, where somebody's sequence was meant: one for each."""
+    entity = child(entry, "entity")
+    if key != "sequence" or not isinstance(entity, Leaf):
+        return ""
+    return f", or keep one for each: give it 'per', a group, in place of entity: {entity.value}"
+
+
+def _is_for_one_of(owners: tuple[str, ...], bound: Bound, names: Catalogue) -> bool:
+    """Return whether a rule is for one of those that have something each, or for an entity at all."""
+    each = bound.each or ()
+    return any(one in owners or names.kinds.get(one) not in _PLACES for one in each)
+
+
+def _is_several(whose: Node, names: Catalogue) -> bool:
+    return isinstance(whose, Items) or any(text in names.groups and text not in names.kinds for text in texts(whose))

@@ -1,0 +1,165 @@
+"""Reading a file and all that it extends."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+from rcj_challenges import __version__
+from rcj_challenges.scenario.errors import Problem, ScenarioError, listing, nearest
+from rcj_challenges.scenario.models.scenario import SCHEMA_VERSION
+from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, parse_bytes, parse_text
+from rcj_challenges.scenario.resources import names_in, presets_folder, scenarios_folder
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node
+
+MAX_CHAIN = 5
+"""How many base files may stand behind each other."""
+
+_BARE_NAME = re.compile(r"[A-Za-z0-9_-]+")
+
+
+@dataclass(frozen=True)
+class Source:
+    """A file's tree.
+
+    Attributes:
+        tree: what stands in it.
+        shown: how messages name it.
+        path: where it lies; None for a text.
+    """
+
+    tree: Entries
+    shown: str
+    path: Path | None = None
+
+    @classmethod
+    def of_file(cls, path: Path, shown: str) -> Source:
+        """Read a file.
+
+        Raises:
+            ScenarioError: it cannot be read, or is not strict YAML.
+        """
+        try:
+            with path.open("rb") as file:
+                data = file.read(MAX_BYTES + 1)
+                size = max(len(data), os.fstat(file.fileno()).st_size)
+        except OSError as error:
+            raise ScenarioError([Problem(shown, 0, 0, "", f"cannot be read: {error.strerror or error}")]) from None
+        if size > MAX_BYTES:
+            message = f"{size} bytes are too much for a scenario; at most {MAX_BYTES} are read"
+            raise ScenarioError([Problem(shown, 0, 0, "", message)])
+        return cls(_mapping(parse_bytes(data, shown), shown), shown, path)
+
+    @classmethod
+    def of_text(cls, text: str, shown: str) -> Source:
+        """Read a text.
+
+        Raises:
+            ScenarioError: it is not strict YAML.
+        """
+        return cls(_mapping(parse_text(text, shown), shown), shown)
+
+    @classmethod
+    def of_data(cls, data: Mapping[str, Any], shown: str) -> Source:
+        """Wrap plain data; everything in it stands at the same place: the data as a whole."""
+        return cls(_mapping(_wrapped(data, Mark(shown)), shown), shown)
+
+
+def _mapping(node: Node, shown: str) -> Entries:
+    if isinstance(node, Entries):
+        return node
+    found = "a list" if isinstance(node, Items) else "nothing" if node.value is None else "a single value"
+    message = f"a scenario is a mapping of sections (schema_version, id, title, …), found {found}"
+    raise ScenarioError([Problem(shown, node.mark.line, node.mark.column, "", message)])
+
+
+def _wrapped(data: Any, mark: Mark) -> Node:
+    if isinstance(data, Mapping):
+        # None stands for "left out" in the models, and in what they write.
+        entries = {str(key): _wrapped(value, mark) for key, value in data.items() if value is not None}
+        return Entries(entries, mark, dict.fromkeys(entries, mark))
+    if isinstance(data, (list, tuple)):
+        return Items([_wrapped(value, mark) for value in data], mark)
+    return Leaf(data, mark)
+
+
+def read_chain(source: Source) -> list[Source]:
+    """Return a file and all that it extends, the outermost base first.
+
+    Raises:
+        ScenarioError: a base is unknown, unreadable, extends itself, or the chain is too long.
+    """
+    chain = [source]
+    _refuse_newer(source)
+    while (leaf := chain[-1].tree.entries.get("extends")) is not None:
+        mark = leaf.mark
+        if not isinstance(leaf, Leaf) or not isinstance(leaf.value, str):
+            raise _refused(
+                mark, "expected the name of a preset or shipped scenario, or a relative path to a .yaml file"
+            )
+        if len(chain) > MAX_CHAIN:
+            files = " → ".join(part.shown for part in chain)
+            raise _refused(mark, f"too many bases behind each other, at most {MAX_CHAIN} are allowed: {files}")
+        base = _base(leaf.value, chain[-1], mark)
+        known = [part.path.resolve() for part in chain if part.path is not None]
+        if base.path is not None and base.path.resolve() in known:
+            files = " → ".join([*(part.shown for part in chain), base.shown])
+            raise _refused(mark, f"a file cannot extend itself: {files}")
+        _refuse_newer(base)
+        chain.append(base)
+    return chain[::-1]
+
+
+def _refuse_newer(source: Source) -> None:
+    """Refuse a file of a later format before anything else in it is called wrong."""
+    version = source.tree.entries.get("schema_version")
+    if isinstance(version, Leaf) and isinstance(version.value, int) and version.value > SCHEMA_VERSION:
+        message = (
+            f"version {version.value} needs a newer rcj-challenges; this is {__version__}, "
+            f"which reads version {SCHEMA_VERSION}: pip install --upgrade rcj-challenges"
+        )
+        raise ScenarioError([version.mark.problem("schema_version", message)])
+
+
+def _refused(mark: Mark, message: str) -> ScenarioError:
+    return ScenarioError([mark.problem("extends", message)])
+
+
+def _shipped(name: str, user: Source, mark: Mark) -> Source:
+    """Return what is extended by its bare name."""
+    shipped = {known: folder for folder in (scenarios_folder(), presets_folder()) for known in names_in(folder)}
+    if name in shipped:
+        # Whoever extends the match may call that file match.yaml: then messages must tell the two from each other.
+        shown = f"{name}.yaml" if PurePosixPath(user.shown).name != f"{name}.yaml" else f"shipped {name}.yaml"
+        return Source.of_file(shipped[name] / f"{name}.yaml", shown)
+    known = f"there are {listing(shipped)}{nearest(name.replace('-', '_'), shipped)}"
+    raise _refused(mark, f"no preset or scenario '{name[:64]}' is shipped; {known}")
+
+
+def _base(name: str, user: Source, mark: Mark) -> Source:
+    if _BARE_NAME.fullmatch(name):
+        return _shipped(name, user, mark)
+    parts = PurePosixPath(name).parts
+    # Checked as text on every platform alike: what Windows takes for absolute must not pass on Linux either.
+    if name.startswith(("/", "~")) or re.search(r"[\\:\x00-\x1f]", name) or not name.endswith((".yaml", ".yml")):
+        wanted = "a shipped preset or scenario, or a relative path with / to a .yaml file"
+        raise _refused(mark, f"'{name[:120]}' is not {wanted}")
+    if user.path is None:
+        raise _refused(mark, "a text has no folder for a relative path; extend a preset or a shipped scenario")
+    if ".." in parts[len([part for part in parts if part == ".."]) :]:
+        raise _refused(mark, f"'{name[:120]}': '..' may stand at the beginning only")
+    path = user.path.parent.joinpath(*parts)
+    beside = sorted(found.name for found in path.parent.glob("*.y*ml")) if path.parent.is_dir() else []
+    # Compared with the folder's listing: a name in other case works on some machines only.
+    if path.name not in beside or not path.is_file():
+        own = user.path.name
+        hint = nearest(path.name, [found for found in beside if found != own])
+        if path.stem in names_in(scenarios_folder()):
+            hint = f"; the shipped scenario is extended by its name alone: {path.stem}"
+        raise _refused(mark, f"there is no file '{name[:120]}' beside {user.shown}{hint}")
+    folder = PurePosixPath(user.shown.replace("\\", "/")).parent
+    return Source.of_file(path, os.path.normpath(folder / PurePosixPath(*parts)).replace("\\", "/"))

@@ -1,0 +1,211 @@
+"""Merging a scenario into its base, by the shapes of the models.
+
+Mappings merge by key; lists and single values replace. Of keys of which only one can be given (``entity`` or ``per`` of
+a sequence) the one written takes the other's place. An entry whose kind changes (another ``shape``, ``device`` …)
+replaces the base's whole, since nothing of a circle makes sense in a rectangle. Overridden entries keep the base's
+place in the order; new ones follow. A written ``null`` removes a named entry of the base; a value that is left empty
+is a mistake, never a removal.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+from rcj_challenges.scenario.errors import Problem, cut, listing, nearest
+from rcj_challenges.scenario.reading.inherited import ALL_INHERITED, TESTS
+from rcj_challenges.scenario.shape import (
+    Shape,
+    bare,
+    chosen,
+    is_list,
+    is_model,
+    is_named,
+    may_be_scalar,
+    step_into,
+    tag_of,
+)
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, in_names
+
+_SHOWN = 3
+"""So many names are written out that are to be removed one by one."""
+
+
+class Repeated(NamedTuple):
+    """Where a rule comes from that was written once and repeated.
+
+    Attributes:
+        rule: the name under which it is written.
+        known: what is a param in it besides those of the scenario.
+        unused: those of them for which nothing in it stands.
+        filled_in: params of the scenario whose values its sentence fills in from beside the name: it follows ``--set``.
+    """
+
+    rule: str
+    known: tuple[str, ...]
+    unused: tuple[str, ...] = ()
+    filled_in: tuple[str, ...] = ()
+
+
+@dataclass
+class Merger:
+    """Merges trees and collects what is wrong with them.
+
+    Attributes:
+        problems: what was found.
+        removed: where each entry was removed, by section and name path.
+        replaced: the value that a param had in the base, by its name.
+        repeated: where each rule comes from that is one of a repeated one.
+    """
+
+    problems: list[Problem] = field(default_factory=list)
+    removed: dict[Path, Mark] = field(default_factory=dict)
+    replaced: dict[str, Leaf] = field(default_factory=dict)
+    repeated: dict[str, Repeated] = field(default_factory=dict)
+
+    def merge(self, base: Entries, over: Entries, shape: Shape, path: Path = ()) -> Entries:
+        """Merge ``over`` into ``base`` (which changes) and return it."""
+        base.mark = over.mark
+        if path == (TESTS,) and ALL_INHERITED in over.entries:
+            for name in list(base.entries):
+                base.drop(name)
+        make_way(base, over.entries.keys(), shape)
+        for key, node in over.entries.items():
+            self.merge_entry(base, key, node, over.key_marks[key], shape, path)
+        return base
+
+    def merge_entry(self, base: Entries, key: str, node: Node, key_mark: Mark, shape: Shape, path: Path) -> None:
+        """Merge one entry into the mapping ``base`` whose shape and path are given."""
+        here = (*path, key)
+        if isinstance(node, Leaf) and node.value is None:
+            self._null(base, key, node, key_mark, shape, path)
+            return
+        before = base.entries.get(key)
+        if path == ("params",) and isinstance(before, Leaf):
+            self.replaced[key] = before
+        if isinstance(node, Leaf):
+            base.put(key, node, key_mark)
+            return
+        inner = step_into(shape, base, key)
+        if inner is None and tag_of(shape, base) is None:
+            # The base does not say yet which member of a union this is; the file itself may.
+            inner = step_into(shape, Entries({key: node}, key_mark), key)
+        if isinstance(before, Entries) and isinstance(node, Entries) and self._same_kind(before, node, inner):
+            base.put(key, self.merge(before, node, inner, here), key_mark)
+        else:
+            base.put(key, self.adopt(node, inner, here), key_mark)
+
+    def adopt(self, node: Node, shape: Shape, path: Path) -> Node:
+        """Take over a value that has nothing to merge with."""
+        if isinstance(node, Entries):
+            tagged = tag_of(shape, node)
+            fresh = Entries({}, node.mark)
+            for key, inner in node.entries.items():
+                if tagged is None:
+                    self.merge_entry(fresh, key, inner, node.key_marks[key], shape, path)
+                    continue
+                # The whole mapping tells what its keys mean; filled key by key it would not yet.
+                if not isinstance(inner, Leaf):
+                    inner_shape = step_into(shape, node, key)
+                    fresh.put(key, self.adopt(inner, inner_shape, (*path, key)), node.key_marks[key])
+                elif inner.value is None:
+                    self._null(fresh, key, inner, node.key_marks[key], shape, path)
+                else:
+                    fresh.put(key, inner, node.key_marks[key])
+            return fresh
+        if isinstance(node, Items):
+            for index, item in enumerate(node.items):
+                if not isinstance(item, Leaf):
+                    node.items[index] = self.adopt(item, step_into(shape, node, index), (*path, index))
+                elif item.value is None:
+                    what = "an empty list entry" if item.empty else "null stands for nothing here"
+                    self._add(item.mark, (*path, index), f"{what}; write a value, or leave the entry out")
+        return node
+
+    def _same_kind(self, before: Entries, node: Entries, shape: Shape) -> bool:
+        if may_be_scalar(shape) and (is_param(before) or is_param(node)):
+            return False
+        kind = tag_of(shape, node)
+        return kind is None or kind == tag_of(shape, before)
+
+    def _null(self, base: Entries, key: str, node: Leaf, key_mark: Mark, shape: Shape, path: Path) -> None:
+        if node.empty:
+            remedy = _of_empty(key, base, key_mark, shape) or "write one, or leave the line out"
+            self._add(key_mark, (*path, key), f"an empty value; {remedy}")
+            base.put(key, node, key_mark)  # it stays, so that it is not called missing too
+        elif path == (TESTS,) and key == ALL_INHERITED:
+            pass  # they are gone already
+        elif not is_named(chosen(shape, base)):
+            instead = _instead_of_null(base.entries.get(key), step_into(shape, base, key))
+            if (*path, key) == (TESTS,):
+                instead = f"{{{ALL_INHERITED}: null}} removes all tests of the base"
+            self._add(node.mark, (*path, key), f"null removes named entries of the base only; {instead}")
+            base.put(key, node, key_mark)
+        elif key not in base.entries:
+            known = f"; there are {listing(base.entries)}" if base.entries else ""
+            if path[:1] == ("robots",) and path[2:] == ("devices",):
+                known += f"; a device of the robot's kit is taken away by 'without: [{key}]'"
+            hint = (of_repeated(key, base) if path == ("rules",) else "") or nearest(key, base.entries)
+            self._add(node.mark, (*path, key), f"nothing to remove: the base has no '{key}'{known}{hint}")
+        else:
+            base.drop(key)
+            self.removed[(*path, key)] = node.mark
+
+    def _add(self, mark: Mark, path: Path, message: str) -> None:
+        self.problems.append(mark.problem(in_names(Entries({}, mark), path), message))
+
+
+def of_repeated(name: str, rules: Entries) -> str:
+    """Return where a rule is changed or removed that comes of a repeated one; empty if none is called so."""
+    for rule, node in rules.entries.items():
+        rows = node.entries.get("repeat_for") if isinstance(node, Entries) else None
+        if not isinstance(rows, Entries | Items) or not name.startswith(f"{rule}_"):
+            continue
+        row = name.removeprefix(f"{rule}_")
+        listed = [one.value for one in rows.items if isinstance(one, Leaf)] if isinstance(rows, Items) else rows.entries
+        if row in listed:
+            return f"; it comes of the repeated rule '{rule}': change that one, or '{row}' in its repeat_for"
+    return ""
+
+
+def _instead_of_null(before: Node | None, shape: Shape) -> str:
+    """Return how that is taken away of which null alone takes nothing away."""
+    if is_list(shape):
+        return "a list is replaced as a whole, write [] for none"
+    if not isinstance(before, Entries) or not before.entries or not is_named(chosen(shape, before)):
+        return "leave the line out"
+    nulls = [f"{name}: null" for name in before.entries]
+    more = ", …" if len(nulls) > _SHOWN else ""
+    return f"for none write it for each of them: {{{', '.join(nulls[:_SHOWN])}{more}}}"
+
+
+def _of_empty(key: str, base: Entries, key_mark: Mark, shape: Shape) -> str:
+    """Return what to do about a key without a value that is no key at all; empty: the value was forgotten."""
+    word, colon, value = key.partition(":")
+    if colon:
+        return f"a blank comes after the ':', {cut(word)}: {cut(value)}"
+    if key == "colour":
+        return "what begins with # is a comment, unless it is in quotes: '#ff8800'"
+    before = list(base.entries.items())[-1:]
+    if not before or step_into(shape, base, key) is not None:
+        return ""
+    (name, node) = before[0]
+    if not isinstance(node, Leaf) or not isinstance(node.value, str) or node.mark.line != key_mark.line:
+        return ""
+    return f"several values stand in brackets, {name}: [{cut(node.value)}, {cut(key)}], and a text with a ',' in quotes"
+
+
+def make_way(base: Entries, written: AbstractSet[str], shape: Shape) -> None:
+    """Take out of a mapping in whose place something is written: of some keys only one can be given."""
+    kind: Any = None if shape is None else bare(shape).kind
+    either = set(kind.either) if is_model(kind) else set()
+    if either & written:
+        for key in base.entries.keys() & either - written:
+            base.drop(key)
+
+
+def is_param(node: Node) -> bool:
+    """Return whether a mapping reads ``{param: NAME}``, whatever stands beside."""
+    name = node.entries.get("param") if isinstance(node, Entries) else None
+    return isinstance(name, Leaf) and isinstance(name.value, str)

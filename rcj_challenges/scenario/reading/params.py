@@ -1,0 +1,263 @@
+"""Params and overrides: ``{param: NAME}`` for any single value, ``--set PATH=VALUE`` from the command line.
+
+What stands beside a param's name, ``times`` and ``plus``, is reckoned in `reckoning`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import get_origin
+
+from rcj_challenges.scenario.errors import Problem, ScenarioError, cut, known_text, listing, nearest
+from rcj_challenges.scenario.messages.wording import found_text
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.reading.merge import Merger, is_param, make_way, of_repeated
+from rcj_challenges.scenario.reading.reckoning import KEYS, reckoned, written_out
+from rcj_challenges.scenario.reading.yaml_strict import parse_value
+from rcj_challenges.scenario.shape import (
+    Shape,
+    bare,
+    chosen,
+    fields,
+    is_model,
+    is_named,
+    may_be_scalar,
+    members,
+    step_into,
+)
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, Step, child, in_names
+
+THIS = "this"
+"""What the name of a row is called within a repeated rule."""
+_STEPS = re.compile(r"(?:^|\.)([^.\[\]]+)|\[(\d+)\]")
+
+
+class _RefusedError(Exception):
+    """An override that leads nowhere; the text says why."""
+
+
+def apply_overrides(root: Entries, overrides: Sequence[str], merger: Merger) -> None:
+    """Change the merged tree as the command line asks; what cannot be is added to the merger's problems."""
+    for override in overrides:
+        shown = f"--set {override if len(override) <= 80 else override[:77] + '...'}"
+        path_text, equals, value_text = override.partition("=")
+        try:
+            if not equals or not path_text.strip() or not value_text.strip():
+                raise _RefusedError("expected PATH=VALUE: a param's name, or a path such as match.half_s=60")
+            value = parse_value(value_text, shown)
+            _point_to_option(value, Mark(shown))
+            _set(root, _steps(path_text.strip(), root), value, Mark(shown), merger)
+        except _RefusedError as refused:
+            merger.problems.append(Mark(shown).problem("", str(refused)))
+        except ScenarioError as error:
+            merger.problems += [Problem(shown, 0, 0, "", problem.message) for problem in error.problems]
+
+
+def _point_to_option(node: Node, mark: Mark) -> None:
+    """Let a value from the command line point to its option, not to a line and column of no file."""
+    node.mark = mark
+    inner = node.entries.values() if isinstance(node, Entries) else node.items if isinstance(node, Items) else ()
+    if isinstance(node, Entries):
+        node.key_marks = dict.fromkeys(node.entries, mark)
+    for part in inner:
+        _point_to_option(part, mark)
+
+
+def _steps(text: str, root: Entries) -> Path:
+    path: list[Step] = []
+    end = 0
+    for match in _STEPS.finditer(text):
+        if match.start() != end:
+            break
+        end = match.end()
+        path.append(int(match[2]) if match[1] is None else match[1])
+    if end != len(text) or len(path) > 30:
+        raise _RefusedError(
+            f"'{text}' is no path; write names with dots and list entries with [0]: rules.goal.actions[0]"
+        )
+    params = root.entries.get("params")
+    if len(path) == 1 and isinstance(params, Entries) and path[0] in params.entries:
+        return ("params", path[0])
+    if path[0] == "extends":
+        raise _RefusedError(
+            "what a scenario extends is read before anything is set; write extends: in a file, with what you change"
+        )
+    if len(path) == 1 and path[0] not in fields(Scenario):
+        names = [*(params.entries if isinstance(params, Entries) else ()), *fields(Scenario)]
+        exact = next((dotted for dotted in _dotted() if dotted.rpartition(".")[2] == path[0]), None)
+        hint = f"; did you mean '{exact}'?" if exact else nearest(str(path[0]), names)
+        raise _RefusedError(f"unknown param or section '{path[0]}'{hint}")
+    return tuple(path)
+
+
+def _dotted() -> Iterator[str]:
+    """Yield the paths of single values below the sections that always exist, for a hint."""
+    for section, shape in fields(Scenario).items():
+        kind = bare(shape).kind
+        if is_model(kind):
+            yield from (f"{section}.{key}" for key in fields(kind))
+
+
+def _set(root: Entries, path: Path, value: Node, mark: Mark, merger: Merger) -> None:
+    node: Node = root
+    shape: Shape = Scenario
+    for depth, written in enumerate(path):
+        step = int(written) if isinstance(node, Items) and str(written).isdecimal() else written
+        here = in_names(root, path[:depth])
+        inner = step_into(shape, node, step)
+        if depth == len(path) - 1:
+            _put(node, step, value, mark, shape, path, here, merger)
+            return
+        following = child(node, step)
+        if following is None:
+            following = _opened(node, step, shape, inner, mark, here)
+        node, shape = following, inner
+
+
+def _opened(node: Node, step: Step, shape: Shape, inner: Shape, mark: Mark, here: str) -> Node:
+    """Return a new mapping for a section that the file leaves at its defaults; refuse everything else."""
+    _check_step(node, step, shape, here)
+    if is_named(chosen(shape, node)) or not isinstance(node, Entries) or not isinstance(step, str):
+        raise _RefusedError(_unknown_name(node, step, here))
+    if not any(is_model(bare(member).kind) or is_named(member) for member in members(inner)):
+        raise _RefusedError(f"{here + '.' if here else ''}{step} is a single value, nothing is inside it")
+    fresh = Entries({}, mark)
+    node.put(step, fresh, mark)
+    return fresh
+
+
+def _put(node: Node, step: Step, value: Node, mark: Mark, shape: Shape, path: Path, here: str, merger: Merger) -> None:
+    _check_step(node, step, shape, here)
+    if isinstance(node, Items) and isinstance(step, int):
+        if isinstance(value, Leaf) and value.value is None:
+            raise _RefusedError(f"null removes named entries only; set the whole list {here}")
+        node.items[step] = merger.adopt(value, step_into(shape, node, step), path)
+        return
+    if not isinstance(node, Entries) or not isinstance(step, str):  # pragma: no cover - _check_step refused it
+        return
+    # A new name may bring a whole entry; a single value under a new name is a typing mistake.
+    if is_named(chosen(shape, node)) and step not in node.entries and isinstance(value, Leaf):
+        raise _RefusedError(_unknown_name(node, step, here))
+    make_way(node, {step}, shape)
+    merger.merge_entry(node, step, value, mark, shape, path[:-1])
+
+
+def _check_step(node: Node, step: Step, shape: Shape, here: str) -> None:
+    if isinstance(node, Leaf):
+        raise _RefusedError(f"{here} is a single value, nothing is inside it")
+    if isinstance(node, Items):
+        if not isinstance(step, int) or step >= len(node.items):
+            last = len(node.items) - 1
+            raise _RefusedError(f"{here} is a list: its entries are [0] to [{last}], not '{step}'")
+        return
+    if not isinstance(step, str):
+        raise _RefusedError(f"{here} is no list; there are {listing(node.entries)}")
+    kind = bare(chosen(shape, node)).kind
+    if is_model(kind) and step not in fields(kind):
+        known = fields(kind)
+        where = here or "a scenario"
+        raise _RefusedError(f"{where} has no '{step}'; it has {listing(known, 40)}{nearest(step, known)}")
+
+
+def _unknown_name(node: Node, step: Step, here: str) -> str:
+    names = node.entries if isinstance(node, Entries) else {}
+    repeated = of_repeated(str(step), node) if isinstance(node, Entries) and here == "rules" else ""
+    return f"{here} has no '{step}'; there are {listing(names) or 'none'}{repeated or nearest(str(step), names)}"
+
+
+def resolve_params(root: Entries, merger: Merger) -> None:
+    """Replace every ``{param: NAME}`` of the tree by the value for which it stands, at the position of its use."""
+    resolver = Resolver(root, params_of(root), merger.problems)
+    for key, node in root.entries.items():
+        if key != "params":
+            root.entries[key] = resolver.resolved(node, fields(Scenario).get(key), (key,))
+
+
+def params_of(root: Entries) -> dict[str, Node]:
+    """Return the scenario's params by name."""
+    params = root.entries.get("params")
+    return params.entries if isinstance(params, Entries) else {}
+
+
+@dataclass
+class Resolver:
+    """Resolves params in one part of a tree.
+
+    Attributes:
+        root: the whole tree.
+        params: the scenario's.
+        problems: what is wrong is added to them.
+        row: what is known besides within a repeated rule: single values and lists of them; None elsewhere.
+    """
+
+    root: Entries
+    params: Mapping[str, Node]
+    problems: list[Problem]
+    row: Mapping[str, Leaf | Items] | None = None
+
+    def resolved(self, node: Node, shape: Shape, path: Path) -> Node:
+        """Return a value with the params in it replaced by what they stand for; the value itself may change."""
+        if isinstance(node, Entries):
+            if is_param(node) and self._may_stand(node, shape):
+                return self.stood_for(node, path)
+            for key, inner in node.entries.items():
+                if not isinstance(inner, Leaf):  # which is none, nor has any
+                    node.entries[key] = self.resolved(inner, step_into(shape, node, key), (*path, key))
+        elif isinstance(node, Items):
+            for index, item in enumerate(node.items):
+                if not isinstance(item, Leaf):
+                    node.items[index] = self.resolved(item, step_into(shape, node, index), (*path, index))
+        return node
+
+    def _may_stand(self, node: Entries, shape: Shape) -> bool:
+        # Where nothing is known, a mapping with other keys may be meant for anything.
+        if may_be_scalar(shape):
+            return shape is not None or node.entries.keys() <= set(KEYS)
+        return _name(node) in (self.row or ()) and any(
+            get_origin(bare(member).kind) is tuple for member in members(shape)
+        )
+
+    def stood_for(self, node: Entries, path: Path) -> Leaf | Items:
+        """Return the value for which a use of a param stands; what is wrong with it is added to the problems."""
+        use = node.entries["param"]
+        name = _name(node)
+        value = (self.row or {}).get(name, self.params.get(name))
+        if isinstance(value, Items) and self.row is not None and name in self.row:
+            return self._listed(node, name, value, path)
+        if not isinstance(value, Leaf) or (self.row is not None and value.value is None):
+            # A value that is no scalar, and one that a row lacks, is reported where it is defined.
+            if value is None:
+                self._add(path, use.mark, f"unknown param '{cut(name)}'{self._hint(name)}")
+            return Leaf(None, use.mark, note="unknown param")
+        leaf, refused = reckoned(node, name, value)
+        for refusal in refused:
+            self._add((*path, refusal.key) if refusal.key else path, refusal.mark, refusal.message)
+        if self.row is not None and name in self.row:
+            leaf.param = value.param
+        return leaf
+
+    def _listed(self, node: Entries, name: str, value: Items, path: Path) -> Leaf | Items:
+        mark = node.entries["param"].mark
+        if len(node.entries) > 1:
+            self._add(path, mark, f"param '{name}' is {found_text(value)}; nothing stands beside it")
+            return Leaf(None, mark, note="unknown param")
+        leaves = (item for item in value.items if isinstance(item, Leaf))
+        return Items([Leaf(one.value, mark, note=f"param '{name}'", param=one.param) for one in leaves], mark)
+
+    def _hint(self, name: str) -> str:
+        known = [*(self.row or ()), *self.params]
+        if name == THIS and self.row is None:
+            return (
+                "; 'this' is known only in a rule with repeat_for: there it is the name for which the rule is written"
+            )
+        return written_out(name, known) or nearest(name, known) or known_text(known, "param")
+
+    def _add(self, path: Path, mark: Mark, message: str) -> None:
+        self.problems.append(mark.problem(in_names(self.root, path), message))
+
+
+def _name(node: Entries) -> str:
+    use = node.entries["param"]
+    return str(use.value) if isinstance(use, Leaf) else ""
