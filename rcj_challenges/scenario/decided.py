@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from itertools import product
 
 from rcj_challenges.scenario.floor import floor_parts, on_floor
-from rcj_challenges.scenario.lint.shapes import lies_in, to_segment_m
+from rcj_challenges.scenario.floor_shapes import lies_in, to_segment_m
 from rcj_challenges.scenario.models.actions import SetSpot
 from rcj_challenges.scenario.models.places import Mirror, OnLine, UniformIn
 from rcj_challenges.scenario.models.scenario import Expectation, Scenario

@@ -7,7 +7,7 @@ from itertools import combinations
 from math import dist, inf
 
 from rcj_challenges.scenario.floor import floor_parts
-from rcj_challenges.scenario.lint.shapes import away_m, to_segment_m
+from rcj_challenges.scenario.floor_shapes import away_m, to_segment_m
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect
 from rcj_challenges.scenario.models.conditions import Distance
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.floor import floor_parts
+from rcj_challenges.scenario.floor_shapes import lies_in
 from rcj_challenges.scenario.lint.logic import Way, ways_to_hold, without_none
-from rcj_challenges.scenario.lint.shapes import lies_in
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect, lengths_s
 from rcj_challenges.scenario.models.actions import Remove, Score
 from rcj_challenges.scenario.models.conditions import Condition, Distance, HalfIs, InZone, Looks, Speed

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from rcj_challenges.scenario.checks.ground import Body, Floor, obstacle_bodies
 from rcj_challenges.scenario.floor import Corners, floor_parts, on_floor
-from rcj_challenges.scenario.lint.shapes import (
+from rcj_challenges.scenario.floor_shapes import (
     corners_of,
     points_in,
     segment_has_floor,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rcj_challenges.scenario.errors import listing
-from rcj_challenges.scenario.lint.shapes import lies_in
+from rcj_challenges.scenario.floor_shapes import lies_in
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect
 from rcj_challenges.scenario.models.actions import Place, Remove
 from rcj_challenges.scenario.models.conditions import HalfIs, InZone

@@ -1,4 +1,4 @@
-"""Zones, gates and points against the floor, for lint: exact for straight edges."""
+"""Zones, gates and points against the floor: exact for straight edges."""
 
 from __future__ import annotations
 
