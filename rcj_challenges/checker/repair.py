@@ -84,7 +84,7 @@ def repair(path: Path, out: Path, scenario: Scenario) -> Repaired:
     if hopeless:
         return Repaired(left=hopeless)
     result = Repaired(out)
-    data = _zipped(_corrected(found, result.done))
+    data = _zipped(_still_called(_corrected(found, result.done), found.opening.name.text, out, result.done))
     with PrivateFolders() as folders:
         # Under the name it will have: a team without a name is called after its archive.
         trial = folders.place / "trial" / out.name
@@ -225,6 +225,16 @@ def _named(files: Files, fallback: str, done: list[str]) -> Files:
     if codes - {"identity.name_file"}:
         done.append(f"wrote {NAME_FILE} anew: {name.text}")
     return _placed(files, name.path, _NAME_PATH, content)
+
+
+def _still_called(files: Files, shown: str, out: Path, done: list[str]) -> Files:
+    """Return the files with the name that the team is shown by, where that of its new file would take its place."""
+    name = find_team_name(files, out.name.removesuffix(".zip"))
+    in_a_document = any(trouble.code == "identity.name_document" for trouble in name.troubles)  # for the team to open
+    if name.given or name.text == shown or in_a_document:
+        return files
+    done.append(f"wrote {NAME_FILE}: {shown}, as the team is called by its file's name")
+    return dict(sorted((files | {_NAME_PATH: f"{shown}\n".encode()}).items()))
 
 
 def _with_a_logo(files: Files, done: list[str]) -> Files:

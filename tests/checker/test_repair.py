@@ -181,9 +181,12 @@ def test_a_folder_is_packed(tmp_path: Path) -> None:
 def test_a_single_program_is_packed_where_it_is_asked_for(tmp_path: Path) -> None:
     (tmp_path / "my_bot.py").write_bytes(PROGRAM)
     result = repair(tmp_path / "my_bot.py", tmp_path / "out.zip", scenario())
-    assert result.done == [f"packed the program as {ENTRY}"]
-    assert contents(tmp_path / "out.zip") == {ENTRY: PROGRAM}
-    assert [line for line in result.left if "team_name.txt" in line] == result.left
+    assert result.done == [
+        f"packed the program as {ENTRY}",
+        "wrote team_name.txt: my_bot, as the team is called by its file's name",
+    ]
+    assert contents(tmp_path / "out.zip") == {ENTRY: PROGRAM, "team_name.txt": b"my_bot\n"}
+    assert result.left == []
 
 
 def test_nothing_is_ever_overwritten(tmp_path: Path) -> None:
@@ -321,3 +324,31 @@ def test_the_name_that_is_kept_is_the_one_that_was_shown(tmp_path: Path) -> None
     _, out = repaired(tmp_path, data)
     assert inspect(out, scenario()).display_name == before
     assert contents(out)["team_name.txt"].decode() == f"{before}\n"
+
+
+@pytest.mark.parametrize("name", [None, b"", b"\n\n"])
+def test_a_team_that_is_called_by_its_file_s_name_keeps_it_in_a_file_called_otherwise(
+    tmp_path: Path, name: bytes | None
+) -> None:
+    files = {path: content for path, content in SOUND.items() if path != "team_name.txt"}
+    (tmp_path / "hanse 22.zip").write_bytes(plain(files if name is None else files | {"team_name.txt": name}))
+    result = repair(tmp_path / "hanse 22.zip", tmp_path / "hanse_fixed.zip", scenario())
+    assert result.done == ["wrote team_name.txt: hanse 22, as the team is called by its file's name"]
+    assert result.left == []
+    assert contents(tmp_path / "hanse_fixed.zip") == files | {"team_name.txt": b"hanse 22\n"}
+
+
+def test_a_team_that_is_called_by_its_file_s_name_needs_no_other_in_a_file_of_that_name(tmp_path: Path) -> None:
+    files = {path: content for path, content in SOUND.items() if path != "team_name.txt"}
+    result, out = repaired(tmp_path, plain(files))
+    assert result.done == []
+    assert contents(out) == files
+
+
+def test_a_name_in_a_document_is_left_to_the_team(tmp_path: Path) -> None:
+    files = {path: content for path, content in SOUND.items() if path != "team_name.txt"} | {"team_name.docx": b"PK"}
+    (tmp_path / "hanse.zip").write_bytes(plain(files))
+    result = repair(tmp_path / "hanse.zip", tmp_path / "hanse_fixed.zip", scenario())
+    assert result.done == []
+    assert "save the name as plain text in team_name.txt" in result.left[0]
+    assert contents(tmp_path / "hanse_fixed.zip") == files
