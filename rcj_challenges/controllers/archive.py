@@ -232,7 +232,6 @@ class _ZipReading:
         self._unsafe: dict[str, bytes] = {}
         self._complete = True
         self._spelled: dict[str, PurePosixPath] = {}
-        self._told_spellings: set[str] = set()
         self._most = min(MOST_UNPACKED_BYTES, max(FREE_UNPACKED_BYTES, MOST_RATIO * len(data)))
         self._left = self._most
         self._wasted = 0
