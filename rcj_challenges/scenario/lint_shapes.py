@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from itertools import pairwise
 from math import cos, hypot, pi, sin
 
-from rcj_challenges.scenario.floor import Corners, side
+from rcj_challenges.scenario.floor import Corners
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
-from rcj_challenges.scenario.outlines import Disc, Part, Point
+from rcj_challenges.scenario.outlines import Disc, Part, Point, side
 
 _FAR_M = 100.0
 """Stands for an open side; ten times the largest field."""
