@@ -14,10 +14,10 @@ GO = "for motor in motors:\n    motor.setVelocity(10)\n"
 LOOP = "while robot.step(32) != -1:\n    pass\n"
 
 
-def path_y(run, robot, half=1):
-    """Return [tick][sub-step] -> y; row 0 is tick 1."""
+def path_y(run, robot):
+    """Return [tick][sub-step] -> y in the first half; row 0 is tick 1."""
     entity = run.trajectory.entities.index(robot)
-    return np.array([[poses[entity][1] for poses in s.substeps] for s in run.trajectory.snapshots(half)])
+    return np.array([[poses[entity][1] for poses in s.substeps] for s in run.trajectory.snapshots(1)])
 
 
 def first_move(run, robot):
