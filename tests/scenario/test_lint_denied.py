@@ -2,17 +2,11 @@
 
 import pytest
 
-from rcj_challenges.scenario.lint import lint
-from rcj_challenges.scenario.load import load_text
-from tests.scenario.writing import HEAD, rule
+from tests.scenario.writing import findings, rule
 
 IN = "{condition: in_zone, entity: ball, zone: blue_goal}"
 OUT = "{condition: in_zone, entity: ball, zone: blue_goal, negate: true}"
 Y1_OUT = OUT.replace("ball", "Y1")
-
-
-def findings(body):
-    return [str(one) for one in lint(load_text(HEAD + body, file="a.yaml"))]
 
 
 def never_fires(condition):
