@@ -257,12 +257,7 @@ def _jsonable(value: Any) -> Any:
 def _without_param(schema: Any) -> Any:
     """Return a schema in which ``{param: …}`` is no choice."""
     if isinstance(schema, dict):
-        cleaned = {key: _without_param(value) for key, value in schema.items()}
-        options = cleaned.get("anyOf")
-        if isinstance(options, list) and len(options) == 1:
-            only = cleaned.pop("anyOf")[0]
-            cleaned |= {key: value for key, value in only.items() if key not in cleaned}
-        return cleaned
+        return {key: _without_param(value) for key, value in schema.items()}
     if isinstance(schema, list):
         return [_without_param(part) for part in schema if part != _PARAM_REF]
     return schema
