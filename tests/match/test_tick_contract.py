@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pytest
 
+from rcj_challenges.match.watching import Silent
 from rcj_challenges.world.errors import PhysicsFault
 from rcj_challenges.world.world import World
 from tests.match.programs import AHEAD, DRIVE, STAND
@@ -104,3 +105,17 @@ def test_a_clock_that_never_goes_on_ends_the_half_with_a_reason(play):
 def test_programs_are_told_the_end_by_minus_one(play, team_folder):
     says = STAND + "print('the end at', robot.getTime())\n"
     assert "the end at 1.024" in play("match.half_s=1", yellow=team_folder(says)).log("Y1")
+
+
+def test_watchers_are_asked_before_each_tick_in_order_and_once(play):
+    class Asked(Silent):
+        def __init__(self):
+            self.ticks = []
+
+        def before_tick(self, tick):
+            self.ticks.append(tick)
+            return 0.0
+
+    watcher = Asked()
+    play("match.half_s=0.32", watcher=watcher)
+    assert watcher.ticks == list(range(1, 11))

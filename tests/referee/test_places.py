@@ -270,7 +270,10 @@ class TestNoiseMirrorClearance:
     def test_noise_is_uniform_within_its_half_widths(self, stage):
         places = many(stage(placing("ball", "{point: [0, 0]}", ", noise_m: [0.1, 0.02]")))
         assert all(abs(x) <= 0.1 and abs(y) <= 0.02 for x, y in places)
-        assert max(abs(x) for x, _ in places) > 0.07
+        assert min(x for x, _ in places) < -0.07
+        assert max(x for x, _ in places) > 0.07
+        assert min(y for _, y in places) < -0.014
+        assert max(y for _, y in places) > 0.014
 
     @pytest.mark.parametrize(("axis", "to"), [("x", (-0.1, 0.2)), ("y", (0.1, -0.2)), ("both", (-0.1, -0.2))])
     def test_a_mirror_turns_the_place_over(self, stage, axis, to):
