@@ -112,7 +112,6 @@ class TestTriggerLeaves:
         play.play(2)
         assert len(play.events) == before == 1
 
-
     def test_an_absence_of_one_sub_step_is_not_missed(self, stage):
         play = stage(self.RULES)
         play.play()  # in the middle
