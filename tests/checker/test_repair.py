@@ -7,7 +7,7 @@ import sys
 import zipfile
 from collections import Counter
 from functools import cache
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from rcj_challenges.checker import repair as repairing
 from rcj_challenges.checker.archives import Inspection, inspect
-from rcj_challenges.checker.repair import Repaired, RepairError, repair
+from rcj_challenges.checker.repair import Repaired, RepairError, _Places, repair
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -321,3 +321,21 @@ def test_the_name_that_is_kept_is_the_one_that_was_shown(tmp_path: Path) -> None
     _, out = repaired(tmp_path, data)
     assert inspect(out, scenario()).display_name == before
     assert contents(out)["team_name.txt"].decode() == f"{before}\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "wanted", "free"),
+    [
+        (["robot1/robot1.py"], "robot1/tools.py", True),
+        (["robot1/robot1.py"], "robot1/robot1.py", False),
+        (["robot1/robot1.py"], "Robot1/ROBOT1.py", False),  # as on a computer that does not tell cases apart
+        (["robot1/robot1.py"], "robot1", False),
+        (["robot1"], "robot1/robot1.py", False),
+        ([], None, False),
+    ],
+)
+def test_a_place_is_free_where_no_file_and_no_folder_is(files, wanted, free):
+    places = _Places(map(PurePosixPath, files))
+    assert places.take(None if wanted is None else PurePosixPath(wanted)) is free
+    if free:
+        assert not places.take(PurePosixPath(wanted))
