@@ -257,10 +257,10 @@ CHAPTERS = (
 )
 
 
-def read_examples(folder: Path = WORDS) -> list[Example]:
+def read_examples() -> list[Example]:
     """Return all examples, in the order of files and lines."""
     found = []
-    for path in sorted(folder.glob("*.yaml")):
+    for path in sorted(WORDS.glob("*.yaml")):
         text = path.read_text(encoding="utf-8")
         parts = re.split(r"^--- # (.+)\n", text, flags=re.MULTILINE)[1:]
         found += [

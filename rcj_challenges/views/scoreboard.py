@@ -28,7 +28,7 @@ Criterion = RankByScore | RankByTime | RankByCounter
 _EVENTS_SHOWN = 6
 
 
-def watcher_for(console: Console, title: str, *, quiet: bool, shared: bool = False) -> Watcher:
+def watcher_for(console: Console, title: str, *, quiet: bool, shared: bool) -> Watcher:
     """Return the scoreboard in a terminal, plain lines elsewhere; if quiet what programs print, if that is asked for.
 
     Args:

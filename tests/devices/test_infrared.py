@@ -21,9 +21,9 @@ def bench() -> Bench:
     return bench
 
 
-def ball_heard(bench: Bench, robot: str = "Y1") -> list[Packet]:
+def ball_heard(bench: Bench) -> list[Packet]:
     bench.sense()
-    return bench.heard(robot, "ball receiver")
+    return bench.heard("Y1", "ball receiver")
 
 
 def test_the_worked_example(bench: Bench) -> None:
