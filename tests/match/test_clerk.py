@@ -4,6 +4,7 @@ import time
 
 import pytest
 
+from rcj_challenges.match.match import MatchInterruptedError
 from rcj_challenges.match.watching import Silent
 
 SAYS = """from controller import Robot
@@ -74,3 +75,16 @@ def test_by_the_clock_no_tick_is_judged_before_its_time(shared_place):
 
     shared_place.play("match.half_s=0.96", watcher=Timing(), real_time=True)
     assert all(at_s - began[0] >= 0.032 * (tick - 1) - 0.01 for tick, at_s in enumerate(began[1:], start=1))
+
+
+def test_of_a_match_that_is_broken_off_watchers_hear_that_it_is_over_and_not_complete(shared_place):
+    class Interrupting(Noting):
+        def ticked(self, snapshot, verdict):
+            super().ticked(snapshot, verdict)
+            if snapshot.tick == 5:
+                raise KeyboardInterrupt
+
+    watcher = Interrupting()
+    with pytest.raises(MatchInterruptedError):
+        shared_place.play("match.half_s=0.96", watcher=watcher)
+    assert watcher.ends == [("half", 1, 0), ("match", False, 6)]
