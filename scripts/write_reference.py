@@ -7,7 +7,6 @@ Usage: ``python scripts/write_reference.py [--check]``; with ``--check`` nothing
 
 from __future__ import annotations
 
-import inspect
 import re
 import sys
 from collections.abc import Iterator
@@ -19,7 +18,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
-from rcj_challenges.scenario.json_schema import keywords
+from rcj_challenges.scenario.json_schema import keywords, sentence_of
 from rcj_challenges.scenario.models import actions, conditions, field, places, robots, scenario, state, triggers
 from rcj_challenges.scenario.models.base import Colour, DurationS, EventName, Name, Names, Point
 from rcj_challenges.scenario.shape import bare, fields, is_model, is_union, members, tags, without_none
@@ -258,10 +257,10 @@ CHAPTERS = (
 )
 
 
-def read_examples(folder: Path = WORDS) -> list[Example]:
+def read_examples() -> list[Example]:
     """Return all examples, in the order of files and lines."""
     found = []
-    for path in sorted(folder.glob("*.yaml")):
+    for path in sorted(WORDS.glob("*.yaml")):
         text = path.read_text(encoding="utf-8")
         parts = re.split(r"^--- # (.+)\n", text, flags=re.MULTILINE)[1:]
         found += [
@@ -277,18 +276,13 @@ def example_of(word: Word, chapter: Chapter, examples: list[Example]) -> Example
     return min(fitting, key=lambda example: (example.file != chapter.file, len(example.words)), default=None)
 
 
-def sentence(model: type[BaseModel]) -> str:
-    """Return the first paragraph of a model's docstring."""
-    return " ".join((inspect.getdoc(model) or "").partition("\n\n")[0].split()).replace("``", "`")
-
-
 # --- the page ---------------------------------------------------------------------------------------------------------
 
 
 def page() -> str:
     """Return the whole page."""
     examples = read_examples()
-    lines = [_INTRO, "## The file\n", sentence(scenario.Scenario) + "\n", *_table(scenario.Scenario, "")]
+    lines = [_INTRO, "## The file\n", sentence_of(scenario.Scenario) + "\n", *_table(scenario.Scenario, "")]
     for name in ("params", "groups"):
         example = next(one for one in examples if name in one.words)
         lines += [f"\nAn example of `{name}`:\n", "```yaml", example.text.rstrip(), "```"]
@@ -297,7 +291,7 @@ def page() -> str:
         shown: dict[Example, str] = {}
         for word in chapter.words:
             heading = f"{word.name} (value)" if chapter.title == "Values" else word.name
-            lines += [f"\n### {heading}\n", sentence(word.model) + "\n", *_table(word.model, chapter.tag)]
+            lines += [f"\n### {heading}\n", sentence_of(word.model) + "\n", *_table(word.model, chapter.tag)]
             example = example_of(word, chapter, examples)
             if example is None:
                 continue

@@ -29,6 +29,7 @@ from rcj_challenges.facts.errors import (
 )
 from rcj_challenges.facts.shown import shown, shown_block
 from rcj_challenges.records.errors import RecordError, UnwritableError
+from rcj_challenges.records.logos import PNG_SIGNATURE
 from rcj_challenges.scenario.load import Loaded
 
 if TYPE_CHECKING:
@@ -47,7 +48,6 @@ PLAY_S = 10.0
 
 _MOST_OUTPUT_LINES = 200
 _MOST_LOGO_BYTES = 500_000
-_PNG = b"\x89PNG\r\n\x1a\n"
 
 
 @dataclass(frozen=True)
@@ -352,4 +352,4 @@ def _keep_replay(match: Rehearsed, named: Called, folder: Path) -> Path:
 def _logo(inspection: Inspection | None) -> bytes | None:
     """Return a logo that a page can show."""
     logo = inspection.logo if inspection is not None else None
-    return logo if logo is not None and logo.startswith(_PNG) and len(logo) <= _MOST_LOGO_BYTES else None
+    return logo if logo is not None and logo.startswith(PNG_SIGNATURE) and len(logo) <= _MOST_LOGO_BYTES else None

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rcj_challenges.facts.errors import RcjError
-from rcj_challenges.records.logos import MOST_LOGO_BYTES, MOST_LOGO_SIDE
+from rcj_challenges.records.logos import MOST_LOGO_BYTES, MOST_LOGO_SIDE, PNG_SIGNATURE
 
 if TYPE_CHECKING:
     from PIL import Image
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 MOST_PIXELS = 12_000_000
 """Pixels that are unpacked at most: 48 MB with four bytes each. The largest logo seen had 6.25 million."""
 
-_PNG = b"\x89PNG\r\n\x1a\n"
 _JPEG_SIZES = frozenset({*range(0xC0, 0xD0)} - {0xC4, 0xC8, 0xCC})  # markers of frames, which hold the size
 _MOST_PARTS = 10_000
 _MOTION_WITHIN = 4096  # the marks of animation stand before the first picture
@@ -155,7 +154,7 @@ def _webp_size(data: bytes) -> tuple[int, int]:
 
 
 _KINDS: tuple[tuple[bytes, str, Callable[[bytes], tuple[int, int]], bytes], ...] = (
-    (_PNG, "PNG", _png_size, b"acTL"),
+    (PNG_SIGNATURE, "PNG", _png_size, b"acTL"),
     (b"\xff\xd8\xff", "JPEG", _jpeg_size, b""),
     (b"GIF87a", "GIF", _gif_size, b""),
     (b"GIF89a", "GIF", _gif_size, b"NETSCAPE2.0"),

@@ -75,7 +75,7 @@ class Empty:
     spare: bool
 
 
-def layout_findings(opening: Opening, seats: Sequence[Entrant], others: Sequence[str] = ()) -> list[Finding]:
+def layout_findings(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) -> list[Finding]:
     """Tell what is odd about the places of a submission's files.
 
     Args:

@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from rcj_challenges.checker.rehearsal import Rehearsed
 
 REPORT_VERSION = 1
-SCHEMA_FILE = "check.schema.json"
 
 
 class _Part(BaseModel):

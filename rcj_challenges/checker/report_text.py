@@ -19,6 +19,7 @@ from rcj_challenges.checker.report import (
     MatchReport,
     StageReport,
 )
+from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.shown import shown
 
 WORDS: dict[Level, str] = {"passed": "ok", "warning": "warning", "failure": "failure", "unchecked": "not checked"}
@@ -80,15 +81,15 @@ def verdict(file: FileReport) -> str:
     failures, warnings = file.count("failure"), file.count("warning")
     if file.level == "unchecked":
         whose = "a fault of the check itself" if file.our_fault else "a matter of this computer"
-        known = f" What failed before ({_count(failures, 'failure')}) stands." if failures else ""
+        known = f" What failed before ({counted(failures, 'failure')}) stands." if failures else ""
         return f"Not checked: {file.hindrance}. That is {whose} and says nothing about the team.{known}"
-    noticed = f", {_count(warnings, 'warning')}" if warnings else ""
+    noticed = f", {counted(warnings, 'warning')}" if warnings else ""
     if failures:
         found = [finding for stage in file.stages for finding in stage.findings if finding.level == "failure"]
         mendable = sum(finding.repair for finding in found)
         amount = "this" if mendable == len(found) else "part of this"
         hint = f"; --fix OUT.zip puts {amount} right" if mendable else ""
-        return f"It cannot play like this: {_count(failures, 'failure')}{noticed}{hint}."
+        return f"It cannot play like this: {counted(failures, 'failure')}{noticed}{hint}."
     if any(stage.skipped for stage in file.stages):
         return f"In order as far as it was looked at{noticed}."
     return f"It will play{noticed}."
@@ -130,15 +131,15 @@ def _print_left_out(console: Console, report: CheckReport) -> None:
 def summary(report: CheckReport) -> str:
     """Return how many submissions passed, as a sentence."""
     counts = report.summary
-    parts = [f"{counts.passed} ok", _count(counts.warning, "warning"), _count(counts.failure, "failure")]
+    parts = [f"{counts.passed} ok", counted(counts.warning, "warning"), counted(counts.failure, "failure")]
     if counts.unchecked:
         parts.append(f"{counts.unchecked} not checked")
     if report.lost_replays:
-        parts.append(f"{_count(report.lost_replays, 'replay')} not written")
+        parts.append(f"{counted(report.lost_replays, 'replay')} not written")
     if report.left_out:
         parts.append(f"{len(report.left_out)} not looked at")
     interrupted = "interrupted, " if report.interrupted else ""
-    return f"{interrupted}{_count(counts.files, 'submission')}: {', '.join(parts)}"
+    return f"{interrupted}{counted(counts.files, 'submission')}: {', '.join(parts)}"
 
 
 def first_finding(file: FileReport) -> FindingReport | None:
@@ -218,10 +219,6 @@ def _print_outputs(console: Console, match: MatchReport) -> None:
 
 def _say(console: Console, content: RenderableType) -> None:
     console.print(content, markup=False, highlight=False)
-
-
-def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
 def progress_line(done: int, total: int, file: FileReport) -> str:

@@ -8,6 +8,7 @@ from dataclasses import asdict
 from typing import Any
 
 from rcj_challenges.cli.says import say_json, say_no_more
+from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.letters import READABLE
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.halves import half_lengths_s
@@ -44,7 +45,7 @@ def validate_files(
             report |= {"summary": _summary(loaded), "findings": [finding.as_json() for finding in findings]}
             code = max(code, 1 if strict and findings else 0)
             if not as_json:
-                warned = f"; {_count(len(findings), 'warning')}" if findings else ""
+                warned = f"; {counted(len(findings), 'warning')}" if findings else ""
                 verdict = "no" if strict and findings else "ok"
                 say(f"{verdict}  {path}: {_summary(loaded)}{warned}", sys.stdout)
                 for finding in findings:
@@ -64,17 +65,13 @@ def _summary(loaded: Loaded) -> str:
     lengths = " + ".join(f"{one:g}" for one in (lengths_s[:1] if alike else lengths_s))
     counts = ", ".join(
         (
-            _count(len(scenario.robots), "robot"),
-            _count(len(scenario.entrants), "entrant"),
-            _count(len(scenario.rules), "rule"),
-            _count(len(scenario.expect), "test"),
+            counted(len(scenario.robots), "robot"),
+            counted(len(scenario.entrants), "entrant"),
+            counted(len(scenario.rules), "rule"),
+            counted(len(scenario.expect), "test"),
         )
     )
     return f"{scenario.title} ({counts}; {halves}{lengths} s)"
-
-
-def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
 def say(text: str, stream: object) -> None:

@@ -79,7 +79,6 @@ class Contents:
         troubles: everything odd about it.
         complete: whether nothing is missing because it could not be read.
         unsafe: files whose names must not be used, by the name they came with.
-        packed_bytes: size of the archive; 0 for a folder.
     """
 
     kind: Literal["folder", "zip", "program"]
@@ -87,7 +86,6 @@ class Contents:
     troubles: tuple[Trouble, ...] = ()
     complete: bool = True
     unsafe: dict[str, bytes] = field(default_factory=dict)
-    packed_bytes: int = 0
 
     @property
     def refused(self) -> list[Trouble]:
@@ -139,8 +137,8 @@ def _no_files() -> Trouble:
     return Trouble("archive.empty", "failure", "there are no files in it", "is this the folder of the robot programs?")
 
 
-def _unreadable(kind: Literal["folder", "zip", "program"], *troubles: Trouble, packed_bytes: int = 0) -> Contents:
-    return Contents(kind, {}, troubles, complete=False, packed_bytes=packed_bytes)
+def _unreadable(kind: Literal["folder", "zip", "program"], *troubles: Trouble) -> Contents:
+    return Contents(kind, {}, troubles, complete=False)
 
 
 def _from_folder(folder: Path) -> Contents:
@@ -216,9 +214,9 @@ def _from_zip(path: Path) -> Contents:
     for at, magic, kind in _KINDS:
         if head[at:].startswith(magic):
             message, remedy = f"this is {kind}, not a ZIP", "pack the folder as a ZIP archive"
-            return _unreadable("zip", Trouble("archive.other_kind", "failure", message, remedy), packed_bytes=size)
+            return _unreadable("zip", Trouble("archive.other_kind", "failure", message, remedy))
     if max(size, len(data)) > MOST_PACKED_BYTES:
-        return _unreadable("zip", _too_large(max(size, len(data))), packed_bytes=size)
+        return _unreadable("zip", _too_large(max(size, len(data))))
     return _ZipReading(data).contents()
 
 
@@ -232,7 +230,6 @@ class _ZipReading:
         self._unsafe: dict[str, bytes] = {}
         self._complete = True
         self._spelled: dict[str, PurePosixPath] = {}
-        self._told_spellings: set[str] = set()
         self._most = min(MOST_UNPACKED_BYTES, max(FREE_UNPACKED_BYTES, MOST_RATIO * len(data)))
         self._left = self._most
         self._wasted = 0
@@ -243,7 +240,7 @@ class _ZipReading:
             entries = zipped.read_entries(self._data, self._troubles)
         except zipped.UnreadableError as error:
             self._troubles.add(error.trouble)
-            return _unreadable("zip", *self._troubles, packed_bytes=len(self._data))
+            return _unreadable("zip", *self._troubles)
         used = [entry for entry in entries if not ignored(path_of(entry.name).parts)]
         self._tell_leftovers([entry for entry in entries if ignored(path_of(entry.name).parts)])
         self._tell_guessed([entry for entry in used if entry.guessed])
@@ -254,7 +251,7 @@ class _ZipReading:
         if not self._files and not self._unsafe and self._complete:
             self._troubles.add(_no_files())
         files = dict(sorted(self._files.items()))
-        return Contents("zip", files, tuple(self._troubles), self._complete, self._unsafe, len(self._data))
+        return Contents("zip", files, tuple(self._troubles), self._complete, self._unsafe)
 
     def _refuse(self, code: str, message: str, remedy: str, where: str = "", *, repair: bool = False) -> None:
         self._troubles.add(Trouble(code, "failure", message, remedy, where, repair))

@@ -46,7 +46,6 @@ class Crew:
 
     Attributes:
         programs: by the robot's name, in the order in which they were added.
-        layers: of isolation, active for each of them.
     """
 
     def __init__(self, plan: CrewPlan) -> None:
@@ -56,7 +55,7 @@ class Crew:
             IsolationError: the plan demands what cannot be had here.
         """
         self._plan = plan
-        self.layers = active_layers(plan.sandbox)
+        active_layers(plan.sandbox)  # refuses what cannot be had
         self.programs: dict[str, Program] = {}
         self._folders: PrivateFolders | None = None
 

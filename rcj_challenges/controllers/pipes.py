@@ -299,7 +299,7 @@ class ThreadedPipes:
                 return
 
 
-def open_channel(read_fd: int, write_fd: int, limit_bytes: int, *, portable: bool | None = None) -> Channel:
+def open_channel(read_fd: int, write_fd: int, limit_bytes: int, *, portable: bool | None) -> Channel:
     """Return the best channel for this platform.
 
     Args:

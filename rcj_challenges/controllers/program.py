@@ -453,7 +453,7 @@ class Program:
             return None
         return "output_flood", f"the program printed more than {self._limits.output_mb:g} MB"
 
-    def _holds_too_much(self, times: float = 1.0) -> tuple[str, str] | None:
+    def _holds_too_much(self, times: float) -> tuple[str, str] | None:
         """Return whether too much is in its folder, or too many threads run. This takes its time."""
         if self._assignment.debug:
             return None

@@ -40,7 +40,6 @@ class DeviceRack:
         fitted = fit(scenario, roster)
         robots = driven_robots(scenario, roster)
         self.specs: dict[int, RobotSpec] = robot_specs(scenario, roster, fitted)
-        self._ground = world
         self._poses = Poses(scenario, roster, world)
         self._queues = {robot: Queue() for robot in robots}
         sonars = [one for one in fitted if one.spec.kind == "distance_sensor"]

@@ -34,16 +34,14 @@ class Emitter:
 
     Attributes:
         robot: index of the robot.
-        device: index of the emitter among its robot's devices.
         range_m: how far it is heard, in m.
         waiting: (tick of arrival, channel, data) of what has not arrived.
         to_referee: (tick of arrival, data) of what the referee has not heard.
     """
 
-    def __init__(self, robot: int, device: int, range_m: float, baud: int, max_packet_bytes: int) -> None:
+    def __init__(self, robot: int, range_m: float, baud: int, max_packet_bytes: int) -> None:
         """Build an emitter that has nothing to send."""
         self.robot = robot
-        self.device = device
         self.range_m = range_m
         self._per_tick = baud * TICK_MS
         self._max_packet_bytes = max_packet_bytes

@@ -60,7 +60,7 @@ class RadioRoom:
                 else:
                     radios.append((one, receiver))
             elif isinstance(one.device, TeamEmitterDevice):
-                self._emitters[key] = Emitter(*key, facts["range"], facts["baud_rate"], facts["max_packet_bytes"])
+                self._emitters[key] = Emitter(one.robot, facts["range"], facts["baud_rate"], facts["max_packet_bytes"])
             if "refused_channels" in facts:
                 self._refused[key] = frozenset(facts["refused_channels"])
             if "referee_channels" in facts:

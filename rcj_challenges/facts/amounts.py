@@ -4,6 +4,9 @@ from __future__ import annotations
 
 _DECIMALS = 9
 
+Score = int | float
+"""Points of a team, or what a counter counts: decimal points are allowed."""
+
 MOST = 10**15
 """Scores and counters stay between this and its negative: up to there every whole number is a float of its own, here
 and in a browser."""
@@ -21,6 +24,11 @@ def on_paper(value: float) -> int | float:
     the ranking see the same number. One that grows beyond `MOST` stays there.
     """
     return plain(round(within_most(value), _DECIMALS))
+
+
+def counted(number: int, noun: str) -> str:
+    """Return so many of a thing in words: ``1 rule``, ``3 rules``."""
+    return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
 def within_most(value: float) -> int | float:

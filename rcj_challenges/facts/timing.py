@@ -30,11 +30,6 @@ def whole_ticks_within_s(duration_s: float) -> int:
     return up if math.isclose(up * TICK_S, duration_s, rel_tol=1e-9, abs_tol=1e-9) else max(0, up - 1)
 
 
-def ticks_from_ms(duration_ms: float) -> int:
-    """Return the ticks that a program's ``step(ms)`` covers: at least one, rounded up."""
-    return max(1, math.ceil(duration_ms / TICK_MS))
-
-
 def s_from_ticks(ticks: int) -> float:
     """Return simulated seconds at a tick, rounded to the millisecond so that 3560 ticks are 113.92."""
     return round(ticks * TICK_MS / 1000, 3)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from rcj_challenges.facts.amounts import Score
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.ranking import Tally, ranking
@@ -12,8 +13,6 @@ from rcj_challenges.scenario.seats import by_team
 
 if TYPE_CHECKING:  # it is loaded while programs start
     from rcj_challenges.referee.engine import Referee
-
-Score = int | float
 
 
 class Carried:

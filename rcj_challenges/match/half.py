@@ -77,7 +77,7 @@ class HalfPlay:
         half: HalfInfo,
         on_tick: OnTick,
         on_fault: Callable[[Fault], None],
-        before_tick: Callable[[int], None] | None = None,
+        before_tick: Callable[[int], None],
     ) -> None:
         """Prepare the half.
 
@@ -109,10 +109,8 @@ class HalfPlay:
             PhysicsFault: the simulation became unstable.
         """
         verdict = self._begin()
-        before_tick = self._before_tick
         while goes_on(self._stage.referee, verdict, self.tick, self._half):
-            if before_tick is not None:
-                before_tick(self.tick + 1)
+            self._before_tick(self.tick + 1)
             verdict = self._one_tick(self.tick + 1)
         closing = self._stage.referee.finish()
         # A half that is over cannot be ended once more, the match can.

@@ -18,8 +18,10 @@ MOST_LOGO_BYTES = 1_000_000
 MOST_LOGO_SIDE = 1024
 """Pixels. Teams have handed in 2500 (reference, section 7): such a picture unpacks to 25 MB in every browser."""
 
+PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+"""The bytes with which every PNG begins."""
+
 _FILE = "logo.png"
-_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 _CHUNK_HEAD = struct.Struct(">I4s")
 _IHDR = struct.Struct(">IIBBBBB")
 _KEPT = (b"IHDR", b"PLTE", b"tRNS", b"IDAT", b"IEND")
@@ -53,7 +55,7 @@ def checked_png(data: bytes) -> bytes:
     Raises:
         LogoError: it is no PNG, is damaged, or is too large.
     """
-    if not data.startswith(_SIGNATURE):
+    if not data.startswith(PNG_SIGNATURE):
         kind = next((kind for magic, kind in _OTHER_KINDS if data.startswith(magic)), "no PNG")
         raise LogoError(f"it is {kind}")
     if len(data) > MOST_LOGO_BYTES:
@@ -65,11 +67,11 @@ def checked_png(data: bytes) -> bytes:
         raise LogoError("it is damaged: its parts are out of order")
     header = chunks[0][1]
     _check_pixels(header, b"".join(body for kind, body in chunks if kind == b"IDAT"), palette=b"PLTE" in kinds)
-    return _SIGNATURE + b"".join(_written(kind, body) for kind, body in chunks)
+    return PNG_SIGNATURE + b"".join(_written(kind, body) for kind, body in chunks)
 
 
 def _chunks(data: bytes) -> Iterator[tuple[bytes, bytes]]:
-    at = len(_SIGNATURE)
+    at = len(PNG_SIGNATURE)
     while True:
         if at + _CHUNK_HEAD.size + 4 > len(data):
             raise LogoError("it is damaged: it ends too early")

@@ -10,7 +10,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
-from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.amounts import Score, on_paper
 from rcj_challenges.facts.play import Fault, Firing, HalfInfo, Snapshot, Verdict
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.records.digest import Digest
@@ -38,8 +38,6 @@ from rcj_challenges.records.track import TrackWriter, write_all
 from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
-
-Score = int | float
 
 
 @dataclass(frozen=True)

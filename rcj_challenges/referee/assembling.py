@@ -18,8 +18,8 @@ from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.other import for_other, names_other, others_of
 
 
-def assemble(workshop: Workshop) -> list[StandingRule]:
-    """Compile all rules of the workshop's scenario: lower priority first, then file order, then entity order."""
+def assemble(workshop: Workshop) -> None:
+    """Compile all rules of a workshop's scenario into it: lower priority first, then file order, then entity order."""
     rules = workshop.scenario.rules
     standing = [
         (rule.priority, number, place, turn, one)
@@ -32,7 +32,6 @@ def assemble(workshop: Workshop) -> list[StandingRule]:
         rule.rank = rank
     for *_, rule in standing:
         _compile(rules[rule.name], rule, workshop)
-    return [rule for *_, rule in standing]
 
 
 def _members(rule: Rule, workshop: Workshop) -> tuple[str | None, ...]:

@@ -102,7 +102,7 @@ class Workshop:
         self.roster = state.roster
         self.hits = Hits()
         self.track = Track()
-        self.lookout = Lookout(state, self.track)
+        self.lookout = Lookout(state)
         self.moments = Moments()
         self.contacts = Contacts(state.roster.robots)
         self.bodies = Bodies(state.scenario, state.roster)

@@ -73,7 +73,7 @@ def _comparison(
     model: Any, workshop: Workshop, each: str | None,
     rounded: Callable[[Number], Number] = _as_it_is, counted: Callable[[Number], Number] = _as_it_is,
 ) -> Callable[[Number], bool]:  # fmt: skip
-    """Return the comparison of a model with at_least, at_most and equals; without any: is it other than 0?
+    """Return the comparison of a model with at_least, at_most and equals, of which it has one at least.
 
     Bounds are rounded as asked: as what is compared with them is. What is compared with a counter is taken as `counted`
     says: as it would be counted.
@@ -82,8 +82,6 @@ def _comparison(
         None if bound is None else compile_bound(bound, workshop, each)
         for bound in (model.at_least, model.at_most, model.equals)
     )
-    if least is None and most is None and equals is None:
-        return lambda value: value != 0
     for_least, for_most, for_equals = (
         _as_it_is if isinstance(bound, int | float) else counted
         for bound in (model.at_least, model.at_most, model.equals)

@@ -38,8 +38,6 @@ class Contacts:
     def advance(self, touches: Touches) -> None:
         """Go through the sub-steps of a tick."""
         self.fresh.clear()
-        if not touches:
-            self._touching = frozenset()
         for pairs in touches:
             if not pairs and not self._touching:
                 continue

@@ -63,7 +63,7 @@ class Referee:
         self._workshop = Workshop(self._state)
         self._workshop.emit = self._emit
         self._workshop.enter_phase = self._enter_phase
-        self._rules = assemble(self._workshop)
+        assemble(self._workshop)
         self._state.decide_draws(draws or {})
         self._state.decide_spots(spots or {})
         self._lookout, self._hits = self._workshop.lookout, self._workshop.hits

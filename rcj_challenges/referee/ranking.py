@@ -6,10 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from rcj_challenges.facts.amounts import on_paper, within_most
+from rcj_challenges.facts.amounts import Score, on_paper, within_most
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
-
-Score = int | float
 
 
 @dataclass(frozen=True)

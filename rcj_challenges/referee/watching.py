@@ -145,9 +145,8 @@ class _Alive:
 class Lookout:
     """Follows all watches that live in the present phase."""
 
-    def __init__(self, state: State, track: Track) -> None:
+    def __init__(self, state: State) -> None:
         self._state = state
-        self._track = track
         self._watches: list[Watch] = []
         self._phases: dict[str, _Alive] = {}
         self._alive = _Alive((), "", len(state.roster.entities))

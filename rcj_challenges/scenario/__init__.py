@@ -2,4 +2,8 @@
 
 Belongs here: everything that turns YAML into a checked `Scenario`, and names into indices. Does not belong here:
 physics, rules that run, anything that needs MuJoCo.
+
+On the way from a file to a scenario: `reading` (what is written, and where; bases, params, rules that are repeated),
+`models` (its form), `checks` (all else that must hold), `messages` (how it is told what is wrong); `load` has the
+order. Then `lint` tells what is legal and hardly meant.
 """

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rcj_challenges.scenario.models.field import FieldModel
-from rcj_challenges.scenario.outlines import Point
+from rcj_challenges.scenario.outlines import Point, side
 
 Corners = tuple[Point, ...]
 
@@ -25,8 +25,3 @@ def floor_parts(field: FieldModel) -> list[Corners]:
 def on_floor(point: Point, parts: Sequence[Corners]) -> bool:
     """Return whether a point is on the floor."""
     return any(all(side(a, b, point) >= 0 for a, b in zip(p, (*p[1:], p[0]), strict=True)) for p in parts)
-
-
-def side(a: Point, b: Point, p: Point) -> float:
-    """Return on which side of the line from a to b a point is: over 0 on the left, under 0 on the right."""
-    return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from itertools import pairwise
 from math import cos, hypot, pi, sin
 
-from rcj_challenges.scenario.floor import Corners, side
+from rcj_challenges.scenario.floor import Corners
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
-from rcj_challenges.scenario.outlines import Disc, Part, Point
+from rcj_challenges.scenario.outlines import Disc, Part, Point, side
 
 _FAR_M = 100.0
 """Stands for an open side; ten times the largest field."""
@@ -16,6 +16,7 @@ _NOTHING_M2 = 1e-12
 _ARC_CORNERS = 180
 _DISC_CORNERS = 24
 """Enough for an obstacle, of which only a rough share is asked for, and quick to cut."""
+_ALONG = 25
 
 
 def zone_has_floor(zone: Zone, parts: Sequence[Corners]) -> bool:
@@ -134,11 +135,11 @@ def lies_in(point: Point, zone: Zone) -> bool:
     return _holds(_corners(zone), point) != zone.inverted
 
 
-def points_in(zone: Zone, along: int = 25) -> list[Point]:
-    """Return points of a bounded zone on a grid of at most ``along`` times ``along``, fewer where it is no rect."""
+def points_in(zone: Zone) -> list[Point]:
+    """Return points of a bounded zone on a grid of `_ALONG` times `_ALONG`, fewer where it is no rect."""
     corners = _corners(zone)
     (x_0, x_1), (y_0, y_1) = ((min(axis), max(axis)) for axis in zip(*corners, strict=True))
-    grid = [(i + 0.5) / along for i in range(along)]
+    grid = [(i + 0.5) / _ALONG for i in range(_ALONG)]
     points = [(x_0 + i * (x_1 - x_0), y_0 + j * (y_1 - y_0)) for i in grid for j in grid]
     return [point for point in points if _holds(corners, point)]
 

@@ -62,7 +62,7 @@ def scenario_schema() -> _Json:
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "RCJ Challenges scenario",
-        "description": _sentence(Scenario),
+        "description": sentence_of(Scenario),
         "type": "object",
         "properties": properties,
         "additionalProperties": False,
@@ -87,7 +87,7 @@ def schema_is_fresh(folder: Path | None = None) -> bool:
     return file.is_file() and file.read_text(encoding="utf-8") == schema_text()
 
 
-def _sentence(model: type[BaseModel]) -> str:
+def sentence_of(model: type[BaseModel]) -> str:
     """Return the first paragraph of a model's docstring on one line."""
     return " ".join((inspect.getdoc(model) or "").partition("\n\n")[0].split()).replace("``", "`")
 
@@ -112,7 +112,7 @@ class _Writer:
             schema = _bounded(schema, keywords([info], shape))
         if "const" in schema and not info.is_required():  # what tells forms apart has no default
             schema = _or_param(schema)
-        description = info.description or (_sentence(model) if "const" in schema else "")
+        description = info.description or (sentence_of(model) if "const" in schema else "")
         described = {"description": description} if description else {}
         default = {} if info.default in (PydanticUndefined, None) else {"default": _jsonable(info.default)}
         examples = {"examples": info.examples} if info.examples else {}
@@ -182,7 +182,7 @@ class _Writer:
             required = [info.alias or key for key, info in model.model_fields.items() if info.is_required()]
             self.definitions[name] = {
                 "type": "object",
-                "description": _sentence(model),
+                "description": sentence_of(model),
                 "properties": self.properties(model, partial=partial),
                 **({"required": required} if required and not partial else {}),
                 "additionalProperties": False,
@@ -257,12 +257,7 @@ def _jsonable(value: Any) -> Any:
 def _without_param(schema: Any) -> Any:
     """Return a schema in which ``{param: …}`` is no choice."""
     if isinstance(schema, dict):
-        cleaned = {key: _without_param(value) for key, value in schema.items()}
-        options = cleaned.get("anyOf")
-        if isinstance(options, list) and len(options) == 1:
-            only = cleaned.pop("anyOf")[0]
-            cleaned |= {key: value for key, value in only.items() if key not in cleaned}
-        return cleaned
+        return {key: _without_param(value) for key, value in schema.items()}
     if isinstance(schema, list):
         return [_without_param(part) for part in schema if part != _PARAM_REF]
     return schema

@@ -112,15 +112,16 @@ def is_simple(points: Sequence[Point]) -> bool:
             c, d = edges[j]
             if j == i + 1 or (i == 0 and j == count - 1):
                 shared, p, q = (b, a, d) if j == i + 1 else (a, b, c)
-                if _turn(p, shared, q) == 0 and _between(shared, p, q) is False:
+                if side(p, shared, q) == 0 and _between(shared, p, q) is False:
                     return False  # doubles back on itself
             elif _meet(a, b, c, d):
                 return False
     return True
 
 
-def _turn(a: Point, b: Point, c: Point) -> float:
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+def side(a: Point, b: Point, p: Point) -> float:
+    """Return on which side of the line from a to b a point is: over 0 on the left, under 0 on the right."""
+    return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
 
 
 def _between(p: Point, a: Point, b: Point) -> bool:
@@ -129,8 +130,8 @@ def _between(p: Point, a: Point, b: Point) -> bool:
 
 
 def _meet(a: Point, b: Point, c: Point, d: Point) -> bool:
-    turns = (_turn(a, b, c), _turn(a, b, d), _turn(c, d, a), _turn(c, d, b))
-    if turns[0] * turns[1] < 0 and turns[2] * turns[3] < 0:
+    sides = (side(a, b, c), side(a, b, d), side(c, d, a), side(c, d, b))
+    if sides[0] * sides[1] < 0 and sides[2] * sides[3] < 0:
         return True
     on = ((c, a, b), (d, a, b), (a, c, d), (b, c, d))
-    return any(turn == 0 and _between(p, q, r) for turn, (p, q, r) in zip(turns, on, strict=True))
+    return any(at == 0 and _between(p, q, r) for at, (p, q, r) in zip(sides, on, strict=True))

@@ -9,9 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from rcj_challenges.facts.amounts import Score
 from rcj_challenges.scenario.models.scenario import Scenario
-
-Score = int | float
 
 
 def teams_by_seat(scenario: Scenario, half: int) -> dict[str, str]:

@@ -171,9 +171,6 @@ def chosen(shape: Shape, node: Node) -> Shape:
     fitting = [member for member in members(kind) if _fits(bare(member).kind, node)]
     if isinstance(node, Entries) and len(fitting) > 1:
         return max(fitting, key=lambda member: _likeness(bare(member).kind, node))
-    if isinstance(node, Leaf) and len(fitting) > 1:
-        # One of the listed words is that; any other text belongs to the member that takes any.
-        fitting.sort(key=lambda member: _reluctance(bare(member).kind, node))
     return fitting[0] if fitting else None
 
 
@@ -181,12 +178,6 @@ def _likeness(model: type[BaseModel], node: Entries) -> float:
     """Return how many of a mapping's keys a model knows; a misspelt one counts for half."""
     known = fields(model)
     return sum(1.0 if key in known else 0.5 * bool(nearest(key, known)) for key in node.entries)
-
-
-def _reluctance(kind: Any, leaf: Leaf) -> int:
-    if get_origin(kind) is not Literal:
-        return 1
-    return 0 if leaf.value in get_args(kind) else 2
 
 
 def _fits(kind: Any, node: Node) -> bool:

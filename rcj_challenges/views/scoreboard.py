@@ -28,7 +28,7 @@ Criterion = RankByScore | RankByTime | RankByCounter
 _EVENTS_SHOWN = 6
 
 
-def watcher_for(console: Console, title: str, *, quiet: bool, shared: bool = False) -> Watcher:
+def watcher_for(console: Console, title: str, *, quiet: bool, shared: bool) -> Watcher:
     """Return the scoreboard in a terminal, plain lines elsewhere; if quiet what programs print, if that is asked for.
 
     Args:
@@ -197,12 +197,10 @@ class Scoreboard(Silent):
         self._console = console
         self._title = title
         self._events: deque[Text] = deque(maxlen=_EVENTS_SHOWN)
-        self._half: HalfInfo | None = None
         self._live = Live(console=console, auto_refresh=False, transient=True)
 
     def half_started(self, half: HalfInfo) -> None:
         """Put the board up."""
-        self._half = half
         self._live.start()
         self._draw(Progress(half, 0, 0, dict(half.scores), "play", 0.0, 0.0))
 

@@ -379,6 +379,9 @@ def test_the_page_for_teams_lists_every_message_with_its_level_and_whether_it_is
         (pictures.png(30, 20), Picture("PNG", 30, 20)),
         (pictures.animated_png(), Picture("PNG", 8, 8, animated=True)),
         (pictures.jpeg_head(30, 20), Picture("JPEG", 30, 20)),
+        (pictures.jpeg_head(30, 20).replace(b"\xff\xc0", b"\xff\xff\xff\xc2"), Picture("JPEG", 30, 20)),
+        (pictures.jpeg_head(30, 20).replace(b"\xff\xc0", b"\x00\xc0"), Picture("JPEG", 0, 0)),  # no marker there
+        (pictures.jpeg_head(30, 20)[:28], Picture("JPEG", 0, 0)),  # cut off within its size
         (pictures.gif(), Picture("GIF", 1, 1)),
         (pictures.bmp(30, 20), Picture("BMP", 30, 20)),
         (b"BM" + bytes(12) + b"\x0c\0\0\0\x1e\0\x14\0" + bytes(8), Picture("BMP", 30, 20)),

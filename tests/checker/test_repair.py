@@ -7,7 +7,7 @@ import sys
 import zipfile
 from collections import Counter
 from functools import cache
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from rcj_challenges.checker import repair as repairing
 from rcj_challenges.checker.archives import Inspection, inspect
-from rcj_challenges.checker.repair import Repaired, RepairError, repair
+from rcj_challenges.checker.repair import Repaired, RepairError, _Places, repair
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -352,3 +352,21 @@ def test_a_name_in_a_document_is_left_to_the_team(tmp_path: Path) -> None:
     assert result.done == []
     assert "save the name as plain text in team_name.txt" in result.left[0]
     assert contents(tmp_path / "hanse_fixed.zip") == files
+
+
+@pytest.mark.parametrize(
+    ("files", "wanted", "free"),
+    [
+        (["robot1/robot1.py"], "robot1/tools.py", True),
+        (["robot1/robot1.py"], "robot1/robot1.py", False),
+        (["robot1/robot1.py"], "Robot1/ROBOT1.py", False),  # as on a computer that does not tell cases apart
+        (["robot1/robot1.py"], "robot1", False),
+        (["robot1"], "robot1/robot1.py", False),
+        ([], None, False),
+    ],
+)
+def test_a_place_is_free_where_no_file_and_no_folder_is(files, wanted, free):
+    places = _Places(map(PurePosixPath, files))
+    assert places.take(None if wanted is None else PurePosixPath(wanted)) is free
+    if free:
+        assert not places.take(PurePosixPath(wanted))

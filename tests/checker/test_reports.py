@@ -18,7 +18,6 @@ from rich.console import Console
 from rcj_challenges.checker.findings import STAGES
 from rcj_challenges.checker.report import (
     ROBOT_NUMBERS,
-    SCHEMA_FILE,
     CheckReport,
     FileReport,
     FindingReport,
@@ -116,7 +115,7 @@ def test_on_a_terminal_of_any_width_each_number_of_a_robot_can_be_read(width):
 
 
 def test_the_committed_schema_is_fresh():
-    committed = Path(__file__).parents[2] / "schemas" / SCHEMA_FILE
+    committed = Path(__file__).parents[2] / "schemas" / "check.schema.json"
     assert committed.read_text("utf-8") == schema_text()
 
 

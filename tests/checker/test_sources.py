@@ -55,6 +55,12 @@ def test_a_program_that_imports_what_there_is_passes(check):
     assert stage.level == "passed"
 
 
+@pytest.mark.parametrize("imported", ["import lib.plan", "from lib import plan", "from lib.plan import go"])
+def test_what_is_imported_out_of_a_folder_is_read_too(check, imported):
+    found = only(check(f"{imported}\n", rcj_soccer_team_blue__lib__plan="go = 1\nimport nowhere\n"))
+    assert (found.code, found.where) == ("sources.missing_module", f"{FOLDER}/lib/plan.py:2:1")
+
+
 def test_a_syntax_error_is_told_with_file_line_and_column(check):
     found = only(check("x = 1\nif x == 2\n    pass\n"))
     assert (found.code, found.level) == ("sources.syntax", "failure")

@@ -45,12 +45,12 @@ def real_time_goes_on_by_looking(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(_beside, "real_process_time", lambda: 0.0)
 
 
-def run_beside(work: Callable[[], object], patience_s: float = 60.0) -> float:
+def run_beside(work: Callable[[], object]) -> float:
     """Let another thread work while this one, that steps, waits for it. Returns how long that took in real s."""
     began_s = time.perf_counter()
     thread = threading.Thread(target=work, daemon=True)
     thread.start()
-    thread.join(patience_s)
+    thread.join(60.0)
     assert not thread.is_alive(), "it waits for a clock that stands still"
     return time.perf_counter() - began_s
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import statistics
+from itertools import combinations
 
 import pytest
 from hypothesis import given, settings
@@ -19,9 +21,9 @@ def bench() -> Bench:
     return bench
 
 
-def ball_heard(bench: Bench, robot: str = "Y1") -> list[Packet]:
+def ball_heard(bench: Bench) -> list[Packet]:
     bench.sense()
-    return bench.heard(robot, "ball receiver")
+    return bench.heard("Y1", "ball receiver")
 
 
 def test_the_worked_example(bench: Bench) -> None:
@@ -194,12 +196,31 @@ def test_strength_and_direction_can_be_noisy() -> None:
     bench = Bench(change={"kits": {"v2": {"devices": {"ball receiver": noise}}}})
     bench.enable("Y1", "ball receiver")
     bench.place("Y1", 0, 0)
-    bench.place("ball", 0.2, 0)
+    bench.place("ball", 0.12, 0.16)
     bench.sense(ticks=500)
     packets = bench.heard("Y1", "ball receiver")
-    true = 1 / (0.2**2 + 0.0166**2)
+    true, ahead = 1 / (0.2**2 + 0.0166**2), math.atan2(0.16, 0.12)
     strength = math.sqrt(sum((packet.strength / true - 1) ** 2 for packet in packets) / 500)
-    bearing = math.sqrt(sum(math.atan2(packet.direction[1], packet.direction[0]) ** 2 for packet in packets) / 500)
+    turns = [math.atan2(packet.direction[1], packet.direction[0]) - ahead for packet in packets]
     assert strength == pytest.approx(0.1, rel=0.15)
-    assert bearing == pytest.approx(0.05, rel=0.15)
+    assert math.sqrt(sum(turn**2 for turn in turns) / 500) == pytest.approx(0.05, rel=0.15)
     assert all(math.hypot(*packet.direction) == pytest.approx(1) for packet in packets)
+
+
+def test_each_of_several_balls_has_its_own_noise() -> None:
+    noise = {"strength_noise": 0.1, "direction_noise_rad": 0.05}
+    change = {"kits": {"v2": {"devices": {"ball receiver": noise}}}, "balls": {"second": {"start_m": [0.2, 0.2]}}}
+    bench = Bench(change=change)
+    bench.enable("Y1", "ball receiver")
+    bench.place("Y1", 0, 0)
+    bench.place("ball", 0.2, 0)
+    bench.place("second", 0, 0.2)
+    bench.sense(ticks=500)
+    packets = bench.heard("Y1", "ball receiver")
+    ahead = [(packet.strength, math.atan2(packet.direction[1], packet.direction[0])) for packet in packets[::2]]
+    left = [(packet.strength, math.atan2(-packet.direction[0], packet.direction[1])) for packet in packets[1::2]]
+    strengths, turns = ([error[part] for error in ahead] for part in (0, 1))
+    others, other_turns = ([error[part] for error in left] for part in (0, 1))
+    series = (strengths, turns, others, other_turns)
+    assert all(abs(statistics.correlation(one, other)) < 0.2 for one, other in combinations(series, 2))
+    assert statistics.pstdev(other_turns) == pytest.approx(0.05, rel=0.15)

@@ -8,14 +8,14 @@ from typing import Any
 
 import pytest
 
-from tests.devices.device_bench import Bench, merged
+from tests.devices.device_bench import Bench
 
 FULL_TURN_TICKS = 4  # 3.125, and the head begins anew within the fourth
 
 
-def lidar_bench(change: dict[str, Any] | None = None, **settings: Any) -> Bench:
+def lidar_bench(**settings: Any) -> Bench:
     lidar = {"device": "lidar", **settings}
-    bench = Bench("soccersim_2021", merged({"robots": {"Y3": {"devices": {"lidar": lidar}}}}, change or {}))
+    bench = Bench("soccersim_2021", {"robots": {"Y3": {"devices": {"lidar": lidar}}}})
     bench.enable("Y3", "lidar")
     return bench
 

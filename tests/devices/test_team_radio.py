@@ -247,7 +247,7 @@ def test_packets_wait_for_a_program_that_does_not_step(bench: Bench) -> None:
 @settings(max_examples=200, deadline=None)
 @given(st.lists(st.lists(st.integers(1, 1500), max_size=4), min_size=1, max_size=12))
 def test_no_emitter_ever_sends_faster_than_its_baud_and_none_is_lost_or_overtaken(sizes: list[list[int]]) -> None:
-    emitter = Emitter(0, 0, 10.0, 115_200, 1_000_000)
+    emitter = Emitter(0, 10.0, 115_200, 1_000_000)
     sent, arrived, number = [], [], 0
     for tick, packets in enumerate([*sizes, *([[]] * 60)]):
         arrived += [(tick, data) for _, data in emitter.arriving(tick)]
@@ -267,7 +267,7 @@ def test_no_emitter_ever_sends_faster_than_its_baud_and_none_is_lost_or_overtake
 
 
 def test_a_packet_that_is_empty_or_too_large_is_not_sent() -> None:
-    emitter = Emitter(0, 0, 10.0, 115_200, 100)
+    emitter = Emitter(0, 10.0, 115_200, 100)
     emitter.send(2, b"", 0)
     emitter.send(2, bytes(101), 0)
     emitter.send(2, bytes(100), 0)
@@ -275,7 +275,7 @@ def test_a_packet_that_is_empty_or_too_large_is_not_sent() -> None:
 
 
 def test_millions_of_packets_do_not_fill_the_memory() -> None:
-    emitter = Emitter(0, 0, 10.0, 115_200, 100)
+    emitter = Emitter(0, 10.0, 115_200, 100)
     for _ in range(BACKLOG_PACKETS + 100):
         emitter.send(2, b"spam", 0)
     assert len(emitter.waiting) == BACKLOG_PACKETS

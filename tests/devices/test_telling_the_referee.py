@@ -107,7 +107,7 @@ def test_what_the_referee_has_not_heard_yet_leaves_the_team_its_radio(bench: Ben
 
 
 def test_a_flood_of_messages_has_its_bounds_in_packets_and_in_bytes() -> None:
-    emitter = Emitter(0, 0, 1.0, baud=10**9, max_packet_bytes=BACKLOG_BYTES)
+    emitter = Emitter(0, 1.0, baud=10**9, max_packet_bytes=BACKLOG_BYTES)
     for data in (b"x" * (BACKLOG_BYTES - 1), b"y", b"lost"):
         emitter.tell_referee(data, 0)
     assert [len(emitter.told_referee(99) or b"") for _ in range(3)] == [BACKLOG_BYTES - 1, 1, 0]

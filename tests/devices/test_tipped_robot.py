@@ -147,6 +147,13 @@ def test_the_lidars_plane_turns_with_the_body(tipping: Tipping) -> None:
     assert cells[90] == cells[270] == math.inf
 
 
+def test_the_lidar_of_a_robot_that_leans_stands_above_its_body_and_not_above_the_floor(tipping: Tipping) -> None:
+    lean = math.pi / 4
+    tipping.sense(0.5, about((0, 1, 0), lean))
+    above_centre = 0.0425 - 0.0375
+    assert tipping.read("lidar")[0] == pytest.approx((0.5 - above_centre * math.sin(lean)) / math.cos(lean), abs=1e-6)
+
+
 def test_a_robot_on_its_nose_keeps_its_last_yaw(tipping: Tipping) -> None:
     tipping.sense(0.0375, about((0, 0, 1), 1.0))
     tipping.sense(0.0375, about((0, 1, 0), math.pi / 2))

@@ -4,8 +4,8 @@ import pytest
 
 from rcj_challenges.match.match import MatchPlan, play_match
 from rcj_challenges.scenario.load import load_text
+from tests.judging_again import judged_again, reflog_of
 from tests.match.playing import Run
-from tests.match.test_same_again import rejudged, without_datetime
 
 # Nobody plays: the halves are short, and no program is started.
 THREE_HALVES = """
@@ -28,4 +28,4 @@ def test_a_kept_counter_goes_on_and_another_begins_anew(tmp_path, keep, laps):
     outcome = play_match(MatchPlan(load_text(THREE_HALVES.format(keep=keep)), {}, {}, seed=1, out=tmp_path))
     run = Run(outcome.folder, outcome.result)
     assert [line["payload"]["laps"] for line in run.events("LAPS")] == laps
-    assert rejudged(run) == [without_datetime(line) for line in run.reflog]
+    assert judged_again(run.folder) == reflog_of(run.folder)

@@ -4,8 +4,8 @@ import pytest
 
 from rcj_challenges.match.match import MatchPlan, play_match
 from rcj_challenges.scenario.load import load_text
+from tests.judging_again import judged_again, reflog_of
 from tests.match.playing import Run
-from tests.match.test_same_again import rejudged, without_datetime
 
 # Nobody plays: the halves are short, and no program is started.
 SIX_HALVES = """
@@ -28,4 +28,4 @@ def test_three_halves_draw_three_sides_and_the_next_three_again(tmp_path, seed):
     run = Run(outcome.folder, outcome.result)
     sides = [line["payload"]["side"] for line in run.events("SIDE")]
     assert sorted(sides[:3]) == sorted(sides[3:]) == ["east", "middle", "west"]
-    assert rejudged(run) == [without_datetime(line) for line in run.reflog]
+    assert judged_again(run.folder) == reflog_of(run.folder)

@@ -4,8 +4,8 @@ import pytest
 
 from rcj_challenges.match.match import MatchPlan, play_match
 from rcj_challenges.scenario.load import load_text
+from tests.judging_again import judged_again, reflog_of
 from tests.match.playing import Run
-from tests.match.test_same_again import rejudged, without_datetime
 
 # Nobody plays: the halves are short, and no program is started.
 TWO_HALVES = """
@@ -63,4 +63,4 @@ def test_to_end_the_half_when_it_is_over_changes_nothing(played):
 def test_the_referee_judges_the_trajectory_alone_as_it_judged_the_match(played):
     run = played(EARLY, MATCH_OVER)
     assert [line["payload"] for line in run.events("OVER")] == [{"half": 1}]
-    assert rejudged(run) == [without_datetime(line) for line in run.reflog]
+    assert judged_again(run.folder) == reflog_of(run.folder)

@@ -4,8 +4,8 @@ from rcj_challenges.match.match import MatchPlan, play_match
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.views.live.telling import live_facts
+from tests.judging_again import judged_again, reflog_of
 from tests.match.playing import Run
-from tests.match.test_same_again import rejudged, without_datetime
 
 # Nobody plays: the halves are short, and no program is started.
 LONG_AND_SHORT = """
@@ -36,7 +36,7 @@ def test_each_half_lasts_as_long_as_it_says(tmp_path):
         {"half": 3, "lasts_s": 0.32, "left_s": 0.32},
     ]
     assert [half.info.ticks for half in Trajectory.open(outcome.folder).halves] == [32, 16, 10]
-    assert rejudged(run) == [without_datetime(line) for line in run.reflog]
+    assert judged_again(run.folder) == reflog_of(run.folder)
 
 
 def test_the_live_page_knows_how_long_those_to_come_are():

@@ -10,8 +10,8 @@ import pytest
 
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.scenario.load import load
+from tests.judging_again import judged_again, reflog_of
 from tests.match.playing import Place
-from tests.match.test_same_again import rejudged, without_datetime
 
 COUNTDOWN = """schema_version: 1
 id: countdown
@@ -136,7 +136,7 @@ def test_programs_run_on_and_sensors_tell_the_truth(run):
 
 
 def test_the_referee_judges_the_trajectory_alone_as_it_judged_the_match(run):
-    assert rejudged(run) == [without_datetime(line) for line in run.reflog]
+    assert judged_again(run.folder) == reflog_of(run.folder)
 
 
 def test_the_same_again_gives_the_same_digest(countdown, run):

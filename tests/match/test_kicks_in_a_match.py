@@ -7,8 +7,8 @@ import pytest
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.scenario.load import load, load_resolved
+from tests.judging_again import judged_again, reflog_of
 from tests.match.playing import Place
-from tests.match.test_same_again import rejudged, without_datetime
 
 SHOTS = """schema_version: 1
 id: shots
@@ -65,7 +65,7 @@ def test_the_same_seed_gives_the_same_digest_another_one_other_kicks(shots, run)
 
 
 def test_the_referee_judges_the_trajectory_alone_as_it_judged_the_match(run):
-    assert rejudged(run) == [without_datetime(line) for line in run.reflog]
+    assert judged_again(run.folder) == reflog_of(run.folder)
 
 
 def test_it_asks_for_the_same_kicks_again(run):

@@ -7,6 +7,7 @@ import pytest
 from typer.testing import CliRunner
 
 from rcj_challenges.cli.app import app
+from rcj_challenges.match.overhearing import LogTail
 from rcj_challenges.records.sensors import read_sensors
 from rcj_challenges.records.testing import write_made_up_run
 from tests.match.programs import AHEAD, STAND
@@ -112,3 +113,17 @@ def test_the_page_of_a_damaged_record_is_written_and_the_damage_told(tmp_path) -
     assert result.exit_code == 0
     assert (folder / "replay.html").is_file()
     assert "recorded poses are damaged" in result.stderr
+
+
+@pytest.mark.parametrize("letters", [1, 65_535, 65_536, 65_537, 3 * 65_536, 200_001])
+def test_however_much_is_printed_at_once_all_of_it_is_taken_over_without_the_heading(tmp_path, letters):
+    log = tmp_path / "Y1.log"
+    tail = LogTail(log)
+    said = ("é123456\n" * letters)[:letters]
+    log.write_bytes(b"--- half 1 ---\n" + said.encode())
+    assert tail.new_text() == said
+    with log.open("ab") as file:
+        file.write(said.encode())
+    assert tail.new_text() == said
+    assert tail.new_text() == ""
+    tail.close()

@@ -7,8 +7,8 @@ import pytest
 
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.scenario.load import load_resolved
+from tests.judging_again import judged_again, reflog_of
 from tests.match.playing import Place
-from tests.match.test_same_again import rejudged, without_datetime
 
 SHOT = """schema_version: 1
 id: shot
@@ -74,7 +74,7 @@ def test_each_half_begins_with_the_place_of_the_file(run):
 
 
 def test_the_referee_judges_the_trajectory_alone_as_it_judged_the_match(run):
-    assert rejudged(run) == [without_datetime(line) for line in run.reflog]
+    assert judged_again(run.folder) == reflog_of(run.folder)
 
 
 def test_it_remembers_the_same_place_again(run):

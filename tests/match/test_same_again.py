@@ -1,12 +1,8 @@
 """Same scenario, seed, programs and versions: same digest; and the record alone gives the same reflog."""
 
-import json
-
 import pytest
 
-from rcj_challenges.records.reflog import events_of, reflog_lines
-from rcj_challenges.referee.engine import Referee
-from rcj_challenges.scenario.load import load_resolved
+from tests.judging_again import judged_again, reflog_of
 from tests.match.playing import alone
 from tests.match.programs import AHEAD
 
@@ -76,7 +72,7 @@ def test_ten_seconds_in_real_time_have_the_same_digest(wild):
 def test_the_referee_judges_the_trajectory_alone_as_it_judged_the_match(wild):
     run = wild("match.halves=2", "match.half_s=3")
     assert run.events("LACK_OF_PROGRESS")
-    assert rejudged(run) == [without_datetime(line) for line in run.reflog]
+    assert judged_again(run.folder) == reflog_of(run.folder)
 
 
 def test_a_program_that_fails_is_told_at_the_same_tick_when_the_match_is_judged_again(place):
@@ -88,22 +84,4 @@ def test_a_program_that_fails_is_told_at_the_same_tick_when_the_match_is_judged_
     run = place.play("match.half_s=1", blue=blue, yellow=yellow)
     failed = [line["payload"]["robot_name"] for line in run.reflog if line["event"] == "PROGRAM_FAULT"]
     assert {"B1", "Y1"} <= set(failed)
-    assert rejudged(run) == [without_datetime(line) for line in run.reflog]
-
-
-def rejudged(run):
-    """Run the referee on the record: no physics, no programs."""
-    loaded = load_resolved(json.loads((run.folder / "scenario.json").read_text("utf-8")))
-    lines = []
-    for half in run.trajectory.halves:
-        referee = Referee(loaded.scenario, loaded.roster, half.info)
-        events = list(events_of(half.start, referee.start(half.start)))
-        for snapshot in half.snapshots():
-            events += events_of(snapshot, referee.judge(snapshot))
-        events += referee.finish().events
-        lines += [without_datetime(json.loads(line)) for line in reflog_lines(events, "").splitlines()]
-    return lines
-
-
-def without_datetime(line):
-    return {key: value for key, value in line.items() if key != "datetime"}
+    assert judged_again(run.folder) == reflog_of(run.folder)

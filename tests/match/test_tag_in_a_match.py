@@ -3,9 +3,9 @@
 import pytest
 
 from rcj_challenges.records.refereelog import read_referee_log
+from tests.judging_again import judged_again, reflog_of
 from tests.match.playing import Place
 from tests.match.programs import AHEAD, STAND
-from tests.match.test_same_again import rejudged, without_datetime
 
 TAG = """schema_version: 1
 id: tag
@@ -61,4 +61,4 @@ def test_the_one_that_is_touched_is_put_elsewhere(run):
 
 def test_the_referee_judges_the_trajectory_alone_as_it_judged_the_match(run):
     assert len(run.events("CAUGHT")) >= 2
-    assert rejudged(run) == [without_datetime(line) for line in run.reflog]
+    assert judged_again(run.folder) == reflog_of(run.folder)

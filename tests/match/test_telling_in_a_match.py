@@ -2,9 +2,9 @@
 
 import pytest
 
+from tests.judging_again import judged_again, reflog_of
 from tests.match.playing import Place
 from tests.match.programs import STAND
-from tests.match.test_same_again import rejudged, without_datetime
 
 TREASURE = """schema_version: 1
 id: treasure
@@ -70,4 +70,4 @@ def test_the_record_keeps_what_was_told(run):
 
 
 def test_the_referee_judges_the_record_alone_alike(run):
-    assert rejudged(run) == [without_datetime(line) for line in run.reflog]
+    assert judged_again(run.folder) == reflog_of(run.folder)

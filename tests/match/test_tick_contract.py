@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pytest
 
+from rcj_challenges.match.watching import Silent
 from rcj_challenges.world.errors import PhysicsFault
 from rcj_challenges.world.world import World
 from tests.match.programs import AHEAD, DRIVE, STAND
@@ -14,10 +15,10 @@ GO = "for motor in motors:\n    motor.setVelocity(10)\n"
 LOOP = "while robot.step(32) != -1:\n    pass\n"
 
 
-def path_y(run, robot, half=1):
-    """Return [tick][sub-step] -> y; row 0 is tick 1."""
+def path_y(run, robot):
+    """Return [tick][sub-step] -> y in the first half; row 0 is tick 1."""
     entity = run.trajectory.entities.index(robot)
-    return np.array([[poses[entity][1] for poses in s.substeps] for s in run.trajectory.snapshots(half)])
+    return np.array([[poses[entity][1] for poses in s.substeps] for s in run.trajectory.snapshots(1)])
 
 
 def first_move(run, robot):
@@ -104,3 +105,17 @@ def test_a_clock_that_never_goes_on_ends_the_half_with_a_reason(play):
 def test_programs_are_told_the_end_by_minus_one(play, team_folder):
     says = STAND + "print('the end at', robot.getTime())\n"
     assert "the end at 1.024" in play("match.half_s=1", yellow=team_folder(says)).log("Y1")
+
+
+def test_watchers_are_asked_before_each_tick_in_order_and_once(play):
+    class Asked(Silent):
+        def __init__(self):
+            self.ticks = []
+
+        def before_tick(self, tick):
+            self.ticks.append(tick)
+            return 0.0
+
+    watcher = Asked()
+    play("match.half_s=0.32", watcher=watcher)
+    assert watcher.ticks == list(range(1, 11))

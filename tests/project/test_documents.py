@@ -40,7 +40,10 @@ def test_every_link_leads_somewhere(document):
 
 @pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: path.relative_to(ROOT).as_posix())
 def test_every_program_in_the_documents_is_python(document):
-    for number, program in enumerate(PROGRAM.findall(document.read_text(encoding="utf-8"))):
+    text = document.read_text(encoding="utf-8")
+    programs = PROGRAM.findall(text)
+    assert len(programs) == text.count("```python")
+    for number, program in enumerate(programs):
         compile(program, f"{document.name}[{number}]", "exec")
 
 
@@ -71,7 +74,10 @@ def test_the_suite_runs_on_the_three_systems_with_the_oldest_and_the_newest_pyth
 
 def test_every_decision_is_in_the_index():
     index = (ROOT / "docs" / "adr" / "README.md").read_text(encoding="utf-8")
-    for record in sorted((ROOT / "docs" / "adr").glob("0*.md")):
+    records = sorted((ROOT / "docs" / "adr").glob("0*.md"))
+    assert [int(record.name[:4]) for record in records] == list(range(1, len(records) + 1))
+    assert index.count("](0") == len(records) > 0
+    for record in records:
         number, title = re.match(r"# (\d+)\. (.+)", record.read_text(encoding="utf-8")).groups()
         assert f"| {number} | [{title}]({record.name}) |" in index
 

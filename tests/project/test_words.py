@@ -8,12 +8,13 @@ from pathlib import Path
 import pytest
 
 from rcj_challenges.referee.trials import try_expectation
+from rcj_challenges.scenario.json_schema import sentence_of
 from rcj_challenges.scenario.lint.table import lint
 from rcj_challenges.scenario.load import Loaded, load, load_text
 from rcj_challenges.views.drawing import draw_scenario
 from rcj_challenges.views.sheet import sheet_html, sheet_markdown
 from scripts import write_reference
-from scripts.write_reference import CHAPTERS, Example, example_of, read_examples, sentence
+from scripts.write_reference import CHAPTERS, Example, example_of, read_examples
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = read_examples()
@@ -32,7 +33,7 @@ def differences(loaded: Loaded) -> dict[str, tuple[str, ...]]:
 
 @pytest.mark.parametrize(("chapter", "word"), WORDS, ids=[f"{c.title}-{w.name}" for c, w in WORDS])
 def test_every_word_has_a_sentence_and_every_field_a_description(chapter, word):
-    assert re.fullmatch(r"[A-Z].{9,}[.]", sentence(word.model))
+    assert re.fullmatch(r"[A-Z].{9,}[.]", sentence_of(word.model))
     tagged = {chapter.tag, "start"}
     missing = [key for key, info in word.model.model_fields.items() if not info.description and key not in tagged]
     # Of single-valued aliases such as noise_m the description stands in the type.

@@ -9,12 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rcj_challenges.records.logos import MOST_LOGO_BYTES, MOST_LOGO_SIDE, LogoError, checked_png, logo_of
-
-SIGNATURE = b"\x89PNG\r\n\x1a\n"
-
-
-def chunk(kind: bytes, body: bytes = b"") -> bytes:
-    return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+from tests.hostile.archives.pictures import PNG, chunk
 
 
 def png(
@@ -26,7 +21,7 @@ def png(
     header = struct.pack(">IIBBBBB", width, height, depth, colour, 0, 0, interlace)
     palette = chunk(b"PLTE", bytes(6)) if colour == 3 else b""
     data = chunk(b"IDAT", zlib.compress(lines if pixels is None else pixels))
-    return SIGNATURE + chunk(b"IHDR", header) + before + palette + data + chunk(b"IEND") + after
+    return PNG + chunk(b"IHDR", header) + before + palette + data + chunk(b"IEND") + after
 
 
 @pytest.mark.parametrize(("colour", "depth"), [(0, 1), (0, 16), (2, 8), (3, 4), (4, 8), (6, 16)])
@@ -64,9 +59,9 @@ def test_text_animation_and_what_stands_behind_the_end_are_left_out() -> None:
         (png(pixels=b"\0" * 10_000_000), "other pixels"),
         (png(before=chunk(b"IDAT", b"x")), "unpacked"),
         (png(colour=6, depth=1), "what no PNG has"),
-        (SIGNATURE + chunk(b"IEND"), "out of order"),
-        (SIGNATURE + chunk(b"IDAT") + png()[8:], "out of order"),
-        (SIGNATURE + bytes(MOST_LOGO_BYTES), "MB, more than 1"),
+        (PNG + chunk(b"IEND"), "out of order"),
+        (PNG + chunk(b"IDAT") + png()[8:], "out of order"),
+        (PNG + bytes(MOST_LOGO_BYTES), "MB, more than 1"),
     ],
 )
 def test_what_is_no_logo_is_refused_with_the_reason(data: bytes, says: str) -> None:

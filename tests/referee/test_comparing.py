@@ -11,7 +11,6 @@ from rcj_challenges.scenario.models.scenario import Expectation, ExpectedEvent
 from tests.scenario.writing import complaints
 
 DEFAULT = Expectation.model_fields["ignore"].default
-TEN_TICKS_S = 0.32
 
 
 def came(*names, **payload):

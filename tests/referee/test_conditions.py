@@ -51,6 +51,18 @@ class TestConditionInZone:
             found.append(ask(play))
         assert found == answers
 
+    @pytest.mark.parametrize(
+        ("of", "holds"), [("any", False), ("all", False), ("none", True), ("{at_least: 1}", False)]
+    )
+    def test_of_a_group_that_is_off_the_field_as_a_whole_all_is_no_statement(self, stage, ask, of, holds):
+        play = stage(
+            "groups: {three: [B1, B2, Y1]}\n"
+            + ASKING % f"{{condition: in_zone, entity: three, zone: middle, of: {of}}}",
+            "rules: {gone: {triggers: [{trigger: half_started}], actions: [{action: remove, entity: three}]}}",
+        )
+        play.play()
+        assert ask(play) is holds
+
     def test_negate_turns_it_over(self, stage, ask):
         play = stage(ASKING % "{condition: in_zone, entity: ball, zone: middle, negate: true}")
         assert not ask(play)

@@ -13,11 +13,11 @@ rules:
 """
 
 
-def scoring(points: str, more: str = "") -> str:
+def scoring(points: str) -> str:
     """Return a rule that gives yellow points whenever a program fails."""
     return f"""
     rules:
-      paid: {{{more} triggers: [{{trigger: program_fault, robot: B1}}],
+      paid: {{triggers: [{{trigger: program_fault, robot: B1}}],
               actions: [{{action: score, entrant: yellow, points: {points}}}]}}
     """
 

@@ -270,7 +270,10 @@ class TestNoiseMirrorClearance:
     def test_noise_is_uniform_within_its_half_widths(self, stage):
         places = many(stage(placing("ball", "{point: [0, 0]}", ", noise_m: [0.1, 0.02]")))
         assert all(abs(x) <= 0.1 and abs(y) <= 0.02 for x, y in places)
-        assert max(abs(x) for x, _ in places) > 0.07
+        assert min(x for x, _ in places) < -0.07
+        assert max(x for x, _ in places) > 0.07
+        assert min(y for _, y in places) < -0.014
+        assert max(y for _, y in places) > 0.014
 
     @pytest.mark.parametrize(("axis", "to"), [("x", (-0.1, 0.2)), ("y", (0.1, -0.2)), ("both", (-0.1, -0.2))])
     def test_a_mirror_turns_the_place_over(self, stage, axis, to):
@@ -281,6 +284,19 @@ class TestNoiseMirrorClearance:
         play.place("B1", 0.0, 0.4, 0.0)
         for x, _ in many(play):
             assert abs(x) >= 0.0375 + 0.1 + 0.021 - 1e-5
+
+    @pytest.mark.parametrize(
+        "round_one",
+        [
+            "balls: {second: {start_m: [0, 0.5]}}",
+            "obstacles: {post: {shape: cylinder, radius_m: 0.021, centre_m: [0, 0.5]}}",
+        ],
+    )
+    @pytest.mark.parametrize(("gap_m", "put_there"), [(0.018, True), (0.022, False)])
+    def test_a_ball_keeps_clear_of_another_ball_and_of_a_post(self, stage, round_one, gap_m, put_there):
+        # 0.06 lie between the middles of two whose radii are 0.021, and so 0.018 between them.
+        play = stage(round_one, placing("ball", "{point: [0.036, 0.548]}", f", min_clearance_m: {gap_m - 1e-4}"))
+        assert (put(play) != (0.0, 0.0)) is put_there
 
     def test_a_place_outside_the_field_is_none(self, stage):
         play = stage(placing("ball", "{point: [0, 1.2]}"))

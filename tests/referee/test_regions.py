@@ -7,7 +7,7 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from rcj_challenges.referee.outlines import Bodies, Part, closer_than, gap_m, rectangle, robot_outline
-from rcj_challenges.referee.regions import crossing, distance_to_segment_m, region_of
+from rcj_challenges.referee.regions import cell_beside_square, crossing, distance_to_segment_m, region_of
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone
 from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.scenario.roster import Roster
@@ -41,6 +41,27 @@ def test_within_a_cell_the_answer_is_the_same(zone, here, along_x, along_y):
 
     there = (towards(here[0], x_low, x_high, along_x), towards(here[1], y_low, y_high, along_y))
     assert region.contains(*there) == region.contains(*here)
+
+
+@given(zones, point)
+def test_a_cell_holds_the_point_from_which_it_was_asked_unless_that_is_on_the_line(zone, here):
+    """Else nothing would be judged wrongly, but everything looked at on every tick."""
+    region = region_of(zone)
+    assume(region.outline_m(*here) > 1e-6)
+    x_low, x_high, y_low, y_high = region.cell(*here)
+    assert x_low <= here[0] <= x_high
+    assert y_low <= here[1] <= y_high
+
+
+@given(point, point, st.floats(0.01, 1))
+def test_a_cell_beside_a_square_holds_its_point_too(here, centre, half_m):
+    across = max(abs(here[0] - centre[0]), abs(here[1] - centre[1]))
+    assume(abs(across - half_m) > 1e-6)
+    x_low, x_high, y_low, y_high = cell_beside_square(*here, centre, half_m)
+    assert x_low <= here[0] <= x_high
+    assert y_low <= here[1] <= y_high
+    beyond = x_low > centre[0] or x_high < centre[0] or y_low > centre[1] or y_high < centre[1]
+    assert beyond is (across > half_m)
 
 
 @given(point, st.floats(0.05, 0.5))

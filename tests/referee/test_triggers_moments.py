@@ -5,10 +5,6 @@ import pytest
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.referee.script import ScriptedPlay
 
-TICKING = """
-match: {half_s: 6.4}
-"""
-
 
 def emitting(trigger: str, more: str = "") -> str:
     """Return a rule that says when it was triggered."""

@@ -247,6 +247,11 @@ class TestTriggerSequenceBroken:
         walk(play, "ball", A, B, A, B, C)  # back to a: wrong, and at once the new beginning
         assert play.names() == ["WRONG", "DONE"]
 
+    def test_a_broken_one_has_lost_the_steps_that_were_made(self, stage):
+        play = stage(SEQUENCE % "cyclic: false, wrong_step: break")
+        walk(play, "ball", A, B, A, A_LOW, C_LOW, C)  # from its first step straight to the last
+        assert play.names() == ["WRONG", "WRONG"]
+
     def test_with_ignore_a_wrong_step_is_none(self, stage):
         play = stage(SEQUENCE % "cyclic: false, wrong_step: ignore")
         walk(play, "ball", A, A_LOW, C_LOW, C, C_LOW, B_LOW, B, C)

@@ -112,6 +112,12 @@ class TestTriggerLeaves:
         play.play(2)
         assert len(play.events) == before == 1
 
+    def test_an_absence_of_one_sub_step_is_not_missed(self, stage):
+        play = stage(self.RULES)
+        play.play()  # in the middle
+        feed(play, (-0.05, 0.0), (-0.15, 0.0), (-0.05, 0.0), (0.0, 0.0))
+        assert play.names() == ["WENT"]
+
 
 class TestTriggerStaysIn:
     RULES = """

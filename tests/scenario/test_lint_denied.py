@@ -2,17 +2,13 @@
 
 import pytest
 
-from rcj_challenges.scenario.lint.table import lint
-from rcj_challenges.scenario.load import load_text
-from tests.scenario.writing import HEAD, rule
+from rcj_challenges.scenario.lint.logic import are_apart
+from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone
+from tests.scenario.writing import findings, rule
 
 IN = "{condition: in_zone, entity: ball, zone: blue_goal}"
 OUT = "{condition: in_zone, entity: ball, zone: blue_goal, negate: true}"
 Y1_OUT = OUT.replace("ball", "Y1")
-
-
-def findings(body):
-    return [str(one) for one in lint(load_text(HEAD + body, file="a.yaml"))]
 
 
 def never_fires(condition):
@@ -119,3 +115,36 @@ def test_each_is_one_that_is_not_in_two_places(second, count):
     both = f"[{{condition: in_zone, entity: each, zone: west}}, {{condition: in_zone, entity: {second}}}]"
     rule_ = f"{{for_each: robots, triggers: [{{trigger: half_ended}}], conditions: {both}, actions: [{{action: end}}]}}"
     assert sum("rule_never_fires" in one for one in findings(f"{ZONES}rules: {{r: {rule_}}}\n")) == count
+
+
+LEFT, RIGHT = (-0.4, -0.1), (0.1, 0.4)
+
+
+def circle(x_m: float, radius_m: float, *, inverted: bool = False) -> CircleZone:
+    return CircleZone(shape="circle", centre_m=(x_m, 0.0), radius_m=radius_m, inverted=inverted)
+
+
+def polygon(low: float, high: float) -> PolygonZone:
+    return PolygonZone(shape="polygon", points_m=((low, 0.0), (high, 0.0), (high, 0.3)))
+
+
+def rect(low: float | None, high: float | None) -> RectZone:
+    return RectZone(shape="rect", x_min_m=low, x_max_m=high)
+
+
+@pytest.mark.parametrize(
+    ("zone", "other", "apart"),
+    [
+        (circle(-0.3, 0.2), circle(0.3, 0.2), True),
+        (circle(-0.3, 0.2), circle(0.05, 0.2), False),
+        (circle(-0.3, 0.2), circle(0.3, 0.2, inverted=True), False),
+        (polygon(*LEFT), polygon(*RIGHT), True),
+        (polygon(*LEFT), circle(0.0, 0.15), False),
+        (rect(None, -0.1), polygon(*RIGHT), True),
+        (rect(None, 0.2), polygon(*RIGHT), False),
+        (rect(*LEFT), rect(-0.1, None), True),  # who is on their common side is in neither
+        (circle(0.3, 0.1), HalfPlaneZone(shape="half_plane", through_m=(0.0, 0.0), normal=(-1.0, 0.0)), False),
+    ],
+)
+def test_zones_are_apart_where_the_rectangles_around_them_are(zone, other, apart):
+    assert are_apart(zone, other) is are_apart(other, zone) is apart

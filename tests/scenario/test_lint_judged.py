@@ -108,10 +108,27 @@ class TestTheTimerRunsOutInTheTickBetween:
             rules_of(there(conditions=first) + late(conditions=then, told="") + after(RESTART, triggers=IN_TIME)) == []
         )
 
-    def test_a_flag_that_the_outcome_sets_and_the_other_rule_asks(self):
-        asked = late(conditions="{condition: flag, flag: judged, negate: true}", told="")
-        outcome = there("{action: set_flag, flag: judged}")
-        assert rules_of(outcome + asked + after(RESTART, triggers=IN_TIME)) == []
+    @pytest.mark.parametrize(
+        ("sets", "asked"),
+        [
+            ("{action: set_flag, flag: judged}", "{condition: flag, flag: judged, negate: true}"),
+            ("{action: toggle_flag, flag: judged}", "{condition: flag, flag: judged, negate: true}"),
+            ("{action: count, counter: judgements}", "{condition: counter, counter: judgements, equals: 0}"),
+            ("{action: draw, draw: open}", "{condition: drawn, draw: open, equals: left}"),
+            (
+                "{action: count, counter: judgements}",
+                (
+                    "{condition: any_of, conditions: [{condition: half, equals: 2}, "
+                    "{condition: counter, counter: judgements, equals: 0}]}"
+                ),
+            ),
+        ],
+    )
+    def test_what_the_outcome_changes_and_the_other_rule_asks(self, sets, asked):
+        kept = "counters: {judgements: {}}\ndraws: {open: {values: [left, right]}}\n"
+        rules = late(conditions=asked, told="") + after(RESTART, triggers=IN_TIME)
+        loaded = [load_text(kept + HEAD + outcome + rules, file="it.yaml") for outcome in (there(sets), there())]
+        assert [[one.kind for one in lint(one)].count("judged_twice") for one in loaded] == [0, 1]
 
 
 class TestTheOutcomeComesInTheTickAfterTheTimeWasUp:

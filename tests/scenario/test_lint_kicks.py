@@ -2,15 +2,9 @@
 
 import pytest
 
-from rcj_challenges.scenario.lint.table import lint
-from rcj_challenges.scenario.load import load_text
-from tests.scenario.writing import HEAD, rule
+from tests.scenario.writing import findings, rule
 
 PLACE = "{action: place, entity: ball, at: %s, kick: {towards: %s, speed_mps: 0.6}%s}"
-
-
-def findings(body):
-    return [str(one) for one in lint(load_text(HEAD + body, file="a.yaml"))]
 
 
 def kicks(at, towards, more=""):

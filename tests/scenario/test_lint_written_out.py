@@ -22,10 +22,8 @@ def head(description: str = "About it.", title: str = "It", extends: str = "socc
     return HEAD % (title, description, extends)
 
 
-def in_says(
-    says: str, points: str = "{param: home_points}", params: str = "home_points: 5", more: str = ""
-) -> list[str]:
-    text = f"{head()}params: {{{params}}}\n{more}{RULES % (points, says)}"
+def in_says(says: str, points: str = "{param: home_points}", params: str = "home_points: 5") -> list[str]:
+    text = f"{head()}params: {{{params}}}\n{RULES % (points, says)}"
     return [one.problem.message for one in of_kind("number_instead_of_param", text)]
 
 

@@ -6,7 +6,7 @@ from rcj_challenges.scenario.lint.table import lint
 from rcj_challenges.scenario.other import with_other
 from rcj_challenges.scenario.references import REFERENCES, Field
 from tests.scenario.test_cross_references import WORLD
-from tests.scenario.writing import loaded, problems_of
+from tests.scenario.writing import kinds, loaded, problems_of
 
 TOUCH = "{trigger: touches, entity: each, other: %s}"
 
@@ -143,10 +143,6 @@ TWO = """rules:
 result: {rank: [{time: ascending}]}
 flags: {safe: {per: robots, initial: true}}
 """
-
-
-def kinds(body):
-    return {finding.kind for finding in lint(loaded(body))}
 
 
 @pytest.mark.parametrize(

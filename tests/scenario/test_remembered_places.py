@@ -3,7 +3,7 @@
 import pytest
 
 from rcj_challenges.scenario.lint.table import lint
-from tests.scenario.writing import complaints, loaded, scenario
+from tests.scenario.writing import complaints, kinds, loaded, scenario
 
 SPOTS = "spots: {found: {x_m: 0, y_m: 0.2}, other_one: {x_m: 0.5, y_m: -0.5}}\ngroups: {both: [found, other_one]}\n"
 PLACES = (
@@ -21,10 +21,6 @@ def rules(*actions, conditions="", more=""):
 
 def found(body):
     return [str(one).partition(" [")[0].split("warning: ")[1] for one in lint(loaded(body))]
-
-
-def kinds(body):
-    return {one.kind for one in lint(loaded(body))}
 
 
 @pytest.mark.parametrize(

@@ -2,8 +2,7 @@
 
 import pytest
 
-from rcj_challenges.scenario.lint.table import lint
-from tests.scenario.writing import complaints, loaded, scenario
+from tests.scenario.writing import complaints, kinds, scenario
 
 WAITS = "{trigger: holds, condition: {condition: way, entity: Y1, at_least: 2}}"
 
@@ -41,10 +40,6 @@ def rule(action="{action: end}", condition="", trigger="{trigger: half_started}"
 def test_what_has_no_way_is_refused(written, complaint):
     (said,) = complaints(written)
     assert said == complaint
-
-
-def kinds(body):
-    return {one.kind for one in lint(loaded(body))}
 
 
 def test_two_rules_of_different_ways_never_move_one_thing_at_once():

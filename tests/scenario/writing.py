@@ -3,6 +3,7 @@
 import pytest
 
 from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.lint.table import lint
 from rcj_challenges.scenario.load import load_text
 
 HEAD = "schema_version: 1\nid: a\ntitle: A\nextends: soccersim_v2\n"
@@ -23,6 +24,16 @@ def complaints(body, overrides=(), head=HEAD):
     with pytest.raises(ScenarioError) as caught:
         loaded(body, overrides, head)
     return [": ".join(part for part in (p.path, p.message) if part) for p in caught.value.problems]
+
+
+def findings(body):
+    """Return what lint says about it, with its place."""
+    return [str(one) for one in lint(loaded(body))]
+
+
+def kinds(body):
+    """Return the kinds of what lint finds."""
+    return {one.kind for one in lint(loaded(body))}
 
 
 def problems_of(call, *arguments):

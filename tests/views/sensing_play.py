@@ -7,6 +7,7 @@ from typing import Any
 
 from rcj_challenges.facts.traffic import DeviceSpec, MotorCommand, Observation, Packet
 from rcj_challenges.records.sensors import SensedRobot, SensorWriter
+from tests.hostile.archives.pictures import PNG, chunk
 
 HOSTILE = "</script><script>document.title='stolen'</script><img src=x onerror=\"document.title='stolen'\">\n"
 TURNED = "\u202eevil\u2066 \u200f\n"
@@ -54,13 +55,9 @@ def sense(writer: SensorWriter, tick: int) -> None:
 
 def logo(red: int) -> bytes:
     """Return a PNG of 8 x 8 pixels of one colour."""
-
-    def chunk(kind: bytes, body: bytes) -> bytes:
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-
     lines = (b"\0" + bytes((red, 0, 255)) * 8) * 8
     header = struct.pack(">IIBBBBB", 8, 8, 8, 2, 0, 0, 0)
-    return b"\x89PNG\r\n\x1a\n" + b"".join(
+    return PNG + b"".join(
         chunk(kind, body) for kind, body in ((b"IHDR", header), (b"IDAT", zlib.compress(lines)), (b"IEND", b""))
     )
 

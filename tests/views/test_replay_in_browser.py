@@ -41,7 +41,9 @@ def test_the_page_opens_from_disk_with_teams_clock_and_a_picture(show: Callable[
 
 def test_poses_in_the_page_equal_the_trajectory(show: Callable[..., Any], run: Path) -> None:
     page = show(run)
-    for half in Trajectory.open(run).halves:
+    halves = Trajectory.open(run).halves
+    assert len(halves) == 2
+    for half in halves:
         shown = np.array(
             page.evaluate(
                 """(half) => {

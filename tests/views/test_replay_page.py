@@ -89,7 +89,9 @@ def test_names_cannot_leave_the_text_they_stand_in(page: str) -> None:
 
 def test_poses_in_the_page_equal_the_trajectory_within_a_tenth_of_a_millimetre(run: Path, page: str) -> None:
     facts = _facts(page)
-    for half in Trajectory.open(run).halves:
+    halves = Trajectory.open(run).halves
+    assert len(halves) == 2
+    for half in halves:
         names = [channel["name"] for channel in facts["channels"]]
         units = {channel["name"]: channel["unit"] for channel in facts["channels"]}
         block = _part(page, f'id="half-{half.info.half}">')

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import random
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -12,11 +11,8 @@ from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.traffic import MotorCommand, Observation, Request, RobotSpec
 from rcj_challenges.match.match import MatchPlan, _MatchPlay
 from rcj_challenges.match.watching import Silent
-from rcj_challenges.records.reflog import events_of, reflog_lines
-from rcj_challenges.records.trajectory import Trajectory
-from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.script import ScriptedPlay
-from rcj_challenges.scenario.load import Loaded, load_resolved
+from rcj_challenges.scenario.load import Loaded
 
 _TELLS = (b"Hello", b"7", b"0.1 0.2", b"yes", b"-1e400 0", b"\xff\xfe", b"", b"nan", b"x" * 200, b" no  ")
 
@@ -110,31 +106,6 @@ def played(loaded: Loaded, out: Path, seed: int) -> tuple[Path, dict[str, Any]]:
     teams: Any = {seat: _Team(f"Team {seat}") for seat in loaded.scenario.entrants}
     outcome = _PuppetPlay(MatchPlan(loaded, teams, {}, seed=seed, out=out, sandbox="off"), Silent()).play()
     return outcome.folder, outcome.result
-
-
-def judged_again(folder: Path) -> list[dict[str, Any]]:
-    """Return the reflog that the referee writes of a record, without times of day."""
-    loaded = load_resolved(json.loads((folder / "scenario.json").read_text("utf-8")))
-    lines: list[dict[str, Any]] = []
-    for half in Trajectory.open(folder).halves:
-        referee = Referee(loaded.scenario, loaded.roster, half.info)
-        events = list(events_of(half.start, referee.start(half.start)))
-        for snapshot in half.snapshots():
-            events += events_of(snapshot, referee.judge(snapshot))
-        events += referee.finish().events
-        lines += [json.loads(line) for line in reflog_lines(events, "").splitlines()]
-    return [without_time_of_day(line) for line in lines]
-
-
-def reflog_of(folder: Path) -> list[dict[str, Any]]:
-    """Return the reflog of a record, without times of day."""
-    lines = (folder / "reflog.jsonl").read_text("utf-8").split("\n")[:-1]
-    return [without_time_of_day(json.loads(line)) for line in lines]
-
-
-def without_time_of_day(line: dict[str, Any]) -> dict[str, Any]:
-    """Return a line without what the clock on the wall said."""
-    return {key: value for key, value in line.items() if key != "datetime"}
 
 
 def puppet_show(loaded: Loaded, seed: int, ticks: int) -> tuple[list[str], ScriptedPlay]:

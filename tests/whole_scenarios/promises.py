@@ -31,8 +31,9 @@ from rcj_challenges.views.drawing.labels import CHARACTER_PX
 from rcj_challenges.views.replay.page import write_replay
 from rcj_challenges.views.sheet import sheet_html, sheet_markdown
 from rcj_challenges.views.stats.run import run_stats
+from tests.judging_again import judged_again, reflog_of
 from tests.whole_scenarios.contradicting import contradictions
-from tests.whole_scenarios.playing import judged_again, played, puppet_show, reflog_of
+from tests.whole_scenarios.playing import played, puppet_show
 from tests.whole_scenarios.rewriting import says_more_of_rows, written_out
 from tests.whole_scenarios.wholes import without_what_is_refused
 

@@ -22,8 +22,6 @@ FULL = 10.0
 BALL_R = 0.021
 HALF_CUBE = 0.0375
 
-Changes = dict[str, Any]
-
 
 @cache
 def _match() -> dict[str, Any]:

@@ -7,7 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
-_PLACE = re.compile(r" \((?P<file>[^()]{1,300}), line (?P<line>[0-9]{1,7})\)$")
+PLACE = re.compile(r" \((?P<file>[^()]{1,300}), line (?P<line>[0-9]{1,7})\)$")
+"""The place at the end of the last line that a program told of its end."""
+
 _MOST_LINE = 500  # letters
 
 
@@ -33,7 +35,7 @@ def crash_line(detail: str, files: Mapping[PurePosixPath, bytes]) -> CrashLine |
         detail: the last line of what the program told of its end, and its place.
         files: of the team.
     """
-    found = _PLACE.search(detail)
+    found = PLACE.search(detail)
     file = PurePosixPath(found["file"].replace("\\", "/")) if found is not None else None
     content = files.get(file) if file is not None else None
     if found is None or file is None or content is None:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 from pathlib import PurePosixPath
 
-from rcj_challenges.checker.advice.crash_lines import CrashLine, crash_line, text_of
+from rcj_challenges.checker.advice.crash_lines import PLACE, CrashLine, crash_line, text_of
 from rcj_challenges.checker.advice.unknown_names import on_unknown_name
 from rcj_challenges.checker.advice.unset_attributes import on_unset_attribute
 from rcj_challenges.checker.modules import instead_of_the_folder
@@ -16,7 +16,6 @@ _MOST_NAME = 100  # letters
 _CIRCLE = re.compile(
     r"partially initialized module '(?P<module>[\w.]+)' .{0,200}\(most likely due to a circular import\)"
 )
-_PLACE = re.compile(r" \((?P<file>[^()]{1,300}), line (?P<line>[0-9]{1,7})\)$")
 _NO_PACKAGE = re.compile(
     r"^ModuleNotFoundError: No module named '(?P<whole>[\w.]{1,200})'; '(?P<file>[\w.]{1,200})' is not a package"
 )
@@ -174,7 +173,7 @@ def _takes_a_place(line: CrashLine, files: Mapping[PurePosixPath, bytes]) -> boo
 
 
 def _on_circle(module: str, detail: str) -> str:
-    place = _PLACE.search(detail)
+    place = PLACE.search(detail)
     importer = PurePosixPath(place["file"]).name if place is not None else "another file"
     file = f"{module.rpartition('.')[2]}.py"
     if importer == file:

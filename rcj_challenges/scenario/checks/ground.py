@@ -37,8 +37,6 @@ def _shapes(scenario: Scenario) -> Iterator[Found]:
     for name, obstacle in scenario.obstacles.items():
         if isinstance(obstacle, Wall) and obstacle.from_m == obstacle.to_m:
             yield Found(("obstacles", name, "to_m"), "both ends are at one point; a wall is a segment")
-        if isinstance(obstacle, Box) and min(obstacle.size_m) <= 0:
-            yield Found(("obstacles", name, "size_m"), "both sizes must be greater than 0")
     roster = Roster.of(scenario)
     for model, path in visit(scenario):
         for name in roster.expand(model.uniform_in) if isinstance(model, UniformIn) else ():

@@ -203,8 +203,6 @@ def _expectation_of_mapping(kind: Any) -> str:
 def _expectation_of_list(arguments: tuple[Any, ...]) -> str:
     if len(arguments) == 2 and arguments[1] is Ellipsis:
         return _LIST_OF_NAMES if arguments[0] == Name else "a list"
-    if arguments == (float, float):
-        return "two numbers [x, y]"
     if all(argument == Point for argument in arguments):
         return f"{len(arguments)} points, each [x, y]"
     return f"a list of {len(arguments)}"

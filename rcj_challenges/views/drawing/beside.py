@@ -30,7 +30,7 @@ from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.starting import start_noise_m
 from rcj_challenges.views.drawing.flips import AS_WRITTEN, Flip, flipped
 from rcj_challenges.views.drawing.labels import Point
-from rcj_challenges.views.drawing.shapes import home, home_yaw_rad
+from rcj_challenges.views.drawing.shapes import home, home_yaw_rad, shifted
 
 _DIGITS = 3  # of a place in m; a yaw written as 1.57 shifts it by less
 
@@ -167,7 +167,7 @@ class _Walk:
             poses = self._poses(name, placing.at, flip)
             if poses:
                 self.board[name] = tuple(
-                    replace(pose, noise_m=_sum(pose.noise_m, placing.noise_m), yaw_rad=yaw_rad) for pose in poses
+                    replace(pose, noise_m=shifted(pose.noise_m, placing.noise_m), yaw_rad=yaw_rad) for pose in poses
                 )
             else:
                 self.board.pop(name, None)
@@ -184,7 +184,7 @@ class _Walk:
                 continue  # beside a spot: known without the rule
             for pose in self._beside(anchor, at, flip):
                 x, y = (round(value, _DIGITS) + 0.0 for value in pose.at)  # adding 0 makes no -0
-                self.found.append(Beside(names, (x, y), _sum(pose.noise_m, noise_m), aim))
+                self.found.append(Beside(names, (x, y), shifted(pose.noise_m, noise_m), aim))
 
     def _poses(self, entity: str, at: At | None, flip: Flip) -> tuple[_Pose, ...]:
         """Return where an entity may be after it was put somewhere; empty if nobody knows."""
@@ -220,12 +220,12 @@ class _Walk:
 
     def _beside(self, anchor: str, at: RelativeTo, flip: Flip) -> tuple[_Pose, ...]:
         if anchor in self._spots:
-            return (_Pose(flipped(_sum(self._spots[anchor], at.offset_m), flip)),)
+            return (_Pose(flipped(shifted(self._spots[anchor], at.offset_m), flip)),)
         poses = self.board.get(anchor, ())
         if not at.turns:
-            return tuple(replace(pose, at=_sum(pose.at, flipped(at.offset_m, flip))) for pose in poses)
+            return tuple(replace(pose, at=shifted(pose.at, flipped(at.offset_m, flip))) for pose in poses)
         known = [(pose, pose.yaw_rad) for pose in poses if pose.yaw_rad is not None]
-        return tuple(replace(pose, at=_sum(pose.at, _turned(at.offset_m, yaw))) for pose, yaw in known)
+        return tuple(replace(pose, at=shifted(pose.at, _turned(at.offset_m, yaw))) for pose, yaw in known)
 
     def _yaw_rad(self, entity: str, facing: Facing) -> float | None:
         if facing == "start":
@@ -239,10 +239,6 @@ class _Walk:
         if mirror is None or (mirror.when is not None and mirror.when not in self._flags):
             return AS_WRITTEN
         return mirror.axis in ("x", "both"), mirror.axis in ("y", "both")
-
-
-def _sum(a: Point, b: Point) -> Point:
-    return a[0] + b[0], a[1] + b[1]
 
 
 def _turned(offset_m: Point, yaw_rad: float) -> Point:

@@ -28,6 +28,7 @@ from rcj_challenges.views.drawing.shapes import (
     inverted_outlines,
     middle,
     point_words,
+    shifted,
     shown_outline,
     turned,
     zone_outline,
@@ -146,7 +147,7 @@ def _placement_areas(paper: Paper, scenario: Scenario, roster: Roster) -> None:
             paper.label(((start[0] + 3 * end[0]) / 4, (start[1] + 3 * end[1]) / 4), names, colour=colour)
         else:
             x, y = (2 * max(noise, _DOT_M) for noise in area.noise_m)
-            paper.polygon([_shifted(at, corner) for corner in box(x, y)], style, f"{names} at {point_words(at)}")
+            paper.polygon([shifted(at, corner) for corner in box(x, y)], style, f"{names} at {point_words(at)}")
             # A dot may lie under a robot: the line that leads there tells where it is.
             paper.label(at, names, reach_m=max(area.noise_m[1], _DOT_M), colour=colour)
 
@@ -237,7 +238,7 @@ def _bodies(paper: Paper, scenario: Scenario, roster: Roster) -> None:
         start, chassis, body = robot.start, kit.chassis, _team_colour(robot.colour)
         at = (start.x_m, start.y_m)
         if any(start.noise_m):
-            area = [_shifted(at, corner) for corner in box(2 * start.noise_m[0], 2 * start.noise_m[1])]
+            area = [shifted(at, corner) for corner in box(2 * start.noise_m[0], 2 * start.noise_m[1])]
             paper.polygon(area, 'fill="none" stroke="#868e96" stroke-dasharray="3 3"', f"{name} starts in here")
         for side in (1, -1):
             wheel = [
@@ -320,10 +321,6 @@ def _legend_entries(scenario: Scenario, roster: Roster) -> list[tuple[str, list[
         ("Robots' starts (m, rad)", starts),
         ("Put by rules (m)", put),
     ]
-
-
-def _shifted(point: Point, by: Point) -> Point:
-    return point[0] + by[0], point[1] + by[1]
 
 
 def _dark(colour: str) -> str:

@@ -157,6 +157,11 @@ def box(width_m: float, height_m: float) -> list[Point]:
     return [(-x, -y), (x, -y), (x, y), (-x, y)]
 
 
+def shifted(point: Point, by: Point) -> Point:
+    """Return a point so far from another one."""
+    return point[0] + by[0], point[1] + by[1]
+
+
 def zone_words(zone: Zone) -> str:
     """Return a zone's numbers in words: ``-0.2 < x < 0.2, y > 0.59``."""
     words = _shape_words(zone)

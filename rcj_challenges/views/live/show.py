@@ -121,7 +121,7 @@ class LiveShow:
         self._feed.append(said(over))
         self._feed.close()
 
-    def linger(self, seconds: float | None = None) -> None:
+    def linger(self, seconds: float | None) -> None:
         """Go on serving for so long, or (None) until somebody interrupts from the keyboard; then return."""
         left_s = seconds
         with suppress(KeyboardInterrupt):

@@ -4,7 +4,7 @@ Belongs here: making the page of a record, finding and opening records, and the 
 CSS and HTML without any dependency). Does not belong here: reading and writing records (records).
 """
 
-from rcj_challenges.views.replay.browse import RunRow, find_run, list_runs, open_replay
+from rcj_challenges.views.replay.browse import find_run, list_runs
 from rcj_challenges.views.replay.page import write_replay
 
-__all__ = ["RunRow", "find_run", "list_runs", "open_replay", "write_replay"]
+__all__ = ["find_run", "list_runs", "write_replay"]

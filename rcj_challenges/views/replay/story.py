@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.amounts import Score, on_paper
 from rcj_challenges.records.refereelog import read_referee_log
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.result import RunResult
@@ -43,7 +43,6 @@ _MOST_CHANGES = 2_000
 MOST_UNANNOUNCED = 300
 """Of points without an event a page lists so many of each rule and half: one that pays on every tick would fill it."""
 _POINTS = "POINTS"
-Score = int | float
 
 
 @dataclass

@@ -60,7 +60,7 @@ th{background:#8882}svg{max-width:100%;height:auto;background:#fff;border-radius
 """
 
 
-def as_markdown(blocks: Iterable[Block], picture: str | None = None) -> str:
+def as_markdown(blocks: Iterable[Block], picture: str | None) -> str:
     """Return the blocks as Markdown.
 
     Args:

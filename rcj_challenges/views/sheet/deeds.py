@@ -19,7 +19,7 @@ def action_words(nouns: Nouns, action: Any) -> str:
     return ACTIONS[action.action](nouns, action)
 
 
-def put_words(nouns: Nouns, at: Any, *, plural: bool = False) -> str:
+def put_words(nouns: Nouns, at: Any, *, plural: bool) -> str:
     """Return where something is put: ``put on the spot “centre”``.
 
     Args:

@@ -20,7 +20,7 @@ from rcj_challenges.views.sheet.nouns import Nouns, listed, quoted, quoted_measu
 from rcj_challenges.views.sheet.phrases import degrees, heading, metres, number, seconds, value
 
 
-def trigger_words(nouns: Nouns, trigger: Any, each: str | None = None) -> str:
+def trigger_words(nouns: Nouns, trigger: Any, each: str | None) -> str:
     """Return a trigger as the part of a sentence that follows ``When``.
 
     Args:

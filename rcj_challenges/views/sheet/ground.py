@@ -9,9 +9,10 @@ from rcj_challenges.scenario.models import field as models
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.remembered import remembered_spots
 from rcj_challenges.views.drawing import draw_scenario
+from rcj_challenges.views.drawing.shapes import point_words
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Picture, Table
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted
-from rcj_challenges.views.sheet.phrases import degrees, metres, metres_alike, point
+from rcj_challenges.views.sheet.phrases import degrees, metres, metres_alike
 
 
 def field_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
@@ -98,13 +99,13 @@ def _ball_words(who: str, ball: models.Ball) -> str:
     sends = "infra-red" if ball.emits else "no infra-red"
     said = f"{who} measures {metres(2 * ball.radius_m)} across, its mass is {ball.mass_kg:g} kg{colour}."
     slows = f" While it rolls, it loses {ball.slows_mps2:g} m/s in each second." if ball.slows_mps2 else ""
-    return f"{said[:1].upper()}{said[1:]} It sends {sends}. Its start is {point(ball.start_m)}.{slows}"
+    return f"{said[:1].upper()}{said[1:]} It sends {sends}. Its start is {point_words(ball.start_m)}.{slows}"
 
 
 def _ball_row(name: str, ball: models.Ball, *, colours: bool) -> tuple[str, ...]:
     size, mass = metres(2 * ball.radius_m), f"{ball.mass_kg:g} kg"
     colour = (ball.colour,) if colours else ()
-    return plain(name), point(ball.start_m), size, mass, *colour, "yes" if ball.emits else "no"
+    return plain(name), point_words(ball.start_m), size, mass, *colour, "yes" if ball.emits else "no"
 
 
 def _colour_given(thing: models.Ball | models.Obstacle) -> bool:
@@ -115,10 +116,10 @@ def _obstacle_row(name: str, obstacle: Any, *, colours: bool) -> tuple[str, ...]
     colour = (obstacle.colour,) if colours else ()
     movable = f"yes, its mass is {obstacle.mass_kg:g} kg" if getattr(obstacle, "movable", False) else "no"
     if isinstance(obstacle, models.Wall):
-        place = f"from {point(obstacle.from_m)} to {point(obstacle.to_m)}"
+        place = f"from {point_words(obstacle.from_m)} to {point_words(obstacle.to_m)}"
         what = f"wall, {metres(obstacle.thickness_m)} thick"
     else:
-        place, what = point(obstacle.centre_m), _shape(obstacle)
+        place, what = point_words(obstacle.centre_m), _shape(obstacle)
     return plain(name), place, what, metres(obstacle.height_m), *colour, movable
 
 

@@ -50,11 +50,6 @@ def heading(yaw_rad: float) -> str:
     return f"{degrees(abs(yaw_rad))} {'clockwise' if yaw_rad < 0 else 'counter-clockwise'} from +x"
 
 
-def point(at: tuple[float, float]) -> str:
-    """Return a point of the floor: ``(0.45, 0)``."""
-    return f"({at[0] + 0.0:g}, {at[1] + 0.0:g})"
-
-
 def times(count: int) -> str:
     """Return how often: ``once``, ``3 times``."""
     return "once" if count == 1 else f"{count} times"

@@ -56,7 +56,6 @@ class _Counting:
     """Adds up one run."""
 
     def __init__(self, run: RunRecord, stats: Stats) -> None:
-        self._run = run
         self._stats = stats
         self._scenario = run.scenario
         self._roster = Roster.of(run.scenario)

@@ -12,6 +12,7 @@ from typing import Any, cast
 import numpy as np
 import numpy.typing as npt
 
+from rcj_challenges.facts.amounts import Score
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import SUBSTEP_S, SUBSTEPS_PER_TICK, TICK_S, s_from_ticks
 from rcj_challenges.records.errors import RecordError
@@ -29,7 +30,6 @@ from rcj_challenges.views.standing import counted_line, shows_score
 
 Poses = npt.NDArray[np.float64]
 """``[entity] -> x, y, yaw, z``: metres and radians; NaN for what is not on the field."""
-Score = int | float
 
 _FARTHEST_M = 100.0
 """What is farther out is parked: a field is at most 10 m long, the parking place begins at 1000 m."""

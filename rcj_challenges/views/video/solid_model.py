@@ -220,8 +220,10 @@ def _add_fixed(builder: _Builder, obstacle: Any) -> None:
     elif isinstance(obstacle, Box):
         (x, y), (length, width) = obstacle.centre_m, obstacle.size_m
         builder.box((x, y, height / 2), (length / 2, width / 2, height / 2), colour, 1.0, obstacle.yaw_rad)
-    else:
-        builder.bar(obstacle.from_m, obstacle.to_m, obstacle.thickness_m, (0.0, height), colour)
+    else:  # it ends where it ends: a bar would reach beyond, as walls of the field do to meet in their corners
+        (x1, y1), (x2, y2) = obstacle.from_m, obstacle.to_m
+        half = (math.dist(obstacle.from_m, obstacle.to_m) / 2, obstacle.thickness_m / 2, height / 2)
+        builder.box(((x1 + x2) / 2, (y1 + y2) / 2, height / 2), half, colour, 1.0, math.atan2(y2 - y1, x2 - x1))
 
 
 def _add_entity(spec: Any, entity: Mapping[str, Any], lettering: Lettering, *, patch: bool) -> None:

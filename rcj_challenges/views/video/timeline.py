@@ -58,7 +58,7 @@ def seconds_from(text: str) -> float:
     return int(minutes or 0) * 60 + seconds
 
 
-def moment_at(footage: Footage, at_s: float, half: int | None, option: str = "--at") -> Moment:
+def moment_at(footage: Footage, at_s: float, half: int | None) -> Moment:
     """Return the moment at a time: of a half if one is given, else of all halves one after the other.
 
     The end of a half is reached from it: with two halves of 600 s, second 600 is the end of the first half.
@@ -72,7 +72,7 @@ def moment_at(footage: Footage, at_s: float, half: int | None, option: str = "--
         if at_s <= begin + found.length_s + 1e-9:
             return Moment(found, min(at_s - begin, found.length_s))
         begin += found.length_s
-    raise VideoError(f"{option} {at_s:g} is beyond the end: {_length_in_words(footage, half)}")
+    raise VideoError(f"--at {at_s:g} is beyond the end: {_length_in_words(footage, half)}")
 
 
 def stretch(footage: Footage, from_s: float | None, to_s: float | None, half: int | None) -> list[Clip]:

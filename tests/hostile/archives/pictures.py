@@ -8,7 +8,8 @@ import zlib
 PNG = b"\x89PNG\r\n\x1a\n"
 
 
-def chunk(kind: bytes, body: bytes) -> bytes:
+def chunk(kind: bytes, body: bytes = b"") -> bytes:
+    """Return a part of a PNG."""
     return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
 
 

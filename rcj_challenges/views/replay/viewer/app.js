@@ -49,6 +49,19 @@ class App {
     this.resize();
   }
 
+  /** What tests and other pages may use: where the match is, and to go elsewhere. */
+  handle() {
+    const app = this, { recording } = this;
+    return {
+      recording,
+      app,
+      get place() { return app.player.place; },
+      get half() { return recording.at(app.player.place).track.facts.half; },
+      get tick() { return recording.at(app.player.place).tick; },
+      seek: (half, tick) => app.go(recording.placeOf(half, tick), false),
+    };
+  }
+
   bestView() {
     const canvas = this.find("view"), { facts } = this.recording;
     if (!new URLSearchParams(location.search).has("flat")) {

@@ -122,10 +122,6 @@ class Mesh {
     return this;
   }
 
-  disc(x, y, radius, colour, parts = 28) {
-    return this.floor(Mesh.circle(x, y, radius, parts), colour);
-  }
-
   static circle(x, y, radius, parts = 48) {
     return Array.from({ length: parts }, (_, part) => {
       const angle = (2 * Math.PI * part) / parts;

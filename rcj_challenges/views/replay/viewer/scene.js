@@ -32,7 +32,6 @@ class Scene {
     this.ground = this.layers(Ground.field(facts));
     this.signs = this.nameSigns(entities);
     this.marks = [];
-    this.markKey = "";
     this.shown = null;
     this.view = new Float32Array(16);
     this.begin();

@@ -2,16 +2,7 @@
 
 Embedded.recording()
   .then((recording) => {
-    const app = new App(recording);
-    // What tests and other pages may use: where the match is, and to go elsewhere.
-    window.replay = {
-      recording,
-      app,
-      get place() { return app.player.place; },
-      get half() { return recording.at(app.player.place).track.facts.half; },
-      get tick() { return recording.at(app.player.place).tick; },
-      seek: (half, tick) => app.go(recording.placeOf(half, tick), false),
-    };
+    window.replay = new App(recording).handle();
     document.body.classList.add("ready");
   })
   .catch((error) => {

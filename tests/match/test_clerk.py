@@ -1,0 +1,90 @@
+"""What those who watch a match are told while it is played, and its pace by the clock."""
+
+import time
+
+import pytest
+
+from rcj_challenges.match.match import MatchInterruptedError
+from rcj_challenges.match.watching import Silent
+
+SAYS = """from controller import Robot
+robot = Robot()
+while robot.step(32) != -1:
+    print("at", round(robot.getTime(), 3))
+"""
+
+
+class Noting(Silent):
+    progress_every_ticks = 8
+
+    def __init__(self):
+        self.ticks, self.progress, self.said, self.ends = [], [], [], []
+
+    def ticked(self, snapshot, verdict):
+        self.ticks.append(snapshot.tick)
+
+    def progressed(self, progress):
+        self.progress.append(progress.tick)
+
+    def half_started(self, half):
+        self.ends.append(("half", half.half, len(self.ticks)))
+
+    def half_ended(self, half, waits):
+        self.ends.append(("is over", half.half, len(self.ticks)))
+
+    def finished(self, result):
+        self.ends.append(("match", result["complete"], len(self.ticks)))
+
+    def printed(self, robot, text):
+        self.said.append((len(self.ticks) - 1, robot, text))
+
+
+@pytest.fixture(scope="module")
+def told(shared_place):
+    watcher = Noting()
+    team = shared_place.team_folder(SAYS)
+    shared_place.play("match.half_s=0.96", yellow=team, watcher=watcher, show_output=frozenset({"Y2"}))
+    return watcher
+
+
+def test_each_tick_is_told_and_how_far_it_is_every_so_many(told):
+    assert told.ticks == list(range(31))
+    assert told.progress == [8, 16, 24]
+
+
+def test_a_half_begins_before_its_ticks_and_the_match_is_over_after_them(told):
+    assert told.ends == [("half", 1, 0), ("is over", 1, 31), ("match", True, 31)]
+
+
+def test_what_programs_print_is_shown_twice_a_second_and_at_the_end_of_whom_it_is_asked(told):
+    ticks = [tick for tick, _, _ in told.said]
+    assert set(ticks) <= {0, 16, 30}
+    assert ticks[-1] == 30
+    assert {robot for _, robot, _ in told.said} == {"Y2"}
+    head, *lines = "".join(text for _, _, text in told.said).splitlines()
+    assert head == "--- half 1: robot2/robot2.py ---"
+    assert lines == [f"at {round(0.032 * tick, 3)}" for tick in range(1, 30)]
+
+
+def test_by_the_clock_no_tick_is_judged_before_its_time(shared_place):
+    began = []
+
+    class Timing(Silent):
+        def ticked(self, snapshot, verdict):
+            began.append(time.perf_counter())
+
+    shared_place.play("match.half_s=0.96", watcher=Timing(), real_time=True)
+    assert all(at_s - began[0] >= 0.032 * (tick - 1) - 0.01 for tick, at_s in enumerate(began[1:], start=1))
+
+
+def test_of_a_match_that_is_broken_off_watchers_hear_that_it_is_over_and_not_complete(shared_place):
+    class Interrupting(Noting):
+        def ticked(self, snapshot, verdict):
+            super().ticked(snapshot, verdict)
+            if snapshot.tick == 5:
+                raise KeyboardInterrupt
+
+    watcher = Interrupting()
+    with pytest.raises(MatchInterruptedError):
+        shared_place.play("match.half_s=0.96", watcher=watcher)
+    assert watcher.ends == [("half", 1, 0), ("match", False, 6)]
