@@ -323,6 +323,22 @@ class TestState:
         enters = rule("a", "{trigger: enters, entity: ball, zone: both}")
         assert kinds("zones: {z: {shape: rect, x_min_m: 0}}", "groups: {both: [z, blue_goal]}", rules=enters) == []
 
+    @pytest.mark.parametrize(
+        ("groups", "remedy"),
+        [
+            ("{doors: [g]}", "name it in a rule, or remove it together with the group that names it: doors"),
+            (
+                "{doors: [g, h], all: [doors], others: [h, g]}",
+                "name it in a rule, or remove it together with the groups that name it: doors, others",
+            ),
+            ("{penalty_areas: [blue_penalty_area]}", "name it in a rule, or remove it"),
+        ],
+    )
+    def test_what_a_group_without_a_use_names_goes_with_the_group(self, groups, remedy):
+        gates = "gates: {g: {from_m: [0, 0], to_m: [1, 0]}, h: {from_m: [0, 0], to_m: [0, 1]}}"
+        found = [one.remedy for one in found_in(gates, f"groups: {groups}") if one.kind == "gate_never_used"][:1]
+        assert found == [remedy]
+
 
 class TestTimes:
     @pytest.mark.parametrize(
