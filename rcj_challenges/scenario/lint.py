@@ -52,7 +52,14 @@ from rcj_challenges.scenario.lint_state import (
 )
 from rcj_challenges.scenario.lint_steps import check_kept_steps
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
-from rcj_challenges.scenario.lint_times import check_halves, check_last_tick, check_reached, check_rests, check_times
+from rcj_challenges.scenario.lint_times import (
+    check_ends,
+    check_halves,
+    check_last_tick,
+    check_reached,
+    check_rests,
+    check_times,
+)
 from rcj_challenges.scenario.lint_touched import check_last_touches, check_touched
 from rcj_challenges.scenario.lint_unheard import check_unheard
 from rcj_challenges.scenario.lint_units import check_units
@@ -103,6 +110,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_unused,
     check_times,
     check_halves,
+    check_ends,
     check_reached,
     check_last_tick,
     check_rests,
