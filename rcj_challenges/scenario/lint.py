@@ -12,6 +12,7 @@ from typing import Any
 
 from rcj_challenges.scenario.crossrefs import shown_path
 from rcj_challenges.scenario.errors import Problem
+from rcj_challenges.scenario.lint_about import check_heard_about
 from rcj_challenges.scenario.lint_angles import check_angles
 from rcj_challenges.scenario.lint_bounds import check_bounds
 from rcj_challenges.scenario.lint_denied import check_contradictions
@@ -81,6 +82,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_phases,
     check_events,
     check_events_of_one,
+    check_heard_about,
     check_echoes,
     check_rules,
     check_repeated,

@@ -179,7 +179,7 @@ def check_events_of_one(subject: Subject) -> Iterator[Suspect]:
     for name, rule in subject.standing():
         if rule.for_each is None or _names_each(rule.conditions):
             continue
-        members = subject.members("each", rule) & {*subject.roster.things}
+        members = subject.members("each", rule)
         for index, trigger in enumerate(rule.triggers):
             if not isinstance(trigger, OnEvent) or trigger.entity is not None or len(members) < 2:
                 continue
