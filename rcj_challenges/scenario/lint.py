@@ -14,6 +14,7 @@ from rcj_challenges.scenario.crossrefs import shown_path
 from rcj_challenges.scenario.errors import Problem
 from rcj_challenges.scenario.lint_about import check_heard_about
 from rcj_challenges.scenario.lint_angles import check_angles
+from rcj_challenges.scenario.lint_beside import check_beside
 from rcj_challenges.scenario.lint_bounds import check_bounds
 from rcj_challenges.scenario.lint_denied import check_contradictions
 from rcj_challenges.scenario.lint_distances import check_distances
@@ -124,6 +125,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_obstacles,
     check_entities,
     check_layouts,
+    check_beside,
     check_put_back,
     check_gone,
     check_kicks,

@@ -284,3 +284,18 @@ def test_a_key_without_a_value(trigger, said):
 )
 def test_what_yaml_takes_for_something_else(body, said):
     assert any(text.endswith(said) for text in complaints(body + "\n")), complaints(body + "\n")
+
+
+@pytest.mark.parametrize(
+    ("body", "usual"),
+    [
+        ("balls: {ball: {friction: 0.1}}\n", "slows_mps2"),
+        ("balls: {ball: {rolling_friction: 0.1}}\n", "slows_mps2"),
+        ("counters: {n: {}}\n" + rule(action="{action: count, counter: n, max: 3}"), "keeps_at_most"),
+        (rule(action="{action: score, entrant: yellow, points: -1, min: 0}"), "keeps_at_least"),
+        (rule("{trigger: holds, condition: {condition: way, entity: Y1, min: 2}}"), "at_least"),
+    ],
+)
+def test_a_key_in_the_words_of_other_languages(body, usual):
+    (text,) = complaints(body)
+    assert text.endswith(f"; it is called '{usual}' here")
