@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from math import pi, radians
 
 from rcj_challenges.scenario.catalogue import Catalogue, texts
 from rcj_challenges.scenario.errors import listing
-from rcj_challenges.scenario.tree import Entries, Leaf, Node, Path, child, node_at
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, child, node_at
 
 _TIMES = ("at_s", "limit_s", "within_s", "for_s", "grace_s", "every_s")
 """The times that triggers wait for."""
@@ -130,9 +130,13 @@ _USUAL_KEYS = {
 }
 """What others call a key, and how it is written here."""
 
-_LEAST, _MOST = ("keeps_at_least", "at_least"), ("keeps_at_most", "at_most")
-_BOUNDS = dict.fromkeys(("min", "minimum"), _LEAST) | dict.fromkeys(("max", "maximum"), _MOST)
-"""The same of bounds: of what becomes of a score or a counter, where it can be bounded, else of what is compared."""
+_BY_PLACE = {
+    ("min", "minimum"): ("keeps_at_least", "at_least"),
+    ("max", "maximum"): ("keeps_at_most", "at_most"),
+    ("duration", "duration_s", "length", "length_s", "seconds"): ("half_s", "lasts_s"),
+}
+_CALLED_BY_PLACE = {key: called for keys, called in _BY_PLACE.items() for key in keys}
+"""The same of keys that are called this or that, as the place may have them: of a score that grows, and of a limit."""
 
 
 def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
@@ -145,7 +149,7 @@ def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
         root: the whole scenario.
     """
     allowed = set(allowed)
-    meant = (_USUAL_KEYS.get(key), *_BOUNDS.get(key, ()))
+    meant = (_USUAL_KEYS.get(key), *_CALLED_BY_PLACE.get(key, ()))
     usual = next((one for one in meant if one in allowed), None)
     if usual is not None:
         return f"; it is called {usual!r} here"
@@ -160,6 +164,23 @@ def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
     if not isinstance(last, Leaf) or not last.empty:
         return ""
     return f"; what belongs to '{before[-1]}' above it is indented: put two blanks before it"
+
+
+def for_coordinates(path: Path, node: Node | None, keys: Collection[str]) -> str:
+    """Return how a place is written where numbers in a list stand for a mapping, or a name for the numbers.
+
+    Args:
+        path: where it stands.
+        node: what stands there.
+        keys: those of the mapping that is expected; none where it is no mapping.
+    """
+    if path[:1] == ("expect",) and path[-2:-1] in (("place",), ("move",)) and isinstance(node, Leaf):
+        return "; a place is written [x, y] or [x, y, yaw], in m and rad"
+    numbers = [item.value for item in node.items if isinstance(item, Leaf)] if isinstance(node, Items) else []
+    known = [key for key in ("x_m", "y_m", "yaw_rad") if key in keys]
+    if not 2 <= len(numbers) <= len(known) or not all(isinstance(one, int | float) for one in numbers):
+        return ""
+    return f"; write {{{', '.join(f'{key}: {one}' for key, one in zip(known, numbers, strict=False))}}}"
 
 
 def for_param(node: Node | None, root: Node) -> str:
