@@ -66,6 +66,14 @@ def test_what_it_says_is_about_who_crosses_and_names_the_gate():
             "One of the doors is passed. The gate counts! One of the yellow robots goes on.",
         ),
         ("It is open: {each}.", "It is open: one of the doors."),
+        # By another word for it: what is meant is told beside it, once.
+        (
+            "The field {each} is passed; who leaves the field {each} waits.",
+            "The field (one of the doors) is passed; who leaves the field waits.",
+        ),
+        ("A runner {entity} is through.", "A runner (one of the yellow robots) is through."),
+        ("The next {each} is open.", "The next one of the doors is open."),
+        ("The robot that crosses {each} may go.", "The robot that crosses one of the doors may go."),
     ],
 )
 def test_it_is_said_of_which_group_the_gate_is(says, words):
@@ -84,6 +92,11 @@ def test_what_a_group_is_of_is_not_said_twice(group, says, words):
     crosses = f"for_each: {group}, {CROSSES.partition(', ')[2]}"
     said = sentence(f'{crosses}, {END}, says: "{says}"', GATES.replace("doors", group))
     assert said.startswith(f"{words} For each of the ")
+
+
+def test_the_other_one_by_another_word_is_told_beside_it():
+    said = sentence(f'{TOUCHES}, {END}, says: "The loser {{other}} goes."', GATES)
+    assert said.startswith("The loser (the other robot) goes. ")
 
 
 @pytest.mark.parametrize("says", ["A {other} is touched.", "The robot {other} is touched.", "{other} is touched."])

@@ -24,6 +24,9 @@ _ARTICLES = ("the ", "one of ", "a ", "an ")
 _POINTERS = "the|an?|this|that"
 """What stands before a name, and not before words that have an article."""
 
+_AFTER_A_NOUN = r"(\b(?:the|an?) (?!(?:next|other|first|second|third|last|new|same|right|wrong|free)\b)[a-z]+) "
+"""Another word for what a blank stands for, as in “the field {each}”, and none that tells which one it is."""
+
 _PLURALS = (("ies", "y"), ("es", ""), ("s", ""))
 """With what a group's name may end, and its members' in place of it."""
 
@@ -99,6 +102,9 @@ def _bare(blank: str, kinds: tuple[str, ...], words: str) -> str:
 
 def _filled_in(blank: str, known: str, words: str) -> str:
     """Return words in which a blank is filled in; where a sentence begins with it, with a capital."""
+    if known.startswith(_ARTICLES):
+        beside = f" ({known})" if known.startswith("one of ") or blank == "{other}" else ""
+        words = re.sub(_AFTER_A_NOUN + re.escape(blank), lambda found: found[1] + beside, words, flags=re.IGNORECASE)
     capital = f"{known[:1].upper()}{known[1:]}"
     words = re.sub(rf"([.!?]\s+){re.escape(blank)}", lambda found: found[1] + capital, words)
     return words.replace(blank, known)
