@@ -48,8 +48,9 @@ def placing_words(nouns: Nouns, placing: Any) -> str:
     who = nouns.all_of(placing.entity)
     if _stays(placing) and placing.kick is not None and not noise:
         return f"{who.does('rolls', 'roll')} on from where it is, {_rolling(nouns, placing)}{_clear(placing)}"
+    put = put_words(nouns, placing.at, plural=who.plural)
     parts = [
-        put_words(nouns, placing.at, plural=who.plural),
+        _as_beside_itself(put, nouns.thing(placing.at.relative_to)) if _is_beside_itself(placing) else put,
         f" ({noise})" if noise else "",
         mirrored_words(nouns, placing.mirror, placing.at),
         _facing(nouns, placing, placing.at, plural=who.plural),
@@ -61,8 +62,22 @@ def placing_words(nouns: Nouns, placing: Any) -> str:
 
 def _stays(placing: Any) -> bool:
     """Return whether a thing is put right where it is."""
-    at = placing.at
-    return isinstance(at, places.RelativeTo) and at.relative_to == placing.entity and not any(at.offset_m)
+    return _is_beside_itself(placing) and not any(placing.at.offset_m)
+
+
+def _is_beside_itself(placing: Any) -> bool:
+    return isinstance(placing.at, places.RelativeTo) and placing.at.relative_to == placing.entity
+
+
+def _as_beside_itself(words: str, thing: str) -> str:
+    """Return the words for a place beside a thing where that thing itself is put there: “of where it is”."""
+    for of_thing, of_itself in (
+        ("right at {}", "right where it is"),
+        (" of {}", " of where it is"),
+        ("as {} is", "as it is"),
+    ):
+        words = words.replace(of_thing.format(thing), of_itself)
+    return words
 
 
 def _at_start(at: Any) -> bool:
