@@ -53,6 +53,7 @@ from rcj_challenges.scenario.lint_state import (
     check_unused,
 )
 from rcj_challenges.scenario.lint_steps import check_kept_steps
+from rcj_challenges.scenario.lint_sums import check_sums
 from rcj_challenges.scenario.lint_suspect import Subject, Suspect
 from rcj_challenges.scenario.lint_times import (
     check_ends,
@@ -106,6 +107,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_exclusive_groups,
     check_state,
     check_others,
+    check_sums,
     check_draws,
     check_drawn_names,
     check_spots,
