@@ -21,6 +21,7 @@ from rcj_challenges.scenario.lint_distances import check_distances
 from rcj_challenges.scenario.lint_echoes import check_echoes
 from rcj_challenges.scenario.lint_edges import check_edges, check_exclusive_groups
 from rcj_challenges.scenario.lint_flow import (
+    check_any_for_each,
     check_events,
     check_events_of_one,
     check_phases,
@@ -84,6 +85,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_phases,
     check_events,
     check_events_of_one,
+    check_any_for_each,
     check_heard_about,
     check_echoes,
     check_rules,

@@ -78,3 +78,34 @@ def test_an_event_that_is_about_nobody():
         "rules.all.triggers[0] (event): 'HIT' is about nobody in particular, as the rules that emit it are; give the rule that "
         "emits it a for_each over those that are meant, or leave entity out here [rule_never_fires]"
     )
+
+
+@pytest.mark.parametrize(
+    ("rule", "key"),
+    [
+        ("for_each: robots, triggers: [{trigger: enters, entity: robots, zone: blue_goal}]", "entity"),
+        ("for_each: yellow, triggers: [{trigger: touches, entity: yellow, other: ball}]", "entity"),
+        ("for_each: robots, triggers: [{trigger: program_fault}]", "robot"),
+        ("for_each: penalty_areas, triggers: [{trigger: enters, entity: ball, zone: penalty_areas}]", "zone"),
+        ("for_each: robots, triggers: [{trigger: enters, entity: each, zone: blue_goal}]", ""),
+        ("for_each: yellow, triggers: [{trigger: enters, entity: robots, zone: blue_goal}]", ""),
+        ("for_each: robots, triggers: [{trigger: touches, entity: robots, other: each}]", ""),
+        ("for_each: Y1, triggers: [{trigger: enters, entity: Y1, zone: blue_goal}]", ""),
+        ("triggers: [{trigger: enters, entity: robots, zone: blue_goal}]", ""),
+        # Whoever asks something of each has thought of all of them.
+        (
+            (
+                "for_each: robots, triggers: [{trigger: enters, entity: robots, zone: blue_goal}], "
+                "conditions: [{condition: in_zone, entity: each, zone: blue_goal, negate: true}]"
+            ),
+            "",
+        ),
+    ],
+)
+def test_a_rule_of_each_that_waits_for_any(rule, key):
+    tells = "{action: emit, event: E, payload: {which: {word: each_name}}}"
+    text = f"rules: {{it: {{{rule}, actions: [{tells}, {{action: score, entrant: blue}}], says: A.}}}}\n"
+    loaded = load_text("schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n" + text)
+    found = [one.remedy for one in lint(loaded) if one.kind == "any_heard_by_each"]
+    remedy = f"write {key}: each, so that it fires for that one only, or leave for_each out and name them all"
+    assert found == ([remedy] if key else [])
