@@ -339,7 +339,8 @@ def emit(model: models.Emit, workshop: Workshop, rule: StandingRule) -> Act:
     payload = {key: compile_value(value, workshop, rule.each) for key, value in model.payload.items()}
 
     def act(occasion: Occasion) -> None:
-        workshop.emit(name, {key: read(occasion) for key, read in payload.items()}, occasion.subject)
+        about = tuple(one for one in (occasion.subject, occasion.place) if one is not None)
+        workshop.emit(name, {key: read(occasion) for key, read in payload.items()}, about)
 
     return act
 

@@ -107,7 +107,7 @@ class Workshop:
         self.contacts = Contacts(state.roster.robots)
         self.bodies = Bodies(state.scenario, state.roster)
         self.queue = Queue()
-        self.emit: Callable[[str, dict[str, object], str | None], None] = lambda _name, _payload, _about: None
+        self.emit: Callable[[str, dict[str, object], tuple[str, ...]], None] = lambda _name, _payload, _about: None
         self.enter_phase: Callable[[str], None] = lambda _phase: None
         self.timers_changed: Callable[[], None] = self.lookout.reckon
         self._by_draw: dict[str, list[Watch]] = {}

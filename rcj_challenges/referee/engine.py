@@ -74,7 +74,7 @@ class Referee:
         self._waiting = False
         self._phase_ends = NEVER
         self._entered: list[tuple[str, str]] = []
-        self._emitted: list[tuple[str, str | None]] = []
+        self._emitted: list[tuple[str, tuple[str, ...]]] = []
         self._events: list[Event] = []
         self._firings: list[Firing] = []
         self._quiet: dict[str, Verdict] = {}
@@ -244,8 +244,8 @@ class Referee:
         events = self._moments.events
         for name in dict.fromkeys(name for name, _ in emitted):
             self._hits.report(events.get((name, None), []))
-        for about in dict.fromkeys(one for one in emitted if one[1] is not None):
-            self._hits.report(events.get(about, []))
+        for heard_of in dict.fromkeys((name, one) for name, about in emitted for one in about):
+            self._hits.report(events.get(heard_of, []))
         if self._clock_ran:
             for one in self._moments.due_at(self._state.clock):
                 self._hits.report([one.listener], one.next_s, one.at_s)
@@ -338,7 +338,7 @@ class Referee:
             return "max_executions"
         return None
 
-    def _emit(self, name: str, payload: dict[str, object], about: str | None) -> None:
+    def _emit(self, name: str, payload: dict[str, object], about: tuple[str, ...]) -> None:
         self._events.append(Event(self._state.tick, name, payload))
         self._emitted.append((name, about))
 

@@ -12,6 +12,7 @@ from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.referee.comparing import difference, equal, event_differences, told_difference
 from rcj_challenges.referee.denied import denied_notes
 from rcj_challenges.referee.engine import Referee
+from rcj_challenges.referee.put_inside import put_inside_notes
 from rcj_challenges.referee.ranking import Tally, ranking
 from rcj_challenges.referee.script import ScriptedPlay, half_of
 from rcj_challenges.referee.state import Number
@@ -43,8 +44,8 @@ class Trial:
 
     Attributes:
         differences: what came out differently, one line each, then notes on why that may be: what found no room, draws
-            that were not drawn, gates crossed the wrong way, rules of which a condition did not hold, the course of the
-            phases; empty if all is as expected.
+            that were not drawn, gates crossed the wrong way, what a rule put where it should enter, rules of which a
+            condition did not hold, the course of the phases; empty if all is as expected.
         ticks: how many ticks were judged.
         fired: the rules that fired, in the order of their first time.
     """
@@ -103,15 +104,15 @@ def try_expectation(loaded: HasScenario, name: str) -> Trial:
         play.finish()
     fired = dict.fromkeys(firing.rule for firing in play.firings if firing.suppressed is None)
     differences = list(_differences(play, scenario, expected))
+    missing = _missing(differences, expected)
     notes = (
         (
             *_no_room(play),
             *_not_drawn(play, expected),
             *play.wrong_ways.notes(),
             *_true_before(play, fired),
-            *denied_notes(
-                play.referee.denied or {}, scenario, _missing(differences, expected), _scores(play, expected), fired
-            ),
+            *put_inside_notes(play.placements, scenario, loaded.roster, missing, fired),
+            *denied_notes(play.referee.denied or {}, scenario, missing, _scores(play, expected), fired),
             *_course(play, differences),
         )
         if differences

@@ -48,7 +48,7 @@ _SHARED: tuple[tuple[Shape, str], ...] = (
 )  # fmt: skip
 """Shapes that stand in so many places that the schema defines them once."""
 
-_WITHOUT_PARAM = frozenset({"schema_version", "id", "extends", "params"})
+_WITHOUT_PARAM = frozenset({"extends", "params"})
 """Sections that must be known before params are, or are the params themselves."""
 
 
@@ -110,9 +110,10 @@ class _Writer:
         schema = self.schema(shape, partial=partial)
         if "$ref" not in schema:
             schema = _bounded(schema, keywords([info], shape))
-        if "const" in schema and not info.is_required():  # what tells forms apart has no default
-            schema = _or_param(schema)
-        description = info.description or (sentence_of(model) if "const" in schema else "")
+        is_word = "const" in schema
+        if is_word and not (info.is_required() and isinstance(schema["const"], str)):
+            schema = _or_param(schema)  # of a word that tells forms apart `_of_any_form` says so
+        description = info.description or (sentence_of(model) if is_word else "")
         described = {"description": description} if description else {}
         default = {} if info.default in (PydanticUndefined, None) else {"default": _jsonable(info.default)}
         examples = {"examples": info.examples} if info.examples else {}
@@ -152,6 +153,8 @@ class _Writer:
         described = {"description": text} if (text := _description(extras)) else {}
         if is_union(kind):
             options = [self._plain(member, partial=partial) for member in members(shape)]
+            if isinstance(discriminator, str):
+                options.append(_of_any_form(discriminator))
             word = "oneOf" if isinstance(discriminator, str) and not partial else "anyOf"
             return {**described, word: _flat(options)}
         if is_model(kind):
@@ -195,6 +198,15 @@ def _or_param(plain: _Json) -> _Json:
     described = {key: value for key, value in plain.items() if key == "description"}
     rest = {key: value for key, value in plain.items() if key != "description"}
     return {**described, "anyOf": [*plain.get("anyOf", [rest]), _PARAM_REF]}
+
+
+def _of_any_form(discriminator: str) -> _Json:
+    """Return the schema of a mapping whose form a param says: what else may stand in it only the loader knows.
+
+    A choice of its own, so that the other forms are known by their word alone, as editors need it.
+    """
+    which = {"$ref": _PARAM_REF["$ref"], "description": f"a param whose value is the word for '{discriminator}'"}
+    return {"type": "object", "properties": {discriminator: which}, "required": [discriminator]}
 
 
 def _is_scalar(schema: _Json) -> bool:

@@ -92,6 +92,7 @@ _KEEPING = _MOVING | _FIXED | _ZONE | _GATE
 _WHOSE = Field("entity", _KEEPING, each=True)
 _WHOSE_OF = Field("entity", _KEEPING, groups=True, each=True)
 _KEEPERS = Field("entity, obstacle, zone or gate", _KEEPING, groups=True)
+_ABOUT = Field("entity, obstacle, zone or gate", _KEEPING, groups=True, each=True)
 _MEMBERS = Field("entity", _MOVING, groups=True)
 _STEP = Field("zone or gate", _ZONE | _GATE)
 _MADE_STEP = Field("zone or gate", _ZONE | _GATE, each=True)
@@ -131,7 +132,7 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (triggers.SequenceBroken, "sequence"): _SEQUENCE,
     (triggers.SequenceBroken, "entity"): _ENTITIES,
     (triggers.ProgramFault, "robot"): _ROBOTS,
-    (triggers.OnEvent, "entity"): _THINGS,
+    (triggers.OnEvent, "entity"): _ABOUT,
     (triggers.Tells, "entity"): _ROBOTS,
     # conditions
     (conditions.InZone, "entity"): _ENTITIES,

@@ -59,6 +59,58 @@ class TestGates:
             "B2 of Blue Moon has passed east.",
         ]
 
+    @pytest.mark.parametrize(
+        ("each", "entity", "told"),
+        [
+            ("for_each: posts", ", entity: each", ["west"]),
+            ("for_each: posts", "", ["east", "middle", "west"]),
+            ("for_each: robots", ", entity: each", ["Y1"]),
+            ("", ", entity: west", [""]),
+            ("", ", entity: [east, west]", [""]),
+            ("", ", entity: posts", [""]),
+            ("", ", entity: east", []),
+            ("", ", entity: Y1", [""]),
+        ],
+    )
+    def test_the_event_is_heard_of_the_gate_as_well_as_of_who_crossed_it(self, stage, each, entity, told):
+        hears = f"""
+  hears:
+    {each}
+    triggers: [{{trigger: event, event: PASSED{entity}}}]
+    actions: [{{action: emit, event: TOLD, payload: {{each: {{word: each_name}}}}}}]
+"""
+        play = stage(GATES, PASSED + hears)
+        pass_at(play, -0.4)
+        play.play(2)
+        assert sorted(event.payload["each"] or "" for event in play.events_named("TOLD")) == told
+
+    def test_an_event_that_is_about_a_gate_alone_is_heard_of_it(self, stage):
+        play = stage(
+            GATES,
+            """
+timers: {closed: {lasts_s: 0.1, per: posts}}
+rules:
+  shuts:
+    triggers: [{trigger: crosses, entity: robots, gate: west}]
+    actions: [{action: timer, timer: closed, entity: west}]
+  opens:
+    for_each: posts
+    triggers: [{trigger: timer_expired, timer: closed}]
+    actions: [{action: emit, event: OPEN}]
+  hears:
+    for_each: posts
+    triggers: [{trigger: event, event: OPEN, entity: each}]
+    actions: [{action: emit, event: TOLD, payload: {each: {word: each_name}}}]
+  passes_on:
+    for_each: posts
+    triggers: [{trigger: event, event: TOLD, entity: each}]
+    actions: [{action: emit, event: AT_LAST, payload: {each: {word: each_name}}}]
+""",
+        )
+        pass_at(play, -0.4)
+        play.play(8)
+        assert [event.payload for event in play.events] == [{}, {"each": "west"}, {"each": "west"}]
+
     def test_the_log_names_gate_and_entity(self, stage):
         play = stage(GATES, PASSED)
         pass_at(play, -0.4)

@@ -28,7 +28,10 @@ CASES = [
     (rule("{trigger: enterz}"), f"rules.r.triggers[0] (enterz): unknown trigger 'enterz'; there are {TRIGGERS}; did you mean 'enters'?"),
     (rule("{entity: ball}"), f"rules.r.triggers[0]: 'trigger' is missing; it is one of {TRIGGERS}"),
     (rule("{trigger: [enters]}"), f"rules.r.triggers[0]: unknown trigger 'a list of 1'; there are {TRIGGERS}"),
-    (rule("half_started"), "rules.r.triggers[0]: expected a mapping with 'trigger', found 'half_started'"),
+    (
+        rule("half_started"),
+        "rules.r.triggers[0]: expected a mapping with 'trigger', found 'half_started'; write {trigger: half_started}",
+    ),
     (rule("{trigger: half_started, at: 3}"), "rules.r.triggers[0] (half_started): unknown key 'at'; allowed are trigger"),
     (rule("{trigger: enters, entity: ball}"),
      "rules.r.triggers[0] (enters): 'zone' is missing: a zone, each, or a draw's name; with a list or group: into any of them from none of them"),

@@ -117,14 +117,32 @@ def test_every_word_has_its_sentence_where_it_is_chosen():
         rule("{trigger: displaced, entity: ball, distance_m: 1, from: {param: x}}"),
         rule(action="{action: remove, entity: ball, back_at: {param: x}}"),
         rule(action="{action: sequence, sequence: lap, do: {param: x}}"),
+        "id: {param: x}\n",
+        "schema_version: {param: x}\n",
+        # Also for a word by which the schema knows what else may stand there.
+        rule("{trigger: {param: x}, entity: ball, zone: pitch}"),
+        rule("{trigger: holds, condition: {condition: {param: x}, entity: ball}}"),
+        rule(rest="    conditions: [{condition: {param: x}, equals: 1}]\n"),
+        rule(action="{action: {param: x}, entity: ball, at: start}"),
+        rule(action="{action: place, entity: Y1, at: {start: {param: x}}, facing: {random: {param: x}}}"),
+        "zones: {z: {shape: {param: x}, centre_m: [0, 0], radius_m: 0.1}}\n",
+        "obstacles: {o: {shape: {param: x}, centre_m: [0, 0], radius_m: 0.1}}\n",
+        "robots: {Y1: {devices: {eye: {device: {param: x}}}}}\n",
     ],
 )
 def test_a_param_may_stand_for_any_single_value(body):
     assert accepts({**plain(parse_text(HEAD, "f")), **plain(parse_text(body, "f"))})
 
 
+def test_beside_a_word_that_is_a_param_any_keys_may_stand_but_none_is_needed():
+    zone = {"shape": {"param": "x"}, "centre_m": [0, 0]}
+    assert accepts(WHOLE | {"zones": {"z": zone}})
+    assert not accepts(WHOLE | {"zones": {"z": zone | {"shape": {"param": "x", "of": 1}}}})
+    assert not accepts(WHOLE | {"zones": {"z": {"shape": "circle", "centre_m": [0, 0]}}})
+
+
 @pytest.mark.parametrize(
-    "body", ["match: {param: x}\n", "params: {a: {param: b}}\n", "id: {param: x}\n", "extends: {param: x}\n",
+    "body", ["match: {param: x}\n", "params: {a: {param: b}}\n", "extends: {param: x}\n",
              "match: {half_s: {param: x, times: a}}\n", "match: {half_s: {param: x, time: 2}}\n", "match: {half_s: {times: 2}}\n"]
 )  # fmt: skip
 def test_a_param_may_not_stand_for_more(body):

@@ -106,9 +106,8 @@ class TestEventsAndRules:
     def test_an_event_or_a_point_without_a_sentence(self):
         silent = "  a: {triggers: [{trigger: half_started}], actions: [{action: emit, event: STARTED}]}\n"
         assert kinds(rules=silent) == ["event_without_a_sentence"]
-        assert kinds("counters: {n: {}}", rules=silent.replace("{action: emit, event: STARTED}", "{action: end}")) == [
-            "counter_never_read"
-        ]
+        ends = silent.replace("half_started", "half_ended").replace("{action: emit, event: STARTED}", "{action: end}")
+        assert kinds("counters: {n: {}}", rules=ends) == ["counter_never_read"]
 
     def test_a_rule_for_each_that_never_names_it(self):
         many = rule("a", "{trigger: half_started}", more=", for_each: robots")
@@ -322,6 +321,22 @@ class TestState:
     def test_a_zone_in_a_group_that_is_named_is_used(self):
         enters = rule("a", "{trigger: enters, entity: ball, zone: both}")
         assert kinds("zones: {z: {shape: rect, x_min_m: 0}}", "groups: {both: [z, blue_goal]}", rules=enters) == []
+
+    @pytest.mark.parametrize(
+        ("groups", "remedy"),
+        [
+            ("{doors: [g]}", "name it in a rule, or remove it together with the group that names it: doors"),
+            (
+                "{doors: [g, h], all: [doors], others: [h, g]}",
+                "name it in a rule, or remove it together with the groups that name it: doors, others",
+            ),
+            ("{penalty_areas: [blue_penalty_area]}", "name it in a rule, or remove it"),
+        ],
+    )
+    def test_what_a_group_without_a_use_names_goes_with_the_group(self, groups, remedy):
+        gates = "gates: {g: {from_m: [0, 0], to_m: [1, 0]}, h: {from_m: [0, 0], to_m: [0, 1]}}"
+        found = [one.remedy for one in found_in(gates, f"groups: {groups}") if one.kind == "gate_never_used"][:1]
+        assert found == [remedy]
 
 
 class TestTimes:

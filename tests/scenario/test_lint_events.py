@@ -26,9 +26,86 @@ HIT = "rules: {hit: {%s triggers: [{trigger: touches, entity: %s, other: walls}]
             "for_each: robots, conditions: [{condition: held, entity: each}], triggers: [{trigger: event, event: HIT}]",
             False,
         ),
+        (
+            ("for_each: penalty_areas,", "robots"),
+            "for_each: penalty_areas, triggers: [{trigger: event, event: HIT}]",
+            True,
+        ),
+        (
+            ("for_each: penalty_areas,", "robots"),
+            "for_each: penalty_areas, triggers: [{trigger: event, event: HIT, entity: each}]",
+            False,
+        ),
     ],
 )
 def test_an_event_of_one_that_each_hears(hit, hears, warned):
     rules = f"{HIT % hit}, all: {{{hears}, actions: [{{action: emit, event: E}}, {{action: hold, entity: robots, for_s: 1}}], says: A.}}}}\n"
     loaded = load_text("schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n" + rules)
     assert ("event_heard_by_each" in {one.kind for one in lint(loaded)}) is warned
+
+
+@pytest.mark.parametrize(
+    ("hit", "hears", "about"),
+    [
+        (("", "Y1"), "entity: blue_penalty_area", "Y1"),
+        (
+            ("for_each: penalty_areas,", "yellow"),
+            "entity: blue_goal",
+            "Y1, Y2, Y3, blue_penalty_area, yellow_penalty_area",
+        ),
+        (("for_each: penalty_areas,", "yellow"), "entity: B1", "Y1, Y2, Y3, blue_penalty_area, yellow_penalty_area"),
+        (("for_each: yellow,", "each"), "entity: [blue, ball]", "Y1, Y2, Y3"),
+        (("for_each: penalty_areas,", "yellow"), "entity: blue_penalty_area", ""),
+        (("for_each: penalty_areas,", "yellow"), "entity: Y2", ""),
+        (("for_each: yellow,", "each"), "entity: [B1, Y3]", ""),
+        (("for_each: yellow,", "each"), "entity: robots", ""),
+    ],
+)
+def test_an_event_that_is_never_about_whom_a_rule_hears_it_of(hit, hears, about):
+    rules = f"{HIT % hit}, all: {{triggers: [{{trigger: event, event: HIT, {hears}}}], actions: [{{action: end}}], says: A.}}}}\n"
+    loaded = load_text("schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n" + rules)
+    assert [one.problem.message for one in lint(loaded) if one.kind == "rule_never_fires"] == (
+        [f"'HIT' is about {about} only, as the rules that emit it are"] if about else []
+    )
+
+
+def test_an_event_that_is_about_nobody():
+    rules = "rules: {hit: {triggers: [{trigger: half_started}], actions: [{action: emit, event: HIT}], says: H.}, "
+    rules += "all: {triggers: [{trigger: event, event: HIT, entity: Y1}], actions: [{action: end}], says: A.}}\n"
+    loaded = load_text("schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n" + rules)
+    (one,) = (one for one in lint(loaded) if one.kind == "rule_never_fires")
+    assert str(one).endswith(
+        "rules.all.triggers[0] (event): 'HIT' is about nobody in particular, as the rules that emit it are; give the rule that "
+        "emits it a for_each over those that are meant, or leave entity out here [rule_never_fires]"
+    )
+
+
+@pytest.mark.parametrize(
+    ("rule", "key"),
+    [
+        ("for_each: robots, triggers: [{trigger: enters, entity: robots, zone: blue_goal}]", "entity"),
+        ("for_each: yellow, triggers: [{trigger: touches, entity: yellow, other: ball}]", "entity"),
+        ("for_each: robots, triggers: [{trigger: program_fault}]", "robot"),
+        ("for_each: penalty_areas, triggers: [{trigger: enters, entity: ball, zone: penalty_areas}]", "zone"),
+        ("for_each: robots, triggers: [{trigger: enters, entity: each, zone: blue_goal}]", ""),
+        ("for_each: yellow, triggers: [{trigger: enters, entity: robots, zone: blue_goal}]", ""),
+        ("for_each: robots, triggers: [{trigger: touches, entity: robots, other: each}]", ""),
+        ("for_each: Y1, triggers: [{trigger: enters, entity: Y1, zone: blue_goal}]", ""),
+        ("triggers: [{trigger: enters, entity: robots, zone: blue_goal}]", ""),
+        # Whoever asks something of each has thought of all of them.
+        (
+            (
+                "for_each: robots, triggers: [{trigger: enters, entity: robots, zone: blue_goal}], "
+                "conditions: [{condition: in_zone, entity: each, zone: blue_goal, negate: true}]"
+            ),
+            "",
+        ),
+    ],
+)
+def test_a_rule_of_each_that_waits_for_any(rule, key):
+    tells = "{action: emit, event: E, payload: {which: {word: each_name}}}"
+    text = f"rules: {{it: {{{rule}, actions: [{tells}, {{action: score, entrant: blue}}], says: A.}}}}\n"
+    loaded = load_text("schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n" + text)
+    found = [one.remedy for one in lint(loaded) if one.kind == "any_heard_by_each"]
+    remedy = f"write {key}: each, so that it fires for that one only, or leave for_each out and name them all"
+    assert found == ([remedy] if key else [])

@@ -167,3 +167,65 @@ class TestGround:
     def test_where_there_is_or_may_be_room_nothing_is_said(self, placings):
         use = rule("a", "{trigger: time_reached, at_s: 1}", "{action: place, layout: l}")
         assert kinds(f"placements: {{l: [{placings}]}}", rules=use) == []
+
+
+class TestThingsPutWhereAnotherOneStands:
+    CRATE = "obstacles: {crate: {shape: cylinder, centre_m: [0.45, 0], radius_m: 0.05, movable: true}}"
+
+    def told(
+        self, action: str, more: str = "", trigger: str = "{trigger: touches, entity: Y1, other: crate}", each: str = ""
+    ) -> list[str]:
+        """Return what is said of an action that puts something beside another thing."""
+        rules = f"  a: {{{each} triggers: [{trigger}], actions: [{action}], says: It is so.}}\n"
+        return [str(one) for one in found_in(self.CRATE, rules=rules + more) if one.kind == "layout_without_room"]
+
+    @pytest.mark.parametrize(
+        ("action", "what", "whom"),
+        [
+            ("{action: place, entity: crate, at: {relative_to: Y1}}", "crate", "Y1"),
+            ("{action: place, entity: ball, at: {relative_to: crate, offset_m: [0, 0.05]}}", "ball", "crate"),
+            ("{action: place, entity: Y2, at: {relative_to: Y1, offset_m: [0.04, 0.04]}}", "Y2", "Y1"),
+        ],
+    )
+    def test_it_never_finds_room_there(self, action, what, whom):
+        (one,) = self.told(action)
+        assert (
+            f"there is no room: '{what}' would stand in '{whom}', beside which it is put; write a larger offset_m; on "
+            "the field it would be tried again on every tick [layout_without_room]"
+        ) in one
+
+    def test_each_beside_the_other_one(self):
+        each = "for_each: robots,"
+        touch = "{trigger: touches, entity: each, other: crate}"
+        (one,) = self.told(
+            "{action: place, entity: crate, at: {relative_to: each}, on_failure: stay}", trigger=touch, each=each
+        )
+        assert "'crate' would stand in 'each', beside which it is put" in one
+        assert "on the field it would stay where it is" in one
+
+    @pytest.mark.parametrize(
+        "action",
+        [
+            "{action: place, entity: crate, at: {relative_to: Y1, offset_m: [0.12, 0]}}",
+            "{action: place, entity: Y1, at: {relative_to: Y1}}",
+            "{action: place, entity: ball, at: {relative_to: ball}, kick: {towards: {spot: centre}, speed_mps: 1}}",
+            "{action: place, entity: crate, at: {relative_to: centre}}",
+            "{action: place, entity: crate, at: {relative_to: Y1}, noise_m: [0.2, 0]}",
+            # Where Y1 stood there is room when Y1 is put elsewhere, or taken off.
+            "{action: place, entity: crate, at: {relative_to: Y1}}, {action: place, entity: Y1, at: start}",
+            "{action: remove, entity: Y1, for_s: 1}, {action: place, entity: crate, at: {relative_to: Y1}}",
+        ],
+    )
+    def test_there_may_be_room(self, action):
+        assert self.told(action) == []
+
+    def test_another_rule_takes_it_off(self):
+        off = rule("b", "{trigger: time_reached, at_s: 1}", "{action: remove, entity: Y1}")
+        assert self.told("{action: place, entity: crate, at: {relative_to: Y1}}", more=off) == []
+
+    def test_another_rule_puts_it_elsewhere_in_the_same_tick(self):
+        touch = "{trigger: touches, entity: Y1, other: crate}"
+        elsewhere = rule("b", touch, "{action: place, entity: Y1, at: start}")
+        assert self.told("{action: place, entity: crate, at: {relative_to: Y1}}", more=elsewhere) == []
+        later = rule("b", "{trigger: time_reached, at_s: 1}", "{action: place, entity: Y1, at: start}")
+        assert len(self.told("{action: place, entity: crate, at: {relative_to: Y1}}", more=later)) == 1

@@ -102,3 +102,51 @@ class TestWhatIsHeardAfterTheEnd:
     def test_what_comes_a_tick_sooner_or_is_waited_for_by_nobody(self):
         assert self.said("{trigger: time_reached, at_s: 59.968}") == []
         assert self.said("{trigger: time_reached, at_s: 60}", event="OTHER") == []
+
+
+class TestHalvesThatAreOverAsTheyBegin:
+    RULE = "rules:\n  over:\n    triggers: [{trigger: half_started}]\n%s    actions: [%s]\n    says: It is over.\n"
+
+    def found(self, more: str = "", actions: str = "{action: end}", rest: str = "", halves: int = 2) -> list[str]:
+        """Return what is said of a rule that ends the half as it begins."""
+        text = f"{HEAD}match: {{halves: {halves}, half_s: 60}}\n{self.RULE % (more, actions)}{rest}"
+        return [str(one) for one in lint(load_text(text, file="it.yaml")) if one.kind == "over_as_it_begins"]
+
+    def test_every_half_is_over_at_once(self):
+        (one,) = self.found()
+        assert one == (
+            "it.yaml:8:16: warning: rules.over.triggers[0] (half_started): it ends each half as it begins: nothing can "
+            "be played; wait for something that happens in play, or say by a condition when it is over [over_as_it_begins]"
+        )
+
+    def test_of_one_half_and_of_the_match(self):
+        assert "it ends the half as it begins: nothing can be played" in self.found(halves=1)[0]
+        (one,) = self.found(actions="{action: score, entrant: blue}, {action: end, what: match}")
+        assert "it ends the match as it begins: nothing can be played" in one
+
+    def test_a_half_that_is_asked_for(self):
+        (one,) = self.found("    conditions: [{condition: half, equals: 2}]\n")
+        assert "it ends half 2 as it begins: nothing can be played in it" in one
+        (one,) = self.found(
+            "    conditions: [{condition: half, at_least: 2}]\n", "{action: end, what: match}", halves=3
+        )
+        assert "it ends the match as half 2 begins: nothing can be played in it" in one
+
+    @pytest.mark.parametrize(
+        ("more", "actions", "rest"),
+        [
+            ("    conditions: [{condition: counter, counter: blue, at_least: 1}]\n", "{action: end}", ""),
+            ("    conditions: [{condition: half, equals: 3}]\n", "{action: end}", ""),
+            ("", "{action: score, entrant: blue}", ""),
+            # Only the first of them counts, or enters a phase in which the second one does not live.
+            ("    exclusive: one\n", "{action: end}", ""),
+            ("    for_each: obstacles\n", "{action: end}", ""),
+            ("    phases: [later]\n", "{action: end}", "phases: {later: {}}\n"),
+        ],
+    )
+    def test_whether_it_is_over_at_once_is_not_known(self, more, actions, rest):
+        assert self.found(more, actions, rest) == []
+
+    def test_a_rule_that_enters_another_phase_first_may_stop_it(self):
+        first = "  first: {triggers: [{trigger: half_started}], priority: -1, actions: [{action: set_phase, phase: later}]}\n"
+        assert self.found(rest=f"{first}phases: {{later: {{}}}}\n") == []

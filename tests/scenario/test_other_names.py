@@ -27,6 +27,8 @@ phases: {play: {}}
     [
         ("action", "set_counter", "a counter changes by {action: count"),
         ("action", "teleport", "write place: "),
+        ("action", "attach", "nothing is carried along: "),
+        ("action", "pick_up", "nothing is carried along: "),
         ("action", "Penalty", "points are given by {action: score"),
         ("action", "goto_phase", "write set_phase"),
         ("action", "pause", "a pause is a phase"),

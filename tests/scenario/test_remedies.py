@@ -284,3 +284,53 @@ def test_a_key_without_a_value(trigger, said):
 )
 def test_what_yaml_takes_for_something_else(body, said):
     assert any(text.endswith(said) for text in complaints(body + "\n")), complaints(body + "\n")
+
+
+@pytest.mark.parametrize(
+    ("body", "usual"),
+    [
+        ("balls: {ball: {friction: 0.1}}\n", "slows_mps2"),
+        ("balls: {ball: {rolling_friction: 0.1}}\n", "slows_mps2"),
+        ("counters: {n: {}}\n" + rule(action="{action: count, counter: n, max: 3}"), "keeps_at_most"),
+        (rule(action="{action: score, entrant: yellow, points: -1, min: 0}"), "keeps_at_least"),
+        (rule("{trigger: holds, condition: {condition: way, entity: Y1, min: 2}}"), "at_least"),
+    ],
+)
+def test_a_key_in_the_words_of_other_languages(body, usual):
+    (text,) = complaints(body)
+    assert text.endswith(f"; it is called '{usual}' here")
+
+
+@pytest.mark.parametrize(
+    ("body", "way_out"),
+    [
+        (rule("half_started"), "found 'half_started'; write {trigger: half_started}"),
+        (rule("enters"), "found 'enters'; write {trigger: enters, …}"),
+        (rule("goal"), "found 'goal'; a goal is {trigger: enters, entity: ball, zone: …}: the goal is the zone"),
+        (rule("kickof"), "expected a mapping with 'trigger', found 'kickof'"),
+        (rule("{enters: {entity: ball, zone: blue_goal}}"), "tells, holds; write {trigger: enters, …}"),
+        (rule(action="end"), "found 'end'; write {action: end, …}"),
+        (rule(action="place"), "found 'place'; write {action: place, …}"),
+        (rule(action="{score: yellow}"), "emit, end; write {action: score, …}"),
+        (rule(action="{count: n, by: 2}"), "emit, end; write {action: count, …}"),
+        (rule(rest="    conditions: [half]\n"), "found 'half'; write {condition: half, …}"),
+        (
+            rule(rest="    conditions: [{counter: blue, at_least: 1}]\n"),
+            "any_of, all_of; write {condition: counter, …}",
+        ),
+        ("zones: {a: circle}\n", "found 'circle'; write {shape: circle, …}"),
+        ("zones: {a: {circle: {radius_m: 0.1}}}\n", "half_plane; write {shape: circle, …}"),
+        ("robots: {Y1: {devices: {eye: lidar}}}\n", "found 'lidar'; write {device: lidar, …}"),
+        ("robots: {Y1: {start: [0, 0.5]}}\n", "found a list of 2; write {x_m: 0, y_m: 0.5}"),
+        ("robots: {Y1: {start: [0, 0.5, 1.57]}}\n", "found a list of 3; write {x_m: 0, y_m: 0.5, yaw_rad: 1.57}"),
+        ("spots: {a: [0.1, 0]}\n", "found a list of 2; write {x_m: 0.1, y_m: 0}"),
+        (
+            rule() + "expect: {t: {keyframes: [{at_s: 1, place: {ball: centre}}], lasts_s: 2}}\n",
+            "expected a list, found 'centre'; a place is written [x, y] or [x, y, yaw], in m and rad",
+        ),
+        ("match: {duration: 60}\n", "it is called 'half_s' here"),
+        ("timers: {t: {duration: 60}}\n", "it is called 'lasts_s' here"),
+    ],
+)
+def test_words_without_their_key_and_lists_in_place_of_mappings(body, way_out):
+    assert any(line.endswith(way_out) for line in complaints(body)), complaints(body)

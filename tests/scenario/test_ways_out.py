@@ -279,3 +279,44 @@ def test_what_cannot_be_told_is_told_otherwise(value, where):
 def test_who_wants_a_value_to_come_more_often_is_told_to_write_it_more_than_once(key):
     (complaint,) = complaints(f"draws: {{prize: {{values: [a, b], {key}: [3, 1]}}}}\n" + rule())
     assert complaint.endswith("; a value that shall come more often is written more than once: values: [a, a, a, b]")
+
+
+KEPT = "counters: {n: {per: robots}, all: {}}\nflags: {f: {per: yellow}}\ntimers: {t: {per: robots, lasts_s: 1}}\n"
+
+
+@pytest.mark.parametrize(
+    ("action", "way_out"),
+    [
+        (
+            "{action: score, entrant: yellow, points: [5, {counter: n, entity: yellow}]}",
+            (
+                "; of several a list is added up, with a part for each: [{counter: n, entity: Y1}, {counter: n, entity: Y2}, "
+                "{counter: n, entity: Y3}]"
+            ),
+        ),
+        (
+            "{action: count, counter: all, to: {timer: t, entity: blue}}",
+            (
+                "; of several a list is added up, with a part for each: [{timer: t, entity: B1}, {timer: t, entity: B2}, "
+                "{timer: t, entity: B3}]"
+            ),
+        ),
+        (
+            "{action: count, counter: n, entity: yellow}",
+            "; for several write the action once for each of them, entity: Y1, entity: Y2, entity: Y3",
+        ),
+        ("{action: set_flag, flag: f, entity: yellow}", "; leave 'entity' out: then each of them is meant"),
+        ("{action: timer, timer: t, entity: robots}", "; leave 'entity' out: then each of them is meant"),
+        ("{action: emit, event: E, payload: {n: {counter: n, entity: yellow}}}", ""),
+    ],
+)
+def test_whoever_means_several_of_what_each_has_learns_how_it_is_said(action, way_out):
+    (text,) = complaints(KEPT + rule(action=action))
+    assert text.partition("is a group; ")[2] == f"name one entity{way_out}"
+
+
+def test_the_start_is_no_spot():
+    (text,) = complaints(rule(action=PLACE % "{spot: start}"))
+    assert text.endswith("unknown spot 'start'; where it began is written at: start")
+    (text,) = complaints(rule(action="{action: remove, entity: ball, for_s: 1, back_at: {spot: start}}"))
+    assert text.endswith("unknown spot 'start'; where it began is written back_at: start")

@@ -57,6 +57,12 @@ def reaches(picture: str) -> list[tuple[float, float, float, str]]:
             NEAR % ("hill", "at_least: 0.1, at_most: 0.2"),
             [(0.1, 0.2, 0.1, "0.1 m from hill"), (0.1, 0.2, 0.2, "0.2 m from hill")],
         ),
+        ("{condition: spot_free, spot: hill, clearance_m: 0.12}", [(0.1, 0.2, 0.12, "0.12 m from hill")]),
+        (
+            "{condition: spot_free, spot: marks, of: none}",
+            [(0.1, 0.2, 0.08, "0.08 m from hill"), (0.0, 0.0, 0.08, "0.08 m from centre")],
+        ),
+        ("{condition: spot_free, spot: hill, clearance_m: 0}", []),
         (NEAR % ("marks", "at_most: 0.1"), [(0.1, 0.2, 0.1, "0.1 m from hill"), (0.0, 0.0, 0.1, "0.1 m from centre")]),
         (NEAR % ("ball", "at_most: 0.1"), []),  # it moves
         (NEAR % ("hill", "at_most: 0.2") + ", " + NEAR % ("hill", "at_most: 0.2"), [(0.1, 0.2, 0.2, "0.2 m from hill")]),

@@ -238,6 +238,11 @@ PUT = {
     "entity: ball, at: {relative_to: Y1, offset_m: [0.1, 0.05], turns: true}": (
         "the ball “ball” is put 10 cm to the front and 5 cm to the left of Y1, as Y1 is turned"
     ),
+    "entity: Y1, at: {relative_to: Y1, offset_m: [0, 0.2]}": "Y1 is put 0.2 m towards +y of where it is",
+    "entity: Y1, at: {relative_to: Y1, offset_m: [0.2, 0], turns: true}": (
+        "Y1 is put 0.2 m to the front of where it is, as it is turned"
+    ),
+    "entity: Y1, at: {relative_to: Y1}, noise_m: [0.1, 0]": "Y1 is put right where it is (± 0.1 m in x)",
     "entity: ball, at: {relative_to: centre}": "the ball “ball” is put right at the spot “centre”",
 }
 

@@ -140,3 +140,53 @@ def test_of_a_group_that_always_exists_it_says_the_kind():
     text = sheet("rules: {it: {for_each: robots, triggers: [{trigger: tips_over, entity: each}], "
                  "actions: [{action: remove, entity: each}], says: '{entity} fell.'}}\n")  # fmt: skip
     assert "[it] The robot fell." in text
+
+
+PUT = "{action: place, entity: ball, at: {nearest_free: neutral_spots%s}}"
+FREE = "rules: {it: {triggers: [{trigger: half_started}], conditions: [%s], actions: [%s]}}\n"
+ASKED = "{condition: spot_free, spot: centre%s}"
+NOT_ITSELF = "; what is to be put there does not count itself, and must have room"
+
+
+@pytest.mark.parametrize(
+    ("condition", "action", "sentence", "words"),
+    [
+        (ASKED % "", "{action: end}", "8 cm.", "the spot “centre” is free:"),
+        ("", PUT % "", f"8 cm{NOT_ITSELF}.", "on that free one of the neutral spots which is nearest to where it is"),
+        (ASKED % ", clearance_m: 0.08", PUT % "", f"8 cm{NOT_ITSELF}.", "the spot “centre” is free:"),
+        # A number of its own stands where it counts.
+        (
+            ASKED % ", clearance_m: 0.12",
+            "{action: end}",
+            "the distance that is said.",
+            "the spot “centre” is free within 0.12 m:",
+        ),
+        (
+            ASKED % "",
+            PUT % ", clearance_m: 0.05, choose_among: 2",
+            f"8 cm, or the distance that is said{NOT_ITSELF}.",
+            "on a random one of those 2 free ones (within 5 cm) of the neutral spots which are nearest to where it is",
+        ),
+        (
+            ASKED % ", clearance_m: 0.12, negate: true",
+            "{action: end}",
+            "the distance that is said.",
+            "the spot “centre” is not free within 0.12 m:",
+        ),
+    ],
+)
+def test_it_says_when_a_spot_is_free(condition, action, sentence, words):
+    text = sheet(FREE % (condition, action))
+    assert f"A spot is free when the centre of no robot and of no ball is nearer to it than {sentence}" in text
+    assert words in text
+
+
+def test_where_nobody_asks_for_a_free_spot_it_says_nothing_of_them():
+    assert "A spot is free" not in sheet(FREE % ("", "{action: end}"))
+
+
+def test_it_says_so_of_layouts_and_of_who_comes_back_as_well():
+    back = "{action: remove, entity: Y1, for_s: 1, back_at: {furthest_free: neutral_spots, from: ball}}"
+    assert "A spot is free when" in sheet(FREE % ("", back))
+    layout = "placements: {l: [{entity: ball, at: {nearest_free: neutral_spots}}]}\n"
+    assert "A spot is free when" in sheet(layout + FREE % ("", "{action: place, layout: l}"))

@@ -49,10 +49,65 @@ def test_what_it_says_is_about_who_crosses_and_names_the_gate():
         ("Gate {each} is passed.", "One of the doors is passed."),
         ("The gate's name is {each}.", "The gate's name is one of the doors."),
         ("The colour of {each}'s posts counts.", "The colour of the gate's posts counts."),
+        (
+            "A {each} is open; who crosses a {each} closes it.",
+            "One of the doors is open; who crosses the gate closes it.",
+        ),
+        ("A gate {each} is open.", "One of the doors is open."),
+        ("This {each} is open.", "One of the doors is open."),
+        # “The west gate”, “the west door” and “the door west” are what stands there when it fires.
+        ("The {each} gate is open, and the {each} gate counts.", "One of the doors is open, and the gate counts."),
+        ("The {each} door is open.", "One of the doors is open."),
+        ("The door {each} is open.", "One of the doors is open."),
+        ("The {each} gate's posts are red.", "The gate's posts are red."),
+        ("An {entity} of {team} is through.", "One of the yellow robots of yellow is through."),
+        (
+            "{each} is passed. {each} counts! {entity} goes on.",
+            "One of the doors is passed. The gate counts! One of the yellow robots goes on.",
+        ),
+        ("It is open: {each}.", "It is open: one of the doors."),
+        # By another word for it: what is meant is told beside it, once.
+        (
+            "The field {each} is passed; who leaves the field {each} waits.",
+            "The field (one of the doors) is passed; who leaves the field waits.",
+        ),
+        ("A runner {entity} is through.", "A runner (one of the yellow robots) is through."),
+        ("The next {each} is open.", "The next one of the doors is open."),
+        ("The robot that crosses {each} may go.", "The robot that crosses one of the doors may go."),
     ],
 )
 def test_it_is_said_of_which_group_the_gate_is(says, words):
     assert sentence(f'{CROSSES}, {END}, says: "{says}"', GATES).startswith(f"{words} For each of the doors, ")
+
+
+@pytest.mark.parametrize(
+    ("group", "says", "words"),
+    [
+        ("boxes", "The box {each} is passed.", "One of the boxes is passed."),
+        ("entries", "It is an entry, the {each} entry.", "It is an entry, one of the entries."),
+        ("east_doors", "The door {each} is passed.", "One of the east doors is passed."),
+    ],
+)
+def test_what_a_group_is_of_is_not_said_twice(group, says, words):
+    crosses = f"for_each: {group}, {CROSSES.partition(', ')[2]}"
+    said = sentence(f'{crosses}, {END}, says: "{says}"', GATES.replace("doors", group))
+    assert said.startswith(f"{words} For each of the ")
+
+
+def test_the_other_one_by_another_word_is_told_beside_it():
+    said = sentence(f'{TOUCHES}, {END}, says: "The loser {{other}} goes."', GATES)
+    assert said.startswith("The loser (the other robot) goes. ")
+
+
+@pytest.mark.parametrize("says", ["A {other} is touched.", "The robot {other} is touched.", "{other} is touched."])
+def test_the_other_one_has_one_article(says):
+    assert sentence(f'{TOUCHES}, {END}, says: "{says}"', GATES).startswith("The other robot is touched. ")
+
+
+def test_a_team_that_is_not_known_is_named_once():
+    touches = "for_each: robots, triggers: [{trigger: touches, entity: each, other: ball}]"
+    words = sentence(f'{touches}, {END}, says: "Team {{team}} has it. {{team}} gets a point."', GATES)
+    assert words.startswith("The team has it. The team gets a point. ")
 
 
 def test_a_rule_over_robots_says_of_which_group_each_is_once():

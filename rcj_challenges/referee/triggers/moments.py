@@ -34,11 +34,11 @@ def time_reached(model: models.TimeReached, rule: StandingRule, position: int, w
 
 def event(model: models.OnEvent, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires one tick after an event was emitted."""
-    events, names = workshop.moments.events, workshop.roster.things
-    about = (None,) if model.entity is None else workshop.things(model.entity, rule.each)
+    events, things = workshop.moments.events, workshop.roster.index
+    about = (None,) if model.entity is None else workshop.members(model.entity, rule.each)
     for one in about:
-        whom = None if one is None else names[one]
-        events.setdefault((model.event, whom), []).append(workshop.listener(rule, position, model.trigger, one))
+        entity = None if one is None else things.get(one)  # a zone or a gate is none
+        events.setdefault((model.event, one), []).append(workshop.listener(rule, position, model.trigger, entity))
 
 
 def program_fault(model: models.ProgramFault, rule: StandingRule, position: int, workshop: Workshop) -> None:

@@ -14,7 +14,7 @@ from rcj_challenges.scenario.catalogue import BOUND, EACH, OTHER, Catalogue, tex
 from rcj_challenges.scenario.checks.bound import Bound
 from rcj_challenges.scenario.checks.whose import NAMING_ONE, check_whose
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, known_text, listing, nearest
-from rcj_challenges.scenario.messages.ways_out import for_drawn, for_spots, for_teams
+from rcj_challenges.scenario.messages.ways_out import for_drawn, for_group, for_spots, for_start, for_teams
 from rcj_challenges.scenario.messages.wording import found_text
 from rcj_challenges.scenario.models import actions, conditions, places, state, triggers
 from rcj_challenges.scenario.models.base import LONGEST_S
@@ -218,7 +218,8 @@ class _Walker:
     def _check_group(self, reference: Field, name: str, path: Path, mark: Mark) -> None:
         stranger = self._stranger(reference, name)
         if not reference.groups:
-            self.add(path, mark, f"'{name}' is a group; name one {reference.noun}")
+            way_out = for_group(name, path, self.root, self.names)
+            self.add(path, mark, f"'{name}' is a group; name one {reference.noun}{way_out}")
         elif stranger is not None:
             kind = self.names.kinds[stranger]
             alike = sum(self.names.kinds.get(one) == kind for one in self.names.groups[name])
@@ -264,7 +265,8 @@ class _Walker:
             self.add(path, mark, f"unknown {noun} '{name}': {teams}")
             return
         kind = self.names.known_as(name)
-        hint = (nearest(name, known) or known_text(known, noun)) + for_drawn(name, kind, path, each=each)
+        alike = for_start(name, path) or nearest(name, known) or known_text(known, noun)
+        hint = alike + for_drawn(name, kind, path, each=each)
         which = f", which is {_a(kind)}" if kind else ""
         self.add(path, mark, f"unknown {noun} '{name[:64]}'{which}{hint}")
 

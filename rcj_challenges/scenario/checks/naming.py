@@ -40,7 +40,8 @@ def _namespace(catalogue: Catalogue) -> Iterator[Problem]:
                 if known == name:
                     message = f"'{name}' is a name in {where} already{line}; all on the field share one namespace"
                 else:
-                    message = f"'{name}' differs from '{known}'{line} only in upper and lower case"
+                    message = f"'{name}' differs from '{known}' in {where}{line} only in upper and lower case"
+                    message += "; choose another name"
                 yield _problem(catalogue, path, message, at_key=True)
             seen.setdefault(name.casefold(), (name, section, mark))
     for robot in catalogue.names("robots"):

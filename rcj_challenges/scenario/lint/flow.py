@@ -179,7 +179,7 @@ def check_events_of_one(subject: Subject) -> Iterator[Suspect]:
     for name, rule in subject.standing():
         if rule.for_each is None or _names_each(rule.conditions):
             continue
-        members = subject.members("each", rule) & {*subject.roster.things}
+        members = subject.members("each", rule)
         for index, trigger in enumerate(rule.triggers):
             if not isinstance(trigger, OnEvent) or trigger.entity is not None or len(members) < 2:
                 continue
@@ -192,6 +192,29 @@ def check_events_of_one(subject: Subject) -> Iterator[Suspect]:
                     f"{len(members)} of them, whoever it was",
                     "write entity: each, so that it fires for that one only, or leave for_each out and name them all",
                 )
+
+
+def check_any_for_each(subject: Subject) -> Iterator[Suspect]:
+    """A trigger that waits for any of the group over which its rule goes: the rule fires for all, whoever it was."""
+    for name, rule in subject.standing():
+        count = 0 if rule.for_each is None else len(subject.members("each", rule))
+        # Of a rule that never names `each`, `check_rules` says so.
+        if count < 2 or _names_each(rule.conditions) or not _names_each(rule):
+            continue
+        for index, trigger in enumerate(rule.triggers):
+            key = next((key for key in _WHO if getattr(trigger, key, None) == rule.for_each), None)
+            if key is None or isinstance(trigger, OnEvent) or _names_each(trigger):
+                continue
+            yield Suspect(
+                "any_heard_by_each",
+                ("rules", name, "triggers", index, key),
+                f"it waits for any of '{rule.for_each}', and fires for all {count} of them, whoever it was",
+                f"write {key}: each, so that it fires for that one only, or leave for_each out and name them all",
+            )
+
+
+_WHO = ("entity", "robot", "zone", "gate")
+"""Under these keys a trigger says who or what it waits for."""
 
 
 def _key_of(rule: Rule, subject: Subject) -> str:

@@ -8,13 +8,12 @@ from dataclasses import dataclass
 from rcj_challenges.facts.messages import number_in
 from rcj_challenges.scenario.blanks import BLANKS, in_braces, points_of
 from rcj_challenges.scenario.errors import listing, nearest
-from rcj_challenges.scenario.followed import heard
 from rcj_challenges.scenario.heard import as_said, wanted
+from rcj_challenges.scenario.lint.about import OF_SEQUENCES, found_by, things_about
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect
 from rcj_challenges.scenario.messages.wording import quoted
 from rcj_challenges.scenario.models import triggers
 from rcj_challenges.scenario.models.base import Scalar
-from rcj_challenges.scenario.models.conditions import AllOf, AnyOf, Condition, Distance, InZone, LastTouch, Looks, Speed
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import WordValue
 from rcj_challenges.scenario.models.triggers import Trigger
@@ -47,7 +46,6 @@ _NEEDS = {
 }
 """Words of payloads that are known in some rules only, and what of a rule they need."""
 
-_OF_SEQUENCES = (triggers.SequenceCompleted, triggers.SequenceBroken)
 _WITH_LIMIT = (
     triggers.Displaced,
     triggers.NoProgress,
@@ -56,17 +54,6 @@ _WITH_LIMIT = (
     triggers.Holds,
     triggers.TimeReached,
     triggers.TimerExpired,
-)
-_OF_ENTITY = (
-    triggers.Enters,
-    triggers.Leaves,
-    triggers.Crosses,
-    triggers.Touches,
-    triggers.Displaced,
-    triggers.NoProgress,
-    triggers.StaysIn,
-    triggers.TipsOver,
-    triggers.Tells,
 )
 
 _NOBODY = "no trigger of this rule is about one entity, and it has no for_each over entities"
@@ -190,7 +177,7 @@ def _at_times_empty(blank: str, name: str, rule: Rule, subject: Subject) -> Iter
 def _fills(trigger: Trigger, blank: str, rule: Rule, subject: Subject) -> bool:
     """Return whether a blank is known when a trigger has set a rule off."""
     if blank in {"entity", "team"}:
-        return bool(_found_by(trigger, rule, subject) & _told_by(blank, subject))
+        return bool(found_by(trigger, rule, subject) & _told_by(blank, subject))
     if blank == "measured":
         return _measures(trigger, subject) and (not isinstance(trigger, triggers.Tells) or _is_number(trigger, subject))
     return blank != "limit" or isinstance(trigger, _WITH_LIMIT)
@@ -201,7 +188,7 @@ def _measures(trigger: Trigger, subject: Subject) -> bool:
     if isinstance(trigger, triggers.Tells):
         said = wanted(trigger, subject.scenario)
         return trigger.is_a != "position" and (said is None or any(map(_number_of, said)))
-    return isinstance(trigger, (*_WITH_LIMIT, *_OF_SEQUENCES))
+    return isinstance(trigger, (*_WITH_LIMIT, *OF_SEQUENCES))
 
 
 def _is_number(trigger: triggers.Tells, subject: Subject) -> bool:
@@ -245,7 +232,7 @@ def _word(value: WordValue, path: Path, lacks: dict[str, _Lack]) -> Iterator[Sus
 def _lacks(rule: Rule, subject: Subject) -> dict[str, _Lack]:
     """Return what can never be known when a rule fires, whichever of its triggers it was."""
     scenario = subject.scenario
-    about = _about(rule, subject)
+    about = things_about(rule, subject)
     with_limit = any(isinstance(trigger, _WITH_LIMIT) for trigger in rule.triggers)
     lacks = {}
     if not about:
@@ -270,49 +257,3 @@ def _lacks(rule: Rule, subject: Subject) -> dict[str, _Lack]:
     elif len(given) > 1:
         lacks["points"] = _Lack("this rule gives points more than once, and not as many", _WRITE_OUT)
     return lacks
-
-
-def _about(rule: Rule, subject: Subject) -> frozenset[str]:
-    """Return the things that a firing may be about: those of ``for_each``, and those that a trigger finds."""
-    each = subject.members("each", rule) if rule.for_each is not None else frozenset()
-    found = each.union(*(_found_by(trigger, rule, subject) for trigger in rule.triggers))
-    # Of a rule over zones or gates nobody is told but whom a trigger finds; of a gate's timer nobody is.
-    return found & {*subject.roster.things}
-
-
-def _found_by(trigger: Trigger, rule: Rule, subject: Subject) -> frozenset[str]:
-    names: str | tuple[str, ...] = ()
-    if isinstance(trigger, _OF_ENTITY):
-        names = trigger.entity
-    elif isinstance(trigger, triggers.ProgramFault):
-        names = trigger.robot
-    elif isinstance(trigger, triggers.OnEvent):
-        names = trigger.entity or ()
-    elif isinstance(trigger, _OF_SEQUENCES):
-        names = heard(trigger, subject.scenario)
-    elif isinstance(trigger, triggers.TimerExpired):
-        names = subject.scenario.timers[trigger.timer].per or ()
-    elif isinstance(trigger, triggers.Holds):
-        return _held(trigger.condition, rule, subject)
-    return subject.members(names, rule)
-
-
-def _held(condition: Condition, rule: Rule, subject: Subject) -> frozenset[str]:
-    """Return the one entity whose place a condition reads; with several nobody knows which one it is about."""
-    read = _read(condition, rule, subject)
-    return frozenset(read) if len(read) == 1 else frozenset()
-
-
-def _read(condition: Condition, rule: Rule, subject: Subject) -> list[str]:
-    """Return the entities whose place a condition reads."""
-    if isinstance(condition, AnyOf | AllOf):
-        return list(dict.fromkeys(name for one in condition.conditions for name in _read(one, rule, subject)))
-    if not isinstance(condition, InZone | Speed | Distance | Looks | LastTouch):
-        return []
-    other = condition.to if isinstance(condition, Distance) else None
-    other = condition.towards if isinstance(condition, Looks) else other
-    named = subject.members(other, rule) if isinstance(other, str) else ()
-    gates = subject.scenario.gates
-    moved_with = (gates[name].anchor if name in gates else name for name in named)
-    others = {name for name in moved_with if name in subject.roster.entities and name is not None}
-    return [*subject.members(condition.entity, rule), *others]

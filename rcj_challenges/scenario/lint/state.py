@@ -7,7 +7,7 @@ from typing import Any
 
 from rcj_challenges.scenario.blanks import BLANKS, in_braces
 from rcj_challenges.scenario.catalogue import BOUND
-from rcj_challenges.scenario.errors import nearest
+from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect, Use, on_field
 from rcj_challenges.scenario.models.actions import (
     Count,
@@ -216,7 +216,10 @@ def check_unused(subject: Subject) -> Iterator[Suspect]:
             else:
                 used = _is_named(name, section, subject)
             if not used and subject.tree.mark.file == file_of(subject.tree, section, name):
-                reason, remedy = f"{noun} '{name}' is never used", "name it in a rule, or remove it"
+                reason, remedy = (
+                    f"{noun} '{name}' is never used",
+                    f"name it in a rule, or remove it{_with_groups(name, subject)}",
+                )
                 if section == "sequences" and any(use.name == name for use in subject.uses if _resets(use)):
                     reason = f"sequence '{name}' only begins anew: its steps decide nothing"
                     remedy = (
@@ -237,6 +240,13 @@ def _unused_groups(subject: Subject, written: set[str]) -> Iterator[Suspect]:
         if name not in written | nested and subject.tree.mark.file == file_of(subject.tree, "groups", name):
             reason, remedy = f"group '{name}' is never used", "name it in a rule, or remove it"
             yield Suspect("group_never_used", ("groups", name), reason, remedy, at_key=True)
+
+
+def _with_groups(name: str, subject: Subject) -> str:
+    """Return the groups that name something and have no use either: without it they would name what is not there."""
+    groups = [group for group, members in subject.scenario.groups.items() if name in members]
+    which = "group that names" if len(groups) == 1 else "groups that name"
+    return f" together with the {which} it: {listing(groups)}" if groups else ""
 
 
 def _resets(use: Use) -> bool:

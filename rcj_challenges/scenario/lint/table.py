@@ -12,13 +12,16 @@ from typing import Any
 
 from rcj_challenges.scenario.checks.crossrefs import shown_path
 from rcj_challenges.scenario.errors import Problem
+from rcj_challenges.scenario.lint.about import check_heard_about
 from rcj_challenges.scenario.lint.angles import check_angles
+from rcj_challenges.scenario.lint.beside import check_beside
 from rcj_challenges.scenario.lint.bounds import check_bounds
 from rcj_challenges.scenario.lint.denied import check_contradictions
 from rcj_challenges.scenario.lint.distances import check_distances
 from rcj_challenges.scenario.lint.echoes import check_echoes
 from rcj_challenges.scenario.lint.edges import check_edges, check_exclusive_groups
 from rcj_challenges.scenario.lint.flow import (
+    check_any_for_each,
     check_events,
     check_events_of_one,
     check_phases,
@@ -51,8 +54,16 @@ from rcj_challenges.scenario.lint.state import (
     check_unused,
 )
 from rcj_challenges.scenario.lint.steps import check_kept_steps
+from rcj_challenges.scenario.lint.sums import check_sums
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect
-from rcj_challenges.scenario.lint.times import check_halves, check_last_tick, check_reached, check_rests, check_times
+from rcj_challenges.scenario.lint.times import (
+    check_ends,
+    check_halves,
+    check_last_tick,
+    check_reached,
+    check_rests,
+    check_times,
+)
 from rcj_challenges.scenario.lint.touched import check_last_touches, check_touched
 from rcj_challenges.scenario.lint.unheard import check_unheard
 from rcj_challenges.scenario.lint.units import check_units
@@ -74,6 +85,8 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_phases,
     check_events,
     check_events_of_one,
+    check_any_for_each,
+    check_heard_about,
     check_echoes,
     check_rules,
     check_repeated,
@@ -96,6 +109,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_exclusive_groups,
     check_state,
     check_others,
+    check_sums,
     check_draws,
     check_drawn_names,
     check_spots,
@@ -103,6 +117,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_unused,
     check_times,
     check_halves,
+    check_ends,
     check_reached,
     check_last_tick,
     check_rests,
@@ -114,6 +129,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_obstacles,
     check_entities,
     check_layouts,
+    check_beside,
     check_put_back,
     check_gone,
     check_kicks,

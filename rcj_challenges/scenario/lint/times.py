@@ -1,4 +1,4 @@
-"""Lint of times: limits longer than a half, halves not played or too short, what comes too late to be heard."""
+"""Lint of times: limits longer than a half, halves not played, too short or over at once, what comes too late."""
 
 from __future__ import annotations
 
@@ -9,13 +9,21 @@ from rcj_challenges.facts.timing import TICK_S, ticks_from_s
 from rcj_challenges.scenario.halves import half_lengths_s, longest_half_s
 from rcj_challenges.scenario.lint.logic import range_of, ways_to_hold
 from rcj_challenges.scenario.lint.moments import time_of
-from rcj_challenges.scenario.lint.suspect import Subject, Suspect, lengths_s
-from rcj_challenges.scenario.models.actions import Emit, Hold, Remove
+from rcj_challenges.scenario.lint.suspect import Subject, Suspect, lengths_s, lives_in
+from rcj_challenges.scenario.models.actions import Emit, End, Hold, Remove, SetPhase
 from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.conditions import Condition, HalfIs
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import CounterValue, DrawnDuration, Phase, Timer
-from rcj_challenges.scenario.models.triggers import Holds, NoProgress, OnEvent, StaysIn, TimeReached, Touches
+from rcj_challenges.scenario.models.triggers import (
+    HalfStarted,
+    Holds,
+    NoProgress,
+    OnEvent,
+    StaysIn,
+    TimeReached,
+    Touches,
+)
 from rcj_challenges.scenario.tree import Path
 
 _NEVER = "it never fires"
@@ -76,6 +84,44 @@ def _late(path: Path, at_s: float, halves: list[int], *, never: bool) -> Suspect
         path,
         f"{before}: it does not fire there",
         "correct the time, or say which halves are meant: {condition: half, …}",
+    )
+
+
+def check_ends(subject: Subject) -> Iterator[Suspect]:
+    """Rules that end a half, or the match, in the moment in which it begins, whatever there is to play."""
+    halves = subject.scenario.match.halves
+    standing = list(subject.standing())
+    enter = any(_hears_the_start(rule) and any(isinstance(a, SetPhase) for a in rule.actions) for _, rule in standing)
+    for name, rule in standing:
+        ends = [action.what for action in rule.actions if isinstance(action, End)]
+        asked = _halves_of(rule, halves)
+        surely = all(isinstance(condition, HalfIs) for condition in rule.conditions) and not (rule.exclusive or enter)
+        if not ends or not asked or not surely or not lives_in(rule, subject.scenario.first_phase):
+            continue
+        if rule.for_each is not None and not subject.roster.expand(rule.for_each):
+            continue
+        for index, trigger in enumerate(rule.triggers):
+            if isinstance(trigger, HalfStarted):
+                yield _over_at_once(("rules", name, "triggers", index), asked, halves, of_match="match" in ends)
+
+
+def _hears_the_start(rule: Rule) -> bool:
+    return any(isinstance(trigger, HalfStarted) for trigger in rule.triggers)
+
+
+def _over_at_once(path: Path, asked: list[int], halves: int, *, of_match: bool) -> Suspect:
+    every = len(asked) == halves
+    if of_match:
+        what, begins = "the match", "it begins" if asked[0] == 1 else f"half {asked[0]} begins"
+    else:
+        some = f"half {asked[0]}" if len(asked) == 1 else f"each of the halves {', '.join(map(str, asked))}"
+        what, begins = "the half" if halves == 1 else "each half" if every else some, "it begins"
+    where = "" if every or (of_match and asked[0] == 1) else " in it"
+    return Suspect(
+        "over_as_it_begins",
+        path,
+        f"it ends {what} as {begins}: nothing can be played{where}",
+        "wait for something that happens in play, or say by a condition when it is over",
     )
 
 

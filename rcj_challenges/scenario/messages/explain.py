@@ -15,6 +15,7 @@ from pydantic import ConfigDict, TypeAdapter, ValidationError
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, listing, nearest
 from rcj_challenges.scenario.messages.other_names import other_name
 from rcj_challenges.scenario.messages.ways_out import (
+    for_coordinates,
     for_degrees,
     for_key,
     for_param,
@@ -200,6 +201,8 @@ class _Explainer:
         node = node_at(self.root, mistake.path)
         message = refusal(mistake.kind, mistake.details, mistake.shape, node)
         hints = for_value(mistake.path, node) + for_several(mistake.path, node) + for_param(node, self.root)
+        kind = bare(mistake.shape).kind
+        hints += for_coordinates(mistake.path, node, fields(kind) if is_model(kind) else ())
         return self._at(mistake.path, message + hints + for_degrees(mistake.path, node, mistake.kind))
 
     def _at(self, path: Path, message: str, *, at_key: bool = False) -> Problem:
@@ -261,12 +264,13 @@ class _Explainer:
         if not isinstance(discriminator, str) or not isinstance(node, Entries):
             hints = (nearest(key, words) for key in node.entries) if isinstance(node, Entries) else ()
             hint = next(filter(None, hints), "") or _instead_of_list(mistake.path, node, words)
+            hint = hint or _with_its_key(mistake.shape, node)
             hint = for_value(mistake.path, node) or for_param(node, self.root) or hint
             return self._at(mistake.path, expected(mistake.shape, node) + hint)
         tag = child(node, discriminator)
         if tag is None:
             message = f"'{discriminator}' is missing; it is one of {listing(words, 40)}"
-            return self._at(mistake.path, message)
+            return self._at(mistake.path, message + _with_its_key(mistake.shape, node))
         written = str(tag.value) if isinstance(tag, Leaf) else found_text(tag)
         message = f"unknown {discriminator} '{written[:64]}'; there are {listing(words, 40)}"
         message += (
@@ -283,6 +287,18 @@ class _Explainer:
         if not isinstance(around, Leaf) or around.value != word:
             return ""
         return f"; '{word}' cannot stand in itself: write all conditions into one list"
+
+
+def _with_its_key(shape: Shape, node: Node | None) -> str:
+    """Return how a word is written that stands without its key: `enters`, or `enters: …` for `trigger: enters`."""
+    discriminator, models = bare(shape).discriminator, tags(shape)
+    alone = [node.value] if isinstance(node, Leaf) and isinstance(node.value, str) else []
+    words = [*alone, *(node.entries if isinstance(node, Entries) else ())]
+    word = next((one for one in words if one in models), None)
+    if word is None:
+        return other_name(alone[0], str(discriminator), list(models)) if alone else ""
+    more = ", …" if fields(bare(models[word]).kind).keys() - {discriminator} else ""
+    return f"; write {{{discriminator}: {word}{more}}}"
 
 
 _LIKE = 0.65

@@ -13,6 +13,7 @@ _TOLD = "write told: what a robot has told the referee last"
 _COUNT = "a counter changes by {action: count, counter: NAME, by: 1}, or is set: {action: count, counter: NAME, to: 0}"
 _SCORE = "points are given by {action: score, entrant: NAME, points: 1}, and taken by points below 0"
 _PLACE = "write place: it puts a robot or a ball at a place, or all of a layout at theirs"
+_CARRIED = "nothing is carried along: take it off by 'remove', and let a flag kept per robots say who has it"
 _CLOCK = "write timer, of a timer with starts: true"
 _INSIDE = "write in_zone"
 _TOUCHED = "write last_touch: who touched it last; that two touch is a trigger, 'touches'"
@@ -49,6 +50,7 @@ _TABLE: dict[str, tuple[tuple[str, str], ...]] = {
         ("set_counter increment decrement add subtract inc counter reset_counter count_up count_down", _COUNT),
         ("set_score add_score points add_points give_points award penalty penalise penalize goal", _SCORE),
         ("teleport move move_to put respawn spawn return relocate set_position position", _PLACE),
+        ("attach carry carries grab pick_up pickup take follow glue join", _CARRIED),
         ("reset", "'place' puts things back, 'count' with to: 0 a counter, 'timer' with do: start a timer"),
         ("disqualify eliminate delete despawn take_off send_off kick_out park", "write remove, with for_s or for good"),
         (

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from math import pi, radians
 
-from rcj_challenges.scenario.catalogue import texts
+from rcj_challenges.scenario.catalogue import Catalogue, texts
 from rcj_challenges.scenario.errors import listing
-from rcj_challenges.scenario.tree import Entries, Leaf, Node, Path, child
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, child, node_at
 
 _TIMES = ("at_s", "limit_s", "within_s", "for_s", "grace_s", "every_s")
 """The times that triggers wait for."""
 _MEASURES = ("timer", "way", "distance", "word", "told", "flag", "draw")
 _LIMITS = ("at_least", "at_most", "equals")
 _PLACES = ("at", "back_at", "towards")
+
+_AT = (("at",), ("back_at",))
 
 _TEAMS = ("entrants", "teams")
 _FOR_TEAMS = {
@@ -49,6 +51,40 @@ def for_spots(path: Path, members: Iterable[str]) -> str:
     if path[2:] != ("for_each",):
         return ""
     return f"; spots are not gone over: repeat_for: [{listing(members)}] writes the rule once for each, {{param: this}}"
+
+
+_KEPT = ("counter", "flag", "timer", "sequence")
+_ADDED_UP = ("points", "by", "to")
+
+
+def for_group(group: str, path: Path, root: Node, catalogue: Catalogue) -> str:
+    """Return how several are meant of what is kept for each, where one is named; empty: that is not what was meant.
+
+    Args:
+        group: the group.
+        path: where it stands.
+        root: the whole scenario.
+        catalogue: its names.
+    """
+    node, names = node_at(root, path[:-1]), catalogue.expand(group)
+    kind = next((one for one in _KEPT if texts(child(node, one))), None)
+    if path[-1] != "entity" or kind is None or not names:
+        return ""
+    (name,) = texts(child(node, kind))
+    if child(node, "action") is not None:
+        owners = [one for per in texts(node_at(root, (f"{kind}s", name, "per"))) for one in catalogue.expand(per)]
+        if set(names) == set(owners):
+            return "; leave 'entity' out: then each of them is meant"
+        return f"; for several write the action once for each of them, {listing(f'entity: {one}' for one in names)}"
+    if path[2:3] != ("actions",) or not any(key in path for key in _ADDED_UP):
+        return ""
+    parts = listing(f"{{{kind}: {name}, entity: {one}}}" for one in names)
+    return f"; of several a list is added up, with a part for each: [{parts}]"
+
+
+def for_start(name: str, path: Path) -> str:
+    """Return how something is put where it began; empty: that is not what was meant."""
+    return f"; where it began is written {path[-2]}: start" if name == "start" and path[-2:-1] in _AT else ""
 
 
 def for_repeated(above: Path, key: str) -> str:
@@ -88,8 +124,19 @@ _USUAL_KEYS = {
     "text": "says",
     "message": "says",
     "description": "says",
+    "friction": "slows_mps2",
+    "rolling_friction": "slows_mps2",
+    "damping": "slows_mps2",
 }
 """What others call a key, and how it is written here."""
+
+_BY_PLACE = {
+    ("min", "minimum"): ("keeps_at_least", "at_least"),
+    ("max", "maximum"): ("keeps_at_most", "at_most"),
+    ("duration", "duration_s", "length", "length_s", "seconds"): ("half_s", "lasts_s"),
+}
+_CALLED_BY_PLACE = {key: called for keys, called in _BY_PLACE.items() for key in keys}
+"""The same of keys that are called this or that, as the place may have them: of a score that grows, and of a limit."""
 
 
 def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
@@ -101,8 +148,10 @@ def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
         allowed: the keys that it may have.
         root: the whole scenario.
     """
-    usual = _USUAL_KEYS.get(key)
-    if usual is not None and usual in allowed:
+    allowed = set(allowed)
+    meant = (_USUAL_KEYS.get(key), *_CALLED_BY_PLACE.get(key, ()))
+    usual = next((one for one in meant if one in allowed), None)
+    if usual is not None:
         return f"; it is called {usual!r} here"
     if above[:1] == ("rules",) and len(above) == 2 and key == "else":
         return "; what else is to happen is a rule of its own, whose conditions have negate: true"
@@ -115,6 +164,23 @@ def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
     if not isinstance(last, Leaf) or not last.empty:
         return ""
     return f"; what belongs to '{before[-1]}' above it is indented: put two blanks before it"
+
+
+def for_coordinates(path: Path, node: Node | None, keys: Collection[str]) -> str:
+    """Return how a place is written where numbers in a list stand for a mapping, or a name for the numbers.
+
+    Args:
+        path: where it stands.
+        node: what stands there.
+        keys: those of the mapping that is expected; none where it is no mapping.
+    """
+    if path[:1] == ("expect",) and path[-2:-1] in (("place",), ("move",)) and isinstance(node, Leaf):
+        return "; a place is written [x, y] or [x, y, yaw], in m and rad"
+    numbers = [item.value for item in node.items if isinstance(item, Leaf)] if isinstance(node, Items) else []
+    known = [key for key in ("x_m", "y_m", "yaw_rad") if key in keys]
+    if not 2 <= len(numbers) <= len(known) or not all(isinstance(one, int | float) for one in numbers):
+        return ""
+    return f"; write {{{', '.join(f'{key}: {one}' for key, one in zip(known, numbers, strict=False))}}}"
 
 
 def for_param(node: Node | None, root: Node) -> str:

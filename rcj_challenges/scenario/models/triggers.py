@@ -194,7 +194,7 @@ class OnEvent(Grown):
     entity: Names | None = described(
         None,
         "only if it is about this one (whom the rule that emits it is for, or its trigger found): an entity, a fixed "
-        "obstacle, a group (any of them), or each; left out: whoever it is about",
+        "obstacle, a zone or gate that the rule is for, a group (any of them), or each; left out: whatever it is about",
     )
 
 

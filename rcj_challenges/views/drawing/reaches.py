@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from rcj_challenges.scenario.catalogue import EACH
-from rcj_challenges.scenario.models.conditions import Distance
+from rcj_challenges.scenario.models.conditions import Distance, SpotFree
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.triggers import Displaced
@@ -49,6 +49,10 @@ def _of_rule(rule: Rule, scenario: Scenario, roster: Roster) -> Iterator[Reach]:
             bounds = (model.at_least, model.at_most, model.equals)
             for name, centre in _places(model.to, rule, scenario, roster):
                 yield from (Reach(one, name, centre) for one in bounds if isinstance(one, int | float) and one > 0)
+        elif isinstance(model, SpotFree) and model.clearance_m > 0:
+            names = (model.spot,) if isinstance(model.spot, str) else model.spot
+            for name, centre in (place for one in names for place in _places(one, rule, scenario, roster)):
+                yield Reach(model.clearance_m, name, centre)
         elif isinstance(model, Displaced) and not isinstance(model.from_, str) and model.axis == "distance":
             yield Reach(model.distance_m, "", model.from_)
 

@@ -11,7 +11,16 @@ from rcj_challenges.scenario.models.actions import LastToucher
 from rcj_challenges.scenario.models.state import CounterValue, ToldValue
 from rcj_challenges.views.sheet.mirrored import mirrored_aim_words, mirrored_layout_words, mirrored_words
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted, quoted_measure
-from rcj_challenges.views.sheet.phrases import amount, heading, lasting, metres, metres_alike, number, value
+from rcj_challenges.views.sheet.phrases import (
+    amount,
+    heading,
+    lasting,
+    metres,
+    metres_alike,
+    number,
+    value,
+    within_words,
+)
 
 
 def action_words(nouns: Nouns, action: Any) -> str:
@@ -39,8 +48,9 @@ def placing_words(nouns: Nouns, placing: Any) -> str:
     who = nouns.all_of(placing.entity)
     if _stays(placing) and placing.kick is not None and not noise:
         return f"{who.does('rolls', 'roll')} on from where it is, {_rolling(nouns, placing)}{_clear(placing)}"
+    put = put_words(nouns, placing.at, plural=who.plural)
     parts = [
-        put_words(nouns, placing.at, plural=who.plural),
+        _as_beside_itself(put, nouns.thing(placing.at.relative_to)) if _is_beside_itself(placing) else put,
         f" ({noise})" if noise else "",
         mirrored_words(nouns, placing.mirror, placing.at),
         _facing(nouns, placing, placing.at, plural=who.plural),
@@ -52,8 +62,22 @@ def placing_words(nouns: Nouns, placing: Any) -> str:
 
 def _stays(placing: Any) -> bool:
     """Return whether a thing is put right where it is."""
-    at = placing.at
-    return isinstance(at, places.RelativeTo) and at.relative_to == placing.entity and not any(at.offset_m)
+    return _is_beside_itself(placing) and not any(placing.at.offset_m)
+
+
+def _is_beside_itself(placing: Any) -> bool:
+    return isinstance(placing.at, places.RelativeTo) and placing.at.relative_to == placing.entity
+
+
+def _as_beside_itself(words: str, thing: str) -> str:
+    """Return the words for a place beside a thing where that thing itself is put there: “of where it is”."""
+    for of_thing, of_itself in (
+        ("right at {}", "right where it is"),
+        (" of {}", " of where it is"),
+        ("as {} is", "as it is"),
+    ):
+        words = words.replace(of_thing.format(thing), of_itself)
+    return words
 
 
 def _at_start(at: Any) -> bool:
@@ -131,10 +155,11 @@ def _aim_on(nouns: Nouns, at: Any) -> str:
     return PLACES[type(at)](nouns, at).removeprefix("on ")
 
 
-def _free(nouns: Nouns, how: str, spots: Any, among: int, of: Any) -> str:
-    those = f"that free one of {nouns.all_of(spots).text} which is"
-    if among > 1:
-        those = f"a random one of those {among} free ones of {nouns.all_of(spots).text} which are"
+def _free(nouns: Nouns, how: str, spots: Any, at: Any, of: Any) -> str:
+    own = f" ({gap.strip()})" if (gap := within_words(at.clearance_m)) else ""
+    those = f"that free one{own} of {nouns.all_of(spots).text} which is"
+    if at.choose_among > 1:
+        those = f"a random one of those {at.choose_among} free ones{own} of {nouns.all_of(spots).text} which are"
     near = "where it is" if of is None else nouns.point(of)
     return f"on {those} {how} {'to' if how == 'nearest' else 'from'} {near}"
 
@@ -300,8 +325,8 @@ PLACES: dict[type, Callable[[Nouns, Any], str]] = {
     places.Choice: lambda n, a: (
         f"on {listed([n.any_of(one) if isinstance(one, str) else n.point(one) for one in a.choice], 'or')}"
     ),
-    places.NearestFree: lambda n, a: _free(n, "nearest", a.nearest_free, a.choose_among, a.to),
-    places.FurthestFree: lambda n, a: _free(n, "furthest", a.furthest_free, a.choose_among, a.from_),
+    places.NearestFree: lambda n, a: _free(n, "nearest", a.nearest_free, a, a.to),
+    places.FurthestFree: lambda n, a: _free(n, "furthest", a.furthest_free, a, a.from_),
     places.RelativeTo: _beside,
 }
 

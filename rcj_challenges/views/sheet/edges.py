@@ -17,7 +17,7 @@ from rcj_challenges.views.sheet.comparing import (
     way_words,
 )
 from rcj_challenges.views.sheet.nouns import Nouns, listed, quoted, quoted_measure
-from rcj_challenges.views.sheet.phrases import degrees, heading, metres, number, seconds, value
+from rcj_challenges.views.sheet.phrases import degrees, heading, metres, number, seconds, value, within_words
 
 
 def trigger_words(nouns: Nouns, trigger: Any, each: str | None) -> str:
@@ -264,7 +264,7 @@ CONDITIONS: dict[str, Callable[[Nouns, Any], str]] = {
     "timer": timer_words,
     "last_touch": _last_touch,
     "told": _heard,
-    "spot_free": lambda n, c: _is(n, c, c.spot, "free"),
+    "spot_free": lambda n, c: _is(n, c, c.spot, "free" + within_words(c.clearance_m)),
     "sequence_at": sequence_words,
     "half": _half,
 }

@@ -6,7 +6,11 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from rcj_challenges.scenario.models import state
+from rcj_challenges.scenario.models.conditions import SpotFree
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted, quoted_measure
+
+USUALLY_FREE_M = float(SpotFree.model_fields["clearance_m"].default)
+"""Nearer than this is nobody to a spot that is free, in m, where nothing else is said."""
 
 
 def number(value: float) -> str:
@@ -32,6 +36,11 @@ def lasting(nouns: Nouns, lasts_s: float | state.DrawnDuration | state.CounterVa
 def metres(value: float) -> str:
     """Return a length in m, or in cm below 10 cm."""
     return f"{value * 100:g} cm" if value < 0.1 else f"{value:g} m"
+
+
+def within_words(clearance_m: float) -> str:
+    """Return within which distance a spot must be free, if it is not the usual one: `` within 5 cm``."""
+    return "" if clearance_m == USUALLY_FREE_M else f" within {metres(clearance_m)}"
 
 
 def metres_alike(values: Sequence[float]) -> list[str]:

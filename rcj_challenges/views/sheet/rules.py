@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rcj_challenges.scenario.models.actions import LastToucher, Place, Remove
-from rcj_challenges.scenario.models.conditions import LastTouch
-from rcj_challenges.scenario.models.places import Placing
+from rcj_challenges.scenario.models.conditions import LastTouch, SpotFree
+from rcj_challenges.scenario.models.places import FurthestFree, NearestFree, Placing
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import LastTouchValue
 from rcj_challenges.scenario.other import names_other, others_of
@@ -15,7 +15,7 @@ from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph
 from rcj_challenges.views.sheet.deeds import action_words
 from rcj_challenges.views.sheet.edges import condition_words, trigger_words
 from rcj_challenges.views.sheet.nouns import Nouns, listed, quoted
-from rcj_challenges.views.sheet.phrases import seconds, times
+from rcj_challenges.views.sheet.phrases import USUALLY_FREE_M, metres, seconds, times
 from rcj_challenges.views.sheet.spoken import spoken
 
 _Named = tuple[str, Rule]
@@ -34,6 +34,7 @@ def rule_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     if exclusive:
         yield Items(exclusive)
     yield from _last_touch(scenario)
+    yield from _free_spots(scenario)
     yield from _room(scenario)
 
 
@@ -104,6 +105,23 @@ def _last_touch(scenario: Scenario) -> Iterator[Block]:
             "The last to touch something is who touched it last since a rule put it where it is; if nobody has, "
             f"there is none{nobody}."
         )
+
+
+def _free_spots(scenario: Scenario) -> Iterator[Block]:
+    """Return a sentence about when a spot is free, where rules ask for one that is."""
+    models = [model for model, _ in visit((*scenario.rules.values(), scenario.placements))]
+    asked = [model for model in models if isinstance(model, SpotFree | NearestFree | FurthestFree)]
+    if not asked:
+        return
+    gaps_m = {model.clearance_m for model in asked}
+    than = [
+        *([metres(USUALLY_FREE_M)] if USUALLY_FREE_M in gaps_m else []),
+        *(["the distance that is said"] if gaps_m - {USUALLY_FREE_M} else []),
+    ]
+    placed = any(isinstance(model, NearestFree | FurthestFree) for model in asked)
+    itself = "; what is to be put there does not count itself, and must have room" if placed else ""
+    nearer = "A spot is free when the centre of no robot and of no ball is nearer to it than"
+    yield Paragraph(f"{nearer} {', or '.join(than)}{itself}.")
 
 
 def _room(scenario: Scenario) -> Iterator[Block]:

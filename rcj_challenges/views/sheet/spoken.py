@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from typing import Any
 
 from rcj_challenges.scenario.blanks import partly_filled
@@ -19,6 +20,15 @@ _SOME_TEAM = "the team"
 
 _ARTICLES = ("the ", "one of ", "a ", "an ")
 """How those words begin that need no “the” before them."""
+
+_POINTERS = "the|an?|this|that"
+"""What stands before a name, and not before words that have an article."""
+
+_AFTER_A_NOUN = r"(\b(?:the|an?) (?!(?:next|other|first|second|third|last|new|same|right|wrong|free)\b)[a-z]+) "
+"""Another word for what a blank stands for, as in “the field {each}”, and none that tells which one it is."""
+
+_PLURALS = (("ies", "y"), ("es", ""), ("s", ""))
+"""With what a group's name may end, and its members' in place of it."""
 
 _OF_ITS_PLACE = ("in_zone", "speed", "distance", "looks", "last_touch")
 """The conditions that ``holds`` follows on behalf of an entity."""
@@ -52,24 +62,58 @@ def spoken(nouns: Nouns, rule: Rule) -> str:
     if filled["{team}"] == _SOME_TEAM:
         # What is of one of the teams, nobody says of it.
         words = words.replace("{entity} of {team}", "{entity}")
-    words = _first_of_a_group(nouns, rule, words)
     for blank, known in filled.items():
         if known.startswith(_ARTICLES):
-            words = _without_article(blank, words)
-        words = words.replace(blank, known)
+            words = _bare(blank, _kinds_said(nouns, rule, blank), words)
+    words = _first_of_a_group(nouns, rule, words)
+    for blank, known in filled.items():
+        words = _filled_in(blank, known, words)
     return f"{words[:1].upper()}{words[1:]}{end}"
 
 
-def _without_article(blank: str, words: str) -> str:
-    """Leave out the “the” of an author who thinks of a name, “the {each} is open”: what stands there has its own."""
-    return re.sub(rf"\bthe (?={re.escape(blank)})", "", words, flags=re.IGNORECASE)
+def _kinds_said(nouns: Nouns, rule: Rule, blank: str) -> tuple[str, ...]:
+    """Return the words beside a blank that say of what kind it is: ``gate``, and of a group of doors ``door``."""
+    match blank:
+        case "{team}":
+            return ("team",)
+        case "{other}":
+            return (nouns.one_kind(others_of(rule, rule.for_each, nouns.roster)),)
+        case "{entity}" if not _goes_over_entities(nouns, rule):
+            return (nouns.one_kind(_concerned(nouns, rule)),)
+    group = rule.for_each or ""
+    return (nouns.one_kind(group), *(_singulars(group) if group in nouns.scenario.groups else ()))
+
+
+def _singulars(group: str) -> Iterator[str]:
+    """Yield what one of a group may be called, by the last word of its name: ``boxes`` are each a ``box``."""
+    word = group.rpartition("_")[2]
+    yield from (f"{word.removesuffix(end)}{one}" for end, one in _PLURALS if word.endswith(end))
+
+
+def _bare(blank: str, kinds: tuple[str, ...], words: str) -> str:
+    """Leave out what makes sense beside a name only: “the {each} is open”, “a door {each}”, “the {each} gate”.
+
+    What stands there in the sheet, “one of the doors”, has an article and a kind of its own.
+    """
+    kind = "|".join(re.escape(one) for one in kinds if one)
+    before, after = (rf"(?:\b(?:{kind}) )?", rf"(?: (?:{kind})\b)?") if kind else ("", "")
+    return re.sub(rf"(?:\b(?:{_POINTERS}) )?{before}{re.escape(blank)}{after}", blank, words, flags=re.IGNORECASE)
+
+
+def _filled_in(blank: str, known: str, words: str) -> str:
+    """Return words in which a blank is filled in; where a sentence begins with it, with a capital."""
+    if known.startswith(_ARTICLES):
+        beside = f" ({known})" if known.startswith("one of ") or blank == "{other}" else ""
+        words = re.sub(_AFTER_A_NOUN + re.escape(blank), lambda found: found[1] + beside, words, flags=re.IGNORECASE)
+    capital = f"{known[:1].upper()}{known[1:]}"
+    words = re.sub(rf"([.!?]\s+){re.escape(blank)}", lambda found: found[1] + capital, words)
+    return words.replace(blank, known)
 
 
 def _first_of_a_group(nouns: Nouns, rule: Rule, words: str) -> str:
     """Say of which group one is where a sentence names it first: “one of the red fruits”, later “the ball”.
 
-    Two rules of one kind of thing would say the same otherwise. What belongs to it is said to be “the ball's”. “The
-    gate {each}” is “one of the doors” as well: before a name the kind makes sense, before a group it does not.
+    Two rules of one kind of thing would say the same otherwise. What belongs to it is said to be “the ball's”.
     """
     group = rule.for_each if rule.for_each in nouns.scenario.groups else None
     if group is None or len(nouns.roster.expand(group)) <= 1:
@@ -81,11 +125,7 @@ def _first_of_a_group(nouns: Nouns, rule: Rule, words: str) -> str:
     before, _, after = words.partition(first)
     if after.startswith(("'", "\N{RIGHT SINGLE QUOTATION MARK}")):
         return words
-    kind = nouns.one_kind(group)
-    if kind:
-        before = re.sub(rf"\b{kind} $", "", before, flags=re.IGNORECASE)
-    before = re.sub(r"\bthe $", "", before, flags=re.IGNORECASE)
-    return f"{before}{nouns.any_of(group)}{after}"
+    return f"{_filled_in(first, nouns.any_of(group), before + first)}{after}"
 
 
 def _subject(nouns: Nouns, rule: Rule) -> str:

@@ -1,0 +1,68 @@
+"""Things that a rule put into a zone in a test: they have not entered it, which is often why nothing came."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Container, Iterable, Iterator
+
+from rcj_challenges.facts.play import Placement
+from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.referee.regions import region_of
+from rcj_challenges.scenario.catalogue import EACH
+from rcj_challenges.scenario.models.actions import Emit
+from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.models.triggers import Enters
+from rcj_challenges.scenario.roster import Roster
+
+
+def put_inside_notes(
+    placements: Collection[tuple[int, Placement]],
+    scenario: Scenario,
+    roster: Roster,
+    missing: Container[str],
+    fired: Container[str],
+) -> Iterable[str]:
+    """Return which rules that emit a missing event wait for an entry where a rule has put the thing.
+
+    Args:
+        placements: what rules have put somewhere or taken off, each with its tick.
+        scenario: the models.
+        roster: its names.
+        missing: the events that did not come.
+        fired: the rules that have fired.
+    """
+    for name, rule in scenario.rules.items():
+        emitted = {action.event for action in rule.actions if isinstance(action, Emit)}
+        if name in fired or not any(event in missing for event in emitted):
+            continue
+        found = next(_inside(placements, rule, scenario, roster), None)
+        if found is not None:
+            tick, who, zone = found
+            yield (
+                f"note: a rule put {who} into {zone} at {s_from_ticks(tick):g} s, which {name} does not hear: what is "
+                "put there has not entered it; 'holds' with in_zone and for_s: 0.05 would"
+            )
+
+
+def _inside(
+    placements: Collection[tuple[int, Placement]], rule: Rule, scenario: Scenario, roster: Roster
+) -> Iterator[tuple[int, str, str]]:
+    """Yield when what was put into a zone that a trigger of the rule waits for it to enter."""
+    for trigger in rule.triggers:
+        if not isinstance(trigger, Enters):
+            continue
+        who, zones = (_meant(names, rule, roster) for names in (trigger.entity, trigger.zone))
+        for tick, put in placements:
+            name = roster.entities[put.entity]
+            if put.parked or name not in who:
+                continue
+            # Of a zone that is drawn nobody here knows when it is.
+            inside = (zone for zone in zones if zone in scenario.zones)
+            yield from (
+                (tick, name, zone) for zone in inside if region_of(scenario.zones[zone]).contains(put.x_m, put.y_m)
+            )
+
+
+def _meant(names: str | tuple[str, ...], rule: Rule, roster: Roster) -> tuple[str, ...]:
+    listed = (names,) if isinstance(names, str) else names
+    each = rule.for_each
+    return tuple(one for name in listed for one in roster.expand(each if name == EACH and each else name))
