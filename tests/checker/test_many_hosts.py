@@ -26,10 +26,11 @@ from rcj_challenges.facts.errors import HostError
 from rcj_challenges.records.errors import RecordError, UnwritableError
 from rcj_challenges.scenario.load import load
 from rcj_challenges.world.errors import PhysicsFault
+from tests.checker.alone import ONE_EACH, alone
 from tests.checker.small_team import PLAYER, write_team
 
-ONE_ROBOT_EACH = [f"entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
-MATCH = load("match", ["limits.start_s=10", "limits.step_s=1", *ONE_ROBOT_EACH])
+LIMITS = ("limits.start_s=10", "limits.step_s=1")
+MATCH, ALONE = load("match", [*LIMITS, *ONE_EACH]), alone(*LIMITS)
 SHORT = CheckOptions(play_s=0.5)
 CRASHING = PLAYER.replace("pass", "open('log', 'w').write('x') and 1 / 0")
 
@@ -87,9 +88,9 @@ def test_a_temporary_folder_that_is_not_there_is_no_verdict_on_a_team(team, tmp_
 
 def test_a_program_that_fails_while_the_temporary_folder_is_full_is_no_verdict_on_a_team(team, monkeypatch):
     path = team(CRASHING)
-    assert check_file(path, MATCH, SHORT).level == "failure"
+    assert check_file(path, ALONE, SHORT).level == "failure"
     monkeypatch.setattr(check_module, "ensure_room", no_space)
-    assert check_file(path, MATCH, SHORT).level == "unchecked"
+    assert check_file(path, ALONE, SHORT).level == "unchecked"
 
 
 def test_a_record_that_finds_no_room_in_the_temporary_folder_asks_for_room_there(team, monkeypatch):
