@@ -152,7 +152,9 @@ def test_two_scripts_at_once_share_the_matches(tmp_path):
 @needs_flock
 def test_a_match_that_outlives_its_script_is_not_played_twice(tmp_path):
     environment = pretended_cup(tmp_path, "a", "b")
-    (tmp_path / "rcj-challenge").write_text(PRETENDED.replace("sleep 0.1", "[ $2 != cup/a/b ] || sleep 1"), encoding="utf-8")
+    (tmp_path / "rcj-challenge").write_text(
+        PRETENDED.replace("sleep 0.1", "[ $2 != cup/a/b ] || sleep 1"), encoding="utf-8"
+    )
     script = subprocess.Popen(["bash", "-c", the_script()], cwd=tmp_path, env=environment)
     while not (tmp_path / "started").exists():
         assert script.poll() is None
