@@ -12,6 +12,8 @@ from rcj_challenges.checker.growth import Growth
 from rcj_challenges.scenario.load import load
 from tests.checker.alone import ONE_EACH, alone
 
+pytestmark = pytest.mark.usefixtures("sources_read_here")
+
 ENTRY = "rcj_soccer_team_blue/rcj_soccer_team_blue.py"
 DUEL = load("match", ONE_EACH)
 ALONE = alone()

@@ -16,6 +16,8 @@ from rcj_challenges.controllers.team import open_team
 from rcj_challenges.scenario.load import load
 from tests.checker.alone import ONE_EACH, alone
 
+pytestmark = pytest.mark.usefixtures("sources_read_here")
+
 ENTRY = "rcj_soccer_team_blue/rcj_soccer_team_blue.py"
 LIMITS = ("limits.start_s=10", "limits.step_s=0.5")
 V21, V22 = alone(*LIMITS), alone(*LIMITS, "kits.v2.messages=v2.2")

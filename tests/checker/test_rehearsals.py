@@ -19,6 +19,8 @@ from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.scenario.resources import teams_folder
 from tests.checker.alone import ONE_EACH, alone
 
+pytestmark = pytest.mark.usefixtures("sources_read_here")
+
 ENTRY = "rcj_soccer_team_blue/rcj_soccer_team_blue.py"
 MATCH = load("match", ["limits.start_s=10", "limits.step_s=1"])
 SHORT = CheckOptions(play_s=1.0)

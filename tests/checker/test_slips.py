@@ -12,6 +12,8 @@ from rcj_challenges.checker.slips import on_slip
 from rcj_challenges.scenario.load import load
 from tests.checker.alone import alone
 
+pytestmark = pytest.mark.usefixtures("sources_read_here")
+
 FOLDER = "rcj_soccer_team_blue/"
 BEGIN = "from controller import Robot\nrobot = Robot()\n"
 HERE_WITHOUT_ITS_NAME = (
