@@ -175,10 +175,10 @@ def test_a_replay_for_which_there_is_no_room_is_no_warning_of_the_team(team, tmp
 
 def test_teams_of_the_same_file_name_get_their_own_pages(team, tmp_path):
     paths = [team(name="a/team.zip"), team(PLAYER + "# b\n", name="b/team.zip")]
-    told = check_many(paths, MATCH, replace(SHORT, replays=tmp_path / "pages"), 2, lambda _: None)
+    told = check_many(paths, ALONE, replace(SHORT, replays=tmp_path / "pages"), 2, lambda _: None)
     assert [file.file for file in told] == ["a/team.zip", "b/team.zip"]
     pages = {match.replay for file in told for match in file.matches}
-    assert len(pages) == len(list((tmp_path / "pages").iterdir())) == 4
+    assert len(pages) == len(list((tmp_path / "pages").iterdir())) == 2
 
 
 def test_an_old_page_stays_if_the_new_one_cannot_be_written_whole(tmp_path, monkeypatch):
