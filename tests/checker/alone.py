@@ -1,7 +1,7 @@
 """Few robots for checks of what depends on nobody else.
 
 A check of the match starts each program to see whether it starts, and plays as blue and as yellow, each time against
-another team: that are 18 programs, or 6 if one robot on each side has one. Of one robot that is alone it is 2.
+another team: 18 programs, or 6 if one robot on each side has one. For one robot that is alone it is 2.
 """
 
 from rcj_challenges.scenario.load import Loaded, load_text
