@@ -8,7 +8,7 @@ import pytest
 
 from rcj_challenges.checker.advice.early_ends import why_it_ended
 from rcj_challenges.checker.check import CheckOptions, check_file
-from rcj_challenges.scenario.load import load
+from tests.checker.alone import alone
 
 ENTRY = PurePosixPath("robot.py")
 BEGIN = "from controller import Robot\nrobot = Robot()\n"
@@ -61,8 +61,7 @@ def test_the_file_is_named_where_it_is_not_the_program() -> None:
 def test_a_check_says_so(tmp_path) -> None:
     path = tmp_path / "robot.py"
     path.write_bytes(looped("except:\n    pass"))
-    alone = [f"entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
-    report = check_file(path, load("match", alone), CheckOptions(play_s=1.0))
+    report = check_file(path, alone(), CheckOptions(play_s=1.0))
     (found,) = [one for stage in report.stages for one in stage.findings if one.level == "failure"]
     assert "came to its end" in found.message
     assert found.remedy == SAYS

@@ -26,10 +26,11 @@ from rcj_challenges.facts.errors import HostError
 from rcj_challenges.records.errors import RecordError, UnwritableError
 from rcj_challenges.scenario.load import load
 from rcj_challenges.world.errors import PhysicsFault
+from tests.checker.alone import ONE_EACH, alone
 from tests.checker.small_team import PLAYER, write_team
 
-ONE_ROBOT_EACH = [f"entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
-MATCH = load("match", ["limits.start_s=10", "limits.step_s=1", *ONE_ROBOT_EACH])
+LIMITS = ("limits.start_s=10", "limits.step_s=1")
+MATCH, ALONE = load("match", [*LIMITS, *ONE_EACH]), alone(*LIMITS)
 SHORT = CheckOptions(play_s=0.5)
 CRASHING = PLAYER.replace("pass", "open('log', 'w').write('x') and 1 / 0")
 
@@ -87,9 +88,9 @@ def test_a_temporary_folder_that_is_not_there_is_no_verdict_on_a_team(team, tmp_
 
 def test_a_program_that_fails_while_the_temporary_folder_is_full_is_no_verdict_on_a_team(team, monkeypatch):
     path = team(CRASHING)
-    assert check_file(path, MATCH, SHORT).level == "failure"
+    assert check_file(path, ALONE, SHORT).level == "failure"
     monkeypatch.setattr(check_module, "ensure_room", no_space)
-    assert check_file(path, MATCH, SHORT).level == "unchecked"
+    assert check_file(path, ALONE, SHORT).level == "unchecked"
 
 
 def test_a_record_that_finds_no_room_in_the_temporary_folder_asks_for_room_there(team, monkeypatch):
@@ -174,10 +175,10 @@ def test_a_replay_for_which_there_is_no_room_is_no_warning_of_the_team(team, tmp
 
 def test_teams_of_the_same_file_name_get_their_own_pages(team, tmp_path):
     paths = [team(name="a/team.zip"), team(PLAYER + "# b\n", name="b/team.zip")]
-    told = check_many(paths, MATCH, replace(SHORT, replays=tmp_path / "pages"), 2, lambda _: None)
+    told = check_many(paths, ALONE, replace(SHORT, replays=tmp_path / "pages"), 2, lambda _: None)
     assert [file.file for file in told] == ["a/team.zip", "b/team.zip"]
     pages = {match.replay for file in told for match in file.matches}
-    assert len(pages) == len(list((tmp_path / "pages").iterdir())) == 4
+    assert len(pages) == len(list((tmp_path / "pages").iterdir())) == 2
 
 
 def test_an_old_page_stays_if_the_new_one_cannot_be_written_whole(tmp_path, monkeypatch):

@@ -11,12 +11,11 @@ from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.checker.preloaded import loaded_before
 from rcj_challenges.checker.sources import check_sources
 from rcj_challenges.controllers.team import open_team
-from rcj_challenges.scenario.load import load
+from tests.checker.alone import alone
 
 FOLDER = "rcj_soccer_team_blue"
 ENTRY = f"{FOLDER}/{FOLDER}.py"
-ALONE = [f"entrants.{seat}.robots.{seat[0].upper()}{number}=null" for seat in ("blue", "yellow") for number in (2, 3)]
-MATCH = load("match", ALONE)
+ALONE = alone()
 LOOP = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
 
 
@@ -33,7 +32,7 @@ def submission(tmp_path):
 
 
 def sources(folder):
-    with open_team(folder, *MATCH.scenario.entrants.values()) as team:
+    with open_team(folder, *ALONE.scenario.entrants.values()) as team:
         return {(finding.code, finding.where): finding for finding in check_sources(team).findings}
 
 
@@ -73,7 +72,7 @@ def test_a_file_called_like_what_is_loaded_later_hides_it(submission, name):
 @pytest.mark.parametrize("name", ["types", "random", "ctypes", "resource", "runpy", "token"])
 def test_what_the_sources_say_is_what_a_real_program_gets(submission, name):
     folder = submission(f"import {name}\nprint({name}.Speed)\n" + LOOP, **{f"{FOLDER}/{name}.py": "Speed = 5\n"})
-    report = check_file(folder, MATCH, CheckOptions(play_s=0.5))
+    report = check_file(folder, ALONE, CheckOptions(play_s=0.5))
     (code,) = {finding.code for finding in report.stages[3].findings}
     crashed = {finding.code for finding in report.stages[4].findings} == {"start.crash"}
     assert (code == "sources.passed_over") == crashed
@@ -81,7 +80,7 @@ def test_what_the_sources_say_is_what_a_real_program_gets(submission, name):
 
 def test_a_crash_over_a_name_of_a_file_that_is_never_read_tells_to_rename_it(submission):
     for program in ("from types import Speed\n", "import types\nprint(types.Speed)\n"):
-        report = check_file(submission(program + LOOP, **{f"{FOLDER}/types.py": "Speed = 5\n"}), MATCH, CheckOptions())
+        report = check_file(submission(program + LOOP, **{f"{FOLDER}/types.py": "Speed = 5\n"}), ALONE, CheckOptions())
         (found,) = report.stages[4].findings
         assert f"{FOLDER}/types.py is never read" in found.remedy
         assert "another name" in found.remedy
@@ -89,7 +88,7 @@ def test_a_crash_over_a_name_of_a_file_that_is_never_read_tells_to_rename_it(sub
 
 def test_a_crash_over_a_name_that_the_own_file_hides_tells_so(submission):
     program = "import random\nprint(random.random())\n" + LOOP
-    report = check_file(submission(program, **{f"{FOLDER}/random.py": ""}), MATCH, CheckOptions())
+    report = check_file(submission(program, **{f"{FOLDER}/random.py": ""}), ALONE, CheckOptions())
     (found,) = report.stages[4].findings
     assert f"{FOLDER}/random.py" in found.remedy
     assert "hides" in found.remedy

@@ -7,11 +7,12 @@ import pytest
 from rcj_challenges.checker.archives import inspect
 from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.scenario.load import load, load_text
+from tests.checker.alone import ONE_EACH
 
 BLUE = "rcj_soccer_team_blue/rcj_soccer_team_blue.py"
 PROGRAM = "x = 1\n"
 MATCH = load("match")
-QUICK = load("match", ["limits.start_s=10", "limits.step_s=2"])
+QUICK = load("match", ["limits.start_s=10", "limits.step_s=2", *ONE_EACH])
 
 
 @pytest.fixture

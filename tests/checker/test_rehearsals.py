@@ -17,15 +17,15 @@ from rcj_challenges.checker.rehearsal import shortened
 from rcj_challenges.controllers.team import TeamError
 from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.scenario.resources import teams_folder
+from tests.checker.alone import ONE_EACH, alone
+
+pytestmark = pytest.mark.usefixtures("sources_read_here")
 
 ENTRY = "rcj_soccer_team_blue/rcj_soccer_team_blue.py"
 MATCH = load("match", ["limits.start_s=10", "limits.step_s=1"])
 SHORT = CheckOptions(play_s=1.0)
-ONE_EACH = [
-    f"entrants.{seat}.robots.{seat[0].upper()}{number}=null" for seat in ("blue", "yellow") for number in (2, 3)
-]
 DUEL = load("match", ["limits.start_s=10", "limits.step_s=1", *ONE_EACH])
-"""One robot on each side has a program: of what does not depend on the others, each check starts a third as many."""
+ALONE = alone("limits.start_s=10", "limits.step_s=1")
 
 BEGIN = """\
 from controller import Robot
@@ -104,20 +104,20 @@ def test_a_program_that_fails_at_its_start_is_told_with_its_traceback_and_is_not
 
 
 def test_a_program_that_never_steps_is_told_so(pack):
-    slow = load("match", ["limits.start_s=1", *ONE_EACH])
+    slow = alone("limits.start_s=1")
     (found,) = findings(check_file(pack("while True:\n    pass\n"), slow, SHORT), "start", "failure")
-    assert (found.code, found.where) == ("start.start_timeout", "B1, Y1")
+    assert (found.code, found.where) == ("start.start_timeout", "B1")
     assert "robot.step" in found.remedy
 
 
 def test_a_program_that_ends_is_told_to_call_step_in_a_loop(pack):
-    (found,) = findings(check_file(pack(BEGIN + "robot.step(32)\n"), DUEL, SHORT), "start", "failure")
+    (found,) = findings(check_file(pack(BEGIN + "robot.step(32)\n"), ALONE, SHORT), "start", "failure")
     assert found.code == "start.exit"
     assert "loop" in found.remedy
 
 
 def test_a_device_that_no_robot_has_is_told_with_the_nearest_name(pack):
-    report = check_file(pack(BEGIN + "robot.getDevice('ball \\x1b[31mreciever')\n" + LOOP), DUEL, SHORT)
+    report = check_file(pack(BEGIN + "robot.getDevice('ball \\x1b[31mreciever')\n" + LOOP), ALONE, SHORT)
     (found,) = findings(report, "start", "warning")
     assert found.code == "start.no_device"
     assert "\\x1b[31mreciever" in found.message
@@ -139,7 +139,7 @@ def no_device(report):
 
 
 def test_a_program_for_the_robots_of_2021_is_told_so_and_what_there_is_instead(pack):
-    report = check_file(pack(FOR_2021 + "receiver.enable(64)\n" + LOOP, entry="robot.py"), DUEL, SHORT)
+    report = check_file(pack(FOR_2021 + "receiver.enable(64)\n" + LOOP, entry="robot.py"), ALONE, SHORT)
     found = no_device(report)
     assert (found.level, report.level) == ("warning", "failure")
     assert "seems to be written for the robots of 2021" in found.message
@@ -157,7 +157,7 @@ def test_no_scenario_with_robots_of_other_years_is_named_to_whom_writes_for_late
 
 
 def test_a_program_that_uses_what_came_after_2021_is_not_taken_for_one_of_2021(pack):
-    report = check_file(pack(FOR_2021 + "robot.getDevice('gps')\n" + LOOP), DUEL, SHORT)
+    report = check_file(pack(FOR_2021 + "robot.getDevice('gps')\n" + LOOP), ALONE, SHORT)
     assert no_device(report).message.endswith("there is none")
     assert "receiver" in no_device(report).remedy
 
@@ -165,7 +165,7 @@ def test_a_program_that_uses_what_came_after_2021_is_not_taken_for_one_of_2021(p
 @pytest.mark.parametrize("device", ["supervisor receiver", "team receiver", "gps"])
 def test_a_program_for_later_robots_is_told_so_where_those_of_2021_play(pack, device):
     program = BEGIN + f"robot.getDevice({device!r}).enable(32)\n" + LOOP
-    found = no_device(check_file(pack(program), load("match_2021"), SHORT))
+    found = no_device(check_file(pack(program), load("match_2021", ONE_EACH), SHORT))
     assert found.message.endswith("this program seems to be written for the robots of 2022 and later")
     assert found.remedy.startswith("it looks like one for match: rcj-challenge check … --scenario match; ")
     assert "did you mean" not in found.remedy
@@ -179,10 +179,11 @@ id: deaf
 title: Deaf
 extends: soccersim_2021
 match: {half_s: 30}
-robots: {B1: {without: [receiver]}}
+kits: {legacy_2021: {packet_lists: [B1, B2]}}
+robots: {B1: {without: [receiver]}, B3: null, Y1: null, Y2: null, Y3: null}
 entrants:
-  blue: {robots: {B1: robot.py, B2: robot.py, B3: robot.py}}
-  yellow: {robots: {Y1: robot.py, Y2: robot.py, Y3: robot.py}}
+  blue: {robots: {B1: robot.py, B2: robot.py, B3: null}}
+  yellow: null
 """
 
 
@@ -229,12 +230,12 @@ def test_a_hang_costs_its_limit_once(pack):
 
 
 def test_a_program_that_is_slow_on_every_step_fails_and_is_told_what_a_half_allows(pack):
-    slow = load("match", ["limits.step_s=5", "limits.half_s=10", *ONE_EACH])
+    slow = alone("limits.step_s=5", "limits.half_s=10")
     work = "    x = 0\n    while x < 120_000:\n        x += 1\n"
     report = check_file(pack(BEGIN + "while robot.step(32) != -1:\n" + work), slow, SHORT)
     found = findings(report, "play", "failure")
     assert {finding.code for finding in found} <= {"play.slow", "play.half_timeout"}
-    assert {finding.where for finding in found} == {"B1", "Y1"}
+    assert {finding.where for finding in found} == {"B1"}
 
 
 def test_robots_that_stand_still_and_touch_no_ball_are_a_warning(pack):
@@ -247,9 +248,9 @@ def test_robots_that_stand_still_and_touch_no_ball_are_a_warning(pack):
 
 def test_a_robot_that_sleeps_the_match_away_is_told_so_and_not_to_look_for_its_motors(pack):
     program = BEGIN.replace("8)", "0)") + "import time\nrobot.step(32)\ntime.sleep(500)\n" + LOOP
-    report = check_file(pack(program), DUEL, replace(SHORT, play_s=3.0))
+    report = check_file(pack(program), ALONE, replace(SHORT, play_s=3.0))
     told = [finding for finding in findings(report, "play", "warning") if finding.code != "play.no_touch"]
-    assert [(finding.code, finding.where) for finding in told] == [("play.absent", "B1"), ("play.absent", "Y1")]
+    assert [(finding.code, finding.where) for finding in told] == [("play.absent", "B1")]
     assert "took part in 2 of 94 ticks; it slept or waited through the rest" in told[0].message
     assert "sleep" in told[0].remedy
     assert "setPosition" not in told[0].remedy
@@ -257,17 +258,17 @@ def test_a_robot_that_sleeps_the_match_away_is_told_so_and_not_to_look_for_its_m
 
 @pytest.mark.parametrize("step_ms", [32, 64, 128])
 def test_a_robot_that_steps_in_its_own_time_takes_part(pack, step_ms):
-    report = check_file(pack(BEGIN + LOOP.replace("32", str(step_ms))), DUEL, SHORT)
+    report = check_file(pack(BEGIN + LOOP.replace("32", str(step_ms))), ALONE, SHORT)
     assert "play.absent" not in {finding.code for finding in findings(report, "play")}
 
 
 def test_a_robot_whose_program_failed_is_not_told_to_be_absent_as_well(pack):
-    report = check_file(pack(BEGIN + "for _ in range(5):\n    robot.step(32)\n1 / 0\n"), DUEL, SHORT)
+    report = check_file(pack(BEGIN + "for _ in range(5):\n    robot.step(32)\n1 / 0\n"), ALONE, SHORT)
     assert "play.absent" not in {finding.code for finding in findings(report, "play")}
 
 
 def test_a_call_that_the_robot_refuses_is_a_warning(pack):
-    report = check_file(pack(BEGIN + "left.setVelocity(float('nan'))\n" + LOOP), DUEL, SHORT)
+    report = check_file(pack(BEGIN + "left.setVelocity(float('nan'))\n" + LOOP), ALONE, SHORT)
     assert "play.complaint" in {finding.code for finding in findings(report, "play", "warning")}
 
 
@@ -278,18 +279,18 @@ def complaints(report):
 def test_a_sensor_that_is_read_and_was_never_enabled_is_told_with_what_to_do(pack):
     program = BEGIN + 'compass = robot.getDevice("compass")\n'
     program += LOOP.replace("pass", "left.setVelocity(compass.getValues()[0])")
-    told = complaints(check_file(pack(program), DUEL, SHORT))
+    told = complaints(check_file(pack(program), ALONE, SHORT))
     assert [(finding.message, finding.remedy, finding.where) for finding in told[:2]] == [
-        ("as blue, 'compass' is read but not enabled", "call enable(32) before the first step", "B1"),
-        ("as blue, 'left wheel motor': setVelocity(NaN) is refused.", "correct this call", "B1"),
+        ("'compass' is read but not enabled", "call enable(32) before the first step", "B1"),
+        ("'left wheel motor': setVelocity(NaN) is refused.", "correct this call", "B1"),
     ]
 
 
 def test_a_second_robot_is_a_warning_with_how_to_do_with_one(pack):
-    told = complaints(check_file(pack(BEGIN + "second = Robot()\n" + LOOP), DUEL, SHORT))
+    told = complaints(check_file(pack(BEGIN + "second = Robot()\n" + LOOP), ALONE, SHORT))
     assert [(finding.message, finding.remedy, finding.where) for finding in told[:1]] == [
         (
-            "as blue, only one Robot can be made: this second Robot is the same robot.",
+            "only one Robot can be made: this second Robot is the same robot.",
             "make it once, and hand it to what needs it: def run(robot): …",
             "B1",
         )
@@ -298,7 +299,7 @@ def test_a_second_robot_is_a_warning_with_how_to_do_with_one(pack):
 
 def test_a_function_that_goes_on_by_calling_itself_is_told_to_be_a_loop(pack):
     program = BEGIN + "def run():\n    if robot.step(32) != -1:\n        run()\nrun()\n"
-    told = complaints(check_file(pack(program), DUEL, replace(SHORT, play_s=6.0)))
+    told = complaints(check_file(pack(program), ALONE, replace(SHORT, play_s=6.0)))
     assert (
         "a function that steps goes on by calling itself. At 1000 Python ends the program, after about"
         in told[0].message
@@ -320,11 +321,11 @@ def test_why_packets_are_dropped_is_told_and_what_to_do(pack):
     program = (
         BEGIN + 'emitter = robot.getDevice("team emitter")\nemitter.send("")\nemitter.send(bytes(9_000_000))\n' + LOOP
     )
-    told = complaints(check_file(pack(program), DUEL, SHORT))
+    told = complaints(check_file(pack(program), ALONE, SHORT))
     assert [(finding.message, finding.remedy) for finding in told[:2]] == [
-        ("as blue, 'team emitter': the packet is dropped: it is empty.", "send nothing where there is nothing to say"),
+        ("'team emitter': the packet is dropped: it is empty.", "send nothing where there is nothing to say"),
         (
-            "as blue, 'team emitter': the packet is dropped: it has 9000000 bytes, and at most 1024000 are allowed.",
+            "'team emitter': the packet is dropped: it has 9000000 bytes, and at most 1024000 are allowed.",
             "send less in one packet and in one step",
         ),
     ]
@@ -332,7 +333,7 @@ def test_why_packets_are_dropped_is_told_and_what_to_do(pack):
 
 def test_who_uses_what_the_referee_alone_is_given_is_told_of_the_call_that_gave_none(pack):
     program = BEGIN.replace("Robot", "Supervisor") + 'ball = robot.getFromDef("BALL")\nball.getPosition()\n' + LOOP
-    (crash,) = findings(check_file(pack(program), DUEL, SHORT), "start", "failure")
+    (crash,) = findings(check_file(pack(program), ALONE, SHORT), "start", "failure")
     assert "'NoneType' object has no attribute 'getPosition'" in crash.message
     assert "getFromDef gave None" in crash.remedy
     assert "gps" in crash.remedy
@@ -354,14 +355,14 @@ def test_a_thread_that_ends_by_an_error_is_a_warning_with_its_last_line(pack):
 
 def test_a_thread_that_just_ends_is_none(pack):
     program = BEGIN + "import threading\nthreading.Thread(target=print, args=('Exception in thread',)).start()\n" + LOOP
-    report = check_file(pack(program), DUEL, SHORT)
+    report = check_file(pack(program), ALONE, SHORT)
     assert "play.thread" not in {finding.code for finding in findings(report, "play")}
 
 
 def test_what_a_program_itself_prints_about_warnings_is_its_own_business(pack):
     program = BEGIN + 'print("Warning: the goalie is asleep: wake him")\nprint("Warning: not enabled")\n'
     program += 'print("Error: no ball")\nprint("Error: goalie: asleep")\n' + LOOP
-    assert complaints(check_file(pack(program), DUEL, SHORT)) == []
+    assert complaints(check_file(pack(program), ALONE, SHORT)) == []
 
 
 def test_output_and_replay_are_there_on_request_and_safe(pack, tmp_path):
@@ -378,7 +379,7 @@ def test_output_and_replay_are_there_on_request_and_safe(pack, tmp_path):
 
 def test_without_being_asked_for_no_output_is_quoted_and_nothing_is_left(pack, tmp_path):
     path = pack(BEGIN + "print('secret')\n" + LOOP)
-    report = check_file(path, DUEL, SHORT)
+    report = check_file(path, ALONE, SHORT)
     assert "secret" not in json.dumps(report.model_dump(mode="json"))
     assert list(tmp_path.iterdir()) == [path]
 

@@ -10,6 +10,9 @@ import pytest
 from rcj_challenges.checker.advice.slips import on_slip
 from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.scenario.load import load
+from tests.checker.alone import alone
+
+pytestmark = pytest.mark.usefixtures("sources_read_here")
 
 FOLDER = "rcj_soccer_team_blue/"
 BEGIN = "from controller import Robot\nrobot = Robot()\n"
@@ -22,8 +25,7 @@ LOOP = "while robot.step(32) != -1:\n    pass\n"
 @pytest.fixture
 def failure(tmp_path):
     """Return the only failure of a program, and of its other files."""
-    alone = [f"entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
-    scenario = load("match", alone)
+    scenario = alone()
 
     def failed(program, **others):
         path = tmp_path / "team.zip"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 
+import pytest
 from fake_match import FakeMatch
 
 STEPS = """
@@ -84,8 +85,7 @@ print(numpy.array([3, 8]).ptp(), len(numpy.array([0.5, 2.0]).tostring()))
     assert (done.stdout, done.stderr, done.returncode) == ("5 16\n", "", 0)
 
 
-def test_names_that_scipy_had_in_those_years_are_there(match: FakeMatch) -> None:
-    program = """
+OLD_NAMES = """
 import warnings
 warnings.simplefilter("ignore")
 from scipy.misc import derivative
@@ -102,9 +102,58 @@ import numpy as np
 print(stats.mode([3, 1, 3])[0][0], mode([3, 1, 3]).count[0], stats.mode([3, 3], keepdims=False).mode)
 print(*(tuple(map(list, stats.mode(x))) for x in (["l", "r", "r"], [True, False, True], [], np.array([2, "a", 2], object))))
 print(stats.mode([[1, 2], [1, 3]])[0][0], stats.mode([[1, 2], [2, 3]], axis=None)[0], stats.mode([[1, 1, 2]], axis=1)[0])
-robot.step(32)
 """
-    said = match.play(STEPS + program, 1).said
+
+NAMES_OF_NUMPY = """
+import scipy
+from scipy import array, dot, pi
+import scipy as sp
+print(round(pi, 2), dot(array([1, 2]), array([3, 4])), scipy.sqrt(-4), sp.mean([1, 2]), sp.inf)
+try:
+    scipy.no_such_name
+except AttributeError as error:
+    print(type(error).__name__)
+print(scipy.linalg.norm([3, 4]))
+from scipy import ifft, rand, randn
+print(rand(2).shape, randn(3).shape, ifft([4.0]))
+from scipy import *
+print(array([1, 2]).mean(), sqrt(-4), linalg is scipy.linalg, max(3, 5))
+"""
+
+TABLES = """
+import numpy as np
+from scipy.interpolate import interp2d
+from scipy import interpolate
+table = interp2d([0, 1, 2], [0, 10], [[0, 1, 2], [10, 11, 12]])
+print(table(0.5, 5), table([0, 2], 10), table([1, 0], [10, 0]).tolist(), table(9, 99), interpolate.interp2d is interp2d)
+print(interp2d([2, 0, 1], [10, 0], [[12, 10, 11], [2, 0, 1]])(0.5, 5), interp2d([0, 1], [0, 1], [0, 1, 2, 3])(1, 0))
+print(interp2d([0, 1], [0, 1], [0, 1, 2, 3], fill_value=-1)([0, 5], 0), end=" ")
+axis = np.arange(5.0)
+print(interp2d(axis, axis, np.outer(axis**2, axis), kind="cubic")(1.5, 2.5).round(6))
+__import__("warnings").simplefilter("ignore")  # fitpack says that it has found no room to be more exact
+scattered = interp2d([0, 1, 0, 1, 0.5], [0, 0, 1, 1, 0.5], [0, 1, 2, 3, 1.5])
+print(scattered(0.25, 0.25).round(6))
+for wrong in (lambda: interp2d([0, 1], [0, 1], [1, 2, 3]), lambda: interp2d([0, 1], [0, 1], [0, 1, 2, 3], bounds_error=True)(3, 0)):
+    try:
+        wrong()
+    except ValueError as error:
+        print(error)
+"""
+
+
+@pytest.fixture(scope="module")
+def said_with_scipy(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[str]]:
+    """What each of the programs that need scipy prints, of one process: to import scipy takes a second."""
+    programs = (NAMES_OF_NUMPY, OLD_NAMES, TABLES)  # the first one imports nothing but scipy itself
+    next_one = "print('the next one', flush=True)\n"
+    played = FakeMatch(tmp_path_factory.mktemp("scipy")).play(STEPS + next_one.join(programs) + "robot.step(32)\n", 1)
+    parts = "\n".join(played.said).split("the next one\n")
+    assert len(parts) == len(programs), played.log
+    return {program: part.splitlines() for program, part in zip(programs, parts, strict=True)}
+
+
+def test_names_that_scipy_had_in_those_years_are_there(said_with_scipy: dict[str, list[str]]) -> None:
+    said = said_with_scipy[OLD_NAMES]
     assert said[:2] == ["12.0 12.0", "2.6666666666666665 [1. 4.] [0.607 1.    0.607]"]
     assert said[2:4] == ["[[0.5]] 6.0 6.0", "3 2 3"]
     assert said[4:] == ["(['r'], [2]) ([True], [2]) ([], []) ([2], [2])", "[1 2] [2] [[1]]"]
@@ -122,24 +171,8 @@ robot.step(32)
     assert said[-1] == "0.0 0.5", said  # after warnings that it will not stay so
 
 
-def test_scipy_gives_the_names_of_numpy_that_it_had(match: FakeMatch) -> None:
-    program = """
-import scipy
-from scipy import array, dot, pi
-import scipy as sp
-print(round(pi, 2), dot(array([1, 2]), array([3, 4])), scipy.sqrt(-4), sp.mean([1, 2]), sp.inf)
-try:
-    scipy.no_such_name
-except AttributeError as error:
-    print(type(error).__name__)
-print(scipy.linalg.norm([3, 4]))
-from scipy import ifft, rand, randn
-print(rand(2).shape, randn(3).shape, ifft([4.0]))
-from scipy import *
-print(array([1, 2]).mean(), sqrt(-4), linalg is scipy.linalg, max(3, 5))
-robot.step(32)
-"""
-    said = match.play(STEPS + program, 1).said
+def test_scipy_gives_the_names_of_numpy_that_it_had(said_with_scipy: dict[str, list[str]]) -> None:
+    said = said_with_scipy[NAMES_OF_NUMPY]
     assert said == ["3.14 11 2j 1.5 inf", "AttributeError", "5.0", "(2,) (3,) [4.+0.j]", "1.5 2j True 5"]
 
 
@@ -208,29 +241,9 @@ robot.step(32)
     ]
 
 
-def test_a_table_of_two_axes_is_looked_up(match: FakeMatch) -> None:
+def test_a_table_of_two_axes_is_looked_up(said_with_scipy: dict[str, list[str]]) -> None:
     """As in the documentation of scipy 1.9: a row for each y, at all pairs."""
-    program = """
-import numpy as np
-from scipy.interpolate import interp2d
-from scipy import interpolate
-table = interp2d([0, 1, 2], [0, 10], [[0, 1, 2], [10, 11, 12]])
-print(table(0.5, 5), table([0, 2], 10), table([1, 0], [10, 0]).tolist(), table(9, 99), interpolate.interp2d is interp2d)
-print(interp2d([2, 0, 1], [10, 0], [[12, 10, 11], [2, 0, 1]])(0.5, 5), interp2d([0, 1], [0, 1], [0, 1, 2, 3])(1, 0))
-print(interp2d([0, 1], [0, 1], [0, 1, 2, 3], fill_value=-1)([0, 5], 0), end=" ")
-axis = np.arange(5.0)
-print(interp2d(axis, axis, np.outer(axis**2, axis), kind="cubic")(1.5, 2.5).round(6))
-__import__("warnings").simplefilter("ignore")  # fitpack says that it has found no room to be more exact
-scattered = interp2d([0, 1, 0, 1, 0.5], [0, 0, 1, 1, 0.5], [0, 1, 2, 3, 1.5])
-print(scattered(0.25, 0.25).round(6))
-for wrong in (lambda: interp2d([0, 1], [0, 1], [1, 2, 3]), lambda: interp2d([0, 1], [0, 1], [0, 1, 2, 3], bounds_error=True)(3, 0)):
-    try:
-        wrong()
-    except ValueError as error:
-        print(error)
-robot.step(32)
-"""
-    assert match.play(STEPS + program, 1).said == [
+    assert said_with_scipy[TABLES] == [
         "[5.5] [10. 12.] [[0.0, 1.0], [10.0, 11.0]] [12.] True",
         "[5.5] [1.]",
         "[ 0. -1.] [9.375]",

@@ -55,11 +55,13 @@ def test_a_program_that_waits_in_vain_misses_ticks_as_one_that_sleeps(match: Fak
     assert "True" not in played.said
 
 
-@pytest.mark.parametrize("what", WAITS)
-def test_nobody_really_waits_where_no_other_thread_could_end_it(match: FakeMatch, what: str) -> None:
+def test_nobody_really_waits_where_no_other_thread_could_end_it(match: FakeMatch) -> None:
     """An hour is far longer than a step may take."""
-    played = match.play(ROBOT + WAITS[what].format(s=3600) + STEPS, AN_HOUR + 3)
-    assert [r.missed_ticks for _, r in played.requests] == [0, AN_HOUR, 0]
+    waits = [wait.format(s=3600) + "\nrobot.step(32)\n" for wait in WAITS.values()]
+    played = match.play(ROBOT + "".join(waits) + STEPS, len(WAITS) * (AN_HOUR + 1) + 4)
+    missed = [r.missed_ticks for _, r in played.requests]
+    assert dict(zip(WAITS, missed[1:], strict=False)) == dict.fromkeys(WAITS, AN_HOUR)
+    assert [missed[0], *missed[len(WAITS) + 1 :]] == [0, 0, 0]
 
 
 def test_what_another_thread_brings_in_time_costs_no_ticks(match: FakeMatch) -> None:
@@ -152,14 +154,20 @@ import threading
 thread = threading.Thread(target=threading.Event().wait, daemon=True)
 thread.start()
 """
-WAITS_BESIDE_A_THREAD = [A_THREAD + wait.format(s=0.2) for wait in WAITS.values()] + [A_THREAD + "thread.join(0.2)\n"]
+WAITS_BESIDE_A_THREAD = {
+    "alone, asyncio": "import asyncio\nasyncio.run(asyncio.sleep({s}))",
+    **{what: A_THREAD + wait for what, wait in WAITS.items()},
+    "the end of a thread": A_THREAD + "thread.join({s})\n",
+}
 
 
-@pytest.mark.parametrize("wait", ["import asyncio\nasyncio.run(asyncio.sleep(0.2))", *WAITS_BESIDE_A_THREAD])
-def test_a_wait_takes_its_time_once_with_other_threads_and_without(either_match: FakeMatch, wait: str) -> None:
+def test_a_wait_takes_its_time_once_with_other_threads_and_without(either_match: FakeMatch) -> None:
     """Also where a thread of ours watches over the process."""
-    played = either_match.play(ROBOT + wait + STEPS, 9)
-    assert [(tick, r.missed_ticks) for tick, r in played.requests] == [(0, 0), (1, 6), (8, 0)]
+    waits = [wait.format(s=0.1) + "\nrobot.step(32)\n" for wait in WAITS_BESIDE_A_THREAD.values()]
+    played = either_match.play(ROBOT + "".join(waits) + STEPS, 4 * len(waits) + 4)
+    missed = [r.missed_ticks for _, r in played.requests]
+    assert dict(zip(WAITS_BESIDE_A_THREAD, missed[1:], strict=False)) == dict.fromkeys(WAITS_BESIDE_A_THREAD, 3)
+    assert [missed[0], *missed[len(waits) + 1 :]] == [0, 0, 0]
 
 
 def test_a_thread_of_ours_is_none_that_could_end_a_wait(tmp_path: Path) -> None:

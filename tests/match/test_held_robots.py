@@ -11,7 +11,7 @@ import pytest
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.scenario.load import load
 from tests.judging_again import judged_again, reflog_of
-from tests.match.playing import Place
+from tests.match.playing import Place, alone
 
 COUNTDOWN = """schema_version: 1
 id: countdown
@@ -150,11 +150,12 @@ def test_in_a_free_phase_they_drive(countdown):
 
 def test_a_second_half_begins_as_its_first_phase_says_and_no_rule_holds_anybody(countdown):
     # The first half ends within the phase that stops the robots.
-    both = countdown("match.halves=2", "match.half_s=2.2", "first_phase=play")
+    few = [*alone("blue"), "entrants.yellow.robots.Y3=null"]
+    both = countdown("match.halves=2", "match.half_s=2.2", "first_phase=play", *few)
     assert ways(both, "Y1", 1)[:20].min() > 1e-5
     assert ways(both, "Y2", 0)[-3:].max() < 1e-5  # held by a rule, for good
     assert ways(both, "Y2", 1)[14:20].min() > 1e-3
-    held = countdown("match.halves=2", "match.half_s=1.5")
+    held = countdown("match.halves=2", "match.half_s=1.5", *few)
     assert ways(held, "Y1", 1)[: GO - 1].max() < 1e-6
 
 

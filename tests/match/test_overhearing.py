@@ -10,6 +10,7 @@ from rcj_challenges.cli.app import app
 from rcj_challenges.match.overhearing import LogTail
 from rcj_challenges.records.sensors import read_sensors
 from rcj_challenges.records.testing import write_made_up_run
+from tests.match.playing import alone
 from tests.match.programs import AHEAD, STAND
 
 PRINTS_ITS_READINGS = """
@@ -71,7 +72,8 @@ def test_wheel_speeds_are_those_that_were_set_on_the_reading(recorded) -> None:
 
 def test_a_recording_changes_neither_the_digest_nor_what_else_is_recorded(play, team_folder) -> None:
     teams = {"blue": team_folder(PRINTS_ITS_READINGS), "yellow": team_folder(AHEAD)}
-    with_sensors, without = play(**teams, record_sensors=True), play(**teams)
+    two = alone("blue", "yellow")
+    with_sensors, without = play(*two, **teams, record_sensors=True), play(*two, **teams)
     assert with_sensors.result["digest"] == without.result["digest"]
     assert not (without.folder / "sensors").exists()
     assert with_sensors.log("B1") == without.log("B1")
@@ -88,7 +90,8 @@ def test_a_program_that_fails_is_recorded_until_then_with_its_last_words(play, t
 
 
 def test_each_half_has_a_recording_with_its_own_output(play, team_folder) -> None:
-    run = play("match.halves=2", "match.half_s=2", yellow=team_folder(PRINTS_ITS_READINGS), record_sensors=True)
+    halves = ("match.halves=2", "match.half_s=2", *alone("blue", "yellow"))
+    run = play(*halves, yellow=team_folder(PRINTS_ITS_READINGS), record_sensors=True)
     halves = read_sensors(run.folder)
     assert halves[1].robots["Y1"].output[0] == (0, "ready\n")
     assert not halves[1].robots["B1"].output

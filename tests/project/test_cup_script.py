@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -97,7 +98,7 @@ PRETENDED = """\
 #!/bin/sh
 while [ "$1" != --out ]; do shift; done
 echo "$2" >> started
-sleep 0.2
+sleep 0.1
 mkdir "$2/record" && echo '{"complete": true}' > "$2/record/result.json"
 """
 """The command, as fast as that; it says in `started` which match it plays."""
@@ -117,7 +118,7 @@ def pretended_cup(folder: Path, *teams: str) -> dict[str, str]:
 def test_whatever_files_are_called_every_match_is_played(tmp_path):
     teams = ["a", "b-c", "a-b", "c", "-rf", "Löwen 🦁 & Co", "two  [1]", "$(touch x)'", "x" * 200]
     environment = pretended_cup(tmp_path, *teams)
-    (tmp_path / "rcj-challenge").write_text(PRETENDED.replace("0.2", "0"), encoding="utf-8")
+    (tmp_path / "rcj-challenge").write_text(PRETENDED.replace("0.1", "0"), encoding="utf-8")
     done = subprocess.run(
         ["bash", "-c", the_script()], cwd=tmp_path, capture_output=True, text=True, check=False, timeout=300, env=environment
     )  # fmt: skip
@@ -151,10 +152,13 @@ def test_two_scripts_at_once_share_the_matches(tmp_path):
 @needs_flock
 def test_a_match_that_outlives_its_script_is_not_played_twice(tmp_path):
     environment = pretended_cup(tmp_path, "a", "b")
-    (tmp_path / "rcj-challenge").write_text(PRETENDED.replace("0.2", "3"), encoding="utf-8")
+    (tmp_path / "rcj-challenge").write_text(
+        PRETENDED.replace("sleep 0.1", "[ $2 != cup/a/b ] || sleep 1"), encoding="utf-8"
+    )
     script = subprocess.Popen(["bash", "-c", the_script()], cwd=tmp_path, env=environment)
     while not (tmp_path / "started").exists():
         assert script.poll() is None
+        time.sleep(0.01)
     script.kill()
     script.wait()
     subprocess.run(["bash", "-c", the_script()], cwd=tmp_path, check=True, timeout=300, env=environment)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from functools import cache
 from io import BytesIO
 from itertools import pairwise
 
@@ -163,6 +164,7 @@ def test_a_distance_from_a_zone_or_a_gate_is_drawn_and_stands_in_the_legend(to, 
 HALF_FLOOR_M = (0.65, 0.75)
 
 
+@cache  # the one without a condition is what all of them are compared with
 def pixels(condition: str) -> np.ndarray:
     """Return the picture of the field, without the legend, as it is seen."""
     with Image.open(BytesIO(png_from_svg(drawn(condition)))) as picture:

@@ -15,7 +15,7 @@ from tests.whole_scenarios.changing import changed, shipped
 from tests.whole_scenarios.promises import FILE, check_all, look_at
 from tests.whole_scenarios.wholes import made_up, without_what_is_refused
 
-MADE_UP, CHANGED = 8, 24
+MADE_UP, CHANGED = 5, 24
 MADE_UP_BY_NIGHT, CHANGED_BY_NIGHT, BY_COMMAND_BY_NIGHT = 1500, 3000, 20
 AT_ONCE = 50
 

@@ -6,11 +6,11 @@ import math
 
 import pytest
 
-from tests.world.physics_stage import BALL_R, FULL, HALF_CUBE, Stage
+from tests.world.physics_stage import BALL_R, FULL, HALF_CUBE, Stage, same_stage
 
 
 def ball_stage(x: float = 0.0, y: float = 0.0, **changes) -> Stage:
-    stage = Stage(**changes)
+    stage = same_stage(**changes)
     stage.put("ball", x, y)
     return stage
 

@@ -7,7 +7,7 @@ from itertools import product
 
 import pytest
 
-from tests.world.physics_stage import BALL_R, Stage
+from tests.world.physics_stage import BALL_R, Stage, same_stage
 
 OPEN = {"goals": {}, "corner_cut_m": 0, "width_m": 4.0, "length_m": 4.0}
 BOX = {"shape": "box", "size_m": [0.1, 0.6]}
@@ -23,7 +23,7 @@ def glance(
     Returns:
         The stage just after; the speed off the obstacle and the speed along it, each as a share of what it was.
     """
-    stage = Stage(obstacles={"crate": {**shape, "centre_m": [0, 0], "movable": True, **how}}, field=OPEN)
+    stage = same_stage(obstacles={"crate": {**shape, "centre_m": [0, 0], "movable": True, **how}}, field=OPEN)
     angle, back = math.radians(degrees), 0.02 + offset * speed * 0.008
     out, along = (-math.cos(turn), -math.sin(turn)), (-math.sin(turn), math.cos(turn))
     away, aside = HALF_M + BALL_R + back * math.cos(angle), -back * math.sin(angle)

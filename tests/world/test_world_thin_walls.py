@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from tests.world.physics_stage import Stage
+from tests.world.physics_stage import Stage, same_stage
 
 OPEN = {"goals": {}, "corner_cut_m": 0, "width_m": 6.0, "length_m": 6.0}
 WALL = {"shape": "wall", "from_m": [0, -1], "to_m": [0, 1]}
@@ -15,7 +15,7 @@ BOARD = {"shape": "box", "centre_m": [0, 0], "movable": True, "mass_kg": 20}
 
 def thrown(obstacle: dict, radius_m: float, speed: float, offset: float, degrees: float = 0.0) -> tuple[Stage, float]:
     """Roll a ball at a wall along y; returns the stage and its highest speed off the wall as a share of the closing."""
-    stage = Stage(obstacles={"wall": obstacle}, field=OPEN, balls={"ball": {"radius_m": radius_m}})
+    stage = same_stage(obstacles={"wall": obstacle}, field=OPEN, balls={"ball": {"radius_m": radius_m}})
     if obstacle.get("movable"):
         stage.put("wall", 0, 0)
     angle, away = math.radians(degrees), 0.1 + offset * speed * 0.008
