@@ -103,6 +103,8 @@ def test_a_param_of_a_record_is_refused_for_its_value_stands_where_it_is_used(gi
     for override in (f"{name}=1", f"params.{name}=1"):
         with pytest.raises(ScenarioError, match=f"{name} is a param, and here its value stands already"):
             load_resolved(resolved, overrides=[override])
+    with pytest.raises(ScenarioError, match="values of params stand here already wherever they are used"):
+        load_resolved(resolved, overrides=[f"params={{{name}: 1}}"])
 
 
 def test_a_value_that_no_rule_takes_is_refused(by):

@@ -58,7 +58,7 @@ def find_run(run: Path | None, out: Path) -> Path:
         return folders[0]
     for folder in (run, run.parent, out / run):
         if _is_record(folder):
-            return folder
+            return folder if folder.name not in ("", "..") else folder.resolve()  # which has a name
     fitting = [folder for folder in _folders(out) if folder.name.startswith(run.name)] if _is_folder(out) else []
     if len(fitting) == 1:
         return fitting[0]
