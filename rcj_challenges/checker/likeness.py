@@ -59,14 +59,18 @@ def mentioned(files: Mapping[PurePosixPath, bytes], names: Iterable[str]) -> str
         raw = name.encode("utf-8", "surrogateescape")
         word = re.compile(rb"(?<!\w)" + re.escape(raw) + rb"(?!\w)")
         programs = (content for path, content in files.items() if path.suffix == ".py" and raw in content)
-        if any(word.search(place) for content in programs for place in _named_places(content)):
+        places = (place for content in programs for place in _named_places(content, has_blanks=b" " in raw))
+        if any(map(word.search, places)):
             return name
     return ""
 
 
-def _named_places(content: bytes) -> Iterator[bytes]:
-    """Return the parts of a program that name modules, files and folders: a text with blanks and no / is a sentence."""
+def _named_places(content: bytes, *, has_blanks: bool) -> Iterator[bytes]:
+    """Return the parts of a program that name modules, files and folders.
+
+    A text with blanks and no / is a sentence, unless the name that is looked for has blanks itself.
+    """
     for found in _IMPORT_OR_TEXT.finditer(content):
         text = found["text"]
-        if text is None or b" " not in text or b"/" in text or b"\\" in text:
+        if text is None or has_blanks or b" " not in text or b"/" in text or b"\\" in text:
             yield found[0]

@@ -186,6 +186,7 @@ def test_programs_that_import_from_beside_them_take_it_with_them(tmp_path: Path)
     ("program", "beside"),
     [
         (b"open('speeds.csv').read()\n", "speeds.csv"),
+        (b"open('our speeds.csv').read()\n", "our speeds.csv"),
         (b"import fast\n", "fast.cp311-win_amd64.pyd"),
         (b"import lib.moves\n", "lib/moves.py"),
         (b"from robot1 import *\n", "robot1.py"),
