@@ -122,7 +122,7 @@ def _refuse_params(tree: Entries, overrides: Sequence[str]) -> None:
         way_out = "or name the scenario's file"
         if first == "params" and not rest:
             told = f"values of params stand here already wherever they are used; set them there, {way_out}"
-        elif first in names or first == "params":
+        elif first == "params" or (first in names and not rest):  # one may be called like a section
             told = f"{rest or first} is a param, and here its value stands already wherever it is used; set it there, "
             told += way_out
         else:
