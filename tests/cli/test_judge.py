@@ -205,6 +205,21 @@ def test_files_in_records_are_taken_for_them_and_a_problem_names_the_folder(judg
     assert "damaged" in bad["problem"]
 
 
+def test_a_scenario_that_somebody_has_changed_by_hand_and_wrongly_is_told_where(judge, records, tmp_path, capsys):
+    (record,) = records.iterdir()
+    other = copied(record, tmp_path)
+    scenario = json.loads((other / "scenario.json").read_text("utf-8"))
+    scenario["rules"]["goal_in_blue"]["triggers"][0]["zone"] = ["blue_gaol"]
+    (other / "scenario.json").write_text(json.dumps(scenario), "utf-8")
+    code, told = judge("--json", runs=tmp_path)
+    (one,) = json.loads(told)["records"]
+    assert code == 2
+    assert one["problem"].startswith(
+        f"{record.name}: scenario.json is not as the run wrote it: rules.goal_in_blue.trig"
+    )
+    assert "unknown zone 'blue_gaol'; did you mean 'blue_goal'?" in one["problem"]
+
+
 def test_of_several_the_others_are_judged_where_one_cannot_be(judge, records, capsys):
     (record,) = records.iterdir()
     capsys.readouterr()
