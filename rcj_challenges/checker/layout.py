@@ -17,6 +17,7 @@ from rcj_challenges.controllers.troubles import told
 from rcj_challenges.scenario.models.robots import Entrant
 
 _MOST_DEPTH = 3
+_MOST_BESIDE = 300  # names of which a program may use any
 _MOST_FOLDERS = 20
 _MOST_PROGRAMS = 200  # among more files nobody can say which was meant
 _MOST_EMPTY = 10
@@ -302,6 +303,8 @@ def _into_folders(files: Files, wanted: Sequence[PurePosixPath]) -> list[Move] |
     """
     moves = _beside_their_folders(files, wanted)
     names = {path.parts[0].partition(".")[0] for path in files} - {""}
+    if len(names) > _MOST_BESIDE:
+        return None
     uses = (mentioned({move.old: files[move.old]}, names - {move.old.stem}) for move in moves)
     return None if any(uses) else moves
 

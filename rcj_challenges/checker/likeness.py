@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from difflib import SequenceMatcher
+from functools import cached_property
 from pathlib import PurePosixPath
 
 BLANK = b" \t\r\n\f\v\xef\xbb\xbf"
@@ -18,6 +19,7 @@ _IMPORT_OR_TEXT = re.compile(
     rb"""(?<![\w.])(?:from|import)[ \t](?:[^\n#\\(;:"']|\\\r?\n|\([^()]*\))*"""
     rb"""|(?P<text>"[^"\n]{0,200}"|'[^'\n]{0,200}')"""
 )
+_ONE_WORD = re.compile(rb"\w+")
 
 
 def like_an_entry(path: PurePosixPath) -> bool:
@@ -55,18 +57,41 @@ def mentioned(files: Mapping[PurePosixPath, bytes], names: Iterable[str]) -> str
 
     A function of that name is none of them: `main.py` begins with ``def main()`` more often than not.
     """
+    programs = [_Mentions(content) for path, content in files.items() if path.suffix == ".py"]
     for name in names:
         raw = name.encode("utf-8", "surrogateescape")
-        word = re.compile(rb"(?<!\w)" + re.escape(raw) + rb"(?!\w)")
-        programs = (content for path, content in files.items() if path.suffix == ".py" and raw in content)
-        if any(word.search(place) for content in programs for place in _named_places(content)):
+        if any(program.has(raw) for program in programs):
             return name
     return ""
 
 
-def _named_places(content: bytes) -> Iterator[bytes]:
-    """Return the parts of a program that name modules, files and folders: a text with blanks and no / is a sentence."""
-    for found in _IMPORT_OR_TEXT.finditer(content):
-        text = found["text"]
-        if text is None or b" " not in text or b"/" in text or b"\\" in text:
-            yield found[0]
+class _Mentions:
+    """What a program mentions. It is read once, however many names are looked for."""
+
+    def __init__(self, content: bytes) -> None:
+        self._content = content
+
+    def has(self, name: bytes) -> bool:
+        if name not in self._content:
+            return False
+        if _ONE_WORD.fullmatch(name):
+            return name in self._words
+        places = self._with_sentences if b" " in name else self._places
+        return re.search(rb"(?<!\w)" + re.escape(name) + rb"(?!\w)", places) is not None
+
+    @cached_property
+    def _words(self) -> frozenset[bytes]:
+        return frozenset(_ONE_WORD.findall(self._places))
+
+    @cached_property
+    def _places(self) -> bytes:
+        """The parts that name modules, files and folders: a text with blanks and no / is a sentence."""
+        found = ((place[0], place["text"]) for place in _IMPORT_OR_TEXT.finditer(self._content))
+        return b"\0".join(
+            place for place, text in found if text is None or b" " not in text or b"/" in text or b"\\" in text
+        )
+
+    @cached_property
+    def _with_sentences(self) -> bytes:
+        """Those and all texts, in which a name with blanks stands."""
+        return b"\0".join(found[0] for found in _IMPORT_OR_TEXT.finditer(self._content))

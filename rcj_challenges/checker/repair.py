@@ -146,6 +146,12 @@ def _corrected(found: Inspection, done: list[str]) -> Files:
     contents = found.opening.contents
     codes = dict.fromkeys(trouble.code for trouble in contents.troubles if trouble.repair)
     done += [told_as for code, told_as in _BY_WRITING.items() if code in codes]
+    # The new archive tells in which encoding its names are: nothing shows any more that they were guessed.
+    guessed = (trouble for trouble in contents.troubles if trouble.code == "archive.name_guessed")
+    done += [
+        f"wrote names as they were read, maybe wrongly; use plain letters: {trouble.message.partition(': ')[2]}"
+        for trouble in guessed
+    ]
     if contents.kind == "program":
         return _as_folder(found.opening, found.seats, done)
     if contents.kind == "folder":

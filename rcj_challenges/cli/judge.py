@@ -14,7 +14,7 @@ from rcj_challenges.cli.says import say_json
 from rcj_challenges.facts.errors import RcjError
 
 if TYPE_CHECKING:
-    from rcj_challenges.match.judging import Difference, Judgement
+    from rcj_challenges.match.judging import Difference, Judgement, Score
     from rcj_challenges.records.result import RunResult
     from rcj_challenges.scenario.models.scenario import Scenario
 
@@ -50,6 +50,7 @@ class JudgeOptions:
 class _Judged:
     folder: Path
     result: RunResult
+    score: dict[str, Score]
     scenario: Scenario
     judgement: Judgement
     alike: int
@@ -61,7 +62,7 @@ class _Judged:
         if self.differences or not (self.result.complete and self.judgement.complete):
             return not self.differences
         ranking = [one.model_dump() for one in self.result.ranking]
-        return (self.result.score, ranking) == (self.judgement.scores, self.judgement.ranking)
+        return (self.score, ranking) == (self.judgement.scores, self.judgement.ranking)
 
 
 def register(app: typer.Typer) -> None:
@@ -100,17 +101,21 @@ def judge(options: JudgeOptions) -> int:
         RcjError: the scenario that is to judge them cannot be used.
     """
     from rcj_challenges.scenario.load import load
+    from rcj_challenges.views.replay.browse import find_run
     from rcj_challenges.views.scoreboard import console_for
 
     scenario = load(options.scenario, options.overrides).scenario if options.scenario is not None else None
     console, code = console_for(), 0
     told: list[dict[str, Any]] = []
     for run in options.runs:
+        name = None if run is None else run.name
         try:
-            judged = _judge_one(run, options, scenario)
+            folder = find_run(run, options.out)
+            name = folder.name
+            judged = _judge_one(folder, options, scenario)
         except RcjError as error:
             code = RcjError.exit_code
-            told.append({"record": None if run is None else run.name, "problem": str(error)})
+            told.append({"record": name, "problem": str(error)})
             sys.stderr.write(f"{error}\n")
             continue
         if not (judged.is_as_recorded or options.other_rules):
@@ -139,27 +144,52 @@ def _closing(told: Sequence[dict[str, Any]], options: JudgeOptions) -> Iterator[
         yield "Poses stay those of the record: what these rules put elsewhere goes on from where it was."
 
 
-def _judge_one(run: Path | None, options: JudgeOptions, scenario: Scenario | None) -> _Judged:
-    from rcj_challenges.match.judging import differences, judge_again
+def _judge_one(folder: Path, options: JudgeOptions, scenario: Scenario | None) -> _Judged:
+    from rcj_challenges.match.judging import differences, judge_again, recorded
     from rcj_challenges.records.refereelog import read_referee_log
     from rcj_challenges.records.result import read_result
     from rcj_challenges.records.trajectory import Trajectory
     from rcj_challenges.records.upgrades import read_scenario
     from rcj_challenges.scenario.load import load_resolved
-    from rcj_challenges.views.replay.browse import find_run
 
-    folder = find_run(run, options.out)
     result = read_result(folder)
     if scenario is None:
         scenario = read_scenario(folder, result.record)
         if options.overrides:
             resolved = scenario.model_dump(mode="json", by_alias=True)
             scenario = load_resolved(resolved, overrides=options.overrides).scenario
-    judgement = judge_again(Trajectory.open(folder), scenario)
-    before = [line for line in read_referee_log(folder)[0] if line["kind"] == "event"]
-    found = differences(before, judgement.events)
+    trajectory = Trajectory.open(folder)
+    try:
+        judgement = judge_again(trajectory, scenario)
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+        if options.scenario is None:
+            _refuse_if_changed(folder, scenario, error)
+        raise
+    before = recorded(trajectory, read_referee_log(folder)[0], result.score)
+    found = differences(before.events, judgement.events)
     alike = len(judgement.events) - sum(one.after is not None for one in found)
-    return _Judged(folder, result, scenario, judgement, alike, found)
+    return _Judged(folder, result, before.scores, scenario, judgement, alike, found)
+
+
+def _refuse_if_changed(folder: Path, scenario: Scenario, error: Exception) -> None:
+    """Refuse the scenario of a record if it could not have been played: then it is no fault of ours.
+
+    Not done before it is judged: what an older version took may be refused today.
+
+    Raises:
+        RecordError: says the first thing that is wrong with it.
+    """
+    from rcj_challenges.records.errors import RecordError
+    from rcj_challenges.records.folder import SCENARIO
+    from rcj_challenges.scenario.errors import ScenarioError
+    from rcj_challenges.scenario.load import load_resolved
+
+    try:
+        load_resolved(scenario.model_dump(mode="json", by_alias=True))
+    except ScenarioError as refused:
+        first = refused.problems[0]
+        where = f"{first.path}: " if first.path else ""
+        raise RecordError(f"{folder.name}: {SCENARIO} is not as the run wrote it: {where}{first.message}") from error
 
 
 def _as_json(judged: _Judged) -> dict[str, Any]:
@@ -169,7 +199,7 @@ def _as_json(judged: _Judged) -> dict[str, Any]:
         "problem": None,
         "recorded": {
             "complete": result.complete,
-            "score": result.score,
+            "score": judged.score,
             "ranking": [one.model_dump() for one in result.ranking],
         },
         "judged": {
@@ -195,7 +225,7 @@ def _lines(judged: _Judged, options: JudgeOptions) -> Iterator[str]:
     names = {team: entrant.name for team, entrant in result.entrants.items()}
     swap = changes_sides(scenario)
     yield plain(judged.folder.name)
-    yield f"  recorded: {score_line(names, result.score, sides_change=swap)}" + (
+    yield f"  recorded: {score_line(names, judged.score, sides_change=swap)}" + (
         "" if result.complete else "  (not complete)"
     )
     yield f"  judged:   {score_line(names, judgement.scores, sides_change=swap)}" + (

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.facts.play import Event, HalfInfo
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
@@ -123,6 +124,43 @@ def judge_again(trajectory: Trajectory, scenario: Scenario) -> Judgement:
     all_there = over or len(halves) == scenario.match.halves
     complete = all_there and all(half.complete for half in halves)
     return Judgement(carried.scores, carried.ranking(), events, tuple(halves), complete)
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """What the record of a match says, as far as its poses go.
+
+    Attributes:
+        scores: points by team.
+        events: lines of the referee's log, in order.
+    """
+
+    scores: dict[str, Score]
+    events: list[dict[str, Any]]
+
+
+def recorded(trajectory: Trajectory, lines: Iterable[dict[str, Any]], scores: Mapping[str, Score]) -> Recorded:
+    """Return what is to be compared with a judgement.
+
+    Of a match that was killed, or goes on, poses are written later than what the referee said of them, and points when
+    a half is over: both are taken from the log, up to the last pose.
+
+    Args:
+        trajectory: of the match.
+        lines: of the referee's log.
+        scores: by team, from ``result.json``.
+    """
+    said = list(lines)
+    points = dict(scores)
+    if not trajectory.finished:
+        halves = {track.info.half: track for track in trajectory.halves}
+        said = [line for line in said if line["half"] in halves and line["tick"] <= halves[line["half"]].ticks]
+        points = dict.fromkeys(scores, 0)
+        for line in said:
+            for seat, scored in () if line.get("suppressed") else line.get("scored", {}).items():
+                team = halves[line["half"]].info.teams.get(seat, seat)
+                points[team] = on_paper(points.get(team, 0) + scored)
+    return Recorded(points, [line for line in said if line["kind"] == "event"])
 
 
 def differences(before: Sequence[Mapping[str, Any]], after: Sequence[Mapping[str, Any]]) -> list[Difference]:

@@ -119,9 +119,15 @@ def _refuse_params(tree: Entries, overrides: Sequence[str]) -> None:
     problems = []
     for override in overrides:
         first, _, rest = override.partition("=")[0].strip().partition(".")
-        if first in names or (first == "params" and rest):
+        way_out = "or name the scenario's file"
+        if first == "params" and not rest:
+            told = f"values of params stand here already wherever they are used; set them there, {way_out}"
+        elif first == "params" or (first in names and not rest):  # one may be called like a section
             told = f"{rest or first} is a param, and here its value stands already wherever it is used; set it there, "
-            problems.append(Mark(f"--set {override}").problem("", f"{told}or name the scenario's file"))
+            told += way_out
+        else:
+            continue
+        problems.append(Mark(f"--set {override}").problem("", told))
     if problems:
         raise ScenarioError(problems)
 

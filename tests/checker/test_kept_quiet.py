@@ -30,6 +30,7 @@ def looped(handler: str) -> bytes:
         "except BaseException :  # whatever\n    robot = None",
         "except Exception as e: pass",
         "except (Exception):\n    # print(error)\n    pass",
+        "except Exception as e:\n    robot = None",
     ],
 )
 def test_an_except_that_takes_every_error_and_tells_none_is_named(handler: str) -> None:
@@ -51,6 +52,40 @@ def test_an_except_that_takes_every_error_and_tells_none_is_named(handler: str) 
 )
 def test_nothing_is_said_of_one_that_tells_them_or_takes_some_only(handler: str) -> None:
     assert why_it_ended({ENTRY: looped(handler)}, ENTRY, has_stepped=True) == ""
+
+
+LOOP = "while robot.step(32) != -1 and n < 9:\n    n += 1\n"
+
+
+@pytest.mark.parametrize(
+    "program",
+    [
+        "try:\n    import cv2\nexcept:\n    cv2 = None\n" + LOOP,
+        "try:\n    robot.getDevice('kicker').enable(32)\nexcept:\n    pass\n" + LOOP,
+        LOOP + "    try:\n        x = float(word)\n    except:\n        x = 0\n",
+        "def read():\n    try:\n        return float(word)\n    except:\n        return 0\n" + LOOP + "    read()\n",
+        "def read():\n    while True:\n        try:\n            return float(word)\n        except:\n            break\n"
+        + LOOP,
+    ],
+    ids=["of an import", "of a device", "in the loop", "in a function", "in another loop"],
+)
+def test_one_after_which_the_loop_goes_on_is_not_what_ended_the_program(program: str) -> None:
+    assert why_it_ended({ENTRY: (BEGIN + program).encode()}, ENTRY, has_stepped=True) == ""
+
+
+@pytest.mark.parametrize(
+    "program",
+    [
+        "while robot.step(32) != -1:\n    try:\n        1 / 0\n    except Exception as e:\n        break\n",
+        "goes_on = True\nwhile robot.step(32) != -1 and goes_on:\n    try:\n        1 / 0\n    except:\n        goes_on = False\n",
+        "def play():\n    while robot.step(32) != -1:\n        1 / 0\ntry:\n    play()\nexcept:\n    pass\n",
+        "def step():\n    try:\n        return robot.step(look())\n    except:\n        return -1\nwhile step() != -1:\n    pass\n",
+        "for tick in range(9999):\n    robot.step(32)\n    try:\n        1 / 0\n    except:\n        break\n",
+    ],
+    ids=["break", "a flag", "around the call", "around step", "for"],
+)
+def test_one_that_leaves_the_loop_is_named(program: str) -> None:
+    assert "takes every error" in why_it_ended({ENTRY: (BEGIN + program).encode()}, ENTRY, has_stepped=True)
 
 
 def test_the_file_is_named_where_it_is_not_the_program() -> None:

@@ -186,6 +186,7 @@ def test_programs_that_import_from_beside_them_take_it_with_them(tmp_path: Path)
     ("program", "beside"),
     [
         (b"open('speeds.csv').read()\n", "speeds.csv"),
+        (b"open('our speeds.csv').read()\n", "our speeds.csv"),
         (b"import fast\n", "fast.cp311-win_amd64.pyd"),
         (b"import lib.moves\n", "lib/moves.py"),
         (b"from robot1 import *\n", "robot1.py"),
@@ -200,6 +201,17 @@ def test_programs_that_use_what_lies_beside_them_are_not_taken_from_it(tmp_path:
     assert "did you mean" not in found.message  # the remedy says it
     repair(tmp_path / "team.zip", tmp_path / "mended.zip", MATCH)
     assert PurePosixPath("robot2.py") in inspect(tmp_path / "mended.zip", MATCH).opening.contents.files
+
+
+@pytest.mark.parametrize(("count", "ending"), [(250, ""), (250, "-b"), (1900, ""), (1900, "-b")])
+def test_whether_long_programs_use_many_files_is_found_out_in_no_time(tmp_path: Path, count: int, ending: str) -> None:
+    names = [f"f{number}{ending}" for number in range(count)]
+    program = ALONE + "".join(f"# {name}\n" for name in names).encode() + b'"a b"\n' * 150_000
+    files = {f"{name}.txt": b"x" for name in names} | {f"robot{number}.py": program for number in (1, 2, 3)}
+    began_s = time.process_time()  # what else the machine does is not counted
+    found = misplaced(tmp_path, files)
+    assert "move the file robot1.py into a folder robot1" in found.remedy
+    assert time.process_time() - began_s < 15
 
 
 def test_what_lies_beside_programs_and_is_not_used_hinders_nothing(tmp_path: Path) -> None:

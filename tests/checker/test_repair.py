@@ -22,7 +22,7 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from tests.hostile.archives import pictures
 from tests.hostile.archives.building import Member, pack, with_folders
 from tests.hostile.archives.cases import ALL, FINE, built
-from tests.hostile.archives.making import ENTRY, NAME, OF_2021, PROGRAM, SOUND, below, named, plain
+from tests.hostile.archives.making import ENTRY, NAME, OF_2021, PROGRAM, SOUND, below, member_with, named, plain
 
 MENDED = [name for name, case in ALL.items() if case.repair]
 BEYOND = [name for name, case in ALL.items() if not case.repair and case.level == "failure"]
@@ -142,6 +142,12 @@ def test_unsafe_names_find_their_place(tmp_path: Path) -> None:
 
 def numbered(name: str, program: bytes = PROGRAM) -> dict[str, bytes]:
     return {f"{name}{number}/{name}{number}.py": program + b"# %d" % number for number in (1, 2, 3)}
+
+
+def test_names_that_may_be_read_wrongly_are_told_once_more_for_the_new_archive_does_not_tell_it(tmp_path: Path) -> None:
+    result, out = repaired(tmp_path, member_with(name="kopačka.csv".encode("cp852")))
+    assert "kopaƒka.csv" in contents(out)
+    assert result.done == ["wrote names as they were read, maybe wrongly; use plain letters: kopaƒka.csv"]
 
 
 def test_numbered_programs_in_folders_of_their_own_names_are_those_that_are_asked_for(tmp_path: Path) -> None:

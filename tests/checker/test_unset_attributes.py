@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import PurePosixPath
 
+import pytest
+
 from rcj_challenges.checker.advice.slips import on_slip
 
 PLAYER = PurePosixPath("player.py")
@@ -27,11 +29,36 @@ def test_the_line_that_sets_it_is_named() -> None:
     )
 
 
-def test_a_class_whose_base_sets_it_has_forgotten_to_call_its_init() -> None:
-    keeper = b"from player import Player\nclass Keeper(Player):\n    def __init__(self, robot):\n        self.robot = robot\n"
-    assert on_slip(UNSET.format("Keeper"), {PLAYER: LATE, PurePosixPath("keeper.py"): keeper}) == (
-        'line 7 of player.py, in Player, sets "best": call super().__init__() at the beginning of __init__ of Keeper'
-    )
+SOON = LATE.replace(b"self.n = 0", b"self.n = 0; self.best = 3.0")
+KEEPER = (
+    b"from player import Player\nclass Keeper(Player):\n    def __init__(self, robot):\n        self.robot = robot\n"
+)
+HEIR = b"from player import Player\nclass Keeper(Player):\n    def look(self):\n        return self.best\n"
+
+
+@pytest.mark.parametrize(
+    ("player", "keeper", "told"),
+    [
+        (
+            SOON,
+            KEEPER,
+            'line 3 of player.py, in Player, sets "best": call super().__init__() at the beginning of __init__ of Keeper',
+        ),
+        (LATE, KEEPER, "first value at the beginning of __init__ of Keeper"),
+        (LATE, HEIR, "first value at the beginning of __init__ of Player"),
+        (SOON, HEIR, "first value at the beginning of __init__ of Player"),
+    ],
+    ids=[
+        "init of the base was not called",
+        "init would not set it",
+        "no init of its own",
+        "its base calls it too early",
+    ],
+)
+def test_of_a_class_whose_base_sets_it_the_init_is_named_that_can_help(player: bytes, keeper: bytes, told: str) -> None:
+    found = on_slip(UNSET.format("Keeper"), {PLAYER: player, PurePosixPath("keeper.py"): keeper})
+    assert told in found
+    assert ("super()" in found) == ("super()" in told)
 
 
 def test_nothing_is_said_where_nothing_sets_it_or_something_else_does() -> None:

@@ -1,11 +1,15 @@
 """``rcj-challenge judge``: what people and programs are told of a recorded match that is judged again."""
 
+import itertools
 import json
 
 import pytest
 
 from rcj_challenges.cli.app import app
 from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.records.folder import TRAJECTORY_PARTS
+from rcj_challenges.records.track import TrackWriter
+from rcj_challenges.records.trajectory import Trajectory
 
 GIFT = """\
 schema_version: 1
@@ -140,6 +144,80 @@ def test_what_an_older_version_took_is_judged_by_its_own_rules_although_no_new_s
     code, told = judge(runs=tmp_path)
     assert code == 0
     assert "judged:   Hanse 0 : 1 Alster\n" in told
+
+
+def cut_off(record, folder):
+    """Make a record of it as a kill leaves one: poses up to 1.6 s, and a log that goes on for another 0.8 s."""
+    other = copied(record, folder)
+    whole = Trajectory.open(record)
+    (half,) = whole.halves
+    parts = other / TRAJECTORY_PARTS
+    parts.mkdir()
+    track = TrackWriter(parts, half.info, len(whole.entities))
+    for snapshot in itertools.islice(itertools.chain([half.start], half.snapshots()), 51):
+        track.append(snapshot, half.placements.get(snapshot.tick, ()))
+    track.close()
+    (other / "trajectory.npz").unlink()
+    log = other / "referee.jsonl"
+    late = {"kind": "event", "half": 1, "tick": 70, "matchtime": 2.24, "event": "LATE", "payload": {}}
+    kept = [line for line in log.read_text("utf-8").splitlines() if json.loads(line)["tick"] <= 50]
+    log.write_text("\n".join([*kept, json.dumps(late), ""]), "utf-8")
+    result = json.loads((other / "result.json").read_text("utf-8"))
+    result |= {
+        "complete": False,
+        "digest": "",
+        "halves": [],
+        "events": [],
+        "ranking": [],
+        "score": {"blue": 0, "yellow": 0},
+    }
+    (other / "result.json").write_text(json.dumps(result), "utf-8")
+    return other
+
+
+def test_what_a_kill_has_cut_off_is_no_other_verdict_for_poses_are_written_later_than_events(judge, records, tmp_path):
+    (record,) = records.iterdir()
+    cut_off(record, tmp_path)
+    code, told = judge(runs=tmp_path)
+    assert code == 0
+    assert "LATE" not in told
+    assert "(the record ends before the match does)" in told
+
+
+def test_the_score_that_a_killed_match_could_not_write_is_read_from_the_log(judge, records, tmp_path):
+    (record,) = records.iterdir()
+    other = cut_off(record, tmp_path)
+    code, told = judge(record, other)
+    assert code == 0
+    assert "recorded: Hanse 0 : 1 Alster  (not complete)\n" in told
+    assert "2 records judged, 0 of them with another score\n" in told
+
+
+def test_files_in_records_are_taken_for_them_and_a_problem_names_the_folder(judge, records, tmp_path):
+    """So that a shell finds all records of a cup, and nothing else that lies beside them."""
+    (record,) = records.iterdir()
+    broken = copied(record, tmp_path)
+    (broken / "trajectory.npz").write_bytes(b"")
+    code, told = judge(record / "result.json", broken / "result.json", "--json")
+    good, bad = json.loads(told)["records"]
+    assert code == 2
+    assert (good["record"], bad["record"]) == (record.name, record.name)
+    assert "damaged" in bad["problem"]
+
+
+def test_a_scenario_that_somebody_has_changed_by_hand_and_wrongly_is_told_where(judge, records, tmp_path, capsys):
+    (record,) = records.iterdir()
+    other = copied(record, tmp_path)
+    scenario = json.loads((other / "scenario.json").read_text("utf-8"))
+    scenario["rules"]["goal_in_blue"]["triggers"][0]["zone"] = ["blue_gaol"]
+    (other / "scenario.json").write_text(json.dumps(scenario), "utf-8")
+    code, told = judge("--json", runs=tmp_path)
+    (one,) = json.loads(told)["records"]
+    assert code == 2
+    assert one["problem"].startswith(
+        f"{record.name}: scenario.json is not as the run wrote it: rules.goal_in_blue.trig"
+    )
+    assert "unknown zone 'blue_gaol'; did you mean 'blue_goal'?" in one["problem"]
 
 
 def test_of_several_the_others_are_judged_where_one_cannot_be(judge, records, capsys):

@@ -32,7 +32,8 @@ draws:
   corner: {values: [centre, corner_blue_left]}
   formation: {values: [wide, narrow]}
   number: {values: [1, 2]}
-  text: {values: ['1', '2']}
+  text: {values: ['1', '2', 'true']}
+  truth: {values: [true, false]}
 placements:
   wide: [{entity: ball, at: start}]
   narrow: [{entity: movers, at: {spot: corner}}]
@@ -223,6 +224,8 @@ BAD = [
     (condition, "drawn, draw: corner, equals: middle_blue", "", "'middle_blue' is never drawn; it draws from centre, corner_blue_left"),
     (condition, "drawn, draw: text, equals: 1", "", "1 is never drawn; write it in quotes: '1'"),
     (condition, "drawn, draw: number, equals: '1'", "", "'1' is never drawn; leave the quotes out"),
+    (condition, "drawn, draw: truth, equals: 'true'", "", "'true' is never drawn; leave the quotes out"),
+    (condition, "drawn, draw: text, equals: true", "", "true is never drawn; write it in quotes: 'true'"),
     (condition, "last_touch, by: ball", "", "'ball' is a ball; expected a robot"),
     (condition, "spot_free, spot: pitch", "", "'pitch' is a zone; expected a spot"),
     (condition, "sequence_at, sequence: round, step: hatch", "", "'hatch' is no step of it; its steps are pitch, door, blue_goal"),

@@ -311,6 +311,20 @@ def test_a_record_is_found_by_folder_file_name_or_the_beginning_of_its_name(runs
     assert find_run(None, runs).name == "20210620-100000-match"
 
 
+def test_a_record_has_its_name_also_where_somebody_stands_in_it(runs: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    wanted = runs / "20210619-100000-match"
+    monkeypatch.chdir(wanted)
+    for given_ in (Path(), Path("result.json")):
+        assert find_run(given_, runs).name == wanted.name
+    other = "20210620-100000-match"  # and is not taken for another one
+    assert find_run(Path(other), runs).name == other
+    with pytest.raises(RecordError, match="no record '1999'"):
+        find_run(Path("1999"), runs)
+    (wanted / "logs").mkdir(exist_ok=True)
+    monkeypatch.chdir(wanted / "logs")
+    assert find_run(Path(".."), runs).name == wanted.name
+
+
 @pytest.mark.parametrize(
     ("name", "says"),
     [

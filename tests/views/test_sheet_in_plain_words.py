@@ -239,6 +239,14 @@ def test_a_value_that_is_written_more_than_once_is_told_once_with_how_often_it_c
     text = sheet(f"{draws}rules: {{it: {{{GOAL}, actions: [{{action: end}}]}}}}\n")
     assert "Chance decides “gain” when a half starts: 1 (in 3 of 4 cases) or 5 (in 1 of 4 cases)." in text
     assert "Chance decides “way” when a half starts: a or b." in text
+    # What was drawn before decides as well: no share is right in all draws.
+    goes_on = f"rules: {{it: {{{GOAL}, actions: [{{action: draw, draw: gain}}]}}}}\n"
+    text = sheet(f"draws: {{gain: {{values: [1, 5, 1, 2], not_last: true}}}}\n{goes_on}")
+    assert "so: 1 (with 2 chances), 5 (with 1 chance) or 2 (with 1 chance), never the same twice running." in text
+    text = sheet(f"draws: {{gain: {{values: [1, 5, 1], not_again: half}}}}\n{goes_on}")
+    assert "so: 1 (twice) or 5 (once); in a half none comes more often before all have been drawn." in text
+    text = sheet(f"draws: {{gain: {{values: [1, 5, 1, 1], not_again: match}}}}\n{goes_on}")
+    assert "so: 1 (3 times) or 5 (once); in the match none comes more often before all have been drawn." in text
     timer = "draws: {long_s: {values: [1, 1, 2]}}\ntimers: {rest: {lasts_s: {draw: long_s}, starts: true}}\n"
     assert "lasts 1 s or 2 s, as “long (s)” is drawn" in sheet(
         f"{timer}rules: {{it: {{{GOAL}, actions: [{{action: end}}]}}}}\n"

@@ -8,7 +8,9 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import PurePosixPath
 
 from rcj_challenges.checker.mains import reached_from
@@ -16,6 +18,7 @@ from rcj_challenges.facts.shown import shown
 
 _MOST_BYTES = 1_000_000  # of a file; a longer one is no program by hand
 _MOST_LINE_BYTES = 300
+_MOST_EXCEPTS, _MOST_LINES_ABOVE = 50, 2000  # that are looked at; a program by hand has fewer
 
 _STEP = rb"[\w.]{1,80}\.step\([\w\s.*/+,=-]{0,80}(?:\([\w\s.*/+-]{0,80}\))?\)"
 # Loops that go on only as long as step returns something other than 0, which it does at the end of the match.
@@ -32,6 +35,12 @@ _TAKES_ALL = re.compile(
     rb"[ \t]{0,4}:(?P<rest>.*)"
 )
 _TELLS = re.compile(rb"\b(?:raise|exc_info|exception|print_exc\w*|format_exc\w*|print_last|excepthook)\b")
+_LEAVES = re.compile(rb"\b(?:break|return)\b")
+_LOOP = re.compile(rb"(?:while|for)\b")
+_SETS = re.compile(rb"(?:^|;)[ \t]{0,4}(?:self\.)?(\w{1,80})[ \t]{0,4}[+-]?=(?!=)")
+_WORD = re.compile(rb"\w+")
+_Line = tuple[int, int, bytes]
+"""Number, indentation and code."""
 _NAME = re.compile(rb"(?:[\w.]{1,80}\.)?(\w{1,80})")
 _USE = re.compile(rb"(?<!def )(?<!class )\b\w+")
 
@@ -123,24 +132,76 @@ def _on_its_name(content: bytes) -> str:
 
 
 def _on_quiet(programs: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> str:
-    """Return what to do about the first ``except`` that takes every error and tells none of them."""
+    """Return what to do about the first ``except`` that takes every error, tells none, and may have ended all."""
+    looping = {path: list(_loops_with_step(content)) for path, content in programs.items()}
+    held_by = {name for loops in looping.values() for loop in loops for name in (loop.name, loop.owner)}
     for path, content in programs.items():
+        # A file does not import itself: in robot.py, robot is that of the match.
+        files = {other.stem.encode("utf-8", "surrogateescape") for other in looping if looping[other] and other != path}
         lines = list(_lines(content))
-        for at, (number, _, code) in enumerate(lines):
-            found = _TAKES_ALL.fullmatch(code)
-            if found is None:
+        excepts = ((at, found) for at, line in enumerate(lines) if (found := _TAKES_ALL.fullmatch(line[2])) is not None)
+        for at, found in islice(excepts, _MOST_EXCEPTS):
+            handler = [found["rest"], *_inside(lines, at)]
+            if any(_TELLS.search(line) or found["name"] in _WORD.findall(line) for line in handler):
                 continue
-            handler = (found["rest"], *_inside(lines, at))
-            if not any(_TELLS.search(line) or (found["name"] and found["name"] in line) for line in handler):
+            if _may_end_it(lines, at, handler, held_by | files):
                 place = "" if path == entry else f" of {shown(path)}"
                 return (
-                    f'the "except" in line {number}{place} takes every error: if one ended the program, it kept quiet '
-                    "about it. Write traceback.print_exc() there, and import traceback at the top"
+                    f'the "except" in line {lines[at][0]}{place} takes every error: if one ended the program, it kept '
+                    "quiet about it. Write traceback.print_exc() there, and import traceback at the top"
                 )
     return ""
 
 
-def _inside(lines: Sequence[tuple[int, int, bytes]], at: int) -> Iterator[bytes]:
+def _may_end_it(lines: Sequence[_Line], at: int, handler: Sequence[bytes], to_loops: AbstractSet[bytes]) -> bool:
+    """Return whether the loop with step is over after an ``except``: mostly a program just goes on below it.
+
+    Args:
+        lines: of the program.
+        at: which of them is the ``except``.
+        handler: what is done then.
+        to_loops: names of functions, classes and files that hold a loop with step.
+    """
+    tried = list(_tried(lines, at))
+    leaves = any(_LEAVES.search(line) for line in handler)
+    if any(b".step(" in code for code in tried) and (leaves or any(_LOOP.match(code) for code in tried)):
+        return True
+    if any(not to_loops.isdisjoint(_WORD.findall(code)) for code in tried):
+        return True
+    around = _loop_around(lines, at)
+    if around is None:
+        return False
+    head = lines[around][2]
+    if b".step(" not in head and not any(b".step(" in code for code in _inside(lines, around)):
+        return False
+    asked = set(_WORD.findall(head))
+    return leaves or any(name in asked for line in handler for name in _SETS.findall(line))
+
+
+def _tried(lines: Sequence[_Line], at: int) -> Iterator[bytes]:
+    """Return the code of the lines above an ``except``, up to its ``try``."""
+    for above in range(at - 1, max(-1, at - 1 - _MOST_LINES_ABOVE), -1):
+        _, depth, code = lines[above]
+        if depth < lines[at][1] or (depth == lines[at][1] and code.startswith(b"try")):
+            return
+        yield code
+
+
+def _loop_around(lines: Sequence[_Line], at: int) -> int | None:
+    """Return which line begins the innermost loop around one, in the same function."""
+    depth = lines[at][1]
+    for above in range(at - 1, max(-1, at - 1 - _MOST_LINES_ABOVE), -1):
+        _, outer, code = lines[above]
+        if outer < depth:
+            depth = outer
+            if _LOOP.match(code):
+                return above
+            if code.startswith((b"def ", b"class ")):
+                return None
+    return None
+
+
+def _inside(lines: Sequence[_Line], at: int) -> Iterator[bytes]:
     """Return the code of the lines that are indented below one of them."""
     for below in range(at + 1, len(lines)):
         _, depth, code = lines[below]
@@ -149,7 +210,7 @@ def _inside(lines: Sequence[tuple[int, int, bytes]], at: int) -> Iterator[bytes]
         yield code
 
 
-def _lines(content: bytes) -> Iterator[tuple[int, int, bytes]]:
+def _lines(content: bytes) -> Iterator[_Line]:
     """Return number, indentation and code of each line that has any and is not too long to be looked at."""
     ends_text = b""
     for number, line in enumerate(content.splitlines(), start=1):

@@ -15,7 +15,7 @@ from rcj_challenges.scenario.checks.bound import Bound
 from rcj_challenges.scenario.checks.whose import NAMING_ONE, check_whose
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, known_text, listing, nearest
 from rcj_challenges.scenario.messages.ways_out import for_drawn, for_group, for_spots, for_start, for_teams
-from rcj_challenges.scenario.messages.wording import found_text
+from rcj_challenges.scenario.messages.wording import found_text, spelled
 from rcj_challenges.scenario.models import actions, conditions, places, state, triggers
 from rcj_challenges.scenario.models.base import LONGEST_S
 from rcj_challenges.scenario.models.robots import Kit
@@ -379,7 +379,7 @@ class _Walker:
             # To ask whether it is drawn, it suffices that one of them can be; to be set, each must.
             if strangers and (key == "as" or len(strangers) == len(members)):
                 message = f"'{name}' stands for '{strangers[0]}', which is never drawn; it draws from "
-                self.add(at, value.mark, message + listing(cut(str(one)) for one in known))
+                self.add(at, value.mark, message + listing(cut(spelled(one)) for one in known))
 
     def _values_of(self, draw: Node | None) -> list[object] | None:
         """Return what a draw may decide; None if there is no such draw."""
@@ -393,12 +393,12 @@ class _Walker:
         if not known or not isinstance(value, Leaf) or value.value is None:
             return  # that a draw has no values is said where it stands
         if not any(type(value.value) is type(one) and value.value == one for one in known):
-            shown = [str(one) for one in known]
-            if str(value.value) in shown:  # as another kind of value
-                quotes = f"write it in quotes: '{value.value}'"
+            shown, own = [spelled(one) for one in known], spelled(value.value)
+            if own in shown:  # as another kind of value
+                quotes = f"write it in quotes: '{own}'"
                 hint = f"; {'leave the quotes out' if isinstance(value.value, str) else quotes}"
             else:
-                hint = nearest(str(value.value), shown) or f"; it draws from {listing(map(cut, shown))}"
+                hint = nearest(own, shown) or f"; it draws from {listing(map(cut, shown))}"
             self.add(path, value.mark, f"{found_text(value)} is never drawn{hint}")
 
     def _among_steps(self, node: Entries, path: Path, bound: Bound) -> None:

@@ -160,9 +160,12 @@ def found_text(node: Node | None) -> str:
     value = node.value if node is not None else None
     if isinstance(value, str):
         return quoted(value)
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    return "nothing" if value is None else str(value)
+    return "nothing" if value is None else spelled(value)
+
+
+def spelled(value: object) -> str:
+    """Return a single value as it stands in a file, without quotes."""
+    return str(value).lower() if isinstance(value, bool) else str(value)
 
 
 def quoted(text: str) -> str:

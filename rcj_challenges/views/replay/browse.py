@@ -56,9 +56,11 @@ def find_run(run: Path | None, out: Path) -> Path:
         if not folders:
             raise RecordError(f"no run was recorded in {shown(out)} yet")
         return folders[0]
-    for folder in (run, run.parent, out / run):
+    # Who stands in a record and names another one means no file in here.
+    in_it = [run.parent] if len(run.parts) > 1 or os.path.lexists(run) else []
+    for folder in (run, *in_it, out / run):
         if _is_record(folder):
-            return folder
+            return folder if folder.name not in ("", "..") else folder.resolve()  # which has a name
     fitting = [folder for folder in _folders(out) if folder.name.startswith(run.name)] if _is_folder(out) else []
     if len(fitting) == 1:
         return fitting[0]

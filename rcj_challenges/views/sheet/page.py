@@ -139,18 +139,27 @@ def _draw_words(nouns: Nouns, name: str, draw: Draw) -> str:
     if nouns.is_set(name):
         return f"{quoted_measure(name)} is {listed(list(times), 'or')}, as rules set it."
     often = len(times) < len(draw.values)
-    cases = [f"{word} (in {count} of {len(draw.values)} cases)" if often else word for word, count in times.items()]
+    cases = [f"{word} ({_often(draw, count)})" if often else word for word, count in times.items()]
     values = listed(cases, "or")
     again = ", never the same twice running" if draw.not_last else ""
     if draw.not_again is not None:
         where = "in a half" if draw.not_again == "half" else "in the match"
-        again += f"; {where} none comes again before all have been drawn"
+        again += f"; {where} none comes {'more often' if often else 'again'} before all have been drawn"
     if name in _drawn_by_rules(nouns, anew=True):
         keep = f"when {'the match' if draw.keep == 'match' else 'a half'} starts, and again when a rule says so"
     else:
         keep = "once a match" if draw.keep == "match" else "when a half starts"
     also = "; rules set it as well" if name in _drawn_by_rules(nouns, anew=False) else ""
     return f"Chance decides {quoted_measure(name)} {keep}: {values}{again}{also}."
+
+
+def _often(draw: Draw, count: int) -> str:
+    """Return how often a value comes that is written so many times; a share only where each draw is like the first."""
+    if draw.not_again is not None:
+        return {1: "once", 2: "twice"}.get(count, f"{count} times")
+    if draw.not_last:
+        return f"with {count} chance{'s' if count > 1 else ''}"
+    return f"in {count} of {len(draw.values)} cases"
 
 
 def _drawn_by_rules(nouns: Nouns, *, anew: bool) -> set[str]:
