@@ -27,6 +27,12 @@ def scenarios_folder() -> Path:
     return _data("scenarios", "scenarios")
 
 
+def shipped_scenarios() -> dict[str, Path]:
+    """Return the files of all shipped scenarios by their bare names: the challenges, then examples and variants."""
+    folders = (scenarios_folder(), *(scenarios_folder() / kind for kind in ("examples", "variants")))
+    return {name: folder / f"{name}.yaml" for folder in folders for name in names_in(folder)}
+
+
 def teams_folder() -> Path:
     """Return the folder of the sample teams."""
     return _data("teams", "examples/teams")

@@ -156,6 +156,28 @@ def test_bare_names_find_shipped_scenarios_and_files_come_first(tmp_path, monkey
     assert load("match").scenario.id == "own"
 
 
+@pytest.mark.parametrize("path", sorted(scenarios_folder().rglob("*.yaml")), ids=lambda path: path.stem)
+def test_every_shipped_scenario_is_found_and_extended_by_its_bare_name(path, tmp_path):
+    assert load(path.stem).path == path
+    own = f"schema_version: 1\nid: own\ntitle: Own\nextends: {path.stem}\nexpect: {{inherited: null}}\n"
+    assert load(write(tmp_path, "own", own)).scenario.robots == load(path).scenario.robots
+
+
+def test_a_file_of_ones_own_is_not_passed_over_for_a_shipped_example_of_that_name(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    write(tmp_path, "slalom.yaml", "schema_version: 1\nid: own\ntitle: Own\nextends: soccersim_v2\n")
+    with pytest.raises(ScenarioError, match=r"^slalom: .* slalom\.yaml lies here: write slalom\.yaml for that"):
+        load("slalom")
+    assert load("slalom.yaml").scenario.id == "own"
+    monkeypatch.chdir(scenarios_folder() / "examples")
+    assert load("slalom").path == scenarios_folder() / "examples" / "slalom.yaml"
+
+
+def test_of_an_unknown_name_all_that_is_shipped_is_told():
+    with pytest.raises(ScenarioError, match=r"examples hot_spot, keeper.*; variants fast_.*; did you mean 'slalom'\?"):
+        load("slalon")
+
+
 @pytest.mark.parametrize("name", ["x" * 5000, "/".join(["x" * 200] * 30), f"{'x' * 5000}.yaml"])
 def test_a_name_that_no_system_takes_is_no_file(name):
     with pytest.raises(ScenarioError, match="no such file"):

@@ -13,7 +13,7 @@ from rcj_challenges import __version__
 from rcj_challenges.scenario.errors import Problem, ScenarioError, listing, nearest
 from rcj_challenges.scenario.models.scenario import SCHEMA_VERSION
 from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, parse_bytes, parse_text
-from rcj_challenges.scenario.resources import names_in, presets_folder, scenarios_folder
+from rcj_challenges.scenario.resources import names_in, presets_folder, scenarios_folder, shipped_scenarios
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node
 
 MAX_CHAIN = 5
@@ -131,12 +131,14 @@ def _refused(mark: Mark, message: str) -> ScenarioError:
 
 def _shipped(name: str, user: Source, mark: Mark) -> Source:
     """Return what is extended by its bare name."""
-    shipped = {known: folder for folder in (scenarios_folder(), presets_folder()) for known in names_in(folder)}
+    presets = {known: presets_folder() / f"{known}.yaml" for known in names_in(presets_folder())}
+    shipped = {**shipped_scenarios(), **presets}
     if name in shipped:
         # Whoever extends the match may call that file match.yaml: then messages must tell the two from each other.
         shown = f"{name}.yaml" if PurePosixPath(user.shown).name != f"{name}.yaml" else f"shipped {name}.yaml"
-        return Source.of_file(shipped[name] / f"{name}.yaml", shown)
-    known = f"there are {listing(shipped)}{nearest(name.replace('-', '_'), shipped)}"
+        return Source.of_file(shipped[name], shown)
+    usual = [*names_in(scenarios_folder()), *presets]
+    known = f"there are {listing(usual)}{nearest(name.replace('-', '_'), shipped)}"
     raise _refused(mark, f"no preset or scenario '{name[:64]}' is shipped; {known}")
 
 
@@ -158,7 +160,7 @@ def _base(name: str, user: Source, mark: Mark) -> Source:
     if path.name not in beside or not path.is_file():
         own = user.path.name
         hint = nearest(path.name, [found for found in beside if found != own])
-        if path.stem in names_in(scenarios_folder()):
+        if path.stem in shipped_scenarios():
             hint = f"; the shipped scenario is extended by its name alone: {path.stem}"
         raise _refused(mark, f"there is no file '{name[:120]}' beside {user.shown}{hint}")
     folder = PurePosixPath(user.shown.replace("\\", "/")).parent

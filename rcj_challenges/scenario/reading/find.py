@@ -5,14 +5,15 @@ from __future__ import annotations
 from pathlib import Path, PureWindowsPath
 
 from rcj_challenges.scenario.errors import Problem, ScenarioError, listing, nearest
-from rcj_challenges.scenario.resources import names_in, scenarios_folder
+from rcj_challenges.scenario.resources import names_in, scenarios_folder, shipped_scenarios
 
 
 def find_scenario(source: str | Path) -> Path:
     """Return the file that ``source`` means: a path, or the bare name of a shipped scenario.
 
     Raises:
-        ScenarioError: there is no such file, with the names of the shipped ones.
+        ScenarioError: there is no such file, with the names of the shipped ones; or the name of an example or a variant is
+            also that of a file in the current folder.
     """
     path = Path(source)
     try:
@@ -21,12 +22,28 @@ def find_scenario(source: str | Path) -> Path:
         exists = path.exists()
     except (OSError, ValueError):  # a name too long, or with a zero byte
         exists = False
-    shipped = {found.stem: found for found in sorted(scenarios_folder().glob("*.yaml"))}
+    shipped = shipped_scenarios()
     if str(source) in shipped:
-        return shipped[str(source)]
+        return _not_one_of_yours(shipped[str(source)])
     if exists:
         raise ScenarioError([Problem(str(source), 0, 0, "", "this is no file; expected a scenario in YAML")])
     stem = PureWindowsPath(source).stem  # documents may have been read on Windows: both kinds of slashes count
     hint = nearest(stem, shipped) or nearest(stem, names_in(path.parent))
-    message = f"no such file, and no shipped scenario of that name; shipped are {listing(shipped)}{hint}"
+    more = "; ".join(f"{kind} {listing(names_in(scenarios_folder() / kind))}" for kind in ("examples", "variants"))
+    known = f"{listing(names_in(scenarios_folder()))}; {more}"
+    message = f"no such file, and no shipped scenario of that name; shipped are {known}{hint}"
     raise ScenarioError([Problem(str(source)[:200], 0, 0, "", message)])
+
+
+def _not_one_of_yours(shipped: Path) -> Path:
+    """Return the file of a shipped scenario, unless it may be one of the current folder that is meant.
+
+    Who makes a slalom of their own, as the guide does, and leaves out ``.yaml``, must not be shown another one.
+    """
+    own = Path(shipped.name)
+    if shipped.parent == scenarios_folder() or not own.is_file() or own.samefile(shipped):
+        return shipped
+    message = (
+        f"this is the name of a shipped scenario, and {own} lies here: write {own} for that, or go to another folder"
+    )
+    raise ScenarioError([Problem(shipped.stem, 0, 0, "", message)])
