@@ -12,8 +12,8 @@ def find_scenario(source: str | Path) -> Path:
     """Return the file that ``source`` means: a path, or the bare name of a shipped scenario.
 
     Raises:
-        ScenarioError: there is no such file, with the names of the shipped ones; or the name of an example or a variant is
-            also that of a file in the current folder.
+        ScenarioError: there is no such file, with the names of the shipped ones; or the name of an example or a
+            variant is also that of a file in the current folder.
     """
     path = Path(source)
     try:
@@ -43,7 +43,5 @@ def _not_one_of_yours(shipped: Path) -> Path:
     own = Path(shipped.name)
     if shipped.parent == scenarios_folder() or not own.is_file() or own.samefile(shipped):
         return shipped
-    message = (
-        f"this is the name of a shipped scenario, and {own} lies here: write {own} for that, or go to another folder"
-    )
+    message = f"a shipped scenario has this name, and {own} lies here: write {own} for that, or go to another folder"
     raise ScenarioError([Problem(shipped.stem, 0, 0, "", message)])
