@@ -67,7 +67,10 @@ def _root(
 
 @app.command(cls=RunCommand)
 def run(
-    scenario: Annotated[str, typer.Argument(help="A scenario file, or the name of one that comes with this: match.")],
+    scenario: Annotated[
+        str,
+        typer.Argument(help="A scenario file, or the name of one that comes with this: match, fast_shooter, slalom …"),
+    ],
     team: Annotated[
         list[str] | None,
         typer.Option("--team", metavar="ENTRANT=PATH", help="Who plays: a folder, a ZIP or a .py file. Repeatable."),
