@@ -67,10 +67,7 @@ def _root(
 
 @app.command(cls=RunCommand)
 def run(
-    scenario: Annotated[
-        str,
-        typer.Argument(help="A scenario file, or the name of one that comes with this: match, fast_shooter, slalom …"),
-    ],
+    scenario: Annotated[str, typer.Argument(help="A scenario file, or the name of one that comes with this: match.")],
     team: Annotated[
         list[str] | None,
         typer.Option("--team", metavar="ENTRANT=PATH", help="Who plays: a folder, a ZIP or a .py file. Repeatable."),

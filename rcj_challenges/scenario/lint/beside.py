@@ -6,12 +6,13 @@ from collections.abc import Iterator
 from itertools import product
 from math import hypot
 
+from rcj_challenges.scenario.errors import listing
+from rcj_challenges.scenario.lint.ground import no_room
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect
 from rcj_challenges.scenario.models.actions import Place
 from rcj_challenges.scenario.models.field import Box, Cylinder
 from rcj_challenges.scenario.models.places import RelativeTo
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.tree import Path
 
 _TOUCHING_M = 0.001
 """Bodies that overlap by less are taken for two that touch."""
@@ -27,7 +28,9 @@ def check_beside(subject: Subject) -> Iterator[Suspect]:
                 # Where it stood there is room if it is off the field, or put elsewhere in the same tick.
                 stays = not beside & (away | _put_as_well(rule, action, subject))
                 if stays and _is_always_in(action, action.at, rule, subject):
-                    yield _no_room(("rules", name, "actions", index), action, action.at)
+                    what = listing((action.entity,) if isinstance(action.entity, str) else action.entity)
+                    problem = f"'{what}' would stand in '{action.at.relative_to}', beside which it is put"
+                    yield no_room(("rules", name, "actions", index), problem, "write a larger offset_m", action)
 
 
 def _put_as_well(rule: Rule, action: Place, subject: Subject) -> frozenset[str]:
@@ -58,14 +61,3 @@ def _inner_m(name: str, scenario: Scenario) -> float:
     if isinstance(obstacle, Cylinder):
         return obstacle.radius_m
     return min(obstacle.size_m) / 2 if isinstance(obstacle, Box) else float("-inf")
-
-
-def _no_room(path: Path, action: Place, at: RelativeTo) -> Suspect:
-    what = action.entity if isinstance(action.entity, str) else ", ".join(action.entity or ())
-    tried = "would be tried again on every tick" if action.on_failure == "retry" else "would stay where it is"
-    return Suspect(
-        "layout_without_room",
-        path,
-        f"there is no room: '{what}' would stand in '{at.relative_to}', beside which it is put",
-        f"write a larger offset_m; on the field it {tried}",
-    )

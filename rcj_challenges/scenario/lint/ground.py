@@ -180,13 +180,13 @@ class _Room:
             if found is None or not names:
                 continue
             if 1 < len(found) < len(names) and _is_spots(placing):
-                yield _no_room(path, f"{len(names)} things cannot share {len(found)} spots", placing)
+                yield no_room(path, f"{len(names)} things cannot share {len(found)} spots", _REMEDY, placing)
                 continue
             for name in names:
                 standing = [entry for entry in standing if entry[0] != name]
                 problem = self._try(name, placing, found, standing)
                 if problem is not None:
-                    yield _no_room(path, problem, placing)
+                    yield no_room(path, problem, _REMEDY, placing)
                     break
                 if len(found) == 1:
                     standing.append((name, self._outline(name, found[0], placing)))
@@ -274,11 +274,15 @@ def _is_spots(placing: places.Placing | Place) -> bool:
     return isinstance(placing.at, places.NearestFree | places.FurthestFree | places.Choice)
 
 
-def _no_room(path: Path, problem: str, placing: places.Placing | Place) -> Suspect:
+_REMEDY = "correct the place, or make it larger"
+
+
+def no_room(path: Path, problem: str, remedy: str, placing: places.Placing | Place) -> Suspect:
+    """Return the finding on something that can never be put where it is asked for."""
     tried = "would be tried again on every tick" if placing.on_failure == "retry" else "would stay where it is"
     return Suspect(
         "layout_without_room",
         path,
         f"there is no room: {problem}",
-        f"correct the place, or make it larger; on the field it {tried}",
+        f"{remedy}; on the field it {tried}",
     )

@@ -1,0 +1,27 @@
+"""A challenge is a YAML file: no line of the package knows one by its name."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import rcj_challenges
+from rcj_challenges.scenario.resources import names_in, scenarios_folder
+
+PACKAGE = Path(rcj_challenges.__file__).parent
+
+
+def test_the_package_names_no_challenge() -> None:
+    challenges = [name for name in names_in(scenarios_folder()) if name != "match"]  # an ordinary word as well
+    named = re.compile(rf"\b({'|'.join(challenges)})\b")
+    sources = [path for ending in ("py", "js", "html", "css", "yaml") for path in PACKAGE.rglob(f"*.{ending}")]
+    assert len(challenges) >= 4
+    assert len(sources) > 300
+    found = [
+        f"{path.relative_to(PACKAGE)}: {line.strip()}"
+        for path in sources
+        if "data" not in path.relative_to(PACKAGE).parts  # what a wheel brings along
+        for line in path.read_text(encoding="utf-8").splitlines()
+        if named.search(line)
+    ]
+    assert found == []
