@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator, Sequence
+from contextlib import nullcontext
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -146,6 +147,7 @@ def _closing(told: Sequence[dict[str, Any]], options: JudgeOptions) -> Iterator[
 
 def _judge_one(folder: Path, options: JudgeOptions, scenario: Scenario | None) -> _Judged:
     from rcj_challenges.match.judging import differences, judge_again, recorded
+    from rcj_challenges.records.changed import refusing_changes
     from rcj_challenges.records.refereelog import read_referee_log
     from rcj_challenges.records.result import read_result
     from rcj_challenges.records.trajectory import Trajectory
@@ -159,37 +161,12 @@ def _judge_one(folder: Path, options: JudgeOptions, scenario: Scenario | None) -
             resolved = scenario.model_dump(mode="json", by_alias=True)
             scenario = load_resolved(resolved, overrides=options.overrides).scenario
     trajectory = Trajectory.open(folder)
-    try:
+    with nullcontext() if options.scenario is not None else refusing_changes(folder, scenario):
         judgement = judge_again(trajectory, scenario)
-    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
-        if options.scenario is None:
-            _refuse_if_changed(folder, scenario, error)
-        raise
     before = recorded(trajectory, read_referee_log(folder)[0], result.score)
     found = differences(before.events, judgement.events)
     alike = len(judgement.events) - sum(one.after is not None for one in found)
     return _Judged(folder, result, before.scores, scenario, judgement, alike, found)
-
-
-def _refuse_if_changed(folder: Path, scenario: Scenario, error: Exception) -> None:
-    """Refuse the scenario of a record if it could not have been played: then it is no fault of ours.
-
-    Not done before it is judged: what an older version took may be refused today.
-
-    Raises:
-        RecordError: says the first thing that is wrong with it.
-    """
-    from rcj_challenges.records.errors import RecordError
-    from rcj_challenges.records.folder import SCENARIO
-    from rcj_challenges.scenario.errors import ScenarioError
-    from rcj_challenges.scenario.load import load_resolved
-
-    try:
-        load_resolved(scenario.model_dump(mode="json", by_alias=True))
-    except ScenarioError as refused:
-        first = refused.problems[0]
-        where = f"{first.path}: " if first.path else ""
-        raise RecordError(f"{folder.name}: {SCENARIO} is not as the run wrote it: {where}{first.message}") from error
 
 
 def _as_json(judged: _Judged) -> dict[str, Any]:

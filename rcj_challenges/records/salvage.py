@@ -22,6 +22,7 @@ import numpy.typing as npt
 from rcj_challenges.facts.errors import told_of
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, s_from_ticks, ticks_from_s
+from rcj_challenges.records.changed import refusing_changes
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SCENARIO, TRAJECTORY, TRAJECTORY_PARTS
 from rcj_challenges.records.result import RunResult, read_result
@@ -71,7 +72,8 @@ def read_run(folder: Path) -> RunRecord:
     """
     result = read_result(folder)
     scenario = read_scenario(folder, result.record)
-    halves, problems = read_halves(folder, scenario, result)
+    with refusing_changes(folder, scenario):
+        halves, problems = read_halves(folder, scenario, result)
     return RunRecord(folder, result, scenario, halves, problems)
 
 

@@ -47,8 +47,11 @@ def small_scenario(robots_per_team: int = 3, halves: int = 2, half_s: float = 60
         "kits": {"v2": {}},
         "robots": robots,
         "entrants": {
-            seat: {"robots": {name: "robot.py" for name, robot in robots.items() if robot["colour"] == seat}}
-            for seat in _SEATS
+            seat: {
+                "robots": {name: "robot.py" for name, robot in robots.items() if robot["colour"] == seat},
+                "radio_channel": channel,
+            }
+            for channel, seat in enumerate(_SEATS, start=1)
         },
         "zones": {
             "blue_goal": {

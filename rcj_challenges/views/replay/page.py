@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.records.changed import refusing_changes
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, replaced
 from rcj_challenges.records.logos import MOST_LOGO_BYTES, LogoError, checked_png, logo_path
@@ -56,6 +57,15 @@ def write_replay(folder: Path) -> Path:
         RecordError: there is nothing in the folder that could be shown.
     """
     run = read_run(folder)
+    with refusing_changes(folder, run.scenario):
+        text = _text_of(run, folder)
+    path = folder / REPLAY
+    with replaced(path) as file:
+        file.write(text.encode())
+    return path
+
+
+def _text_of(run: RunRecord, folder: Path) -> str:
     halves = list(run.halves)
     story = tell(folder, run.scenario, halves, run.result)
     unit_m = length_unit(*halves)
@@ -64,10 +74,7 @@ def write_replay(folder: Path) -> Path:
     blocks = {half.info.half: packed(moving) for half, moving in zip(halves, frames, strict=True)}
     more = _sense(facts, folder)
     _give_logos(facts, folder, run.scenario.entrants)
-    path = folder / REPLAY
-    with replaced(path) as file:
-        file.write(page_text(facts, blocks, more).encode())
-    return path
+    return page_text(facts, blocks, more)
 
 
 def _sense(facts: dict[str, Any], folder: Path) -> dict[str, str]:

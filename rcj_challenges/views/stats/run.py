@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from rcj_challenges.records.changed import refusing_changes
 from rcj_challenges.records.refereelog import read_referee_log
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.salvage import RunRecord, read_run
@@ -33,6 +34,11 @@ def run_stats(folder: Path) -> Stats:
         RecordError: there is nothing in the folder that could be counted.
     """
     run = read_run(folder)
+    with refusing_changes(folder, run.scenario):
+        return _stats_of(run, folder)
+
+
+def _stats_of(run: RunRecord, folder: Path) -> Stats:
     lines, unreadable = read_referee_log(folder)
     notes = [*run.problems, *([f"{unreadable} lines of the referee's log are damaged."] if unreadable else [])]
     stats = Stats(runs=[folder.name], notes=[f"{folder.name}: {note}" for note in notes])

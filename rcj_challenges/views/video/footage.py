@@ -15,6 +15,7 @@ import numpy.typing as npt
 from rcj_challenges.facts.amounts import Score
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import SUBSTEP_S, SUBSTEPS_PER_TICK, TICK_S, s_from_ticks
+from rcj_challenges.records.changed import refusing_changes
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import RECORD_VERSION
 from rcj_challenges.records.result import RunResult, read_result
@@ -159,6 +160,11 @@ class Footage:
         warnings: list[str] = []
         result = _read_result(folder, warnings)
         scenario = read_scenario(folder, RECORD_VERSION if result is None else result.record)
+        with refusing_changes(folder, scenario):
+            return cls._of(folder, scenario, result, warnings)
+
+    @classmethod
+    def _of(cls, folder: Path, scenario: Scenario, result: RunResult | None, warnings: list[str]) -> Footage:
         tracks, problems = read_halves(folder, scenario, result, standing=False)
         warnings += problems
         story = _tell(folder, scenario, tracks, result, warnings)
