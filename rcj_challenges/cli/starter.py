@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import sys
@@ -51,10 +52,15 @@ def new_scenario(name: str, preset: str) -> int:
             raise StarterError(f"{path} exists already; nothing was written. Choose another name, or move it away")
     text = (starters_folder() / f"{preset}.yaml").read_text(encoding="utf-8")
     title = " ".join(part for part in re.split(r"[-_\s]+", file.stem) if part).capitalize()[:_LONGEST_TITLE]
-    text = text.replace("id: starter", f"id: {short}", 1).replace("title: Starter", f'title: "{title}"', 1)
-    text = text.replace("SCHEMA_FILE", _schema_seen_from(file), 1)
-    text = text.replace("FILE_NAME", typed(file.name)).replace("TEAM_FOLDER", typed(program.parent.name))
-    _write(file, text)
+    written = {
+        "id: starter": f"id: {short}",
+        "title: Starter": f"title: {json.dumps(title, ensure_ascii=False)}",
+        "SCHEMA_FILE": _schema_seen_from(file),
+        "FILE_NAME": typed(file.name),
+        "TEAM_FOLDER": typed(program.parent.name),
+    }
+    # In one go: a file may be called FILE_NAME.
+    _write(file, re.sub("|".join(written), lambda found: written[found[0]], text))
     _write(program, (starters_folder() / f"{preset}.robot.txt").read_text(encoding="utf-8"))
     sys.stdout.write(f"""{file}
 {program}

@@ -226,6 +226,15 @@ class TestNew:
         assert "rcj-challenge validate slalom.yaml" in text
         assert "FILE_NAME" not in text
 
+    @pytest.mark.parametrize(
+        "name", ["FILE_NAME", "TEAM_FOLDER", "SCHEMA_FILE", "it's", "x: y", "#1", 'the "best"', "a\\c"]
+    )
+    def test_whatever_a_file_is_called_the_starter_is_valid(self, tmp_path, name):
+        if os.name == "nt" and not set(name).isdisjoint('":\\'):
+            pytest.skip("no name of a file on Windows")
+        call("new", tmp_path / name)
+        assert load(tmp_path / f"{name}.yaml").scenario.title == name.replace("_", " ").capitalize()
+
     @pytest.mark.parametrize("preset", PRESETS)
     @pytest.mark.parametrize("name", ["slalom", "of 2026/juniors/slalom.yaml"])
     def test_editors_find_the_schema_that_is_written_where_new_was_typed(self, tmp_path, monkeypatch, name, preset):
