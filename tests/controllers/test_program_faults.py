@@ -208,8 +208,8 @@ def test_a_program_that_is_killed_by_a_signal_has_crashed(match: FakeMatch) -> N
     assert (fault.kind, fault.tick, fault.detail) == ("crash", 1, "the program was ended by the signal SIGKILL")
 
 
-def test_a_program_that_closes_its_connection_breaks_the_protocol(match: FakeMatch) -> None:
-    fault = fault_of(match, "faults/closes_its_connection")
+def test_a_program_that_closes_its_connection_breaks_the_protocol(either_match: FakeMatch) -> None:
+    fault = fault_of(either_match, "faults/closes_its_connection")
     assert (fault.kind, fault.tick, fault.detail) == (
         "protocol",
         1,

@@ -10,6 +10,7 @@ from __future__ import annotations
 import faulthandler
 import os
 import sys
+import time
 from _thread import allocate_lock, start_new_thread
 
 from ._wire import leave
@@ -19,7 +20,9 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+_real_sleep = time.sleep  # that of programs follows the match
 _SIGKILL = 9
+_UNTIL_PARENT_ACTS_S = 2.0
 _DUMP_BEGINS = b"Fatal Python error: Aborted\n\n"  # as where a signal asks for it
 
 
@@ -126,13 +129,16 @@ def watch(lifeline_fd: int, memory_bytes: int, on_memory: Callable[[], None]) ->
 
     def guard() -> None:
         begun.release()
-        while is_too_much is not None and (too_much := is_too_much()) is not None:
-            if too_much:
-                on_memory()
         try:
+            while is_too_much is not None and (too_much := is_too_much()) is not None:
+                if too_much:
+                    on_memory()
             if os.read(lifeline_fd, 1):
                 os.write(2, _DUMP_BEGINS)
                 faulthandler.dump_traceback(2, all_threads=True)
+        except (OSError, ValueError):
+            # The program has closed what it does not know. The parent sees that first, and tells it.
+            _real_sleep(_UNTIL_PARENT_ACTS_S)
         finally:
             leave(1)
 
