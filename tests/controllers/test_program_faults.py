@@ -255,7 +255,7 @@ def test_a_program_of_a_folder_is_told_by_its_path_in_the_folder(match: FakeMatc
     )
 
 
-@pytest.mark.parametrize("name", ["token", "traceback"])
+@pytest.mark.parametrize("name", ["token", "traceback", "tokenize", "difflib", "re"])
 def test_a_crash_is_told_whatever_the_team_called_its_files(match: FakeMatch, tmp_path: Path, name: str) -> None:
     (tmp_path / "t").mkdir()
     (tmp_path / "t" / f"{name}.py").write_text("SPEED = 5\n", encoding="utf-8")

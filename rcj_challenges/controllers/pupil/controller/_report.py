@@ -9,6 +9,7 @@ import sys
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
 _real_name = type.__dict__["__name__"].__get__  # whatever the class's own class says
@@ -41,7 +42,7 @@ def describe(error: BaseException, team_root: str, names: list[tuple[str, str]])
         names: of `short_names`.
     """
     try:
-        told = _describe(error, team_root + os.sep)
+        told = _with_standard_library(_describe, error, team_root + os.sep)
         for path, short in names:
             told = told[0].replace(path, short), told[1].replace(path, short)
     except BaseException:  # noqa: BLE001 - a program may break everything that is used here; the fault must be told
@@ -73,7 +74,8 @@ def _place(error: BaseException, inside: str) -> str:
 
 
 def _describe(error: BaseException, inside: str) -> tuple[str, str]:
-    traceback = _standard("traceback")
+    import traceback
+
     if sys.version_info < (3, 12):  # from then on the library does it
         try:
             _name_what_was_meant(error)
@@ -135,21 +137,21 @@ def _name_what_was_meant(error: BaseException) -> None:
             last = last.tb_next
         frame = None if last is None else last.tb_frame
         known = [] if frame is None else [*frame.f_locals, *frame.f_globals, *frame.f_builtins]
-    near = _standard("difflib").get_close_matches(name, known, n=1)
+    import difflib
+
+    near = difflib.get_close_matches(name, known, n=1)
     if near and near[0] != name:
         error.args = (f"{error}. Did you mean: '{near[0]}'?",)
 
 
-def _standard(name: str) -> Any:
-    """Import a module of the standard library, whatever the team called its own files."""
+def _with_standard_library(tell: Callable[[BaseException, str], tuple[str, str]], *of: Any) -> tuple[str, str]:
+    """Call what uses modules of the standard library, which import others when they like: none of the team's files."""
     standard = os.path.dirname(os.__file__)
     kept = sys.path[:]
     sys.path[:] = [path for path in kept if path.startswith(standard)]
     theirs = {key: sys.modules.pop(key) for key in [*sys.modules] if _is_in_the_way(key, standard)}
     try:
-        from importlib import import_module
-
-        return import_module(name)
+        return tell(*of)
     finally:
         sys.path[:] = kept
         sys.modules.update(theirs)
