@@ -8,7 +8,7 @@ import time
 
 import fake_match
 import pytest
-from fake_match import INDEX, FakeMatch, Played, packet, values_at
+from fake_match import INDEX, FakeMatch, Played, fault_of, packet, values_at
 
 LEFT = INDEX["left wheel motor"]
 
@@ -300,10 +300,19 @@ def test_a_first_step_of_no_time_and_a_period_without_end_are_taken_as_a_tick_an
     assert [r.advance_ticks for _, r in played.requests] == [1] * len(played.requests)
 
 
-def test_a_device_that_is_none_suggests_nothing(match: FakeMatch) -> None:
-    lines = 'motor = Motor("nope")\ncaught(motor.getName)\n'
-    said = _play(match, lines).said
-    assert said[-1] == "AttributeError: this Motor is no device of the robot, as the warning above says"
+@pytest.mark.parametrize(
+    "use",
+    [
+        "motor.getName()",
+        "motor.setVelocity(3)",
+        "motor.setPosition(float('inf'))",
+        "print(motor)",
+        "motor.velocity = 3",
+    ],
+)
+def test_a_device_that_is_none_suggests_nothing(match: FakeMatch, use: str) -> None:
+    fault = fault_of(match, _HEAD + f"motor = Motor('nope')\n{use}\n")
+    assert fault.detail.startswith("AttributeError: this Motor is no device of the robot, as the warning above says (")
 
 
 def test_a_copy_of_a_device_or_robot_is_the_thing_itself(match: FakeMatch) -> None:

@@ -112,8 +112,9 @@ def device_of(hub: Hub, name: str, kind: str) -> Any:
 
 
 def _of_no_device(self: object, _attribute: str) -> Any:
-    text = f"this {type(self).__name__} is no device of the robot, as the warning above says"
-    raise AttributeError(text)  # without its name, so that nothing is suggested instead
+    error = AttributeError(f"this {type(self).__name__} is no device of the robot, as the warning above says")
+    error.name = None  # else Python puts it in, and names that sound like it are proposed
+    raise error
 
 
 class Sensor(Device):
