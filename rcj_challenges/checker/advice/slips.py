@@ -50,8 +50,8 @@ _BRACKETS = "a call needs brackets: receiver.getQueueLength(), gps.getValues()[0
 _SELF = "a method has self as its first argument: def run(self):"
 _AN_OBJECT = "the class itself is no object: make one, with brackets: robot = Robot()"
 _NO_TEXT = (
-    'what is read is no UTF-8 text: save the file as UTF-8, or name how it was saved, open(…, encoding="cp1252"); a '
-    "packet is read as it was sent, by struct.unpack or pickle.loads"
+    'what is read is no UTF-8 text: save the file as UTF-8, or name how it was saved, open(…, encoding="cp1252"); '
+    "get a packet that is no text by receiver.getBytes(), for struct.unpack or pickle.loads, as it was sent"
 )
 _BYTES_OR_TEXT = (
     "bytes and text are two things: getData() gives bytes (messages v2.1), getString() text; data.decode() makes text "
