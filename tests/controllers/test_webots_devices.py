@@ -157,6 +157,16 @@ def test_a_receiver_that_was_never_enabled_says_so_once_when_it_is_read(match: F
     assert played.said == [told.format("team receiver"), *["0 nan -1"] * 3, told.format("ball receiver")]
 
 
+def test_a_period_of_less_than_a_ms_enables_as_every_other_does(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "gps, compass = robot.getDevice('gps'), Compass('compass', 0.032)\n"
+        "gps.enable(0.032); robot.step(32)\n"
+        "print(gps.getValues(), compass.getValues(), gps.getSamplingPeriod())\n",
+    )
+    assert played.said == ["[1.0, 0.5, 0.0375] [0.0, 1.0, 0.0] 1"]
+
+
 def test_reading_a_packet_of_a_receiver_that_was_never_enabled_tells_that_enable_is_missing(match: FakeMatch) -> None:
     played = _play(
         match,
