@@ -141,6 +141,17 @@ def test_text_of_the_teams_own_radio_says_nothing_about_messages(check):
     assert "messages" not in failure(check(BEGIN + loop)).remedy
 
 
+@pytest.mark.parametrize("read", ["getString()", "getData()"])
+def test_bytes_on_the_radio_of_a_program_for_v2_2_say_nothing_about_v2_1(check, read):
+    # What mates sent is read as text; no mate plays here, so the line fails of bytes of its own.
+    loop = LOOP.replace("READ", "json.loads(receiver.getString())")
+    loop += f"    told = struct.pack('<d', -1.5).decode() or receiver.{read}\n"
+    found = failure(check(BEGIN + loop, V22))
+    assert "UnicodeDecodeError" in found.message
+    assert "messages" not in found.remedy
+    assert "receiver.getBytes()" in found.remedy
+
+
 def test_a_place_that_nobody_could_look_up_is_no_reason_to_stumble(check):
     lines = "9" * 5000
     loop = (
