@@ -54,8 +54,8 @@ _NO_TEXT = (
     "get a packet that is no text by receiver.getBytes(), for struct.unpack or pickle.loads, as it was sent"
 )
 _BYTES_OR_TEXT = (
-    "bytes and text are two things: getData() gives bytes (messages v2.1), getString() text; data.decode() makes text "
-    "of bytes, text.encode() bytes of text"
+    "bytes and text are two things: getBytes() gives bytes, getString() text, getData() bytes (messages v2.1) or text "
+    "(v2.2); data.decode() makes text of bytes, text.encode() bytes of text"
 )
 _OTHER_LENGTH = (
     "the packet has another length than the format: where robots send packets of several kinds, compare len(data) with "
