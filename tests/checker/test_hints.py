@@ -141,6 +141,24 @@ def test_text_of_the_teams_own_radio_says_nothing_about_messages(check):
     assert "messages" not in failure(check(BEGIN + loop)).remedy
 
 
+@pytest.mark.parametrize(
+    ("error", "line"),
+    [
+        # What mates sent is read the wrong way; no mate plays here, so the line fails of something of its own.
+        ("UnicodeDecodeError", "struct.pack('<d', -1.5).decode() or receiver.getString()"),
+        ("UnicodeDecodeError", "struct.pack('<d', -1.5).decode() or receiver.getData()"),
+        ("TypeError: a bytes-like object is required", "struct.unpack('<d', '') or receiver.getData()"),
+    ],
+)
+def test_bytes_on_the_radio_of_a_program_for_v2_2_are_no_reason_to_play_with_v2_1(check, error, line):
+    found = failure(
+        check(BEGIN + LOOP.replace("READ", "json.loads(receiver.getString())") + f"    told = {line}\n", V22)
+    )
+    assert error in found.message
+    assert "--set" not in found.remedy
+    assert "getBytes()" in found.remedy
+
+
 def test_a_place_that_nobody_could_look_up_is_no_reason_to_stumble(check):
     lines = "9" * 5000
     loop = (

@@ -117,6 +117,7 @@ def test_a_number_that_is_none_before_the_first_sample_is_told_so(failure):
         ("class Bot:\n    def run(): pass\nBot().run()\n", "def run(self):"),
         ("Robot.getName()\n", "robot = Robot()"),
         ("open('data.txt', 'wb').write(b'\\xfc'); open('data.txt').read()\n", "save the file as UTF-8"),
+        ("import pickle; pickle.dumps(1).decode()\n", "get a packet that is no text by receiver.getBytes()"),
         ("b'1,2'.split(',')\n", "data.decode() makes text"),
         ("b'x: ' + 'y'\n", "data.decode() makes text"),
         ("'1,2'.decode()\n", "data.decode() makes text"),

@@ -8,7 +8,7 @@ import time
 
 import fake_match
 import pytest
-from fake_match import INDEX, FakeMatch, Played, packet, values_at
+from fake_match import INDEX, FakeMatch, Played, fault_of, packet, values_at
 
 LEFT = INDEX["left wheel motor"]
 
@@ -157,6 +157,16 @@ def test_a_receiver_that_was_never_enabled_says_so_once_when_it_is_read(match: F
     assert played.said == [told.format("team receiver"), *["0 nan -1"] * 3, told.format("ball receiver")]
 
 
+def test_a_period_of_less_than_a_ms_enables_as_every_other_does(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "gps, compass = robot.getDevice('gps'), Compass('compass', 0.032)\n"
+        "gps.enable(0.032); robot.step(32)\n"
+        "print(gps.getValues(), compass.getValues(), gps.getSamplingPeriod())\n",
+    )
+    assert played.said == ["[1.0, 0.5, 0.0375] [0.0, 1.0, 0.0] 1"]
+
+
 def test_reading_a_packet_of_a_receiver_that_was_never_enabled_tells_that_enable_is_missing(match: FakeMatch) -> None:
     played = _play(
         match,
@@ -300,10 +310,19 @@ def test_a_first_step_of_no_time_and_a_period_without_end_are_taken_as_a_tick_an
     assert [r.advance_ticks for _, r in played.requests] == [1] * len(played.requests)
 
 
-def test_a_device_that_is_none_suggests_nothing(match: FakeMatch) -> None:
-    lines = 'motor = Motor("nope")\ncaught(motor.getName)\n'
-    said = _play(match, lines).said
-    assert said[-1] == "AttributeError: this Motor is no device of the robot, as the warning above says"
+@pytest.mark.parametrize(
+    "use",
+    [
+        "motor.getName()",
+        "motor.setVelocity(3)",
+        "motor.setPosition(float('inf'))",
+        "print(motor)",
+        "motor.velocity = 3",
+    ],
+)
+def test_a_device_that_is_none_suggests_nothing(match: FakeMatch, use: str) -> None:
+    fault = fault_of(match, _HEAD + f"motor = Motor('nope')\n{use}\n")
+    assert fault.detail.startswith("AttributeError: this Motor is no device of the robot, as the warning above says (")
 
 
 def test_a_copy_of_a_device_or_robot_is_the_thing_itself(match: FakeMatch) -> None:

@@ -258,6 +258,15 @@ def test_the_period_of_the_torque_feedback_is_kept_and_the_torque_is_always_0(ma
     assert played.said == ["32 0.0", "0"]
 
 
+def test_cells_of_a_lidar_are_0_until_they_are_measured_also_before_the_first_step(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        'lidar = robot.getDevice("lidar"); lidar.enable(32); lidar.enablePointCloud()\n'
+        "print(lidar.getRangeImage(), lidar.getPointCloud()[0].x)\nwhile robot.step(32) != -1: pass\n",
+    )
+    assert played.said == [f"{[0.0] * 8} 0.0"]
+
+
 def test_the_lidar_gives_buffers_of_float32_on_request(match: FakeMatch) -> None:
     played = _play(
         match,

@@ -38,6 +38,7 @@ _OTHER_SIZE = re.compile(r"struct\.error: unpack requires a buffer of (?P<bytes>
 _READS_JSON, _READS_FILE = re.compile(r"\bloads\b"), re.compile(r"\b(open|read|read_text|read_bytes)\(")
 _READS_PACKET = re.compile(rb"\.(getData|getString|getBytes|data|string|bytes)\b")
 _READS_AS_TEXT = re.compile(r"\.(getData|getString)\(")
+_KNOWS_JSON = re.compile(rb"\bjson\.loads\b|\bfrom json import\b")
 # The byte of v2.1: by its format, or as the first of the packet.
 _READS_A_FLAG = re.compile(rb"""["'][<>=!@]?[?bBc]["']|\.(?:getData|getBytes|data|bytes)(?:\(\))?\s*\[0\]""")
 _NO_SUCH_NAME = re.compile(r"cannot import name '(?P<name>\w+)' from (partially initialized module )?'(?P<module>\w+)'")
@@ -194,6 +195,8 @@ def _is_packet_read_as_json(team: Team, code: str) -> bool:
 
 def _is_text_read_as_bytes(team: Team, detail: str, code: str) -> bool:
     """Return whether a fault comes of text where bytes were meant, or of bytes on the radio that are no text."""
+    if _any_mentions(team, _KNOWS_JSON) and not _any_mentions(team, _READS_A_FLAG):
+        return False  # it reads the referee's JSON: what fails are bytes of its own
     if _BYTES_READ_AS_TEXT.search(detail):
         return _READS_AS_TEXT.search(code) is not None
     size = _OTHER_SIZE.search(detail)

@@ -50,12 +50,12 @@ _BRACKETS = "a call needs brackets: receiver.getQueueLength(), gps.getValues()[0
 _SELF = "a method has self as its first argument: def run(self):"
 _AN_OBJECT = "the class itself is no object: make one, with brackets: robot = Robot()"
 _NO_TEXT = (
-    'what is read is no UTF-8 text: save the file as UTF-8, or name how it was saved, open(…, encoding="cp1252"); a '
-    "packet is read as it was sent, by struct.unpack or pickle.loads"
+    'what is read is no UTF-8 text: save the file as UTF-8, or name how it was saved, open(…, encoding="cp1252"); '
+    "get a packet that is no text by receiver.getBytes(), for struct.unpack or pickle.loads, as it was sent"
 )
 _BYTES_OR_TEXT = (
-    "bytes and text are two things: getData() gives bytes (messages v2.1), getString() text; data.decode() makes text "
-    "of bytes, text.encode() bytes of text"
+    "bytes and text are two things: getBytes() gives bytes, getString() text, getData() bytes (messages v2.1) or text "
+    "(v2.2); data.decode() makes text of bytes, text.encode() bytes of text"
 )
 _OTHER_LENGTH = (
     "the packet has another length than the format: where robots send packets of several kinds, compare len(data) with "

@@ -124,7 +124,7 @@ class Hub:
         self.tick = 0
         form, self.place_of = _layout(self.spec["devices"])
         self._form = Struct(OBSERVATION_HEAD + form)
-        nothing_yet = Struct(f"<{self.spec['values']}d").pack(*[float("nan")] * self.spec["values"])
+        nothing_yet = _nothing_yet(self.spec["devices"], self.spec["values"])
         self.numbers: tuple[Any, ...] = self._form.unpack(bytes(self._form.size - len(nothing_yet)) + nothing_yet)
         self.previous, self.previous_tick = self.numbers, 0
         self.queues = {
@@ -354,6 +354,16 @@ def _layout(devices: list[dict[str, Any]]) -> tuple[str, dict[int, int]]:
             form += f"{8 * width}s" if packed else f"{width}d"
             place += 1 if packed else width
     return form, place_of
+
+
+def _nothing_yet(devices: list[dict[str, Any]], count: int) -> bytes:
+    """Return the numbers of all devices before the first observation: NaN, and 0.0 the cells of a lidar."""
+    numbers = [math.nan] * count
+    for device in devices:
+        if device["kind"] == "lidar":
+            begin, width = device["slot"], device["width"]
+            numbers[begin : begin + width] = [0.0] * width
+    return Struct(f"<{count}d").pack(*numbers)
 
 
 _hub: Hub | None = None

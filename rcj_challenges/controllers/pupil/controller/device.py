@@ -112,8 +112,9 @@ def device_of(hub: Hub, name: str, kind: str) -> Any:
 
 
 def _of_no_device(self: object, _attribute: str) -> Any:
-    text = f"this {type(self).__name__} is no device of the robot, as the warning above says"
-    raise AttributeError(text)  # without its name, so that nothing is suggested instead
+    error = AttributeError(f"this {type(self).__name__} is no device of the robot, as the warning above says")
+    error.name = None  # else Python puts it in, and names that sound like it are proposed
+    raise error
 
 
 class Sensor(Device):
@@ -145,7 +146,7 @@ class Sensor(Device):
         if not period_ms > 0:
             self._rcj_stop()
             return
-        self._rcj_period_ms = int(min(period_ms, _LONGEST_MS))
+        self._rcj_period_ms = max(1, int(min(period_ms, _LONGEST_MS)))  # 0 would say that it is off
         self._rcj_sample(self._rcj_hub.ticks_from_ms(period_ms))
 
     def disable(self) -> None:
