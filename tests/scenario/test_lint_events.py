@@ -87,6 +87,24 @@ def test_an_event_that_is_about_nobody():
         ("for_each: yellow, triggers: [{trigger: touches, entity: yellow, other: ball}]", "entity"),
         ("for_each: robots, triggers: [{trigger: program_fault}]", "robot"),
         ("for_each: penalty_areas, triggers: [{trigger: enters, entity: ball, zone: penalty_areas}]", "zone"),
+        ("for_each: robots, triggers: [{trigger: enters, entity: [robots], zone: blue_goal}]", "entity"),
+        ("for_each: yellow, triggers: [{trigger: enters, entity: [Y3, Y1, Y2], zone: blue_goal}]", "entity"),
+        ("for_each: robots, triggers: [{trigger: touches, entity: ball, other: robots}]", "other"),
+        ("for_each: robots, triggers: [{trigger: event, event: HIT, entity: robots}]", "entity"),
+        (
+            "for_each: robots, triggers: [{trigger: holds, condition: {condition: in_zone, entity: robots, zone: blue_goal}}]",
+            "entity",
+        ),
+        # That it is true of all of them, or of none, is not about one of them.
+        (
+            "for_each: robots, triggers: [{trigger: holds, condition: {condition: in_zone, entity: robots, of: all, zone: blue_goal}}]",
+            "",
+        ),
+        (
+            "for_each: robots, triggers: [{trigger: holds, condition: {condition: in_zone, entity: robots, negate: true, zone: blue_goal}}]",
+            "",
+        ),
+        ("for_each: robots, triggers: [{trigger: event, event: HIT, entity: yellow}]", ""),
         ("for_each: robots, triggers: [{trigger: enters, entity: each, zone: blue_goal}]", ""),
         ("for_each: yellow, triggers: [{trigger: enters, entity: robots, zone: blue_goal}]", ""),
         ("for_each: robots, triggers: [{trigger: touches, entity: robots, other: each}]", ""),
@@ -104,7 +122,8 @@ def test_an_event_that_is_about_nobody():
 )
 def test_a_rule_of_each_that_waits_for_any(rule, key):
     tells = "{action: emit, event: E, payload: {which: {word: each_name}}}"
-    text = f"rules: {{it: {{{rule}, actions: [{tells}, {{action: score, entrant: blue}}], says: A.}}}}\n"
+    hit = HIT % ("for_each: robots,", "each")
+    text = f"{hit}, it: {{{rule}, actions: [{tells}, {{action: score, entrant: blue}}], says: A.}}}}\n"
     loaded = load_text("schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n" + text)
     found = [one.remedy for one in lint(loaded) if one.kind == "any_heard_by_each"]
     remedy = f"write {key}: each, so that it fires for that one only, or leave for_each out and name them all"
