@@ -69,6 +69,26 @@ def test_an_event_that_is_never_about_whom_a_rule_hears_it_of(hit, hears, about)
     )
 
 
+def test_who_hears_of_a_door_passes_on_whom_it_found_and_not_the_door():
+    rules = HIT % ("for_each: penalty_areas,", "yellow")
+    rules += ", on: {triggers: [{trigger: event, event: HIT, entity: penalty_areas}], actions: [{action: emit, event: ON}], says: O.}"
+    rules += (
+        ", all: {triggers: [{trigger: event, event: ON, entity: penalty_areas}], actions: [{action: end}], says: A.}}\n"
+    )
+    loaded = load_text("schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n" + rules)
+    assert [one.problem.message for one in lint(loaded) if one.kind == "rule_never_fires"] == [
+        "'ON' is about nobody in particular, as the rules that emit it are"
+    ]
+
+
+def test_of_an_event_that_nobody_emits_that_is_told_and_not_whom_it_is_about():
+    rules = "rules: {all: {triggers: [{trigger: event, event: HIT, entity: Y1}], actions: [{action: end}], says: A.}}\n"
+    loaded = load_text("schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n" + rules)
+    kinds = {one.kind for one in lint(loaded)}
+    assert "event_never_emitted" in kinds
+    assert "rule_never_fires" not in kinds
+
+
 def test_an_event_that_is_about_nobody():
     rules = "rules: {hit: {triggers: [{trigger: half_started}], actions: [{action: emit, event: HIT}], says: H.}, "
     rules += "all: {triggers: [{trigger: event, event: HIT, entity: Y1}], actions: [{action: end}], says: A.}}\n"
