@@ -64,6 +64,7 @@ LOOP = "while robot.step(32) != -1 and n < 9:\n    n += 1\n"
         "try:\n    robot.getDevice('kicker').enable(32)\nexcept:\n    pass\n" + LOOP,
         LOOP + "    try:\n        x = float(word)\n    except:\n        x = 0\n",
         "def read():\n    try:\n        return float(word)\n    except:\n        return 0\n" + LOOP + "    read()\n",
+        "for tick in range(9):\n    try:\n        robot.step(32)\n        1 / 0\n    except:\n        pass\n",
         # What is called from the loop does not lead to it.
         (
             "def read():\n    try:\n        look()\n    except:\n        pass\ndef look():\n    return float(word)\n"
@@ -72,7 +73,15 @@ LOOP = "while robot.step(32) != -1 and n < 9:\n    n += 1\n"
         "def read():\n    while True:\n        try:\n            return float(word)\n        except:\n            break\n"
         + LOOP,
     ],
-    ids=["of an import", "of a device", "in the loop", "in a function", "called in it", "in another loop"],
+    ids=[
+        "of an import",
+        "of a device",
+        "in the loop",
+        "in a function",
+        "around step in a loop that goes on",
+        "called in it",
+        "in another loop",
+    ],
 )
 def test_one_after_which_the_loop_goes_on_is_not_what_ended_the_program(program: str) -> None:
     assert why_it_ended({ENTRY: (BEGIN + program).encode()}, ENTRY, has_stepped=True) == ""

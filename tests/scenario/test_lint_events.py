@@ -110,6 +110,14 @@ def test_an_event_that_is_about_nobody():
         ("for_each: robots, triggers: [{trigger: enters, entity: [robots], zone: blue_goal}]", "entity"),
         ("for_each: yellow, triggers: [{trigger: enters, entity: [Y3, Y1, Y2], zone: blue_goal}]", "entity"),
         ("for_each: robots, triggers: [{trigger: touches, entity: ball, other: robots}]", "other"),
+        # Who does something about the other one has thought of both.
+        (
+            (
+                "for_each: robots, conditions: [{condition: held, entity: other}], "
+                "triggers: [{trigger: touches, entity: ball, other: robots}]"
+            ),
+            "",
+        ),
         ("for_each: robots, triggers: [{trigger: event, event: HIT, entity: robots}]", "entity"),
         (
             "for_each: robots, triggers: [{trigger: holds, condition: {condition: in_zone, entity: robots, zone: blue_goal}}]",
