@@ -31,6 +31,14 @@ HIT = "rules: {hit: {%s triggers: [{trigger: touches, entity: %s, other: walls}]
             "for_each: penalty_areas, triggers: [{trigger: event, event: HIT}]",
             True,
         ),
+        # It is about one of those whom the trigger may find.
+        (("for_each: penalty_areas,", "robots"), "for_each: robots, triggers: [{trigger: event, event: HIT}]", True),
+        (("", "robots"), "for_each: robots, triggers: [{trigger: event, event: HIT}]", True),
+        (("", "yellow"), "for_each: robots, triggers: [{trigger: event, event: HIT}]", True),
+        (("", "yellow"), "for_each: blue, triggers: [{trigger: event, event: HIT}]", False),
+        # Of a rule for each of the yellow ones it is about that one, and not whom the trigger finds.
+        (("for_each: yellow,", "blue"), "for_each: blue, triggers: [{trigger: event, event: HIT}]", False),
+        (("", "yellow"), "for_each: robots, triggers: [{trigger: event, event: HIT, entity: each}]", False),
         (
             ("for_each: penalty_areas,", "robots"),
             "for_each: penalty_areas, triggers: [{trigger: event, event: HIT, entity: each}]",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from rcj_challenges.scenario.errors import listing, nearest
+from rcj_challenges.scenario.lint.about import found_by
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect, lives_in
 from rcj_challenges.scenario.models.actions import Emit, Score
 from rcj_challenges.scenario.models.base import Strict
@@ -188,7 +189,7 @@ def check_events_of_one(subject: Subject) -> Iterator[Suspect]:
             if not isinstance(trigger, OnEvent) or trigger.entity is not None or len(members) < 2:
                 continue
             sources = emitters.get(trigger.event, [])
-            if sources and all(one.for_each and subject.members("each", one) & members for one in sources):
+            if sources and all(_is_about_one_of(members, one, subject) for one in sources):
                 yield Suspect(
                     "event_heard_by_each",
                     ("rules", name, "triggers", index),
@@ -196,6 +197,16 @@ def check_events_of_one(subject: Subject) -> Iterator[Suspect]:
                     f"{len(members)} of them, whoever it was",
                     "write entity: each, so that it fires for that one only, or leave for_each out and name them all",
                 )
+
+
+def _is_about_one_of(members: frozenset[str], rule: Rule, subject: Subject) -> bool:
+    """Return whether the events of a rule are about one of these: it is for each of some, or each trigger finds one."""
+    things = {*subject.roster.things}
+    each = frozenset() if rule.for_each is None else subject.members("each", rule)
+    if each & members or each & things:
+        return bool(each & members)
+    found = [found_by(trigger, rule, subject) & members & things for trigger in rule.triggers]
+    return all(found) and len(frozenset().union(*found)) > 1
 
 
 def check_any_for_each(subject: Subject) -> Iterator[Suspect]:
