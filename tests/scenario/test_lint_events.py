@@ -63,6 +63,8 @@ def test_an_event_of_one_that_each_hears(hit, hears, warned):
         ),
         (("for_each: penalty_areas,", "yellow"), "entity: B1", "Y1, Y2, Y3, blue_penalty_area, yellow_penalty_area"),
         (("for_each: yellow,", "each"), "entity: [blue, ball]", "Y1, Y2, Y3"),
+        # Whom the trigger finds is another one than the one that the rule is for.
+        (("for_each: yellow,", "[blue, each]"), "entity: blue", "Y1, Y2, Y3"),
         (("for_each: penalty_areas,", "yellow"), "entity: blue_penalty_area", ""),
         (("for_each: penalty_areas,", "yellow"), "entity: Y2", ""),
         (("for_each: yellow,", "each"), "entity: [B1, Y3]", ""),
