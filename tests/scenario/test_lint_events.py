@@ -99,6 +99,22 @@ def test_of_an_event_that_nobody_emits_that_is_told_and_not_whom_it_is_about():
     assert "rule_never_fires" not in kinds
 
 
+@pytest.mark.parametrize(
+    ("waits", "key"),
+    [
+        ("{trigger: event, event: HIT}", "entity"),
+        ("{trigger: enters, entity: ball, zone: blue_goal}", "zone"),
+        ("{trigger: event, event: HIT}, {trigger: enters, entity: ball, zone: blue_goal}", "zone"),
+    ],
+)
+def test_a_rule_over_zones_that_hears_events_names_each_by_the_key_that_events_have(waits, key):
+    rules = HIT % ("for_each: penalty_areas,", "yellow")
+    rules += f", all: {{for_each: penalty_areas, triggers: [{waits}], actions: [{{action: end}}], says: A.}}}}\n"
+    loaded = load_text("schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n" + rules)
+    told = {one.problem.path: one.remedy for one in lint(loaded) if one.kind == "each_never_named"}
+    assert told["rules.all.for_each"] == f"write {key}: each where it looks or acts, or leave for_each out"
+
+
 def test_an_event_that_is_about_nobody():
     rules = "rules: {hit: {triggers: [{trigger: half_started}], actions: [{action: emit, event: HIT}], says: H.}, "
     rules += "all: {triggers: [{trigger: event, event: HIT, entity: Y1}], actions: [{action: end}], says: A.}}\n"

@@ -250,7 +250,9 @@ def _key_of_any(trigger: Trigger, each: frozenset[str], rule: Rule, subject: Sub
 
 
 def _key_of(rule: Rule, subject: Subject) -> str:
-    """Return under which key the members of ``for_each`` are named."""
+    """Return under which key the members of ``for_each`` are named: of events all of them are called entity."""
+    if all(isinstance(trigger, OnEvent) for trigger in rule.triggers):
+        return "entity"
     (first, *_), scenario = sorted(subject.members("each", rule)), subject.scenario
     return "gate" if first in scenario.gates else "zone" if first in scenario.zones else "entity"
 
