@@ -18,7 +18,7 @@ from rcj_challenges.checker.layout import empty_programs, plan_moves
 from rcj_challenges.controllers.archive import Files
 from rcj_challenges.controllers.paths import clean, folded
 from rcj_challenges.controllers.private_folders import PrivateFolders
-from rcj_challenges.controllers.team import LOGO_FILE, Opening, alternatives, opening_of
+from rcj_challenges.controllers.team import LOGO_FILE, Opening, alternatives, called_after, opening_of
 from rcj_challenges.controllers.team_name import NAME_FILE, find_team_name
 from rcj_challenges.controllers.troubles import MOST_OF_A_KIND, MOST_PATH_SHOWN, told, with_remedy
 from rcj_challenges.facts.errors import RcjError, advised
@@ -235,7 +235,7 @@ def _named(files: Files, fallback: str, done: list[str]) -> Files:
 
 def _still_called(files: Files, shown: str, out: Path, done: list[str]) -> Files:
     """Return the files with the name that the team is shown by, where that of its new file would take its place."""
-    name = find_team_name(files, out.name.removesuffix(".zip"))
+    name = find_team_name(files, called_after(out.name))
     in_a_document = any(trouble.code == "identity.name_document" for trouble in name.troubles)  # for the team to open
     if name.given or name.text == shown or in_a_document:
         return files

@@ -203,6 +203,14 @@ def look_into(path: Path, *seats: Entrant) -> Opening:
     return opening_of(path, read_contents(path), *seats)
 
 
+def called_after(name: str) -> str:
+    """Return what a team that gives itself no name is called, by the name of its file or folder."""
+    for suffix in (".zip", ".py"):  # as .ZIP just as well
+        if name.casefold().endswith(suffix):
+            name = name[: -len(suffix)]
+    return name
+
+
 def opening_of(path: Path, contents: Contents, *seats: Entrant) -> Opening:
     """Return what comes of opening contents that have been read already.
 
@@ -211,7 +219,7 @@ def opening_of(path: Path, contents: Contents, *seats: Entrant) -> Opening:
         contents: what was read.
         seats: as for `open_team`.
     """
-    fallback = from_disk(path.resolve().name).removesuffix(".zip").removesuffix(".py")
+    fallback = called_after(from_disk(path.resolve().name))
     layouts = [*without_top_folders(contents.files), *_inside_entry_folder(contents.files, seats)]
     single = str(next(iter(contents.files), "")) if contents.kind == "program" else ""
     for layout in layouts:

@@ -222,9 +222,14 @@ class Workshop:
     # --- watches and ears -------------------------------------------------------------------------------------------
 
     def listener(self, rule: StandingRule, position: int, trigger: str, entity: int | None = None) -> Listener:
-        """Return the ear of a rule's trigger (its place in the rule is ``position``)."""
-        name = None if entity is None else self.roster.things[entity]
-        return Listener(rule, name, trigger, (rule.rank, position, -1 if entity is None else entity))
+        """Return the ear of a rule's trigger (its place in the rule is ``position``).
+
+        What is about a zone or gate comes last: of an event about a robot and a gate, which both are heard, the robot
+        can be told.
+        """
+        things = self.roster.things
+        name, turn = (None, len(things)) if entity is None else (things[entity], entity)
+        return Listener(rule, name, trigger, (rule.rank, position, turn))
 
     def watch(self, kind: type[_W], key: tuple[object, ...], rule: StandingRule, make: Callable[[], _W]) -> _W:
         """Return the watch that follows ``key`` in the phases of the rule; rules that follow the same share it."""

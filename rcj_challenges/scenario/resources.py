@@ -33,6 +33,19 @@ def shipped_scenarios() -> dict[str, Path]:
     return {name: folder / f"{name}.yaml" for folder in folders for name in names_in(folder)}
 
 
+def own_of_that_name(shipped: Path, folder: Path) -> Path | None:
+    """Return the file in a folder that is called like a shipped example or variant, and is another one; None: none is.
+
+    The names of challenges and presets are not asked about: they always mean the shipped ones.
+    """
+    own = folder / shipped.name
+    try:
+        is_own = shipped.parent.parent == scenarios_folder() and own.is_file() and not own.samefile(shipped)
+    except OSError:  # nobody may look into that folder
+        return None
+    return own if is_own else None
+
+
 def teams_folder() -> Path:
     """Return the folder of the sample teams."""
     return _data("teams", "examples/teams")

@@ -64,10 +64,24 @@ LOOP = "while robot.step(32) != -1 and n < 9:\n    n += 1\n"
         "try:\n    robot.getDevice('kicker').enable(32)\nexcept:\n    pass\n" + LOOP,
         LOOP + "    try:\n        x = float(word)\n    except:\n        x = 0\n",
         "def read():\n    try:\n        return float(word)\n    except:\n        return 0\n" + LOOP + "    read()\n",
+        "for tick in range(9):\n    try:\n        robot.step(32)\n        1 / 0\n    except:\n        pass\n",
+        # What is called from the loop does not lead to it.
+        (
+            "def read():\n    try:\n        look()\n    except:\n        pass\ndef look():\n    return float(word)\n"
+            "def play():\n    while robot.step(32) != -1 and n < 9:\n        read()\nplay()\n"
+        ),
         "def read():\n    while True:\n        try:\n            return float(word)\n        except:\n            break\n"
         + LOOP,
     ],
-    ids=["of an import", "of a device", "in the loop", "in a function", "in another loop"],
+    ids=[
+        "of an import",
+        "of a device",
+        "in the loop",
+        "in a function",
+        "around step in a loop that goes on",
+        "called in it",
+        "in another loop",
+    ],
 )
 def test_one_after_which_the_loop_goes_on_is_not_what_ended_the_program(program: str) -> None:
     assert why_it_ended({ENTRY: (BEGIN + program).encode()}, ENTRY, has_stepped=True) == ""
@@ -79,10 +93,28 @@ def test_one_after_which_the_loop_goes_on_is_not_what_ended_the_program(program:
         "while robot.step(32) != -1:\n    try:\n        1 / 0\n    except Exception as e:\n        break\n",
         "goes_on = True\nwhile robot.step(32) != -1 and goes_on:\n    try:\n        1 / 0\n    except:\n        goes_on = False\n",
         "def play():\n    while robot.step(32) != -1:\n        1 / 0\ntry:\n    play()\nexcept:\n    pass\n",
+        "def play():\n    while robot.step(32) != -1:\n        1 / 0\ndef main():\n    play()\ntry:\n    main()\nexcept:\n    pass\n",
+        (
+            "class Player:\n    def run(self):\n        while robot.step(32) != -1:\n            1 / 0\n"
+            "    def begin(self):\n        self.run()\nplayer = Player()\ntry:\n    player.begin()\nexcept:\n    pass\n"
+        ),
+        (
+            "class Player:\n    def __init__(self):\n        self.run()\n    def run(self):\n"
+            "        while robot.step(32) != -1:\n            1 / 0\ndef main():\n    Player()\ntry:\n    main()\nexcept:\n    pass\n"
+        ),
         "def step():\n    try:\n        return robot.step(look())\n    except:\n        return -1\nwhile step() != -1:\n    pass\n",
         "for tick in range(9999):\n    robot.step(32)\n    try:\n        1 / 0\n    except:\n        break\n",
     ],
-    ids=["break", "a flag", "around the call", "around step", "for"],
+    ids=[
+        "break",
+        "a flag",
+        "around the call",
+        "a call of a call",
+        "a method of a method",
+        "made",
+        "around step",
+        "for",
+    ],
 )
 def test_one_that_leaves_the_loop_is_named(program: str) -> None:
     assert "takes every error" in why_it_ended({ENTRY: (BEGIN + program).encode()}, ENTRY, has_stepped=True)

@@ -263,8 +263,11 @@ def test_a_robot_that_steps_in_its_own_time_takes_part(pack, step_ms):
 
 
 def test_a_robot_whose_program_failed_is_not_told_to_be_absent_as_well(pack):
-    report = check_file(pack(BEGIN + "for _ in range(5):\n    robot.step(32)\n1 / 0\n"), ALONE, SHORT)
-    assert "play.absent" not in {finding.code for finding in findings(report, "play")}
+    program = BEGIN + "for _ in range(5):\n    robot.step(32)\n1 / 0\n"
+    report = check_file(pack(program), ALONE, replace(SHORT, play_s=6.0))  # five of 188 ticks
+    codes = {finding.code for finding in findings(report, "play")}
+    assert "play.crash" in codes
+    assert "play.absent" not in codes
 
 
 def test_a_call_that_the_robot_refuses_is_a_warning(pack):

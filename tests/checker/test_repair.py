@@ -344,6 +344,15 @@ def test_a_team_that_is_called_by_its_file_s_name_keeps_it_in_a_file_called_othe
     assert contents(tmp_path / "hanse_fixed.zip") == files | {"team_name.txt": b"hanse 22\n"}
 
 
+def test_the_end_of_a_file_s_name_is_no_part_of_the_team_s_however_it_is_written(tmp_path: Path) -> None:
+    files = {path: content for path, content in SOUND.items() if path != "team_name.txt"}
+    (tmp_path / "HANSE.ZIP").write_bytes(plain(files))
+    result = repair(tmp_path / "HANSE.ZIP", tmp_path / "fixed.Zip", scenario())
+    assert result.done == ["wrote team_name.txt: HANSE, as the team is called by its file's name"]
+    (tmp_path / "out").mkdir()
+    assert repair(tmp_path / "HANSE.ZIP", tmp_path / "out" / "HANSE.zip", scenario()).done == []
+
+
 def test_a_team_that_is_called_by_its_file_s_name_needs_no_other_in_a_file_of_that_name(tmp_path: Path) -> None:
     files = {path: content for path, content in SOUND.items() if path != "team_name.txt"}
     result, out = repaired(tmp_path, plain(files))

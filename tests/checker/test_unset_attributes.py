@@ -65,6 +65,8 @@ def test_nothing_is_said_where_nothing_sets_it_or_something_else_does() -> None:
     assert on_slip(UNSET.format("Player"), {PLAYER: LATE.replace(b"self.best: float =", b"best =")}) == ""
     assert on_slip(UNSET.format("Player"), {PLAYER: LATE.replace(b"self.best: float =", b"self.best ==")}) == ""
     assert on_slip(UNSET.format("Motor"), {PLAYER: LATE}) == ""
+    beside = LATE.replace(b"self.best: float =", b"best =") + b"def prepare(self):\n    self.best = 3.0\n"
+    assert on_slip(UNSET.format("Player"), {PLAYER: beside}) == ""
     guessed = "AttributeError: 'Player' object has no attribute 'best'. Did you mean: 'rest'? (player.py, line 9)"
     assert on_slip(guessed, {PLAYER: LATE}) == ""
 

@@ -1,10 +1,11 @@
 """A recorded match is judged again: by its own rules the same comes out, by others what these say of the same poses."""
 
 import json
+from types import SimpleNamespace
 
 import pytest
 
-from rcj_challenges.match.judging import MisfitError, differences, judge_again
+from rcj_challenges.match.judging import MisfitError, differences, judge_again, recorded
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import load, load_resolved
 
@@ -146,3 +147,30 @@ class TestDifferences:
     def test_they_come_in_the_order_of_time(self):
         after = [self.event(9), self.event(2, half=2), self.event(3)]
         assert [(one.half, one.tick) for one in differences([], after)] == [(1, 3), (1, 9), (2, 2)]
+
+
+def test_of_a_match_that_is_not_over_points_are_those_of_the_log_up_to_the_last_pose_by_team():
+    swapped = {"blue": "yellow", "yellow": "blue"}
+    halves = [
+        SimpleNamespace(info=SimpleNamespace(half=half, teams=teams), ticks=ticks)
+        for half, teams, ticks in ((1, {one: one for one in swapped}, 50), (2, swapped, 30))
+    ]
+
+    def line(half, tick, kind="firing", **more):
+        return {"kind": kind, "half": half, "tick": tick, **more}
+
+    lines = [
+        line(1, 50, scored={"blue": 1}),
+        *[line(2, tick, scored={"blue": 0.1}) for tick in (10, 20, 30)],
+        line(2, 30, kind="event", event="GOAL"),
+        line(2, 31, scored={"blue": 5}),
+        line(3, 0, scored={"blue": 5}),
+        line(3, 0, kind="event", event="GOAL"),
+    ]
+    cut_off = SimpleNamespace(finished=False, halves=halves)
+    found = recorded(cut_off, lines, {"blue": 0, "yellow": 0})
+    assert found.scores == {"blue": 1, "yellow": 0.3}
+    assert found.events == [lines[4]]
+    over = recorded(SimpleNamespace(finished=True, halves=halves), lines, {"blue": 7, "yellow": 0})
+    assert over.scores == {"blue": 7, "yellow": 0}
+    assert len(over.events) == 2

@@ -111,6 +111,25 @@ rules:
         play.play(8)
         assert [event.payload for event in play.events] == [{}, {"each": "west"}, {"each": "west"}]
 
+    @pytest.mark.parametrize("heard_of", ["[Y1, west]", "[west, Y1]", "[posts, robots]"])
+    def test_who_hears_the_gate_or_the_robot_is_told_of_the_robot(self, stage, heard_of):
+        play = stage(
+            GATES,
+            f"""
+rules:
+  passed:
+    for_each: posts
+    triggers: [{{trigger: crosses, entity: robots, gate: each}}]
+    actions: [{{action: emit, event: PASSED}}]
+  hears:
+    triggers: [{{trigger: event, event: PASSED, entity: {heard_of}}}]
+    actions: [{{action: emit, event: TOLD, payload: {{who: {{word: entity_name}}}}}}]
+""",
+        )
+        pass_at(play, -0.4)
+        play.play(2)
+        assert [event.payload for event in play.events_named("TOLD")] == [{"who": "Y1"}]
+
     def test_the_log_names_gate_and_entity(self, stage):
         play = stage(GATES, PASSED)
         pass_at(play, -0.4)

@@ -16,6 +16,9 @@ def write(folder, name, text):
     return folder / name
 
 
+IS_FILE = Path.is_file
+
+
 def complaint(path):
     with pytest.raises(ScenarioError) as caught:
         load(path)
@@ -171,6 +174,32 @@ def test_a_file_of_ones_own_is_not_passed_over_for_a_shipped_example_of_that_nam
     assert load("slalom.yaml").scenario.id == "own"
     monkeypatch.chdir(scenarios_folder() / "examples")
     assert load("slalom").path == scenarios_folder() / "examples" / "slalom.yaml"
+
+
+def test_a_shipped_example_is_found_where_nobody_may_look_for_a_file(tmp_path, monkeypatch):
+    def refuse(path, *_, **__):
+        raise PermissionError(13, "Permission denied", str(path))
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(Path, "is_file", lambda path: refuse(path) if not path.is_absolute() else IS_FILE(path))
+    assert load("slalom").path == scenarios_folder() / "examples" / "slalom.yaml"
+
+
+@pytest.mark.parametrize("name", ["slalom", "fast_shooter_v2"])
+def test_a_file_of_ones_own_is_not_passed_over_by_extends_either(name, tmp_path):
+    write(tmp_path, f"{name}.yaml", "schema_version: 1\nid: own\ntitle: Own\nextends: soccersim_v2\n")
+    harder = "schema_version: 1\nid: harder\ntitle: Harder\nextends: %s\nexpect: {inherited: null}\n"
+    with pytest.raises(
+        ScenarioError,
+        match=rf"a shipped scenario has this name, and {name}\.yaml lies beside .*harder\.yaml: write {name}\.yaml",
+    ):
+        load(write(tmp_path, "harder.yaml", harder % name))
+    assert load(write(tmp_path, "harder.yaml", harder % f"{name}.yaml")).path == tmp_path / "harder.yaml"
+
+
+def test_a_file_may_extend_the_shipped_one_of_its_own_name(tmp_path):
+    own = "schema_version: 1\nid: own\ntitle: Own\nextends: slalom\nexpect: {inherited: null}\n"
+    assert load(write(tmp_path, "slalom.yaml", own)).scenario.id == "own"
 
 
 def test_of_an_unknown_name_all_that_is_shipped_is_told():

@@ -194,6 +194,28 @@ class TestThingsPutWhereAnotherOneStands:
             "the field it would be tried again on every tick [layout_without_room]"
         ) in one
 
+    def test_a_board_that_is_longer_than_wide_covers_a_circle_of_its_width_in_any_case(self):
+        board = "obstacles: {board: {shape: box, centre_m: [0.4, 0], size_m: [0.3, 0.06], movable: true}}"
+        for away_m, warned in (("0.04", True), ("0.051", False), ("0.12", False)):  # the ball's radius is 0.021
+            touch = "{trigger: touches, entity: Y1, other: board}"
+            put = f"{{action: place, entity: ball, at: {{relative_to: board, offset_m: [0, {away_m}]}}}}"
+            found = found_in(board, rules=rule("a", touch, put))
+            assert ("layout_without_room" in {one.kind for one in found}) is warned, away_m
+
+    def test_in_a_layout_it_finds_no_room_either(self):
+        beside = "{entity: crate, at: {relative_to: Y1, offset_m: [0.02, 0]}}"
+        use = rule("a", "{trigger: time_reached, at_s: 1}", "{action: place, layout: l}")
+        for placings, count in (
+            (beside, 1),
+            (f"{{entity: ball, at: start}}, {beside}", 1),
+            (f"{{entity: Y1, at: start}}, {beside}", 0),
+            (beside.replace("0.02", "0.12"), 0),
+        ):
+            found = found_in(self.CRATE, f"placements: {{l: [{placings}]}}", rules=use)
+            told = [one for one in found if one.kind == "layout_without_room"]
+            assert len(told) == count, placings
+            assert all("'crate' would stand in 'Y1', beside which it is put" in str(one) for one in told)
+
     def test_each_beside_the_other_one(self):
         each = "for_each: robots,"
         touch = "{trigger: touches, entity: each, other: crate}"

@@ -141,7 +141,14 @@ class TestHalvesThatAreOverAsTheyBegin:
             # Only the first of them counts, or enters a phase in which the second one does not live.
             ("    exclusive: one\n", "{action: end}", ""),
             ("    for_each: obstacles\n", "{action: end}", ""),
-            ("    phases: [later]\n", "{action: end}", "phases: {later: {}}\n"),
+            (
+                "    phases: [later]\n",
+                "{action: end}",
+                (
+                    "  go: {triggers: [{trigger: time_reached, at_s: 9}], actions: [{action: set_phase, phase: later}]}\n"
+                    "phases: {later: {}}\n"
+                ),
+            ),
         ],
     )
     def test_whether_it_is_over_at_once_is_not_known(self, more, actions, rest):

@@ -330,6 +330,10 @@ def test_a_key_in_the_words_of_other_languages(body, usual):
         ),
         ("match: {duration: 60}\n", "it is called 'half_s' here"),
         ("timers: {t: {duration: 60}}\n", "it is called 'lasts_s' here"),
+        (rule(action="{action: hold, entity: robots, duration: 3}"), "it is called 'for_s' here"),
+        (rule(action="{action: remove, entity: ball, seconds: 3}"), "it is called 'for_s' here"),
+        (rule("{trigger: stays_in, entity: ball, zone: blue_goal, duration: 3}"), "it is called 'limit_s' here"),
+        ("spots: {a: [true, 0]}\n", "expected a mapping, found a list of 2"),
     ],
 )
 def test_words_without_their_key_and_lists_in_place_of_mappings(body, way_out):

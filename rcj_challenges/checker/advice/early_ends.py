@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from itertools import islice
@@ -134,7 +134,8 @@ def _on_its_name(content: bytes) -> str:
 def _on_quiet(programs: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> str:
     """Return what to do about the first ``except`` that takes every error, tells none, and may have ended all."""
     looping = {path: list(_loops_with_step(content)) for path, content in programs.items()}
-    held_by = {name for loops in looping.values() for loop in loops for name in (loop.name, loop.owner)}
+    holding = {name for loops in looping.values() for loop in loops for name in (loop.name, loop.owner)} - {b""}
+    held_by = _with_callers(holding, programs.values())
     for path, content in programs.items():
         # A file does not import itself: in robot.py, robot is that of the match.
         files = {other.stem.encode("utf-8", "surrogateescape") for other in looping if looping[other] and other != path}
@@ -151,6 +152,36 @@ def _on_quiet(programs: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> 
                     "quiet about it. Write traceback.print_exc() there, and import traceback at the top"
                 )
     return ""
+
+
+def _with_callers(names: AbstractSet[bytes], contents: Iterable[bytes]) -> AbstractSet[bytes]:
+    """Return names of functions and classes, and of those that call them, directly or by way of others."""
+    callers: dict[bytes, set[bytes]] = {}  # by what they mention
+    for content in contents:
+        for caller, code in _code_of_functions(content):
+            for word in _WORD.findall(code):
+                callers.setdefault(word, set()).add(caller)
+    found, todo = set(names), list(names)
+    while todo:
+        more = callers.get(todo.pop(), set()) - found
+        found |= more
+        todo += more
+    return found
+
+
+def _code_of_functions(content: bytes) -> Iterator[tuple[bytes, bytes]]:
+    """Yield the lines inside of functions, each with the function's name; of an ``__init__`` with that of its class."""
+    around: list[tuple[int, bytes, bool]] = []  # indentation, name, and whether it is a class
+    for _, depth, code in _lines(content):
+        while around and depth <= around[-1][0]:
+            around.pop()
+        if (found := _FUNCTION.match(code)) is not None:
+            made = found[1] == b"__init__" and bool(around)
+            around.append((depth, around[-1][1] if made else found[1], False))
+        elif (found := _CLASS.match(code)) is not None:
+            around.append((depth, found[1], True))
+        elif around and not around[-1][2]:
+            yield around[-1][1], code
 
 
 def _may_end_it(lines: Sequence[_Line], at: int, handler: Sequence[bytes], to_loops: AbstractSet[bytes]) -> bool:

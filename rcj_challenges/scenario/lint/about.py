@@ -33,7 +33,7 @@ def check_heard_about(subject: Subject) -> Iterator[Suspect]:
     for _, rule in subject.standing():
         for action in rule.actions:
             if isinstance(action, Emit):
-                about.setdefault(action.event, set()).update(_all_about(rule, subject))
+                about.setdefault(action.event, set()).update(_events_about(rule, subject))
     in_order = (*subject.roster.things, *subject.scenario.zones, *subject.scenario.gates)
     for name, rule in subject.standing():
         for index, trigger in enumerate(rule.triggers):
@@ -51,14 +51,17 @@ def check_heard_about(subject: Subject) -> Iterator[Suspect]:
                 )
 
 
-def _all_about(rule: Rule, subject: Subject) -> frozenset[str]:
-    """Return what the events of a rule may be about: things, and the zones or gates that it is for."""
+def _events_about(rule: Rule, subject: Subject) -> frozenset[str]:
+    """Return what the events of a rule may be about: each thing that it is for, and nothing else.
+
+    Of a rule for each of some zones or gates, or for none, it is what a trigger finds, and that zone or gate.
+    """
     each = subject.members("each", rule) if rule.for_each is not None else frozenset()
-    return things_about(rule, subject) | each
+    return each if each & {*subject.roster.things} else things_about(rule, subject) | each
 
 
 def things_about(rule: Rule, subject: Subject) -> frozenset[str]:
-    """Return the things that a firing may be about: those of ``for_each``, and those that a trigger finds."""
+    """Return the things that a firing may tell of: those of ``for_each``, and those that a trigger finds."""
     each = subject.members("each", rule) if rule.for_each is not None else frozenset()
     found = each.union(*(found_by(trigger, rule, subject) for trigger in rule.triggers))
     # Of a rule over zones or gates nobody is told but whom a trigger finds; of a gate's timer nobody is.

@@ -5,16 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from rcj_challenges.scenario.errors import listing, nearest
+from rcj_challenges.scenario.lint.about import found_by
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect, lives_in
 from rcj_challenges.scenario.models.actions import Emit, Score
+from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.scenario import Expectation, RankByScore, Rule
 from rcj_challenges.scenario.models.state import WordValue
 from rcj_challenges.scenario.models.triggers import (
     HalfStarted,
+    Holds,
     OnEvent,
     PhaseEntered,
     SequenceBroken,
+    Trigger,
 )
+from rcj_challenges.scenario.other import names_other
 from rcj_challenges.scenario.tree import Path, node_at
 from rcj_challenges.scenario.visiting import visit
 
@@ -184,7 +189,7 @@ def check_events_of_one(subject: Subject) -> Iterator[Suspect]:
             if not isinstance(trigger, OnEvent) or trigger.entity is not None or len(members) < 2:
                 continue
             sources = emitters.get(trigger.event, [])
-            if sources and all(one.for_each and subject.members("each", one) & members for one in sources):
+            if sources and all(_is_about_one_of(members, one, subject) for one in sources):
                 yield Suspect(
                     "event_heard_by_each",
                     ("rules", name, "triggers", index),
@@ -194,31 +199,60 @@ def check_events_of_one(subject: Subject) -> Iterator[Suspect]:
                 )
 
 
+def _is_about_one_of(members: frozenset[str], rule: Rule, subject: Subject) -> bool:
+    """Return whether the events of a rule are about one of these: it is for each of some, or each trigger finds one."""
+    things = {*subject.roster.things}
+    each = frozenset() if rule.for_each is None else subject.members("each", rule)
+    if each & members or each & things:
+        return bool(each & members)
+    found = [found_by(trigger, rule, subject) & members & things for trigger in rule.triggers]
+    return all(found) and len(frozenset().union(*found)) > 1
+
+
 def check_any_for_each(subject: Subject) -> Iterator[Suspect]:
     """A trigger that waits for any of the group over which its rule goes: the rule fires for all, whoever it was."""
     for name, rule in subject.standing():
-        count = 0 if rule.for_each is None else len(subject.members("each", rule))
+        each = frozenset() if rule.for_each is None else subject.members("each", rule)
         # Of a rule that never names `each`, `check_rules` says so.
-        if count < 2 or _names_each(rule.conditions) or not _names_each(rule):
+        if len(each) < 2 or _names_each(rule.conditions) or not _names_each(rule):
             continue
         for index, trigger in enumerate(rule.triggers):
-            key = next((key for key in _WHO if getattr(trigger, key, None) == rule.for_each), None)
-            if key is None or isinstance(trigger, OnEvent) or _names_each(trigger):
+            key = None if _names_each(trigger) else _key_of_any(trigger, each, rule, subject)
+            if key is None:
                 continue
             yield Suspect(
                 "any_heard_by_each",
-                ("rules", name, "triggers", index, key),
-                f"it waits for any of '{rule.for_each}', and fires for all {count} of them, whoever it was",
+                ("rules", name, "triggers", index, *(("condition",) if isinstance(trigger, Holds) else ()), key),
+                f"it waits for any of '{rule.for_each}', and fires for all {len(each)} of them, whoever it was",
                 f"write {key}: each, so that it fires for that one only, or leave for_each out and name them all",
             )
 
 
-_WHO = ("entity", "robot", "zone", "gate")
+_WHO = ("entity", "robot", "zone", "gate", "other")
 """Under these keys a trigger says who or what it waits for."""
 
 
+def _key_of_any(trigger: Trigger, each: frozenset[str], rule: Rule, subject: Subject) -> str | None:
+    """Return under which key a trigger waits for any of those over which its rule goes; None: under none."""
+    part: Strict = trigger
+    if isinstance(trigger, Holds):
+        part = trigger.condition
+        if getattr(part, "of", None) != "any" or getattr(part, "negate", False):
+            return None  # true of all of them, or of none: it is about nobody in particular
+    for key in _WHO:
+        names = getattr(part, key, None)
+        # Who asks or does something about the other one has thought of both.
+        if key == "other" and names_other(rule, subject.scenario):
+            continue
+        if isinstance(names, str | tuple) and subject.members(names, rule) == each:
+            return key
+    return None
+
+
 def _key_of(rule: Rule, subject: Subject) -> str:
-    """Return under which key the members of ``for_each`` are named."""
+    """Return under which key the members of ``for_each`` are named: of events all of them are called entity."""
+    if all(isinstance(trigger, OnEvent) for trigger in rule.triggers):
+        return "entity"
     (first, *_), scenario = sorted(subject.members("each", rule)), subject.scenario
     return "gate" if first in scenario.gates else "zone" if first in scenario.zones else "entity"
 

@@ -154,13 +154,14 @@ class Subject:
             if isinstance(action, Place) and action.entity is not None:
                 moved |= self.members(action.entity, rule)
             if isinstance(action, Place) and action.layout is not None:
-                for layout in _layouts(action.layout, self.scenario):
+                for layout in layouts_of(action.layout, self.scenario):
                     for placing in self.scenario.placements.get(layout, ()):
                         moved |= self.members(placing.entity, rule)
         return frozenset(moved)
 
 
-def _layouts(layout: str | DrawValue, scenario: Scenario) -> tuple[str, ...]:
+def layouts_of(layout: str | DrawValue, scenario: Scenario) -> tuple[str, ...]:
+    """Return the layouts that an action may place: the one that it names, or all that a draw may decide."""
     if isinstance(layout, str):
         return (layout,)
     draw = scenario.draws.get(layout.draw)

@@ -133,7 +133,7 @@ _USUAL_KEYS = {
 _BY_PLACE = {
     ("min", "minimum"): ("keeps_at_least", "at_least"),
     ("max", "maximum"): ("keeps_at_most", "at_most"),
-    ("duration", "duration_s", "length", "length_s", "seconds"): ("half_s", "lasts_s"),
+    ("duration", "duration_s", "length", "length_s", "seconds"): ("half_s", "lasts_s", "for_s", "limit_s"),
 }
 _CALLED_BY_PLACE = {key: called for keys, called in _BY_PLACE.items() for key in keys}
 """The same of keys that are called this or that, as the place may have them: of a score that grows, and of a limit."""
@@ -178,7 +178,7 @@ def for_coordinates(path: Path, node: Node | None, keys: Collection[str]) -> str
         return "; a place is written [x, y] or [x, y, yaw], in m and rad"
     numbers = [item.value for item in node.items if isinstance(item, Leaf)] if isinstance(node, Items) else []
     known = [key for key in ("x_m", "y_m", "yaw_rad") if key in keys]
-    if not 2 <= len(numbers) <= len(known) or not all(isinstance(one, int | float) for one in numbers):
+    if not 2 <= len(numbers) <= len(known) or any(isinstance(one, bool | str | None) for one in numbers):
         return ""
     return f"; write {{{', '.join(f'{key}: {one}' for key, one in zip(known, numbers, strict=False))}}}"
 

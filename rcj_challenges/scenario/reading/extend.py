@@ -13,7 +13,13 @@ from rcj_challenges import __version__
 from rcj_challenges.scenario.errors import Problem, ScenarioError, listing, nearest
 from rcj_challenges.scenario.models.scenario import SCHEMA_VERSION
 from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, parse_bytes, parse_text
-from rcj_challenges.scenario.resources import names_in, presets_folder, scenarios_folder, shipped_scenarios
+from rcj_challenges.scenario.resources import (
+    names_in,
+    own_of_that_name,
+    presets_folder,
+    scenarios_folder,
+    shipped_scenarios,
+)
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node
 
 MAX_CHAIN = 5
@@ -134,6 +140,11 @@ def _shipped(name: str, user: Source, mark: Mark) -> Source:
     presets = {known: presets_folder() / f"{known}.yaml" for known in names_in(presets_folder())}
     shipped = {**shipped_scenarios(), **presets}
     if name in shipped:
+        own = own_of_that_name(shipped[name], user.path.parent) if user.path is not None else None
+        # A file of the name that it extends is not meant by it.
+        if own is not None and user.path is not None and not own.samefile(user.path):
+            message = f"a shipped scenario has this name, and {own.name} lies beside {user.shown}: write {own.name} "
+            raise _refused(mark, f"{message}for that, or give one of them another name")
         # Whoever extends the match may call that file match.yaml: then messages must tell the two from each other.
         shown = f"{name}.yaml" if PurePosixPath(user.shown).name != f"{name}.yaml" else f"shipped {name}.yaml"
         return Source.of_file(shipped[name], shown)

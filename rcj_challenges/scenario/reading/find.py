@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path, PureWindowsPath
 
 from rcj_challenges.scenario.errors import Problem, ScenarioError, listing, nearest
-from rcj_challenges.scenario.resources import names_in, scenarios_folder, shipped_scenarios
+from rcj_challenges.scenario.resources import names_in, own_of_that_name, scenarios_folder, shipped_scenarios
 
 
 def find_scenario(source: str | Path) -> Path:
@@ -40,8 +40,8 @@ def _not_one_of_yours(shipped: Path) -> Path:
 
     Who makes a slalom of their own, as the guide does, and leaves out ``.yaml``, must not be shown another one.
     """
-    own = Path(shipped.name)
-    if shipped.parent == scenarios_folder() or not own.is_file() or own.samefile(shipped):
+    own = own_of_that_name(shipped, Path())
+    if own is None:
         return shipped
     message = f"a shipped scenario has this name, and {own} lies here: write {own} for that, or go to another folder"
     raise ScenarioError([Problem(shipped.stem, 0, 0, "", message)])
