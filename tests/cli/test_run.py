@@ -15,6 +15,7 @@ import pytest
 
 from rcj_challenges.records.result import RunResult, read_result
 from rcj_challenges.records.trajectory import Trajectory
+from rcj_challenges.world.errors import PhysicsFault
 from tests.cli.in_this_process import here
 
 COMMAND = [sys.executable, "-m", "rcj_challenges"]
@@ -456,3 +457,17 @@ def test_a_fault_of_ours_leaves_a_report_and_exit_code_3(tmp_path, monkeypatch, 
     complaint = capsys.readouterr().err
     assert report.name in complaint
     assert "Traceback" not in complaint
+
+
+def test_physics_that_become_unstable_are_a_fault_of_ours_with_a_report(tmp_path, monkeypatch, capsys, team):
+    def unstable(*_, **__):
+        raise PhysicsFault("the physics became unstable in tick 7")
+
+    monkeypatch.setattr("rcj_challenges.match.match.play_match", unstable)
+    assert here(monkeypatch, tmp_path, *short(team)) == 3
+    (report,) = tmp_path.glob("rcj-challenge-report-*.txt")
+    assert "unstable in tick 7" in report.read_text("utf-8")
+    complaint = capsys.readouterr().err
+    assert "this is our fault, not yours: the physics became unstable in tick 7" in complaint
+    assert report.name in complaint
+    assert "PhysicsFault" not in complaint
