@@ -127,6 +127,16 @@ def test_in_a_terminal_that_a_debugged_program_has_too_nothing_is_written_over_w
     assert "KICKOFF" in said
 
 
+def test_json_is_not_mixed_with_what_a_debugged_program_prints(tmp_path, monkeypatch, capsys, team):
+    """The program has the terminal: what it prints, and the debugger, would stand within the JSON."""
+    assert here(monkeypatch, tmp_path, *short(team, "--json", "--debug", "B1")) == 2
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert "--debug" in said.err
+    assert "--json" in said.err
+    assert not (tmp_path / "runs").exists()
+
+
 def test_robots_whose_programs_fail_alike_are_told_in_one_line(tmp_path, monkeypatch, capsys):
     program = "from controller import Robot\nrobot = Robot()\nrobot.step(32)\nname = robot.getName()\n"
     (tmp_path / "team.py").write_text(program + "if name == 'Y2': robot.step(32)\n1 / 0\n", encoding="utf-8")
