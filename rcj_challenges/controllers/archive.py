@@ -17,6 +17,7 @@ from rcj_challenges.controllers.paths import (
     folded,
     ignored,
     ignored_folder,
+    is_record,
     name_troubles,
     path_of,
     spelled_path_of,
@@ -196,8 +197,14 @@ def _link(path: PurePosixPath, *, leads_out: bool, is_folder: bool) -> Trouble:
 
 
 def _walk(folder: Path) -> Iterator[Path]:
-    """Return all files, and the links to folders: those are not followed, for they may lead in a circle."""
+    """Return all files, and the links to folders: those are not followed, for they may lead in a circle.
+
+    Records of runs are left out: who works in the team's folder has them there.
+    """
     for root, folders, names in os.walk(folder):
+        if is_record(folders, names) and Path(root) != folder:
+            folders.clear()
+            continue
         folders[:] = sorted(name for name in folders if not ignored_folder(name))
         yield from (Path(root, name) for name in sorted(names))
         yield from (link for name in folders if (link := Path(root, name)).is_symlink())

@@ -105,6 +105,19 @@ def test_json_prints_the_result_and_nothing_else(tmp_path, team):
     assert json.loads((tmp_path / folder / "result.json").read_bytes()) == result
 
 
+def test_who_plays_from_within_the_teams_folder_does_not_hand_the_records_of_earlier_runs_in(
+    tmp_path, monkeypatch, capsys
+):
+    """They lie in `runs`: else no two runs of a team would have one digest, and soon the folder would be too large."""
+    (tmp_path / "robot.py").write_text(STAND, encoding="utf-8")
+    results = []
+    for out in ("runs", "runs", "of Friday"):
+        assert here(monkeypatch, tmp_path, *short(".", "--json", "--no-replay", "--out", out, *DUEL)) == 0
+        results.append(json.loads(capsys.readouterr().out))
+    assert len({result["entrants"]["blue"]["programs"] for result in results}) == 1
+    assert len({result["digest"] for result in results}) == 1
+
+
 def test_without_a_terminal_there_are_plain_lines_and_the_path_of_the_record(tmp_path, monkeypatch, capsys, team):
     assert here(monkeypatch, tmp_path, *short(team, *DUEL)) == 0
     said = capsys.readouterr().out

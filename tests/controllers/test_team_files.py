@@ -60,6 +60,23 @@ def test_a_folder_and_its_zip_are_the_same_team(tmp_path: Path, files: dict[str,
     assert (tmp_path / "copy" / from_zip.entry_for("Y2")).read_bytes() == files[from_zip.entry_for("Y2")]
 
 
+@pytest.mark.parametrize("trajectory", ["trajectory.npz", "trajectory.part/half1"])
+def test_records_of_runs_that_lie_in_a_folder_are_no_part_of_it(tmp_path: Path, trajectory: str) -> None:
+    record = inside("runs/20210618-001159-match", {"result.json": b"{}", "logs/Y1.log": b"", trajectory: b""})
+    with_record = open_team(folder_of(tmp_path / "played", PRESENT | record), BLUE)
+    assert with_record.digest == open_team(folder_of(tmp_path / "team", PRESENT), BLUE).digest
+
+
+@pytest.mark.parametrize(
+    "names", [("trajectory.npz", "plan.json"), ("logs/of_us.txt",), ("trajectory.npz", "logs/a.txt")]
+)
+def test_what_only_looks_like_a_record_stays(tmp_path: Path, names: tuple[str, ...]) -> None:
+    """A program's own folder, or one of data."""
+    files = PRESENT | inside("rcj_soccer_team_blue", dict.fromkeys(names, b"ours"))
+    open_team(folder_of(tmp_path / "team", files), BLUE).unpack(folder_of(tmp_path / "copy", {"x": b""}))
+    assert all((tmp_path / "copy" / "rcj_soccer_team_blue" / name).read_bytes() == b"ours" for name in names)
+
+
 def test_the_first_entry_point_that_exists_is_taken(tmp_path: Path) -> None:
     assert open_team(folder_of(tmp_path, OF_2021), BLUE).entry_for("B2") == "robot2/robot2.py"
     assert open_team(folder_of(tmp_path, PRESENT), BLUE).entry_for("B2") == ENTRY
