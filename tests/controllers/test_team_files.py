@@ -199,6 +199,17 @@ def test_without_a_name_file_the_name_is_the_archives(tmp_path: Path) -> None:
     assert "team_name.txt" in team.notes[0]
 
 
+@pytest.mark.parametrize("form", ["NFC", "NFD"])
+def test_a_name_with_accents_has_as_many_letters_as_one_sees(tmp_path: Path, form: str) -> None:
+    """Some programs take letters apart (o and ¨), and so does macOS in the names of files."""
+    name = "Ü" * 32
+    own = {"team_name.txt": unicodedata.normalize(form, name).encode(), ENTRY: b"x"}
+    team = open_team(zip_of(tmp_path / "team.zip", own), BLUE)
+    assert (team.name, team.notes) == (name, ())
+    nameless = open_team(zip_of(tmp_path / f"{unicodedata.normalize(form, name)}.zip", {ENTRY: b"x"}), BLUE)
+    assert nameless.name == name
+
+
 @given(st.text(max_size=60))
 def test_a_name_is_one_printable_line_of_at_most_32_letters(text: str) -> None:
     name = safe_name(text)
