@@ -50,6 +50,21 @@ def is_record(folders: Iterable[str], files: Iterable[str]) -> bool:
     return "logs" in has and trajectory and not any(name.endswith(".py") for name in holds)
 
 
+def record_folders(files: Iterable[PurePosixPath]) -> frozenset[PurePosixPath]:
+    """Return the folders below the top that are records of runs, by the files of an archive."""
+    names: dict[PurePosixPath, set[str]] = {}
+    folders: dict[PurePosixPath, set[str]] = {}
+    for path in files:
+        names.setdefault(path.parent, set()).add(path.name)
+        for folder in path.parents[:-1]:
+            folders.setdefault(folder.parent, set()).add(folder.name)
+    top = PurePosixPath()
+    return frozenset(
+        folder for folder in names.keys() | folders.keys()
+        if folder != top and is_record(folders.get(folder, ()), names.get(folder, ()))
+    )  # fmt: skip
+
+
 def path_of(name: str) -> PurePosixPath:
     """Return the path that an archive's name means."""
     return composed(str(spelled_path_of(name)))

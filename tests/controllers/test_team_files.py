@@ -61,10 +61,15 @@ def test_a_folder_and_its_zip_are_the_same_team(tmp_path: Path, files: dict[str,
 
 
 @pytest.mark.parametrize("trajectory", ["trajectory.npz", "trajectory.part/half1"])
-def test_records_of_runs_that_lie_in_a_folder_are_no_part_of_it(tmp_path: Path, trajectory: str) -> None:
+def test_records_of_runs_that_lie_in_a_folder_or_zip_are_no_part_of_it(tmp_path: Path, trajectory: str) -> None:
     record = inside("runs/20210618-001159-match", {"result.json": b"{}", "logs/Y1.log": b"", trajectory: b""})
     with_record = open_team(folder_of(tmp_path / "played", PRESENT | record), BLUE)
-    assert with_record.digest == open_team(folder_of(tmp_path / "team", PRESENT), BLUE).digest
+    without = open_team(folder_of(tmp_path / "team", PRESENT), BLUE)
+    packed = open_team(zip_of(tmp_path / "team.zip", inside("team", PRESENT | record)), BLUE)
+    assert with_record.digest == without.digest == packed.digest
+    troubles = archive.read_contents(tmp_path / "team.zip").troubles
+    (told,) = [trouble for trouble in troubles if trouble.code == "archive.leftovers"]
+    assert "runs/20210618-001159-match" in told.message
 
 
 @pytest.mark.parametrize(
@@ -73,8 +78,10 @@ def test_records_of_runs_that_lie_in_a_folder_are_no_part_of_it(tmp_path: Path, 
 def test_what_only_looks_like_a_record_stays(tmp_path: Path, names: tuple[str, ...]) -> None:
     """A program's own folder, or one of data."""
     files = PRESENT | inside("rcj_soccer_team_blue", dict.fromkeys(names, b"ours"))
-    open_team(folder_of(tmp_path / "team", files), BLUE).unpack(folder_of(tmp_path / "copy", {"x": b""}))
-    assert all((tmp_path / "copy" / "rcj_soccer_team_blue" / name).read_bytes() == b"ours" for name in names)
+    for team in (folder_of(tmp_path / "team", files), zip_of(tmp_path / "team.zip", files)):
+        copy = folder_of(tmp_path / f"copy of {team.name}", {"x": b""})
+        open_team(team, BLUE).unpack(copy)
+        assert all((copy / "rcj_soccer_team_blue" / name).read_bytes() == b"ours" for name in names)
 
 
 def test_the_first_entry_point_that_exists_is_taken(tmp_path: Path) -> None:
