@@ -106,7 +106,7 @@ def _told(error: BaseException, *, begun: bool, interrupted: bool = False) -> in
     from rcj_challenges.cli.says import is_of_the_output, output_trouble, say_no_more
     from rcj_challenges.facts.errors import RcjError, interruption_behind, is_held, is_no_room, is_of_the_host, told_of
 
-    if isinstance(error, RcjError):
+    if isinstance(error, RcjError) and error.exit_code != OUR_FAULT:
         _complain(str(error))
         return error.exit_code
     interruption = interruption_behind(error)

@@ -10,6 +10,7 @@ import traceback
 from pathlib import Path
 
 from rcj_challenges import __version__
+from rcj_challenges.facts.errors import RcjError
 
 
 def report_our_fault(error: BaseException) -> int:
@@ -25,7 +26,8 @@ def report_our_fault(error: BaseException) -> int:
         where = f"A report is in {_written(text, Path.cwd()).name}"
     except OSError:
         where = f"No report can be written in this folder, so here it is:\n{text}"
-    told = f"rcj-challenge: this is our fault, not yours: {type(error).__name__}: {error}"
+    what = str(error) if isinstance(error, RcjError) else f"{type(error).__name__}: {error}"
+    told = f"rcj-challenge: this is our fault, not yours: {what}"
     with contextlib.suppress(OSError):
         print(f"{told}\n{where}; please send it to the project.", file=sys.stderr)  # noqa: T201 - this is the terminal
     return 3

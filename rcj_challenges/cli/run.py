@@ -54,6 +54,11 @@ def run_scenario(options: RunOptions) -> int:
     """
     if options.open and options.live is None and not options.replay:
         raise UsageError("--open opens the page of the match, and --no-replay leaves it out: give one of them")
+    if options.debug and options.json:
+        raise UsageError(
+            "--debug gives a program the terminal, and --json prints the result there and nothing else: "
+            "give one of them; result.json in the record has the same"
+        )
     # MuJoCo would load a window system's library, 50 ms, and a match draws nothing.
     os.environ.setdefault("MUJOCO_GL", "disable")
     try:

@@ -13,12 +13,15 @@ from typing import Literal
 from rcj_challenges.controllers import zipped
 from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.paths import (
+    MOST_PATH_LETTERS,
     composed,
     folded,
     ignored,
     ignored_folder,
+    is_record,
     name_troubles,
     path_of,
+    record_folders,
     spelled_path_of,
 )
 from rcj_challenges.controllers.troubles import MOST_PATH_SHOWN, Trouble, Troubles, told
@@ -196,8 +199,14 @@ def _link(path: PurePosixPath, *, leads_out: bool, is_folder: bool) -> Trouble:
 
 
 def _walk(folder: Path) -> Iterator[Path]:
-    """Return all files, and the links to folders: those are not followed, for they may lead in a circle."""
+    """Return all files, and the links to folders: those are not followed, for they may lead in a circle.
+
+    Records of runs are left out: who works in the team's folder has them there.
+    """
     for root, folders, names in os.walk(folder):
+        if is_record(folders, names) and Path(root) != folder:
+            folders.clear()
+            continue
         folders[:] = sorted(name for name in folders if not ignored_folder(name))
         yield from (Path(root, name) for name in sorted(names))
         yield from (link for name in folders if (link := Path(root, name)).is_symlink())
@@ -241,8 +250,8 @@ class _ZipReading:
         except zipped.UnreadableError as error:
             self._troubles.add(error.trouble)
             return _unreadable("zip", *self._troubles)
-        used = [entry for entry in entries if not ignored(path_of(entry.name).parts)]
         self._tell_leftovers([entry for entry in entries if ignored(path_of(entry.name).parts)])
+        used = self._without_records([entry for entry in entries if not ignored(path_of(entry.name).parts)])
         self._tell_guessed([entry for entry in used if entry.guessed])
         self._read_all([entry for entry in used if not entry.is_folder])
         self._tell_folders([entry for entry in used if entry.is_folder])
@@ -344,6 +353,18 @@ class _ZipReading:
         message = f"other programs left behind what is not used: {_some(entries)}"
         remedy = "delete them before packing"
         self._troubles.add(Trouble("archive.leftovers", "warning", message, remedy, repair=True))
+
+    def _without_records(self, entries: list[zipped.Entry]) -> list[zipped.Entry]:
+        """Leave out records of runs, and tell of them: who packs the folder that he works in packs them too."""
+        short = [entry for entry in entries if len(entry.name) <= MOST_PATH_LETTERS]  # others are refused as they are
+        records = record_folders(path_of(entry.name) for entry in short if not entry.is_folder)
+        for record in sorted(records):
+            message, remedy = f"{told(record)} is the record of a run: it is not used", "delete it before packing"
+            self._troubles.add(Trouble("archive.leftovers", "warning", message, remedy, told(record), repair=True))
+        of_records = {
+            entry.name for entry in short if not records.isdisjoint([path_of(entry.name), *path_of(entry.name).parents])
+        }
+        return [entry for entry in entries if entry.name not in of_records]
 
     def _tell_guessed(self, entries: list[zipped.Entry]) -> None:
         if not entries:

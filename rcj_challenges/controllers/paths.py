@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import PurePosixPath
 
 from rcj_challenges.controllers.troubles import Trouble, told
@@ -37,6 +37,32 @@ def ignored(parts: tuple[str, ...]) -> bool:
     if not parts:
         return False
     return not _IGNORED_FOLDERS.isdisjoint(parts[:-1]) or parts[-1] in _IGNORED_FILES or parts[-1].endswith(".pyc")
+
+
+def is_record(folders: Iterable[str], files: Iterable[str]) -> bool:
+    """Return whether a folder with these in it is the record of a run, from its first moment on.
+
+    Other matches may begin or end while a team is read, so this does not wait for the files that come a little later.
+    A folder with a program in it is none, whatever else is there.
+    """
+    has, holds = set(folders), list(files)
+    trajectory = "trajectory.part" in has or "trajectory.npz" in holds
+    return "logs" in has and trajectory and not any(name.endswith(".py") for name in holds)
+
+
+def record_folders(files: Iterable[PurePosixPath]) -> frozenset[PurePosixPath]:
+    """Return the folders below the top that are records of runs, by the files of an archive."""
+    names: dict[PurePosixPath, set[str]] = {}
+    folders: dict[PurePosixPath, set[str]] = {}
+    for path in files:
+        names.setdefault(path.parent, set()).add(path.name)
+        for folder in path.parents[:-1]:
+            folders.setdefault(folder.parent, set()).add(folder.name)
+    top = PurePosixPath()
+    return frozenset(
+        folder for folder in names.keys() | folders.keys()
+        if folder != top and is_record(folders.get(folder, ()), names.get(folder, ()))
+    )  # fmt: skip
 
 
 def path_of(name: str) -> PurePosixPath:

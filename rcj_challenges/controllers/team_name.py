@@ -60,7 +60,7 @@ def find_team_name(files: Files, fallback: str) -> TeamName:
     if path is None:
         return TeamName(instead, None, given=False, troubles=troubles)
     text, more = _decoded(files[path])
-    lines = [line.strip() for line in text.splitlines() if line.strip()]
+    lines = [line.strip() for line in unicodedata.normalize("NFC", text).splitlines() if line.strip()]
     name = safe_name(lines[0]) if lines else ""
     if not name:
         message = f"{NAME_FILE} is empty: the name is taken from the file's ({instead})"
@@ -73,10 +73,13 @@ def find_team_name(files: Files, fallback: str) -> TeamName:
 
 
 def safe_name(text: str) -> str:
-    """Return text as a name: printable characters of one line, no direction marks, at most 32 of them."""
+    """Return text as a name: printable characters of one line, no direction marks, at most 32 of them.
+
+    Letters with accents are composed (ö, not o and ¨), so that they count as one.
+    """
     printable = "".join(
         letter if letter == _JOINER or unicodedata.category(letter)[0] != "C" else " "
-        for letter in text.translate(_BLANKS)
+        for letter in unicodedata.normalize("NFC", text).translate(_BLANKS)
     )
     name = " ".join(printable.split())[:MOST_NAME_LETTERS].rstrip()
     return name if any(letter != _JOINER and unicodedata.category(letter)[0] != "M" for letter in name) else ""

@@ -110,7 +110,8 @@ def read_halves(
         raise RecordError(f"{folder.name}: the {how} before its first tick: there is nothing to show")
     problems = [damage] if damage else []
     if result is not None and not result.complete:
-        why = f" ({result.stopped})" if result.stopped else ""
+        stopped = "it was interrupted" if result.stopped == KeyboardInterrupt.__name__ else result.stopped
+        why = f" ({stopped})" if stopped else ""
         problems.insert(0, f"This run was not played to its end{why}: what was recorded is shown, {_so_far(halves)}.")
     return halves, tuple(problems)
 

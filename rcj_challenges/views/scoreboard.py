@@ -39,7 +39,9 @@ def watcher_for(console: Console, title: str, *, quiet: bool, shared: bool) -> W
     """
     if quiet:
         return PrintedLines(console)
-    return Scoreboard(console, title) if console.is_terminal and not shared else PlainLines(console, title)
+    # In a dumb terminal (inside an editor, for instance) rich draws nothing at all, and the match would be silent.
+    can_be_drawn_over = console.is_terminal and not console.is_dumb_terminal
+    return Scoreboard(console, title) if can_be_drawn_over and not shared else PlainLines(console, title)
 
 
 def score_line(names: Mapping[str, str], scores: Mapping[str, int | float], *, sides_change: bool = False) -> str:

@@ -141,6 +141,7 @@ def test_a_number_that_is_none_before_the_first_sample_is_told_so(failure):
         ("n = int('B1')\n", "robot.getName()[1]"),
         ("breakpoint()\n", "leave out breakpoint()"),
         ("import pdb; pdb.set_trace()\n", "leave out breakpoint()"),
+        ("breakpoint()\n", "--debug and the robot's name"),
         ("import math; math.acos(1.0000001)\n", "math.acos(max(-1, min(1, x)))"),
         ("speed = robot.getName()[1] * 2.5\n", "float(x) makes a number of a text"),
         ("print(1.5 + ' m')\n", "str(x) makes text of a number"),

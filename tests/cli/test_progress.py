@@ -4,13 +4,14 @@ import io
 from dataclasses import replace
 from types import MappingProxyType, SimpleNamespace
 
+import pytest
 from rich.console import Console
 
 from rcj_challenges.match.clerk import HalfClerk
 from rcj_challenges.match.watching import Progress, Silent
 from rcj_challenges.referee.script import half_of
 from rcj_challenges.scenario.load import load
-from rcj_challenges.views.scoreboard import PlainLines, Scoreboard
+from rcj_challenges.views.scoreboard import PlainLines, Scoreboard, watcher_for
 
 
 class Counting:
@@ -87,3 +88,19 @@ def test_the_board_says_it_in_the_same_words():
     board.finished({})
     assert "49 x real time, done in about 61 s" in shown.getvalue()
     assert "left" not in shown.getvalue()
+
+
+@pytest.mark.parametrize(
+    ("terminal", "kind", "shown_by"),
+    [
+        (True, "xterm", Scoreboard),
+        (True, "dumb", PlainLines),
+        (True, "unknown", PlainLines),
+        (False, "xterm", PlainLines),
+    ],
+)
+def test_a_terminal_that_cannot_be_drawn_over_shows_plain_lines(monkeypatch, terminal, kind, shown_by):
+    """One inside an editor, for instance: no scoreboard can be drawn there, and without lines the match is silent."""
+    monkeypatch.setenv("TERM", kind)
+    console = Console(file=io.StringIO(), force_terminal=terminal)
+    assert type(watcher_for(console, "Match", quiet=False, shared=False)) is shown_by

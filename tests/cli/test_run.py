@@ -15,6 +15,7 @@ import pytest
 
 from rcj_challenges.records.result import RunResult, read_result
 from rcj_challenges.records.trajectory import Trajectory
+from rcj_challenges.world.errors import PhysicsFault
 from tests.cli.in_this_process import here
 
 COMMAND = [sys.executable, "-m", "rcj_challenges"]
@@ -104,6 +105,19 @@ def test_json_prints_the_result_and_nothing_else(tmp_path, team):
     assert json.loads((tmp_path / folder / "result.json").read_bytes()) == result
 
 
+def test_who_plays_from_within_the_teams_folder_does_not_hand_the_records_of_earlier_runs_in(
+    tmp_path, monkeypatch, capsys
+):
+    """They lie in `runs`: else no two runs of a team would have one digest, and soon the folder would be too large."""
+    (tmp_path / "robot.py").write_text(STAND, encoding="utf-8")
+    results = []
+    for out in ("runs", "runs", "of Friday"):
+        assert here(monkeypatch, tmp_path, *short(".", "--json", "--no-replay", "--out", out, *DUEL)) == 0
+        results.append(json.loads(capsys.readouterr().out))
+    assert len({result["entrants"]["blue"]["programs"] for result in results}) == 1
+    assert len({result["digest"] for result in results}) == 1
+
+
 def test_without_a_terminal_there_are_plain_lines_and_the_path_of_the_record(tmp_path, monkeypatch, capsys, team):
     assert here(monkeypatch, tmp_path, *short(team, *DUEL)) == 0
     said = capsys.readouterr().out
@@ -124,6 +138,16 @@ def test_in_a_terminal_that_a_debugged_program_has_too_nothing_is_written_over_w
     assert "\x1b[1A" not in said  # a line up
     assert "half 1 of 1" in said
     assert "KICKOFF" in said
+
+
+def test_json_is_not_mixed_with_what_a_debugged_program_prints(tmp_path, monkeypatch, capsys, team):
+    """The program has the terminal: what it prints, and the debugger, would stand within the JSON."""
+    assert here(monkeypatch, tmp_path, *short(team, "--json", "--debug", "B1")) == 2
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert "--debug" in said.err
+    assert "--json" in said.err
+    assert not (tmp_path / "runs").exists()
 
 
 def test_robots_whose_programs_fail_alike_are_told_in_one_line(tmp_path, monkeypatch, capsys):
@@ -456,3 +480,17 @@ def test_a_fault_of_ours_leaves_a_report_and_exit_code_3(tmp_path, monkeypatch, 
     complaint = capsys.readouterr().err
     assert report.name in complaint
     assert "Traceback" not in complaint
+
+
+def test_physics_that_become_unstable_are_a_fault_of_ours_with_a_report(tmp_path, monkeypatch, capsys, team):
+    def unstable(*_, **__):
+        raise PhysicsFault("the physics became unstable in tick 7")
+
+    monkeypatch.setattr("rcj_challenges.match.match.play_match", unstable)
+    assert here(monkeypatch, tmp_path, *short(team)) == 3
+    (report,) = tmp_path.glob("rcj-challenge-report-*.txt")
+    assert "unstable in tick 7" in report.read_text("utf-8")
+    complaint = capsys.readouterr().err
+    assert "this is our fault, not yours: the physics became unstable in tick 7" in complaint
+    assert report.name in complaint
+    assert "PhysicsFault" not in complaint

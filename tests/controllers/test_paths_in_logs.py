@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ntpath
 import os
+import posixpath
 import sys
 import tempfile
 from functools import reduce
@@ -115,6 +116,24 @@ def test_paths_of_windows_are_short_also_as_errors_quote_them(monkeypatch: pytes
         repr(ntpath.normcase(path)): r"'robot1\\map.txt'",
     }.items():
         assert reduce(lambda said, name: said.replace(*name), names, quoted) == told
+
+
+@pytest.mark.parametrize(
+    ("prefix", "path", "told"),
+    [
+        ("/home/anna/python", "/home/anna/python/lib/python311.zip", "python/lib/python311.zip"),
+        ("/home/anna/python", "/home/anna/python", "python"),
+        ("/usr", "/usr/lib/python311.zip", "/usr/lib/python311.zip"),  # tells nothing of whose computer it is
+    ],
+)
+def test_the_folder_that_python_is_in_is_not_named(
+    monkeypatch: pytest.MonkeyPatch, prefix: str, path: str, told: str
+) -> None:
+    """It may lie in somebody's home; who looks why an import fails prints `sys.path`."""
+    monkeypatch.setattr(_report, "os", SimpleNamespace(sep="/", path=posixpath, __file__="/elsewhere/os.py"))
+    monkeypatch.setattr(_report, "sys", SimpleNamespace(prefix=prefix, base_prefix=prefix, executable="/elsewhere/py"))
+    names = _report.short_names("/tmp/rcj-1/program", [])
+    assert reduce(lambda said, name: said.replace(*name), names, f"['{path}']") == f"['{told}']"
 
 
 def test_a_write_says_that_all_of_it_is_written(tmp_path: Path) -> None:

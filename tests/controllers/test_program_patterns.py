@@ -184,6 +184,26 @@ def test_too_high_a_speed_is_clamped_with_one_warning_and_nan_refused(match: Fak
     assert played.said[-1] == "-10.0 10.0 inf"
 
 
+def test_a_speed_that_rounding_leads_beyond_the_maximum_is_clamped_without_a_word(match: FakeMatch) -> None:
+    """It is no mistake, and who read "the velocity 10 is beyond the maximum of 10" could not make anything of it."""
+    played = match.play(
+        """
+from controller import Robot
+robot = Robot()
+motor = robot.getDevice("left wheel motor")
+motor.setPosition(float("inf"))
+for velocity in (4.0, -10.000000000000002, 10.0000001):
+    motor.setVelocity(velocity)
+    robot.step(32)
+""",
+        4,
+    )
+    assert played.motors() == [(LEFT, 4.0, INFINITE), (LEFT, -10.0, INFINITE), (LEFT, 10.0, INFINITE)]
+    assert [line for line in played.said if "maximum" in line] == [
+        "Warning: 'left wheel motor': the velocity 10.0000001 is beyond the maximum of 10 rad/s, which is taken instead."
+    ]
+
+
 def test_a_catch_all_except_round_the_whole_loop_works(match: FakeMatch) -> None:
     played = match.play("patterns/catches_everything", 5)
     assert played.fault is None

@@ -60,6 +60,30 @@ def test_a_folder_and_its_zip_are_the_same_team(tmp_path: Path, files: dict[str,
     assert (tmp_path / "copy" / from_zip.entry_for("Y2")).read_bytes() == files[from_zip.entry_for("Y2")]
 
 
+@pytest.mark.parametrize("trajectory", ["trajectory.npz", "trajectory.part/half1"])
+def test_records_of_runs_that_lie_in_a_folder_or_zip_are_no_part_of_it(tmp_path: Path, trajectory: str) -> None:
+    record = inside("runs/20210618-001159-match", {"result.json": b"{}", "logs/Y1.log": b"", trajectory: b""})
+    with_record = open_team(folder_of(tmp_path / "played", PRESENT | record), BLUE)
+    without = open_team(folder_of(tmp_path / "team", PRESENT), BLUE)
+    packed = open_team(zip_of(tmp_path / "team.zip", inside("team", PRESENT | record)), BLUE)
+    assert with_record.digest == without.digest == packed.digest
+    troubles = archive.read_contents(tmp_path / "team.zip").troubles
+    (told,) = [trouble for trouble in troubles if trouble.code == "archive.leftovers"]
+    assert "runs/20210618-001159-match" in told.message
+
+
+@pytest.mark.parametrize(
+    "names", [("trajectory.npz", "plan.json"), ("logs/of_us.txt",), ("trajectory.npz", "logs/a.txt")]
+)
+def test_what_only_looks_like_a_record_stays(tmp_path: Path, names: tuple[str, ...]) -> None:
+    """A program's own folder, or one of data."""
+    files = PRESENT | inside("rcj_soccer_team_blue", dict.fromkeys(names, b"ours"))
+    for team in (folder_of(tmp_path / "team", files), zip_of(tmp_path / "team.zip", files)):
+        copy = folder_of(tmp_path / f"copy of {team.name}", {"x": b""})
+        open_team(team, BLUE).unpack(copy)
+        assert all((copy / "rcj_soccer_team_blue" / name).read_bytes() == b"ours" for name in names)
+
+
 def test_the_first_entry_point_that_exists_is_taken(tmp_path: Path) -> None:
     assert open_team(folder_of(tmp_path, OF_2021), BLUE).entry_for("B2") == "robot2/robot2.py"
     assert open_team(folder_of(tmp_path, PRESENT), BLUE).entry_for("B2") == ENTRY
@@ -180,6 +204,17 @@ def test_without_a_name_file_the_name_is_the_archives(tmp_path: Path) -> None:
     team = open_team(zip_of(tmp_path / "Robo Cats.zip", {ENTRY: b"x"}), BLUE)
     assert team.name == "Robo Cats"
     assert "team_name.txt" in team.notes[0]
+
+
+@pytest.mark.parametrize("form", ["NFC", "NFD"])
+def test_a_name_with_accents_has_as_many_letters_as_one_sees(tmp_path: Path, form: str) -> None:
+    """Some programs take letters apart (o and ¨), and so does macOS in the names of files."""
+    name = "Ü" * 32
+    own = {"team_name.txt": unicodedata.normalize(form, name).encode(), ENTRY: b"x"}
+    team = open_team(zip_of(tmp_path / "team.zip", own), BLUE)
+    assert (team.name, team.notes) == (name, ())
+    nameless = open_team(zip_of(tmp_path / f"{unicodedata.normalize(form, name)}.zip", {ENTRY: b"x"}), BLUE)
+    assert nameless.name == name
 
 
 @given(st.text(max_size=60))

@@ -1,6 +1,7 @@
 """Of a damaged record everything that can be shown is shown, with a sentence about what is wrong."""
 
 import errno
+import json
 import os
 import shutil
 from pathlib import Path
@@ -66,6 +67,15 @@ def test_of_a_file_that_lost_the_facts_of_its_half_the_poses_are_kept(good: Path
     assert half.ticks > 20
     assert half.heights[-1, 0] == pytest.approx(0.0375)
     assert half.heights[-1, 6] == pytest.approx(0.021)
+
+
+def test_of_a_run_that_somebody_broke_off_it_is_said_in_words(good: Path, tmp_path: Path) -> None:
+    folder = Path(shutil.copytree(good, tmp_path / "run"))
+    result = json.loads((folder / "result.json").read_bytes())
+    broken_off = json.dumps({**result, "complete": False, "stopped": "KeyboardInterrupt"})
+    (folder / "result.json").write_text(broken_off, encoding="utf-8")
+    (problem,) = read_run(folder).problems
+    assert problem.startswith("This run was not played to its end (it was interrupted): what was recorded is shown, ")
 
 
 def test_where_no_pose_is_left_everything_stands_at_its_start_for_the_events_to_be_shown(

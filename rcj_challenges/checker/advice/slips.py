@@ -72,7 +72,7 @@ _NOTHING_THERE = (
 _NO_SCREEN = "there is no screen in a match: do without windows (tkinter, turtle)"
 _NO_DEBUGGER = (
     "nobody types in a match: leave out breakpoint() and pdb.set_trace(); "
-    "they work with rcj-challenge run match --debug Y1"
+    "they work in a run with --debug and the robot's name, as in rcj-challenge run match --debug Y1"
 )
 _STEP_FIRST = (
     "this number is NaN: so is what a sensor gives before its first sample (enable it, and call robot.step(32) before "

@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+_COMMON_DEPTH = 2  # of /usr/local: so many separators
+
 _real_name = type.__dict__["__name__"].__get__  # whatever the class's own class says
 
 
@@ -27,6 +29,8 @@ def short_names(team_root: str, site_folders: list[str]) -> list[tuple[str, str]
     ours = os.path.dirname(os.path.dirname(__file__))  # where `controller` is; not always installed
     shown += [(folder, "site-packages") for folder in (ours, *site_folders)]
     shown += [(place, "python") for place in (os.path.dirname(os.__file__), sys.executable) if place]
+    # In /usr or C:\Python311 it tells nothing of whose computer this is, and is a part of too many other paths.
+    shown += [(place, "python") for place in (sys.prefix, sys.base_prefix) if place.count(os.sep) > _COMMON_DEPTH]
     # The debugger tells them in small letters on Windows.
     shown += [(small, short) for path, short in shown if (small := os.path.normcase(path)) != path]
     # Errors quote paths, and there backslashes are doubled.

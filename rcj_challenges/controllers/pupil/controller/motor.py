@@ -11,6 +11,9 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+# A speed that was reckoned may come out a hair above what was meant: 10.000000000000002 is nobody's mistake.
+_MORE_THAN_ROUNDING = 1 + 1e-9
+
 
 class Motor(Device):
     """A wheel's motor. Braked (it holds position 0) until ``setPosition(float('inf'))`` lets it turn freely."""
@@ -59,10 +62,10 @@ class Motor(Device):
             complain(f"Error: {self._rcj_name!r}: setVelocity(NaN) is refused.")
             return
         if abs(asked) > self._rcj_max_velocity:
-            if not self._rcj_warned_of_speed:
+            if not self._rcj_warned_of_speed and abs(asked) > self._rcj_max_velocity * _MORE_THAN_ROUNDING:
                 self._rcj_warned_of_speed = True
                 complain(
-                    f"Warning: {self._rcj_name!r}: the velocity {asked:g} is beyond the maximum of "
+                    f"Warning: {self._rcj_name!r}: the velocity {asked:.10g} is beyond the maximum of "
                     f"{self._rcj_max_velocity:g} rad/s, which is taken instead."
                 )
             asked = math.copysign(self._rcj_max_velocity, asked)
