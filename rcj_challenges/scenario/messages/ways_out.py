@@ -127,6 +127,13 @@ _USUAL_KEYS = {
     "friction": "slows_mps2",
     "rolling_friction": "slows_mps2",
     "damping": "slows_mps2",
+    "robot": "entity",
+    "ball": "entity",
+    "who": "entity",
+    "times": "weight",
+    "factor": "weight",
+    "to": "as",
+    "for_s": "limit_s",
 }
 """What others call a key, and how it is written here."""
 
