@@ -421,32 +421,6 @@ def test_a_default_that_names_something_is_checked_too():
     ]
 
 
-def test_a_default_that_the_base_has_taken_away_is_asked_for():
-    head = "schema_version: 1\nid: a\ntitle: A\nextends: empty_field\n"
-    body = rule(rest="    conditions: [{condition: last_touch, by: B1}]\n")
-    assert complaints(body, head=head) == [
-        "rules.r.conditions[0] (last_touch): 'entity' is left out and then means 'ball', which is not here any more; write 'entity'"
-    ]
-
-
-def test_what_a_base_has_taken_away_and_this_file_names_is_told_with_what_there_is():
-    head = "schema_version: 1\nid: a\ntitle: A\nextends: empty_field\n"
-    balls = "balls: {puck: {start_m: [0, 0]}}\n"
-    (text,) = complaints(balls + rule(action="{action: place, entity: ball, at: start}"), head=head)
-    assert "unknown entity 'ball': it was removed in empty_field.yaml:" in text
-    assert text.endswith("; did you mean 'balls'?")
-
-
-@pytest.mark.parametrize("key", ["at_least", "at_most", "equals"])
-def test_with_whose_counter_another_is_compared_is_told_in_whole(key):
-    counters = "counters: {best_s: {per: robots}, this_s: {per: robots}}\n"
-    compared = f"{{condition: counter, counter: best_s, entity: each, {key}: {{counter: this_s}}}}"
-    said = "counter 'this_s' is kept per robots: say whose with 'entity'"
-    assert complaints(counters + rule(rest=f"    for_each: robots\n    conditions: [{compared}]\n")) == [
-        f"rules.r.conditions[0] (counter): {said}, such as {key}: {{counter: this_s, entity: each}}"
-    ]
-
-
 def test_a_kit_that_nobody_uses_may_list_robots_that_are_not_there():
     assert loaded("kits: {old: {packet_lists: [X1]}}\n")
 

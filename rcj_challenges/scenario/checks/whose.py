@@ -53,6 +53,8 @@ def check_whose(model: Any, node: Entries, path: Path, bound: Bound, names: Cata
             message = f"{key} '{name.value}' is not kept per entity; leave '{surplus}' out{_or_keep(key, entry)}"
             yield Wrong((*path, surplus), mark_of(names.root, (*path, surplus)), message)
         return
+    if per.value not in names.groups and per.value not in names.kinds:
+        return  # nobody knows of whom there is one, which is reported where it is written
     quantified = "of" in model.model_fields and "of" in node.entries
     owners = names.expand(per.value)
     if whose is None:
