@@ -45,3 +45,26 @@ def test_a_bound_that_is_wrong_is_there_all_the_same(bound):
     texts = complaints("params: {far_m: 1}\n" + body)
     assert texts
     assert not [text for text in texts if "nothing to compare with" in text]
+
+
+COUNTED = "counters: {tries: {}}\ndraws: {fuse_s: {values: [8, 12]}}\n"
+
+
+@pytest.mark.parametrize(
+    ("body", "remedy"),
+    [
+        (rule(action="{action: score, entrant: yellow, points: tries}"), "its value is written {counter: tries}"),
+        (rule(action="{action: count, counter: tries, to: measured}"), "its value is written {word: measured}"),
+        ("timers: {fuse: {lasts_s: fuse_s}}\n", "its value is written {draw: fuse_s}"),
+        (
+            rule(action="{action: place, entity: Y1, at: start, facing: ball}"),
+            "to look at it is written {towards: ball}",
+        ),
+        (rule(action="{action: score, entrant: yellow, points: trys}"), "found 'trys'"),
+        (rule(action="{action: place, entity: Y1, at: start, facing: away}"), "found 'away'"),
+        # A bound has no draw: nothing is advised that would be refused.
+        (rule(rest="    conditions: [{condition: counter, counter: tries, at_least: fuse_s}]\n"), "found 'fuse_s'"),
+    ],
+)
+def test_a_name_that_stands_for_its_value_is_told_how_that_is_written(body, remedy):
+    assert any(text.endswith(remedy) for text in complaints(COUNTED + body)), complaints(COUNTED + body)
