@@ -417,7 +417,7 @@ def test_a_default_that_names_something_is_checked_too():
         rest="    conditions: [{condition: last_touch, by: B1}]\n"
     )
     assert complaints(body) == [
-        "rules.r.conditions[0] (last_touch): unknown entity or obstacle 'ball': it was removed in a.yaml:5; write rules.r anew without it"
+        "rules.r.conditions[0] (last_touch): 'entity' is left out and then means 'ball', which is not here any more; write entity: puck"
     ]
 
 

@@ -427,6 +427,20 @@ class TestDraws:
         assert kinds(section, test, rules=self.READ) == ["draw_never_repeated"] * warned
         assert kinds(section, test, rules=self.READ + self.AGAIN) == []
 
+    @pytest.mark.parametrize(
+        ("starts", "more", "warned"),
+        [
+            ("{action: draw, draw: d, as: 1}", "", True),
+            ("{action: draw, draw: d, as: 1}", ", conditions: [{condition: half, equals: 2}]", False),
+            ("{action: draw, draw: d}", "", False),
+        ],
+    )
+    def test_a_test_that_decides_what_a_rule_sets_as_the_half_starts(self, starts, more, warned):
+        test = "expect: {t: {lasts_s: 1, keyframes: [{at_s: 0}], draws: {d: 2}}}"
+        rules = self.READ + rule("b", "{trigger: half_started}", starts, more=more)
+        found = kinds("draws: {d: {values: [1, 2]}}", test, rules=rules, halves=2)
+        assert found == ["draw_decided_in_vain"] * warned
+
     def test_a_draw_is_read_by_what_lasts_as_long_as_it_decides(self):
         expired = rule("a", "{trigger: timer_expired, timer: t}")
         timer = "timers: {t: {lasts_s: {draw: d}, starts: true}}"

@@ -82,3 +82,11 @@ def test_what_is_no_such_thing(wholesome):
 
 def test_others_than_the_one_that_stays_may_start_there():
     assert found(trigger=STAYS.replace("each", "Y2"), action=PUT_BACK.replace("each", "Y1")) == []
+
+
+def test_a_rule_that_leaves_the_phase_ends_a_round_which_begins_where_it_began():
+    both_stay = "{trigger: holds, condition: {condition: in_zone, entity: robots, zone: home, of: any}, for_s: 20}"
+    new_round = PUT_BACK + ", {action: set_phase, phase: countdown}"
+    phases = "phases: {countdown: {lasts_s: 3, robots: held}}\nfirst_phase: countdown\n"
+    assert found(trigger=both_stay, action=new_round, sections=phases) == []
+    assert len(found(trigger=both_stay, sections=phases)) == 1

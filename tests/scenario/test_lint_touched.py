@@ -88,3 +88,62 @@ def test_who_touches_it_now_is_the_last_one():
 )
 def test_whoever_is_asked_for(condition, trigger, each, count):
     assert len(asks_in_vain(condition, trigger, each)) == count
+
+
+GOAL = "goal: {triggers: [{trigger: enters, entity: ball, zone: blue_goal}], actions: [%s], says: A goal.}"
+AWAY = "{action: place, entity: %s, at: {spot: centre}}, {action: emit, event: GOAL}"
+HEARD = "{trigger: event, event: GOAL}"
+
+
+def forgotten(rule, goal=AWAY % "ball", more=""):
+    text = f"{HEAD}{more}rules:\n  {GOAL % goal}\n  r: {{{rule}, says: It is told.}}\n"
+    return [str(one) for one in lint(load_text(text, file="a.yaml")) if one.kind == "last_touch_forgotten"]
+
+
+ASKS = f"triggers: [{HEARD}], conditions: [{{condition: last_touch, by: Y1}}], actions: [{{action: score, entrant: yellow}}]"
+
+
+def test_who_touched_last_is_forgotten_once_the_ball_is_put_elsewhere():
+    (text,) = forgotten(ASKS)
+    assert text.endswith(
+        "rules.r.conditions[0] (last_touch): the rule 'goal', whose event is heard one tick later, has put 'ball' elsewhere "
+        "by then: nobody has touched it since; ask in 'goal' itself, where it is known still, or let that rule set a flag or "
+        "a counter [last_touch_forgotten]"
+    )
+
+
+@pytest.mark.parametrize(
+    ("rule", "goal", "count"),
+    [
+        (f"triggers: [{HEARD}], actions: [{{action: score, entrant: {{last_touch: ball}}}}]", AWAY % "ball", 1),
+        (
+            f"triggers: [{HEARD}], actions: [{{action: emit, event: BY, payload: {{who: {{last_touch: ball}}}}}}]",
+            AWAY % "ball",
+            1,
+        ),
+        (ASKS, AWAY % "[balls, robots]", 1),
+        (ASKS, "{action: place, layout: all}, {action: emit, event: GOAL}", 1),
+        # The ball stays where it is, or something else sets the rule off as well, or it is another event.
+        (ASKS, AWAY % "Y1", 0),
+        (ASKS, "{action: emit, event: GOAL}", 0),
+        (ASKS.replace(HEARD, HEARD + ", {trigger: half_ended}"), AWAY % "ball", 0),
+        (ASKS.replace("event: GOAL", "event: OTHER"), AWAY % "ball", 0),
+    ],
+)
+def test_whatever_asks_and_whatever_puts_it_there(rule, goal, count):
+    assert len(forgotten(rule, goal, "placements: {all: [{entity: ball, at: start}]}\n")) == count
+
+
+def test_in_the_rule_itself_it_is_known_still():
+    asks = "{action: score, entrant: {last_touch: ball}}"
+    assert forgotten(f"triggers: [{HEARD}], actions: [{{action: end}}]", f"{AWAY % 'ball'}, {asks}") == []
+
+
+def test_each_of_one_rule_is_another_one_in_the_rule_that_hears_it():
+    goal = "{trigger: enters, entity: each, zone: blue_goal}"
+    rules = (
+        f"rules:\n  goal: {{for_each: balls, triggers: [{goal}], actions: [{AWAY % 'each'}], says: A goal.}}\n"
+        f"  r: {{for_each: balls, triggers: [{HEARD}], conditions: [{{condition: last_touch, entity: each, by: Y1}}],"
+        " actions: [{action: score, entrant: yellow}], says: Told.}\n"
+    )
+    assert "last_touch_forgotten" not in [one.kind for one in lint(load_text(HEAD + rules, file="a.yaml"))]

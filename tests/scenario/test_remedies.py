@@ -230,6 +230,26 @@ def test_a_rule_in_the_words_of_other_languages(key, remedy):
     assert text.endswith(f"; {remedy}")
 
 
+@pytest.mark.parametrize(
+    ("body", "remedy"),
+    [
+        (rule(action="{action: remove, robot: B3}"), "it is called 'entity' here"),
+        (rule(rest="    conditions: [{condition: last_touch, ball: ball, by: B1}]\n"), "it is called 'entity' here"),
+        (
+            rule(action="{action: score, entrant: yellow, points: [{word: time_s, times: 0.5}]}"),
+            "it is called 'weight' here",
+        ),
+        ("draws: {d: {values: [a, b]}}\n" + rule(action="{action: draw, draw: d, to: a}"), "it is called 'as' here"),
+        (
+            rule().replace("half_started", "stays_in, entity: Y1, zone: pitch, for_s: 3"),
+            "it is called 'limit_s' here",
+        ),
+    ],
+)
+def test_a_key_that_another_word_has_is_told_as_it_is_called_here(body, remedy):
+    assert any("unknown key" in text and text.endswith(f"; {remedy}") for text in complaints(body)), complaints(body)
+
+
 def test_a_section_that_is_not_indented():
     texts = complaints("rules:\nr:\n  triggers: [{trigger: half_started}]\n  actions: [{action: end}]\n")
     assert texts[1].startswith("unknown key 'r'; ")

@@ -102,11 +102,24 @@ class _Walker:
             if key in node.entries:
                 for text, at, mark in self._named_in(reference, node, key, path):
                     self._check(reference, text, at, mark, bound)
-            elif isinstance(default, str):
+            elif isinstance(default, str) and not self._says_that_it_is_gone(key, default, path):
                 self._check(reference, default, path, mark_of(self.root, path), bound)
         self._special(model, node, path, bound)
         self._whom(model, node, path, bound)
         return bound
+
+    def _says_that_it_is_gone(self, key: str, default: str, path: Path) -> bool:
+        """Say which key to write in a file whose author took away what the key means where it is left out."""
+        section = next((str(gone[0]) for gone in self.removed if len(gone) == 2 and gone[1] == default), None)
+        mark = mark_of(self.root, path)
+        is_own = mark.file == mark_of(self.root, ("id",)).file
+        if section is None or not is_own or default in self.names.kinds:
+            return False
+        others = self.names.names(section)
+        way_out = f"write {key}: {', or '.join(others)}" if 0 < len(others) < 4 else f"write '{key}'"
+        message = f"'{key}' is left out and then means '{default}', which is not here any more; {way_out}"
+        self.add(path, mark, message)
+        return True
 
     def _whom(self, model: Any, node: Entries, path: Path, bound: Bound) -> None:
         """Check whether it can be for those whom it names: one of several, who gets points, what is kicked."""
@@ -259,7 +272,10 @@ class _Walker:
         removal = next((self.removed[section, name] for section in sections if (section, name) in self.removed), None)
         if removal is not None:
             where = f"{removal.file}:{removal.line}" if removal.line else removal.file
-            self.add(path, mark, f"unknown {noun} '{name}': it was removed in {where}{_without(name, path)}")
+            # What a base takes away and this file names is no remnant of that base: it was never there for its author.
+            is_new = removal.file != mark.file == mark_of(self.root, ("id",)).file
+            way_out = nearest(name, known) or known_text(known, noun) if is_new else _without(name, path)
+            self.add(path, mark, f"unknown {noun} '{name}': it was removed in {where}{way_out}")
             return
         if teams := for_teams(name, path, self.names.names("entrants")):
             self.add(path, mark, f"unknown {noun} '{name}': {teams}")

@@ -13,7 +13,7 @@ from rcj_challenges.scenario.checks.sense import check_sense
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem
 from rcj_challenges.scenario.measured import check_measured
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.tree import RESOLVED, Entries, Leaf, Mark, Path, mark_of, node_at
+from rcj_challenges.scenario.tree import RESOLVED, Entries, Leaf, Mark, Node, Path, mark_of, node_at
 
 
 def check(scenario: Scenario | None, tree: Entries, removed: Mapping[Path, Mark]) -> list[Problem]:
@@ -40,7 +40,14 @@ def check(scenario: Scenario | None, tree: Entries, removed: Mapping[Path, Mark]
         if other and mark_of(tree, path).file != tree.mark.file == mark_of(tree, other).file:
             path, at_key = other, False  # noqa: PLW2901 - the other place takes over
         leaf = node_at(tree, path)
+        if isinstance(leaf, Entries) and any(_is_unknown(entry) for entry in leaf.entries.values()):
+            continue  # what is said of it may follow from the value that is not known
         note = f" ({leaf.note})" if isinstance(leaf, Leaf) and leaf.note else ""
         mark = mark_of(tree, path, at_key=at_key)
         problems.append(mark.problem(shown_path(tree, path), message + note))
     return problems
+
+
+def _is_unknown(node: Node) -> bool:
+    """Return whether a value stands for a param that does not exist, as has been said of it."""
+    return isinstance(node, Leaf) and node.value is None and node.note == "unknown param"

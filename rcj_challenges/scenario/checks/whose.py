@@ -17,6 +17,7 @@ _WEIGHTED = (state.WeightedCounter, state.WeightedFlag, state.WeightedTimer)
 _WRITES = (actions.Count, actions.SetFlag, actions.ToggleFlag, actions.TimerAction, actions.SequenceAction)
 _SECTIONS = {"counter": "counters", "flag": "flags", "timer": "timers", "sequence": "sequences"}
 _PLACES = ("zone", "gate")
+_COMPARED = ("at_least", "at_most", "equals")
 
 NAMING_ONE: tuple[Any, ...] = (*_HEARS, *_READS, *_WEIGHTED, *_WRITES)
 """The words that name something of which there may be one for each."""
@@ -52,12 +53,15 @@ def check_whose(model: Any, node: Entries, path: Path, bound: Bound, names: Cata
             message = f"{key} '{name.value}' is not kept per entity; leave '{surplus}' out{_or_keep(key, entry)}"
             yield Wrong((*path, surplus), mark_of(names.root, (*path, surplus)), message)
         return
+    if per.value not in names.groups and per.value not in names.kinds:
+        return  # nobody knows of whom there is one, which is reported where it is written
     quantified = "of" in model.model_fields and "of" in node.entries
     owners = names.expand(per.value)
     if whose is None:
         asked = model in (*_HEARS, *_READS) and not quantified
         if asked and _is_for_one_of(owners, bound, names):
-            message = f"{key} '{name.value}' is kept per {per.value}: say whose with 'entity', such as entity: each"
+            such = _saying_whose(key, name.value, path)
+            message = f"{key} '{name.value}' is kept per {per.value}: say whose with 'entity', such as {such}"
             yield Wrong(path, name.mark, message)
         return
     if "of" in model.model_fields and not quantified and _is_several(whose, names):
@@ -69,6 +73,13 @@ def check_whose(model: Any, node: Entries, path: Path, bound: Bound, names: Cata
     if stranger is not None:
         message = f"{key} '{name.value}' is kept per {per.value}, and '{stranger}' is not among them"
         yield Wrong((*path, "entity"), whose.mark, message)
+
+
+def _saying_whose(key: str, name: str, path: Path) -> str:
+    """Return how to say whose it is: in whole where a comparison may have one of its own."""
+    if path[-1] in _COMPARED:
+        return f"{path[-1]}: {{{key}: {name}, entity: each}}"
+    return "entity: each"
 
 
 def _or_keep(key: str, entry: Node | None) -> str:

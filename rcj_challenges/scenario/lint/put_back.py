@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.floor_shapes import lies_in
-from rcj_challenges.scenario.lint.suspect import Subject, Suspect
-from rcj_challenges.scenario.models.actions import Place, Remove
+from rcj_challenges.scenario.lint.suspect import Subject, Suspect, lives_in
+from rcj_challenges.scenario.models.actions import Place, Remove, SetPhase
 from rcj_challenges.scenario.models.conditions import HalfIs, InZone
 from rcj_challenges.scenario.models.places import Placing, Start
 from rcj_challenges.scenario.models.scenario import Rule
@@ -41,7 +41,9 @@ def check_put_back(subject: Subject) -> Iterator[Suspect]:
 def _is_limited(rule: Rule) -> bool:
     """Return whether something may keep a rule from firing again and again."""
     asks = any(not isinstance(condition, HalfIs) for condition in rule.conditions)
-    return asks or rule.max_executions is not None or rule.cooldown_s is not None
+    # In another phase it does not live: it has ended a round, and rounds come again and begin at the starts.
+    leaves = any(isinstance(action, SetPhase) and not lives_in(rule, action.phase) for action in rule.actions)
+    return asks or leaves or rule.max_executions is not None or rule.cooldown_s is not None
 
 
 def _put_to_start(rule: Rule, subject: Subject) -> frozenset[str]:

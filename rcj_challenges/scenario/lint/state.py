@@ -22,6 +22,7 @@ from rcj_challenges.scenario.models.conditions import Drawn
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe
 from rcj_challenges.scenario.references import Named
 from rcj_challenges.scenario.remembered import remembered_spots
+from rcj_challenges.scenario.set_draws import set_from_the_start
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, file_of
 from rcj_challenges.scenario.visiting import visit
 
@@ -67,7 +68,7 @@ def check_state(subject: Subject) -> Iterator[Suspect]:
 
 
 def check_draws(subject: Subject) -> Iterator[Suspect]:
-    """Draws without repetition, or of which a test decides several values, that are drawn only once."""
+    """Draws without repetition, or that a test decides several times, that are drawn only once, or set by a rule."""
     scenario = subject.scenario
     again = {model.draw for model, _ in subject.models if isinstance(model, DrawAction) and model.as_ is None}
     for name, draw in scenario.draws.items():
@@ -80,9 +81,17 @@ def check_draws(subject: Subject) -> Iterator[Suspect]:
                 f"it is drawn once in a {draw.not_again}: nothing can come again",
                 f"add {{action: draw, draw: {name}}} to a rule, or leave not_again out",
             )
+    is_set = set_from_the_start(scenario)
     for test, expected in scenario.expect.items():
         for name, decided in expected.draws.items():
-            if isinstance(decided, tuple) and len(decided) > 1 and name not in again:
+            if name in is_set:
+                yield Suspect(
+                    "draw_decided_in_vain",
+                    ("expect", test, "draws", name),
+                    f"a rule sets '{name}' as the half starts, whatever was decided here",
+                    "let the test lead up to that value, or keep what 'given' can set: a counter or a flag",
+                )
+            elif isinstance(decided, tuple) and len(decided) > 1 and name not in again:
                 yield Suspect(
                     "draw_never_repeated",
                     ("expect", test, "draws", name),

@@ -64,7 +64,7 @@ from rcj_challenges.scenario.lint.times import (
     check_rests,
     check_times,
 )
-from rcj_challenges.scenario.lint.touched import check_last_touches, check_touched
+from rcj_challenges.scenario.lint.touched import check_forgotten_touches, check_last_touches, check_touched
 from rcj_challenges.scenario.lint.unheard import check_unheard
 from rcj_challenges.scenario.lint.units import check_units
 from rcj_challenges.scenario.lint.variants import (
@@ -94,6 +94,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_contradictions,
     check_touched,
     check_last_touches,
+    check_forgotten_touches,
     check_judged_twice,
     check_moments,
     check_unheard,

@@ -1,4 +1,4 @@
-"""Lint of rules that ask at a touch what the touch has changed: whether the ball lies still, who touched it last."""
+"""Lint of rules that ask for what is gone by then: whether a touched ball lies still, who touched last one put anew."""
 
 from __future__ import annotations
 
@@ -6,9 +6,11 @@ from collections.abc import Iterator
 
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect
+from rcj_challenges.scenario.models.actions import Emit, LastToucher, Place
 from rcj_challenges.scenario.models.conditions import LastTouch, Speed
 from rcj_challenges.scenario.models.scenario import Rule
-from rcj_challenges.scenario.models.triggers import Touches
+from rcj_challenges.scenario.models.state import LastTouchValue
+from rcj_challenges.scenario.models.triggers import OnEvent, Touches
 
 _STILL_MPS = 0.05
 """Who asks for less means a ball that lies still; a touch makes it faster."""
@@ -48,6 +50,52 @@ def check_last_touches(subject: Subject) -> Iterator[Suspect]:
                     "only where both touch it in the same tick",
                     "let a flag remember who has touched it: a rule of that touch sets it, and this one asks it",
                 )
+
+
+def check_forgotten_touches(subject: Subject) -> Iterator[Suspect]:
+    """Who touched last what was put elsewhere in the tick before, by whatever has emitted the event that is heard."""
+    for model, path in subject.models:
+        if path[:1] != ("rules",) or not isinstance(model, LastTouch | LastToucher | LastTouchValue):
+            continue
+        rule = subject.scenario.rules[str(path[1])]
+        what = model.entity if isinstance(model, LastTouch) else model.last_touch
+        emitters = _emitters(rule, subject) if what != EACH else []  # `each` of one rule is another one in the other
+        if emitters and all(what in _surely_put(subject.scenario.rules[name], subject) for name in emitters):
+            yield Suspect(
+                "last_touch_forgotten",
+                path,
+                f"the rule '{emitters[0]}', whose event is heard one tick later, has put '{what}' elsewhere by then: "
+                "nobody has touched it since",
+                f"ask in '{emitters[0]}' itself, where it is known still, or let that rule set a flag or a counter",
+            )
+
+
+def _emitters(rule: Rule, subject: Subject) -> list[str]:
+    """Return the rules whose events alone set a rule off; none: something else does too."""
+    heard = {trigger.event for trigger in rule.triggers if isinstance(trigger, OnEvent)}
+    if not all(isinstance(trigger, OnEvent) for trigger in rule.triggers):
+        return []
+    return [
+        name
+        for name, one in subject.standing()
+        if any(isinstance(action, Emit) and action.event in heard for action in one.actions)
+    ]
+
+
+def _surely_put(rule: Rule, subject: Subject) -> frozenset[str]:
+    """Return what a rule puts somewhere, whichever way chance decides."""
+    found: set[str] = set()
+    for action in rule.actions:
+        if isinstance(action, Place) and action.entity is not None:
+            found |= subject.surely(action.entity, rule) if rule.for_each is None else set(_names(action.entity))
+        elif isinstance(action, Place) and isinstance(action.layout, str):
+            for placing in subject.scenario.placements.get(action.layout, ()):
+                found |= subject.surely(placing.entity, rule)
+    return frozenset(found)
+
+
+def _names(names: str | tuple[str, ...]) -> tuple[str, ...]:
+    return (names,) if isinstance(names, str) else names
 
 
 def _is_of_another_touch(condition: LastTouch, rule: Rule, subject: Subject) -> bool:

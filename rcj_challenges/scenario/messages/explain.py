@@ -18,6 +18,7 @@ from rcj_challenges.scenario.messages.ways_out import (
     for_coordinates,
     for_degrees,
     for_key,
+    for_named,
     for_param,
     for_reckoned,
     for_repeated,
@@ -200,7 +201,8 @@ class _Explainer:
             return self._wrong_tag(mistake)
         node = node_at(self.root, mistake.path)
         message = refusal(mistake.kind, mistake.details, mistake.shape, node)
-        hints = for_value(mistake.path, node) + for_several(mistake.path, node) + for_param(node, self.root)
+        hints = for_value(mistake.path, node) + for_several(mistake.path, node)
+        hints += for_param(node, self.root) or for_named(mistake.path, node, self.root, message)
         kind = bare(mistake.shape).kind
         hints += for_coordinates(mistake.path, node, fields(kind) if is_model(kind) else ())
         return self._at(mistake.path, message + hints + for_degrees(mistake.path, node, mistake.kind))

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 from math import pi, radians
+from typing import get_args
 
 from rcj_challenges.scenario.catalogue import Catalogue, texts
 from rcj_challenges.scenario.errors import listing
+from rcj_challenges.scenario.models.state import NumberWord
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, child, node_at
 
 _TIMES = ("at_s", "limit_s", "within_s", "for_s", "grace_s", "every_s")
@@ -127,6 +129,13 @@ _USUAL_KEYS = {
     "friction": "slows_mps2",
     "rolling_friction": "slows_mps2",
     "damping": "slows_mps2",
+    "robot": "entity",
+    "ball": "entity",
+    "who": "entity",
+    "times": "weight",
+    "factor": "weight",
+    "to": "as",
+    "for_s": "limit_s",
 }
 """What others call a key, and how it is written here."""
 
@@ -195,6 +204,33 @@ def for_param(node: Node | None, root: Node) -> str:
     name = written.strip("${}() ")
     known = isinstance(params, Entries) and name in params.entries
     return f"; the value of that param is written {{param: {name}}}" if known else ""
+
+
+_VALUES = {"counter": "counters", "draw": "draws", "timer": "timers", "flag": "flags"}
+"""Where the names stand whose value is written ``{counter: NAME}``."""
+_LOOKED_AT = ("robots", "balls", "obstacles", "spots")
+_WORDS = frozenset(get_args(NumberWord.model_fields["word"].annotation))
+
+
+def for_named(path: Path, node: Node | None, root: Node, said: str) -> str:
+    """Return how the value of something is written where its name stands alone; empty: it is the name of nothing.
+
+    Args:
+        path: where the name stands.
+        node: what stands there.
+        root: the whole scenario.
+        said: what is said to be expected there, such as ``expected a number or {counter: …}``.
+    """
+    if not isinstance(node, Leaf) or not isinstance(node.value, str):
+        return ""
+    name = node.value
+    if path[-1] == "facing":
+        known = any(child(child(root, section), name) is not None for section in _LOOKED_AT)
+        return f"; to look at it is written {{towards: {name}}}" if known else ""
+    named = (key for key, section in _VALUES.items() if child(child(root, section), name) is not None)
+    keys = [*named, *(["word"] if name in _WORDS else [])]
+    key = next((key for key in keys if f"{{{key}: …}}" in said), None)
+    return f"; its value is written {{{key}: {name}}}" if key else ""
 
 
 def for_degrees(path: Path, node: Node | None, kind: str) -> str:

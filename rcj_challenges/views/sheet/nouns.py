@@ -13,7 +13,7 @@ from rcj_challenges.scenario.models.conditions import AtLeast
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.other import names_other, others_of
 from rcj_challenges.scenario.roster import WALLS, Roster
-from rcj_challenges.views.sheet.chance import set_from_the_start
+from rcj_challenges.scenario.set_draws import set_from_the_start
 
 Names = str | tuple[str, ...]
 

@@ -1,0 +1,70 @@
+"""Names that are meant and not written: a default that is gone, whose counter another is compared with."""
+
+import pytest
+
+from tests.scenario.writing import complaints, rule
+
+
+def test_a_default_that_the_base_has_taken_away_is_asked_for():
+    head = "schema_version: 1\nid: a\ntitle: A\nextends: empty_field\n"
+    body = rule(rest="    conditions: [{condition: last_touch, by: B1}]\n")
+    assert complaints(body, head=head) == [
+        "rules.r.conditions[0] (last_touch): 'entity' is left out and then means 'ball', which is not here any more; write 'entity'"
+    ]
+
+
+def test_what_a_base_has_taken_away_and_this_file_names_is_told_with_what_there_is():
+    head = "schema_version: 1\nid: a\ntitle: A\nextends: empty_field\n"
+    balls = "balls: {puck: {start_m: [0, 0]}}\n"
+    (text,) = complaints(balls + rule(action="{action: place, entity: ball, at: start}"), head=head)
+    assert "unknown entity 'ball': it was removed in empty_field.yaml:" in text
+    assert text.endswith("; did you mean 'balls'?")
+
+
+@pytest.mark.parametrize("key", ["at_least", "at_most", "equals"])
+def test_with_whose_counter_another_is_compared_is_told_in_whole(key):
+    counters = "counters: {best_s: {per: robots}, this_s: {per: robots}}\n"
+    compared = f"{{condition: counter, counter: best_s, entity: each, {key}: {{counter: this_s}}}}"
+    said = "counter 'this_s' is kept per robots: say whose with 'entity'"
+    assert complaints(counters + rule(rest=f"    for_each: robots\n    conditions: [{compared}]\n")) == [
+        f"rules.r.conditions[0] (counter): {said}, such as {key}: {{counter: this_s, entity: each}}"
+    ]
+
+
+@pytest.mark.parametrize("group", ["robot", "gates"])
+def test_whose_it_is_is_not_asked_while_nobody_knows_of_whom_there_is_one(group):
+    flags = f"flags: {{seen: {{per: {group}}}}}\n"
+    (text,) = complaints(flags + rule(action="{action: set_flag, flag: seen, entity: Y1}"))
+    assert text.startswith(f"flags.seen.per: unknown entity, obstacle, zone or gate '{group}'; ")
+
+
+@pytest.mark.parametrize("bound", ["at_most: {param: fare_m}", "at_most: {param: far_m, times: 2, plus: {}}"])
+def test_a_bound_that_is_wrong_is_there_all_the_same(bound):
+    holds = f"{{trigger: holds, condition: {{condition: speed, entity: ball, {bound}}}}}"
+    body = rule().replace("{trigger: half_started}", holds)
+    texts = complaints("params: {far_m: 1}\n" + body)
+    assert texts
+    assert not [text for text in texts if "nothing to compare with" in text]
+
+
+COUNTED = "counters: {tries: {}}\ndraws: {fuse_s: {values: [8, 12]}}\n"
+
+
+@pytest.mark.parametrize(
+    ("body", "remedy"),
+    [
+        (rule(action="{action: score, entrant: yellow, points: tries}"), "its value is written {counter: tries}"),
+        (rule(action="{action: count, counter: tries, to: measured}"), "its value is written {word: measured}"),
+        ("timers: {fuse: {lasts_s: fuse_s}}\n", "its value is written {draw: fuse_s}"),
+        (
+            rule(action="{action: place, entity: Y1, at: start, facing: ball}"),
+            "to look at it is written {towards: ball}",
+        ),
+        (rule(action="{action: score, entrant: yellow, points: trys}"), "found 'trys'"),
+        (rule(action="{action: place, entity: Y1, at: start, facing: away}"), "found 'away'"),
+        # A bound has no draw: nothing is advised that would be refused.
+        (rule(rest="    conditions: [{condition: counter, counter: tries, at_least: fuse_s}]\n"), "found 'fuse_s'"),
+    ],
+)
+def test_a_name_that_stands_for_its_value_is_told_how_that_is_written(body, remedy):
+    assert any(text.endswith(remedy) for text in complaints(COUNTED + body)), complaints(COUNTED + body)
