@@ -19,7 +19,7 @@ class App {
     this.find = (id) => document.getElementById(id);
     this.player = player;
     this.shot = {
-      poses: recording.entities.map(() => ({ x: 0, y: 0, z: 0, yaw: 0, tilt: 0 })),
+      poses: recording.entities.map(() => ({ x: 0, y: 0, z: 0, yaw: 0, tilt: 0, off: false })),
       spins: recording.entities.map((entity) => (entity.kind === "ball" ? [0, 0, 0, 1] : null)),
     };
     this.slowness = 0;
@@ -153,9 +153,10 @@ class App {
   }
 
   get leader() {
-    if (this.camera.mode === "robot") return this.recording.pose(this.camera.robot, this.player.place);
-    const ball = this.recording.entities.findIndex((entity) => entity.kind === "ball");
-    return this.camera.mode === "ball" && ball >= 0 ? this.recording.pose(ball, this.player.place) : null;
+    const { mode, robot } = this.camera;
+    const leads = mode === "robot" ? robot : mode === "ball" ? this.recording.entities.findIndex((entity) => entity.kind === "ball") : -1;
+    const pose = leads < 0 ? null : this.recording.pose(leads, this.player.place);
+    return pose?.off ? null : pose; // who is off the field is waited for where it was
   }
 
   /** A click near a robot or ball switches its trail. */
