@@ -82,6 +82,40 @@ def test_the_time_line_can_be_dragged_and_says_where_it_is(show: Callable[..., A
     assert page.get_attribute("#seek", "aria-valuetext").startswith("half 2, 0:2")
 
 
+def test_over_the_time_line_stands_the_time_to_which_a_click_leads(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, "#h1t1", anew=True, script=NO_WEBGL)
+    box = page.locator("#seek").bounding_box()
+    for share in (0.06, 0.2, 0.9, 0.95):  # no event is near
+        page.mouse.move(box["x"] + box["width"] * share, box["y"] + 28)
+        told = page.inner_text("#hover")
+        page.mouse.down()
+        page.mouse.up()
+        settled(page)
+        assert told == page.inner_text("#clock"), share
+
+
+def test_the_event_that_has_just_happened_is_in_sight_when_one_comes_back_to_the_list(
+    show: Callable[..., Any], run: Path
+) -> None:
+    page = show(run, "#h1t10", anew=True, script=NO_WEBGL, viewport={"width": 740, "height": 360})
+
+    def in_sight() -> bool:
+        page.mouse.move(200, 200)
+        settled(page)
+        events, current = (page.locator(what).bounding_box() for what in ("#events", "#events [aria-current]"))
+        below = current["y"] + current["height"] - events["y"] - events["height"]
+        return events["y"] <= current["y"] and below <= 0.5
+
+    page.click("#tab-robots")
+    page.evaluate("replay.seek(2, 1400)")
+    page.click("#tab-events")
+    assert in_sight()
+    page.set_viewport_size({"width": 360, "height": 740})  # a phone is turned: upright the whole page scrolls
+    settled(page)
+    page.set_viewport_size({"width": 740, "height": 360})
+    assert in_sight()
+
+
 def test_an_address_names_a_moment_and_follows_it(show: Callable[..., Any], run: Path) -> None:
     page = show(run, "#h2t123", script=NO_WEBGL)
     assert shown_moment(page) == [2, 123]
