@@ -136,3 +136,24 @@ def test_nothing_glides_where_the_referee_put_it(show: Callable[..., Any], run: 
     assert before == between != after
     glided = page.evaluate("[402, 402.5, 403].map((tick) => replay.recording.halves[0].pose(6, tick).y)")
     assert glided[1] == pytest.approx((glided[0] + glided[2]) / 2)
+
+
+def test_on_paper_there_is_the_picture_and_nothing_to_press(show: Callable[..., Any], run: Path) -> None:
+    page = show(run)
+    page.wait_for_timeout(100)  # the picture has gone to the screen: what is read of it now is empty
+    middle = page.evaluate(
+        """() => {
+          dispatchEvent(new Event("beforeprint"));
+          const view = document.getElementById("view"), pen = document.createElement("canvas").getContext("2d");
+          pen.drawImage(view, view.width / 2, view.height / 2, 1, 1, 0, 0, 1, 1);
+          return [...pen.getImageData(0, 0, 1, 1).data];
+        }"""
+    )
+    assert sum(middle[:3]) > 60, middle
+    page.emulate_media(media="print")
+    try:
+        assert not [button for button in page.get_by_role("button").all() if button.is_visible()]
+        assert page.locator("#events .event").first.is_visible()
+        assert page.locator("#clock").is_visible()
+    finally:
+        page.emulate_media(media="screen")

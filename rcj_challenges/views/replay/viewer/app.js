@@ -82,6 +82,7 @@ class App {
     new ResizeObserver(() => this.deck.drawMarks()).observe(this.find("marks"));
     window.addEventListener("hashchange", () => this.fromAddress());
     window.addEventListener("keydown", (event) => this.key(event));
+    window.addEventListener("beforeprint", () => this.draw()); // else the picture has been given to the screen: a black box
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.panels.retheme());
     this.find("view").addEventListener("webglcontextlost", (event) => { event.preventDefault(); });
     this.find("view").addEventListener("webglcontextrestored", () => { this.view = new Scene(this.find("view"), this.recording.facts); this.resize(); });
