@@ -157,3 +157,19 @@ def test_on_paper_there_is_the_picture_and_nothing_to_press(show: Callable[..., 
         assert page.locator("#clock").is_visible()
     finally:
         page.emulate_media(media="screen")
+
+
+@pytest.mark.parametrize("width_px", [360, 390])
+def test_on_a_phone_the_sentences_of_a_match_are_whole(width_px: int, show: Callable[..., Any], run: Path) -> None:
+    page = show(run, "#h1t800", viewport={"width": width_px, "height": 740}, script=NO_WEBGL)
+    caption = page.locator("#caption")
+    for told in (
+        "GOAL: The ball is in the yellow goal; the goal counts for blue, whoever touched it last.",
+        "LACK_OF_PROGRESS: The ball made no progress or left the field; it is put on a neutral spot.",
+        "ROBOT_DAMAGED: Y3 was put back again and again without moving away; it is taken off as damaged.",
+    ):
+        caption.evaluate("(box, told) => { box.textContent = told; }", told)
+        assert caption.evaluate("box => box.scrollHeight <= box.clientHeight + 1"), told
+    # The picture leaves room for it below the field.
+    floor = page.evaluate("replay.app.camera.below * document.getElementById('view').clientHeight")
+    assert caption.bounding_box()["height"] <= floor + 1
