@@ -173,3 +173,15 @@ def test_on_a_phone_the_sentences_of_a_match_are_whole(width_px: int, show: Call
     # The picture leaves room for it below the field.
     floor = page.evaluate("replay.app.camera.below * document.getElementById('view').clientHeight")
     assert caption.bounding_box()["height"] <= floor + 1
+
+
+def test_the_link_button_says_for_a_moment_that_it_has_copied_and_then_again_what_it_does(
+    show: Callable[..., Any], run: Path
+) -> None:
+    page = show(run, anew=True, script=NO_WEBGL)
+    does = page.get_attribute("#copy", "title")
+    page.click("#copy")
+    title = "document.getElementById('copy').title"
+    until(page, f"{title} !== {does!r}")
+    page.click("#copy")
+    until(page, f"{title} === {does!r}")
