@@ -172,6 +172,22 @@ robot.step(32)
     assert [(tick, r.missed_ticks) for tick, r in played.requests[:3]] == [(0, 0), (1, 62), (64, 0)]
 
 
+def test_what_is_too_fast_only_by_rounding_is_clamped_without_a_word(match: FakeMatch) -> None:
+    # "the velocity 10 is beyond the maximum of 10 rad/s" helps nobody.
+    program = """
+import math
+from controller import Robot
+robot = Robot()
+motor = robot.getDevice("right wheel motor")
+motor.setPosition(float("inf"))
+motor.setVelocity(-math.nextafter(10.0, 11.0))
+robot.step(32)
+"""
+    played = match.play(program, 2)
+    assert played.motors()[-1] == (RIGHT, -10.0, INFINITE)
+    assert not [line for line in played.said if "beyond" in line]
+
+
 def test_too_high_a_speed_is_clamped_with_one_warning_and_nan_refused(match: FakeMatch) -> None:
     played = match.play("patterns/asks_for_too_much", 6)
     # A motor whose speed was never set has its full one; asking for 15 then changes nothing.

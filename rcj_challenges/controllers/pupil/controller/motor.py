@@ -59,7 +59,8 @@ class Motor(Device):
             complain(f"Error: {self._rcj_name!r}: setVelocity(NaN) is refused.")
             return
         if abs(asked) > self._rcj_max_velocity:
-            if not self._rcj_warned_of_speed:
+            by_rounding = abs(asked) <= self._rcj_max_velocity * (1 + 1e-9)
+            if not self._rcj_warned_of_speed and not by_rounding:
                 self._rcj_warned_of_speed = True
                 complain(
                     f"Warning: {self._rcj_name!r}: the velocity {asked:g} is beyond the maximum of "
