@@ -109,7 +109,7 @@ class Stage:
         tab = self._empty_tab(script, screen)
         tab.own = address.partition("#")[0]
         tab.page.set_viewport_size(viewport)
-        tab.page.emulate_media(color_scheme=color_scheme, reduced_motion="reduce")
+        tab.page.emulate_media(media="screen", color_scheme=color_scheme, reduced_motion="reduce")
         tab.page.goto(address)
         tab.page.wait_for_selector(ready)
         return tab.page

@@ -138,6 +138,25 @@ def test_far_away_things_are_shown_within_two_tenths_of_a_millimetre(furthest: f
     assert np.abs(frames.columns["x"][1:, 0] * unit_m - [np.float32(furthest), np.float32(0.12345)]).max() <= 2e-4
 
 
+def test_one_robot_off_the_field_does_not_make_the_places_of_all_others_coarse() -> None:
+    # It is parked more than a kilometre away: numbers that reach there would be steps of four centimetres.
+    track = _track(np.array([[[1300.0, 0.0, 0.0], [0.12345, -0.5, 0.0]]]))
+    unit_m = length_unit(track)
+    columns = frames_of(track, unit_m).columns
+    assert abs(columns["x"][1, 1] * unit_m - 0.12345) <= 0.5e-4 + 1e-7
+    assert columns["x"][1, 0] == 32_767  # the edge: off the field
+
+
+def test_who_is_on_the_largest_field_is_never_taken_for_off_it() -> None:
+    track = _track(np.array([[[13.0, -13.0, 0.0]]]))
+    assert frames_of(track, length_unit(track)).columns["x"][1, 0] < 32_767
+
+
+def test_what_a_rule_takes_off_at_the_start_is_off_in_the_first_picture() -> None:
+    taken_off = {0: (Placement(0, 0.0, 0.0, 0.0, parked=True),)}
+    assert frames_of(_track(np.zeros((1, 1, 3)), taken_off), 1e-4).columns["x"][0, 0] == 32_767
+
+
 @given(st.floats(-50, 50))
 def test_any_number_of_turns_is_one_yaw(yaw_rad: float) -> None:
     shown = frames_of(_track(np.array([[[0.0, 0.0, yaw_rad]]])), 1e-4).columns["yaw"][1, 0] * TURN_RAD

@@ -26,7 +26,11 @@ TURN_RAD = 2 * math.pi / 65_536
 """A full turn is the range of int16, so sums of differences wrap round as angles do."""
 TILT_RAD = math.radians(0.1)
 
+PARKED_BEYOND_M = 100.0
+"""What is farther out was taken off the field: a field is at most 10 m long, the parking place begins at 1000 m."""
+
 _LARGEST = 32_767
+"""As x it says that something is off the field: ``recording.js`` knows it. Who is on the field never gets it."""
 _ZLIB_LEVEL = 6
 
 Array = npt.NDArray[Any]
@@ -46,9 +50,9 @@ class Frames:
 
 
 def length_unit(*halves: HalfTrack) -> float:
-    """Return what 1 is worth for x and y in m, so that the furthest position fits into int16."""
+    """Return what 1 is worth for x and y in m, so that the furthest position on the field fits into int16."""
     furthest = max((_furthest(half.substeps[:, -1, :, :2]) for half in halves), default=0.0)
-    return max(FINEST_M, math.ceil(furthest / _LARGEST * 1e9) / 1e9)
+    return max(FINEST_M, math.ceil(furthest / (_LARGEST - 1) * 1e9) / 1e9)
 
 
 def frames_of(half: HalfTrack, unit_m: float) -> Frames:
@@ -89,6 +93,11 @@ def rounded_poses(judged: Array, heights: Array, uprights: Array, unit_m: float)
         }
 
 
+def start_pose(placement: Placement) -> tuple[float, float, float]:
+    """Return the pose (m, rad) that is shown of what was placed before tick 1: at the edge if it was taken off."""
+    return (math.inf, 0.0, 0.0) if placement.parked else (placement.x_m, placement.y_m, placement.yaw_rad)
+
+
 def units(unit_m: float) -> dict[str, float]:
     """Return what 1 is worth in each channel, in m and rad; ``unit_m``: for x and y."""
     return {"x": unit_m, "y": unit_m, "yaw": TURN_RAD, "z": HEIGHT_M, "tilt": TILT_RAD}
@@ -108,8 +117,9 @@ def packed(frames: Frames) -> str:
 
 
 def _furthest(positions: Array) -> float:
-    finite = np.abs(positions[np.isfinite(positions)])
-    return float(finite.max()) if finite.size else 0.0
+    away = np.abs(positions)
+    near = away[away < PARKED_BEYOND_M]  # no comparison holds for what is no number
+    return float(near.max()) if near.size else 0.0
 
 
 def _rounded(numbers: Array) -> Array:
@@ -133,4 +143,4 @@ def _start(half: HalfTrack) -> tuple[Array, Array, Array]:
 
 def _place(poses: Array, placement: Placement, first: Snapshot) -> None:
     if placement.entity < len(first.heights):
-        poses[placement.entity] = (placement.x_m, placement.y_m, placement.yaw_rad)
+        poses[placement.entity] = start_pose(placement)

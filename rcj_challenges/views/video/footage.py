@@ -25,6 +25,7 @@ from rcj_challenges.records.upgrades import read_scenario
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.naming import changes_sides, titles, told_apart
+from rcj_challenges.views.replay.packing import PARKED_BEYOND_M
 from rcj_challenges.views.replay.story import Story, tell
 from rcj_challenges.views.replay.things import visible_things
 from rcj_challenges.views.standing import counted_line, shows_score
@@ -32,8 +33,6 @@ from rcj_challenges.views.standing import counted_line, shows_score
 Poses = npt.NDArray[np.float64]
 """``[entity] -> x, y, yaw, z``: metres and radians; NaN for what is not on the field."""
 
-_FARTHEST_M = 100.0
-"""What is farther out is parked: a field is at most 10 m long, the parking place begins at 1000 m."""
 _DAMAGE = (KeyError, TypeError, ValueError, AttributeError)
 """What damaged lines of the referee's log raise in who tells the story."""
 
@@ -102,7 +101,7 @@ class HalfFootage:
                 change[list(self.jumps.get(tick, ()))] = 0.0
             found[:, :3] += share * change
         with np.errstate(invalid="ignore"):  # a damaged file may hold infinities
-            away = ~(np.abs(found).max(axis=1) < _FARTHEST_M)
+            away = ~(np.abs(found).max(axis=1) < PARKED_BEYOND_M)
         found[away] = np.nan
         return found
 
@@ -112,7 +111,7 @@ class HalfFootage:
         rows = np.clip(np.linspace(first, last, 15).round().astype(int), 0, len(self.samples) - 1)
         places = self.samples[rows, entity, :2].astype(np.float64)
         with np.errstate(invalid="ignore"):
-            here = np.abs(places).max(axis=1) < _FARTHEST_M
+            here = np.abs(places).max(axis=1) < PARKED_BEYOND_M
         if not here.any():
             return (np.nan, np.nan)
         x_m, y_m = places[here].mean(axis=0).tolist()

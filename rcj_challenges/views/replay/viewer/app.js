@@ -19,7 +19,7 @@ class App {
     this.find = (id) => document.getElementById(id);
     this.player = player;
     this.shot = {
-      poses: recording.entities.map(() => ({ x: 0, y: 0, z: 0, yaw: 0, tilt: 0 })),
+      poses: recording.entities.map(() => ({ x: 0, y: 0, z: 0, yaw: 0, tilt: 0, off: false })),
       spins: recording.entities.map((entity) => (entity.kind === "ball" ? [0, 0, 0, 1] : null)),
     };
     this.slowness = 0;
@@ -82,6 +82,7 @@ class App {
     new ResizeObserver(() => this.deck.drawMarks()).observe(this.find("marks"));
     window.addEventListener("hashchange", () => this.fromAddress());
     window.addEventListener("keydown", (event) => this.key(event));
+    window.addEventListener("beforeprint", () => this.draw()); // else the picture has been given to the screen: a black box
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.panels.retheme());
     this.find("view").addEventListener("webglcontextlost", (event) => { event.preventDefault(); });
     this.find("view").addEventListener("webglcontextrestored", () => { this.view = new Scene(this.find("view"), this.recording.facts); this.resize(); });
@@ -153,9 +154,10 @@ class App {
   }
 
   get leader() {
-    if (this.camera.mode === "robot") return this.recording.pose(this.camera.robot, this.player.place);
-    const ball = this.recording.entities.findIndex((entity) => entity.kind === "ball");
-    return this.camera.mode === "ball" && ball >= 0 ? this.recording.pose(ball, this.player.place) : null;
+    const { mode, robot } = this.camera;
+    const leads = mode === "robot" ? robot : mode === "ball" ? this.recording.entities.findIndex((entity) => entity.kind === "ball") : -1;
+    const pose = leads < 0 ? null : this.recording.pose(leads, this.player.place);
+    return pose?.off ? null : pose; // who is off the field is waited for where it was
   }
 
   /** A click near a robot or ball switches its trail. */

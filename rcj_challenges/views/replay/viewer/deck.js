@@ -2,6 +2,7 @@
 
 const PLAY_ICON = "M7 4v16l13-8z";
 const PAUSE_ICON = "M6 4h4v16H6zM14 4h4v16h-4z";
+const KNOB_PX = 8; // half of it: so far from both ends of the time line the first and the last place are
 
 class Deck {
   constructor(recording, player, find, changed, toEvent) {
@@ -43,14 +44,15 @@ class Deck {
   /** Time and event under the pointer. */
   tell(event) {
     const box = this.seek.getBoundingClientRect();
-    const share = Maths.clamp((event.clientX - box.left) / box.width, 0, 1);
+    const across = event.clientX - box.left, length = box.width - 2 * KNOB_PX;
+    const share = Maths.clamp((across - KNOB_PX) / length, 0, 1);
     const place = Math.min(this.recording.last, Math.round(share * this.recording.span));
-    const reach = (6 / box.width) * this.recording.span;
+    const reach = (6 / length) * this.recording.span;
     const near = this.recording.events.filter((candidate) => Math.abs(candidate.place - place) <= reach);
     const best = near.find((candidate) => candidate.scored) || near[0];
     this.hover.textContent = best ? `${this.recording.clock(best.place)}  ${best.name}` : this.recording.clock(place);
     this.hover.hidden = false;
-    this.hover.style.left = `${Maths.clamp(share * 100, 4, 96)}%`;
+    this.hover.style.left = `${Maths.clamp((100 * across) / box.width, 4, 96)}%`;
   }
 
   /** Draw a mark for each event: goals tall in the colour of who scored, faults red, the rest small. */
@@ -64,7 +66,7 @@ class Deck {
     const pen = marks.getContext("2d");
     pen.scale(density, density);
     const styles = getComputedStyle(marks);
-    const at = (place) => 8 + ((width - 16) * place) / Math.max(1, recording.span);
+    const at = (place) => KNOB_PX + ((width - 2 * KNOB_PX) * place) / Math.max(1, recording.span);
     if (recording.last < recording.span) {
       pen.fillStyle = styles.getPropertyValue("--quiet");
       pen.fillRect(at(0), height - 2, at(recording.last) - at(0), 2);

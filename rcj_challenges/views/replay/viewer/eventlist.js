@@ -17,6 +17,8 @@ class EventList {
     this.opened = null;
     this.buildFilters();
     this.build();
+    // Nothing scrolls in a list that is not shown, nor on a phone that stands upright: so when that is over.
+    new ResizeObserver(() => this.follow()).observe(this.list);
   }
 
   /** Events were added while the match is played: rows are appended, counts brought up to date. */
@@ -164,7 +166,11 @@ class EventList {
     this.current = current;
     if (!current) return;
     current.link.setAttribute("aria-current", "true");
-    if (!this.list.matches(":hover, :focus-within")) this.keepInSight(current.item);
+    this.follow();
+  }
+
+  follow() {
+    if (this.current && !this.list.matches(":hover, :focus-within")) this.keepInSight(this.current.item);
   }
 
   keepInSight(item) {

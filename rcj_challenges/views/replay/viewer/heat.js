@@ -47,6 +47,7 @@ class Heat {
     for (const index of chosen) {
       const x = track.channels.x[index], y = track.channels.y[index];
       for (let tick = 0; tick <= track.ticks; tick++) {
+        if (track.off(index, tick)) continue;
         const cell = `${Math.floor((x[tick] * track.units.x) / HEAT_CELL_M)} ${Math.floor((y[tick] * track.units.y) / HEAT_CELL_M)}`;
         counts.set(cell, (counts.get(cell) || 0) + 1);
       }

@@ -132,6 +132,10 @@ class Panels {
     const button = this.find("copy");
     button.setAttribute("aria-pressed", "true");
     button.title = text;
-    setTimeout(() => button.removeAttribute("aria-pressed"), 1500);
+    clearTimeout(this.flashing);
+    this.flashing = setTimeout(() => {
+      button.removeAttribute("aria-pressed");
+      button.title = button.ariaLabel;
+    }, 1500);
   }
 }

@@ -2,6 +2,9 @@
 // halves, with a fraction between ticks. Half i covers the places from its `offset` to `offset + ticks`.
 // This is all that the rest of the viewer knows of a match; while it is played, live.js lets the same objects grow.
 
+const OFF_FIELD = 32767; // as x: it was taken off the field, where no picture reaches
+const OFF_FIELD_M = 1000;
+
 class HalfTrack {
   /**
    * facts: the half's part of the page's facts; channels: {x, y, yaw, z, tilt}, each one Int16Array for each entity, a
@@ -20,22 +23,28 @@ class HalfTrack {
   }
 
   /**
-   * The pose at a tick, with a fraction: positions in m, angles in rad. Nothing glides where it was put elsewhere.
+   * The pose at a tick, with a fraction: positions in m, angles in rad; `off`: it is not on the field.
+   * Nothing glides where it was put elsewhere.
    * `out` is what it is written into: who draws sixty times a second brings the same one each time.
    */
-  pose(entity, tick, out = { x: 0, y: 0, z: 0, yaw: 0, tilt: 0 }) {
+  pose(entity, tick, out = { x: 0, y: 0, z: 0, yaw: 0, tilt: 0, off: false }) {
     const { channels, units } = this;
     const from = Math.floor(tick);
     const share = from >= this.ticks ? 0 : tick - from;
     const to = share === 0 || this.jumps[entity].has(from) ? from : from + 1;
     const x = channels.x[entity], y = channels.y[entity], z = channels.z[entity];
+    out.off = this.off(entity, from);
     const yaws = channels.yaw[entity], tilts = channels.tilt[entity];
-    out.x = (x[from] + (x[to] - x[from]) * share) * units.x;
+    out.x = out.off ? OFF_FIELD_M : (x[from] + (x[to] - x[from]) * share) * units.x;
     out.y = (y[from] + (y[to] - y[from]) * share) * units.y;
     out.z = (z[from] + (z[to] - z[from]) * share) * units.z;
     out.yaw = Maths.wrap(yaws[from] * units.yaw + Maths.wrap((yaws[to] - yaws[from]) * units.yaw) * share);
     out.tilt = (tilts[from] + (tilts[to] - tilts[from]) * share) * units.tilt;
     return out;
+  }
+
+  off(entity, tick) {
+    return this.channels.x[entity][tick] === OFF_FIELD;
   }
 
   /** Metres per second over the ticks around this one. */
@@ -198,6 +207,7 @@ class Recording {
     for (let at = first; at <= tick; at++) {
       const cut = at > first && track.jumps[entity].has(at - 1);
       if (cut) pieces.push([]);
+      if (track.off(entity, at)) continue;
       if (cut || at === first || at % stride === 0) {
         pieces[pieces.length - 1].push([
           track.channels.x[entity][at] * track.units.x,
@@ -206,7 +216,7 @@ class Recording {
       }
     }
     const now = track.pose(entity, tick);
-    pieces[pieces.length - 1].push([now.x, now.y]);
+    if (!now.off) pieces[pieces.length - 1].push([now.x, now.y]);
     return pieces.filter((piece) => piece.length > 1);
   }
 

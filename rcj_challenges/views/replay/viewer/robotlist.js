@@ -65,7 +65,7 @@ class RobotList {
       const speed = track.speed(index, tick, recording.tickSeconds);
       const looks = entity.kind === "robot" ? `   yaw ${degrees}°` : "";
       const stands = entity.kind === "robot" && (all || held.includes(entity.name)) ? "   held" : "";
-      card.numbers.textContent = `x ${pose.x.toFixed(3)}   y ${pose.y.toFixed(3)} m${looks}   ${speed.toFixed(2)} m/s${stands}`;
+      card.numbers.textContent = pose.off ? "off the field" : `x ${pose.x.toFixed(3)}   y ${pose.y.toFixed(3)} m${looks}   ${speed.toFixed(2)} m/s${stands}`;
       const team = recording.facts.teams.find((candidate) => candidate.name === track.facts.sides[entity.seat]);
       card.team.textContent = team ? team.title : entity.idle ? "no program" : "";
       const fault = failed.get(index);
