@@ -132,6 +132,7 @@ def test_the_folder_that_python_is_in_is_not_named(
     """It may lie in somebody's home; who looks why an import fails prints `sys.path`."""
     monkeypatch.setattr(_report, "os", SimpleNamespace(sep="/", path=posixpath, __file__="/elsewhere/os.py"))
     monkeypatch.setattr(_report, "sys", SimpleNamespace(prefix=prefix, base_prefix=prefix, executable="/elsewhere/py"))
+    monkeypatch.setattr(_report, "__file__", "_report.py")  # of which no folder is known, as of Windows' seen from here
     names = _report.short_names("/tmp/rcj-1/program", [])
     assert reduce(lambda said, name: said.replace(*name), names, f"['{path}']") == f"['{told}']"
 

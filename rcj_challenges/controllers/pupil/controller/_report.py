@@ -27,7 +27,7 @@ def short_names(team_root: str, site_folders: list[str]) -> list[tuple[str, str]
     slashed = team_root.replace(os.sep, "/")
     shown = [(team_root + os.sep, ""), (slashed + "/", ""), (team_root, "."), (os.path.dirname(team_root), "~")]
     ours = os.path.dirname(os.path.dirname(__file__))  # where `controller` is; not always installed
-    shown += [(folder, "site-packages") for folder in (ours, *site_folders)]
+    shown += [(folder, "site-packages") for folder in (ours, *site_folders) if folder]  # '' is in everything
     shown += [(place, "python") for place in (os.path.dirname(os.__file__), sys.executable) if place]
     # In /usr or C:\Python311 it tells nothing of whose computer this is, and is a part of too many other paths.
     shown += [(place, "python") for place in (sys.prefix, sys.base_prefix) if place.count(os.sep) > _COMMON_DEPTH]
