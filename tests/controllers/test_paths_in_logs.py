@@ -121,8 +121,8 @@ def test_paths_of_windows_are_short_also_as_errors_quote_them(monkeypatch: pytes
 @pytest.mark.parametrize(
     ("prefix", "path", "told"),
     [
-        ("/home/anna/python", "/home/anna/python/lib/python311.zip", "python/lib/python311.zip"),
-        ("/home/anna/python", "/home/anna/python", "python"),
+        ("/home/somebody/python", "/home/somebody/python/lib/python311.zip", "python/lib/python311.zip"),
+        ("/home/somebody/python", "/home/somebody/python", "python"),
         ("/usr", "/usr/lib/python311.zip", "/usr/lib/python311.zip"),  # tells nothing of whose computer it is
     ],
 )
