@@ -80,6 +80,21 @@ def test_what_has_an_event_is_told_once_and_before_what_has_none(events: list[di
     assert events[2]["told"] == "Alster -0.5"
 
 
+def test_points_that_are_lost_are_no_goal_and_no_points_at_all_are_neither(tmp_path: Path) -> None:
+    def verdict(tick: int) -> Verdict:
+        scored = {10: {"yellow": -1}, 20: {"yellow": -1, "blue": 2}, 30: {"yellow": 0}}.get(tick)
+        if scored is None:
+            return Verdict()
+        firing = Firing(tick, "goal", "Y1", "enters", scored=scored, says="The ball is in a goal.")
+        return Verdict(events=(Event(tick, "GOAL", {}),), firings=(firing,))
+
+    lost, both, nothing = _page(tmp_path, verdict)["events"]
+    assert [event["kind"] for event in (lost, both, nothing)] == ["loss", "goal", "call"]
+    assert (lost["standing"], both["standing"]) == ("0 : -1", "2 : -2")
+    # Where one gains and another loses, it is told in the colour of who gains.
+    assert None is not lost["colour"] != both["colour"] is not None
+
+
 def test_a_rule_that_pays_all_the_time_does_not_fill_the_page(tmp_path: Path) -> None:
     ticks = MOST_UNANNOUNCED + 20
     facts = _page(tmp_path, lambda tick: Verdict(firings=(_second(tick),)), ticks)

@@ -181,7 +181,7 @@ class Teller:
             "name": name,
             "kind": _kind(name, scored),
             "scored": bool(scored),
-            "colour": self._colours.get(next(iter(scored), "")),
+            "colour": self._colours.get(_whose(scored)),
             "standing": self._standing(half, tick) if scored else "",
             "about": _short(about, 300),
             "told": told if says else "",
@@ -217,9 +217,17 @@ class Teller:
         return " : ".join(f"{scores.get(team, 0):g}" for team in self._teams)
 
 
+def _whose(scored: Mapping[str, Score]) -> str:
+    """Return the seat in whose colour a change of the score is shown: who gained, or else who lost points."""
+    gained = (seat for seat, points in scored.items() if points > 0)
+    return next(gained, next(iter(scored), ""))
+
+
 def _kind(name: str, scored: Mapping[str, Score]) -> str:
-    if scored:
+    if any(points > 0 for points in scored.values()):
         return "goal"
+    if any(scored.values()):
+        return "loss"
     if name == PROGRAM_FAULT:
         return "fault"
     return "start" if name in _QUIET else "call"

@@ -51,7 +51,8 @@ _MARKDOWN_MARKS = str.maketrans({mark: f"\\{mark}" for mark in "\\`*_[]<>#|"})
 
 _CSS = """
 :root{color-scheme:light dark}
-body{font:16px/1.5 system-ui,-apple-system,'Segoe UI',sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem}
+body{font:16px/1.5 system-ui,-apple-system,'Segoe UI',sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;
+overflow-wrap:break-word}
 table{border-collapse:collapse;margin:.5rem 0 1rem}th,td{border:1px solid #8886;padding:.3rem .6rem;text-align:left}
 th{background:#8882}svg{max-width:100%;height:auto;background:#fff;border-radius:6px}li{margin:.3rem 0}
 @media screen and (max-width:45rem){table,.drawing{display:block;overflow-x:auto}

@@ -125,7 +125,10 @@ class Board:
             bottom -= self._gap // 3
 
     def _caption(self, event: dict[str, Any]) -> Image.Image:
-        """Return an event as a box of text; a change of the score is larger and in the team's colour."""
+        """Return an event as a box of text; a change of the score is larger and in the team's colour.
+
+        Points that are lost are in that colour at the edge only.
+        """
         key = id(event)
         if key not in self._captions:
             if len(self._captions) > 64:
@@ -134,14 +137,14 @@ class Board:
         return self._captions[key]
 
     def _draw_caption(self, event: dict[str, Any]) -> Image.Image:
-        scored = event["kind"] == "goal"
+        gained, scored = event["kind"] == "goal", event["kind"] in ("goal", "loss")
         colour: Rgb = FAULT if event["kind"] == "fault" else CALL
         if scored:
             colour = rgb(str(event["colour"] or "#f59f00"))
         size = round(self._caption_px * (1.2 if scored else 1.0))
         head = str(event["name"]).replace("_", " ") + (f"   {event['standing']}" if event["standing"] else "")
         text = " · ".join(filter(None, (str(event["about"]), str(event["told"]))))
-        return self._box(head, text, colour if scored else BOARD, colour, size)
+        return self._box(head, text, colour if gained else BOARD, colour, size)
 
     def _box(self, head: str, text: str, ground: Rgb, mark: Rgb, size: int) -> Image.Image:
         """Return a box with a heading and a text: beside it if there is room, else below it."""

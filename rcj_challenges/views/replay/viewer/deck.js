@@ -55,7 +55,7 @@ class Deck {
     this.hover.style.left = `${Maths.clamp((100 * across) / box.width, 4, 96)}%`;
   }
 
-  /** Draw a mark for each event: goals tall in the colour of who scored, faults red, the rest small. */
+  /** Draw a mark for each event: points tall in the colour of whose they are, a ring for points that are lost, faults red, the rest small. */
   drawMarks() {
     const { marks, recording } = this;
     const density = window.devicePixelRatio || 1;
@@ -80,14 +80,14 @@ class Deck {
         pen.fillStyle = styles.getPropertyValue("--fault");
         pen.fillRect(at(event.place) - 1, height - 12, 2, 12);
       }
-      if (event.kind === "goal") {
-        const x = at(event.place);
+      if (event.kind === "goal" || event.kind === "loss") {
+        const x = at(event.place), lost = event.kind === "loss";
         pen.fillStyle = event.colour || styles.getPropertyValue("--accent");
-        pen.strokeStyle = styles.getPropertyValue("--text");
-        pen.lineWidth = 1;
+        pen.strokeStyle = lost ? pen.fillStyle : styles.getPropertyValue("--text");
+        pen.lineWidth = lost ? 2 : 1;
         pen.beginPath();
-        pen.arc(x, 6, 4.5, 0, 2 * Math.PI);
-        pen.fill();
+        pen.arc(x, 6, lost ? 3.5 : 4.5, 0, 2 * Math.PI);
+        if (!lost) pen.fill();
         pen.stroke();
         pen.fillRect(x - 1, 11, 2, height - 11);
       }
