@@ -53,7 +53,7 @@ def points_of(*scores: str) -> list[str]:
 def test_points_for_the_same_team_stand_in_one_row():
     by_time = "entrant: yellow, points: {word: time_left_s}"
     rows = points_of("entrant: yellow, points: 10", by_time)
-    assert rows == ["| A goal. | yellow | 10, plus the time left in s (rounded down) |"]
+    assert rows == ["| A goal. | yellow | 10, plus the time left in full seconds |"]
 
 
 def test_points_for_two_teams_stand_in_two_rows_of_which_one_says_when():

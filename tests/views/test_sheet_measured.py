@@ -67,25 +67,25 @@ TIMERS = "timers: {rest: {lasts_s: 9}, own: {lasts_s: 9, per: yellow}}\ncounters
 @pytest.mark.parametrize(
     ("points", "words"),
     [
-        ("[5, {word: time_left_s, weight: 0.1}]", "5, plus 0.1 times the time left in s (rounded down)"),
+        ("[5, {word: time_left_s, weight: 0.1}]", "5, plus 0.1 times the time left in full seconds"),
         ("[{counter: tries}, -2]", "the counter “tries”, minus 2"),
         ("[5, {distance: [Y3, ball], weight: -2}]", "5, minus 2 times the distance between Y3 and the ball in m"),
         ("{distance: [ball, [0, 0.5]]}", "the distance between the ball and (0, 0.5) in m"),
         ("{distance: [blue_goal, ball]}", "the distance between the blue goal and the ball in m (0 inside)"),
         ("{distance: [Y3, yellow]}", "the distance between Y3 and the nearest other one of the yellow robots in m"),
         ("{distance: [ball, yellow]}", "the distance between the ball and the nearest of the yellow robots in m"),
-        ("{timer: rest}", "the time in s that the timer “rest” has run (rounded down)"),
-        ("[9, {timer: rest, weight: -1}]", "9, minus the time in s that the timer “rest” has run (rounded down)"),
+        ("{timer: rest}", "the time in full seconds that the timer “rest” has run"),
+        ("[9, {timer: rest, weight: -1}]", "9, minus the time in full seconds that the timer “rest” has run"),
         (
             "{timer: own}",
-            "the time in s that the longest running timer “own” of the yellow robots has run (rounded down)",
+            "the time in full seconds that the longest running timer “own” of the yellow robots has run",
         ),
         ("{timer: rest, fraction: true}", "the time in s that the timer “rest” has run (with its fraction)"),
         (
             "[9, {word: time_left_s, fraction: true, weight: -1}]",
             "9, minus the time left in s (with its fraction)",
         ),
-        ("{timer: own, entity: Y1}", "the time in s that the timer “own” of Y1 has run (rounded down)"),
+        ("{timer: own, entity: Y1}", "the time in full seconds that the timer “own” of Y1 has run"),
     ],
 )
 def test_points_of_several_parts_are_one_sentence(points, words):
@@ -98,7 +98,7 @@ def test_points_of_several_parts_are_one_sentence(points, words):
     [
         (
             "score, entrant: blue, points: [20, {timer: rest, weight: -1}], at_least: 5",
-            "blue gets points: 20, minus the time in s that the timer “rest” has run (rounded down) (at least 5)",
+            "blue gets points: 20, minus the time in full seconds that the timer “rest” has run (at least 5)",
         ),
         (
             "score, entrant: blue, points: -5, keeps_at_least: 0",
@@ -131,7 +131,7 @@ def test_points_of_several_parts_are_one_sentence(points, words):
         ),
         (
             "count, counter: tries, to: {word: time_s}, at_most: 9",
-            "the counter “tries” is set to the time in s (rounded down) (at most 9)",
+            "the counter “tries” is set to the time in full seconds (at most 9)",
         ),
     ],
 )

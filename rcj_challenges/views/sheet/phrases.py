@@ -88,9 +88,9 @@ def _counted(nouns: Nouns, model: Any) -> str:
     if isinstance(model, state.FlagValue):
         return f"1 if {nouns.kept('flag', model.flag, model.entity)} is set"
     if isinstance(model, state.NumberWord):
-        return _word(nouns, model) + (_fraction(model) if model.word.endswith("_s") else "")
+        return _seconds(_word(nouns, model), model) if model.word.endswith("_s") else _word(nouns, model)
     if isinstance(model, state.NumberTimer):
-        return f"{_ran(nouns, model)}{_fraction(model)}"
+        return _seconds(_ran(nouns, model), model)
     if isinstance(model, state.DistanceValue):
         return _apart(nouns, model)
     if isinstance(model, state.WayValue):
@@ -98,12 +98,13 @@ def _counted(nouns: Nouns, model: Any) -> str:
     return _VALUES[type(model)](nouns, model) if isinstance(model, state.DrawValue | state.NumberTold) else ""
 
 
-def _fraction(model: Any) -> str:
-    return f" ({'with its fraction' if model.fraction else 'rounded down'})"
+def _seconds(time: str, model: Any) -> str:
+    """Return a time with what of it counts: full seconds, before any weight, or its fraction too."""
+    return f"{time} (with its fraction)" if model.fraction else time.replace(" in s", " in full seconds", 1)
 
 
 def _sum(nouns: Nouns, parts: Sequence[Any]) -> str:
-    """Return the sum of weighted parts: ``5, minus 0.1 times the time in s (rounded down)``."""
+    """Return the sum of weighted parts: ``5, minus 0.1 times the time in full seconds``."""
     said = ""
     for part in parts:
         weight = part if isinstance(part, (int, float)) else part.weight
