@@ -34,6 +34,14 @@ def test_a_name_of_something_else_is_told_to_be_one(action, more, told):
     assert any(told in complaint for complaint in complaints(more + rule(action=action)))
 
 
+def test_the_name_that_a_param_holds_is_written_with_its_word():
+    winner = "params: {winner: blue}\n"
+    assert complaints(winner + rule(action="{action: score, entrant: winner}"))[0].endswith(
+        "unknown entrant 'winner', which is a param; there are blue, yellow; what a param holds is written {param: winner}"
+    )
+    assert loaded(winner + rule(action="{action: score, entrant: {param: winner}}"))
+
+
 def test_a_rule_for_each_team_is_written_once_and_repeated():
     for_each = "rules:\n  r: {for_each: entrants, triggers: [{trigger: half_started}], actions: [{action: end}]}\n"
     assert complaints(for_each)[0].endswith(

@@ -14,7 +14,7 @@ from rcj_challenges.scenario.catalogue import BOUND, EACH, OTHER, Catalogue, tex
 from rcj_challenges.scenario.checks.bound import Bound
 from rcj_challenges.scenario.checks.whose import NAMING_ONE, check_whose
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, known_text, listing, nearest
-from rcj_challenges.scenario.messages.ways_out import for_drawn, for_group, for_spots, for_start, for_teams
+from rcj_challenges.scenario.messages.ways_out import for_group, for_other_kind, for_spots, for_start, for_teams
 from rcj_challenges.scenario.messages.wording import found_text, spelled
 from rcj_challenges.scenario.models import actions, conditions, places, state, triggers
 from rcj_challenges.scenario.models.base import LONGEST_S
@@ -282,7 +282,7 @@ class _Walker:
             return
         kind = self.names.known_as(name)
         alike = for_start(name, path) or nearest(name, known) or known_text(known, noun)
-        hint = alike + for_drawn(name, kind, path, each=each)
+        hint = alike + for_other_kind(name, kind, path, each=each)
         which = f", which is {_a(kind)}" if kind else ""
         self.add(path, mark, f"unknown {noun} '{name[:64]}'{which}{hint}")
 

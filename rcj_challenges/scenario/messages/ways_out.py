@@ -97,8 +97,8 @@ def for_repeated(above: Path, key: str) -> str:
     return "; repeat_for stands in a rule, beside its triggers" + ("" if within else ", and nowhere else")
 
 
-def for_drawn(name: str, kind: str, path: Path, *, each: bool) -> str:
-    """Return how something is done to the one that a draw decided; empty: that is not what was meant.
+def for_other_kind(name: str, kind: str, path: Path, *, each: bool) -> str:
+    """Return how one writes what a param holds, or the one that a draw decided; empty: neither was meant.
 
     Args:
         name: the name that is none in its place.
@@ -106,6 +106,8 @@ def for_drawn(name: str, kind: str, path: Path, *, each: bool) -> str:
         path: where it stands.
         each: whether `each` may stand there.
     """
+    if kind == "param":
+        return f"; what a param holds is written {{param: {name}}}"
     if kind != "draw" or path[2:3] != ("actions",):
         return ""
     if not each and "at" in path:
