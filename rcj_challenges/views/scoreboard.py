@@ -53,6 +53,23 @@ def score_line(names: Mapping[str, str], scores: Mapping[str, int | float], *, s
     return ", ".join(f"{shown[seat]} {score:g}" for seat, score in scores.items())
 
 
+def score_so_far(half: HalfInfo, scores: Mapping[str, int | float]) -> str:
+    """Return the `score_line` within a half, teams in the order of the first half as in the result and on pages.
+
+    Args:
+        half: who plays where.
+        scores: by seat of this half.
+    """
+    seat_of = {team: seat for seat, team in half.teams.items()}
+    names = {team: half.team_names[seat_of[team]] for team in half.teams}
+    changed = any(team != seat for seat, team in half.teams.items())
+    return score_line(names, {team: scores[seat_of[team]] for team in half.teams}, sides_change=changed)
+
+
+def _seats(half: HalfInfo) -> str:
+    return ", ".join(f"{seat}: {plain(name, 32)}" for seat, name in half.team_names.items())
+
+
 def _shown(names: Mapping[str, str], *, sides_change: bool) -> dict[str, str]:
     """Return the names by seat as a line may show them."""
     return told_apart({seat: plain(name, 32) for seat, name in names.items()}, sides_change=sides_change)
@@ -172,13 +189,12 @@ class PlainLines(PrintedLines):
 
     def half_started(self, half: HalfInfo) -> None:
         """Say who plays where."""
-        seats = ", ".join(f"{seat}: {plain(name, 32)}" for seat, name in half.team_names.items())
-        self._say(f"half {half.half} of {half.halves}  {seats}")
+        self._say(f"half {half.half} of {half.halves}  {_seats(half)}")
 
     def progressed(self, progress: Progress) -> None:
         """Say time, score and speed."""
         if progress.clock_ticks < progress.half.ticks:
-            line = score_line(progress.half.team_names, progress.scores)
+            line = score_so_far(progress.half, progress.scores)
             self._say(f"{clock(s_from_ticks(progress.clock_ticks)):>7}  {line}  ({pace(progress)})")
 
     def event(self, event: Event, half: HalfInfo) -> None:
@@ -232,7 +248,7 @@ class Scoreboard(Silent):
         half = progress.half
         grid = Table.grid(padding=(0, 2), expand=False)
         grid.add_row(
-            Text(score_line(half.team_names, progress.scores), style="bold"),
+            Text(score_so_far(half, progress.scores), style="bold"),
             Text(f"{clock(s_from_ticks(progress.clock_ticks))} / {clock(s_from_ticks(half.ticks))}"),
             Text(f"half {half.half} of {half.halves}", style="dim"),
             Text(progress.phase.replace("_", " "), style="dim"),
@@ -242,7 +258,8 @@ class Scoreboard(Silent):
         status.add_row(
             ProgressBar(total=half.ticks, completed=progress.clock_ticks, width=40), Text(speed, style="dim")
         )
-        self._live.update(Group(Text(self._title, style="dim"), grid, status, *self._events), refresh=True)
+        title = Text(f"{self._title}   {_seats(half)}", style="dim", no_wrap=True, overflow="ellipsis")
+        self._live.update(Group(title, grid, status, *self._events), refresh=True)
 
 
 class PatientConsole(Console):

@@ -90,6 +90,41 @@ def test_the_board_says_it_in_the_same_words():
     assert "left" not in shown.getvalue()
 
 
+def after_half_time():
+    """Half-time is over: Hanse plays in yellow now and leads by 2 : 1, Alster in blue."""
+    half = replace(
+        half_of(load("match").scenario),
+        half=2,
+        team_names={"blue": "Alster", "yellow": "Hanse"},
+        teams={"blue": "yellow", "yellow": "blue"},
+    )
+    return Progress(half, 20000, 1875, {"blue": 1, "yellow": 2}, "play", 49.0, 9.0)
+
+
+def test_teams_keep_their_places_in_the_score_when_they_change_sides():
+    shown = io.StringIO()
+    PlainLines(Console(file=shown, width=200), "Match").progressed(after_half_time())
+    assert " Hanse 2 : 1 Alster  (" in shown.getvalue()
+
+
+def test_the_board_says_who_plays_in_which_colour_now():
+    shown = io.StringIO()
+    board = Scoreboard(Console(file=shown, width=200, force_terminal=True, force_interactive=True), "Match")
+    board.half_started(after_half_time().half)
+    board.progressed(after_half_time())
+    board.finished({})
+    assert "Hanse 2 : 1 Alster" in shown.getvalue()
+    assert "Match   blue: Alster, yellow: Hanse" in shown.getvalue()
+
+
+def test_teams_of_the_same_name_are_told_by_where_they_began():
+    shown = io.StringIO()
+    now = after_half_time()
+    now = replace(now, half=replace(now.half, team_names={"blue": "Hanse", "yellow": "Hanse"}))
+    PlainLines(Console(file=shown, width=200), "Match").progressed(now)
+    assert " Hanse (blue first) 2 : 1 Hanse (yellow first)  (" in shown.getvalue()
+
+
 @pytest.mark.parametrize(
     ("terminal", "kind", "shown_by"),
     [
