@@ -256,7 +256,10 @@ def test_a_key_that_another_word_has_is_told_as_it_is_called_here(body, remedy):
         ("touches, robot: Y1, ball: ball", ["it is called 'entity' here", "it is called 'other' here"]),
         ("touches, entity: ball, robot: Y1", ["it is called 'other' here"]),
         ("touches, other: ball, robot: Y1", ["it is called 'entity' here"]),
-        ("enters, zone: blue_goal, robot: Y1, ball: ball", ["it is called 'entity' here", "allowed are trigger, entity, zone"]),
+        (
+            "enters, zone: blue_goal, robot: Y1, ball: ball",
+            ["it is called 'entity' here", "allowed are trigger, entity, zone"],
+        ),
     ],
 )
 def test_of_two_things_each_is_told_its_own_key(trigger, remedies):

@@ -174,7 +174,7 @@ def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
 
 
 def _usual_key(key: str, allowed: Collection[str], node: Node | None) -> str | None:
-    """Return what a key is called here, of several the first that is not given yet; None: it is no other name of any."""
+    """Return what a key is called here, of several the first that is not given yet; None: nobody knows."""
     marks = node.key_marks if isinstance(node, Entries) else {}
     named = ("entity", "other") if key in _THINGS else (_USUAL_KEYS.get(key), *_CALLED_BY_PLACE.get(key, ()))
     meant = [one for one in named if one is not None and one in allowed]
