@@ -68,3 +68,10 @@ COUNTED = "counters: {tries: {}}\ndraws: {fuse_s: {values: [8, 12]}}\n"
 )
 def test_a_name_that_stands_for_its_value_is_told_how_that_is_written(body, remedy):
     assert any(text.endswith(remedy) for text in complaints(COUNTED + body)), complaints(COUNTED + body)
+
+
+@pytest.mark.parametrize(("movable", "advised"), [("", False), (", movable: true", True)])
+def test_to_look_at_an_obstacle_is_advised_only_where_that_is_not_refused(movable, advised):
+    crate = f"obstacles: {{crate: {{shape: box, centre_m: [0.5, 0], size_m: [0.08, 0.08]{movable}}}}}\n"
+    (text,) = complaints(crate + rule(action="{action: place, entity: Y1, at: start, facing: crate}"))
+    assert text.endswith("; to look at it is written {towards: crate}") is advised

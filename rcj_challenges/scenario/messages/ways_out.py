@@ -219,7 +219,7 @@ def for_param(node: Node | None, root: Node) -> str:
 
 _VALUES = {"counter": "counters", "draw": "draws", "timer": "timers", "flag": "flags"}
 """Where the names stand whose value is written ``{counter: NAME}``."""
-_LOOKED_AT = ("robots", "balls", "obstacles", "spots")
+_LOOKED_AT = ("robots", "balls", "spots")
 _WORDS = frozenset(get_args(NumberWord.model_fields["word"].annotation))
 
 
@@ -237,6 +237,9 @@ def for_named(path: Path, node: Node | None, root: Node, said: str) -> str:
     name = node.value
     if path[-1] == "facing":
         known = any(child(child(root, section), name) is not None for section in _LOOKED_AT)
+        # A fixed obstacle is nothing to look at.
+        movable = child(child(child(root, "obstacles"), name), "movable")
+        known = known or (isinstance(movable, Leaf) and movable.value is True)
         return f"; to look at it is written {{towards: {name}}}" if known else ""
     named = (key for key, section in _VALUES.items() if child(child(root, section), name) is not None)
     keys = [*named, *(["word"] if name in _WORDS else [])]
