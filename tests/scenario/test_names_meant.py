@@ -21,6 +21,12 @@ def test_what_a_base_has_taken_away_and_this_file_names_is_told_with_what_there_
     assert text.endswith("; did you mean 'balls'?")
 
 
+def test_what_the_command_line_takes_away_is_not_told_as_if_it_had_never_been_there():
+    goal = rule("{trigger: enters, entity: ball, zone: blue_goal}")
+    (text,) = (one for one in complaints(goal, ["zones.blue_goal=null"]) if one.startswith("rules.r."))
+    assert text.endswith("it was removed in --set zones.blue_goal=null; write rules.r anew without it")
+
+
 @pytest.mark.parametrize("key", ["at_least", "at_most", "equals"])
 def test_with_whose_counter_another_is_compared_is_told_in_whole(key):
     counters = "counters: {best_s: {per: robots}, this_s: {per: robots}}\n"

@@ -273,7 +273,7 @@ class _Walker:
         if removal is not None:
             where = f"{removal.file}:{removal.line}" if removal.line else removal.file
             # What a base takes away and this file names is no remnant of that base: it was never there for its author.
-            is_new = removal.file != mark.file == mark_of(self.root, ("id",)).file
+            is_new = bool(removal.line) and removal.file != mark.file == mark_of(self.root, ("id",)).file
             way_out = nearest(name, known) or known_text(known, noun) if is_new else _without(name, path)
             self.add(path, mark, f"unknown {noun} '{name}': it was removed in {where}{way_out}")
             return
