@@ -50,13 +50,21 @@ def is_record(folders: Iterable[str], files: Iterable[str]) -> bool:
     return "logs" in has and trajectory and not any(name.endswith(".py") for name in holds)
 
 
-def record_folders(files: Iterable[PurePosixPath]) -> frozenset[PurePosixPath]:
-    """Return the folders below the top that are records of runs, by the files of an archive."""
+def record_folders(files: Iterable[PurePosixPath], empty: Iterable[PurePosixPath]) -> frozenset[PurePosixPath]:
+    """Return the folders below the top that are records of runs, by the files of an archive.
+
+    Args:
+        files: of the archive.
+        empty: the folders that have an entry of their own: in some of them nothing may be.
+    """
     names: dict[PurePosixPath, set[str]] = {}
     folders: dict[PurePosixPath, set[str]] = {}
+    below = set(empty)
     for path in files:
         names.setdefault(path.parent, set()).add(path.name)
-        for folder in path.parents[:-1]:
+        below.update(path.parents[:1])
+    for path in below:
+        for folder in (path, *path.parents)[:-1]:
             folders.setdefault(folder.parent, set()).add(folder.name)
     top = PurePosixPath()
     return frozenset(

@@ -72,6 +72,13 @@ def test_records_of_runs_that_lie_in_a_folder_or_zip_are_no_part_of_it(tmp_path:
     assert "runs/20210618-001159-match" in told.message
 
 
+def test_the_record_of_a_run_that_was_killed_before_its_first_tick_is_no_part_of_a_zip_either(tmp_path: Path) -> None:
+    """Its folders are there already, and nothing is in them yet."""
+    record = inside("team/runs/20210618-001159-match", {"result.json": b"{}", "logs/": b"", "trajectory.part/": b""})
+    packed = open_team(zip_of(tmp_path / "team.zip", inside("team", PRESENT) | record), BLUE)
+    assert packed.digest == open_team(folder_of(tmp_path / "team", PRESENT), BLUE).digest
+
+
 @pytest.mark.parametrize(
     "names", [("trajectory.npz", "plan.json"), ("logs/of_us.txt",), ("trajectory.npz", "logs/a.txt")]
 )
