@@ -44,6 +44,12 @@ def test_whose_it_is_is_not_asked_while_nobody_knows_of_whom_there_is_one(group)
     assert text.startswith(f"flags.seen.per: unknown entity, obstacle, zone or gate '{group}'; ")
 
 
+def test_whose_it_is_is_not_denied_while_a_param_that_is_not_there_says_of_whom_there_is_one():
+    counters = "params: {who: robots}\ncounters: {c: {per: {param: how}}}\n"
+    (text,) = complaints(counters + rule(action="{action: count, counter: c, entity: Y1}"))
+    assert text.startswith("counters.c.per: unknown param 'how'")
+
+
 @pytest.mark.parametrize("bound", ["at_most: {param: fare_m}", "at_most: {param: far_m, times: 2, plus: {}}"])
 def test_a_bound_that_is_wrong_is_there_all_the_same(bound):
     holds = f"{{trigger: holds, condition: {{condition: speed, entity: ball, {bound}}}}}"
