@@ -50,6 +50,13 @@ def test_whose_it_is_is_not_denied_while_a_param_that_is_not_there_says_of_whom_
     assert text.startswith("counters.c.per: unknown param 'how'")
 
 
+def test_who_is_drawn_is_not_doubted_while_nobody_knows_for_whom_a_rule_is():
+    draws = "draws: {chosen: {values: [Y1, Y2]}}\n"
+    drawn = "    for_each: robotz\n    conditions: [{condition: drawn, draw: chosen, equals: each}]\n"
+    (text,) = complaints(draws + rule(rest=drawn))
+    assert text.startswith("rules.r.for_each: unknown entity")
+
+
 @pytest.mark.parametrize("bound", ["at_most: {param: fare_m}", "at_most: {param: far_m, times: 2, plus: {}}"])
 def test_a_bound_that_is_wrong_is_there_all_the_same(bound):
     holds = f"{{trigger: holds, condition: {{condition: speed, entity: ball, {bound}}}}}"

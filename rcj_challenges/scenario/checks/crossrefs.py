@@ -391,7 +391,8 @@ class _Walker:
         elif name not in known and members is None:
             self.add(at, value.mark, _UNKNOWN[str(name)])
         elif members:
-            strangers = [one for one in members if one not in known]
+            # What has no kind is a name that does not exist, which is reported where it is written.
+            strangers = [one for one in members if one not in known and one in self.names.kinds]
             # To ask whether it is drawn, it suffices that one of them can be; to be set, each must.
             if strangers and (key == "as" or len(strangers) == len(members)):
                 message = f"'{name}' stands for '{strangers[0]}', which is never drawn; it draws from "
