@@ -204,7 +204,7 @@ def _walk(folder: Path) -> Iterator[Path]:
     Records of runs are left out: who works in the team's folder has them there.
     """
     for root, folders, names in os.walk(folder):
-        if is_record(folders, names) and Path(root) != folder:
+        if is_record(folders, names) and Path(root) != folder and not any(Path(root).rglob("*.py")):
             folders.clear()
             continue
         folders[:] = sorted(name for name in folders if not ignored_folder(name))

@@ -91,6 +91,16 @@ def test_what_only_looks_like_a_record_stays(tmp_path: Path, names: tuple[str, .
         assert all((copy / "rcj_soccer_team_blue" / name).read_bytes() == b"ours" for name in names)
 
 
+@pytest.mark.parametrize("around", ["", "team"])
+def test_no_program_is_lost_with_what_lies_around_it_like_a_record(tmp_path: Path, around: str) -> None:
+    files = PRESENT | {"logs/own.txt": b"", "trajectory.npz": b""}
+    for team in (
+        folder_of(tmp_path / "folder", inside(around, files) if around else files),
+        zip_of(tmp_path / "team.zip", inside(around, files) if around else files),
+    ):
+        assert open_team(team, BLUE).entry_for("B1") == ENTRY
+
+
 def test_the_first_entry_point_that_exists_is_taken(tmp_path: Path) -> None:
     assert open_team(folder_of(tmp_path, OF_2021), BLUE).entry_for("B2") == "robot2/robot2.py"
     assert open_team(folder_of(tmp_path, PRESENT), BLUE).entry_for("B2") == ENTRY
