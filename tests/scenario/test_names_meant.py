@@ -2,7 +2,8 @@
 
 import pytest
 
-from tests.scenario.writing import complaints, rule
+from rcj_challenges.scenario.load import load
+from tests.scenario.writing import HEAD, complaints, rule
 
 
 def test_a_default_that_the_base_has_taken_away_is_asked_for():
@@ -11,6 +12,19 @@ def test_a_default_that_the_base_has_taken_away_is_asked_for():
     assert complaints(body, head=head) == [
         "rules.r.conditions[0] (last_touch): 'entity' is left out and then means 'ball', which is not here any more; write 'entity'"
     ]
+
+
+@pytest.mark.parametrize(
+    "section", ["flags: {play: %s}", "counters: {play: %s}", "timers: {play: {lasts_s: 3}}", "spots: {play: %s}"]
+)
+def test_something_else_of_the_name_of_a_default_may_be_taken_away(tmp_path, section):
+    own = "{x_m: 0.2, y_m: 0}" if section.startswith("spots") else "{}"
+    body = section % own if "%" in section else section
+    (tmp_path / "base.yaml").write_text(f"{HEAD}{body}\n", encoding="utf-8")
+    kind = section.partition(":")[0]
+    head = "schema_version: 1\nid: a\ntitle: A\nextends: base.yaml\n"
+    (tmp_path / "a.yaml").write_text(f"{head}{kind}: {{play: null}}\n{rule()}", encoding="utf-8")
+    assert load(tmp_path / "a.yaml").scenario.first_phase == "play"
 
 
 def test_what_a_base_has_taken_away_and_this_file_names_is_told_with_what_there_is():
