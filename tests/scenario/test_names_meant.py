@@ -15,7 +15,14 @@ def test_a_default_that_the_base_has_taken_away_is_asked_for():
 
 
 @pytest.mark.parametrize(
-    "section", ["flags: {play: %s}", "counters: {play: %s}", "timers: {play: {lasts_s: 3}}", "spots: {play: %s}"]
+    "section",
+    [
+        "flags: {play: %s}",
+        "counters: {play: %s}",
+        "timers: {play: {lasts_s: 3}}",
+        "spots: {play: %s}",
+        "phases: {play: {clock: stops}}",  # that phase is always there
+    ],
 )
 def test_something_else_of_the_name_of_a_default_may_be_taken_away(tmp_path, section):
     own = "{x_m: 0.2, y_m: 0}" if section.startswith("spots") else "{}"

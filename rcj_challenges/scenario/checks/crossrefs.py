@@ -116,7 +116,9 @@ class _Walker:
         section = next((one for one in sections if (one, default) in self.removed), None)
         mark = mark_of(self.root, path)
         is_own = mark.file == mark_of(self.root, ("id",)).file
-        if section is None or not is_own or default in (*self.names.kinds, *self.names.names(section)):
+        if section is None or not is_own:
+            return False
+        if default in reference.words or default in self.names.kinds or default in self.names.names(section):
             return False
         others = self.names.names(section)
         way_out = f"write {key}: {', or '.join(others)}" if 0 < len(others) < 4 else f"write '{key}'"
