@@ -48,7 +48,8 @@ def new_scenario(name: str, preset: str) -> int:
     if is_device_of_windows(file.name):
         raise StarterError(f"'{file.stem}' is a device on Windows, where no file has that name; choose another name")
     if _NO_LETTER.search(file.name):
-        raise StarterError(f"'{shown(name)}' has a character in it that is no letter; choose a name such as slalom")
+        what = "a line break, a control character or stray bytes"
+        raise StarterError(f"'{shown(name)}' has {what} in it; choose a name such as slalom")
     short = _identifier(file.stem)
     program = file.with_name(f"{file.stem}_team") / "robot.py"
     for path in (file, program):
