@@ -18,7 +18,7 @@ from rcj_challenges.scenario.resources import names_in, starters_folder
 
 _LONGEST_ID = 64
 _LONGEST_TITLE = 120
-_NO_LETTER = re.compile("[\x00-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufffe\uffff]")
+_NO_LETTER = re.compile("[\x00-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufeff\ufffe\uffff]")
 """What cannot stand in a line of YAML, where the file names itself: line breaks, control characters, lone bytes."""
 
 

@@ -235,7 +235,7 @@ class TestNew:
         call("new", tmp_path / name)
         assert load(tmp_path / f"{name}.yaml").scenario.title == name.replace("_", " ").capitalize()
 
-    @pytest.mark.parametrize("name", ["a\nb", "a\x7fb", "a\x85b", "a\udcff", "a\u2028b"])
+    @pytest.mark.parametrize("name", ["a\nb", "a\x7fb", "a\x85b", "a\udcff", "a\u2028b", "a\ufeffb"])
     def test_a_name_that_no_yaml_can_hold_is_refused_and_nothing_is_written(self, tmp_path, name):
         error = call("new", tmp_path / name).exception
         assert isinstance(error, StarterError)
