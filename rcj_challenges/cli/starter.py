@@ -18,6 +18,8 @@ from rcj_challenges.scenario.resources import names_in, starters_folder
 
 _LONGEST_ID = 64
 _LONGEST_TITLE = 120
+_NO_LETTER = re.compile("[\x00-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufeff\ufffe\uffff]")
+"""What cannot stand in a line of YAML, where the file names itself: line breaks, control characters, lone bytes."""
 
 
 class StarterError(RcjError):
@@ -45,6 +47,9 @@ def new_scenario(name: str, preset: str) -> int:
         raise StarterError(f"'{shown(name)}' is no name of a file; choose one such as slalom")
     if is_device_of_windows(file.name):
         raise StarterError(f"'{file.stem}' is a device on Windows, where no file has that name; choose another name")
+    if _NO_LETTER.search(file.name):
+        what = "a line break, a control character or stray bytes"
+        raise StarterError(f"'{shown(name)}' has {what} in it; choose a name such as slalom")
     short = _identifier(file.stem)
     program = file.with_name(f"{file.stem}_team") / "robot.py"
     for path in (file, program):

@@ -204,7 +204,7 @@ def _walk(folder: Path) -> Iterator[Path]:
     Records of runs are left out: who works in the team's folder has them there.
     """
     for root, folders, names in os.walk(folder):
-        if is_record(folders, names) and Path(root) != folder:
+        if is_record(folders, names) and Path(root) != folder and not any(Path(root).rglob("*.py")):
             folders.clear()
             continue
         folders[:] = sorted(name for name in folders if not ignored_folder(name))
@@ -357,7 +357,8 @@ class _ZipReading:
     def _without_records(self, entries: list[zipped.Entry]) -> list[zipped.Entry]:
         """Leave out records of runs, and tell of them: who packs the folder that he works in packs them too."""
         short = [entry for entry in entries if len(entry.name) <= MOST_PATH_LETTERS]  # others are refused as they are
-        records = record_folders(path_of(entry.name) for entry in short if not entry.is_folder)
+        files, folders = ([path_of(entry.name) for entry in short if entry.is_folder is kind] for kind in (False, True))
+        records = record_folders(files, folders)
         for record in sorted(records):
             message, remedy = f"{told(record)} is the record of a run: it is not used", "delete it before packing"
             self._troubles.add(Trouble("archive.leftovers", "warning", message, remedy, told(record), repair=True))

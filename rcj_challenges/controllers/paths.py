@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from pathlib import PurePosixPath
 
 from rcj_challenges.controllers.troubles import Trouble, told
@@ -39,29 +39,38 @@ def ignored(parts: tuple[str, ...]) -> bool:
     return not _IGNORED_FOLDERS.isdisjoint(parts[:-1]) or parts[-1] in _IGNORED_FILES or parts[-1].endswith(".pyc")
 
 
-def is_record(folders: Iterable[str], files: Iterable[str]) -> bool:
+def is_record(folders: Iterable[str], files: Collection[str]) -> bool:
     """Return whether a folder with these in it is the record of a run, from its first moment on.
 
     Other matches may begin or end while a team is read, so this does not wait for the files that come a little later.
-    A folder with a program in it is none, whatever else is there.
+    A folder with a program anywhere in it is none, whatever else is there: that is for the caller to look for.
     """
-    has, holds = set(folders), list(files)
-    trajectory = "trajectory.part" in has or "trajectory.npz" in holds
-    return "logs" in has and trajectory and not any(name.endswith(".py") for name in holds)
+    has = set(folders)
+    return "logs" in has and ("trajectory.part" in has or "trajectory.npz" in files)
 
 
-def record_folders(files: Iterable[PurePosixPath]) -> frozenset[PurePosixPath]:
-    """Return the folders below the top that are records of runs, by the files of an archive."""
+def record_folders(files: Iterable[PurePosixPath], empty: Iterable[PurePosixPath]) -> frozenset[PurePosixPath]:
+    """Return the folders below the top that are records of runs, by the files of an archive.
+
+    Args:
+        files: of the archive.
+        empty: the folders that have an entry of their own: in some of them nothing may be.
+    """
     names: dict[PurePosixPath, set[str]] = {}
     folders: dict[PurePosixPath, set[str]] = {}
+    others = {PurePosixPath()}
+    below = set(empty)
     for path in files:
         names.setdefault(path.parent, set()).add(path.name)
-        for folder in path.parents[:-1]:
+        below.update(path.parents[:1])
+        if path.suffix == ".py":
+            others.update(path.parents)
+    for path in below:
+        for folder in (path, *path.parents)[:-1]:
             folders.setdefault(folder.parent, set()).add(folder.name)
-    top = PurePosixPath()
     return frozenset(
-        folder for folder in names.keys() | folders.keys()
-        if folder != top and is_record(folders.get(folder, ()), names.get(folder, ()))
+        folder for folder in (names.keys() | folders.keys()) - others
+        if is_record(folders.get(folder, ()), names.get(folder, ()))
     )  # fmt: skip
 
 

@@ -38,12 +38,15 @@ def own_of_that_name(shipped: Path, folder: Path) -> Path | None:
 
     The names of challenges and presets are not asked about: they always mean the shipped ones.
     """
-    own = folder / shipped.name
-    try:
-        is_own = shipped.parent.parent == scenarios_folder() and own.is_file() and not own.samefile(shipped)
-    except OSError:  # nobody may look into that folder
+    if shipped.parent.parent != scenarios_folder():
         return None
-    return own if is_own else None
+    for own in (folder / shipped.name, folder / f"{shipped.stem}.yml"):
+        try:
+            if own.is_file() and not own.samefile(shipped):
+                return own
+        except OSError:  # nobody may look into that folder
+            return None
+    return None
 
 
 def teams_folder() -> Path:

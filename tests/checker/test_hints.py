@@ -89,6 +89,23 @@ def test_a_program_that_reads_json_where_the_packet_is_a_byte_is_told_how_to_pla
     assert "one byte" in found.remedy
 
 
+@pytest.mark.parametrize("side", ['robot.getName()[0] == "B"', "robot.getName()[0] in ('B', 'b')"])
+def test_who_asks_for_the_letter_of_its_colour_reads_no_byte(check, side):
+    begin = f"{BEGIN}is_blue = {side}\n"
+    found = failure(check(begin + LOOP.replace("READ", "json.loads(receiver.getString())")))
+    assert "--set kits.v2.messages=v2.2" in found.remedy
+    own = (
+        LOOP.replace("READ", "json.loads(receiver.getString())") + "    struct.unpack('<d', '') or receiver.getData()\n"
+    )
+    assert "--set" not in failure(check(begin + own, V22)).remedy
+
+
+@pytest.mark.parametrize("form", ['"B"', '"b"', '"c"', '"<B"', '"?"'])
+def test_who_reads_the_byte_as_whatever_reads_a_byte(check, form):
+    loop = LOOP.replace("READ", f"struct.unpack({form}, receiver.getData())[0]") + '    json.loads("")\n'
+    assert "messages" not in failure(check(BEGIN + loop)).remedy
+
+
 @pytest.mark.parametrize("read", ["getData()", "getBytes()"])
 def test_a_program_that_reads_bytes_where_the_packet_is_json_is_told_how_to_play_with_v2_1(check, read):
     found = failure(check(BYTE_PROGRAM.replace("getData()", read), V22))

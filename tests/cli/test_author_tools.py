@@ -235,6 +235,13 @@ class TestNew:
         call("new", tmp_path / name)
         assert load(tmp_path / f"{name}.yaml").scenario.title == name.replace("_", " ").capitalize()
 
+    @pytest.mark.parametrize("name", ["a\nb", "a\x7fb", "a\x85b", "a\udcff", "a\u2028b", "a\ufeffb"])
+    def test_a_name_that_no_yaml_can_hold_is_refused_and_nothing_is_written(self, tmp_path, name):
+        error = call("new", tmp_path / name).exception
+        assert isinstance(error, StarterError)
+        assert "choose a name such as slalom" in str(error)
+        assert list(tmp_path.iterdir()) == []
+
     @pytest.mark.parametrize("preset", PRESETS)
     @pytest.mark.parametrize("name", ["slalom", "of 2026/juniors/slalom.yaml"])
     def test_editors_find_the_schema_that_is_written_where_new_was_typed(self, tmp_path, monkeypatch, name, preset):

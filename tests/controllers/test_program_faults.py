@@ -271,6 +271,14 @@ def test_a_crash_is_told_whatever_the_team_called_its_files(match: FakeMatch, tm
     assert "line 3, in <module>" in played.fault.traceback
 
 
+@pytest.mark.parametrize("added", ["pathlib.Path('lib')", "b'lib'", "None"])
+def test_a_crash_is_told_whatever_the_program_has_put_into_its_path(match: FakeMatch, added: str) -> None:
+    played = match.play(f"import pathlib, sys\nsys.path.append({added})\nraise ValueError('too fast')\n", 2)
+    assert played.fault is not None
+    assert played.fault.detail == "ValueError: too fast (robot.py, line 3)"
+    assert "line 3, in <module>" in played.fault.traceback
+
+
 def test_a_crash_is_told_in_short_where_the_program_has_broken_what_tells_it(match: FakeMatch) -> None:
     program = "import traceback\ntraceback.TracebackException = None\nraise ValueError('too fast')\n"
     played = match.play(program, 2)

@@ -72,6 +72,13 @@ def test_records_of_runs_that_lie_in_a_folder_or_zip_are_no_part_of_it(tmp_path:
     assert "runs/20210618-001159-match" in told.message
 
 
+def test_the_record_of_a_run_that_was_killed_before_its_first_tick_is_no_part_of_a_zip_either(tmp_path: Path) -> None:
+    """Its folders are there already, and nothing is in them yet."""
+    record = inside("team/runs/20210618-001159-match", {"result.json": b"{}", "logs/": b"", "trajectory.part/": b""})
+    packed = open_team(zip_of(tmp_path / "team.zip", inside("team", PRESENT) | record), BLUE)
+    assert packed.digest == open_team(folder_of(tmp_path / "team", PRESENT), BLUE).digest
+
+
 @pytest.mark.parametrize(
     "names", [("trajectory.npz", "plan.json"), ("logs/of_us.txt",), ("trajectory.npz", "logs/a.txt")]
 )
@@ -82,6 +89,16 @@ def test_what_only_looks_like_a_record_stays(tmp_path: Path, names: tuple[str, .
         copy = folder_of(tmp_path / f"copy of {team.name}", {"x": b""})
         open_team(team, BLUE).unpack(copy)
         assert all((copy / "rcj_soccer_team_blue" / name).read_bytes() == b"ours" for name in names)
+
+
+@pytest.mark.parametrize("around", ["", "team"])
+def test_no_program_is_lost_with_what_lies_around_it_like_a_record(tmp_path: Path, around: str) -> None:
+    files = PRESENT | {"logs/own.txt": b"", "trajectory.npz": b""}
+    for team in (
+        folder_of(tmp_path / "folder", inside(around, files) if around else files),
+        zip_of(tmp_path / "team.zip", inside(around, files) if around else files),
+    ):
+        assert open_team(team, BLUE).entry_for("B1") == ENTRY
 
 
 def test_the_first_entry_point_that_exists_is_taken(tmp_path: Path) -> None:

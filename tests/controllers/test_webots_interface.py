@@ -252,10 +252,12 @@ def test_the_period_of_the_torque_feedback_is_kept_and_the_torque_is_always_0(ma
         "robot.step(32)\n"
         "print(motor.getTorqueFeedbackSamplingPeriod(), motor.getTorqueFeedback())\n"
         "motor.disableTorqueFeedback(); print(motor.getTorqueFeedbackSamplingPeriod())\n"
+        "motor.enableTorqueFeedback(0.032); print(motor.getTorqueFeedbackSamplingPeriod())\n"
+        "motor.enableTorqueFeedback(float('inf')); print(motor.getTorqueFeedbackSamplingPeriod())\n"
         "robot.step(32)\n",
         2,
     )
-    assert played.said == ["32 0.0", "0"]
+    assert played.said == ["32 0.0", "0", "1", "2147483647"]
 
 
 def test_cells_of_a_lidar_are_0_until_they_are_measured_also_before_the_first_step(match: FakeMatch) -> None:

@@ -197,6 +197,17 @@ def test_a_file_of_ones_own_is_not_passed_over_by_extends_either(name, tmp_path)
     assert load(write(tmp_path, "harder.yaml", harder % f"{name}.yaml")).path == tmp_path / "harder.yaml"
 
 
+def test_a_file_of_ones_own_may_end_with_yml_too(tmp_path, monkeypatch):
+    write(tmp_path, "slalom.yml", "schema_version: 1\nid: own\ntitle: Own\nextends: soccersim_v2\n")
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ScenarioError, match=r"slalom\.yml lies here: write slalom\.yml for that"):
+        load("slalom")
+    with pytest.raises(ScenarioError, match=r"slalom\.yml lies beside .*harder\.yaml: write slalom\.yml for that"):
+        load(write(tmp_path, "harder.yaml", "schema_version: 1\nid: harder\ntitle: Harder\nextends: slalom\n"))
+    own = "schema_version: 1\nid: own\ntitle: Own\nextends: slalom\nexpect: {inherited: null}\n"
+    assert load(write(tmp_path, "slalom.yml", own)).scenario.id == "own"
+
+
 def test_a_file_may_extend_the_shipped_one_of_its_own_name(tmp_path):
     own = "schema_version: 1\nid: own\ntitle: Own\nextends: slalom\nexpect: {inherited: null}\n"
     assert load(write(tmp_path, "slalom.yaml", own)).scenario.id == "own"

@@ -90,3 +90,7 @@ def test_a_rule_that_leaves_the_phase_ends_a_round_which_begins_where_it_began()
     phases = "phases: {countdown: {lasts_s: 3, robots: held}}\nfirst_phase: countdown\n"
     assert found(trigger=both_stay, action=new_round, sections=phases) == []
     assert len(found(trigger=both_stay, sections=phases)) == 1
+
+
+def test_a_rule_that_ends_the_half_fires_once():
+    assert found(action=PUT_BACK + ", {action: end}") == []

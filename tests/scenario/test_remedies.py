@@ -250,6 +250,31 @@ def test_a_key_that_another_word_has_is_told_as_it_is_called_here(body, remedy):
     assert any("unknown key" in text and text.endswith(f"; {remedy}") for text in complaints(body)), complaints(body)
 
 
+@pytest.mark.parametrize(
+    ("trigger", "remedies"),
+    [
+        ("touches, robot: Y1, ball: ball", ["it is called 'entity' here", "it is called 'other' here"]),
+        ("touches, entity: ball, robot: Y1", ["it is called 'other' here"]),
+        ("touches, other: ball, robot: Y1", ["it is called 'entity' here"]),
+        (
+            "enters, zone: blue_goal, robot: Y1, ball: ball",
+            ["it is called 'entity' here", "allowed are trigger, entity, zone"],
+        ),
+    ],
+)
+def test_of_two_things_each_is_told_its_own_key(trigger, remedies):
+    texts = [text for text in complaints(rule(f"{{trigger: {trigger}}}")) if "unknown key" in text]
+    assert len(texts) == len(remedies)
+    for text, remedy in zip(texts, remedies, strict=True):
+        assert text.endswith(f"; {remedy}"), text
+
+
+def test_what_has_a_key_of_another_name_is_not_said_to_be_reckoned_elsewhere():
+    points = "[{counter: yellow, times: 2}]"
+    (text,) = complaints(rule(action=f"{{action: score, entrant: yellow, points: {points}}}"))
+    assert text.endswith("; it is called 'weight' here")
+
+
 def test_a_section_that_is_not_indented():
     texts = complaints("rules:\nr:\n  triggers: [{trigger: half_started}]\n  actions: [{action: end}]\n")
     assert texts[1].startswith("unknown key 'r'; ")

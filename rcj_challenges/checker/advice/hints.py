@@ -39,8 +39,11 @@ _READS_JSON, _READS_FILE = re.compile(r"\bloads\b"), re.compile(r"\b(open|read|r
 _READS_PACKET = re.compile(rb"\.(getData|getString|getBytes|data|string|bytes)\b")
 _READS_AS_TEXT = re.compile(r"\.(getData|getString)\(")
 _KNOWS_JSON = re.compile(rb"\bjson\.loads\b|\bfrom json import\b")
-# The byte of v2.1: by its format, or as the first of the packet.
-_READS_A_FLAG = re.compile(rb"""["'][<>=!@]?[?bBc]["']|\.(?:getData|getBytes|data|bytes)(?:\(\))?\s*\[0\]""")
+# The byte of v2.1: by its format, or as the first of the packet. A "B" elsewhere is the letter of a colour.
+_READS_A_FLAG = re.compile(
+    rb"""["'](?:[<>=!@]?\?|[<>=!@][bBc])["']|\b(?:unpack\w*|iter_unpack|Struct)\(\s*["'][bBc]["']"""
+    rb"""|\.(?:getData|getBytes|data|bytes)(?:\(\))?\s*\[0\]"""
+)
 _NO_SUCH_NAME = re.compile(r"cannot import name '(?P<name>\w+)' from (partially initialized module )?'(?P<module>\w+)'")
 _NO_SUCH_MODULE = re.compile(r"No module named '(?:\w+\.)*(?P<module>\w+)'")
 _NO_SUCH_ATTRIBUTE = re.compile(r"module '(?P<module>\w+)' has no attribute '(?P<name>\w+)'")

@@ -33,6 +33,8 @@ _WORDED = ("triggers", "conditions", "actions")
 _OF_OTHERS: dict[Any, str] = {state.LowestOfOthers: "lowest", state.HighestOfOthers: "highest"}
 _PLACES = ("zone", "gate")
 _STANDING = ("fixed obstacle", "walls")
+_ON_FIELD = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups")
+"""Sections whose names stand for something on the field."""
 
 
 def check_references(catalogue: Catalogue, removed: Mapping[Path, Mark]) -> list[Problem]:
@@ -102,18 +104,21 @@ class _Walker:
             if key in node.entries:
                 for text, at, mark in self._named_in(reference, node, key, path):
                     self._check(reference, text, at, mark, bound)
-            elif isinstance(default, str) and not self._says_that_it_is_gone(key, default, path):
+            elif isinstance(default, str) and not self._says_that_it_is_gone(reference, key, default, path):
                 self._check(reference, default, path, mark_of(self.root, path), bound)
         self._special(model, node, path, bound)
         self._whom(model, node, path, bound)
         return bound
 
-    def _says_that_it_is_gone(self, key: str, default: str, path: Path) -> bool:
+    def _says_that_it_is_gone(self, reference: Reference, key: str, default: str, path: Path) -> bool:
         """Say which key to write in a file whose author took away what the key means where it is left out."""
-        section = next((str(gone[0]) for gone in self.removed if len(gone) == 2 and gone[1] == default), None)
+        sections = reference.sections if isinstance(reference, Named) else _ON_FIELD
+        section = next((one for one in sections if (one, default) in self.removed), None)
         mark = mark_of(self.root, path)
         is_own = mark.file == mark_of(self.root, ("id",)).file
-        if section is None or not is_own or default in self.names.kinds:
+        if section is None or not is_own:
+            return False
+        if default in reference.words or default in self.names.kinds or default in self.names.names(section):
             return False
         others = self.names.names(section)
         way_out = f"write {key}: {', or '.join(others)}" if 0 < len(others) < 4 else f"write '{key}'"
@@ -215,8 +220,7 @@ class _Walker:
                 ]
             if reference.drawn:
                 known += [draw for draw in names.names("draws") if self._may_decide(draw, reference)]
-            sections = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups")
-            self._unknown(reference.noun, name, known, sections, path, mark, each=reference.each)
+            self._unknown(reference.noun, name, known, _ON_FIELD, path, mark, each=reference.each)
 
     def _may_decide(self, draw: str, reference: Field) -> bool:
         """Return whether all values of a draw are of a kind that is needed."""
@@ -273,7 +277,7 @@ class _Walker:
         if removal is not None:
             where = f"{removal.file}:{removal.line}" if removal.line else removal.file
             # What a base takes away and this file names is no remnant of that base: it was never there for its author.
-            is_new = removal.file != mark.file == mark_of(self.root, ("id",)).file
+            is_new = bool(removal.line) and removal.file != mark.file == mark_of(self.root, ("id",)).file
             way_out = nearest(name, known) or known_text(known, noun) if is_new else _without(name, path)
             self.add(path, mark, f"unknown {noun} '{name}': it was removed in {where}{way_out}")
             return
@@ -391,7 +395,8 @@ class _Walker:
         elif name not in known and members is None:
             self.add(at, value.mark, _UNKNOWN[str(name)])
         elif members:
-            strangers = [one for one in members if one not in known]
+            # What has no kind is a name that does not exist, which is reported where it is written.
+            strangers = [one for one in members if one not in known and one in self.names.kinds]
             # To ask whether it is drawn, it suffices that one of them can be; to be set, each must.
             if strangers and (key == "as" or len(strangers) == len(members)):
                 message = f"'{name}' stands for '{strangers[0]}', which is never drawn; it draws from "

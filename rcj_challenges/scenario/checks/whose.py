@@ -47,6 +47,8 @@ def check_whose(model: Any, node: Entries, path: Path, bound: Bound, names: Cata
         return
     entry = node_at(names.root, (_SECTIONS[key], name.value))
     per = child(entry, "per")
+    if isinstance(per, Leaf) and per.value is None:
+        return  # empty, or an unknown param, which is reported where it is written
     if not isinstance(per, Leaf) or not isinstance(per.value, str):
         surplus = next((one for one in ("entity", "of") if one in node.entries), None)
         if surplus is not None and (entry is not None or name.value in names.names("entrants")):

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.floor_shapes import lies_in
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect, lives_in
-from rcj_challenges.scenario.models.actions import Place, Remove, SetPhase
+from rcj_challenges.scenario.models.actions import End, Place, Remove, SetPhase
 from rcj_challenges.scenario.models.conditions import HalfIs, InZone
 from rcj_challenges.scenario.models.places import Placing, Start
 from rcj_challenges.scenario.models.scenario import Rule
@@ -43,7 +43,8 @@ def _is_limited(rule: Rule) -> bool:
     asks = any(not isinstance(condition, HalfIs) for condition in rule.conditions)
     # In another phase it does not live: it has ended a round, and rounds come again and begin at the starts.
     leaves = any(isinstance(action, SetPhase) and not lives_in(rule, action.phase) for action in rule.actions)
-    return asks or leaves or rule.max_executions is not None or rule.cooldown_s is not None
+    ends = any(isinstance(action, End) for action in rule.actions)
+    return asks or leaves or ends or rule.max_executions is not None or rule.cooldown_s is not None
 
 
 def _put_to_start(rule: Rule, subject: Subject) -> frozenset[str]:

@@ -233,9 +233,10 @@ class _Explainer:
             why = "; of a timer kept per entity for_each says whose is meant, without it any of them"
         if model in (TimerValue, WordValue) and key == "fraction":
             why = "; a payload and the broadcast tell times with their fraction anyway: leave it out"
-        meant = for_key(key, above, allowed, self.root) or self._meant_by(key, above, allowed)
+        called = for_key(key, above, allowed, self.root)
+        meant = called or self._meant_by(key, above, allowed)
         message = f"unknown key '{key[:64]}'; allowed are {listing(allowed, 40)}{meant}{why}"
-        reckoned = for_reckoned(above, key, node_at(self.root, above))
+        reckoned = "" if called else for_reckoned(above, key, node_at(self.root, above))
         message += for_repeated(above, key) or reckoned or self._as_list(above, key)
         return mark_of(self.root, (*above, key), at_key=True).problem(in_names(self.root, above), message)
 

@@ -131,15 +131,15 @@ _USUAL_KEYS = {
     "friction": "slows_mps2",
     "rolling_friction": "slows_mps2",
     "damping": "slows_mps2",
-    "robot": "entity",
-    "ball": "entity",
-    "who": "entity",
     "times": "weight",
     "factor": "weight",
     "to": "as",
     "for_s": "limit_s",
 }
 """What others call a key, and how it is written here."""
+
+_THINGS = ("robot", "ball", "who")
+"""What others call the first and the second thing that a word is about, here entity and other."""
 
 _BY_PLACE = {
     ("min", "minimum"): ("keeps_at_least", "at_least"),
@@ -159,9 +159,7 @@ def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
         allowed: the keys that it may have.
         root: the whole scenario.
     """
-    allowed = set(allowed)
-    meant = (_USUAL_KEYS.get(key), *_CALLED_BY_PLACE.get(key, ()))
-    usual = next((one for one in meant if one in allowed), None)
+    usual = _usual_key(key, set(allowed), node_at(root, above))
     if usual is not None:
         return f"; it is called {usual!r} here"
     if above[:1] == ("rules",) and len(above) == 2 and key == "else":
@@ -175,6 +173,19 @@ def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
     if not isinstance(last, Leaf) or not last.empty:
         return ""
     return f"; what belongs to '{before[-1]}' above it is indented: put two blanks before it"
+
+
+def _usual_key(key: str, allowed: Collection[str], node: Node | None) -> str | None:
+    """Return what a key is called here, of several the first that is not given yet; None: nobody knows."""
+    marks = node.key_marks if isinstance(node, Entries) else {}
+    named = ("entity", "other") if key in _THINGS else (_USUAL_KEYS.get(key), *_CALLED_BY_PLACE.get(key, ()))
+    meant = [one for one in named if one is not None and one in allowed]
+    # What a base gives may be given anew.
+    free = [one for one in meant if one not in marks or key not in marks or marks[one].file != marks[key].file]
+    things = [one for one in marks if one in _THINGS and one not in allowed]
+    if key in things and meant:
+        return next(iter(free[things.index(key) :]), None if free else meant[0])
+    return next(iter(free or meant), None)
 
 
 def for_coordinates(path: Path, node: Node | None, keys: Collection[str]) -> str:
@@ -210,7 +221,7 @@ def for_param(node: Node | None, root: Node) -> str:
 
 _VALUES = {"counter": "counters", "draw": "draws", "timer": "timers", "flag": "flags"}
 """Where the names stand whose value is written ``{counter: NAME}``."""
-_LOOKED_AT = ("robots", "balls", "obstacles", "spots")
+_LOOKED_AT = ("robots", "balls", "spots")
 _WORDS = frozenset(get_args(NumberWord.model_fields["word"].annotation))
 
 
@@ -228,6 +239,9 @@ def for_named(path: Path, node: Node | None, root: Node, said: str) -> str:
     name = node.value
     if path[-1] == "facing":
         known = any(child(child(root, section), name) is not None for section in _LOOKED_AT)
+        # A fixed obstacle is nothing to look at.
+        movable = child(child(child(root, "obstacles"), name), "movable")
+        known = known or (isinstance(movable, Leaf) and movable.value is True)
         return f"; to look at it is written {{towards: {name}}}" if known else ""
     named = (key for key, section in _VALUES.items() if child(child(root, section), name) is not None)
     keys = [*named, *(["word"] if name in _WORDS else [])]

@@ -152,7 +152,7 @@ def _with_standard_library(tell: Callable[[BaseException, str], tuple[str, str]]
     """Call what uses modules of the standard library, which import others when they like: none of the team's files."""
     standard = os.path.dirname(os.__file__)
     kept = sys.path[:]
-    sys.path[:] = [path for path in kept if path.startswith(standard)]
+    sys.path[:] = [path for path in kept if isinstance(path, str) and path.startswith(standard)]
     theirs = {key: sys.modules.pop(key) for key in [*sys.modules] if _is_in_the_way(key, standard)}
     try:
         return tell(*of)

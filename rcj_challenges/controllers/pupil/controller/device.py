@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any, Self
 
-_LONGEST_MS = 2**31 - 1
+LONGEST_MS = 2**31 - 1
 
 
 class ReadOnly:
@@ -146,7 +146,7 @@ class Sensor(Device):
         if not period_ms > 0:
             self._rcj_stop()
             return
-        self._rcj_period_ms = max(1, int(min(period_ms, _LONGEST_MS)))  # 0 would say that it is off
+        self._rcj_period_ms = max(1, int(min(period_ms, LONGEST_MS)))  # 0 would say that it is off
         self._rcj_sample(self._rcj_hub.ticks_from_ms(period_ms))
 
     def disable(self) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from ._hub import Hub, complain, number
-from .device import Device, ReadOnly
+from .device import LONGEST_MS, Device, ReadOnly
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -168,7 +168,7 @@ class Motor(Device):
 
     def enableTorqueFeedback(self, samplingPeriod: float) -> None:
         """Remember a period in ms. The torque itself is not simulated."""
-        self._rcj_torque_period_ms = int(samplingPeriod) if samplingPeriod > 0 else 0
+        self._rcj_torque_period_ms = max(1, int(min(samplingPeriod, LONGEST_MS))) if samplingPeriod > 0 else 0
 
     def disableTorqueFeedback(self) -> None:
         """Forget the period."""

@@ -135,7 +135,7 @@ class Panels {
     clearTimeout(this.flashing);
     this.flashing = setTimeout(() => {
       button.removeAttribute("aria-pressed");
-      button.title = button.ariaLabel;
+      button.title = button.getAttribute("aria-label");
     }, 1500);
   }
 }
