@@ -111,7 +111,7 @@ def read_contents(path: Path) -> Contents:
             raise TeamError(f"{told(path, MOST_PATH_SHOWN)}: there is no such file or folder{swallowed}")
         if not path.is_file():
             raise TeamError(f"{told(path, MOST_PATH_SHOWN)}: this is neither a file nor a folder")
-        if path.suffix == ".py":
+        if path.suffix.casefold() == ".py":
             return _from_program(path)
         return _from_zip(path)
     except (OSError, ValueError) as error:
@@ -128,7 +128,8 @@ def refusal(path: Path, reasons: list[Trouble]) -> TeamError:
 def _from_program(path: Path) -> Contents:
     if path.stat().st_size > MOST_PACKED_BYTES:
         return _unreadable("program", _too_large(path.stat().st_size))
-    return Contents("program", {composed(from_disk(path.name)): path.read_bytes()})
+    # ROBOT.PY, as old copies and memory sticks have it, is a program just as well.
+    return Contents("program", {composed(from_disk(path.with_suffix(".py").name)): path.read_bytes()})
 
 
 def _too_large(size: int) -> Trouble:

@@ -131,6 +131,13 @@ def test_the_programs_own_folder_will_do_whatever_it_is_called(tmp_path: Path) -
     assert (tmp_path / "copy" / "rcj_soccer_team_blue" / "utils.py").read_bytes() == b"u"
 
 
+def test_a_single_file_whose_ending_is_written_in_capitals_is_a_program_too(tmp_path: Path) -> None:
+    (tmp_path / "ROBOT.PY").write_bytes(b"x")
+    team = open_team(tmp_path / "ROBOT.PY", BLUE)
+    assert {team.entry_for(robot) for robot in BLUE.robots} == {"ROBOT.py"}
+    assert team.name == "ROBOT"
+
+
 def test_a_single_file_drives_all_robots(tmp_path: Path) -> None:
     (tmp_path / "my_bot.py").write_bytes(b"x")
     team = open_team(tmp_path / "my_bot.py", BLUE, YELLOW)
