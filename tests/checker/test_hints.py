@@ -204,6 +204,15 @@ def test_of_several_threads_no_line_is_blamed(check):
     assert "line" not in found.remedy
 
 
+def test_where_each_of_several_threads_was_is_told_apart(check):
+    threads = "import threading\ndef wait():\n    threading.Event().wait()\nthreading.Thread(target=wait, daemon=True).start()\n"
+    found = failure(check(BEGIN + threads + "robot.step(32)\nwhile True:\n    pass\n"))
+    told = found.details.splitlines()
+    beside = told.index("Beside it, another thread was here:")
+    assert [line.rpartition(" in ")[2] for line in told[1:beside]] == ["<module>"]
+    assert [line.rpartition(" in ")[2] for line in told[beside + 1 :]] == ["wait"]
+
+
 def test_a_program_of_which_only_threads_go_on_is_told_that_it_came_to_its_end(check):
     threads = "import threading\nthreading.Thread(target=threading.Event().wait).start()\n"
     found = failure(check(BEGIN + threads + "robot.step(32)\n"))

@@ -288,7 +288,7 @@ def _on_place(team: Team, kind: str, whereabouts: str) -> Hint | None:
         return Hint(_THREADS_ALONE)
     place = next(_places(whereabouts), None)
     if place is None or _any_mentions(team, re.compile(rb"\bthreading\b|\bconcurrent\b|\b_thread\b")):
-        return None  # of several threads nobody can say whose line comes first
+        return None  # of several threads nobody can say which one should have called step
     code = _code(team, iter([place]))
     where = f"line {place[1]} of {shown(place[0])}" + (f" ({shown(code, _MOST_CODE_LETTERS)})" if code else "")
     # A call of the team's own would have a line of its own, further in.
