@@ -75,7 +75,8 @@ def test_where_it_hangs_is_told_before_where_its_other_threads_are(
         "for _ in range(2): threading.Thread(target=write_log, daemon=True).start()\n"
         "def turn():\n"
         "    while True: pass\n"
-        "turn()\n"
+        "turn()\n",
+        encoding="utf-8",
     )
     played = FakeMatch(tmp_path, portable=by_watch, start_s=1.5).play(open_team(tmp_path / "t"))
     where = played.log.split("It was here, the innermost call first:\n")[1].splitlines()

@@ -302,6 +302,20 @@ def test_several_runs_are_added_up_by_team(tmp_path: Path) -> None:
     assert both.play_ticks == sum(one.play_ticks for one in single)
 
 
+def test_possession_over_several_runs_is_a_share_of_those_that_the_team_played(record: Callable[..., Path]) -> None:
+    one = run_stats(record(100, {11: 0, 61: 1}))  # the first team has the ball for 50 ticks of 100, the second for 40
+    other = run_stats(record(300, {151: 0}))
+    other.teams = {"Elbe": other.teams["Hanse"], "Weser": other.teams["Alster"]}
+    both = stats_as_json(together([one, other]))
+    assert both["play_s"] == pytest.approx(400 * TICK_S)
+    assert {name: team["possession"] for name, team in both["teams"].items()} == {
+        "Hanse": 50.0, "Alster": 40.0, "Elbe": 50.0, "Weser": 0.0,
+    }  # fmt: skip
+    assert both["teams"]["Hanse"]["robots"]["B1"]["possession"] == 50.0
+    again = stats_as_json(together([one, one, other]))["teams"]
+    assert (again["Hanse"]["possession"], again["Elbe"]["possession"]) == (50.0, 50.0)
+
+
 def test_several_submissions_of_one_name_are_told(tmp_path: Path) -> None:
     out = [write_made_up_run(tmp_path, ticks=50, halves=1, names=("Hanse", "Alster")) for _ in range(3)]
     for folder, programs in zip(out, ("a" * 64, "b" * 64, "b" * 64), strict=True):

@@ -90,12 +90,16 @@ class _Counting:
             half.ticks, [(line["tick"], bool(line["waiting_for_kickoff"])) for line in lines if line["kind"] == "phase"]
         )
         self._stats.ticks += half.ticks
-        self._stats.play_ticks += int(play.sum())
+        play_ticks = int(play.sum())
+        self._stats.play_ticks += play_ticks
         motion = motion_of(half)
         number = half.info.half
+        for team in filter(self._names.__contains__, dict.fromkeys(half.info.teams.values())):
+            self._stats.teams.setdefault(self._names[team], TeamTally()).play_ticks += play_ticks
         names = self._roster.entities
         for index in range(self._roster.robots):
             tally = self.robot(number, names[index])
+            tally.play_ticks += play_ticks
             _add_motion(tally, motion, play, index)
             self._add_sides(tally, motion, play, index)
         for index in range(self._roster.robots, self._roster.robots + self._roster.balls):
