@@ -204,6 +204,12 @@ def test_of_several_threads_no_line_is_blamed(check):
     assert "line" not in found.remedy
 
 
+def test_who_imports_threading_and_starts_no_thread_is_told_the_line(check):
+    found = failure(check("import threading\n" + BEGIN + "robot.step(32)\nwhile True:\n    threading.active_count()\n"))
+    assert found.code == "start.step_timeout"
+    assert "look for a loop that never calls robot.step(32): the program was in line" in found.remedy
+
+
 def test_where_each_of_several_threads_was_is_told_apart(check):
     threads = "import threading\ndef wait():\n    threading.Event().wait()\nthreading.Thread(target=wait, daemon=True).start()\n"
     found = failure(check(BEGIN + threads + "robot.step(32)\nwhile True:\n    pass\n"))

@@ -18,7 +18,7 @@ from rcj_challenges.checker.advice.slips import on_slip
 from rcj_challenges.checker.modules import COMPILED, Library, places_of
 from rcj_challenges.checker.not_given import on_not_given
 from rcj_challenges.checker.preloaded import never_read
-from rcj_challenges.controllers.log import AFTER_ITS_END
+from rcj_challenges.controllers.log import AFTER_ITS_END, ANOTHER_THREAD
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -61,6 +61,8 @@ _WAITS = re.compile(
     r"\basyncio\.run\(|\.run_until_complete\(|\.run_forever\(|\bselect\(|\binput\("
     r"|\.(?:wait|join|get|acquire|result|readline)\(\s*(?:timeout\s*=.*|[\d.]+\s*)?\)"
 )
+# Who imports threading and starts none has one thread, as nearly all programs.
+_STARTS_THREADS = re.compile(rb"\b(?:Thread|Timer|ThreadPool\w*|concurrent|_thread)\b")
 
 
 @dataclass(frozen=True)
@@ -287,7 +289,7 @@ def _on_place(team: Team, kind: str, whereabouts: str) -> Hint | None:
     if AFTER_ITS_END in whereabouts.splitlines():
         return Hint(_THREADS_ALONE)
     place = next(_places(whereabouts), None)
-    if place is None or _any_mentions(team, re.compile(rb"\bthreading\b|\bconcurrent\b|\b_thread\b")):
+    if place is None or ANOTHER_THREAD.strip() in whereabouts.splitlines() or _any_mentions(team, _STARTS_THREADS):
         return None  # of several threads nobody can say which one should have called step
     code = _code(team, iter([place]))
     where = f"line {place[1]} of {shown(place[0])}" + (f" ({shown(code, _MOST_CODE_LETTERS)})" if code else "")
