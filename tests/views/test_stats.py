@@ -302,6 +302,17 @@ def test_several_runs_are_added_up_by_team(tmp_path: Path) -> None:
     assert both.play_ticks == sum(one.play_ticks for one in single)
 
 
+def test_a_robot_of_a_team_that_was_blue_first_and_then_yellow_first_is_one_robot(tmp_path: Path) -> None:
+    out = [
+        write_made_up_run(tmp_path, ticks=60, halves=2, names=names)
+        for names in (("Hanse", "Alster"), ("Alster", "Hanse"))
+    ]
+    both = together([run_stats(folder) for folder in out])
+    assert list(both.teams["Hanse"].robots) == ["B1/Y1", "B2/Y2", "B3/Y3"]
+    assert list(both.teams["Alster"].robots) == ["Y1/B1", "Y2/B2", "Y3/B3"]
+    assert both.teams["Hanse"].robots["B1/Y1"].field_ticks == 240
+
+
 def test_possession_over_several_runs_is_a_share_of_those_that_the_team_played(record: Callable[..., Path]) -> None:
     one = run_stats(record(100, {11: 0, 61: 1}))  # the first team has the ball for 50 ticks of 100, the second for 40
     other = run_stats(record(300, {151: 0}))

@@ -111,7 +111,8 @@ class Stats:
 def together(several: Iterable[Stats]) -> Stats:
     """Return the sums over several runs; teams of one name are one team, and their robots go by their labels.
 
-    Two teams may call themselves the same, or one has handed in twice: a note tells of it, for the sum may be nobody's.
+    Which side a robot played first makes no difference. Two teams may call themselves the same, or one has handed in
+    twice: a note tells of it, for the sum may be nobody's.
     """
     total = Stats()
     for one in several:
@@ -127,13 +128,19 @@ def together(several: Iterable[Stats]) -> Stats:
             mine.runs += team.runs
             mine.play_ticks += team.play_ticks
             mine.programs |= team.programs
-            _add_all(mine.robots, team.robots)
+            _add_all(mine.robots, {_as_before(label, mine.robots): tally for label, tally in team.robots.items()})
         _add_all(total.balls, one.balls)
     for name, team in total.teams.items():
         if len(team.programs) > 1:
             told = f"{len(team.programs)} different submissions have this name; they are added up as one team"
             total.notes.append(f"{name}: {told}")
     return total
+
+
+def _as_before(label: str, known: Iterable[str]) -> str:
+    """Return what a robot is called already: ``B1/Y1`` drove as yellow first in another run, where it was ``Y1/B1``."""
+    names = sorted(label.split("/"))
+    return next((one for one in known if sorted(one.split("/")) == names), label)
 
 
 def _add_all(mine: dict[str, Tally], others: dict[str, Tally]) -> None:
