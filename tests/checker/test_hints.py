@@ -89,6 +89,27 @@ def test_a_program_that_reads_json_where_the_packet_is_a_byte_is_told_how_to_pla
     assert "one byte" in found.remedy
 
 
+@pytest.mark.parametrize(
+    ("usual", "written"),
+    [
+        ("import json, struct\n", 'import json, struct\nIS_BLUE = lambda robot: robot.getName()[0] == "B"\n'),
+        ("import json, struct\n", "import json, struct\nSIDES = {'b': -1, 'y': 1}\n"),
+        ('robot.getDevice("supervisor receiver")', "robot.getDevice(f\"{'supervisor'} receiver\")"),
+    ],
+    ids=["the letter of blue", "small letters", "a name made of parts"],
+)
+def test_a_program_for_v2_2_is_known_for_one_whatever_else_it_writes(check, usual, written):
+    found = failure(check((BEGIN + LOOP).replace(usual, written).replace("READ", "json.loads(receiver.getString())")))
+    assert found.message.endswith("this program seems to be written for messages v2.2")
+
+
+@pytest.mark.parametrize("form", ['"?"', "'<?'", '"B"', "'=b'"])
+@pytest.mark.parametrize("begins", ["struct.unpack(FORM, ", "struct.Struct(FORM).unpack("])
+def test_a_program_that_knows_the_byte_is_not_told_of_it(check, begins, form):
+    loop = LOOP.replace("READ", begins.replace("FORM", form) + "receiver.getData())[0]") + "    json.loads('')\n"
+    assert "messages" not in failure(check(BEGIN + loop)).remedy
+
+
 @pytest.mark.parametrize("read", ["getData()", "getBytes()"])
 def test_a_program_that_reads_bytes_where_the_packet_is_json_is_told_how_to_play_with_v2_1(check, read):
     found = failure(check(BYTE_PROGRAM.replace("getData()", read), V22))

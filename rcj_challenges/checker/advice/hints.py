@@ -40,7 +40,12 @@ _READS_PACKET = re.compile(rb"\.(getData|getString|getBytes|data|string|bytes)\b
 _READS_AS_TEXT = re.compile(r"\.(getData|getString)\(")
 _KNOWS_JSON = re.compile(rb"\bjson\.loads\b|\bfrom json import\b")
 # The byte of v2.1: by its format, or as the first of the packet.
-_READS_A_FLAG = re.compile(rb"""["'][<>=!@]?[?bBc]["']|\.(?:getData|getBytes|data|bytes)(?:\(\))?\s*\[0\]""")
+# A letter alone is a format only where one is read: nearly all programs compare their colour with "B".
+_READS_A_FLAG = re.compile(
+    rb"""["'][<>=!@]?\?["']|(?:unpack\w*\(|Struct\(|(?i:fmt|format)\w*\s*=)\s*["'][<>=!@]?[bBc]["']"""
+    rb"""|\.(?:getData|getBytes|data|bytes)(?:\(\))?\s*\[0\]"""
+)
+_HEARS_THE_REFEREE = re.compile(rb"\bsupervisor\b")  # the name of its receiver may be made of parts
 _NO_SUCH_NAME = re.compile(r"cannot import name '(?P<name>\w+)' from (partially initialized module )?'(?P<module>\w+)'")
 _NO_SUCH_MODULE = re.compile(r"No module named '(?:\w+\.)*(?P<module>\w+)'")
 _NO_SUCH_ATTRIBUTE = re.compile(r"module '(?P<module>\w+)' has no attribute '(?P<name>\w+)'")
@@ -126,7 +131,7 @@ def on_messages(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hin
         return None
     if messages == "2021":
         return _on_flag(scenario, kit, detail)
-    if not _any_mentions(team, re.compile(rb"supervisor receiver")):
+    if not _any_mentions(team, _HEARS_THE_REFEREE):
         return None
     code = _code(team, _places(fault["traceback"]))
     if messages == "v2.1" and _BYTE_READ_AS_JSON.search(detail) and _is_packet_read_as_json(team, code):
