@@ -9,6 +9,9 @@ from typing import Any
 
 from rcj_challenges.facts.amounts import Score, on_paper
 from rcj_challenges.records.folder import REFEREE_LOG
+from rcj_challenges.records.result import RunResult
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.seats import teams_by_seat
 
 _PLACE: dict[str, type] = {"half": int, "tick": int}
 _NEEDED: dict[str, dict[str, type]] = {
@@ -53,6 +56,13 @@ def points_in(
             team = teams_in(line["half"]).get(seat, seat)
             points[team] = on_paper(points.get(team, 0) + scored)
     return points
+
+
+def points_so_far(result: RunResult, scenario: Scenario, lines: list[dict[str, Any]]) -> Mapping[str, Score]:
+    """Return the points of a run by team, also of one that was killed or goes on; ``lines`` are those of its log."""
+    if result.complete or result.stopped is not None or not lines:
+        return result.score
+    return points_in(lines, result.score, lambda half: teams_by_seat(scenario, half))
 
 
 def _line(text: bytes) -> dict[str, Any] | None:

@@ -8,9 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from rcj_challenges.facts.amounts import Score
 from rcj_challenges.records.changed import refusing_changes
-from rcj_challenges.records.refereelog import points_in, read_referee_log
+from rcj_challenges.records.refereelog import points_so_far, read_referee_log
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.salvage import RunRecord, read_run
 from rcj_challenges.records.trajectory import HalfTrack
@@ -51,20 +50,13 @@ def _stats_of(run: RunRecord, folder: Path) -> Stats:
     names = titles(run.scenario, run.result)
     if names != {team: entrant.name or team for team, entrant in run.result.entrants.items()}:
         stats.notes.append(f"{folder.name}: teams of one name played each other; their seats tell them apart")
-    points = _points(run, lines)
+    points = points_so_far(run.result, run.scenario, lines)
     for team, entrant in run.result.entrants.items():
         tally = stats.teams.setdefault(names[team], TeamTally())
         tally.points += points.get(team, 0)
         tally.runs += 1
         tally.programs.add(entrant.programs)
     return stats
-
-
-def _points(run: RunRecord, lines: list[dict[str, Any]]) -> Mapping[str, Score]:
-    """Return the points by team; of a run that was killed, or goes on, the result tells only those of whole halves."""
-    if run.result.complete or run.result.stopped is not None or not lines:
-        return run.result.score
-    return points_in(lines, run.result.score, lambda half: teams_by_seat(run.scenario, half))
 
 
 class _Counting:
