@@ -103,6 +103,14 @@ def test_a_program_for_v2_2_is_known_for_one_whatever_else_it_writes(check, usua
     assert found.message.endswith("this program seems to be written for messages v2.2")
 
 
+@pytest.mark.parametrize("form", ["'ddd' * 6 + 'dd?'", "'ddd' * 6 + 'dd'"])
+def test_a_program_that_reads_the_packets_of_2021_is_told_what_is_in_those_of_today(check, form):
+    found = failure(check(BEGIN + LOOP.replace("READ", f"struct.unpack({form}, receiver.getData())")))
+    assert found.message.endswith("this program reads the referee's packets of 2021")
+    assert 'struct.unpack("?", receiver.getData())' in found.remedy
+    assert "gps" in found.remedy
+
+
 @pytest.mark.parametrize("form", ['"?"', "'<?'", '"B"', "'=b'"])
 @pytest.mark.parametrize("begins", ["struct.unpack(FORM, ", "struct.Struct(FORM).unpack("])
 def test_a_program_that_knows_the_byte_is_not_told_of_it(check, begins, form):

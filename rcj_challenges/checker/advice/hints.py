@@ -35,6 +35,8 @@ _BYTE_READ_AS_JSON = re.compile(r"JSONDecodeError: .*\(char 0\)")
 _TEXT_READ_AS_BYTES = re.compile(r"a bytes-like object is required, not 'str'|'str' object has no attribute 'decode'")
 _BYTES_READ_AS_TEXT = re.compile(r"UnicodeDecodeError: ")
 _OTHER_SIZE = re.compile(r"struct\.error: unpack requires a buffer of (?P<bytes>[0-9]{1,9}) bytes")
+_PACKETS_OF_2021 = (struct.calcsize("20d?"), struct.calcsize("20d"))
+"""Bytes of a match's packet: three numbers for each of six robots, two for the ball, a flag but in the first demo."""
 _READS_JSON, _READS_FILE = re.compile(r"\bloads\b"), re.compile(r"\b(open|read|read_text|read_bytes)\(")
 _READS_PACKET = re.compile(rb"\.(getData|getString|getBytes|data|string|bytes)\b")
 _READS_AS_TEXT = re.compile(r"\.(getData|getString)\(")
@@ -148,7 +150,7 @@ def on_messages(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hin
             "that packet with json.loads(receiver.getData()), and bytes of your own with getBytes()",
             ": this program seems to be written for messages v2.1",
         )
-    return None
+    return _on_positions(detail) if messages == "v2.1" else None
 
 
 def on_device(scenario: Scenario, team: Team, fault: Mapping[str, Any], log: str) -> Hint | None:
@@ -191,6 +193,18 @@ def _on_flag(scenario: Scenario, kit: str, detail: str) -> Hint | None:
         f'"--set kits.{kit}.packet_has_flag={str(not told.packet_has_flag).lower()}" (check and run); else '
         f'{"add" if told.packet_has_flag else "leave out"} the "?" at the end of the format',
         f": this program seems to be written for packets {there} waiting_for_kickoff",
+    )
+
+
+def _on_positions(detail: str) -> Hint | None:
+    """Tell of a program for today's robots that still reads the packets of a match of 2021."""
+    found = _OTHER_SIZE.search(detail)
+    if found is None or int(found["bytes"]) not in _PACKETS_OF_2021:
+        return None
+    return Hint(
+        "those told where everybody is; the referee's packet here is one byte, whether a kick-off is waited for: "
+        'struct.unpack("?", receiver.getData()). Where you and the ball are, gps, compass and ball receiver tell',
+        ": this program reads the referee's packets of 2021",
     )
 
 
