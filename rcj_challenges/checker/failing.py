@@ -7,10 +7,12 @@ from typing import Any
 from rcj_challenges.checker.advice.hints import WHEREABOUTS, Hint, hint_on
 from rcj_challenges.checker.findings import Finding, StageName
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
-from rcj_challenges.controllers.log import AFTER_ITS_END
+from rcj_challenges.controllers.log import AFTER_ITS_END, ANOTHER_THREAD
 from rcj_challenges.facts.shown import shown, shown_block
 from rcj_challenges.facts.timing import s_from_ticks
 
+_BETWEEN = (ANOTHER_THREAD.strip(), AFTER_ITS_END)
+"""What stands between the places that a log names."""
 _REMEDIES = {
     "crash": "the last line of the report below says what is wrong, the lines above it where",
     "exit": "call robot.step(32) in a loop until it returns -1; a program that ends leaves its robot standing",
@@ -69,5 +71,5 @@ def _whereabouts(log: str) -> str:
     """Return what stands in a log about where a program was when it was ended."""
     _, found, rest = log.rpartition(WHEREABOUTS)
     lines = rest.splitlines() if found else []
-    inside = [line for line in lines if line.startswith("  File ") or line == AFTER_ITS_END]
+    inside = [line for line in lines if line.startswith("  File ") or line in _BETWEEN]
     return "\n".join([WHEREABOUTS.strip(), *inside]) if inside else ""

@@ -62,9 +62,7 @@ def list_records(out: Path) -> int:
             continue
         names = {team: entrant.name for team, entrant in row.result.entrants.items()}
         swapped = any(seat != team for half in row.result.halves for seat, team in half.sides.items())
-        score = score_line(names, row.result.score, sides_change=swapped) + (
-            "" if row.result.complete else "  (not complete)"
-        )
+        score = score_line(names, row.score, sides_change=swapped) + ("" if row.result.complete else "  (not complete)")
         started = row.result.started[:19].replace("T", " ")
         rows.append((plain(row.folder.name), started, row.result.scenario, score))
     console = console_for()

@@ -23,6 +23,9 @@ AFTER_ITS_END = "  after its last line: it waited there for its threads to end"
 """What is told of a program of which only threads beside the main one go on."""
 _WAITS_FOR_THREADS = re.compile(r'^  File ".*", line [0-9]+ in _wait_for_threads$')
 """What the dump says then, of the code that started the program."""
+ANOTHER_THREAD = "Beside it, another thread was here:\n"
+_THREAD = re.compile(r"^(?P<current>Current thread|Thread) 0x[0-9a-f]+ ")
+_CURRENT = "Current thread"
 _MOST_DUMP_BYTES = 32_768
 _CHUNK = 1 << 16
 _BINARY = getattr(os, "O_BINARY", 0)
@@ -132,8 +135,12 @@ class ProgramLog:
         escaped = from_disk(str(folder)).encode("ascii", "backslashreplace").decode()
         before = f'  File "{escaped}{os.sep}'
         lines = tail[at:].decode("utf-8", "replace").splitlines()
-        own = (line.removeprefix(before).partition('"') for line in lines if line.startswith(before))
-        told = [f'  File "{_file_of_dump(folder, path)}"{_with_letters(place)}\n' for path, _, place in own]
+        told = list[str]()
+        for thread in _threads_of_dump(lines):
+            own = [line.removeprefix(before).partition('"') for line in thread if line.startswith(before)]
+            if own and told:
+                told.append(ANOTHER_THREAD)
+            told += [f'  File "{_file_of_dump(folder, path)}"{_with_letters(place)}\n' for path, _, place in own]
         if any(_WAITS_FOR_THREADS.match(line) for line in lines if not line.startswith(before)):
             told.append(f"{AFTER_ITS_END}\n")
         return "".join(told)
@@ -164,6 +171,23 @@ def _place_of_dump(tail: bytes) -> int:
     if at < 0 and (of_windows := _DUMP_OF_WINDOWS.search(tail)):
         return of_windows.start()
     return at
+
+
+def _threads_of_dump(lines: list[str]) -> list[list[str]]:
+    """Return the lines of each thread of a dump: of the current one first, then of the oldest, which began the program.
+
+    A dump tells of the newest thread first, wherever the current one stands. Current is the one that broke the
+    interpreter, or took the signal by which the match asked (that is the oldest one).
+    """
+    threads, current = [list[str]()], -1
+    for line in lines:
+        if begins := _THREAD.match(line):
+            if begins["current"] == _CURRENT:
+                current = len(threads)
+            threads.append([])
+        threads[-1].append(line)
+    first = [threads.pop(current)] if current > 0 else []
+    return first + threads[::-1]
 
 
 def _file_of_dump(folder: Path, path: str) -> str:

@@ -7,13 +7,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.facts.play import Event, HalfInfo
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.match.carried import Carried
 from rcj_challenges.match.half import goes_on
 from rcj_challenges.records.lines import json_line
+from rcj_challenges.records.refereelog import points_in
 from rcj_challenges.records.reflog import event_line, events_of
 from rcj_challenges.records.trajectory import HalfTrack, Trajectory
 from rcj_challenges.referee.engine import Referee
@@ -155,11 +155,7 @@ def recorded(trajectory: Trajectory, lines: Iterable[dict[str, Any]], scores: Ma
     if not trajectory.finished:
         halves = {track.info.half: track for track in trajectory.halves}
         said = [line for line in said if line["half"] in halves and line["tick"] <= halves[line["half"]].ticks]
-        points = dict.fromkeys(scores, 0)
-        for line in said:
-            for seat, scored in () if line.get("suppressed") else line.get("scored", {}).items():
-                team = halves[line["half"]].info.teams.get(seat, seat)
-                points[team] = on_paper(points.get(team, 0) + scored)
+        points = points_in(said, scores, lambda half: halves[half].info.teams)
     return Recorded(points, [line for line in said if line["kind"] == "event"])
 
 

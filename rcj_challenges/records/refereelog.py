@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+from rcj_challenges.facts.amounts import Score, on_paper
 from rcj_challenges.records.folder import REFEREE_LOG
+from rcj_challenges.records.result import RunResult
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.seats import teams_by_seat
 
 _PLACE: dict[str, type] = {"half": int, "tick": int}
 _NEEDED: dict[str, dict[str, type]] = {
@@ -31,6 +36,33 @@ def read_referee_log(folder: Path) -> tuple[list[dict[str, Any]], int]:
         else:
             lines.append(line)
     return lines, unreadable
+
+
+def points_in(
+    lines: Iterable[dict[str, Any]], teams: Iterable[str], teams_in: Callable[[int], Mapping[str, str]]
+) -> dict[str, Score]:
+    """Return the points by team that rules gave in these lines.
+
+    ``result.json`` tells points when a half is over: of a match that was killed, or goes on, the log knows more.
+
+    Args:
+        lines: of the log.
+        teams: of the match.
+        teams_in: returns, for a half (1-based), the team that plays at each seat.
+    """
+    points: dict[str, Score] = dict.fromkeys(teams, 0)
+    for line in lines:
+        for seat, scored in () if line.get("suppressed") else line.get("scored", {}).items():
+            team = teams_in(line["half"]).get(seat, seat)
+            points[team] = on_paper(points.get(team, 0) + scored)
+    return points
+
+
+def points_so_far(result: RunResult, scenario: Scenario, lines: list[dict[str, Any]]) -> Mapping[str, Score]:
+    """Return the points of a run by team, also of one that was killed or goes on; ``lines`` are those of its log."""
+    if result.complete or result.stopped is not None or not lines:
+        return result.score
+    return points_in(lines, result.score, lambda half: teams_by_seat(scenario, half))
 
 
 def _line(text: bytes) -> dict[str, Any] | None:

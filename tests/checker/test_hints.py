@@ -91,18 +91,37 @@ def test_a_program_that_reads_json_where_the_packet_is_a_byte_is_told_how_to_pla
 
 @pytest.mark.parametrize("side", ['robot.getName()[0] == "B"', "robot.getName()[0] in ('B', 'b')"])
 def test_who_asks_for_the_letter_of_its_colour_reads_no_byte(check, side):
-    begin = f"{BEGIN}is_blue = {side}\n"
-    found = failure(check(begin + LOOP.replace("READ", "json.loads(receiver.getString())")))
-    assert "--set kits.v2.messages=v2.2" in found.remedy
-    own = (
-        LOOP.replace("READ", "json.loads(receiver.getString())") + "    struct.unpack('<d', '') or receiver.getData()\n"
-    )
-    assert "--set" not in failure(check(begin + own, V22)).remedy
+    read = "json.loads(receiver.getString())"
+    own = f"is_blue = {side}\n" + LOOP.replace("READ", f"{read}\n    struct.unpack('<d', '') or receiver.getData()")
+    assert "--set" not in failure(check(BEGIN + own, V22)).remedy
 
 
-@pytest.mark.parametrize("form", ['"B"', '"b"', '"c"', '"<B"', '"?"'])
-def test_who_reads_the_byte_as_whatever_reads_a_byte(check, form):
-    loop = LOOP.replace("READ", f"struct.unpack({form}, receiver.getData())[0]") + '    json.loads("")\n'
+@pytest.mark.parametrize(
+    ("usual", "written"),
+    [
+        ("import json, struct\n", 'import json, struct\nIS_BLUE = lambda robot: robot.getName()[0] == "B"\n'),
+        ("import json, struct\n", "import json, struct\nSIDES = {'b': -1, 'y': 1}\n"),
+        ('robot.getDevice("supervisor receiver")', "robot.getDevice(f\"{'supervisor'} receiver\")"),
+    ],
+    ids=["the letter of blue", "small letters", "a name made of parts"],
+)
+def test_a_program_for_v2_2_is_known_for_one_whatever_else_it_writes(check, usual, written):
+    found = failure(check((BEGIN + LOOP).replace(usual, written).replace("READ", "json.loads(receiver.getString())")))
+    assert found.message.endswith("this program seems to be written for messages v2.2")
+
+
+@pytest.mark.parametrize("form", ["'ddd' * 6 + 'dd?'", "'ddd' * 6 + 'dd'"])
+def test_a_program_that_reads_the_packets_of_2021_is_told_what_is_in_those_of_today(check, form):
+    found = failure(check(BEGIN + LOOP.replace("READ", f"struct.unpack({form}, receiver.getData())")))
+    assert found.message.endswith("this program reads the referee's packets of 2021")
+    assert 'struct.unpack("?", receiver.getData())' in found.remedy
+    assert "gps" in found.remedy
+
+
+@pytest.mark.parametrize("form", ['"?"', "'<?'", '"B"', "'=b'", '"c"'])
+@pytest.mark.parametrize("begins", ["struct.unpack(FORM, ", "struct.Struct(FORM).unpack("])
+def test_a_program_that_knows_the_byte_is_not_told_of_it(check, begins, form):
+    loop = LOOP.replace("READ", begins.replace("FORM", form) + "receiver.getData())[0]") + "    json.loads('')\n"
     assert "messages" not in failure(check(BEGIN + loop)).remedy
 
 
@@ -219,6 +238,21 @@ def test_of_several_threads_no_line_is_blamed(check):
     found = failure(check(BEGIN + threads + "robot.step(32)\nwhile True:\n    pass\n"))
     assert found.code == "start.step_timeout"
     assert "line" not in found.remedy
+
+
+def test_who_imports_threading_and_starts_no_thread_is_told_the_line(check):
+    found = failure(check("import threading\n" + BEGIN + "robot.step(32)\nwhile True:\n    threading.active_count()\n"))
+    assert found.code == "start.step_timeout"
+    assert "look for a loop that never calls robot.step(32): the program was in line" in found.remedy
+
+
+def test_where_each_of_several_threads_was_is_told_apart(check):
+    threads = "import threading\ndef wait():\n    threading.Event().wait()\nthreading.Thread(target=wait, daemon=True).start()\n"
+    found = failure(check(BEGIN + threads + "robot.step(32)\nwhile True:\n    pass\n"))
+    told = found.details.splitlines()
+    beside = told.index("Beside it, another thread was here:")
+    assert [line.rpartition(" in ")[2] for line in told[1:beside]] == ["<module>"]
+    assert [line.rpartition(" in ")[2] for line in told[beside + 1 :]] == ["wait"]
 
 
 def test_a_program_of_which_only_threads_go_on_is_told_that_it_came_to_its_end(check):

@@ -59,6 +59,37 @@ def test_where_it_hangs_is_told_also_of_files_with_umlauts_below_a_users_folder_
     ]
 
 
+@pytest.mark.parametrize("asked", ["by a signal", "by its watch"])
+def test_where_it_hangs_is_told_before_where_its_other_threads_are(
+    asked: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    by_watch = asked == "by its watch" or sys.platform == "win32"
+    if by_watch and sys.platform != "win32":
+        monkeypatch.setattr(processes, "signal", SimpleNamespace(SIGABRT=0, SIGCONT=0, SIGKILL=signal.SIGKILL))
+    (tmp_path / "t").mkdir()
+    (tmp_path / "t" / "robot.py").write_text(
+        "import queue, threading\n"
+        "lines = queue.Queue()\n"
+        "def write_log():\n"
+        "    while True: lines.get()\n"
+        "for _ in range(2): threading.Thread(target=write_log, daemon=True).start()\n"
+        "def turn():\n"
+        "    while True: pass\n"
+        "turn()\n",
+        encoding="utf-8",
+    )
+    played = FakeMatch(tmp_path, portable=by_watch, start_s=1.5).play(open_team(tmp_path / "t"))
+    where = played.log.split("It was here, the innermost call first:\n")[1].splitlines()
+    assert where[:6] == [
+        '  File "robot.py", line 7 in turn',
+        '  File "robot.py", line 8 in <module>',
+        "Beside it, another thread was here:",
+        '  File "robot.py", line 4 in write_log',
+        "Beside it, another thread was here:",
+        '  File "robot.py", line 4 in write_log',
+    ]
+
+
 @posix
 def test_where_no_signal_can_ask_for_it_a_watch_tells_where_a_program_hangs(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch

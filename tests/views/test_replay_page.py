@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from rcj_challenges.facts.play import HalfInfo, Placement
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.testing import (
+    GOAL_EVERY_TICKS,
     begun_run,
     half_info,
     made_up_play,
@@ -321,6 +322,15 @@ def test_records_are_listed_newest_first_with_what_is_wrong(runs: Path) -> None:
     assert "damaged" in rows[0].problem
     assert rows[0].result is None
     assert rows[1].result is not None
+
+
+def test_a_run_that_was_killed_is_listed_with_the_points_of_its_log(tmp_path: Path) -> None:
+    writer = begun_run(tmp_path, GOAL_EVERY_TICKS + 50)  # its result tells of whole halves only
+    killed = Path(shutil.copytree(writer.folder, tmp_path / "killed" / writer.folder.name))
+    writer.finish({"complete": False})
+    assert [row.score for row in list_runs(killed.parent)] == [{"blue": 0, "yellow": 1}]
+    (killed / "scenario.json").write_text("{}", "utf-8")
+    assert [row.score for row in list_runs(killed.parent)] == [{"blue": 0, "yellow": 0}]
 
 
 def test_a_record_is_found_by_folder_file_name_or_the_beginning_of_its_name(runs: Path) -> None:

@@ -14,7 +14,14 @@ from hypothesis import strategies as st
 
 from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Snapshot, Verdict
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.testing import half_info, small_header, small_scenario, write_made_up_run
+from rcj_challenges.records.testing import (
+    GOAL_EVERY_TICKS,
+    begun_run,
+    half_info,
+    small_header,
+    small_scenario,
+    write_made_up_run,
+)
 from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.load import load, load_text
@@ -302,6 +309,31 @@ def test_several_runs_are_added_up_by_team(tmp_path: Path) -> None:
     assert both.play_ticks == sum(one.play_ticks for one in single)
 
 
+def test_a_robot_of_a_team_that_was_blue_first_and_then_yellow_first_is_one_robot(tmp_path: Path) -> None:
+    out = [
+        write_made_up_run(tmp_path, ticks=60, halves=2, names=names)
+        for names in (("Hanse", "Alster"), ("Alster", "Hanse"))
+    ]
+    both = together([run_stats(folder) for folder in out])
+    assert list(both.teams["Hanse"].robots) == ["B1/Y1", "B2/Y2", "B3/Y3"]
+    assert list(both.teams["Alster"].robots) == ["Y1/B1", "Y2/B2", "Y3/B3"]
+    assert both.teams["Hanse"].robots["B1/Y1"].field_ticks == 240
+
+
+def test_possession_over_several_runs_is_a_share_of_those_that_the_team_played(record: Callable[..., Path]) -> None:
+    one = run_stats(record(100, {11: 0, 61: 1}))  # the first team has the ball for 50 ticks of 100, the second for 40
+    other = run_stats(record(300, {151: 0}))
+    other.teams = {"Elbe": other.teams["Hanse"], "Weser": other.teams["Alster"]}
+    both = stats_as_json(together([one, other]))
+    assert both["play_s"] == pytest.approx(400 * TICK_S)
+    assert {name: team["possession"] for name, team in both["teams"].items()} == {
+        "Hanse": 50.0, "Alster": 40.0, "Elbe": 50.0, "Weser": 0.0,
+    }  # fmt: skip
+    assert both["teams"]["Hanse"]["robots"]["B1"]["possession"] == 50.0
+    again = stats_as_json(together([one, one, other]))["teams"]
+    assert (again["Hanse"]["possession"], again["Elbe"]["possession"]) == (50.0, 50.0)
+
+
 def test_several_submissions_of_one_name_are_told(tmp_path: Path) -> None:
     out = [write_made_up_run(tmp_path, ticks=50, halves=1, names=("Hanse", "Alster")) for _ in range(3)]
     for folder, programs in zip(out, ("a" * 64, "b" * 64, "b" * 64), strict=True):
@@ -363,6 +395,16 @@ def test_what_is_no_record_is_refused(tmp_path: Path) -> None:
     shutil.rmtree(tmp_path)
     with pytest.raises(RecordError, match="no record"):
         run_stats(tmp_path)
+
+
+def test_points_of_a_run_that_was_killed_are_those_of_its_log(tmp_path: Path) -> None:
+    writer = begun_run(tmp_path, 2 * GOAL_EVERY_TICKS + 50)  # its result tells of whole halves only
+    killed = Path(shutil.copytree(writer.folder, tmp_path / "killed"))
+    writer.finish({"complete": False})
+    teams = run_stats(killed).teams
+    assert (teams["Alster"].points, teams["Hanse"].points) == (2, 0)
+    (killed / "referee.jsonl").unlink()
+    assert run_stats(killed).teams["Alster"].points == 0
 
 
 def test_a_run_without_a_log_is_all_play(tmp_path: Path) -> None:

@@ -18,7 +18,7 @@ from rcj_challenges.checker.advice.slips import on_slip
 from rcj_challenges.checker.modules import COMPILED, Library, places_of
 from rcj_challenges.checker.not_given import on_not_given
 from rcj_challenges.checker.preloaded import never_read
-from rcj_challenges.controllers.log import AFTER_ITS_END
+from rcj_challenges.controllers.log import AFTER_ITS_END, ANOTHER_THREAD
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -35,15 +35,19 @@ _BYTE_READ_AS_JSON = re.compile(r"JSONDecodeError: .*\(char 0\)")
 _TEXT_READ_AS_BYTES = re.compile(r"a bytes-like object is required, not 'str'|'str' object has no attribute 'decode'")
 _BYTES_READ_AS_TEXT = re.compile(r"UnicodeDecodeError: ")
 _OTHER_SIZE = re.compile(r"struct\.error: unpack requires a buffer of (?P<bytes>[0-9]{1,9}) bytes")
+_PACKETS_OF_2021 = (struct.calcsize("20d?"), struct.calcsize("20d"))
+"""Bytes of a match's packet: three numbers for each of six robots, two for the ball, a flag but in the first demo."""
 _READS_JSON, _READS_FILE = re.compile(r"\bloads\b"), re.compile(r"\b(open|read|read_text|read_bytes)\(")
 _READS_PACKET = re.compile(rb"\.(getData|getString|getBytes|data|string|bytes)\b")
 _READS_AS_TEXT = re.compile(r"\.(getData|getString)\(")
 _KNOWS_JSON = re.compile(rb"\bjson\.loads\b|\bfrom json import\b")
-# The byte of v2.1: by its format, or as the first of the packet. A "B" elsewhere is the letter of a colour.
+# The byte of v2.1: by its format, or as the first of the packet.
+# A letter alone is a format only where one is read: nearly all programs compare their colour with "B".
 _READS_A_FLAG = re.compile(
-    rb"""["'](?:[<>=!@]?\?|[<>=!@][bBc])["']|\b(?:unpack\w*|iter_unpack|Struct)\(\s*["'][bBc]["']"""
+    rb"""["'](?:[<>=!@]?\?|[<>=!@][bBc])["']|(?:unpack\w*\(|Struct\(|(?i:fmt|format)\w*\s*=)\s*["'][bBc]["']"""
     rb"""|\.(?:getData|getBytes|data|bytes)(?:\(\))?\s*\[0\]"""
 )
+_HEARS_THE_REFEREE = re.compile(rb"\bsupervisor\b")  # the name of its receiver may be made of parts
 _NO_SUCH_NAME = re.compile(r"cannot import name '(?P<name>\w+)' from (partially initialized module )?'(?P<module>\w+)'")
 _NO_SUCH_MODULE = re.compile(r"No module named '(?:\w+\.)*(?P<module>\w+)'")
 _NO_SUCH_ATTRIBUTE = re.compile(r"module '(?P<module>\w+)' has no attribute '(?P<name>\w+)'")
@@ -64,6 +68,8 @@ _WAITS = re.compile(
     r"\basyncio\.run\(|\.run_until_complete\(|\.run_forever\(|\bselect\(|\binput\("
     r"|\.(?:wait|join|get|acquire|result|readline)\(\s*(?:timeout\s*=.*|[\d.]+\s*)?\)"
 )
+# Who imports threading and starts none has one thread, as nearly all programs.
+_STARTS_THREADS = re.compile(rb"\b(?:Thread|Timer|ThreadPool\w*|concurrent|_thread)\b")
 
 
 @dataclass(frozen=True)
@@ -127,7 +133,7 @@ def on_messages(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hin
         return None
     if messages == "2021":
         return _on_flag(scenario, kit, detail)
-    if not _any_mentions(team, re.compile(rb"supervisor receiver")):
+    if not _any_mentions(team, _HEARS_THE_REFEREE):
         return None
     code = _code(team, _places(fault["traceback"]))
     if messages == "v2.1" and _BYTE_READ_AS_JSON.search(detail) and _is_packet_read_as_json(team, code):
@@ -144,7 +150,7 @@ def on_messages(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hin
             "that packet with json.loads(receiver.getData()), and bytes of your own with getBytes()",
             ": this program seems to be written for messages v2.1",
         )
-    return None
+    return _on_positions(detail) if messages == "v2.1" else None
 
 
 def on_device(scenario: Scenario, team: Team, fault: Mapping[str, Any], log: str) -> Hint | None:
@@ -187,6 +193,18 @@ def _on_flag(scenario: Scenario, kit: str, detail: str) -> Hint | None:
         f'"--set kits.{kit}.packet_has_flag={str(not told.packet_has_flag).lower()}" (check and run); else '
         f'{"add" if told.packet_has_flag else "leave out"} the "?" at the end of the format',
         f": this program seems to be written for packets {there} waiting_for_kickoff",
+    )
+
+
+def _on_positions(detail: str) -> Hint | None:
+    """Tell of a program for today's robots that still reads the packets of a match of 2021."""
+    found = _OTHER_SIZE.search(detail)
+    if found is None or int(found["bytes"]) not in _PACKETS_OF_2021:
+        return None
+    return Hint(
+        "those told where everybody is; the referee's packet here is one byte, whether a kick-off is waited for: "
+        'struct.unpack("?", receiver.getData()). Where you and the ball are, gps, compass and ball receiver tell',
+        ": this program reads the referee's packets of 2021",
     )
 
 
@@ -290,8 +308,8 @@ def _on_place(team: Team, kind: str, whereabouts: str) -> Hint | None:
     if AFTER_ITS_END in whereabouts.splitlines():
         return Hint(_THREADS_ALONE)
     place = next(_places(whereabouts), None)
-    if place is None or _any_mentions(team, re.compile(rb"\bthreading\b|\bconcurrent\b|\b_thread\b")):
-        return None  # of several threads nobody can say whose line comes first
+    if place is None or ANOTHER_THREAD.strip() in whereabouts.splitlines() or _any_mentions(team, _STARTS_THREADS):
+        return None  # of several threads nobody can say which one should have called step
     code = _code(team, iter([place]))
     where = f"line {place[1]} of {shown(place[0])}" + (f" ({shown(code, _MOST_CODE_LETTERS)})" if code else "")
     # A call of the team's own would have a line of its own, further in.

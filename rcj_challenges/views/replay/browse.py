@@ -5,13 +5,17 @@ from __future__ import annotations
 import os
 import sys
 import webbrowser
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 
+from rcj_challenges.facts.amounts import Score
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, RESULT
+from rcj_challenges.records.refereelog import points_so_far, read_referee_log
 from rcj_challenges.records.result import RunResult, read_result
+from rcj_challenges.records.upgrades import read_scenario
 from rcj_challenges.views.replay.page import write_replay
 
 
@@ -23,11 +27,13 @@ class RunRow:
         folder: of the record.
         result: what it says, None if it cannot be read.
         problem: why it cannot be read, else empty.
+        score: points by team, so far if it was killed or goes on.
     """
 
     folder: Path
     result: RunResult | None
     problem: str = ""
+    score: Mapping[str, Score] = field(default_factory=dict)
 
 
 def list_runs(out: Path) -> list[RunRow]:
@@ -117,6 +123,17 @@ def _folders(out: Path) -> list[Path]:
 
 def _row(folder: Path) -> RunRow:
     try:
-        return RunRow(folder, read_result(folder))
+        result = read_result(folder)
     except RecordError as error:
         return RunRow(folder, None, str(error))
+    return RunRow(folder, result, score=_score(folder, result))
+
+
+def _score(folder: Path, result: RunResult) -> Mapping[str, Score]:
+    """Return the points of a record; those of whole halves where only they can be read."""
+    if result.complete:
+        return result.score
+    try:
+        return points_so_far(result, read_scenario(folder, result.record), read_referee_log(folder)[0])
+    except (RecordError, OSError):
+        return result.score

@@ -32,7 +32,8 @@ DEFINITIONS: dict[str, Definition] = {
         "possession",
         "%",
         f"Share of play in which the robot or team was the last to have touched a ball. {_PLAY} Nobody has a ball from "
-        "being put elsewhere until its next touch; where two teams touch it at once, it stays with who had it.",
+        "being put elsewhere until its next touch; where two teams touch it at once, it stays with who had it. Over "
+        "several runs, those count in which the robot or team played.",
     ),
     "distance_m": Definition(
         "distance",
@@ -94,7 +95,7 @@ def figures(tally: Tally, stats: Stats) -> dict[str, Any]:
     """
     time_s = tally.field_ticks * TICK_S
     found: dict[str, Any] = {
-        "possession": _percent(tally.owned_ticks, stats.play_ticks),
+        "possession": _percent(tally.owned_ticks, tally.play_ticks),
         "distance_m": round(tally.distance_m, 2),
         "mean_mps": round(tally.distance_m / time_s, 3) if time_s else None,
         "max_mps": round(tally.fastest_mps, 3) if time_s else None,

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from rcj_challenges.records.changed import refusing_changes
-from rcj_challenges.records.refereelog import read_referee_log
+from rcj_challenges.records.refereelog import points_so_far, read_referee_log
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.salvage import RunRecord, read_run
 from rcj_challenges.records.trajectory import HalfTrack
@@ -50,9 +50,10 @@ def _stats_of(run: RunRecord, folder: Path) -> Stats:
     names = titles(run.scenario, run.result)
     if names != {team: entrant.name or team for team, entrant in run.result.entrants.items()}:
         stats.notes.append(f"{folder.name}: teams of one name played each other; their seats tell them apart")
+    points = points_so_far(run.result, run.scenario, lines)
     for team, entrant in run.result.entrants.items():
         tally = stats.teams.setdefault(names[team], TeamTally())
-        tally.points += run.result.score.get(team, 0)
+        tally.points += points.get(team, 0)
         tally.runs += 1
         tally.programs.add(entrant.programs)
     return stats
@@ -90,12 +91,16 @@ class _Counting:
             half.ticks, [(line["tick"], bool(line["waiting_for_kickoff"])) for line in lines if line["kind"] == "phase"]
         )
         self._stats.ticks += half.ticks
-        self._stats.play_ticks += int(play.sum())
+        play_ticks = int(play.sum())
+        self._stats.play_ticks += play_ticks
         motion = motion_of(half)
         number = half.info.half
+        for team in filter(self._names.__contains__, dict.fromkeys(half.info.teams.values())):
+            self._stats.teams.setdefault(self._names[team], TeamTally()).play_ticks += play_ticks
         names = self._roster.entities
         for index in range(self._roster.robots):
             tally = self.robot(number, names[index])
+            tally.play_ticks += play_ticks
             _add_motion(tally, motion, play, index)
             self._add_sides(tally, motion, play, index)
         for index in range(self._roster.robots, self._roster.robots + self._roster.balls):

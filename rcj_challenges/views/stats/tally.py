@@ -12,6 +12,7 @@ class Tally:
     """What is counted of one robot, one ball, or of all robots of a team.
 
     Attributes:
+        play_ticks: ticks of play in the halves in which it took part, on the field or not.
         field_ticks: ticks of play in which it was on the field.
         distance_m: way driven or rolled in them in m; being put elsewhere is no way.
         fastest_mps: greatest distance of any such tick over the tick's 0.032 s, in m/s.
@@ -25,6 +26,7 @@ class Tally:
         faults: failures of its program, by kind.
     """
 
+    play_ticks: int = 0
     field_ticks: int = 0
     distance_m: float = 0.0
     fastest_mps: float = 0.0
@@ -39,6 +41,7 @@ class Tally:
 
     def add(self, other: Tally) -> None:
         """Add another's sums."""
+        self.play_ticks += other.play_ticks
         self.field_ticks += other.field_ticks
         self.distance_m += other.distance_m
         self.fastest_mps = max(self.fastest_mps, other.fastest_mps)
@@ -60,12 +63,14 @@ class TeamTally:
         robots: by label: the names that a robot had (``B1/Y1`` where teams changed sides).
         points: over all runs.
         runs: how many it played in.
+        play_ticks: ticks of play in them.
         programs: digests of the submissions that played under its name.
     """
 
     robots: dict[str, Tally] = field(default_factory=dict)
     points: float = 0
     runs: int = 0
+    play_ticks: int = 0
     programs: set[str] = field(default_factory=set)
 
     @property
@@ -74,6 +79,7 @@ class TeamTally:
         total = Tally()
         for robot in self.robots.values():
             total.add(robot)
+        total.play_ticks = self.play_ticks  # they play at the same time
         return total
 
 
@@ -105,7 +111,8 @@ class Stats:
 def together(several: Iterable[Stats]) -> Stats:
     """Return the sums over several runs; teams of one name are one team, and their robots go by their labels.
 
-    Two teams may call themselves the same, or one has handed in twice: a note tells of it, for the sum may be nobody's.
+    Which side a robot played first makes no difference. Two teams may call themselves the same, or one has handed in
+    twice: a note tells of it, for the sum may be nobody's.
     """
     total = Stats()
     for one in several:
@@ -119,14 +126,21 @@ def together(several: Iterable[Stats]) -> Stats:
             mine = total.teams.setdefault(name, TeamTally())
             mine.points += team.points
             mine.runs += team.runs
+            mine.play_ticks += team.play_ticks
             mine.programs |= team.programs
-            _add_all(mine.robots, team.robots)
+            _add_all(mine.robots, {_as_before(label, mine.robots): tally for label, tally in team.robots.items()})
         _add_all(total.balls, one.balls)
     for name, team in total.teams.items():
         if len(team.programs) > 1:
             told = f"{len(team.programs)} different submissions have this name; they are added up as one team"
             total.notes.append(f"{name}: {told}")
     return total
+
+
+def _as_before(label: str, known: Iterable[str]) -> str:
+    """Return what a robot is called already: ``B1/Y1`` drove as yellow first in another run, where it was ``Y1/B1``."""
+    names = sorted(label.split("/"))
+    return next((one for one in known if sorted(one.split("/")) == names), label)
 
 
 def _add_all(mine: dict[str, Tally], others: dict[str, Tally]) -> None:
