@@ -91,9 +91,8 @@ def test_a_program_that_reads_json_where_the_packet_is_a_byte_is_told_how_to_pla
 
 @pytest.mark.parametrize("side", ['robot.getName()[0] == "B"', "robot.getName()[0] in ('B', 'b')"])
 def test_who_asks_for_the_letter_of_its_colour_reads_no_byte(check, side):
-    read = "json.loads(receiver.getString())"
-    own = f"is_blue = {side}\n" + LOOP.replace("READ", f"{read}\n    struct.unpack('<d', '') or receiver.getData()")
-    assert "--set" not in failure(check(BEGIN + own, V22)).remedy
+    own = LOOP.replace("READ", "json.loads(receiver.getString())") + "    struct.unpack('<d', '') or receiver.getData()\n"
+    assert "--set" not in failure(check(f"{BEGIN}is_blue = {side}\n{own}", V22)).remedy
 
 
 @pytest.mark.parametrize(
