@@ -96,6 +96,22 @@ class TestDescriptions:
     def test_other_numbers_are_not_meant(self, text):
         assert self.said(text) == []
 
+    @pytest.mark.parametrize(
+        "text", ["Three jewels stand in the vault.", "Three red jewels, {jewel_points} points each."]
+    )
+    def test_so_many_things_are_not_so_many_points_for_each(self, text):
+        assert self.said(text, "jewel_points: 3") == []
+        assert self.said("Three shots for each robot.", "shot_s: 3") == []
+
+    @pytest.mark.parametrize(
+        "text", ["Three points for each.", "A jewel gives three more points.", "3 a jewel.", "3 per jewel."]
+    )
+    def test_points_are_called_by_their_unit_or_by_what_they_are_for(self, text):
+        assert self.said(text, "jewel_points: 3") == ["3 is the param 'jewel_points'"]
+
+    def test_a_param_without_a_unit_is_the_number_of_what_it_is_called_after(self):
+        assert self.said("Three jewels stand in the vault.", "jewels: 3") == ["3 is the param 'jewels'"]
+
     def test_of_two_params_with_one_number_nobody_knows_which(self):
         assert self.said("15 s for a shot.", "shot_s: 15, pause_s: 15") == []
 
