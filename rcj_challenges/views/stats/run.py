@@ -117,6 +117,7 @@ class _Counting:
         for ball in range(roster.robots, roster.robots + roster.balls):
             contacts = contacts_of(half, roster.robots, ball)
             put_at = [tick for tick, placed in half.placements.items() if any(p.entity == ball for p in placed)]
+            self._stats.ball_ticks += int(play.sum())
             owner = owners(contacts, seats, half.ticks, put_at)
             shots = shots_of(contacts, motion.places[:, ball], put_at, ends, self._goals)
             for robot in ends:

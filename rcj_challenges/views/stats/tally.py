@@ -17,7 +17,7 @@ class Tally:
         fastest_mps: greatest distance of any such tick over the tick's 0.032 s, in m/s.
         sided_ticks: those of ``field_ticks`` in which its team had an own half.
         own_half_ticks: those of ``sided_ticks`` in which its centre was in it.
-        owned_ticks: ticks of play in which it was the last to have touched a ball.
+        owned_ticks: ticks of play in which it was the last to have touched a ball, for each ball of several.
         touches: times it touched a ball.
         shots: touches that sent a ball over the line behind which the attacked goal stands.
         on_goal: those of ``shots`` between the posts.
@@ -86,6 +86,7 @@ class Stats:
         teams: by the teams' names.
         balls: by name.
         play_ticks: ticks of play: not waiting for a kick-off.
+        ball_ticks: the same for each ball, added up: what ``owned_ticks`` is a share of.
         ticks: all ticks.
         calls: referee calls that are about no robot, by event.
         has_goals: whether any scenario had a goal to shoot at.
@@ -96,6 +97,7 @@ class Stats:
     teams: dict[str, TeamTally] = field(default_factory=dict)
     balls: dict[str, Tally] = field(default_factory=dict)
     play_ticks: int = 0
+    ball_ticks: int = 0
     ticks: int = 0
     calls: Counter[str] = field(default_factory=Counter)
     has_goals: bool = False
@@ -111,6 +113,7 @@ def together(several: Iterable[Stats]) -> Stats:
     for one in several:
         total.runs += one.runs
         total.play_ticks += one.play_ticks
+        total.ball_ticks += one.ball_ticks
         total.ticks += one.ticks
         total.calls.update(one.calls)
         total.has_goals = total.has_goals or one.has_goals
