@@ -68,6 +68,13 @@ class TestNumbersInSentences:
         assert of_kind("number_instead_of_param", text % ("-4", "Too late; 5 points less.")) == []
         assert len(of_kind("number_instead_of_param", text % ("-4", "Nobody came for 5 s."))) == 1
 
+    def test_of_seconds_and_points_of_one_number_the_unit_says_which(self):
+        text = head() + "params: {home_points: 5, wait_s: 5}\ntimers: {patience: {lasts_s: {param: wait_s}}}\n" + RULES.replace(
+            "{trigger: enters, entity: ball, zone: blue_goal}", "{trigger: timer_expired, timer: patience}"
+        )  # fmt: skip
+        (one,) = of_kind("number_instead_of_param", text % ("-4", "Nobody came for 5 s."))
+        assert "5 is the param 'wait_s' here" in str(one)
+
     @pytest.mark.parametrize(("says", "found"), [("{par} points.", 0), ("5 points.", 1), ("{this}: 5 points.", 1)])
     def test_a_value_beside_a_name_that_is_a_param_follows_it(self, says: str, found: int):
         # --set par_long=6 changes what {par} fills in.

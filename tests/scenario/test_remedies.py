@@ -88,7 +88,8 @@ def test_what_still_names_a_removed_robot_is_to_be_written_anew(body, remedy):
 
 def test_a_seat_that_still_names_a_removed_robot_is_to_give_it_up():
     (text,) = complaints("robots: {B3: null}\n")
-    assert text.endswith("it was removed in a.yaml:5; write 'B3: null' here too")
+    # The place is in the preset, where nobody can write; so it is named.
+    assert text.endswith("it was removed in a.yaml:5; write 'B3: null' under entrants.blue.robots too")
 
 
 @pytest.mark.parametrize(
@@ -358,3 +359,38 @@ def test_a_key_in_the_words_of_other_languages(body, usual):
 )
 def test_words_without_their_key_and_lists_in_place_of_mappings(body, way_out):
     assert any(line.endswith(way_out) for line in complaints(body)), complaints(body)
+
+
+@pytest.mark.parametrize(
+    ("word", "way_out"),
+    [
+        ("more_than", "'at_least' holds from that value on, and 'more than it' is at_most with negate: true"),
+        ("greater_than", "'at_least' holds from that value on, and 'more than it' is at_most with negate: true"),
+        ("less_than", "'at_most' holds up to that value, and 'less than it' is at_least with negate: true"),
+        ("below", "'at_most' holds up to that value, and 'less than it' is at_least with negate: true"),
+    ],
+)
+def test_more_and_less_than_a_value(word, way_out):
+    (text,) = complaints(rule(rest=f"    conditions: [{{condition: counter, counter: blue, {word}: 2}}]\n"))
+    assert text.endswith(way_out)
+
+
+def test_coordinates_beside_an_action_are_a_point():
+    texts = complaints(rule(action="{action: place, entity: Y1, x_m: 0.1, y_m: 0.2}"))
+    assert all(text.endswith("; a place is written at: {point: [x, y]}") for text in texts[:2])
+
+
+def test_a_condition_in_the_place_of_a_trigger_is_what_holds_waits_for():
+    (text,) = complaints(rule("{condition: in_zone, entity: ball, zone: blue_goal}"))
+    assert text.endswith(
+        "holds; to wait until a condition comes true: {trigger: holds, condition: {condition: in_zone, …}}"
+    )
+
+
+@pytest.mark.parametrize("body", ["robots: {B1: }\n", "zones: {pitch: }\n", "entrants: {blue: {robots: {B1: }}}\n"])
+def test_a_name_of_the_base_left_empty_may_be_meant_to_go(body):
+    text = complaints(body)[0]
+    name = "pitch" if "pitch" in body else "B1"
+    assert text.endswith(
+        f"an empty value; write one, leave the line out, or take away what the base has by '{name}: null'"
+    )

@@ -481,7 +481,7 @@ def _way_out(kind: str, reference: Field) -> str:
 def _without(name: str, path: Path) -> str:
     """Return what to do about a place that still names something removed."""
     if path[-1] == name and not any(isinstance(part, int) for part in path):
-        return f"; write '{name}: null' here too"
+        return f"; write '{name}: null' under {'.'.join(map(str, path[:-1]))} too"
     return f"; write {path[0]}.{path[1]} anew without it" if len(path) > 2 else ""
 
 

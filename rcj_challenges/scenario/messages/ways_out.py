@@ -148,6 +148,15 @@ _CALLED_BY_PLACE = {key: called for keys, called in _BY_PLACE.items() for key in
 """The same of keys that are called this or that, as the place may have them: of a score that grows, and of a limit."""
 
 
+_MORE = "'at_least' holds from that value on, and 'more than it' is at_most with negate: true"
+_LESS = "'at_most' holds up to that value, and 'less than it' is at_least with negate: true"
+_COMPARED = {
+    **dict.fromkeys(("more", "more_than", "greater", "greater_than", "larger_than", "above"), _MORE),
+    **dict.fromkeys(("less", "less_than", "fewer_than", "smaller_than", "below", "under"), _LESS),
+}
+"""Comparisons of other languages, in which the value itself does not count."""
+
+
 def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
     """Return what an unknown key is called here, or where it belongs; empty: nobody knows.
 
@@ -162,10 +171,9 @@ def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
     usual = next((one for one in meant if one in allowed), None)
     if usual is not None:
         return f"; it is called {usual!r} here"
-    if above[:1] == ("rules",) and len(above) == 2 and key == "else":
-        return "; what else is to happen is a rule of its own, whose conditions have negate: true"
-    if above[:1] == ("draws",) and key.startswith(("weight", "probabilit")):
-        return "; a value that shall come more often is written more than once: values: [a, a, a, b]"
+    written = _written_instead(key, above, allowed)
+    if written:
+        return written
     if above or not isinstance(root, Entries):
         return ""
     before = list(root.entries)[: list(root.entries).index(key)] if key in root.entries else []
@@ -173,6 +181,19 @@ def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
     if not isinstance(last, Leaf) or not last.empty:
         return ""
     return f"; what belongs to '{before[-1]}' above it is indented: put two blanks before it"
+
+
+def _written_instead(key: str, above: Path, allowed: set[str]) -> str:
+    """Return how something is written for which there is no key; empty: nobody knows."""
+    if key in _COMPARED and {"at_least", "negate"} <= allowed:
+        return f"; {_COMPARED[key]}"
+    if key in ("x", "y", "x_m", "y_m") and "at" in allowed:
+        return "; a place is written at: {point: [x, y]}"
+    if above[:1] == ("rules",) and len(above) == 2 and key == "else":
+        return "; what else is to happen is a rule of its own, whose conditions have negate: true"
+    if above[:1] == ("draws",) and key.startswith(("weight", "probabilit")):
+        return "; a value that shall come more often is written more than once: values: [a, a, a, b]"
+    return ""
 
 
 def for_coordinates(path: Path, node: Node | None, keys: Collection[str]) -> str:

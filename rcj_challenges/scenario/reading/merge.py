@@ -132,6 +132,8 @@ class Merger:
     def _null(self, base: Entries, key: str, node: Leaf, key_mark: Mark, shape: Shape, path: Path) -> None:
         if node.empty:
             remedy = _of_empty(key, base, key_mark, shape) or "write one, or leave the line out"
+            if key in base.entries and is_named(chosen(shape, base)):
+                remedy = f"write one, leave the line out, or take away what the base has by '{key}: null'"
             self._add(key_mark, (*path, key), f"an empty value; {remedy}")
             base.put(key, node, key_mark)  # it stays, so that it is not called missing too
         elif path == (TESTS,) and key == ALL_INHERITED:
