@@ -66,6 +66,31 @@ def test_two_entrants_on_one_channel_are_told_which_key_to_write():
     assert text.endswith("they would hear each other: write another radio_channel, such as 4")
 
 
+def test_of_two_channels_that_one_is_told_which_stands_in_the_own_file():
+    # The preset has 2 for blue and 3 for yellow.
+    with pytest.raises(ScenarioError) as error:
+        load_text(HEAD + "entrants: {blue: {radio_channel: 3}}\n", file="a.yaml")
+    assert str(error.value) == (
+        "a.yaml:5:34: entrants.blue.radio_channel: channel 3 is that of 'blue' and of 'yellow'; they would hear each other: "
+        "write another radio_channel, such as 2"
+    )
+
+
+@pytest.mark.parametrize("key", ["position", "pos"])
+def test_where_a_ball_or_an_obstacle_begins(key):
+    (text,) = complaints(f"balls: {{ball: {{{key}: [0, 0]}}}}\n")
+    assert text.endswith("; it is called 'start_m' here")
+    texts = complaints(f"obstacles: {{post: {{shape: cylinder, radius_m: 0.1, {key}: [0, 0]}}}}\n")
+    assert any(text.endswith("; it is called 'centre_m' here") for text in texts)
+
+
+@pytest.mark.parametrize("place", ["{x: 0, y: 0.5}", "{x_m: 0, y_m: 0.5}", "{point: [0, 0.5]}"])
+def test_a_place_of_a_keyframe_is_a_list_of_numbers(place):
+    (text,) = complaints(rule() + f"expect: {{t: {{keyframes: [{{at_s: 1, move: {{ball: {place}}}}}], lasts_s: 2}}}}\n")
+    assert text.endswith("; a place is written [x, y] or [x, y, yaw], in m and rad")
+    assert "in brackets, also of one" not in text
+
+
 @pytest.mark.parametrize(
     ("body", "remedy"),
     [

@@ -142,6 +142,7 @@ _USUAL_KEYS = {
 _BY_PLACE = {
     ("min", "minimum"): ("keeps_at_least", "at_least"),
     ("max", "maximum"): ("keeps_at_most", "at_most"),
+    ("position", "pos", "location", "start", "start_pos"): ("start_m", "centre_m"),
     ("duration", "duration_s", "length", "length_s", "seconds"): ("half_s", "lasts_s", "for_s", "limit_s"),
 }
 _CALLED_BY_PLACE = {key: called for keys, called in _BY_PLACE.items() for key in keys}
@@ -204,7 +205,7 @@ def for_coordinates(path: Path, node: Node | None, keys: Collection[str]) -> str
         node: what stands there.
         keys: those of the mapping that is expected; none where it is no mapping.
     """
-    if path[:1] == ("expect",) and path[-2:-1] in (("place",), ("move",)) and isinstance(node, Leaf):
+    if path[:1] == ("expect",) and path[-2:-1] in (("place",), ("move",)) and isinstance(node, Leaf | Entries):
         return "; a place is written [x, y] or [x, y, yaw], in m and rad"
     numbers = [item.value for item in node.items if isinstance(item, Leaf)] if isinstance(node, Items) else []
     known = [key for key in ("x_m", "y_m", "yaw_rad") if key in keys]
