@@ -200,9 +200,8 @@ def lint(loaded: Loaded) -> list[Finding]:
     if tree is None:
         message = "lint needs a scenario that was loaded from a file or a text"
         raise ValueError(message)
-    subject = Subject(
-        loaded.scenario, loaded.roster, tree, loaded.left_out, loaded.removed, loaded.replaced, loaded.repeated
-    )
+    changes = loaded.removed, loaded.replaced, loaded.repeated, loaded.overridden
+    subject = Subject(loaded.scenario, loaded.roster, tree, loaded.left_out, *changes)
     findings = []
     for check in CHECKS:
         for suspect in check(subject):

@@ -56,12 +56,14 @@ class Merger:
         problems: what was found.
         removed: where each entry was removed, by section and name path.
         replaced: the value that a param had in the base, by its name.
+        overridden: the entries of sections that the base has as well, by section and name.
         repeated: where each rule comes from that is one of a repeated one.
     """
 
     problems: list[Problem] = field(default_factory=list)
     removed: dict[Path, Mark] = field(default_factory=dict)
     replaced: dict[str, Leaf] = field(default_factory=dict)
+    overridden: set[Path] = field(default_factory=set)
     repeated: dict[str, Repeated] = field(default_factory=dict)
 
     def merge(self, base: Entries, over: Entries, shape: Shape, path: Path = ()) -> Entries:
@@ -84,6 +86,8 @@ class Merger:
         before = base.entries.get(key)
         if path == ("params",) and isinstance(before, Leaf):
             self.replaced[key] = before
+        if len(path) == 1 and before is not None:
+            self.overridden.add(here)
         if isinstance(node, Leaf):
             base.put(key, node, key_mark)
             return
