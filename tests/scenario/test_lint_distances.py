@@ -91,6 +91,18 @@ def test_what_is_not_known_is_not_said():
     assert len(found("bay", "at_least: 3")) == 1
 
 
+@pytest.mark.parametrize(
+    ("entity", "to", "count"),
+    [("ball", "ball", 1), ("each", "each", 1), ("each", "robots", 0), ("robots", "robots", 0), ("ball", "Y1", 0)],
+)
+def test_from_a_thing_to_itself_it_is_always_0(entity, to, count):
+    asked = f"{{condition: distance, entity: {entity}, to: {to}, at_most: 0.1}}"
+    body = f"rules: {{r: {{for_each: robots, triggers: [{{trigger: half_started}}], conditions: [{asked}], actions: [{{action: end}}]}}}}"
+    found = [str(one) for one in lint(loaded(PLACES + body)) if one.kind == "distance_never_reached"]
+    assert len(found) == count
+    assert all(f"it is measured from '{entity}' to itself, and always 0" in text for text in found)
+
+
 # --- distances in other places ------------------------------------------------------------------------------------------
 
 

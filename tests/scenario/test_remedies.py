@@ -53,6 +53,29 @@ def test_of_two_that_touch_one_must_be_able_to_move(entity, other):
     )
 
 
+@pytest.mark.parametrize(
+    ("trigger", "name"),
+    [
+        ("{trigger: touches, entity: B3, other: B3}", "B3"),
+        ("{trigger: touches, entity: [B3], other: B3}", "B3"),
+        ("{trigger: touches, entity: balls, other: ball}", "ball"),
+        ("{trigger: touches, entity: each, other: each}", "each"),
+    ],
+)
+def test_nothing_touches_itself(trigger, name):
+    (text,) = complaints(f"rules: {{r: {{for_each: robots, triggers: [{trigger}], actions: [{{action: end}}]}}}}\n")
+    assert text.endswith(
+        f"(touches): '{name}' never touches itself; name in other what it touches, such as robots or walls"
+    )
+
+
+@pytest.mark.parametrize("entity", ["each", "robots"])
+def test_each_of_a_group_touches_the_others_of_it(entity):
+    trigger = f"{{trigger: touches, entity: {entity}, other: robots}}"
+    rules = f"rules: {{r: {{for_each: robots, triggers: [{trigger}], actions: [{{action: end}}]}}}}\n"
+    assert load_text(HEAD + rules).scenario.rules["r"].triggers
+
+
 def test_what_is_no_obstacle_gets_no_such_advice():
     (text,) = complaints(rule(action="{action: remove, entity: centre}"))
     assert text.endswith("'centre' is a spot; expected an entity")
