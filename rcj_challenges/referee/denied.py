@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import json
-import re
 from collections.abc import Collection, Container, Iterable, Mapping
-from typing import Any, NamedTuple
-
-from pydantic import BaseModel
+from typing import NamedTuple
 
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.scenario.catalogue import EACH, OTHER
+from rcj_challenges.scenario.messages.written import as_written
 from rcj_challenges.scenario.models.actions import Emit, Score
 from rcj_challenges.scenario.models.scenario import Scenario
 
@@ -35,11 +32,6 @@ _SHOWN = 3
 _YET = (
     " yet: a rule of that very tick made it true, which others see one tick later, as they hear an event that it emits"
 )
-_PLAIN = re.compile(r"[^\W\d][\w-]*")
-_NO_TEXT_TO_YAML = ("yes", "no", "on", "off", "true", "false", "null")
-"""What YAML takes for something else than a text, unless it stands in quotation marks."""
-_BEHIND = {"at_least": 1, "at_most": 1, "equals": 1, "negate": 2}
-"""What people write behind all else."""
 
 
 def denied_notes(
@@ -68,7 +60,7 @@ def denied_notes(
         told += 1
         tick = _nearest(ticks, missing[emitted[0]] if emitted else None)
         condition, held_after = ticks[tick]
-        which = _written(rule.conditions[condition])
+        which = as_written(rule.conditions[condition])
         yet = _YET if held_after else ""
         yield f"note: {name} was triggered at {s_from_ticks(tick):g} s, and {which} did not hold{yet}"
 
@@ -81,19 +73,3 @@ def _may_be(entrant: object, scores: Container[str]) -> bool:
 def _nearest(ticks: Iterable[int], at_s: float | None) -> int:
     """Return the tick nearest to a time; the last one if there is none."""
     return max(ticks) if at_s is None else min(ticks, key=lambda tick: abs(s_from_ticks(tick) - at_s))
-
-
-def _written(value: Any) -> str:
-    """Return a condition, or what stands in it, as an author writes it."""
-    if isinstance(value, BaseModel):
-        fields = {name: getattr(value, name) for name in value.model_fields_set}
-        order = [name for name in type(value).model_fields if name in fields]
-        order.sort(key=lambda name: (name != "condition", _BEHIND.get(name, 0)))
-        return f"{{{', '.join(f'{name}: {_written(fields[name])}' for name in order)}}}"
-    if isinstance(value, list | tuple):
-        return f"[{', '.join(map(_written, value))}]"
-    if isinstance(value, bool):
-        return str(value).lower()
-    if isinstance(value, str) and (value.casefold() in _NO_TEXT_TO_YAML or not _PLAIN.fullmatch(value)):
-        return json.dumps(value, ensure_ascii=False)
-    return f"{value:.10g}" if isinstance(value, float) else str(value)

@@ -7,6 +7,7 @@ a section that is malformed hides the references into it.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -46,6 +47,7 @@ class Loaded:
         removed: where entries of a base were removed, for lint.
         replaced: what params that are set anew were in the base, for lint.
         repeated: where each rule comes from that is one of a repeated one, for lint.
+        overridden: the entries of sections that a base has as well, by section and name, for lint.
     """
 
     scenario: Scenario
@@ -59,6 +61,7 @@ class Loaded:
     removed: Mapping[tuple[Step, ...], Mark] = field(default_factory=dict, repr=False, compare=False)
     replaced: Mapping[str, Leaf] = field(default_factory=dict, repr=False, compare=False)
     repeated: Mapping[str, Repeated] = field(default_factory=dict, repr=False, compare=False)
+    overridden: AbstractSet[tuple[Step, ...]] = field(default=frozenset(), repr=False, compare=False)
 
 
 def load(source: str | Path, overrides: Sequence[str] = ()) -> Loaded:
@@ -146,7 +149,7 @@ def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None
     resolve_params(tree, merger)
     fill_in_devices(tree)
     scenario, left_out = _checked_but_inherited_tests(tree, merger, {part.shown for part in chain[:-1]})
-    changes = merger.removed, merger.replaced, merger.repeated
+    changes = merger.removed, merger.replaced, merger.repeated, merger.overridden
     return Loaded(scenario, Roster.of(scenario), name, path, _dumped(scenario), tree, bases, left_out, *changes)
 
 

@@ -39,7 +39,8 @@ while robot.step(32) != -1:
         waiting = READ
         receiver.nextPacket()
 """
-JSON_PROGRAM = BEGIN + LOOP.replace("READ", "json.loads(receiver.getString())")
+READS_JSON = LOOP.replace("READ", "json.loads(receiver.getString())")
+JSON_PROGRAM = BEGIN + READS_JSON
 BYTE_PROGRAM = BEGIN + LOOP.replace("READ", 'struct.unpack("?", receiver.getData())[0]')
 
 
@@ -91,8 +92,8 @@ def test_a_program_that_reads_json_where_the_packet_is_a_byte_is_told_how_to_pla
 
 @pytest.mark.parametrize("side", ['robot.getName()[0] == "B"', "robot.getName()[0] in ('B', 'b')"])
 def test_who_asks_for_the_letter_of_its_colour_reads_no_byte(check, side):
-    own = LOOP.replace("READ", "json.loads(receiver.getString())") + "    struct.unpack('<d', '') or receiver.getData()\n"
-    assert "--set" not in failure(check(f"{BEGIN}is_blue = {side}\n{own}", V22)).remedy
+    own = f"is_blue = {side}\n{READS_JSON}    struct.unpack('<d', '') or receiver.getData()\n"
+    assert "--set" not in failure(check(BEGIN + own, V22)).remedy
 
 
 @pytest.mark.parametrize(

@@ -123,6 +123,11 @@ def test_a_shipped_scenario_that_is_looked_for_as_a_file_is_told_by_its_name(tmp
     assert told.endswith("the shipped scenario is extended by its name alone: match")
 
 
+def test_so_is_a_preset(tmp_path):
+    told = complaint(write(tmp_path, "mine.yaml", "extends: empty_field.yaml\n"))
+    assert told.endswith("the shipped preset is extended by its name alone: empty_field")
+
+
 def test_a_broken_base_is_reported_in_the_base(tmp_path):
     write(tmp_path, "base.yaml", "a: [\n")
     with pytest.raises(ScenarioError) as caught:

@@ -318,6 +318,14 @@ class TestState:
         )
         assert found == ["zone_never_used", "gate_never_used", "sequence_never_used", "layout_never_used"]
 
+    @pytest.mark.parametrize(
+        ("body", "name"), [("zones: {pitch: {y_max_m: 0.5}}", "pitch"), ("spots: {centre: {x_m: 0.1}}", "centre")]
+    )
+    def test_what_the_base_brings_is_taken_away_by_null(self, body, name):
+        # Left out it would be that of the base again, with numbers that the author has changed.
+        (one,) = [str(one) for one in found_in(body) if one.kind.endswith("_never_used")]
+        assert f"name it in a rule, or take away what the base brings by '{name}: null'" in one
+
     def test_a_zone_in_a_group_that_is_named_is_used(self):
         enters = rule("a", "{trigger: enters, entity: ball, zone: both}")
         assert kinds("zones: {z: {shape: rect, x_min_m: 0}}", "groups: {both: [z, blue_goal]}", rules=enters) == []

@@ -74,6 +74,21 @@ def test_a_rule_of_which_two_conditions_never_hold_together_never_fires(one, oth
     assert [text.partition("rules.r.")[2] for text in found] == [said] * denied
 
 
+@pytest.mark.parametrize("lasting", [False, True])
+def test_of_more_than_two_conditions_those_are_named_that_never_hold_together(lasting):
+    near, far = (f"{{condition: distance, entity: ball, to: Y1, {one}}}" for one in ("at_least: 0.3", "at_most: 0.1"))
+    three = f"[{near}, {IN}, {far}]"
+    trigger, conditions = "{trigger: time_reached, at_s: 5}", three
+    if lasting:
+        trigger, conditions = (
+            f"{{trigger: holds, condition: {{condition: all_of, conditions: {three}}}, for_s: 1}}",
+            "[]",
+        )
+    body = f"rules: {{r: {{triggers: [{trigger}], conditions: {conditions}, actions: [{{action: end}}]}}}}\n"
+    (text,) = [one for one in findings(body) if "rule_never_fires" in one]
+    assert f"two of them never do at the same time: {near} and {far}; take one of them out" in text
+
+
 def test_of_a_sequence_that_rules_only_begin_anew_the_steps_decide_nothing():
     way = "sequences: {way: {entity: ball, steps: [blue_goal, yellow_goal]}}\n"
     (text,) = [one for one in findings(way + rule(action="{action: sequence, sequence: way}")) if "sequence" in one]

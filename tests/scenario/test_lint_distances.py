@@ -89,3 +89,72 @@ def test_what_is_not_known_is_not_said():
     assert found("not_bay", "at_least: 0.5") == []
     assert found("line", "at_least: {counter: far}") == []
     assert len(found("bay", "at_least: 3")) == 1
+
+
+@pytest.mark.parametrize(
+    ("entity", "to", "count"),
+    [("ball", "ball", 1), ("each", "each", 1), ("each", "robots", 0), ("robots", "robots", 0), ("ball", "Y1", 0)],
+)
+def test_from_a_thing_to_itself_it_is_always_0(entity, to, count):
+    asked = f"{{condition: distance, entity: {entity}, to: {to}, at_most: 0.1}}"
+    body = f"rules: {{r: {{for_each: robots, triggers: [{{trigger: half_started}}], conditions: [{asked}], actions: [{{action: end}}]}}}}"
+    found = [str(one) for one in lint(loaded(PLACES + body)) if one.kind == "distance_never_reached"]
+    assert len(found) == count
+    assert all(f"it is measured from '{entity}' to itself, and always 0" in text for text in found)
+
+
+# --- distances in other places ------------------------------------------------------------------------------------------
+
+
+def of_rule(trigger: str = "{trigger: half_started}", action: str = "{action: end}") -> list[str]:
+    body = f"rules: {{r: {{triggers: [{trigger}], actions: [{action}]}}}}"
+    kinds = ("distance_never_reached", "noise_wider_than_the_floor")
+    return [str(one) for one in lint(loaded(PLACES + body)) if one.kind in kinds]
+
+
+@pytest.mark.parametrize(
+    ("written", "count"), [("distance_m: 50", 1), ("distance_m: 0.5", 0), ("from: [0, 0], distance_m: 1.2", 1)]
+)
+def test_nothing_is_displaced_by_more_than_the_floor_is_wide(written, count):
+    assert len(of_rule(f"{{trigger: displaced, entity: ball, {written}}}")) == count
+
+
+def test_what_a_trigger_asks_is_told_with_its_unit():
+    (text,) = of_rule("{trigger: displaced, entity: ball, distance_m: 50}")
+    assert text.partition("warning: ")[2] == (
+        "rules.r.triggers[0] (displaced): it is never reached: nothing on the floor is further than 1.91 m from "
+        "where it was put; correct it; distances are in m [distance_never_reached]"
+    )
+
+
+@pytest.mark.parametrize(
+    ("placed", "count"),
+    [
+        ("at: {uniform_in: house}, min_clearance_m: 3", 1),
+        ("at: {uniform_in: house}, min_clearance_m: 0.3", 0),
+        ("at: {nearest_free: [hill], clearance_m: 8}", 1),
+        ("at: {furthest_free: [hill], clearance_m: 8}", 1),
+        ("at: {nearest_free: [hill]}", 0),
+    ],
+)
+def test_no_gap_is_wider_than_the_floor(placed, count):
+    found = of_rule(action=f"{{action: place, entity: ball, {placed}}}")
+    assert len(found) == count
+    assert all("no gap on this floor is wider than 1.91 m: there is never room" in text for text in found)
+
+
+def test_a_spot_that_is_never_free():
+    body = "rules: {r: {triggers: [{trigger: half_started}], conditions: [{condition: spot_free, spot: hill, clearance_m: 8}], actions: [{action: end}]}}"
+    assert [one.kind for one in lint(loaded(PLACES + body))].count("distance_never_reached") == 1
+
+
+@pytest.mark.parametrize(("noise", "count"), [("[5, 5]", 1), ("[0, 2]", 1), ("[0.6, 0.7]", 0)])
+def test_noise_that_is_wider_than_the_floor_is_hardly_meant_in_metres(noise, count):
+    found = of_rule(action=f"{{action: place, entity: ball, at: {{spot: hill}}, noise_m: {noise}}}")
+    assert len(found) == count
+    assert all("noise_wider_than_the_floor" in text and "which is 1.3 m wide and 1.5 m long" in text for text in found)
+
+
+def test_so_it_is_with_the_noise_of_a_start():
+    text = "robots: {Y1: {start: {noise_m: [5, 5]}}}\n"
+    assert "noise_wider_than_the_floor" in [one.kind for one in lint(loaded(text))]

@@ -111,3 +111,61 @@ def test_a_rule_that_does_nothing_for_it_may_fire():
 def test_where_nobody_is_taken_off_there_is_nothing_to_say():
     rule = f"  late: {{for_each: robots, triggers: [{LASTS}], actions: [{BACK}]}}\n"
     assert [one for one in lint(load_text(HEAD + rule)) if one.kind == "meant_off_the_field"] == []
+
+
+# --- a rule that takes off itself, and goes on meaning whom it has taken off ---------------------------------------------
+
+
+def of_itself(
+    trigger: str = LASTS, conditions: str = "", action: str = "", *, away: str = "", more: str = ""
+) -> list[str]:
+    """Return what is said of a rule that takes who is not on the hill off the field, and announces it."""
+    doing = f"{{action: remove, entity: each{away}}}, {action or '{action: emit, event: OUT}'}"
+    rule = f"  wet: {{for_each: robots{more}, triggers: [{trigger}], conditions: [{conditions}], actions: [{doing}]}}\n"
+    return [str(one) for one in lint(load_text(HEAD + rule, file="it.yaml")) if one.kind == "meant_off_the_field"]
+
+
+def test_who_is_taken_off_for_not_being_there_is_not_there_ever_after():
+    (one,) = of_itself()
+    assert "rules.wet.triggers[0] (holds)" in one
+    assert "also while this rule itself has taken it off the field" in one
+    assert "it fires for it again and again" in one
+    assert "{condition: in_zone, entity: each, zone: pitch}" in one
+
+
+@pytest.mark.parametrize("action", ["{action: score, entrant: each, points: -1}", "{action: count, counter: outs}"])
+def test_so_its_points_and_counts_come_again_and_again(action):
+    with_counter = HEAD.replace("rules:\n", "counters: {outs: {}}\nrules:\n")
+    rule = f"  wet: {{for_each: robots, triggers: [{LASTS}], actions: [{{action: remove, entity: each}}, {action}]}}\n"
+    assert [one.kind for one in lint(load_text(with_counter + rule))].count("meant_off_the_field") == 1
+
+
+def test_so_it_is_at_each_time_that_comes_again():
+    assert len(of_itself("{trigger: time_reached, at_s: 5, every_s: 5}", NOT_THERE)) == 1
+    again = "{action: emit, event: OUT}, {action: timer, timer: round}"
+    assert len(of_itself(TIME, NOT_THERE, again)) == 1
+
+
+@pytest.mark.parametrize("trigger", [TIME, "{trigger: time_reached, at_s: 5}", "{trigger: phase_entered, phase: play}"])
+def test_what_comes_once_finds_nobody_taken_off_by_itself(trigger):
+    assert of_itself(trigger, NOT_THERE) == []
+
+
+def test_who_may_be_taken_off_only_once_is_meant_once():
+    assert of_itself(more=", max_executions: 1") == []
+
+
+def test_who_asks_whether_it_plays_is_not_told():
+    assert of_itself(conditions="{condition: flag, flag: playing, entity: each}") == []
+
+
+def test_who_is_back_before_it_is_meant_again_is_not_told():
+    assert of_itself(away=", for_s: 1") == []
+
+
+def test_a_rule_that_only_takes_off_may_do_so_twice():
+    assert of_itself(action="{action: set_flag, flag: playing, entity: each, to: false}") == []
+
+
+def test_where_the_rule_ends_the_play_nothing_comes_again():
+    assert of_itself(action="{action: emit, event: OUT}, {action: end}") == []

@@ -149,3 +149,31 @@ class TestTheOutcomeComesInTheTickAfterTheTimeWasUp:
     @pytest.mark.parametrize("ends", [RESTART, READY])
     def test_so_is_an_attempt_that_the_rule_of_the_time_ends_itself(self, ends):
         assert rules_of(there(STOP) + late(ends) + after(RESTART)) == []
+
+
+class TestWhatHasHeldAsksForTheTimerItself:
+    """The condition of ``holds`` is asked in the tick in which it fires, as those of the rule are."""
+
+    @staticmethod
+    def outcome(condition: str, *, grace: str = "") -> list[str]:
+        holds = f"{{trigger: holds, for_s: 0.5{grace}, condition: {condition}}}"
+        rule = there(STOP).replace("{trigger: enters, entity: ball, zone: blue_goal}", holds)
+        return rules_of(rule + late() + after(RESTART))
+
+    def test_of_a_running_timer_nothing_is_judged_when_it_has_run_out(self):
+        in_goal = "{condition: in_zone, entity: ball, zone: blue_goal}"
+        assert self.outcome(f"{{condition: all_of, conditions: [{in_goal}, {RUNS}]}}") == []
+        assert self.outcome(RUNS) == []
+
+    def test_who_does_not_ask_for_it_is_judged_twice(self):
+        in_goal = "{condition: in_zone, entity: ball, zone: blue_goal}"
+        assert self.outcome(in_goal) == ["late"]
+        assert self.outcome(f"{{condition: any_of, conditions: [{in_goal}, {RUNS}]}}") == ["late"]
+
+    def test_an_interruption_that_counts_as_holding_reaches_past_its_end(self):
+        assert self.outcome(RUNS, grace=", grace_s: 0.2") == ["late"]
+
+    def test_another_trigger_of_the_rule_may_still_come(self):
+        holds = f"{{trigger: holds, for_s: 0.5, condition: {RUNS}}}, {{trigger: enters, entity: ball, zone: blue_goal}}"
+        rule = there(STOP).replace("{trigger: enters, entity: ball, zone: blue_goal}", holds)
+        assert rules_of(rule + late() + after(RESTART)) == ["late"]

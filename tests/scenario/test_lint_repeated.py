@@ -61,6 +61,23 @@ class TestARuleThatIsRepeatedInVain:
         assert found(rule("[yellow, blue]", "1", says="Points for {this}.")) == []
 
 
+@pytest.mark.parametrize(
+    ("first_phase", "told"), [("show_1", " (tell_second, tell_third)"), ("play", "")], ids=["some", "all"]
+)
+def test_what_is_wrong_with_some_of_the_rules_names_them(first_phase, told):
+    phases = "phases: {show_1: {lasts_s: 1, next: show_2}, show_2: {lasts_s: 1, next: show_3}, show_3: {lasts_s: 1}}\n"
+    rules = (
+        "rules:\n  tell:\n    repeat_for: {first: {phase: show_1}, second: {phase: show_2}, third: {phase: show_3}}\n"
+        "    phases: [{param: phase}]\n"
+        "    triggers: [{trigger: half_started}, {trigger: phase_entered, phase: {param: phase}}]\n"
+        "    actions: [{action: emit, event: TOLD, payload: {which: {param: this}}}]\n    says: 'Told: {this}.'\n"
+        "  start: {triggers: [{trigger: time_reached, at_s: 5}], actions: [{action: set_phase, phase: show_1}]}\n"
+    )
+    text = f"{HEAD}first_phase: {first_phase}\n{phases}{rules}"
+    (warning,) = [str(one) for one in lint(load_text(text, file="a.yaml")) if one.kind == "rule_never_fires"]
+    assert f"a half starts in phase '{first_phase}', in which this rule does not live{told}; " in warning
+
+
 def test_what_a_base_brought_is_not_the_authors_to_tidy_up(tmp_path):
     (tmp_path / "base.yaml").write_text(HEAD + rule("{yellow: {a: 1}}", "1", "For {this}."), encoding="utf-8")
     (tmp_path / "own.yaml").write_text(HEAD.replace("soccersim_v2", "base.yaml"), encoding="utf-8")

@@ -33,3 +33,20 @@ def test_a_robot_in_centimetres_per_second():
 )
 def test_what_may_be_reached_is_not_told(condition, count):
     assert len(found(condition)) == count
+
+
+@pytest.mark.parametrize(
+    ("asked", "count"),
+    [
+        ("entity: Y1, distance_m: 50, within_s: 15", 1),
+        ("entity: Y1, distance_m: 3.1, within_s: 15", 1),
+        ("entity: Y1, distance_m: 0.5, within_s: 15", 0),
+        ("entity: ball, distance_m: 50, within_s: 15", 1),
+        ("entity: ball, distance_m: 40, within_s: 15", 0),
+    ],
+)
+def test_nobody_makes_more_progress_than_its_speed_allows(asked, count):
+    body = f"rules: {{r: {{triggers: [{{trigger: no_progress, {asked}}}], actions: [{{action: end}}]}}}}\n"
+    found = [str(one) for one in lint(load_text(HEAD + body, file="a.yaml")) if one.kind == "speed_never_reached"]
+    assert len(found) == count
+    assert all("so that it fires whatever they do" in text and "distances are in m" in text for text in found)

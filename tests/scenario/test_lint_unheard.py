@@ -125,6 +125,51 @@ class TestWhatComesWithAnotherPhase:
         assert fires(rules + told(ON_GOAL))
 
 
+class TestWhatIsAnnouncedInAnotherPhase:
+    """The rule that announces it enters no phase: a tick later its own still goes on, or what follows at once."""
+
+    LEAVES = GOAL % "{action: set_phase, phase: other}"
+    CHEERS = (
+        "  cheers: {phases: [other], triggers: [{trigger: phase_entered, phase: other}], "
+        "actions: [{action: emit, event: CHEER}], says: Cheers.}\n"
+    )
+    ON_CHEER = "{trigger: event, event: CHEER}"
+
+    def fires(self, rules: str) -> bool:
+        text = f"{HEAD}{BALL_AT_1_S % ', {event: CHEER}, {event: TOLD}'}rules:\n{self.LEAVES}{self.CHEERS}{rules}"
+        return try_expectation(load_text(text, file="it.yaml"), "it").differences == ()
+
+    def test_who_lives_in_play_alone_never_hears_it(self):
+        rules = told(self.ON_CHEER)
+        (one,) = found(self.LEAVES + self.CHEERS + rules)
+        assert one.kind == "rule_never_fires"
+        assert "an event is heard one tick later; rule 'cheers' brings that about in a phase in which" in str(one)
+        assert "write phases: [play, other], or phases: any" in str(one)
+        assert not self.fires(rules)
+
+    @pytest.mark.parametrize("phases", ["[other]", "[play, other]", "any"])
+    def test_who_lives_in_that_phase_hears_it(self, phases):
+        rules = told(self.ON_CHEER, phases)
+        assert found(self.LEAVES + self.CHEERS + rules) == []
+        assert self.fires(rules)
+
+    def test_who_lives_in_a_phase_that_may_follow_at_once_may_hear_it(self):
+        back = "  back: {phases: [other], triggers: [{trigger: phase_entered, phase: other}], actions: [{action: set_phase, phase: play}]}\n"
+        rules = back + told(self.ON_CHEER)
+        assert found(self.LEAVES + self.CHEERS + rules) == []
+        assert self.fires(rules)
+
+    def test_two_phases_farther_on_nobody_hears_it_but_who_lives_in_both(self):
+        on = "  on: {phases: [other], triggers: [{trigger: touches, entity: Y1, other: ball}], actions: [{action: set_phase, phase: pause}]}\n"
+        assert [one.kind for one in found(self.LEAVES + self.CHEERS + on + told(self.ON_CHEER))] == ["rule_never_fires"]
+        at_once = (
+            on.replace("[other], triggers", "[other, pause], triggers")
+            .replace("  on:", "  out:")
+            .replace("pause}]", "play}]")
+        )
+        assert found(self.LEAVES + self.CHEERS + on + at_once + told(self.ON_CHEER)) == []
+
+
 class TestWhatComesWithTheEnd:
     OVER = "  over: {phases: any, triggers: [{trigger: half_ended}], actions: [{action: emit, event: GOAL}], says: Over.}\n"
 

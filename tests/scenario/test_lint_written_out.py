@@ -68,6 +68,13 @@ class TestNumbersInSentences:
         assert of_kind("number_instead_of_param", text % ("-4", "Too late; 5 points less.")) == []
         assert len(of_kind("number_instead_of_param", text % ("-4", "Nobody came for 5 s."))) == 1
 
+    def test_of_seconds_and_points_of_one_number_the_unit_says_which(self):
+        text = head() + "params: {home_points: 5, wait_s: 5}\ntimers: {patience: {lasts_s: {param: wait_s}}}\n" + RULES.replace(
+            "{trigger: enters, entity: ball, zone: blue_goal}", "{trigger: timer_expired, timer: patience}"
+        )  # fmt: skip
+        (one,) = of_kind("number_instead_of_param", text % ("-4", "Nobody came for 5 s."))
+        assert "5 is the param 'wait_s' here" in str(one)
+
     @pytest.mark.parametrize(("says", "found"), [("{par} points.", 0), ("5 points.", 1), ("{this}: 5 points.", 1)])
     def test_a_value_beside_a_name_that_is_a_param_follows_it(self, says: str, found: int):
         # --set par_long=6 changes what {par} fills in.
@@ -95,6 +102,22 @@ class TestDescriptions:
     @pytest.mark.parametrize("text", ["15 robots play.", "{shot_s} s for each shot.", "About it."])
     def test_other_numbers_are_not_meant(self, text):
         assert self.said(text) == []
+
+    @pytest.mark.parametrize(
+        "text", ["Three jewels stand in the vault.", "Three red jewels, {jewel_points} points each."]
+    )
+    def test_so_many_things_are_not_so_many_points_for_each(self, text):
+        assert self.said(text, "jewel_points: 3") == []
+        assert self.said("Three shots for each robot.", "shot_s: 3") == []
+
+    @pytest.mark.parametrize(
+        "text", ["Three points for each.", "A jewel gives three more points.", "3 a jewel.", "3 per jewel."]
+    )
+    def test_points_are_called_by_their_unit_or_by_what_they_are_for(self, text):
+        assert self.said(text, "jewel_points: 3") == ["3 is the param 'jewel_points'"]
+
+    def test_a_param_without_a_unit_is_the_number_of_what_it_is_called_after(self):
+        assert self.said("Three jewels stand in the vault.", "jewels: 3") == ["3 is the param 'jewels'"]
 
     def test_of_two_params_with_one_number_nobody_knows_which(self):
         assert self.said("15 s for a shot.", "shot_s: 15, pause_s: 15") == []

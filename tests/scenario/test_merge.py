@@ -108,7 +108,7 @@ def test_the_match_with_one_rule_less_and_one_changed(tmp_path):
     ("body", "message"),
     [
         ("match:\n", "match: an empty value; write one, or leave the line out"),
-        ("robots: {B1: }\n", "robots.B1: an empty value; write one, or leave the line out"),
+        ("robots: {B1: }\n", "robots.B1: an empty value; write one, leave the line out, or take away what the base has by 'B1: null'"),
         ("match: {half_s: null}\n", "match.half_s: null removes named entries of the base only; leave the line out"),
         ("broadcast: null\n", "broadcast: null removes named entries of the base only; leave the line out"),
         ("robots: null\n", ("robots: null removes named entries of the base only; for none write it for each of them: {B1: null, B2: null, "

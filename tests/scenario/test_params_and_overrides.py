@@ -87,6 +87,8 @@ def test_of_a_sequence_of_one_set_makes_one_of_each_and_back():
         ("phases.pause.lasts_s={param: pause_s}", lambda s: s.phases["pause"].lasts_s == 3),
         (" match.half_s = 20 ", lambda s: s.match.half_s == 20),
         ("description='a = b'", lambda s: s.description == "a = b"),
+        ("balls.ball.colour=#00ff00", lambda s: s.balls["ball"].colour == "#00ff00"),
+        ("balls.ball.colour= '#00ff00'", lambda s: s.balls["ball"].colour == "#00ff00"),
     ],
 )  # fmt: skip
 def test_an_override_changes_a_param_or_any_value(override, read):

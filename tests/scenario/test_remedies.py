@@ -53,6 +53,29 @@ def test_of_two_that_touch_one_must_be_able_to_move(entity, other):
     )
 
 
+@pytest.mark.parametrize(
+    ("trigger", "name"),
+    [
+        ("{trigger: touches, entity: B3, other: B3}", "B3"),
+        ("{trigger: touches, entity: [B3], other: B3}", "B3"),
+        ("{trigger: touches, entity: balls, other: ball}", "ball"),
+        ("{trigger: touches, entity: each, other: each}", "each"),
+    ],
+)
+def test_nothing_touches_itself(trigger, name):
+    (text,) = complaints(f"rules: {{r: {{for_each: robots, triggers: [{trigger}], actions: [{{action: end}}]}}}}\n")
+    assert text.endswith(
+        f"(touches): '{name}' never touches itself; name in other what it touches, such as robots or walls"
+    )
+
+
+@pytest.mark.parametrize("entity", ["each", "robots"])
+def test_each_of_a_group_touches_the_others_of_it(entity):
+    trigger = f"{{trigger: touches, entity: {entity}, other: robots}}"
+    rules = f"rules: {{r: {{for_each: robots, triggers: [{trigger}], actions: [{{action: end}}]}}}}\n"
+    assert load_text(HEAD + rules).scenario.rules["r"].triggers
+
+
 def test_what_is_no_obstacle_gets_no_such_advice():
     (text,) = complaints(rule(action="{action: remove, entity: centre}"))
     assert text.endswith("'centre' is a spot; expected an entity")
@@ -64,6 +87,31 @@ def test_two_entrants_on_one_channel_are_told_which_key_to_write():
         "entrants: {pink: {radio_channel: 2, robots: {P1: robot.py}}}\n"
     )
     assert text.endswith("they would hear each other: write another radio_channel, such as 4")
+
+
+def test_of_two_channels_that_one_is_told_which_stands_in_the_own_file():
+    # The preset has 2 for blue and 3 for yellow.
+    with pytest.raises(ScenarioError) as error:
+        load_text(HEAD + "entrants: {blue: {radio_channel: 3}}\n", file="a.yaml")
+    assert str(error.value) == (
+        "a.yaml:5:34: entrants.blue.radio_channel: channel 3 is that of 'blue' and of 'yellow'; they would hear each other: "
+        "write another radio_channel, such as 2"
+    )
+
+
+@pytest.mark.parametrize("key", ["position", "pos"])
+def test_where_a_ball_or_an_obstacle_begins(key):
+    (text,) = complaints(f"balls: {{ball: {{{key}: [0, 0]}}}}\n")
+    assert text.endswith("; it is called 'start_m' here")
+    texts = complaints(f"obstacles: {{post: {{shape: cylinder, radius_m: 0.1, {key}: [0, 0]}}}}\n")
+    assert any(text.endswith("; it is called 'centre_m' here") for text in texts)
+
+
+@pytest.mark.parametrize("place", ["{x: 0, y: 0.5}", "{x_m: 0, y_m: 0.5}", "{point: [0, 0.5]}"])
+def test_a_place_of_a_keyframe_is_a_list_of_numbers(place):
+    (text,) = complaints(rule() + f"expect: {{t: {{keyframes: [{{at_s: 1, move: {{ball: {place}}}}}], lasts_s: 2}}}}\n")
+    assert text.endswith("; a place is written [x, y] or [x, y, yaw], in m and rad")
+    assert "in brackets, also of one" not in text
 
 
 @pytest.mark.parametrize(
@@ -88,7 +136,8 @@ def test_what_still_names_a_removed_robot_is_to_be_written_anew(body, remedy):
 
 def test_a_seat_that_still_names_a_removed_robot_is_to_give_it_up():
     (text,) = complaints("robots: {B3: null}\n")
-    assert text.endswith("it was removed in a.yaml:5; write 'B3: null' here too")
+    # The place is in the preset, where nobody can write; so it is named.
+    assert text.endswith("it was removed in a.yaml:5; write 'B3: null' under entrants.blue.robots too")
 
 
 @pytest.mark.parametrize(
@@ -383,3 +432,38 @@ def test_a_key_in_the_words_of_other_languages(body, usual):
 )
 def test_words_without_their_key_and_lists_in_place_of_mappings(body, way_out):
     assert any(line.endswith(way_out) for line in complaints(body)), complaints(body)
+
+
+@pytest.mark.parametrize(
+    ("word", "way_out"),
+    [
+        ("more_than", "'at_least' holds from that value on, and 'more than it' is at_most with negate: true"),
+        ("greater_than", "'at_least' holds from that value on, and 'more than it' is at_most with negate: true"),
+        ("less_than", "'at_most' holds up to that value, and 'less than it' is at_least with negate: true"),
+        ("below", "'at_most' holds up to that value, and 'less than it' is at_least with negate: true"),
+    ],
+)
+def test_more_and_less_than_a_value(word, way_out):
+    (text,) = complaints(rule(rest=f"    conditions: [{{condition: counter, counter: blue, {word}: 2}}]\n"))
+    assert text.endswith(way_out)
+
+
+def test_coordinates_beside_an_action_are_a_point():
+    texts = complaints(rule(action="{action: place, entity: Y1, x_m: 0.1, y_m: 0.2}"))
+    assert all(text.endswith("; a place is written at: {point: [x, y]}") for text in texts[:2])
+
+
+def test_a_condition_in_the_place_of_a_trigger_is_what_holds_waits_for():
+    (text,) = complaints(rule("{condition: in_zone, entity: ball, zone: blue_goal}"))
+    assert text.endswith(
+        "holds; to wait until a condition comes true: {trigger: holds, condition: {condition: in_zone, …}}"
+    )
+
+
+@pytest.mark.parametrize("body", ["robots: {B1: }\n", "zones: {pitch: }\n", "entrants: {blue: {robots: {B1: }}}\n"])
+def test_a_name_of_the_base_left_empty_may_be_meant_to_go(body):
+    text = complaints(body)[0]
+    name = "pitch" if "pitch" in body else "B1"
+    assert text.endswith(
+        f"an empty value; write one, leave the line out, or take away what the base has by '{name}: null'"
+    )

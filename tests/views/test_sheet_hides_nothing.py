@@ -2,7 +2,9 @@
 
 import pytest
 
+from rcj_challenges.scenario.load import load
 from rcj_challenges.views.drawing.shapes import point_words
+from rcj_challenges.views.sheet import sheet_markdown
 from rcj_challenges.views.sheet.phrases import metres_alike
 from tests.views.sheets import sentence, sheet
 
@@ -99,3 +101,73 @@ def test_what_is_always_so_counts_time(holds: str, words: str) -> None:
     assert sentence(
         f"triggers: [{{trigger: holds, {holds}}}], actions: [{{action: end}}]", "match: {halves: 2}"
     ).startswith(words)
+
+
+# --- who was taken off, and is put back by another rule ------------------------------------------------------------------
+
+TAKES_OFF = "foul: {for_each: robots, triggers: [{trigger: touches, entity: each, other: robots}], actions: [%s]}"
+KICK_OFF = "kick_off: {triggers: [%s], actions: [{action: place, %s}]}"
+STAYS = (
+    "stuck: {for_each: robots, triggers: [{trigger: holds, for_s: 2, condition: %s}], conditions: [%s], "
+    "actions: [{action: place, entity: each, at: start}]}"
+)
+IN_GOAL = "{condition: in_zone, entity: each, zone: blue_goal}"
+NOT_IN_GOAL = "{condition: in_zone, entity: each, zone: blue_goal, negate: true}"
+OUT = (
+    "out: {for_each: robots, triggers: [{trigger: leaves, entity: each, zone: pitch}], "
+    "actions: [{action: place, entity: each, at: start}]}"
+)
+GOAL = "{trigger: enters, entity: ball, zone: blue_goal}"
+
+
+def said_of_the_gone(takes_off: str, puts: str) -> list[str]:
+    layout = "placements: {all: [{entity: [ball, robots], at: start}]}\n"
+    text = sheet(f"{layout}rules: {{{TAKES_OFF % takes_off}, {puts}}}\n")
+    return [line for line in text.splitlines() if "is back as soon as" in line]
+
+
+def test_who_is_taken_off_is_back_when_another_rule_puts_it_somewhere() -> None:
+    assert said_of_the_gone("{action: remove, entity: each, for_s: 60}", KICK_OFF % (GOAL, "layout: all")) == [
+        "A robot that was taken off the field is back as soon as [kick_off] puts it somewhere, also before its time is over."
+    ]
+    assert said_of_the_gone("{action: remove, entity: each}", KICK_OFF % (GOAL, "entity: Y1, at: start")) == [
+        "A robot that was taken off the field is back as soon as [kick_off] puts it somewhere."
+    ]
+
+
+@pytest.mark.parametrize(
+    "puts",
+    [
+        KICK_OFF % (GOAL, "entity: ball, at: start"),
+        # Nobody is off the field when a half starts.
+        KICK_OFF % ("{trigger: half_started}", "layout: all"),
+        # Who is off the field leaves no zone, so that it is not meant.
+        OUT,
+        # Nor is it in a zone.
+        STAYS % (IN_GOAL, ""),
+        STAYS % (f"{{condition: all_of, conditions: [{IN_GOAL}, {NOT_IN_GOAL}]}}", ""),
+        STAYS % (NOT_IN_GOAL, "{condition: in_zone, entity: each, zone: pitch}"),
+    ],
+)
+def test_who_is_put_nowhere_while_it_is_off_is_not_told(puts: str) -> None:
+    assert said_of_the_gone("{action: remove, entity: each}", puts) == []
+
+
+def test_who_is_nowhere_is_not_in_the_goal_and_so_is_meant() -> None:
+    (said,) = said_of_the_gone("{action: remove, entity: each}", STAYS % (NOT_IN_GOAL, ""))
+    assert "as soon as [stuck] puts it somewhere" in said
+
+
+def test_a_rule_for_each_that_waits_for_a_time_brings_all_back() -> None:
+    puts = (
+        "again: {for_each: robots, triggers: [{trigger: time_reached, at_s: 30}], "
+        "actions: [{action: place, entity: each, at: start}]}"
+    )
+    assert "as soon as [again] puts it somewhere" in said_of_the_gone("{action: remove, entity: each}", puts)[0]
+
+
+def test_the_match_tells_that_a_kick_off_brings_damaged_robots_back() -> None:
+    loaded = load("match")
+    said = " ".join(sheet_markdown(loaded.scenario, loaded.roster).replace("\\", "").split())
+    told = "is back as soon as [kickoff_blue] or [kickoff_yellow] puts it somewhere, also before its time is over."
+    assert f"A robot that was taken off the field {told}" in said

@@ -63,6 +63,27 @@ def test_a_counter_that_begins_at_0_and_a_flag_that_begins_unset_need_no_line():
     assert not re.search("“(goals|laps|away|tired)”", text)
 
 
+ANEW = {
+    "counters: {stolen: {}}": "- A counter begins at 0 in every half.",
+    "flags: {torn: {per: robots}}": "- A flag is not set when a half starts.",
+    "counters: {stolen: {}}\nflags: {torn: {}}": "- A counter begins at 0 in every half. A flag is not set when a half starts.",
+    "counters: {stolen: {}, laps: {keep: match}}": "- Any other counter begins at 0 in every half.",
+    "flags: {torn: {}, open: {initial: true}}": "- Any other flag is not set when a half starts.",
+}
+
+
+@pytest.mark.parametrize(("written", "words"), ANEW.items(), ids=list(ANEW.values()))
+def test_of_several_halves_it_is_said_that_each_begins_anew(written, words):
+    assert words in sheet(f"match: {{halves: 2}}\n{written}\n").splitlines()
+    assert words not in sheet(f"match: {{halves: 1}}\n{written}\n").splitlines()
+
+
+def test_where_all_are_told_one_by_one_nothing_is_said_of_others():
+    text = sheet("match: {halves: 2}\ncounters: {laps: {keep: match}}\nflags: {open: {initial: true}}\n")
+    assert "Any other" not in text
+    assert "A counter begins" not in text
+
+
 # --- phases and draws -------------------------------------------------------------------------------------------------
 
 

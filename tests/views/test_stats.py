@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Snapshot, Verdict
@@ -30,6 +30,7 @@ from rcj_challenges.views.replay import write_replay
 from rcj_challenges.views.stats import DEFINITIONS, Stats, run_stats, stats_as_json, together
 from rcj_challenges.views.stats.ground import attacked_ends, own_end
 from rcj_challenges.views.stats.motion import motion_of, play_mask
+from rcj_challenges.views.stats.tally import Tally
 from rcj_challenges.views.stats.touching import Contacts, Goals, Shot, owners, shots_of, touch_ends
 
 UP, DOWN, BOTH = frozenset({1}), frozenset({-1}), frozenset({1, -1})
@@ -51,6 +52,17 @@ def rolling(ticks: int, touched_at: int, start: tuple[float, float], velocity: t
 
 
 # --- which end -----------------------------------------------------------------------------------------------------------
+
+
+def test_on_a_field_without_goals_nobody_defends_one() -> None:
+    # The robots of empty_field start in halves of their own, and no rule says what a ball at an end is worth.
+    text = "schema_version: 1\nid: it\ntitle: It\nextends: %s\nmatch: {half_s: 60}\n"
+    ends = {}
+    for base in ("empty_field", "soccersim_v2"):
+        loaded = load_text(text % base)
+        ends[base] = attacked_ends(loaded.scenario, loaded.roster)
+    assert ends["empty_field"] == {"blue": frozenset(), "yellow": frozenset()}
+    assert ends["soccersim_v2"] == {"blue": DOWN, "yellow": UP}
 
 
 @pytest.mark.parametrize(
@@ -202,6 +214,13 @@ def test_numbers_that_are_none_are_no_way() -> None:
     assert motion_of(track(places, {})).steps_m.sum() == 0
 
 
+def test_a_number_that_is_no_number_at_all_is_no_way_either() -> None:
+    half = track(np.zeros((3, 1, 2), np.float32), {})
+    # A signalling NaN, as a damaged file may hold it: numpy warns when it becomes a float64.
+    half.substeps[1].view(np.uint32)[...] = 0x7FA00000
+    assert motion_of(half).steps_m.sum() == 0
+
+
 def test_play_is_when_nobody_waits_for_a_kick_off() -> None:
     assert play_mask(6, [(0, False), (2, True), (4, False)]).tolist() == [True, True, False, False, True, True]
     assert play_mask(2, []).tolist() == [True, True]
@@ -212,11 +231,11 @@ def test_play_is_when_nobody_waits_for_a_kick_off() -> None:
 
 @pytest.fixture
 def record(tmp_path: Path) -> Callable[..., Path]:
-    """Write a run of one half: robots B1 and Y1 stand; the ball's contacts and verdicts are given by tick."""
+    """Write a run of one half: B1 and Y1; who touches the ball, or which body of several, and verdicts are given by tick."""
 
     def write(
         ticks: int,
-        touches: dict[int, int],
+        touches: dict[int, int | tuple[int, int]],
         verdicts: dict[int, Verdict] | None = None,
         faults: tuple[Fault, ...] = (),
         scenario: Scenario | None = None,
@@ -228,10 +247,13 @@ def record(tmp_path: Path) -> Callable[..., Path]:
             writer.begin_half(half_info(made, half, ticks, header))
             verdict = Verdict()
             for tick in range(ticks + 1):
-                poses = [(0.3, 0.3, 0.0), (-0.3, -0.3 + 0.004 * tick, 0.0), (0.0, 0.0, 0.0)]
-                touching = ((touches[tick], 2),) if tick in touches else ()
+                balls = [(0.1 * number, 0.0, 0.0) for number in range(len(made.balls))]
+                poses = [(0.3, 0.3, 0.0), (-0.3, -0.3 + 0.004 * tick, 0.0), *balls]
+                touched = touches.get(tick)
+                touching = () if touched is None else (touched if isinstance(touched, tuple) else (touched, 2),)
+                heights = [0.0375, 0.0375, *[0.021] * len(balls)]
                 snapshot = Snapshot(
-                    tick, [poses] * 4, [0.0375, 0.0375, 0.021], [1.0] * 3, (touching, (), (), touching),
+                    tick, [poses] * 4, heights, [1.0] * len(poses), (touching, (), (), touching),
                     tuple(fault for fault in faults if fault.tick == tick),
                 )  # fmt: skip
                 verdict = (verdicts or {}).get(
@@ -253,6 +275,30 @@ def test_possession_is_the_share_of_play_since_the_last_touch(record: Callable[.
     assert told["Hanse"]["possession"] == 37.5
     assert told["Alster"]["possession"] == 50.0
     assert told["Alster"]["touches"] == 1
+
+
+def with_balls(*names: str) -> Scenario:
+    """Return the scenario of two robots with other balls."""
+    made = small_scenario(1, 1)
+    ball = next(iter(made.balls.values()))
+    return made.model_copy(update={"balls": dict.fromkeys(names, ball)})
+
+
+def test_of_several_balls_possession_is_the_mean_so_that_all_shares_are_100_at_most(
+    record: Callable[..., Path],
+) -> None:
+    # 100 ticks: blue has the first ball from 21 on and the second one from 61 on; yellow has the third one from 51 on.
+    stats = run_stats(record(100, {21: (0, 2), 61: (0, 3), 51: (1, 4)}, scenario=with_balls("one", "two", "three")))
+    told = stats_as_json(stats)["teams"]
+    assert told["Hanse"]["possession"] == told["Hanse"]["robots"]["B1"]["possession"] == 40.0
+    assert told["Alster"]["possession"] == pytest.approx(50 / 3, abs=0.05)
+    twice = stats_as_json(together([stats, stats]))["teams"]
+    assert twice["Hanse"]["possession"] == 40.0
+
+
+def test_without_a_ball_nobody_has_it_or_touches_it(record: Callable[..., Path]) -> None:
+    told = stats_as_json(run_stats(record(50, {}, scenario=with_balls())))
+    assert not {"possession", "touches"} & {*told["definitions"], *told["teams"]["Hanse"]}
 
 
 def test_way_and_speeds_are_those_of_play(record: Callable[..., Path]) -> None:
@@ -360,7 +406,7 @@ def test_two_teams_of_one_name_in_one_match_are_two_and_told(tmp_path: Path, hal
 
 
 def test_a_challenge_of_one_team_has_the_figures_that_make_sense() -> None:
-    alone = Stats(has_goals=False)
+    alone = Stats(has_goals=False, balls={"ball": Tally()})
     assert set(stats_as_json(alone)["definitions"]) == set(DEFINITIONS) - {"possession", "shots", "on_goal", "own_half"}
 
 
@@ -422,6 +468,7 @@ IN_ONE_FOLDER = [HealthCheck.function_scoped_fixture]
 
 
 @settings(max_examples=25, deadline=None, suppress_health_check=IN_ONE_FOLDER)
+@example(name="trajectory.npz", damage=[(862, 127)])  # a signalling NaN in place of a position
 @DAMAGED
 def test_whatever_is_damaged_figures_and_page_are_made_or_refused_with_a_message(
     name: str, damage: list, tmp_path_factory: pytest.TempPathFactory

@@ -12,7 +12,7 @@ from typing import Any
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.catalogue import BOUND, EACH, OTHER, Catalogue, texts
 from rcj_challenges.scenario.checks.bound import Bound
-from rcj_challenges.scenario.checks.whose import NAMING_ONE, check_whose
+from rcj_challenges.scenario.checks.whose import NAMING_ONE, check_whose, touching_itself
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, known_text, listing, nearest
 from rcj_challenges.scenario.messages.ways_out import for_group, for_other_kind, for_spots, for_start, for_teams
 from rcj_challenges.scenario.messages.wording import found_text, spelled
@@ -326,8 +326,10 @@ class _Walker:
     def _who_moves(self, touch: Entries, path: Path, bound: Bound) -> None:
         """Check that one of the two that touch can come to the other."""
         entity, other = (bound.meant(touch.entries.get(key), self.names) for key in ("entity", "other"))
+        message = touching_itself(touch, entity, other)
         if entity and other and all(self.names.kinds.get(one) in _STANDING for one in (*entity, *other)):
             message = f"'{entity[0]}' and '{other[0]}' never move, so that they never touch; name a robot or a ball"
+        if message:
             self.add((*path, "other"), mark_of(self.root, (*path, "other")), message)
 
     def _decided_beforehand(self, draws: Node | None, path: Path) -> None:
@@ -486,7 +488,7 @@ def _way_out(kind: str, reference: Field) -> str:
 def _without(name: str, path: Path) -> str:
     """Return what to do about a place that still names something removed."""
     if path[-1] == name and not any(isinstance(part, int) for part in path):
-        return f"; write '{name}: null' here too"
+        return f"; write '{name}: null' under {'.'.join(map(str, path[:-1]))} too"
     return f"; write {path[0]}.{path[1]} anew without it" if len(path) > 2 else ""
 
 

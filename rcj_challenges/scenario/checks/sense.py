@@ -323,10 +323,10 @@ def _entrants(scenario: Scenario) -> Iterator[Found]:
             taken = {one.radio_channel for one in scenario.entrants.values()}
             free = next(channel for channel in count(2) if channel not in taken)
             message = (
-                f"channel {entrant.radio_channel} is that of '{other}'; they would hear each other: write another "
-                f"radio_channel, such as {free}"
+                f"channel {entrant.radio_channel} is that of '{other}' and of '{name}'; they would hear each other: "
+                f"write another radio_channel, such as {free}"
             )
-            yield Found((*path, "radio_channel"), message)
+            yield Found((*path, "radio_channel"), message, other=("entrants", other, "radio_channel"))
         channels.setdefault(entrant.radio_channel, name)
     yield from _swap(scenario)
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
-from rcj_challenges.scenario.catalogue import Catalogue, texts
+from rcj_challenges.scenario.catalogue import EACH, Catalogue, texts
 from rcj_challenges.scenario.checks.bound import Bound
 from rcj_challenges.scenario.models import actions, conditions, state, triggers
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, mark_of, node_at
@@ -100,3 +100,21 @@ def _is_for_one_of(owners: tuple[str, ...], bound: Bound, names: Catalogue) -> b
 
 def _is_several(whose: Node, names: Catalogue) -> bool:
     return isinstance(whose, Items) or any(text in names.groups and text not in names.kinds for text in texts(whose))
+
+
+def touching_itself(touch: Entries, entity: Sequence[str], other: Sequence[str]) -> str:
+    """Return what is wrong with a touch of something with itself; empty: it is one of two.
+
+    Args:
+        touch: the trigger, as it is written.
+        entity: what may touch, groups expanded.
+        other: what may be touched, groups expanded.
+    """
+    written = [texts(touch.entries.get(key)) for key in ("entity", "other")]
+    if written[0] == written[1] == (EACH,):
+        alone = EACH
+    elif entity and {*entity} == {*other} == {entity[0]}:
+        alone = entity[0]
+    else:
+        return ""
+    return f"'{alone}' never touches itself; name in other what it touches, such as robots or walls"

@@ -8,6 +8,7 @@ from itertools import combinations, product
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.scenario.lint.logic import are_apart, exclude, range_of, ways_to_hold
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect, lengths_s
+from rcj_challenges.scenario.messages.written import as_written
 from rcj_challenges.scenario.models.conditions import Condition, InZone, TimerIs
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.triggers import Enters, Holds, Leaves, StaysIn, TimerExpired, Trigger
@@ -21,9 +22,8 @@ def check_contradictions(subject: Subject) -> Iterator[Suspect]:
     """Conditions of a rule that never hold together; triggers whose own edge denies one of them."""
     for name, rule in subject.scenario.rules.items():
         if _never_hold(rule.conditions, rule, subject):
-            yield Suspect(
-                "rule_never_fires", ("rules", name, "conditions"), _NEVER_TOGETHER, _ONE_SUFFICES, at_key=True
-            )
+            reason = _never_together(rule.conditions, rule, subject)
+            yield Suspect("rule_never_fires", ("rules", name, "conditions"), reason, _ONE_SUFFICES, at_key=True)
             continue
         ways = ways_to_hold(rule.conditions)
         for index, trigger in enumerate(rule.triggers):
@@ -37,7 +37,7 @@ def check_contradictions(subject: Subject) -> Iterator[Suspect]:
 def _of_lasting(trigger: Holds, rule: Rule, path: Path, subject: Subject) -> Iterator[Suspect]:
     """A condition that must last and never holds, or not with those of the rule; with a grace it may just be broken."""
     if _never_hold((trigger.condition,), rule, subject):
-        yield Suspect("rule_never_fires", path, _NEVER_TOGETHER, _ONE_SUFFICES)
+        yield Suspect("rule_never_fires", path, _never_together((trigger.condition,), rule, subject), _ONE_SUFFICES)
     elif not trigger.grace_s and _never_hold((trigger.condition, *rule.conditions), rule, subject):
         reason = "when it fires its condition holds, and one of the rule's conditions never does at the same time"
         yield Suspect("rule_never_fires", path, reason, "take that condition out, or let the trigger wait for another")
@@ -49,6 +49,15 @@ def _never_hold(conditions: Iterable[Condition], rule: Rule, subject: Subject) -
     return bool(ways) and all(
         any(exclude(one, two, both, subject) for one, two in combinations(way, 2)) for way in ways
     )
+
+
+def _never_together(conditions: Iterable[Condition], rule: Rule, subject: Subject) -> str:
+    """Return that two conditions never hold together; of more than two with the ones that are meant."""
+    ways = ways_to_hold(conditions) or ()
+    if len(ways) != 1 or len(ways[0]) == 2:
+        return _NEVER_TOGETHER
+    both = next(pair for pair in combinations(ways[0], 2) if exclude(*pair, (rule, rule), subject))
+    return f"{_NEVER_TOGETHER}: {' and '.join(map(as_written, both))}"
 
 
 def _why(trigger: Trigger) -> tuple[str, str]:

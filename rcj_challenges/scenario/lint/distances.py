@@ -1,4 +1,4 @@
-"""Lint of conditions on distances: limits that nothing on the floor can reach, or that all on it keep."""
+"""Lint of distances: limits that nothing on the floor reaches, or that all on it keep; gaps and noise wider than it."""
 
 from __future__ import annotations
 
@@ -6,12 +6,26 @@ from collections.abc import Iterator
 from itertools import combinations
 from math import dist, inf
 
+from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.floor import floor_parts
 from rcj_challenges.scenario.floor_shapes import away_m, to_segment_m
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect
-from rcj_challenges.scenario.models.conditions import Distance
-from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
+from rcj_challenges.scenario.models.actions import Place
+from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.scenario.models.conditions import Distance, SpotFree
+from rcj_challenges.scenario.models.places import (
+    CircleZone,
+    FurthestFree,
+    HalfPlaneZone,
+    NearestFree,
+    Placing,
+    PolygonZone,
+    RectZone,
+    Zone,
+)
+from rcj_challenges.scenario.models.robots import StartPose
 from rcj_challenges.scenario.models.scenario import Rule
+from rcj_challenges.scenario.models.triggers import Displaced
 from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.visiting import visit
@@ -28,8 +42,21 @@ def check_distances(subject: Subject) -> Iterator[Suspect]:
     corners = tuple(dict.fromkeys(corner for part in parts for corner in part))
     for name, rule in subject.scenario.rules.items():
         for model, path in visit(rule, ("rules", name)):
-            if isinstance(model, Distance):
+            if isinstance(model, Distance) and _is_of_itself(model, rule, subject):
+                reason = f"it is measured from '{model.to}' to itself, and always 0"
+                yield _suspect(path, "to", reason, "name the other thing, or the group of the others")
+            elif isinstance(model, Distance):
                 yield from _limits(model, path, _furthest_m(model, rule, subject, corners), subject, rule)
+
+    yield from _elsewhere(subject, corners)
+
+
+def _is_of_itself(model: Distance, rule: Rule, subject: Subject) -> bool:
+    names = (model.entity,) if isinstance(model.entity, str) else model.entity
+    if not isinstance(model.to, str) or len(names) != 1:
+        return False
+    # Of a group the nearest other one counts; a group of one has no other.
+    return names == (model.to,) and (model.to == EACH or subject.members(model.to, rule) == {model.to})
 
 
 def _limits(model: Distance, path: Path, far_m: float, subject: Subject, rule: Rule) -> Iterator[Suspect]:
@@ -61,6 +88,54 @@ def _suspect(path: Path, key: str, reason: str, remedy: str) -> Suspect:
     return Suspect("distance_never_reached", (*path, key), reason, remedy)
 
 
+# --- distances in triggers and placements -----------------------------------------------------------------------------
+
+
+def _elsewhere(subject: Subject, corners: tuple[Point, ...]) -> Iterator[Suspect]:
+    """Yield distances of triggers, gaps and noise that are wider than the floor: they are hardly meant in metres."""
+    across_m = _across_m(corners)
+    for model, path in subject.models:
+        if isinstance(model, Displaced):
+            yield from _never_displaced(model, path, corners)
+        gap = _GAPS.get(type(model))
+        if gap is not None and getattr(model, gap) > across_m + _ROOM_M:
+            reason = f"no gap on this floor is wider than {across_m:.2f} m: there is never room"
+            yield _suspect(path, gap, reason, "correct it; distances are in m")
+        if isinstance(model, Place | Placing | StartPose):
+            yield from _noise(model.noise_m, path, subject)
+
+
+_GAPS: dict[type[Strict], str] = {
+    Place: "min_clearance_m",
+    Placing: "min_clearance_m",
+    NearestFree: "clearance_m",
+    FurthestFree: "clearance_m",
+    SpotFree: "clearance_m",
+}
+"""What must be free around a place, by the model that says so."""
+
+
+def _never_displaced(model: Displaced, path: Path, corners: tuple[Point, ...]) -> Iterator[Suspect]:
+    is_put = isinstance(model.from_, str)
+    far_m = _across_m(corners) if isinstance(model.from_, str) else _from_point_m(model.from_, corners)
+    if model.distance_m > far_m + _ROOM_M:
+        whence = "where it was put" if is_put else f"({model.from_[0]}, {model.from_[1]})"
+        reason = f"it is never reached: nothing on the floor is further than {far_m:.2f} m from {whence}"
+        yield _suspect(path, "distance_m", reason, "correct it; distances are in m")
+
+
+def _noise(noise_m: Point, path: Path, subject: Subject) -> Iterator[Suspect]:
+    field = subject.scenario.field
+    if noise_m[0] > field.width_m or noise_m[1] > field.length_m:
+        yield Suspect(
+            "noise_wider_than_the_floor",
+            (*path, "noise_m"),
+            f"noise of {noise_m[0]:g} m and {noise_m[1]:g} m to either side leads beyond the floor, "
+            f"which is {field.width_m:g} m wide and {field.length_m:g} m long",
+            "correct it, lengths are in m; to put something anywhere write {uniform_in: ZONE}",
+        )
+
+
 # --- how far anything can be ------------------------------------------------------------------------------------------
 
 
@@ -72,7 +147,7 @@ def _furthest_m(model: Distance, rule: Rule, subject: Subject, corners: tuple[Po
 
 
 def _from_m(name: str, subject: Subject, corners: tuple[Point, ...]) -> float:
-    scenario, across_m = subject.scenario, max(dist(one, other) for one, other in combinations(corners, 2))
+    scenario, across_m = subject.scenario, _across_m(corners)
     fixed = fixed_spots(scenario).get(name)
     if fixed is not None:
         return _from_point_m((fixed.x_m, fixed.y_m), corners)
@@ -84,6 +159,11 @@ def _from_m(name: str, subject: Subject, corners: tuple[Point, ...]) -> float:
     if gate.anchor is not None:
         return across_m + to_segment_m((0.0, 0.0), gate.from_m, gate.to_m)
     return max(to_segment_m(corner, gate.from_m, gate.to_m) for corner in corners)
+
+
+def _across_m(corners: tuple[Point, ...]) -> float:
+    """Return how far two things on the floor can be apart, in m."""
+    return max(dist(one, other) for one, other in combinations(corners, 2))
 
 
 def _from_point_m(point: Point, corners: tuple[Point, ...]) -> float:

@@ -9,7 +9,7 @@ from rcj_challenges.scenario.floor import floor_parts
 from rcj_challenges.scenario.floor_shapes import lies_in
 from rcj_challenges.scenario.lint.logic import Way, ways_to_hold, without_none
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect, lengths_s
-from rcj_challenges.scenario.models.actions import Remove, Score
+from rcj_challenges.scenario.models.actions import Count, Emit, End, Remove, Score, SetPhase, TimerAction
 from rcj_challenges.scenario.models.conditions import Condition, Distance, HalfIs, InZone, Looks, Speed
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.triggers import Holds, OnEvent, PhaseEntered, TimeReached, TimerExpired, Trigger
@@ -19,8 +19,9 @@ _FOR_EVER = float("inf")
 
 
 def check_gone(subject: Subject) -> Iterator[Suspect]:
-    """Rules that put back, or give points for, who is off the field, for what is negated is true of it."""
+    """Rules that put back, give points for or take off anew who is off the field, for what is negated is true of it."""
     for name, rule in subject.standing():
+        yield from _own_removals(name, rule, subject)
         touched = _put_or_scored(rule, subject)
         for index, trigger in enumerate(rule.triggers):
             patience_s = _patience_s(trigger)
@@ -42,6 +43,39 @@ def check_gone(subject: Subject) -> Iterator[Suspect]:
                     f"for it is nowhere then: the rule {touched[who]}",
                     f"add what is true on the field only to its conditions: {_presence(rule, who, subject)}",
                 )
+
+
+def _own_removals(name: str, rule: Rule, subject: Subject) -> Iterator[Suspect]:
+    """Yield what a rule goes on announcing of those that it has taken off the field itself."""
+    once = rule.max_executions is not None or any(isinstance(one, End | SetPhase) for one in rule.actions)
+    if once or not any(isinstance(one, Score | Count | Emit) for one in rule.actions):
+        return
+    removals = [one for one in rule.actions if isinstance(one, Remove)]
+    for index, trigger in enumerate(rule.triggers):
+        patience_s = _patience_s(trigger)
+        if patience_s is None or not _comes_again(trigger, subject):
+            continue
+        asked = (trigger.condition,) if isinstance(trigger, Holds) else ()
+        for who in sorted({who for one in removals for who in subject.members(one.entity, rule)} - subject.put(rule)):
+            away_s = max(_away_s(one, subject) for one in removals if who in subject.members(one.entity, rule))
+            if away_s > patience_s and _means(who, (*asked, *rule.conditions), rule, subject):
+                yield Suspect(
+                    "meant_off_the_field",
+                    ("rules", name, "triggers", index),
+                    f"what it asks is true of '{who}' also while this rule itself has taken it off the field, "
+                    "for it is nowhere then: it fires for it again and again",
+                    f"add what is true on the field only to its conditions: {_presence(rule, who, subject)}",
+                )
+                break
+
+
+def _comes_again(trigger: Trigger, subject: Subject) -> bool:
+    """Return whether a moment surely comes more than once for who stays off the field."""
+    if isinstance(trigger, TimerExpired):
+        actions = (action for _, rule in subject.standing() for action in rule.actions)
+        return any(isinstance(one, TimerAction) and one.timer == trigger.timer for one in actions)
+    # Being taken off once more begins the time of what holds anew.
+    return isinstance(trigger, Holds) or (isinstance(trigger, TimeReached) and trigger.every_s is not None)
 
 
 def _put_or_scored(rule: Rule, subject: Subject) -> dict[str, str]:
@@ -71,13 +105,18 @@ def _taken_off(subject: Subject, but: str) -> dict[str, tuple[str, float]]:
         for action in rule.actions:
             if not isinstance(action, Remove) or name == but:
                 continue
-            away_s = _FOR_EVER
-            if action.for_s is not None:
-                away_s = max(lengths_s(action.for_s, subject.scenario), default=_FOR_EVER)
+            away_s = _away_s(action, subject)
             for who in sorted(subject.members(action.entity, rule)):
                 if away_s > found.get(who, ("", 0.0))[1]:
                     found[who] = (name, away_s)
     return found
+
+
+def _away_s(action: Remove, subject: Subject) -> float:
+    """Return how long a removal keeps something off the field, in s."""
+    if action.for_s is None:
+        return _FOR_EVER
+    return max(lengths_s(action.for_s, subject.scenario), default=_FOR_EVER)
 
 
 def _means(who: str, conditions: tuple[Condition, ...], rule: Rule, subject: Subject) -> bool:

@@ -6,7 +6,7 @@ leaves a tick in which the attempt still goes on: the timer may run out in it, a
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import product
 from typing import NamedTuple
 
@@ -26,7 +26,7 @@ from rcj_challenges.scenario.models.actions import (
 )
 from rcj_challenges.scenario.models.conditions import Condition, CounterIs, Drawn, FlagIs, TimerIs
 from rcj_challenges.scenario.models.scenario import Rule
-from rcj_challenges.scenario.models.triggers import OnEvent, TimerExpired
+from rcj_challenges.scenario.models.triggers import Holds, OnEvent, TimerExpired
 
 _OF_ANOTHER_ATTEMPT = ("restart", "reset", "stop")
 
@@ -168,6 +168,8 @@ def _can_follow(attempt: _Attempt, subject: Subject) -> bool:
     """Return whether the time can be up in the tick after the outcome."""
     rules = subject.scenario.rules
     outcome, too_late = rules[attempt.outcome], rules[attempt.too_late]
+    if _always_holds_by(outcome, lambda one: _keeps_from_end(one, attempt.timer, subject)):
+        return False
     ways = ways_to_hold(outcome.conditions) or ()
     sooner = [way for way in ways if not any(_keeps_from_end(one, attempt.timer, subject) for one in way)]
     return _can_come_after(outcome, sooner, too_late, ways_to_hold(too_late.conditions) or (), subject)
@@ -177,9 +179,23 @@ def _can_come(attempt: _Attempt, subject: Subject) -> bool:
     """Return whether the outcome can come in the tick after the time was up."""
     rules = subject.scenario.rules
     outcome, too_late = rules[attempt.outcome], rules[attempt.too_late]
+    if _always_holds_by(outcome, lambda one: _asks_for_running(one, attempt.timer)):
+        return False
     ways = ways_to_hold(outcome.conditions) or ()
     later = [way for way in ways if not any(_asks_for_running(one, attempt.timer) for one in way)]
     return _can_come_after(too_late, ways_to_hold(too_late.conditions) or (), outcome, later, subject)
+
+
+def _always_holds_by(rule: Rule, keeps: Callable[[Condition], bool]) -> bool:
+    """Return whether a rule fires only by what holds in that very tick, and a part of it keeps the two apart."""
+    for trigger in rule.triggers:
+        # An interruption that counts as holding lets it fire while the condition does not hold.
+        if not isinstance(trigger, Holds) or trigger.grace_s >= TICK_S:
+            return False
+        ways = ways_to_hold((trigger.condition,))
+        if ways is None or not all(any(keeps(one) for one in way) for way in ways):
+            return False
+    return True
 
 
 def _can_come_after(first: Rule, ways: Sequence[Way], then: Rule, other_ways: Sequence[Way], subject: Subject) -> bool:

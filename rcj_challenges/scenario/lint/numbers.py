@@ -22,6 +22,7 @@ _AFTER_ONE = r" (?:point|second|minute|metre|meter|goal|shot|lap|time|ball)\b"
 """What follows a "one" that counts something; other ones are "the one", "one of them"."""
 _UNITS = {"s": ("s", "second", "seconds"), "m": ("m", "metre", "metres", "meter", "meters")}
 _POINTS = ("point", "points")
+_FOR_EACH = {"a", "an", "each", "every", "for", "per"}
 _NEXT_WORDS = 2
 
 
@@ -131,9 +132,15 @@ def _is_meant(rule: str, param: str, leaf: Leaf, subject: Subject) -> bool:
     return bool(equal) and all(one.param == param for one in equal)
 
 
+def _unit_of(param: str) -> tuple[str, ...] | None:
+    """Return the words for the unit in which a param's name ends; None if it has none."""
+    last = param.lower().rsplit("_", 1)[-1]
+    return _POINTS if last in _POINTS else _UNITS.get(last)
+
+
 def _tells_in_its_unit(text: str, number: Leaf, param: str) -> bool:
     """Return whether a text tells a number, and not of another unit than the param's name has."""
-    own = _UNITS.get(param.rsplit("_", 1)[-1])
+    own = _unit_of(param)
     others = {word for words in (*_UNITS.values(), _POINTS) if words != own for word in words}
     for found in re.finditer(_spelt(number), text, re.IGNORECASE):
         following = re.match(r"\s*([a-z]+)", text[found.end() :].lower())
@@ -165,10 +172,13 @@ def _tells(text: str, number: Leaf) -> bool:
 def _tells_of(text: str, number: Leaf, param: str) -> bool:
     """Return whether a text tells a number of what a param is called after: ``shot_s`` and "fifteen seconds a shot"."""
     *parts, last = param.lower().split("_")
-    meant = {*_UNITS.get(last, (last, f"{last}s")), *(word for part in parts for word in (part, f"{part}s"))}
+    unit = _unit_of(param)
+    things = {word for part in (*parts, *(() if unit else (last,))) for word in (part, f"{part}s")}
     for found in re.finditer(_spelt(number), text, re.IGNORECASE):
         following = re.findall(r"[a-z]+", text[found.end() : found.end() + 40].lower())[:_NEXT_WORDS]
-        if meant & set(following):
+        # Of a name with a unit: "three jewels" is another number than jewel_points: 3, and "3 per jewel" is that one.
+        about = following if unit is None or set(following[:1]) & _FOR_EACH else ()
+        if set(unit or ()) & set(following) or things & set(about):
             return True
     return False
 

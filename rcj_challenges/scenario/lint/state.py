@@ -227,7 +227,7 @@ def check_unused(subject: Subject) -> Iterator[Suspect]:
             if not used and subject.tree.mark.file == file_of(subject.tree, section, name):
                 reason, remedy = (
                     f"{noun} '{name}' is never used",
-                    f"name it in a rule, or remove it{_with_groups(name, subject)}",
+                    f"name it in a rule, or {_away(section, name, subject)}{_with_groups(name, subject)}",
                 )
                 if section == "sequences" and any(use.name == name for use in subject.uses if _resets(use)):
                     reason = f"sequence '{name}' only begins anew: its steps decide nothing"
@@ -249,6 +249,13 @@ def _unused_groups(subject: Subject, written: set[str]) -> Iterator[Suspect]:
         if name not in written | nested and subject.tree.mark.file == file_of(subject.tree, "groups", name):
             reason, remedy = f"group '{name}' is never used", "name it in a rule, or remove it"
             yield Suspect("group_never_used", ("groups", name), reason, remedy, at_key=True)
+
+
+def _away(section: str, name: str, subject: Subject) -> str:
+    """Return how something goes: left out, what the base brings would be there again with its own numbers."""
+    if (section, name) in subject.overridden:
+        return f"take away what the base brings by '{name}: null'"
+    return "remove it"
 
 
 def _with_groups(name: str, subject: Subject) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -60,6 +61,7 @@ class Subject:
         removed: where entries of a base were removed.
         replaced: what params that are set anew were in the base.
         repeated: where each rule comes from that is one of a repeated one.
+        overridden: the entries of sections that the base has as well, by section and name.
     """
 
     scenario: Scenario
@@ -69,6 +71,7 @@ class Subject:
     removed: Mapping[Path, Mark] = field(default_factory=dict)
     replaced: Mapping[str, Leaf] = field(default_factory=dict)
     repeated: Mapping[str, Repeated] = field(default_factory=dict)
+    overridden: AbstractSet[Path] = frozenset()
 
     @cached_property
     def models(self) -> list[tuple[Strict, Path]]:

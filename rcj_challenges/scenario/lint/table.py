@@ -60,6 +60,7 @@ from rcj_challenges.scenario.lint.times import (
     check_ends,
     check_halves,
     check_last_tick,
+    check_phase_limits,
     check_reached,
     check_rests,
     check_times,
@@ -117,6 +118,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_params,
     check_unused,
     check_times,
+    check_phase_limits,
     check_halves,
     check_ends,
     check_reached,
@@ -200,9 +202,8 @@ def lint(loaded: Loaded) -> list[Finding]:
     if tree is None:
         message = "lint needs a scenario that was loaded from a file or a text"
         raise ValueError(message)
-    subject = Subject(
-        loaded.scenario, loaded.roster, tree, loaded.left_out, loaded.removed, loaded.replaced, loaded.repeated
-    )
+    changes = loaded.removed, loaded.replaced, loaded.repeated, loaded.overridden
+    subject = Subject(loaded.scenario, loaded.roster, tree, loaded.left_out, *changes)
     findings = []
     for check in CHECKS:
         for suspect in check(subject):

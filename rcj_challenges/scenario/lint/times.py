@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 
 from rcj_challenges.facts.timing import TICK_S, ticks_from_s
+from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.halves import half_lengths_s, longest_half_s
 from rcj_challenges.scenario.lint.logic import range_of, ways_to_hold
 from rcj_challenges.scenario.lint.moments import time_of
@@ -43,6 +44,38 @@ def check_times(subject: Subject) -> Iterator[Suspect]:
                     f"{seconds:g} s is not over before the half is, after {half_s:g} s: {consequence}",
                     "shorten it, or lengthen match.half_s",
                 )
+
+
+def check_phase_limits(subject: Subject) -> Iterator[Suspect]:
+    """Limits that are not over before the phase is in which the rule lives: what it follows begins anew then."""
+    for name, rule in subject.standing():
+        phases = sorted(phase for phase in subject.reached if lives_in(rule, phase))
+        longest_s = _longest_s(phases, subject)
+        for index, trigger in enumerate(rule.triggers):
+            if not isinstance(trigger, StaysIn | NoProgress | Holds):
+                continue
+            ((key, seconds, _, consequence),) = _limits(trigger, subject.scenario)
+            if longest_s is not None and seconds and ticks_from_s(seconds) > ticks_from_s(longest_s):
+                yield Suspect(
+                    "limit_longer_than_the_phase",
+                    ("rules", name, "triggers", index, key),
+                    f"{seconds:g} s is not over before phase {listing(phases)} is, after {longest_s:g} s, and begins "
+                    f"anew with the next one: {consequence}",
+                    "shorten it, let the phase last longer, or let the rule live in more phases",
+                )
+
+
+def _longest_s(phases: list[str], subject: Subject) -> float | None:
+    """Return how long one of some phases lasts at most, in s; None: as long as rules like, or one follows another."""
+    follow = any(here != to and here in phases and to in phases for here, to in subject.transitions)
+    lengths: list[float] = []
+    for phase in phases:
+        model = subject.scenario.phases.get(phase)
+        found = lengths_s(model.lasts_s, subject.scenario) if model is not None and model.lasts_s is not None else ()
+        if follow or not found:
+            return None
+        lengths += found
+    return max(lengths, default=None)
 
 
 def check_halves(subject: Subject) -> Iterator[Suspect]:

@@ -57,16 +57,16 @@ def check_unheard(subject: Subject) -> Iterator[Suspect]:
             unheard = [source for source in sources if not source.heard]
             path: Path = ("rules", name, "triggers", index)
             if unheard and len(unheard) == len(sources):
-                yield _suspect("rule_never_fires", path, rule, trigger, unheard[0])
+                yield _suspect("rule_never_fires", path, rule, trigger, unheard[0], subject)
                 continue
             # Of what comes at the end as well, the end is hardly waited for.
             missed = [source for source in unheard if not source.is_last]
             chosen = node_at(subject.tree, ("rules", name, "phases")) is not None
             if missed and not (chosen or _is_heard_elsewhere(trigger, name, subject)):
-                yield _suspect("moment_may_be_missed", path, rule, trigger, missed[0])
+                yield _suspect("moment_may_be_missed", path, rule, trigger, missed[0], subject)
 
 
-def _suspect(kind: str, path: Path, rule: Rule, trigger: Trigger, source: _Source) -> Suspect:
+def _suspect(kind: str, path: Path, rule: Rule, trigger: Trigger, source: _Source, subject: Subject) -> Suspect:
     when = _HEARD_LATER if isinstance(trigger, OnEvent) else _ONCE
     if source.is_last:
         remedy = f"do it in rule '{source.name}' itself, or wait for half_ended"
@@ -77,7 +77,9 @@ def _suspect(kind: str, path: Path, rule: Rule, trigger: Trigger, source: _Sourc
         then = "which begins anew" if lives_in(rule, source.entered) else "in which this rule does not live"
         reason = f"{when}; with rule '{source.name}' phase {source.entered} begins, {then}"
     alive = rule.phases if isinstance(rule.phases, tuple) else ()
-    more = [phase for phase in (source.entered,) if phase is not None and phase not in alive]
+    brought = subject.scenario.rules[source.name].phases if isinstance(trigger, OnEvent) else ()
+    then_on = (source.entered,) if source.entered is not None else brought if isinstance(brought, tuple) else ()
+    more = [phase for phase in then_on if phase not in alive]
     remedy = f"write phases: [{', '.join((*alive, *more))}], or phases: any" if more else "write phases: any, or for_s:"
     return Suspect(kind, path, reason, remedy)
 
@@ -118,8 +120,11 @@ def _is_last(rule: Rule) -> bool:
 
 
 def _hears_event(hearer: Rule, source: Rule, entered: str | None, subject: Subject) -> bool:
-    """Return whether a rule may hear an event one tick later, in the phase that its source has entered."""
-    if entered is None or lives_in(hearer, entered) or _may_pass_at_once(entered, subject):
+    """Return whether a rule may hear an event one tick later, in the phase that its source has entered, or lives in."""
+    if entered is None:
+        phases = [phase for phase in subject.reached if lives_in(source, phase)]
+        return any(lives_in(hearer, later) for phase in phases for later in _a_tick_later(phase, subject))
+    if lives_in(hearer, entered) or _may_pass_at_once(entered, subject):
         return True
     # What fires in the same tick, and lives in the new phase too, may lead on to another one.
     return any(
@@ -128,6 +133,21 @@ def _hears_event(hearer: Rule, source: Rule, entered: str | None, subject: Subje
         if any(lives_in(other, phase) and lives_in(source, phase) for phase in subject.reached - {entered})
         for action in other.actions
     )
+
+
+def _a_tick_later(phase: str, subject: Subject) -> frozenset[str]:
+    """Return the phases that may go on a tick after something came in a phase."""
+    following = {to for here, to in subject.transitions if here == phase}
+    # What lives in a phase and in the one that follows may fire in the same tick, and lead on.
+    onward = {
+        action.phase
+        for _, rule in subject.standing()
+        if lives_in(rule, phase) and any(lives_in(rule, then) for then in following)
+        for action in rule.actions
+        if isinstance(action, SetPhase)
+    }
+    at_once = {to for here, to in subject.transitions if here in following and _may_pass_at_once(here, subject)}
+    return frozenset({phase, *following, *onward, *at_once})
 
 
 def _may_pass_at_once(phase: str, subject: Subject) -> bool:

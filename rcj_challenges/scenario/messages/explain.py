@@ -273,7 +273,7 @@ class _Explainer:
         tag = child(node, discriminator)
         if tag is None:
             message = f"'{discriminator}' is missing; it is one of {listing(words, 40)}"
-            return self._at(mistake.path, message + _with_its_key(mistake.shape, node))
+            return self._at(mistake.path, message + (_of_condition(node, words) or _with_its_key(mistake.shape, node)))
         written = str(tag.value) if isinstance(tag, Leaf) else found_text(tag)
         message = f"unknown {discriminator} '{written[:64]}'; there are {listing(words, 40)}"
         message += (
@@ -290,6 +290,15 @@ class _Explainer:
         if not isinstance(around, Leaf) or around.value != word:
             return ""
         return f"; '{word}' cannot stand in itself: write all conditions into one list"
+
+
+def _of_condition(node: Entries, words: list[str]) -> str:
+    """Return how a condition becomes a trigger where it stands in the place of one; empty: it is none, or elsewhere."""
+    condition = node.entries.get("condition")
+    if "holds" not in words or not isinstance(condition, Leaf):
+        return ""
+    written = f"{{condition: {cut(str(condition.value))}, …}}"
+    return f"; to wait until a condition comes true: {{trigger: holds, condition: {written}}}"
 
 
 def _with_its_key(shape: Shape, node: Node | None) -> str:

@@ -144,10 +144,20 @@ _THINGS = ("robot", "ball", "who")
 _BY_PLACE = {
     ("min", "minimum"): ("keeps_at_least", "at_least"),
     ("max", "maximum"): ("keeps_at_most", "at_most"),
+    ("position", "pos", "location", "start", "start_pos"): ("start_m", "centre_m"),
     ("duration", "duration_s", "length", "length_s", "seconds"): ("half_s", "lasts_s", "for_s", "limit_s"),
 }
 _CALLED_BY_PLACE = {key: called for keys, called in _BY_PLACE.items() for key in keys}
 """The same of keys that are called this or that, as the place may have them: of a score that grows, and of a limit."""
+
+
+_MORE = "'at_least' holds from that value on, and 'more than it' is at_most with negate: true"
+_LESS = "'at_most' holds up to that value, and 'less than it' is at_least with negate: true"
+_COMPARED = {
+    **dict.fromkeys(("more", "more_than", "greater", "greater_than", "larger_than", "above"), _MORE),
+    **dict.fromkeys(("less", "less_than", "fewer_than", "smaller_than", "below", "under"), _LESS),
+}
+"""Comparisons of other languages, in which the value itself does not count."""
 
 
 def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
@@ -159,13 +169,13 @@ def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
         allowed: the keys that it may have.
         root: the whole scenario.
     """
-    usual = _usual_key(key, set(allowed), node_at(root, above))
+    allowed = set(allowed)
+    usual = _usual_key(key, allowed, node_at(root, above))
     if usual is not None:
         return f"; it is called {usual!r} here"
-    if above[:1] == ("rules",) and len(above) == 2 and key == "else":
-        return "; what else is to happen is a rule of its own, whose conditions have negate: true"
-    if above[:1] == ("draws",) and key.startswith(("weight", "probabilit")):
-        return "; a value that shall come more often is written more than once: values: [a, a, a, b]"
+    written = _written_instead(key, above, allowed)
+    if written:
+        return written
     if above or not isinstance(root, Entries):
         return ""
     before = list(root.entries)[: list(root.entries).index(key)] if key in root.entries else []
@@ -188,6 +198,19 @@ def _usual_key(key: str, allowed: Collection[str], node: Node | None) -> str | N
     return next(iter(free or meant), None)
 
 
+def _written_instead(key: str, above: Path, allowed: set[str]) -> str:
+    """Return how something is written for which there is no key; empty: nobody knows."""
+    if key in _COMPARED and {"at_least", "negate"} <= allowed:
+        return f"; {_COMPARED[key]}"
+    if key in ("x", "y", "x_m", "y_m") and "at" in allowed:
+        return "; a place is written at: {point: [x, y]}"
+    if above[:1] == ("rules",) and len(above) == 2 and key == "else":
+        return "; what else is to happen is a rule of its own, whose conditions have negate: true"
+    if above[:1] == ("draws",) and key.startswith(("weight", "probabilit")):
+        return "; a value that shall come more often is written more than once: values: [a, a, a, b]"
+    return ""
+
+
 def for_coordinates(path: Path, node: Node | None, keys: Collection[str]) -> str:
     """Return how a place is written where numbers in a list stand for a mapping, or a name for the numbers.
 
@@ -196,7 +219,7 @@ def for_coordinates(path: Path, node: Node | None, keys: Collection[str]) -> str
         node: what stands there.
         keys: those of the mapping that is expected; none where it is no mapping.
     """
-    if path[:1] == ("expect",) and path[-2:-1] in (("place",), ("move",)) and isinstance(node, Leaf):
+    if path[:1] == ("expect",) and path[-2:-1] in (("place",), ("move",)) and isinstance(node, Leaf | Entries):
         return "; a place is written [x, y] or [x, y, yaw], in m and rad"
     numbers = [item.value for item in node.items if isinstance(item, Leaf)] if isinstance(node, Items) else []
     known = [key for key in ("x_m", "y_m", "yaw_rad") if key in keys]

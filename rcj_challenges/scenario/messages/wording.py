@@ -102,12 +102,17 @@ def _hint_at_number(text: str) -> str:
     return ""
 
 
+def _is_of_mappings(shape: Shape) -> bool:
+    entry = bare(get_args(bare(shape).kind)[0]).kind
+    return is_model(entry) or is_union(entry)
+
+
 def _hint_at_list(shape: Shape, node: Node) -> str:
     """Return how a list is written: of one entry, or of decimals; or a mapping in whose place a list stands."""
     shape = without_none(shape)
     if isinstance(node, Items) and is_named(bare(shape).kind):
         return "; each entry begins with its name and ':', not with '-'"
-    if isinstance(node, Entries) and is_list(shape):
+    if isinstance(node, Entries) and is_list(shape) and _is_of_mappings(shape):
         return "; a list stands in brackets, also of one: [{…}]"
     if not isinstance(node, Items) or shape != Point or len(node.items) != 4:
         return ""

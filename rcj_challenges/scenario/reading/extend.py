@@ -171,8 +171,9 @@ def _base(name: str, user: Source, mark: Mark) -> Source:
     if path.name not in beside or not path.is_file():
         own = user.path.name
         hint = nearest(path.name, [found for found in beside if found != own])
-        if path.stem in shipped_scenarios():
-            hint = f"; the shipped scenario is extended by its name alone: {path.stem}"
+        for kind, names in (("scenario", shipped_scenarios()), ("preset", names_in(presets_folder()))):
+            if path.stem in names:
+                hint = f"; the shipped {kind} is extended by its name alone: {path.stem}"
         raise _refused(mark, f"there is no file '{name[:120]}' beside {user.shown}{hint}")
     folder = PurePosixPath(user.shown.replace("\\", "/")).parent
     return Source.of_file(path, os.path.normpath(folder / PurePosixPath(*parts)).replace("\\", "/"))

@@ -56,12 +56,14 @@ class Merger:
         problems: what was found.
         removed: where each entry was removed, by section and name path.
         replaced: the value that a param had in the base, by its name.
+        overridden: the entries of sections that the base has as well, by section and name.
         repeated: where each rule comes from that is one of a repeated one.
     """
 
     problems: list[Problem] = field(default_factory=list)
     removed: dict[Path, Mark] = field(default_factory=dict)
     replaced: dict[str, Leaf] = field(default_factory=dict)
+    overridden: set[Path] = field(default_factory=set)
     repeated: dict[str, Repeated] = field(default_factory=dict)
 
     def merge(self, base: Entries, over: Entries, shape: Shape, path: Path = ()) -> Entries:
@@ -84,6 +86,8 @@ class Merger:
         before = base.entries.get(key)
         if path == ("params",) and isinstance(before, Leaf):
             self.replaced[key] = before
+        if len(path) == 1 and before is not None:
+            self.overridden.add(here)
         if isinstance(node, Leaf):
             base.put(key, node, key_mark)
             return
@@ -132,6 +136,8 @@ class Merger:
     def _null(self, base: Entries, key: str, node: Leaf, key_mark: Mark, shape: Shape, path: Path) -> None:
         if node.empty:
             remedy = _of_empty(key, base, key_mark, shape) or "write one, or leave the line out"
+            if key in base.entries and is_named(chosen(shape, base)):
+                remedy = f"write one, leave the line out, or take away what the base has by '{key}: null'"
             self._add(key_mark, (*path, key), f"an empty value; {remedy}")
             base.put(key, node, key_mark)  # it stays, so that it is not called missing too
         elif path == (TESTS,) and key == ALL_INHERITED:

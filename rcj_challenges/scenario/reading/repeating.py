@@ -321,19 +321,31 @@ def alike(problems: Iterable[Problem], repeated: Mapping[str, Repeated]) -> list
     """
     found = list(problems)
     of_written = [_of_written(problem, repeated) for problem in found]
-    about: dict[Problem, set[str]] = {}
+    about: dict[Problem, dict[str, str]] = {}
     for problem, written in zip(found, of_written, strict=True):
-        about.setdefault(written, set()).add(problem.path)
+        about.setdefault(written, {})[problem.path] = _rule_of(problem)
     return [
-        written if len(about[written]) > 1 else problem
+        _about_some(written, about[written].values(), repeated) if len(about[written]) > 1 else problem
         for problem, written in zip(found, of_written, strict=True)
     ]  # fmt: skip
+
+
+def _about_some(written: Problem, names: Iterable[str], repeated: Mapping[str, Repeated]) -> Problem:
+    """Return a problem of a written rule with the names of those of its rules that have it, unless all have."""
+    of_all = {name for name, one in repeated.items() if one.rule == _rule_of(written)}
+    told = "" if of_all <= set(names) else f" ({listing(dict.fromkeys(names))})"
+    return replace(written, message=written.message + told)
+
+
+def _rule_of(problem: Problem) -> str:
+    """Return the name of the rule that a problem is about."""
+    return re.split(r"[.\[]", problem.path.partition(".")[2], maxsplit=1)[0]
 
 
 def _of_written(problem: Problem, repeated: Mapping[str, Repeated]) -> Problem:
     """Return a problem as if the rule that the author wrote had it."""
     section, _, rest = problem.path.partition(".")
-    name = re.split(r"[.\[]", rest, maxsplit=1)[0]
+    name = _rule_of(problem)
     if section != RULES or name not in repeated:
         return problem
     rule = repeated[name].rule

@@ -8,6 +8,7 @@ before anything is built from them.
 
 from __future__ import annotations
 
+import json
 import math
 import re
 from dataclasses import dataclass, field
@@ -132,7 +133,8 @@ def parse_value(text: str, file: str) -> Node:
     Raises:
         ScenarioError: it is not strict YAML, or is empty.
     """
-    return parse_text(text, file)
+    # Nobody writes a comment there: what begins with # is a colour.
+    return parse_text(json.dumps(text.strip()) if text.lstrip().startswith("#") else text, file)
 
 
 def _refuse_size(size: int, file: str) -> None:

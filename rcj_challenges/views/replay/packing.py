@@ -59,12 +59,11 @@ def frames_of(half: HalfTrack, unit_m: float) -> Frames:
     """Return the frames of a half; ``unit_m`` is what 1 is worth for x and y."""
     poses = half.substeps[:, -1]
     start, heights, uprights = _start(half)
-    columns = rounded_poses(
-        np.concatenate([start[None], poses]),
-        np.concatenate([heights[None], half.heights]),
-        np.concatenate([uprights[None], half.uprights]),
-        unit_m,
-    )
+    with np.errstate(invalid="ignore"):  # what a damaged file holds may be no number even for the processor
+        judged = np.concatenate([start[None], poses])
+        all_heights = np.concatenate([heights[None], half.heights])
+        all_uprights = np.concatenate([uprights[None], half.uprights])
+    columns = rounded_poses(judged, all_heights, all_uprights, unit_m)
     jumps: list[list[int]] = [[] for _ in range(poses.shape[1])]
     for tick, placements in sorted(half.placements.items()):
         for entity in {placement.entity for placement in placements} if tick else ():
@@ -81,8 +80,8 @@ def rounded_poses(judged: Array, heights: Array, uprights: Array, unit_m: float)
         uprights: ``[T, E]``: cosine of the tilt.
         unit_m: what 1 is worth for x and y.
     """
-    poses = judged.astype(np.float64)
     with np.errstate(invalid="ignore"):  # a damaged file may hold infinities; they are shown at the edge
+        poses = judged.astype(np.float64)
         return {
             "x": _rounded(poses[:, :, 0] / unit_m),
             "y": _rounded(poses[:, :, 1] / unit_m),

@@ -52,6 +52,7 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
         "score_counts": shows_score(scenario),
         "counted": counted_names(scenario),
         "held_phases": [name for name, phase in scenario.phases.items() if phase.robots == "held"],
+        "stopped_phases": [name for name, phase in scenario.phases.items() if phase.clock == "stops"],
     }
 
 

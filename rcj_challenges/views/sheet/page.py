@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from collections.abc import Set as AbstractSet
 
 from rcj_challenges.scenario.blanks import description_of
 from rcj_challenges.scenario.catalogue import EACH
@@ -113,17 +114,37 @@ def _beginnings(scenario: Scenario, nouns: Nouns) -> Iterator[str]:
 
     Whose they are, the sentences that name them tell.
     """
+    told: set[str] = set()
     for name, counter in scenario.counters.items():
         stays = counter.keep == "match" and scenario.match.halves > 1
         if counter.initial or stays:
+            told.add("counter")
             when = "the match starts; it goes on from half to half" if stays else "a half starts"
             yield f"{_kept_words(nouns, 'counter', name)} {number(counter.initial)} when {when}."
     for name, flag in scenario.flags.items():
         stays = flag.keep == "match" and scenario.match.halves > 1
         if flag.initial or stays:
+            told.add("flag")
             what = "set" if flag.initial else "not set"
             when = "the match starts; it stays as it is from half to half" if stays else "a half starts"
             yield f"{_kept_words(nouns, 'flag', name)} {what} when {when}."
+    if scenario.match.halves > 1:
+        yield from _anew(scenario, told)
+
+
+def _anew(scenario: Scenario, told: AbstractSet[str]) -> Iterator[str]:
+    """Return that what has no sentence of its own begins anew in every half; ``told``: of which kinds some have one."""
+    words = {
+        "counter": "begins at 0 in every half.",
+        "flag": "is not set when a half starts.",
+    }
+    plain = {
+        "counter": any(one.keep != "match" and not one.initial for one in scenario.counters.values()),
+        "flag": any(one.keep != "match" and not one.initial for one in scenario.flags.values()),
+    }
+    said = [f"{'Any other' if kind in told else 'A'} {kind} {words[kind]}" for kind in words if plain[kind]]
+    if said:
+        yield " ".join(said)
 
 
 def _kept_words(nouns: Nouns, kind: str, name: str) -> str:

@@ -4,12 +4,34 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.models.actions import LastToucher, Place, Remove
-from rcj_challenges.scenario.models.conditions import LastTouch, SpotFree
+from rcj_challenges.scenario.models.conditions import (
+    AllOf,
+    Condition,
+    Distance,
+    InZone,
+    LastTouch,
+    Looks,
+    Speed,
+    SpotFree,
+)
 from rcj_challenges.scenario.models.places import FurthestFree, NearestFree, Placing
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import LastTouchValue
-from rcj_challenges.scenario.other import names_other, others_of
+from rcj_challenges.scenario.models.triggers import (
+    Crosses,
+    Displaced,
+    Enters,
+    HalfStarted,
+    Holds,
+    Leaves,
+    NoProgress,
+    StaysIn,
+    TipsOver,
+    Touches,
+)
+from rcj_challenges.scenario.other import has_other, names_other, others_of
 from rcj_challenges.scenario.visiting import visit
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph
 from rcj_challenges.views.sheet.deeds import action_words
@@ -36,6 +58,7 @@ def rule_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     yield from _last_touch(scenario)
     yield from _free_spots(scenario)
     yield from _room(scenario)
+    yield from _back_sooner(scenario, nouns)
 
 
 def _phases_words(scenario: Scenario) -> str:
@@ -135,6 +158,82 @@ def _room(scenario: Scenario) -> Iterator[Block]:
             "What a rule puts somewhere waits until there is room: while something else stands there, it stays where "
             "it is (or off the field), and it is put there as soon as the place is free."
         )
+
+
+_ON_THE_FIELD = Enters | Leaves | Crosses | Touches | Displaced | NoProgress | StaysIn | TipsOver
+"""Triggers that never find who is off the field."""
+
+
+def _back_sooner(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
+    """Return a sentence about what one rule takes off and another one puts somewhere: it is back then."""
+    removals = [
+        (action, frozenset(_meant(action.entity, rule, nouns)))
+        for rule in scenario.rules.values()
+        for action in rule.actions
+        if isinstance(action, Remove)
+    ]
+    gone = frozenset(one for _, members in removals for one in members)
+    bringing = {name: gone & _put(rule, scenario, nouns) for name, rule in scenario.rules.items()}
+    back = frozenset(one for members in bringing.values() for one in members)
+    if not back:
+        return
+    sooner = any(action.for_s is not None and members & back for action, members in removals)
+    kind = "A robot" if back <= scenario.robots.keys() else "A ball" if back <= scenario.balls.keys() else "What"
+    yield Paragraph(
+        f"{kind} {'' if kind == 'What' else 'that '}was taken off the field is back as soon as "
+        f"{listed([f'[{name}]' for name, members in bringing.items() if members], 'or')} puts it somewhere"
+        f"{', also before its time is over' if sooner else ''}."
+    )
+
+
+def _asks_for_presence(rule: Rule, entity: str | tuple[str, ...]) -> bool:
+    """Return whether a rule never fires for what is off the field."""
+    if any(_is_of_present(condition, entity) for condition in rule.conditions):
+        return True
+    return all(
+        _is_of_present(one.condition, entity)
+        if isinstance(one, Holds)
+        else isinstance(one, _ON_THE_FIELD) and one.entity == entity
+        for one in rule.triggers
+    )
+
+
+def _is_of_present(condition: Condition, entity: str | tuple[str, ...]) -> bool:
+    """Return whether a condition holds of something on the field only."""
+    if isinstance(condition, AllOf):
+        return not condition.negate and any(_is_of_present(part, entity) for part in condition.conditions)
+    if not isinstance(condition, InZone | Distance | Speed | Looks) or condition.negate:
+        return False
+    return condition.entity == entity and condition.of != "none"
+
+
+def _put(rule: Rule, scenario: Scenario, nouns: Nouns) -> frozenset[str]:
+    """Return what a rule may put somewhere while that is off the field; nothing is when a half starts."""
+    if all(isinstance(trigger, HalfStarted) for trigger in rule.triggers):
+        return frozenset()
+    found: set[str] = set()
+    for action in rule.actions:
+        if not isinstance(action, Place):
+            continue
+        if action.layout is not None:
+            draw = action.layout
+            layouts = (draw,) if isinstance(draw, str) else scenario.draws[draw.draw].values
+            entities = [one.entity for layout in layouts for one in scenario.placements.get(str(layout), ())]
+        else:
+            entities = [action.entity] if action.entity is not None else []
+        for entity in entities:
+            if not _asks_for_presence(rule, entity):
+                found.update(_meant(entity, rule, nouns))
+    return frozenset(found)
+
+
+def _meant(names: str | tuple[str, ...], rule: Rule, nouns: Nouns) -> Iterator[str]:
+    """Yield what names in a rule may stand for."""
+    for name in (names,) if isinstance(names, str) else names:
+        if name == OTHER and has_other(rule):
+            yield from others_of(rule, rule.for_each, nouns.roster)
+        else:
+            yield from nouns.roster.may_be(rule.for_each if name == EACH and rule.for_each is not None else name)
 
 
 def _sharing(rules: list[_Named], nouns: Nouns) -> list[_Named]:

@@ -31,9 +31,9 @@ DEFINITIONS: dict[str, Definition] = {
     "possession": Definition(
         "possession",
         "%",
-        f"Share of play in which the robot or team was the last to have touched a ball. {_PLAY} Nobody has a ball from "
-        "being put elsewhere until its next touch; where two teams touch it at once, it stays with who had it. Over "
-        "several runs, those count in which the robot or team played.",
+        "Share of play in which the robot or team was the last to have touched the ball; of several balls the mean. "
+        f"{_PLAY} Nobody has a ball from being put elsewhere until its next touch; where two teams touch it at once, "
+        "it stays with who had it. Over several runs, those count in which the robot or team played.",
     ),
     "distance_m": Definition(
         "distance",
@@ -77,10 +77,15 @@ DEFINITIONS: dict[str, Definition] = {
 
 
 def shown_keys(stats: Stats) -> list[str]:
-    """Return the figures that make sense here: possession needs two teams, shots need goals, halves need sides."""
+    """Return the figures that make sense here.
+
+    Touches need a ball, possession two teams as well; shots need goals, halves need sides.
+    """
     left_out = set()
-    if len(stats.teams) < 2:
+    if len(stats.teams) < 2 or not stats.balls:
         left_out.add("possession")
+    if not stats.balls:
+        left_out.add("touches")
     if not stats.has_goals:
         left_out |= {"shots", "on_goal"}
     if not any(team.total.sided_ticks for team in stats.teams.values()):
@@ -95,7 +100,7 @@ def figures(tally: Tally, stats: Stats) -> dict[str, Any]:
     """
     time_s = tally.field_ticks * TICK_S
     found: dict[str, Any] = {
-        "possession": _percent(tally.owned_ticks, tally.play_ticks),
+        "possession": _percent(tally.owned_ticks, tally.ball_ticks),
         "distance_m": round(tally.distance_m, 2),
         "mean_mps": round(tally.distance_m / time_s, 3) if time_s else None,
         "max_mps": round(tally.fastest_mps, 3) if time_s else None,

@@ -19,8 +19,8 @@ _AT_THE_END = 0.9
 def attacked_ends(scenario: Scenario, roster: Roster) -> dict[str, frozenset[int]]:
     """Return by seat the ends that it attacks: 1 for +y, -1 for -y.
 
-    An end is attacked by those whom a rule gives points for a ball that enters a zone there. Where no rule says so, two
-    seats attack the end at which the other one starts, and a single one attacks every end with a goal.
+    An end is attacked by those whom a rule gives points for a ball that enters a zone there. Where no rule says so, and
+    there are goals, two seats attack the end at which the other one starts, and a single one every end with a goal.
     """
     found: dict[str, set[int]] = {seat: set() for seat in scenario.entrants}
     for rule in scenario.rules.values():
@@ -29,7 +29,7 @@ def attacked_ends(scenario: Scenario, roster: Roster) -> dict[str, frozenset[int
             if isinstance(action, Score) and not (isinstance(action.points, int | float) and action.points <= 0):
                 for seat in _receivers(action, rule, scenario, roster):
                     found[seat].update(ends)
-    if not any(found.values()):
+    if scenario.field.goals and not any(found.values()):
         found = _by_start(scenario)
     return {seat: frozenset(ends) for seat, ends in found.items()}
 

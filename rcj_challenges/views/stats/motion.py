@@ -36,7 +36,8 @@ class Motion:
 
 def motion_of(half: HalfTrack) -> Motion:
     """Return the motion of a half; numbers of a damaged record that are none count as no way."""
-    places = half.substeps[:, -1, :, :2].astype(np.float64)
+    with np.errstate(invalid="ignore"):  # what a damaged record holds may be no number even for the processor
+        places = half.substeps[:, -1, :, :2].astype(np.float64)
     before = np.empty_like(places)
     before[1:] = places[:-1]
     before[:1] = places[:1] if half.start is None else np.array([pose[:2] for pose in half.start.substeps[-1]])
@@ -46,7 +47,8 @@ def motion_of(half: HalfTrack) -> Motion:
             on_field[tick:, placement.entity] = not placement.parked
             if tick < half.ticks:
                 before[tick, placement.entity] = placement.x_m, placement.y_m
-    steps = np.hypot(*np.moveaxis(places - before, -1, 0))
+    with np.errstate(invalid="ignore", over="ignore"):
+        steps = np.hypot(*np.moveaxis(places - before, -1, 0))
     return Motion(places, np.where(np.isfinite(steps) & on_field, steps, 0.0), on_field)
 
 

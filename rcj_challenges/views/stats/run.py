@@ -92,15 +92,16 @@ class _Counting:
         )
         self._stats.ticks += half.ticks
         play_ticks = int(play.sum())
+        ball_ticks = play_ticks * self._roster.balls
         self._stats.play_ticks += play_ticks
         motion = motion_of(half)
         number = half.info.half
         for team in filter(self._names.__contains__, dict.fromkeys(half.info.teams.values())):
-            self._stats.teams.setdefault(self._names[team], TeamTally()).play_ticks += play_ticks
+            self._stats.teams.setdefault(self._names[team], TeamTally()).ball_ticks += ball_ticks
         names = self._roster.entities
         for index in range(self._roster.robots):
             tally = self.robot(number, names[index])
-            tally.play_ticks += play_ticks
+            tally.ball_ticks += ball_ticks
             _add_motion(tally, motion, play, index)
             self._add_sides(tally, motion, play, index)
         for index in range(self._roster.robots, self._roster.robots + self._roster.balls):

@@ -12,13 +12,14 @@ class Tally:
     """What is counted of one robot, one ball, or of all robots of a team.
 
     Attributes:
-        play_ticks: ticks of play in the halves in which it took part, on the field or not.
+        ball_ticks: ticks of play, for each ball, in the halves in which it took part, on the field or not: what
+            ``owned_ticks`` is a share of.
         field_ticks: ticks of play in which it was on the field.
         distance_m: way driven or rolled in them in m; being put elsewhere is no way.
         fastest_mps: greatest distance of any such tick over the tick's 0.032 s, in m/s.
         sided_ticks: those of ``field_ticks`` in which its team had an own half.
         own_half_ticks: those of ``sided_ticks`` in which its centre was in it.
-        owned_ticks: ticks of play in which it was the last to have touched a ball.
+        owned_ticks: ticks of play in which it was the last to have touched a ball, for each ball of several.
         touches: times it touched a ball.
         shots: touches that sent a ball over the line behind which the attacked goal stands.
         on_goal: those of ``shots`` between the posts.
@@ -26,7 +27,7 @@ class Tally:
         faults: failures of its program, by kind.
     """
 
-    play_ticks: int = 0
+    ball_ticks: int = 0
     field_ticks: int = 0
     distance_m: float = 0.0
     fastest_mps: float = 0.0
@@ -41,7 +42,7 @@ class Tally:
 
     def add(self, other: Tally) -> None:
         """Add another's sums."""
-        self.play_ticks += other.play_ticks
+        self.ball_ticks += other.ball_ticks
         self.field_ticks += other.field_ticks
         self.distance_m += other.distance_m
         self.fastest_mps = max(self.fastest_mps, other.fastest_mps)
@@ -63,14 +64,14 @@ class TeamTally:
         robots: by label: the names that a robot had (``B1/Y1`` where teams changed sides).
         points: over all runs.
         runs: how many it played in.
-        play_ticks: ticks of play in them.
+        ball_ticks: ticks of play in them, for each ball.
         programs: digests of the submissions that played under its name.
     """
 
     robots: dict[str, Tally] = field(default_factory=dict)
     points: float = 0
     runs: int = 0
-    play_ticks: int = 0
+    ball_ticks: int = 0
     programs: set[str] = field(default_factory=set)
 
     @property
@@ -79,7 +80,7 @@ class TeamTally:
         total = Tally()
         for robot in self.robots.values():
             total.add(robot)
-        total.play_ticks = self.play_ticks  # they play at the same time
+        total.ball_ticks = self.ball_ticks  # they play at the same time
         return total
 
 
@@ -126,7 +127,7 @@ def together(several: Iterable[Stats]) -> Stats:
             mine = total.teams.setdefault(name, TeamTally())
             mine.points += team.points
             mine.runs += team.runs
-            mine.play_ticks += team.play_ticks
+            mine.ball_ticks += team.ball_ticks
             mine.programs |= team.programs
             _add_all(mine.robots, {_as_before(label, mine.robots): tally for label, tally in team.robots.items()})
         _add_all(total.balls, one.balls)

@@ -132,7 +132,10 @@ class App {
 
   // --- cameras ---------------------------------------------------------------------------------------------------------
 
+  get hasBall() { return this.recording.entities.some((entity) => entity.kind === "ball"); }
+
   look(mode, robot = null) {
+    if (mode === "ball" && !this.hasBall) return;
     this.camera.preset(mode, !matchMedia("(prefers-reduced-motion: reduce)").matches, robot);
     this.showCamera();
     this.changed();

@@ -49,13 +49,15 @@ class Board {
     const scores = recording.scores(place);
     const counted = recording.counted(place);
     const held = phase.held ? "robots held" : Board.heldText(recording.held(place));
-    const key = JSON.stringify([track.facts.half, phase, held, scores, counted]);
+    const stopped = Math.floor(recording.stoppedSeconds(place) + 1e-9);
+    const key = JSON.stringify([track.facts.half, phase, held, scores, counted, stopped]);
     if (key === this.shown) return;
     this.shown = key;
-    const length = Recording.clockText(track.facts.planned_ticks * recording.tickSeconds).replace(/\.0$/, "");
+    const planned = Recording.clockText(track.facts.planned_ticks * recording.tickSeconds).replace(/\.0$/, "");
+    const length = stopped ? `${planned} + ${Recording.clockText(stopped).replace(/\.0$/, "")} stopped` : planned;
     this.half.textContent = recording.facts.halves_planned > 1 ? `half ${track.facts.half} of ${recording.facts.halves_planned} · ${length}` : `of ${length}`;
     const name = phase.name === "play" ? "" : phase.name.replaceAll("_", " ");
-    this.phase.textContent = [name, held].filter(Boolean).join(" · ");
+    this.phase.textContent = [name, held, phase.stopped ? "clock stopped" : ""].filter(Boolean).join(" · ");
     this.phase.hidden = !this.phase.textContent;
     for (const { team, chip, score, counted: box } of this.rows) {
       if (!box.hidden) this.tell(box, counted[team.name] || []);

@@ -67,6 +67,7 @@ class Panels {
   cameras() {
     const { app } = this;
     for (const button of this.find("cameras").querySelectorAll("button")) {
+      button.hidden = button.dataset.camera === "ball" && !app.hasBall;
       button.addEventListener("click", () => app.look(button.dataset.camera));
     }
     const behind = this.find("behind");

@@ -182,12 +182,25 @@ class Recording {
     return counted;
   }
 
-  /** {name, waiting, held} of the referee's phase at a place; held: whether it holds all robots. */
+  /** {name, waiting, held, stopped} of the referee's phase at a place: whether it holds all robots, stops the clock. */
   phase(place) {
     const { track, tick } = this.at(place);
     let phase = { name: "", waiting: false };
     for (const [at, name, waiting] of track.facts.phases) if (at <= tick) phase = { name, waiting };
-    return { ...phase, held: this.facts.held_phases.includes(phase.name) };
+    return { ...phase, held: this.facts.held_phases.includes(phase.name), stopped: this.stops(phase.name) };
+  }
+
+  stops(phase) { return (this.facts.stopped_phases || []).includes(phase); }
+
+  /** For how many seconds of the half phases have stopped its clock up to a place. */
+  stoppedSeconds(place) {
+    const { track, tick } = this.at(place);
+    const { phases } = track.facts;
+    const ticks = phases.map(([at, name], index) => {
+      const until = Math.min(tick, index + 1 < phases.length ? phases[index + 1][0] : tick);
+      return this.stops(name) ? Math.max(0, until - at) : 0;
+    });
+    return ticks.reduce((sum, one) => sum + one, 0) * this.tickSeconds;
   }
 
   /** The names of the robots that rules hold at a place. */

@@ -1,0 +1,53 @@
+"""The page of a match whose clock a phase stops: it tells how long, or 0:03 of 0:02 would look like a fault."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rcj_challenges.facts.play import Snapshot, Verdict
+from rcj_challenges.records.testing import half_info, small_header, small_scenario
+from rcj_challenges.records.writer import RecordWriter
+from rcj_challenges.scenario.models.state import Phase
+from rcj_challenges.views.replay import write_replay
+from tests.views.browser_stage import NO_WEBGL, settled
+
+PLAYED, STOPPED_AT, STOPPED = 125, 50, 75  # ticks: 4 s of play, of which 2.4 s are no time of the half
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    scenario = small_scenario(1, 1, half_s=PLAYED * 0.032)
+    pause = Phase.model_validate({"lasts_s": STOPPED * 0.032, "clock": "stops"})
+    scenario = scenario.model_copy(update={"phases": {**scenario.phases, "time_out": pause}})
+    header = small_header(scenario)
+    writer = RecordWriter(tmp_path_factory.mktemp("runs"), header)
+    writer.begin_half(half_info(scenario, 1, PLAYED, header))
+    phases = {STOPPED_AT: Verdict(phase="time_out"), STOPPED_AT + STOPPED: Verdict(phase="play")}
+    verdict = Verdict()
+    for tick in range(PLAYED + STOPPED + 1):
+        poses = [(0.3, 0.3, 0.0), (-0.3, 0.001 * tick, 0.0), (0.0, 0.0, 0.0)]
+        verdict = phases.get(tick, Verdict(phase=verdict.phase))
+        writer.tick(Snapshot(tick, [poses] * 4, [0.0375, 0.0375, 0.021], [1.0] * 3, ((),) * 4), verdict, b"")
+    writer.end_half(Verdict())
+    folder = writer.finish({"wall_s": 1.0})
+    write_replay(folder)
+    return folder
+
+
+@pytest.mark.parametrize(
+    ("tick", "length", "phase"),
+    [
+        (STOPPED_AT - 1, "of 0:04", ""),
+        (STOPPED_AT + 32, "of 0:04 + 0:01 stopped", "time out · clock stopped"),
+        (PLAYED + STOPPED, "of 0:04 + 0:02 stopped", ""),
+    ],
+)
+def test_the_time_for_which_the_clock_stood_is_told_beside_it(
+    tick: int, length: str, phase: str, show: Callable[..., Any], run: Path
+) -> None:
+    page = show(run, f"#h1t{tick}", anew=True, script=NO_WEBGL)
+    settled(page)
+    assert page.inner_text("#half") == length
+    assert (page.inner_text("#phase") if page.is_visible("#phase") else "") == phase
