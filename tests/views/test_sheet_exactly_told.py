@@ -145,15 +145,15 @@ def test_of_a_group_that_always_exists_it_says_the_kind():
 PUT = "{action: place, entity: ball, at: {nearest_free: neutral_spots%s}}"
 FREE = "rules: {it: {triggers: [{trigger: half_started}], conditions: [%s], actions: [%s]}}\n"
 ASKED = "{condition: spot_free, spot: centre%s}"
-NOT_ITSELF = "; what is to be put there does not count itself, and must have room"
+ITSELF = "; what is to be put there counts as well where it is now, and must have room"
 
 
 @pytest.mark.parametrize(
     ("condition", "action", "sentence", "words"),
     [
         (ASKED % "", "{action: end}", "8 cm.", "the spot “centre” is free:"),
-        ("", PUT % "", f"8 cm{NOT_ITSELF}.", "on that free one of the neutral spots which is nearest to where it is"),
-        (ASKED % ", clearance_m: 0.08", PUT % "", f"8 cm{NOT_ITSELF}.", "the spot “centre” is free:"),
+        ("", PUT % "", f"8 cm{ITSELF}.", "on that free one of the neutral spots which is nearest to where it is"),
+        (ASKED % ", clearance_m: 0.08", PUT % "", f"8 cm{ITSELF}.", "the spot “centre” is free:"),
         # A number of its own stands where it counts.
         (
             ASKED % ", clearance_m: 0.12",
@@ -164,7 +164,7 @@ NOT_ITSELF = "; what is to be put there does not count itself, and must have roo
         (
             ASKED % "",
             PUT % ", clearance_m: 0.05, choose_among: 2",
-            f"8 cm, or the distance that is said{NOT_ITSELF}.",
+            f"8 cm, or the distance that is said{ITSELF}.",
             "on a random one of those 2 free ones (within 5 cm) of the neutral spots which are nearest to where it is",
         ),
         (

@@ -129,7 +129,9 @@ class NearestFree(Strict):
     nearest_free: Names = described(..., "spots, or a group of spots")
     to: Name | Point | None = described(None, "the entity, spot or point to be near; left out: the moved entity")
     choose_among: int = described(1, "draw one of this many nearest", ge=1, le=100)
-    clearance_m: NotNegative = described(0.08, "a spot is free when no robot's or ball's centre is within this, in m")
+    clearance_m: NotNegative = described(
+        0.08, "a spot is free when no robot's or ball's centre is within this, in m, not even that of what is put there"
+    )
 
 
 class FurthestFree(Strict):
@@ -140,7 +142,9 @@ class FurthestFree(Strict):
         None, alias="from", description="the entity, spot or point to be far from; left out: the moved entity"
     )
     choose_among: int = described(1, "draw one of this many furthest", ge=1, le=100)
-    clearance_m: NotNegative = described(0.08, "a spot is free when no robot's or ball's centre is within this, in m")
+    clearance_m: NotNegative = described(
+        0.08, "a spot is free when no robot's or ball's centre is within this, in m, not even that of what is put there"
+    )
 
 
 class RelativeTo(Strict):

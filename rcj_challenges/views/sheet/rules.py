@@ -142,7 +142,7 @@ def _free_spots(scenario: Scenario) -> Iterator[Block]:
         *(["the distance that is said"] if gaps_m - {USUALLY_FREE_M} else []),
     ]
     placed = any(isinstance(model, NearestFree | FurthestFree) for model in asked)
-    itself = "; what is to be put there does not count itself, and must have room" if placed else ""
+    itself = "; what is to be put there counts as well where it is now, and must have room" if placed else ""
     nearer = "A spot is free when the centre of no robot and of no ball is nearer to it than"
     yield Paragraph(f"{nearer} {', or '.join(than)}{itself}.")
 
