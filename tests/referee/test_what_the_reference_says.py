@@ -157,3 +157,53 @@ rules:
         assert (play.pose("B1")[:2] == (0, 0)) is there_at_30
         play.play_until(62)
         assert play.pose("B1")[:2] == (0, 0)
+
+
+class TestWhenAPlaceIsRead:
+    """Which layout and whether mirrored: when the action runs; where that is: when all actions of the tick have run."""
+
+    SIDES = "draws: {side: {values: [middle_blue, middle_yellow]}}"
+    AS = "{action: draw, draw: side, as: middle_yellow}"
+
+    def test_where_a_drawn_spot_is_as_it_is_after_all_actions(self, stage):
+        rule = at_tick_10("{action: place, entity: B1, at: {spot: side}}", self.AS)
+        play = stage(self.SIDES, rule, draws={"side": "middle_blue"})
+        play.play_until(10)
+        assert play.pose("B1")[:2] == pytest.approx((0, -0.2))
+
+    def test_a_spot_that_a_rule_sets_too(self, stage):
+        rule = at_tick_10("{action: place, entity: B1, at: {spot: middle_blue}}",
+                          "{action: set_spot, spot: middle_blue, to: [0.5, 0.1]}")  # fmt: skip
+        play = stage(rule)
+        play.play_until(10)
+        assert play.pose("B1")[:2] == pytest.approx((0.5, 0.1))
+
+    def test_a_mirror_is_as_its_flag_is_when_the_action_runs(self, stage):
+        rule = at_tick_10(
+            "{action: place, entity: B1, at: {point: [0.4, 0.1]}, mirror: {axis: x, when: changed}}",
+            "{action: set_flag, flag: changed}",
+        )
+        play = stage("flags: {changed: {}}", rule)
+        play.play_until(10)
+        assert play.pose("B1")[:2] == pytest.approx((0.4, 0.1))
+
+    def test_a_layout_is_the_one_drawn_when_the_action_runs(self, stage):
+        layouts = "placements: {a: [{entity: B1, at: {point: [0.4, 0.1]}}], b: [{entity: B1, at: {point: [0, 0.4]}}]}"
+        rule = at_tick_10("{action: place, layout: {draw: form}}", "{action: draw, draw: form, as: b}")
+        play = stage("draws: {form: {values: [a, b]}}", layouts, rule, draws={"form": "a"})
+        play.play_until(10)
+        assert play.pose("B1")[:2] == pytest.approx((0.4, 0.1))
+
+
+class TestATimerThatHasRunOut:
+    @pytest.mark.parametrize(("comparison", "holds"), [
+        ("at_least: 5", True), ("at_most: 5", False), ("equals: 5", False), ("at_most: 5.024", True),
+    ])  # fmt: skip
+    def test_it_stands_at_its_length_in_whole_ticks(self, stage, comparison, holds):
+        play = stage(
+            "timers: {five: {lasts_s: 5, starts: true}}",
+            "rules: {over: {triggers: [{trigger: time_reached, at_s: 8}], conditions: "
+            f"[{{condition: timer, timer: five, {comparison}}}], actions: [{{action: emit, event: HEARD}}]}}}}",
+        )
+        play.play_until(260)
+        assert bool(ticks(play)) is holds

@@ -214,7 +214,7 @@ class Mirror(Strict):
     """Mirror place and aim (not the facing), always or while a flag is set: formations that change ends."""
 
     axis: Literal["x", "y", "both"] = described(..., "x: x becomes -x; y: y becomes -y; both")
-    when: Name | None = described(None, "a flag; mirrored only while it is true. Left out: always")
+    when: Name | None = described(None, "a flag; mirrored if it is true when the action runs. Left out: always")
 
 
 MAX_KICK_MPS = 3
