@@ -207,3 +207,23 @@ class TestATimerThatHasRunOut:
         )
         play.play_until(260)
         assert bool(ticks(play)) is holds
+
+
+class TestRemove:
+    def removals(self, stage, first: str, second: str) -> list[int]:
+        """Return when B1 was put back that is taken off at tick 10 and again at tick 20."""
+        again = (
+            f"{{triggers: [{{trigger: time_reached, at_s: 0.64}}], actions: [{{action: remove, entity: B1{second}}}]}}"
+        )
+        play = stage(at_tick_10(f"{{action: remove, entity: B1{first}}}"), f"rules: {{again: {again}}}")
+        play.play_until(200)
+        return [tick for tick, placed in play.placements if tick and not placed.parked]
+
+    @pytest.mark.parametrize(("first", "second", "back"), [
+        (", for_s: 3.2", ", for_s: 0.64", [40]),
+        (", for_s: 0.64", ", for_s: 3.2", [120]),
+        (", for_s: 3.2", "", []),
+        ("", ", for_s: 0.64", [40]),
+    ])  # fmt: skip
+    def test_who_is_off_already_comes_back_as_the_later_one_says(self, stage, first, second, back):
+        assert self.removals(stage, first, second) == back

@@ -197,7 +197,7 @@ class Remove(Strict):
     for_s: Lasts | None = described(
         None,
         "it comes back after this time, in s: a number, {draw: NAME} or {counter: NAME}, read in that moment (0 or "
-        "less: one tick); left out: when a rule places it",
+        "less: one tick); left out: when a rule places it; who is off already comes back as the later action says",
     )
     back_at: At = described("start", "where it comes back to")
     facing: Facing = described("start", "which way it looks when it comes back")
