@@ -196,8 +196,8 @@ class Remove(Strict):
     entity: Names = described(..., "what is taken off: entities, groups, or each")
     for_s: Lasts | None = described(
         None,
-        "it comes back after this time, in s: a number, {draw: NAME} or {counter: NAME}, read in that moment; left "
-        "out: when a rule places it",
+        "it comes back after this time, in s: a number, {draw: NAME} or {counter: NAME}, read in that moment (0 or "
+        "less: one tick); left out: when a rule places it; who is off already comes back as the later action says",
     )
     back_at: At = described("start", "where it comes back to")
     facing: Facing = described("start", "which way it looks when it comes back")
@@ -232,7 +232,7 @@ class Release(Strict):
 
 
 class SetPhase(Strict):
-    """Enter a phase."""
+    """Enter a phase at once; the one that it is already begins anew."""
 
     action: Literal["set_phase"]
     phase: Name = described(..., "the phase")

@@ -130,7 +130,9 @@ class NearestFree(Strict):
     to: Name | Point | None = described(None, "the entity, spot or point to be near; left out: the moved entity")
     choose_among: int = described(1, "draw one of this many nearest", ge=1, le=100)
     clearance_m: NotNegative = described(
-        0.08, "a spot is free when no robot's or ball's centre is within this, in m, not even that of what is put there"
+        0.08,
+        "a spot is free when no robot's or ball's centre is within this, in m, not even that of what is put there, and "
+        "that has room there",
     )
 
 
@@ -143,7 +145,9 @@ class FurthestFree(Strict):
     )
     choose_among: int = described(1, "draw one of this many furthest", ge=1, le=100)
     clearance_m: NotNegative = described(
-        0.08, "a spot is free when no robot's or ball's centre is within this, in m, not even that of what is put there"
+        0.08,
+        "a spot is free when no robot's or ball's centre is within this, in m, not even that of what is put there, and "
+        "that has room there",
     )
 
 
@@ -210,7 +214,7 @@ class Mirror(Strict):
     """Mirror place and aim (not the facing), always or while a flag is set: formations that change ends."""
 
     axis: Literal["x", "y", "both"] = described(..., "x: x becomes -x; y: y becomes -y; both")
-    when: Name | None = described(None, "a flag; mirrored only while it is true. Left out: always")
+    when: Name | None = described(None, "a flag; mirrored if it is true when the action runs. Left out: always")
 
 
 MAX_KICK_MPS = 3
@@ -261,7 +265,10 @@ Attempts = Annotated[
 ]
 WithoutRoom = Annotated[
     Literal["retry", "stay"],
-    Field(description="no room: retry on every tick without repeating events, or stay where it is; the log says which"),
+    Field(
+        description="no room: retry on every tick in which the rule lives, without repeating events, or stay where it "
+        "is; the log says which"
+    ),
 ]
 Roll = Annotated[Kick | None, Field(description="only balls: it rolls away from there; left out: it lies still")]
 

@@ -18,7 +18,10 @@ class Draw(Grown):
         min_length=1,
         description="the values, equally likely; one that is written twice comes twice as often",
     )
-    not_last: bool = described(False, "True: never the same value twice running")
+    not_last: bool = described(
+        False,
+        "True: never the same value twice running; a half that draws anew may begin with the last of the one before",
+    )
     not_again: Literal["half", "match"] | None = described(
         None,
         "half: in a half no value comes again before all have been drawn, then it begins anew; match: in all halves "
@@ -211,7 +214,7 @@ class WayValue(Strict):
 
 
 class TimerValue(Strict):
-    """How long a timer has run, in s with its fraction; what is left of it is its length less this."""
+    """How long a timer has run, in s with its fraction; its length less this is left, run out up to a tick under 0."""
 
     timer: Name = described(..., "a timer")
     entity: Name | None = described(

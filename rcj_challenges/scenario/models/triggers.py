@@ -38,7 +38,7 @@ class HalfEnded(Strict):
 
 
 class PhaseEntered(Strict):
-    """Fires when a phase is entered (not for the first phase of a half: that is ``half_started``)."""
+    """Fires when a phase is entered, after `set_phase` one tick later; not for the first of a half (`half_started`)."""
 
     trigger: Literal["phase_entered"]
     phase: Name = described(..., "the phase entered")
@@ -121,7 +121,9 @@ class Displaced(Strict):
     trigger: Literal["displaced"]
     entity: Names = described(..., _ENTITY)
     from_: Literal["last_placement"] | Point = Field(
-        "last_placement", alias="from", description="measured from where it was last put (nominal), or from [x, y] in m"
+        "last_placement",
+        alias="from",
+        description="measured from where it was last put (noise included), or from [x, y] in m",
     )
     distance_m: Positive = described(..., "fires beyond this, in m")
     axis: Literal["either", "distance"] = described(
@@ -223,11 +225,13 @@ class Holds(Strict):
     for_s: NotNegative = described(
         0.0,
         "how long it must hold, in s; 0: when it comes true, and not if it was true when the rule came to life, or a "
-        "rule made it true that puts things somewhere or takes them off",
+        "rule made it true that puts things somewhere or takes them off (spot_free, sequence_at, and a counter beside "
+        "the lowest or highest of others hear that one tick later)",
     )
     grace_s: NotNegative = described(0.0, "an interruption of up to this time counts as holding, in s")
     every_s: DurationS | None = described(
-        None, "fires again after each of these times in s while it goes on, counted from the beginning; left out: once"
+        None,
+        "fires again after each of these times in s while it goes on, counted from when for_s was full; left out: once",
     )
 
 
