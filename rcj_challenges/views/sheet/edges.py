@@ -16,6 +16,7 @@ from rcj_challenges.views.sheet.comparing import (
     timer_words,
     way_words,
 )
+from rcj_challenges.views.sheet.meeting import may_meet
 from rcj_challenges.views.sheet.nouns import Nouns, listed, quoted, quoted_measure
 from rcj_challenges.views.sheet.phrases import degrees, heading, metres, number, seconds, value, within_words
 
@@ -63,6 +64,16 @@ def _sequence(nouns: Nouns, t: Any) -> str:
     return nouns.owned("sequence", t.entity or owners, t.sequence)
 
 
+def _enters(nouns: Nouns, t: Any) -> str:
+    zones = [name for one in ((t.zone,) if isinstance(t.zone, str) else t.zone) for name in nouns.meant(one)]
+    entered = f"{nouns.any_of(t.entity)} enters {nouns.any_of(t.zone)}"
+    # Several zones are judged as one: there is no edge between those that meet.
+    several = list(dict.fromkeys(zones))
+    if not may_meet([nouns.scenario.zones[name] for name in several]):
+        return entered
+    return f"{entered} from outside {'both' if len(several) == 2 else 'all of them'}"
+
+
 def _leaves(nouns: Nouns, t: Any) -> str:
     # Of several zones: out of all of them.
     return f"{nouns.any_of(t.entity)} leaves {nouns.all_of(t.zone).text}"
@@ -99,8 +110,8 @@ def _crosses(nouns: Nouns, t: Any) -> str:
 
 def _holds(nouns: Nouns, t: Any) -> str:
     if t.every_s and _is_always(t.condition):
-        first = f"{seconds(t.for_s)} have passed" if t.for_s else "a half starts"
-        return f"{first}, and again every {seconds(t.every_s)}"
+        # Without for_s it was true before when it begins: it comes for the first time after the first interval.
+        return f"{seconds(t.for_s or t.every_s)} have passed, and again every {seconds(t.every_s)}"
     for_s = f"for {seconds(t.for_s)}" if t.for_s else ""
     held = condition_words(nouns, t.condition)
     grace = f" (interruptions of up to {seconds(t.grace_s)} do not count)" if t.grace_s else ""
@@ -215,7 +226,7 @@ TRIGGERS: dict[str, Callable[[Nouns, Any], str]] = {
     "phase_entered": _phase_entered,
     "time_reached": _time_reached,
     "timer_expired": _timer_expired,
-    "enters": lambda n, t: f"{n.any_of(t.entity)} enters {n.any_of(t.zone)}",
+    "enters": _enters,
     "leaves": _leaves,
     "crosses": _crosses,
     "touches": _touches,

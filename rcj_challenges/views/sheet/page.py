@@ -30,6 +30,10 @@ _OFFICIAL_FOLDER = "rcj_soccer_team_blue"
 """Where the original looks for the program of every team, of both colours."""
 
 
+_NEITHER = "is neither the last reached nor the next"
+"""What a wrong step is where one place makes each step."""
+
+
 def sheet_markdown(scenario: Scenario, roster: Roster, picture: str | None = None) -> str:
     """Return the rule sheet as Markdown; ``picture`` is what stands for the drawing, None: itself, as inline SVG."""
     return as_markdown(sheet_blocks(scenario, roster), picture)
@@ -195,7 +199,10 @@ def _sequence_words(nouns: Nouns, name: str, sequence: Sequence) -> str:
     owners, made = nouns.owners("sequence", name), _step_words(nouns, [name for step in places for name in step])
     who = nouns.all_of(followed(sequence)).text if owners is None else f"that {nouns.kinds_of(owners)}"
     if sequence.wrong_step == "break":
-        wrong = f"after the first step, {made} which is neither the last reached nor the next breaks it: it begins anew"
+        # Of a step that several places satisfy none of the others is wrong while it is the last one.
+        several = any(len(nouns.roster.expand(tuple(step))) > 1 for step in places)
+        right = "belongs neither to the step reached last nor to the next" if several else _NEITHER
+        wrong = f"after the first step, {made} which {right} breaks it: it begins anew"
         also = "also "
     else:
         wrong, also = f"{made} out of turn changes nothing", ""

@@ -56,7 +56,7 @@ def rule_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     if exclusive:
         yield Items(exclusive)
     yield from _last_touch(scenario)
-    yield from _free_spots(scenario)
+    yield from _free_spots(scenario, nouns)
     yield from _room(scenario)
     yield from _back_sooner(scenario, nouns)
 
@@ -130,7 +130,7 @@ def _last_touch(scenario: Scenario) -> Iterator[Block]:
         )
 
 
-def _free_spots(scenario: Scenario) -> Iterator[Block]:
+def _free_spots(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     """Return a sentence about when a spot is free, where rules ask for one that is."""
     models = [model for model, _ in visit((*scenario.rules.values(), scenario.placements))]
     asked = [model for model in models if isinstance(model, SpotFree | NearestFree | FurthestFree)]
@@ -141,10 +141,34 @@ def _free_spots(scenario: Scenario) -> Iterator[Block]:
         *([metres(USUALLY_FREE_M)] if USUALLY_FREE_M in gaps_m else []),
         *(["the distance that is said"] if gaps_m - {USUALLY_FREE_M} else []),
     ]
-    placed = any(isinstance(model, NearestFree | FurthestFree) for model in asked)
-    itself = "; what is to be put there counts as well where it is now, and must have room" if placed else ""
     nearer = "A spot is free when the centre of no robot and of no ball is nearer to it than"
-    yield Paragraph(f"{nearer} {', or '.join(than)}{itself}.")
+    yield Paragraph(f"{nearer} {', or '.join(than)}{_itself(scenario, nouns)}.")
+
+
+def _itself(scenario: Scenario, nouns: Nouns) -> str:
+    """Return what is asked of that which is put on a free spot: robots and balls count themselves, obstacles do not."""
+    put = [
+        (one.entity, rule)
+        for rule in (*scenario.rules.values(), None)
+        for one, _ in visit(scenario.placements if rule is None else rule.actions)
+        if isinstance(one, Place | Placing | Remove) and one.entity is not None and _on_a_free_spot(one)
+    ]
+    if not put:
+        return ""
+    meant = {name for entity, rule in put for name in _meant(entity, rule, nouns)}
+    obstacles = meant & scenario.obstacles.keys()
+    if obstacles == meant:
+        return "; what is to be put there must have room"
+    if not obstacles:
+        return "; what is to be put there counts as well where it is now, and must have room"
+    return (
+        "; a robot or a ball that is to be put there counts as well where it is now, and what is put there must have "
+        "room"
+    )
+
+
+def _on_a_free_spot(one: Place | Placing | Remove) -> bool:
+    return isinstance(one.back_at if isinstance(one, Remove) else one.at, NearestFree | FurthestFree)
 
 
 def _room(scenario: Scenario) -> Iterator[Block]:
@@ -152,12 +176,31 @@ def _room(scenario: Scenario) -> Iterator[Block]:
     models = [model for model, _ in visit((*scenario.rules.values(), scenario.placements))]
     placed = (isinstance(model, Place) and model.layout is None and model.on_failure == "retry" for model in models)
     laid = (isinstance(model, Placing) and model.on_failure == "retry" for model in models)
-    back = (isinstance(model, Remove) and model.for_s is not None for model in models)
-    if any(placed) or any(laid) or any(back):
+    back = any(isinstance(model, Remove) and model.for_s is not None for model in models)
+    if any(placed) or any(laid) or back:
+        where = _in_its_phase(scenario, back=back)
         yield Paragraph(
             "What a rule puts somewhere waits until there is room: while something else stands there, it stays where "
-            "it is (or off the field), and it is put there as soon as the place is free."
+            f"it is (or off the field), and it is put there as soon as the place is free{where}."
         )
+
+
+def _in_its_phase(scenario: Scenario, *, back: bool) -> str:
+    """Return that what a rule puts somewhere waits for its phase too, if some does not count in all of them.
+
+    Args:
+        scenario: the scenario.
+        back: whether something comes back after a time, which no phase keeps off.
+    """
+    everywhere = {"play", *scenario.phases}
+    somewhere = (rule for rule in scenario.rules.values() if rule.phases != "any" and set(rule.phases) != everywhere)
+    waiting = any(
+        isinstance(action, Place) and (action.layout is not None or action.on_failure == "retry")
+        for rule in somewhere
+        for action in rule.actions
+    )
+    unless = "; what comes back after its time waits for no phase" if back else ""
+    return f" in a phase in which that rule counts{unless}" if waiting else ""
 
 
 _ON_THE_FIELD = Enters | Leaves | Crosses | Touches | Displaced | NoProgress | StaysIn | TipsOver
@@ -227,13 +270,15 @@ def _put(rule: Rule, scenario: Scenario, nouns: Nouns) -> frozenset[str]:
     return frozenset(found)
 
 
-def _meant(names: str | tuple[str, ...], rule: Rule, nouns: Nouns) -> Iterator[str]:
-    """Yield what names in a rule may stand for."""
+def _meant(names: str | tuple[str, ...], rule: Rule | None, nouns: Nouns) -> Iterator[str]:
+    """Yield what names in a rule, or in a layout, may stand for."""
     for name in (names,) if isinstance(names, str) else names:
-        if name == OTHER and has_other(rule):
+        if name == OTHER and rule is not None and has_other(rule):
             yield from others_of(rule, rule.for_each, nouns.roster)
+        elif name == EACH and rule is not None and rule.for_each is not None:
+            yield from nouns.roster.may_be(rule.for_each)
         else:
-            yield from nouns.roster.may_be(rule.for_each if name == EACH and rule.for_each is not None else name)
+            yield from nouns.roster.may_be(name)
 
 
 def _sharing(rules: list[_Named], nouns: Nouns) -> list[_Named]:
