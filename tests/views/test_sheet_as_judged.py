@@ -1,11 +1,15 @@
 """What a rule sheet says of a case is what the referee makes of the same case."""
 
+from dataclasses import replace
+
 import pytest
 
+from rcj_challenges.referee.engine import Referee
+from rcj_challenges.referee.script import half_of
 from rcj_challenges.referee.trials import run_expectation
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.views.sheet import sheet_markdown
-from tests.views.sheets import HEAD, sentence
+from tests.views.sheets import HEAD, sentence, sheet
 
 pytestmark = pytest.mark.usefixtures("without_drawing")
 
@@ -156,3 +160,94 @@ expect: {{it: {{lasts_s: 1.5, {STILL}, poses: {{vase: [0.3, 0]}}}}}}
         "nearer to it than 8 cm; a robot or a ball that is to be put there counts as well where it is now, and what is "
         "put there must have room."
     ) in text
+
+
+def test_what_a_time_that_comes_again_has_measured_is_not_known_before():
+    text = judged(f"""
+rules:
+  it:
+    says: "{{measured}} s are over"
+    triggers: [{{trigger: time_reached, at_s: 1, every_s: 1}}]
+    actions: [{{action: emit, event: E, payload: {{s: {{word: measured}}}}}}]
+expect:
+  it: {{lasts_s: 2.5, {STILL}, events: [{{event: E, payload: {{s: 1}}}}, {{event: E, payload: {{s: 2}}}}]}}
+""")
+    assert "1. [it] … s are over. When the half has lasted 1 s, and again" in text
+
+
+def test_where_a_phase_stops_the_clock_times_are_those_of_the_clock_and_timers_go_on():
+    text = judged(f"""
+phases: {{pause: {{lasts_s: 2, clock: stops}}}}
+timers: {{long: {{lasts_s: 2, starts: true}}}}
+result: {{rank: [{{time: ascending}}]}}
+rules:
+  go: {{triggers: [{{trigger: time_reached, at_s: 1}}], actions: [{{action: set_phase, phase: pause}}]}}
+  it: {{triggers: [{{trigger: time_reached, at_s: 2}}], phases: any, {E}}}
+  long: {{triggers: [{{trigger: timer_expired, timer: long}}], phases: any, actions: [{{action: emit, event: LONG}}]}}
+expect:
+  it: {{lasts_s: 5, {STILL}, events: [{{event: LONG, at_s: 2.016}}, {{event: E, at_s: 4.032}}]}}
+""")
+    assert "then “play” follows; the clock stands still, timers go on.\n" in text
+    assert "[it] When the clock of the half has reached 2 s: E is announced" in text
+    assert "The better one has a shorter time (also counted while the clock stands still)." in text
+    assert "timers" not in sheet("phases: {pause: {lasts_s: 2, clock: stops}}\n")
+    assert "When the half has lasted 2 s: " in sentence(f"triggers: [{{trigger: time_reached, at_s: 2}}], {E}")
+
+
+@pytest.mark.parametrize(
+    ("condition", "words"),
+    [
+        ("in_zone, entity: yellow, zone: half, of: all", "all of the yellow robots on the field are in the half"),
+        ("speed, entity: [Y2, Y3, Y1], of: all, at_most: 1", "all of Y2, Y3 and Y1 on the field move at a speed of at most 1 m/s"),
+        ("in_zone, entity: [Y1, Y2], zone: half, of: all", "both Y1 and Y2 (of those on the field) are in the half"),
+        ("distance, entity: Y1, to: ball, at_most: 0.01, negate: true",
+         "Y1 is more than 0.01 m from the ball or off the field"),
+        ("speed, entity: Y1, at_most: 0.1, negate: true", "Y1 moves faster than 0.1 m/s or is off the field"),
+    ],
+)  # fmt: skip
+def test_who_is_off_the_field_is_asked_for_nothing_and_that_is_said(condition: str, words: str):
+    text = judged(f"""
+zones: {{half: {{shape: rect, y_max_m: 0}}}}
+rules:
+  it: {{triggers: [{{trigger: time_reached, at_s: 1}}], conditions: [{{condition: {condition}}}], {E}}}
+  off: {{triggers: [{{trigger: time_reached, at_s: 0.5}}], actions: [{{action: remove, entity: Y1}}]}}
+expect:
+  it: {{lasts_s: 2, {STILL}, events: [{{event: E}}]}}
+""")
+    assert f"provided that {words}: E is announced." in text
+
+
+@pytest.mark.parametrize(
+    ("halves", "keep", "words"),
+    [
+        (1, "", "west or east, never the same twice running."),
+        (2, "", "west or east, in a half never the same twice running."),
+        (2, ", keep: match", "west or east, never the same twice running."),
+    ],
+)
+def test_what_was_drawn_in_the_half_before_may_come_again(halves: int, keep: str, words: str):
+    text = sheet(f"""
+match: {{halves: {halves}}}
+draws: {{side: {{values: [west, east], not_last: true{keep}}}}}
+rules:
+  it: {{triggers: [{{trigger: enters, entity: ball, zone: blue_goal}}], actions: [{{action: draw, draw: side}}]}}
+""")
+    assert f"and again when a rule says so: {words}\n" in text
+
+
+def test_a_new_half_forgets_what_was_drawn_last():
+    loaded = load_text(f"""{HEAD}
+match: {{halves: 2}}
+draws: {{side: {{values: [west, east], not_last: true}}}}
+rules: {{it: {{triggers: [{{trigger: half_started}}], {E}}}}}
+""")
+
+    def drawn(seed: int, half: int, kept: object = None) -> Referee:
+        info = half_of(loaded.scenario, half, seed)
+        return Referee(loaded.scenario, loaded.roster, replace(info, kept=kept or info.kept))
+
+    twice = 0
+    for seed in range(20):
+        first = drawn(seed, 1)
+        twice += first.draws == drawn(seed, 2, first.kept).draws
+    assert 0 < twice < 20

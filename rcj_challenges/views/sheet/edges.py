@@ -43,9 +43,11 @@ def _phase_entered(_nouns: Nouns, t: Any) -> str:
     return f"the phase {quoted(t.phase)} begins" + (f" after {quoted(t.from_)}" if t.from_ else "")
 
 
-def _time_reached(_nouns: Nouns, t: Any) -> str:
+def _time_reached(nouns: Nouns, t: Any) -> str:
     again = f", and again every {seconds(t.every_s)} until it ends" if t.every_s else ""
-    return f"the half has lasted {seconds(t.at_s)}{again}"
+    # Where a phase stops the clock, the half lasts longer than that shows.
+    stops = any(phase.clock == "stops" for phase in nouns.scenario.phases.values())
+    return f"the {'clock of the half has reached' if stops else 'half has lasted'} {seconds(t.at_s)}{again}"
 
 
 def _timer_expired(nouns: Nouns, t: Any, each: str | None = None) -> str:
@@ -133,7 +135,7 @@ def _is(nouns: Nouns, c: Any, names: Any, what: str) -> str:
 
 
 def _looks(nouns: Nouns, c: Any) -> str:
-    who = nouns.quantified(c.of, c.entity, negate=c.negate).does("looks", "look")
+    who = nouns.of_those_there(c.of, c.entity, negate=c.negate).does("looks", "look")
     way = heading(c.heading_rad) if c.towards is None else f"towards {nouns.point(c.towards)}"
     return f"{who} {way} (to within {degrees(c.within_rad)})"
 
@@ -261,7 +263,9 @@ def _half(_nouns: Nouns, c: Any) -> str:
 
 
 CONDITIONS: dict[str, Callable[[Nouns, Any], str]] = {
-    "in_zone": lambda n, c: _is(n, c, c.entity, f"in {n.any_of(c.zone)}"),
+    "in_zone": lambda n, c: (
+        n.of_those_there(c.of, c.entity, negate=c.negate).does("is", "are") + f" in {n.any_of(c.zone)}"
+    ),
     "speed": speed_words,
     "distance": distance_words,
     "way": way_words,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.models.actions import LastToucher, Place, Remove
 from rcj_challenges.scenario.models.conditions import (
     AllOf,
@@ -31,8 +30,9 @@ from rcj_challenges.scenario.models.triggers import (
     TipsOver,
     Touches,
 )
-from rcj_challenges.scenario.other import has_other, names_other, others_of
+from rcj_challenges.scenario.other import names_other, others_of
 from rcj_challenges.scenario.visiting import visit
+from rcj_challenges.views.sheet.absent import meant_in
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph
 from rcj_challenges.views.sheet.deeds import action_words
 from rcj_challenges.views.sheet.edges import condition_words, trigger_words
@@ -155,7 +155,7 @@ def _itself(scenario: Scenario, nouns: Nouns) -> str:
     ]
     if not put:
         return ""
-    meant = {name for entity, rule in put for name in _meant(entity, rule, nouns)}
+    meant = {name for entity, rule in put for name in meant_in(entity, rule, nouns.roster)}
     obstacles = meant & scenario.obstacles.keys()
     if obstacles == meant:
         return "; what is to be put there must have room"
@@ -210,7 +210,7 @@ _ON_THE_FIELD = Enters | Leaves | Crosses | Touches | Displaced | NoProgress | S
 def _back_sooner(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     """Return a sentence about what one rule takes off and another one puts somewhere: it is back then."""
     removals = [
-        (action, frozenset(_meant(action.entity, rule, nouns)))
+        (action, frozenset(meant_in(action.entity, rule, nouns.roster)))
         for rule in scenario.rules.values()
         for action in rule.actions
         if isinstance(action, Remove)
@@ -266,19 +266,8 @@ def _put(rule: Rule, scenario: Scenario, nouns: Nouns) -> frozenset[str]:
             entities = [action.entity] if action.entity is not None else []
         for entity in entities:
             if not _asks_for_presence(rule, entity):
-                found.update(_meant(entity, rule, nouns))
+                found.update(meant_in(entity, rule, nouns.roster))
     return frozenset(found)
-
-
-def _meant(names: str | tuple[str, ...], rule: Rule | None, nouns: Nouns) -> Iterator[str]:
-    """Yield what names in a rule, or in a layout, may stand for."""
-    for name in (names,) if isinstance(names, str) else names:
-        if name == OTHER and rule is not None and has_other(rule):
-            yield from others_of(rule, rule.for_each, nouns.roster)
-        elif name == EACH and rule is not None and rule.for_each is not None:
-            yield from nouns.roster.may_be(rule.for_each)
-        else:
-            yield from nouns.roster.may_be(name)
 
 
 def _sharing(rules: list[_Named], nouns: Nouns) -> list[_Named]:
