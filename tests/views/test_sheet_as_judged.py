@@ -251,3 +251,50 @@ rules: {{it: {{triggers: [{{trigger: half_started}}], {E}}}}}
         first = drawn(seed, 1)
         twice += first.draws == drawn(seed, 2, first.kept).draws
     assert 0 < twice < 20
+
+
+CENTRE = "Where a robot, a ball or an obstacle is, its centre says: "
+
+
+def test_it_is_the_centre_that_counts():
+    text = judged(f"""{ZONES % APART}
+rules:
+  it: {{triggers: [{{trigger: enters, entity: ball, zone: a}}], {E}}}
+expect:
+  it:
+    lasts_s: 2
+    keyframes: [{{at_s: 0.1, place: {{ball: [0, 0.2]}}}}, {{at_s: 0.5, move: {{ball: [-0.095, 0.2]}}}},
+                {{at_s: 1, move: {{ball: [-0.105, 0.2]}}}}]
+    events: [{{event: E, at_s: 0.768}}]
+""")
+    assert f"{CENTRE}it counts for zones and gates, and distances are measured from it." in text
+    assert CENTRE not in sheet(f"rules: {{it: {{triggers: [{{trigger: half_started}}], {E}}}}}\n")
+
+
+def test_what_must_last_begins_anew_after_another_phase():
+    text = judged(f"""
+phases: {{pause: {{lasts_s: 1}}}}
+rules:
+  go: {{triggers: [{{trigger: time_reached, at_s: 3}}], actions: [{{action: set_phase, phase: pause}}]}}
+  it: {{triggers: [{{trigger: no_progress, entity: Y1, distance_m: 0.5, within_s: 4}}], {E}}}
+expect:
+  it: {{lasts_s: 9, {STILL}, events: [{{event: E, at_s: 8.064}}]}}
+""")
+    assert (
+        "is not made up for later, and what must last for a time, or move within one, is measured anew after it.\n"
+        in text
+    )
+    goes_on = f"triggers: [{{trigger: no_progress, entity: Y1, distance_m: 0.5, within_s: 4}}], {E}"
+    assert "measured anew" not in sheet(
+        f"phases: {{pause: {{lasts_s: 1}}}}\nrules: {{it: {{phases: any, {goes_on}}}}}\n"
+    )
+
+
+def test_angles_are_told_as_exactly_as_they_are_judged():
+    text = judged(f"""
+rules:
+  it: {{triggers: [{{trigger: tips_over, entity: Y1, angle_rad: 0.5}}], {E}}}
+expect:
+  it: {{lasts_s: 1, {STILL}, events: []}}
+""")
+    assert "When Y1 tilts by more than 28.6°: " in text

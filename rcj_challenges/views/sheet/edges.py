@@ -235,7 +235,7 @@ TRIGGERS: dict[str, Callable[[Nouns, Any], str]] = {
     "displaced": _displaced,
     "no_progress": _no_progress,
     "stays_in": _stays_in,
-    "tips_over": lambda n, t: f"{n.any_of(t.entity)} tilts by more than {number(round(t.angle_rad * 57.29578))}°",
+    "tips_over": lambda n, t: f"{n.any_of(t.entity)} tilts by more than {degrees(t.angle_rad)}",
     "sequence_completed": lambda n, t: f"{_sequence(n, t)} is complete",
     "sequence_broken": lambda n, t: f"{_sequence(n, t)} is broken",
     "event": lambda n, t: f"{t.event} was announced" + (f" of {n.any_of(t.entity)}" if t.entity else ""),

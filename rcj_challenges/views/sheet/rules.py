@@ -55,6 +55,7 @@ def rule_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     exclusive = tuple(_exclusive_words(rules, nouns))
     if exclusive:
         yield Items(exclusive)
+    yield from _centres(scenario)
     yield from _last_touch(scenario)
     yield from _free_spots(scenario, nouns)
     yield from _room(scenario)
@@ -67,7 +68,13 @@ def _phases_words(scenario: Scenario) -> str:
     if not alone or not set(scenario.phases) - {"play"}:
         return ""
     only = "Where nothing else is said, a rule counts in the phase “play” only"
-    return f" {only}; what happens in another phase is not made up for later."
+    lasting = any(
+        rule.phases == ("play",) and isinstance(model, StaysIn | NoProgress | Holds)
+        for rule in scenario.rules.values()
+        for model in rule.triggers
+    )
+    anew = ", and what must last for a time, or move within one, is measured anew after it" if lasting else ""
+    return f" {only}; what happens in another phase is not made up for later{anew}."
 
 
 def when_words(rule: Rule, nouns: Nouns) -> str:
@@ -117,6 +124,15 @@ def _exclusive_words(rules: list[_Named], nouns: Nouns) -> Iterator[str]:
         meeting = _sharing([(name, rule) for name, rule in members if rule.for_each is not None], nouns)
         kinds = nouns.kinds_of(tuple(rule.for_each for _, rule in meeting if rule.for_each is not None))
         yield from _only_one([name for name, _ in meeting], f" for the same {kinds}")
+
+
+def _centres(scenario: Scenario) -> Iterator[Block]:
+    """Return a sentence about what counts where rules ask where something is: whole bodies reach further."""
+    if scenario.sequences or any(isinstance(model, _OF_PLACES) for model, _ in visit(tuple(scenario.rules.values()))):
+        yield Paragraph(
+            "Where a robot, a ball or an obstacle is, its centre says: it counts for zones and gates, and distances "
+            "are measured from it."
+        )
 
 
 def _last_touch(scenario: Scenario) -> Iterator[Block]:
@@ -202,6 +218,9 @@ def _in_its_phase(scenario: Scenario, *, back: bool) -> str:
     unless = "; what comes back after its time waits for no phase" if back else ""
     return f" in a phase in which that rule counts{unless}" if waiting else ""
 
+
+_OF_PLACES = Enters | Leaves | Crosses | StaysIn | Displaced | InZone | Distance
+"""Words that ask where something is."""
 
 _ON_THE_FIELD = Enters | Leaves | Crosses | Touches | Displaced | NoProgress | StaysIn | TipsOver
 """Triggers that never find who is off the field."""
