@@ -298,3 +298,50 @@ expect:
   it: {{lasts_s: 1, {STILL}, events: []}}
 """)
     assert "When Y1 tilts by more than 28.6°: " in text
+
+
+EVERY_S = "triggers: [{trigger: time_reached, at_s: 1, every_s: 1}]"
+
+
+def test_of_rules_that_exclude_each_other_one_that_has_reached_its_limit_keeps_no_other_from_counting():
+    text = judged(f"""
+rules:
+  a: {{exclusive: x, max_executions: 1, {EVERY_S}, actions: [{{action: emit, event: A}}]}}
+  b: {{exclusive: x, {EVERY_S}, {E}}}
+expect:
+  it: {{lasts_s: 2.5, {STILL}, events: [{{event: A}}, {{event: E, at_s: 2.016}}]}}
+""")
+    both = "When both [a] and [b] happen in the same tick, "
+    assert f"{both}only the first of them in the list above counts that still may." in text
+
+
+TIMER = """
+timers: {rest: {lasts_s: 1%s}}
+rules:
+  go: {triggers: [{trigger: time_reached, at_s: 2}], actions: [{action: timer, timer: rest, do: start}]}
+  it: {triggers: [{trigger: timer_expired, timer: rest}], actions: [{action: emit, event: E}]}
+expect:
+  it: {lasts_s: 5, %s, events: [{event: E, at_s: %s}]}
+"""
+
+
+@pytest.mark.parametrize(("starts", "at_s"), [(", starts: true", 1.024), ("", 3.04)])
+def test_a_timer_that_is_started_goes_on_or_begins_but_not_when_it_has_run_out(starts: str, at_s: float):
+    assert "2 s: the timer “rest” starts or goes on, unless it has run out." in judged(TIMER % (starts, STILL, at_s))
+
+
+def test_a_sequence_that_is_complete_stands_at_its_last_step_until_the_next():
+    text = judged(f"""{ZONES % APART}
+sequences: {{way: {{entity: ball, steps: [a, b]}}}}
+rules:
+  it:
+    triggers: [{{trigger: time_reached, at_s: 3}}]
+    conditions: [{{condition: sequence_at, sequence: way, step: b}}]
+    {E}
+expect:
+  it:
+    lasts_s: 4
+    keyframes: [{{at_s: 0.5, place: {{ball: [-0.2, 0.1]}}}}, {{at_s: 1, place: {{ball: [0.3, 0.05]}}}}]
+    events: [{{event: E}}]
+""")
+    assert "the sequence “way” stands at the zone “b” (complete, until its next step): E is announced." in text

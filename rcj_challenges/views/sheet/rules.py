@@ -120,10 +120,11 @@ def _exclusive_words(rules: list[_Named], nouns: Nouns) -> Iterator[str]:
     """Return a sentence for each of the sets of rules of which only one counts in a tick."""
     for group in dict.fromkeys(rule.exclusive for _, rule in rules if rule.exclusive is not None):
         members = [(name, rule) for name, rule in rules if rule.exclusive == group]
-        yield from _only_one([name for name, rule in members if rule.for_each is None], "")
+        still = " that still may" if any(rule.cooldown_s or rule.max_executions for _, rule in members) else ""
+        yield from _only_one([name for name, rule in members if rule.for_each is None], "", still)
         meeting = _sharing([(name, rule) for name, rule in members if rule.for_each is not None], nouns)
         kinds = nouns.kinds_of(tuple(rule.for_each for _, rule in meeting if rule.for_each is not None))
-        yield from _only_one([name for name, _ in meeting], f" for the same {kinds}")
+        yield from _only_one([name for name, _ in meeting], f" for the same {kinds}", still)
 
 
 def _centres(scenario: Scenario) -> Iterator[Block]:
@@ -299,9 +300,10 @@ def _sharing(rules: list[_Named], nouns: Nouns) -> list[_Named]:
     ]
 
 
-def _only_one(names: list[str], whom: str) -> Iterator[str]:
+def _only_one(names: list[str], whom: str, still: str) -> Iterator[str]:
     if len(names) < 2:
         return
     which = listed([f"[{name}]" for name in names], "and")
     several = "both" if len(names) == 2 else "several of"
-    yield f"When {several} {which} happen{whom} in the same tick, only the first of them in the list above counts."
+    one = f"only the first of them in the list above counts{still}"
+    yield f"When {several} {which} happen{whom} in the same tick, {one}."
