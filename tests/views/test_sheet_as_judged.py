@@ -345,3 +345,20 @@ expect:
     events: [{{event: E}}]
 """)
     assert "the sequence “way” stands at the zone “b” (complete, until its next step): E is announced." in text
+
+
+def test_the_last_to_touch_something_is_a_robot_whatever_else_it_rolls_against():
+    text = judged(f"""
+balls: {{other_ball: {{start_m: [0.5, 0]}}}}
+rules:
+  it:
+    triggers: [{{trigger: time_reached, at_s: 1}}]
+    conditions: [{{condition: last_touch, entity: ball, by: Y1}}]
+    {E}
+expect:
+  it:
+    lasts_s: 2
+    keyframes: [{{at_s: 0.2, touch: [[ball, Y1]]}}, {{at_s: 0.5, touch: [[ball, other_ball]]}}]
+    events: [{{event: E}}]
+""")
+    assert "The last to touch something is the robot that touched it last since a rule put it where it is; if " in text

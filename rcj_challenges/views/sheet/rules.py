@@ -142,8 +142,8 @@ def _last_touch(scenario: Scenario) -> Iterator[Block]:
     if words & {LastTouch, LastToucher, LastTouchValue}:
         nobody = ", and its team's points go to nobody" if LastToucher in words else ""
         yield Paragraph(
-            "The last to touch something is who touched it last since a rule put it where it is; if nobody has, "
-            f"there is none{nobody}."
+            "The last to touch something is the robot that touched it last since a rule put it where it is; if none "
+            f"has, there is none{nobody}."
         )
 
 
