@@ -172,7 +172,7 @@ def test_a_negative_angle_is_told_clockwise(sheet):
 
 def test_the_sheet_says_whose_touch_is_the_last(sheet):
     told = (
-        "The last to touch something is who touched it last since a rule put it where it is; if nobody has, there is "
+        "The last to touch something is the robot that touched it last since a rule put it where it is; if none has, there is "
         "none"
     )
     assert f"{told}, and its team's points go to nobody." in sheet("{action: score, entrant: {last_touch: ball}}")

@@ -92,7 +92,7 @@ def test_units_in_names_of_counters_are_told_as_units(name: str, words: str) -> 
     ("holds", "words"),
     [
         ("condition: {condition: half, at_least: 1}, for_s: 5, every_s: 5", "When 5 s have passed, and again every 5 s: "),
-        ("condition: {condition: half, at_least: 1}, every_s: 3", "When a half starts, and again every 3 s: "),
+        ("condition: {condition: half, at_least: 1}, every_s: 3", "When 3 s have passed, and again every 3 s: "),
         ("condition: {condition: half, at_least: 2}, for_s: 5, every_s: 5",
          "When it is half 2 or a later one for 5 s, and again every 5 s while that lasts: "),
     ],

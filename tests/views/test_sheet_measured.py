@@ -178,7 +178,7 @@ def test_what_is_told_is_said_with_its_unit():
     assert "| far | the distance between Y3 and the ball in m |" in text
     assert "| run | the time in s that the timer “rest” has run |" in text
     assert "| who | the name of the last to touch the ball |" in text
-    assert "The last to touch something is who touched it last since a rule put it where it is" in text
+    assert "The last to touch something is the robot that touched it last since a rule put it where it is" in text
 
 
 SAYS = "triggers: [{trigger: half_started}], actions: [{action: score, entrant: blue, points: %s}], says: '%s'"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from rcj_challenges.scenario.models.state import CounterValue
+from rcj_challenges.scenario.models.state import AnyStep, CounterValue
 from rcj_challenges.views.sheet.nouns import Nouns, Subject, plain, quoted, quoted_measure
 from rcj_challenges.views.sheet.phrases import amount, number
 
@@ -55,6 +55,12 @@ def timer_words(nouns: Nouns, c: Any) -> str:
 def sequence_words(nouns: Nouns, c: Any) -> str:
     """Return a condition on the step at which a sequence stands."""
     who, step = _asked(nouns, "sequence", c.sequence, c), nouns.thing(c.step)
+    sequence = nouns.scenario.sequences[c.sequence]
+    final = sequence.steps[-1]
+    ends = nouns.roster.expand(final.any_of if isinstance(final, AnyStep) else final)
+    if not sequence.cyclic and c.step in ends:
+        # It begins anew when it is complete, but what it stands at is the step that was reached last.
+        step += " (complete, until its next step)"
     if who is not None:
         return f"{who.does('has', 'have')} a sequence {quoted(c.sequence)} that stands at {step}"
     stands = "does not stand" if c.negate else "stands"
@@ -63,14 +69,18 @@ def sequence_words(nouns: Nouns, c: Any) -> str:
 
 def distance_words(nouns: Nouns, c: Any) -> str:
     """Return a condition on how far things are apart."""
-    who, to = nouns.quantified(c.of, c.entity, negate=c.negate), nouns.point(c.to, c.entity)
+    who, to = nouns.of_those_there(c.of, c.entity, negate=c.negate), nouns.point(c.to, c.entity)
     limit = _only_limit(c) if who.negated else None
     if limit is None:
         return f"{who.does('is', 'are')} {compared(nouns, c, ' m', f' from {to}')}"
+    # Of who is off the field nothing is measured: then the opposite of it holds.
+    off = " or off the field" if nouns.may_be_off(c.entity) else ""
+    if nouns.may_be_off(c.to):
+        off = ", or one of the two is off the field" if off else f", or {to} is off the field"
     if isinstance(limit, (int, float)):
-        return f"{who.text} is {'less' if c.at_most is None else 'more'} than {number(limit)} m from {to}"
+        return f"{who.text} is {'less' if c.at_most is None else 'more'} than {number(limit)} m from {to}{off}"
     how = "nearer to" if c.at_most is None else "further from"
-    return f"{who.text} is {how} {to} than {amount(nouns, limit)} says in m"
+    return f"{who.text} is {how} {to} than {amount(nouns, limit)} says in m{off}"
 
 
 def way_words(nouns: Nouns, c: Any) -> str:
@@ -87,13 +97,14 @@ def way_words(nouns: Nouns, c: Any) -> str:
 
 def speed_words(nouns: Nouns, c: Any) -> str:
     """Return a condition on how fast things move."""
-    who = nouns.quantified(c.of, c.entity, negate=c.negate)
+    who = nouns.of_those_there(c.of, c.entity, negate=c.negate)
     limit = _only_limit(c) if who.negated else None
     if limit is None:
         return f"{who.does('moves', 'move')} at a speed of {compared(nouns, c, ' m/s')}"
     how = "slower" if c.at_most is None else "faster"
     fast = f"{number(limit)} m/s" if isinstance(limit, (int, float)) else f"{amount(nouns, limit)} says in m/s"
-    return f"{who.text} moves {how} than {fast}"
+    off = " or is off the field" if nouns.may_be_off(c.entity) else ""
+    return f"{who.text} moves {how} than {fast}{off}"
 
 
 def compared(nouns: Nouns, model: Any, unit: str = "", where: str = "") -> str:

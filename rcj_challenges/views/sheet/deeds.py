@@ -214,7 +214,7 @@ def bounds_words(action: Any, total: str) -> str:
 def _timer(nouns: Nouns, action: Any) -> str:
     done = {
         "restart": "starts again from 0",
-        "start": "goes on",
+        "start": "starts or goes on, unless it has run out",
         "stop": "is stopped",
         "reset": "is stopped and set to 0",
     }[action.do]

@@ -16,6 +16,7 @@ from rcj_challenges.views.sheet.comparing import (
     timer_words,
     way_words,
 )
+from rcj_challenges.views.sheet.meeting import may_meet
 from rcj_challenges.views.sheet.nouns import Nouns, listed, quoted, quoted_measure
 from rcj_challenges.views.sheet.phrases import degrees, heading, metres, number, seconds, value, within_words
 
@@ -42,9 +43,11 @@ def _phase_entered(_nouns: Nouns, t: Any) -> str:
     return f"the phase {quoted(t.phase)} begins" + (f" after {quoted(t.from_)}" if t.from_ else "")
 
 
-def _time_reached(_nouns: Nouns, t: Any) -> str:
+def _time_reached(nouns: Nouns, t: Any) -> str:
     again = f", and again every {seconds(t.every_s)} until it ends" if t.every_s else ""
-    return f"the half has lasted {seconds(t.at_s)}{again}"
+    # Where a phase stops the clock, the half lasts longer than that shows.
+    stops = any(phase.clock == "stops" for phase in nouns.scenario.phases.values())
+    return f"the {'clock of the half has reached' if stops else 'half has lasted'} {seconds(t.at_s)}{again}"
 
 
 def _timer_expired(nouns: Nouns, t: Any, each: str | None = None) -> str:
@@ -61,6 +64,16 @@ def _sequence(nouns: Nouns, t: Any) -> str:
     if owners is None:
         return nouns.kept("sequence", t.sequence, t.entity if isinstance(t.entity, str) else None)
     return nouns.owned("sequence", t.entity or owners, t.sequence)
+
+
+def _enters(nouns: Nouns, t: Any) -> str:
+    zones = [name for one in ((t.zone,) if isinstance(t.zone, str) else t.zone) for name in nouns.meant(one)]
+    entered = f"{nouns.any_of(t.entity)} enters {nouns.any_of(t.zone)}"
+    # Several zones are judged as one: there is no edge between those that meet.
+    several = list(dict.fromkeys(zones))
+    if not may_meet([nouns.scenario.zones[name] for name in several]):
+        return entered
+    return f"{entered} from outside {'both' if len(several) == 2 else 'all of them'}"
 
 
 def _leaves(nouns: Nouns, t: Any) -> str:
@@ -99,8 +112,8 @@ def _crosses(nouns: Nouns, t: Any) -> str:
 
 def _holds(nouns: Nouns, t: Any) -> str:
     if t.every_s and _is_always(t.condition):
-        first = f"{seconds(t.for_s)} have passed" if t.for_s else "a half starts"
-        return f"{first}, and again every {seconds(t.every_s)}"
+        # Without for_s it was true before when it begins: it comes for the first time after the first interval.
+        return f"{seconds(t.for_s or t.every_s)} have passed, and again every {seconds(t.every_s)}"
     for_s = f"for {seconds(t.for_s)}" if t.for_s else ""
     held = condition_words(nouns, t.condition)
     grace = f" (interruptions of up to {seconds(t.grace_s)} do not count)" if t.grace_s else ""
@@ -122,7 +135,7 @@ def _is(nouns: Nouns, c: Any, names: Any, what: str) -> str:
 
 
 def _looks(nouns: Nouns, c: Any) -> str:
-    who = nouns.quantified(c.of, c.entity, negate=c.negate).does("looks", "look")
+    who = nouns.of_those_there(c.of, c.entity, negate=c.negate).does("looks", "look")
     way = heading(c.heading_rad) if c.towards is None else f"towards {nouns.point(c.towards)}"
     return f"{who} {way} (to within {degrees(c.within_rad)})"
 
@@ -215,14 +228,14 @@ TRIGGERS: dict[str, Callable[[Nouns, Any], str]] = {
     "phase_entered": _phase_entered,
     "time_reached": _time_reached,
     "timer_expired": _timer_expired,
-    "enters": lambda n, t: f"{n.any_of(t.entity)} enters {n.any_of(t.zone)}",
+    "enters": _enters,
     "leaves": _leaves,
     "crosses": _crosses,
     "touches": _touches,
     "displaced": _displaced,
     "no_progress": _no_progress,
     "stays_in": _stays_in,
-    "tips_over": lambda n, t: f"{n.any_of(t.entity)} tilts by more than {number(round(t.angle_rad * 57.29578))}°",
+    "tips_over": lambda n, t: f"{n.any_of(t.entity)} tilts by more than {degrees(t.angle_rad)}",
     "sequence_completed": lambda n, t: f"{_sequence(n, t)} is complete",
     "sequence_broken": lambda n, t: f"{_sequence(n, t)} is broken",
     "event": lambda n, t: f"{t.event} was announced" + (f" of {n.any_of(t.entity)}" if t.entity else ""),
@@ -250,7 +263,9 @@ def _half(_nouns: Nouns, c: Any) -> str:
 
 
 CONDITIONS: dict[str, Callable[[Nouns, Any], str]] = {
-    "in_zone": lambda n, c: _is(n, c, c.entity, f"in {n.any_of(c.zone)}"),
+    "in_zone": lambda n, c: (
+        n.of_those_there(c.of, c.entity, negate=c.negate).does("is", "are") + f" in {n.any_of(c.zone)}"
+    ),
     "speed": speed_words,
     "distance": distance_words,
     "way": way_words,

@@ -114,7 +114,7 @@ def _sonar(d: models.SonarDevice) -> str:
         # It never measures as far as where the noise stops growing: the figure that holds is that of its own range.
         full = _percent(d.noise * d.range_m, f"the value at {metres(d.range_m)}")
         noise = _noise(f"{full}, less when nearer: at half the distance half that share")
-    return f"distance sensor, bearing {round(d.bearing_rad * 57.29578)}°, up to {metres(d.range_m)}{noise}"
+    return f"distance sensor, bearing {degrees(d.bearing_rad)}, up to {metres(d.range_m)}{noise}"
 
 
 def _lidar(d: models.LidarDevice) -> str:

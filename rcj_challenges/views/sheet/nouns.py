@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from rcj_challenges.facts.measures import measure_words
@@ -14,6 +14,7 @@ from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.other import names_other, others_of
 from rcj_challenges.scenario.roster import WALLS, Roster
 from rcj_challenges.scenario.set_draws import set_from_the_start
+from rcj_challenges.views.sheet.absent import taken_off
 
 Names = str | tuple[str, ...]
 
@@ -240,6 +241,19 @@ class Nouns:
         if of == "all":
             return Subject(f"{'not all' if negate else 'all'} of {several}", plural=True)
         return Subject(f"{'any' if (of == 'any') != negate else 'none'} of {several}")
+
+    def of_those_there(self, of: Any, names: Names, *, negate: bool) -> Subject:
+        """Return the same where nothing is asked of who is off the field: “all” is all that are on it."""
+        who = self.quantified(of, names, negate=negate)
+        if of != "all" or not who.plural or not self.may_be_off(names):
+            return who
+        two = isinstance(names, tuple) and len(names) == 2 and not any(map(self._several, names))
+        return replace(who, text=f"{who.text} {'(of those on the field)' if two else 'on the field'}")
+
+    def may_be_off(self, names: Any) -> bool:
+        """Return whether a rule takes any of what names stand for off the field; of a point none does."""
+        meant = {one for name in _tuple(names) for one in self.meant(name)}
+        return not meant.isdisjoint(taken_off(self.scenario, self.roster))
 
     def _of_two(self, of: str, names: Names, *, negate: bool) -> Subject:
         """Return how many of two single things must do something: ``both the ball and Y1``, ``neither Y1 nor Y2``."""

@@ -30,6 +30,10 @@ _OFFICIAL_FOLDER = "rcj_soccer_team_blue"
 """Where the original looks for the program of every team, of both colours."""
 
 
+_NEITHER = "is neither the last reached nor the next"
+"""What a wrong step is where one place makes each step."""
+
+
 def sheet_markdown(scenario: Scenario, roster: Roster, picture: str | None = None) -> str:
     """Return the rule sheet as Markdown; ``picture`` is what stands for the drawing, None: itself, as inline SVG."""
     return as_markdown(sheet_blocks(scenario, roster), picture)
@@ -93,7 +97,7 @@ def _phase_words(nouns: Nouns, name: str, phase: Phase) -> str:
         else ("lasts until a rule begins another")
     )
     told = "; meanwhile a kick-off is awaited" if phase.waiting_for_kickoff else ""
-    clock = "goes on" if phase.clock == "runs" else "stands still"
+    clock = "goes on" if phase.clock == "runs" else f"stands still{', timers go on' * bool(nouns.scenario.timers)}"
     held = " All robots are held meanwhile: their wheels stand still, whatever their programs say."
     return f"The phase {quoted(name)} {lasts}; the clock {clock}{told}.{held if phase.robots == 'held' else ''}"
 
@@ -162,7 +166,9 @@ def _draw_words(nouns: Nouns, name: str, draw: Draw) -> str:
     often = len(times) < len(draw.values)
     cases = [f"{word} ({_often(draw, count)})" if often else word for word, count in times.items()]
     values = listed(cases, "or")
-    again = ", never the same twice running" if draw.not_last else ""
+    # A half that draws anew knows nothing of what was drawn last in the one before.
+    forgets = nouns.scenario.match.halves > 1 and draw.keep != "match"
+    again = f", {'in a half ' * forgets}never the same twice running" if draw.not_last else ""
     if draw.not_again is not None:
         where = "in a half" if draw.not_again == "half" else "in the match"
         again += f"; {where} none comes {'more often' if often else 'again'} before all have been drawn"
@@ -195,7 +201,10 @@ def _sequence_words(nouns: Nouns, name: str, sequence: Sequence) -> str:
     owners, made = nouns.owners("sequence", name), _step_words(nouns, [name for step in places for name in step])
     who = nouns.all_of(followed(sequence)).text if owners is None else f"that {nouns.kinds_of(owners)}"
     if sequence.wrong_step == "break":
-        wrong = f"after the first step, {made} which is neither the last reached nor the next breaks it: it begins anew"
+        # Of a step that several places satisfy none of the others is wrong while it is the last one.
+        several = any(len(nouns.roster.expand(tuple(step))) > 1 for step in places)
+        right = "belongs neither to the step reached last nor to the next" if several else _NEITHER
+        wrong = f"after the first step, {made} which {right} breaks it: it begins anew"
         also = "also "
     else:
         wrong, also = f"{made} out of turn changes nothing", ""
@@ -277,7 +286,12 @@ def _criterion_words(nouns: Nouns, criterion: RankByScore | RankByTime | RankByC
     if isinstance(criterion, RankByCounter):
         larger = "larger" if criterion.order == "descending" else "smaller"
         return f"a {larger} value of {_own_counter(nouns, criterion.counter)}{_added_up(nouns, criterion.counter)}"
-    halves = " (of all halves together)" if nouns.scenario.match.halves > 1 else ""
+    stops = any(phase.clock == "stops" for phase in nouns.scenario.phases.values())
+    how = [
+        *(["of all halves together"] if nouns.scenario.match.halves > 1 else []),
+        *(["also counted while the clock stands still"] if stops else []),
+    ]
+    halves = f" ({', '.join(how)})" if how else ""
     time = f"a {'shorter' if criterion.time == 'ascending' else 'longer'} time{halves}"
     changes = [
         f"{seconds(abs(part.weight))} {'taken off' if part.weight < 0 else 'added'} for each count of "

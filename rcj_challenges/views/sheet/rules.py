@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.models.actions import LastToucher, Place, Remove
 from rcj_challenges.scenario.models.conditions import (
     AllOf,
@@ -31,8 +30,9 @@ from rcj_challenges.scenario.models.triggers import (
     TipsOver,
     Touches,
 )
-from rcj_challenges.scenario.other import has_other, names_other, others_of
+from rcj_challenges.scenario.other import names_other, others_of
 from rcj_challenges.scenario.visiting import visit
+from rcj_challenges.views.sheet.absent import meant_in
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph
 from rcj_challenges.views.sheet.deeds import action_words
 from rcj_challenges.views.sheet.edges import condition_words, trigger_words
@@ -55,8 +55,9 @@ def rule_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     exclusive = tuple(_exclusive_words(rules, nouns))
     if exclusive:
         yield Items(exclusive)
+    yield from _centres(scenario)
     yield from _last_touch(scenario)
-    yield from _free_spots(scenario)
+    yield from _free_spots(scenario, nouns)
     yield from _room(scenario)
     yield from _back_sooner(scenario, nouns)
 
@@ -67,7 +68,13 @@ def _phases_words(scenario: Scenario) -> str:
     if not alone or not set(scenario.phases) - {"play"}:
         return ""
     only = "Where nothing else is said, a rule counts in the phase “play” only"
-    return f" {only}; what happens in another phase is not made up for later."
+    lasting = any(
+        rule.phases == ("play",) and isinstance(model, StaysIn | NoProgress | Holds)
+        for rule in scenario.rules.values()
+        for model in rule.triggers
+    )
+    anew = ", and what must last for a time, or move within one, is measured anew after it" if lasting else ""
+    return f" {only}; what happens in another phase is not made up for later{anew}."
 
 
 def when_words(rule: Rule, nouns: Nouns) -> str:
@@ -113,10 +120,20 @@ def _exclusive_words(rules: list[_Named], nouns: Nouns) -> Iterator[str]:
     """Return a sentence for each of the sets of rules of which only one counts in a tick."""
     for group in dict.fromkeys(rule.exclusive for _, rule in rules if rule.exclusive is not None):
         members = [(name, rule) for name, rule in rules if rule.exclusive == group]
-        yield from _only_one([name for name, rule in members if rule.for_each is None], "")
+        still = " that still may" if any(rule.cooldown_s or rule.max_executions for _, rule in members) else ""
+        yield from _only_one([name for name, rule in members if rule.for_each is None], "", still)
         meeting = _sharing([(name, rule) for name, rule in members if rule.for_each is not None], nouns)
         kinds = nouns.kinds_of(tuple(rule.for_each for _, rule in meeting if rule.for_each is not None))
-        yield from _only_one([name for name, _ in meeting], f" for the same {kinds}")
+        yield from _only_one([name for name, _ in meeting], f" for the same {kinds}", still)
+
+
+def _centres(scenario: Scenario) -> Iterator[Block]:
+    """Return a sentence about what counts where rules ask where something is: whole bodies reach further."""
+    if scenario.sequences or any(isinstance(model, _OF_PLACES) for model, _ in visit(tuple(scenario.rules.values()))):
+        yield Paragraph(
+            "Where a robot, a ball or an obstacle is, its centre says: it counts for zones and gates, and distances "
+            "are measured from it."
+        )
 
 
 def _last_touch(scenario: Scenario) -> Iterator[Block]:
@@ -125,12 +142,12 @@ def _last_touch(scenario: Scenario) -> Iterator[Block]:
     if words & {LastTouch, LastToucher, LastTouchValue}:
         nobody = ", and its team's points go to nobody" if LastToucher in words else ""
         yield Paragraph(
-            "The last to touch something is who touched it last since a rule put it where it is; if nobody has, "
-            f"there is none{nobody}."
+            "The last to touch something is the robot that touched it last since a rule put it where it is; if none "
+            f"has, there is none{nobody}."
         )
 
 
-def _free_spots(scenario: Scenario) -> Iterator[Block]:
+def _free_spots(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     """Return a sentence about when a spot is free, where rules ask for one that is."""
     models = [model for model, _ in visit((*scenario.rules.values(), scenario.placements))]
     asked = [model for model in models if isinstance(model, SpotFree | NearestFree | FurthestFree)]
@@ -141,10 +158,34 @@ def _free_spots(scenario: Scenario) -> Iterator[Block]:
         *([metres(USUALLY_FREE_M)] if USUALLY_FREE_M in gaps_m else []),
         *(["the distance that is said"] if gaps_m - {USUALLY_FREE_M} else []),
     ]
-    placed = any(isinstance(model, NearestFree | FurthestFree) for model in asked)
-    itself = "; what is to be put there counts as well where it is now, and must have room" if placed else ""
     nearer = "A spot is free when the centre of no robot and of no ball is nearer to it than"
-    yield Paragraph(f"{nearer} {', or '.join(than)}{itself}.")
+    yield Paragraph(f"{nearer} {', or '.join(than)}{_itself(scenario, nouns)}.")
+
+
+def _itself(scenario: Scenario, nouns: Nouns) -> str:
+    """Return what is asked of that which is put on a free spot: robots and balls count themselves, obstacles do not."""
+    put = [
+        (one.entity, rule)
+        for rule in (*scenario.rules.values(), None)
+        for one, _ in visit(scenario.placements if rule is None else rule.actions)
+        if isinstance(one, Place | Placing | Remove) and one.entity is not None and _on_a_free_spot(one)
+    ]
+    if not put:
+        return ""
+    meant = {name for entity, rule in put for name in meant_in(entity, rule, nouns.roster)}
+    obstacles = meant & scenario.obstacles.keys()
+    if obstacles == meant:
+        return "; what is to be put there must have room"
+    if not obstacles:
+        return "; what is to be put there counts as well where it is now, and must have room"
+    return (
+        "; a robot or a ball that is to be put there counts as well where it is now, and what is put there must have "
+        "room"
+    )
+
+
+def _on_a_free_spot(one: Place | Placing | Remove) -> bool:
+    return isinstance(one.back_at if isinstance(one, Remove) else one.at, NearestFree | FurthestFree)
 
 
 def _room(scenario: Scenario) -> Iterator[Block]:
@@ -152,13 +193,35 @@ def _room(scenario: Scenario) -> Iterator[Block]:
     models = [model for model, _ in visit((*scenario.rules.values(), scenario.placements))]
     placed = (isinstance(model, Place) and model.layout is None and model.on_failure == "retry" for model in models)
     laid = (isinstance(model, Placing) and model.on_failure == "retry" for model in models)
-    back = (isinstance(model, Remove) and model.for_s is not None for model in models)
-    if any(placed) or any(laid) or any(back):
+    back = any(isinstance(model, Remove) and model.for_s is not None for model in models)
+    if any(placed) or any(laid) or back:
+        where = _in_its_phase(scenario, back=back)
         yield Paragraph(
             "What a rule puts somewhere waits until there is room: while something else stands there, it stays where "
-            "it is (or off the field), and it is put there as soon as the place is free."
+            f"it is (or off the field), and it is put there as soon as the place is free{where}."
         )
 
+
+def _in_its_phase(scenario: Scenario, *, back: bool) -> str:
+    """Return that what a rule puts somewhere waits for its phase too, if some does not count in all of them.
+
+    Args:
+        scenario: the scenario.
+        back: whether something comes back after a time, which no phase keeps off.
+    """
+    everywhere = {"play", *scenario.phases}
+    somewhere = (rule for rule in scenario.rules.values() if rule.phases != "any" and set(rule.phases) != everywhere)
+    waiting = any(
+        isinstance(action, Place) and (action.layout is not None or action.on_failure == "retry")
+        for rule in somewhere
+        for action in rule.actions
+    )
+    unless = "; what comes back after its time waits for no phase" if back else ""
+    return f" in a phase in which that rule counts{unless}" if waiting else ""
+
+
+_OF_PLACES = Enters | Leaves | Crosses | StaysIn | Displaced | InZone | Distance
+"""Words that ask where something is."""
 
 _ON_THE_FIELD = Enters | Leaves | Crosses | Touches | Displaced | NoProgress | StaysIn | TipsOver
 """Triggers that never find who is off the field."""
@@ -167,7 +230,7 @@ _ON_THE_FIELD = Enters | Leaves | Crosses | Touches | Displaced | NoProgress | S
 def _back_sooner(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     """Return a sentence about what one rule takes off and another one puts somewhere: it is back then."""
     removals = [
-        (action, frozenset(_meant(action.entity, rule, nouns)))
+        (action, frozenset(meant_in(action.entity, rule, nouns.roster)))
         for rule in scenario.rules.values()
         for action in rule.actions
         if isinstance(action, Remove)
@@ -223,17 +286,8 @@ def _put(rule: Rule, scenario: Scenario, nouns: Nouns) -> frozenset[str]:
             entities = [action.entity] if action.entity is not None else []
         for entity in entities:
             if not _asks_for_presence(rule, entity):
-                found.update(_meant(entity, rule, nouns))
+                found.update(meant_in(entity, rule, nouns.roster))
     return frozenset(found)
-
-
-def _meant(names: str | tuple[str, ...], rule: Rule, nouns: Nouns) -> Iterator[str]:
-    """Yield what names in a rule may stand for."""
-    for name in (names,) if isinstance(names, str) else names:
-        if name == OTHER and has_other(rule):
-            yield from others_of(rule, rule.for_each, nouns.roster)
-        else:
-            yield from nouns.roster.may_be(rule.for_each if name == EACH and rule.for_each is not None else name)
 
 
 def _sharing(rules: list[_Named], nouns: Nouns) -> list[_Named]:
@@ -246,9 +300,10 @@ def _sharing(rules: list[_Named], nouns: Nouns) -> list[_Named]:
     ]
 
 
-def _only_one(names: list[str], whom: str) -> Iterator[str]:
+def _only_one(names: list[str], whom: str, still: str) -> Iterator[str]:
     if len(names) < 2:
         return
     which = listed([f"[{name}]" for name in names], "and")
     several = "both" if len(names) == 2 else "several of"
-    yield f"When {several} {which} happen{whom} in the same tick, only the first of them in the list above counts."
+    one = f"only the first of them in the list above counts{still}"
+    yield f"When {several} {which} happen{whom} in the same tick, {one}."

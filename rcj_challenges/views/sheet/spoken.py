@@ -189,7 +189,7 @@ def _measured(nouns: Nouns, rule: Rule) -> str:
 def _fires_at_its_limit(trigger: Any) -> bool:
     if trigger.trigger == "holds":
         return bool(trigger.for_s) and not trigger.every_s and not trigger.grace_s
-    return trigger.trigger in ("timer_expired", "time_reached")
+    return trigger.trigger == "timer_expired" or (trigger.trigger == "time_reached" and not trigger.every_s)
 
 
 def _limit_of(nouns: Nouns, trigger: Any) -> float | None:
