@@ -44,12 +44,12 @@ def new_scenario(name: str, preset: str) -> int:
         raise StarterError(f"no preset '{preset}'; there are {listing(known)}{nearest(preset, known)}")
     file = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
     if file.name in (".yaml", ".yml"):  # hidden on many systems, and nobody's name
-        raise StarterError(f"'{shown(name)}' is no name of a file; choose one such as slalom")
+        raise StarterError(f"'{shown(name)}' is no name of a file; choose one such as relay_race")
     if is_device_of_windows(file.name):
         raise StarterError(f"'{file.stem}' is a device on Windows, where no file has that name; choose another name")
     if _NO_LETTER.search(file.name):
         what = "a line break, a control character or stray bytes"
-        raise StarterError(f"'{shown(name)}' has {what} in it; choose a name such as slalom")
+        raise StarterError(f"'{shown(name)}' has {what} in it; choose a name such as relay_race")
     short = _identifier(file.stem)
     program = file.with_name(f"{file.stem}_team") / "robot.py"
     for path in (file, program):
@@ -94,7 +94,7 @@ def _identifier(stem: str) -> str:
     """Return a file's stem as a name: letters, digits and _, not beginning with a digit."""
     found = re.sub(r"[^A-Za-z0-9_]+", "_", stem).strip("_")[:_LONGEST_ID]
     if not found:
-        raise StarterError(f"'{stem}' has no letter a to z and no digit in it; choose a name such as slalom")
+        raise StarterError(f"'{stem}' has no letter a to z and no digit in it; choose a name such as relay_race")
     return f"_{found}"[:_LONGEST_ID] if found[0].isdigit() else found
 
 

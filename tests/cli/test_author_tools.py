@@ -239,7 +239,7 @@ class TestNew:
     def test_a_name_that_no_yaml_can_hold_is_refused_and_nothing_is_written(self, tmp_path, name):
         error = call("new", tmp_path / name).exception
         assert isinstance(error, StarterError)
-        assert "choose a name such as slalom" in str(error)
+        assert "choose a name such as relay_race" in str(error)
         assert list(tmp_path.iterdir()) == []
 
     @pytest.mark.parametrize("preset", PRESETS)
@@ -307,7 +307,7 @@ class TestNew:
     def test_a_name_without_a_letter_before_the_ending_is_none(self, tmp_path, monkeypatch, name):
         monkeypatch.chdir(tmp_path)
         done = call("new", name)
-        assert str(done.exception) == f"'{name}' is no name of a file; choose one such as slalom"
+        assert str(done.exception) == f"'{name}' is no name of a file; choose one such as relay_race"
         assert list(tmp_path.iterdir()) == []
 
     def test_a_name_that_no_system_takes_is_told_so(self, tmp_path):

@@ -38,7 +38,7 @@ def find_scenario(source: str | Path) -> Path:
 def _not_one_of_yours(shipped: Path) -> Path:
     """Return the file of a shipped scenario, unless it may be one of the current folder that is meant.
 
-    Who makes a slalom of their own, as the guide does, and leaves out ``.yaml``, must not be shown another one.
+    Who makes a challenge of a shipped name, as the guide does, and leaves out ``.yaml``, must not be shown another one.
     """
     own = own_of_that_name(shipped, Path())
     if own is None:
