@@ -12,7 +12,7 @@ from rcj_challenges.referee.sequences import seen_from
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.followed import followed
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.models.state import AnyStep, Sequence
+from rcj_challenges.scenario.models.state import Sequence
 from rcj_challenges.scenario.models.triggers import Crosses
 from rcj_challenges.scenario.roster import Roster
 
@@ -47,7 +47,7 @@ class WrongWays:
         self._first: dict[_Passage, int] = {}
 
     def _of_sequence(self, name: str, sequence: Sequence) -> Iterable[_Passage]:
-        steps = (one for step in sequence.steps for one in (step.any_of if isinstance(step, AnyStep) else (step,)))
+        steps = (one for places in sequence.places() for one in places)
         gates = [gate for gate in self._members(tuple(steps), None) if gate in self._gates]
         for entity in self._entities(followed(sequence), None):
             for gate in gates:

@@ -30,11 +30,12 @@ def _covered(zone: Zone, part: Corners) -> bool:
         if zone.inverted:
             return max(distances) > zone.radius_m
         return _distance(zone.centre_m, part) < zone.radius_m
-    inside = abs(_area(_clipped(_corners(zone), part)))
+    inside = abs(_area(_clipped(zone_corners(zone), part)))
     return abs(_area(part)) - inside > _NOTHING_M2 if zone.inverted else inside > _NOTHING_M2
 
 
-def _corners(zone: Zone) -> Corners:
+def zone_corners(zone: Zone) -> Corners:
+    """Return the corners of a zone in m, not inverted; a circle has many, an open side is far away."""
     match zone:
         case RectZone():
             west = -_FAR_M if zone.x_min_m is None else zone.x_min_m
@@ -101,7 +102,7 @@ def away_m(zone: Zone, point: Point) -> float:
     """Return how far a point is from a zone that is convex and not inverted, in m; 0 inside."""
     if isinstance(zone, CircleZone):
         return max(0.0, hypot(point[0] - zone.centre_m[0], point[1] - zone.centre_m[1]) - zone.radius_m)
-    return _distance(point, _corners(zone))
+    return _distance(point, zone_corners(zone))
 
 
 def to_segment_m(point: Point, a: Point, b: Point) -> float:
@@ -132,12 +133,12 @@ def _segment_in(a: Point, b: Point, part: Corners) -> bool:
 
 def lies_in(point: Point, zone: Zone) -> bool:
     """Return whether a point is in a zone."""
-    return _holds(_corners(zone), point) != zone.inverted
+    return _holds(zone_corners(zone), point) != zone.inverted
 
 
 def points_in(zone: Zone) -> list[Point]:
     """Return points of a bounded zone on a grid of `_ALONG` times `_ALONG`, fewer where it is no rect."""
-    corners = _corners(zone)
+    corners = zone_corners(zone)
     (x_0, x_1), (y_0, y_1) = ((min(axis), max(axis)) for axis in zip(*corners, strict=True))
     grid = [(i + 0.5) / _ALONG for i in range(_ALONG)]
     points = [(x_0 + i * (x_1 - x_0), y_0 + j * (y_1 - y_0)) for i in grid for j in grid]

@@ -1,8 +1,9 @@
-"""How long the halves of a match are: all alike, or each its own length."""
+"""How long the halves of a match are: all alike, or each its own length; longer where a phase stops the clock."""
 
 from __future__ import annotations
 
 from rcj_challenges.scenario.models.field import Match
+from rcj_challenges.scenario.models.scenario import Scenario
 
 
 def half_lengths_s(match: Match) -> tuple[float, ...]:
@@ -28,3 +29,8 @@ def half_length_s(match: Match, half: int) -> float:
 def longest_half_s(match: Match) -> float:
     """Return the length of the longest half that is played, in s."""
     return max(half_lengths_s(match))
+
+
+def clock_may_stop(scenario: Scenario) -> bool:
+    """Return whether a phase stops the clock, so that a half lasts longer than its length."""
+    return any(phase.clock == "stops" for phase in scenario.phases.values())

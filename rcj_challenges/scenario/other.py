@@ -61,6 +61,23 @@ def others_of(rule: Rule, each: str | None, roster: Roster) -> tuple[str, ...]:
     return tuple(sorted(found, key=roster.index.__getitem__))
 
 
+def meant_in(names: str | tuple[str, ...], rule: Rule | None, roster: Roster) -> frozenset[str]:
+    """Return what names in a rule may stand for; ``each``, ``other`` and draws are any that they may ever be.
+
+    Args:
+        names: as they are written.
+        rule: in which they are; None: in a layout.
+        roster: the roster.
+    """
+    found: set[str] = set()
+    for name in (names,) if isinstance(names, str) else names:
+        if rule is not None and name == OTHER and has_other(rule):
+            found.update(others_of(rule, rule.for_each, roster))
+        else:
+            found.update(roster.may_be(rule.for_each if rule is not None and name == EACH and rule.for_each else name))
+    return frozenset(found)
+
+
 def written_others(rule: Rule) -> tuple[str, ...]:
     """Return the names behind ``other`` as the rule's triggers write them: groups as groups."""
     touches = (trigger for trigger in rule.triggers if isinstance(trigger, Touches))

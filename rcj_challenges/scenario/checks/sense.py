@@ -10,7 +10,7 @@ from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.decided import check_decided_spots
 from rcj_challenges.scenario.drawn import never_drawn
 from rcj_challenges.scenario.errors import listing
-from rcj_challenges.scenario.halves import half_length_s, longest_half_s
+from rcj_challenges.scenario.halves import clock_may_stop, half_length_s, longest_half_s
 from rcj_challenges.scenario.models.actions import Bounded, Count, DrawAction, Place
 from rcj_challenges.scenario.models.base import Scalar, Strict
 from rcj_challenges.scenario.models.conditions import (
@@ -251,7 +251,7 @@ def _times(model: Strict, path: Path, scenario: Scenario, longest_s: float, *, h
             yield Found((*path, "half_s"), message, other=(*path, "halves"))
         case Expectation():
             yield from _script(model, path)
-            stops = any(phase.clock == "stops" for phase in scenario.phases.values())
+            stops = clock_may_stop(scenario)
             if model.lasts_s > half_s and not half_is_set and not stops:
                 yield Found((*path, "lasts_s"), f"{model.lasts_s:g} s is longer than a half, {half_s:g} s")
             if model.half > scenario.match.halves and not half_is_set:

@@ -8,13 +8,12 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.errors import Problem
 from rcj_challenges.scenario.models.actions import Place, Remove, SetPhase
 from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import CounterValue, DrawnDuration, DrawValue
-from rcj_challenges.scenario.other import has_other, others_of
+from rcj_challenges.scenario.other import meant_in
 from rcj_challenges.scenario.reading.merge import Repeated
 from rcj_challenges.scenario.references import REFERENCES, Field, Reference
 from rcj_challenges.scenario.roster import Roster
@@ -127,14 +126,7 @@ class Subject:
 
     def members(self, names: str | tuple[str, ...], rule: Rule) -> frozenset[str]:
         """Return what names in a rule may stand for; ``each``, ``other`` and draws are any that they may ever be."""
-        listed = (names,) if isinstance(names, str) else names
-        found: set[str] = set()
-        for name in listed:
-            if name == OTHER and has_other(rule):
-                found.update(others_of(rule, rule.for_each, self.roster))
-            else:
-                found.update(self.roster.may_be(rule.for_each if name == EACH and rule.for_each else name))
-        return frozenset(found)
+        return meant_in(names, rule, self.roster)
 
     def surely(self, names: str | tuple[str, ...], rule: Rule) -> frozenset[str]:
         """Return the same without what only a draw's name may stand for."""

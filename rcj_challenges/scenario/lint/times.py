@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from rcj_challenges.facts.timing import TICK_S, ticks_from_s
 from rcj_challenges.scenario.errors import listing
-from rcj_challenges.scenario.halves import half_lengths_s, longest_half_s
+from rcj_challenges.scenario.halves import clock_may_stop, half_lengths_s, longest_half_s
 from rcj_challenges.scenario.lint.logic import range_of, ways_to_hold
 from rcj_challenges.scenario.lint.moments import time_of
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect, lengths_s, lives_in
@@ -184,7 +184,7 @@ def check_last_tick(subject: Subject) -> Iterator[Suspect]:
         if isinstance(trigger, OnEvent)
     }
     # A clock that stops makes a half longer, in which a timer of its length runs out before the end.
-    clock_stops = any(phase.clock == "stops" for phase in subject.scenario.phases.values())
+    clock_stops = clock_may_stop(subject.scenario)
     for name, rule in subject.standing():
         waited = [action.event for action in rule.actions if isinstance(action, Emit) and action.event in heard]
         asked = _halves_of(rule, len(lengths_s)) if waited else []

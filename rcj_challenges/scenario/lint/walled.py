@@ -10,7 +10,6 @@ from rcj_challenges.scenario.lint.variants import BEFORE_END_M
 from rcj_challenges.scenario.models.conditions import InZone
 from rcj_challenges.scenario.models.places import RectZone
 from rcj_challenges.scenario.models.scenario import Rule
-from rcj_challenges.scenario.models.state import AnyStep
 from rcj_challenges.scenario.models.triggers import Enters, StaysIn
 from rcj_challenges.scenario.visiting import visit
 
@@ -30,7 +29,7 @@ def check_walled_zones(subject: Subject) -> Iterator[Suspect]:
         waiting += [
             way
             for way, sequence in subject.scenario.sequences.items()
-            if any(name in _places(step) and _places(step) <= behind for step in sequence.steps)
+            if any(name in places and behind.issuperset(places) for places in sequence.places())
         ]
         if waiting:
             yield Suspect(
@@ -64,7 +63,3 @@ def _waits_for(rule: Rule, behind: frozenset[str], subject: Subject) -> frozense
 
 def _asks_inside(condition: InZone) -> bool:
     return (condition.of == "none") == condition.negate
-
-
-def _places(step: str | AnyStep) -> frozenset[str]:
-    return frozenset((step,) if isinstance(step, str) else step.any_of)

@@ -137,6 +137,10 @@ class Sequence(Grown):
         "begins_anew, or left out: they are lost",
     )
 
+    def places(self) -> tuple[tuple[Name, ...], ...]:
+        """Return for each step the zones or gates that satisfy it."""
+        return tuple(step.any_of if isinstance(step, AnyStep) else (step,) for step in self.steps)
+
 
 class Phase(Grown):
     """A time in which only the rules that live in it run. ``play`` always exists."""

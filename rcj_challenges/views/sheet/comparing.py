@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from rcj_challenges.scenario.models.state import AnyStep, CounterValue
+from rcj_challenges.scenario.models.state import CounterValue
 from rcj_challenges.views.sheet.nouns import Nouns, Subject, plain, quoted, quoted_measure
 from rcj_challenges.views.sheet.phrases import amount, number
 
@@ -56,9 +56,7 @@ def sequence_words(nouns: Nouns, c: Any) -> str:
     """Return a condition on the step at which a sequence stands."""
     who, step = _asked(nouns, "sequence", c.sequence, c), nouns.thing(c.step)
     sequence = nouns.scenario.sequences[c.sequence]
-    final = sequence.steps[-1]
-    ends = nouns.roster.expand(final.any_of if isinstance(final, AnyStep) else final)
-    if not sequence.cyclic and c.step in ends:
+    if not sequence.cyclic and c.step in nouns.roster.expand(sequence.places()[-1]):
         # It begins anew when it is complete, but what it stands at is the step that was reached last.
         step += " (complete, until its next step)"
     if who is not None:

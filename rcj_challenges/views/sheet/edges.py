@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from rcj_challenges.scenario.catalogue import EACH
+from rcj_challenges.scenario.halves import clock_may_stop
 from rcj_challenges.scenario.models.state import CounterValue, DrawValue, HighestOfOthers, LowestOfOthers
 from rcj_challenges.views.sheet.comparing import (
     counter_words,
@@ -46,7 +47,7 @@ def _phase_entered(_nouns: Nouns, t: Any) -> str:
 def _time_reached(nouns: Nouns, t: Any) -> str:
     again = f", and again every {seconds(t.every_s)} until it ends" if t.every_s else ""
     # Where a phase stops the clock, the half lasts longer than that shows.
-    stops = any(phase.clock == "stops" for phase in nouns.scenario.phases.values())
+    stops = clock_may_stop(nouns.scenario)
     return f"the {'clock of the half has reached' if stops else 'half has lasted'} {seconds(t.at_s)}{again}"
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from itertools import combinations
 from math import inf
 
-from rcj_challenges.scenario.models.places import CircleZone, PolygonZone, RectZone, Zone
+from rcj_challenges.scenario.floor_shapes import zone_corners
+from rcj_challenges.scenario.models.places import Zone
 
 _Box = tuple[float, float, float, float]
 """(x_min, x_max, y_min, y_max) in m."""
@@ -23,17 +24,5 @@ def may_meet(zones: list[Zone]) -> bool:
 def _box_around(zone: Zone) -> _Box:
     if zone.inverted:
         return -inf, inf, -inf, inf
-    match zone:
-        case RectZone():
-            low, high = (zone.x_min_m, zone.y_min_m), (zone.x_max_m, zone.y_max_m)
-            (x_min, y_min), (x_max, y_max) = (
-                [limit if one is None else one for one in ends] for ends, limit in ((low, -inf), (high, inf))
-            )
-            return x_min, x_max, y_min, y_max
-        case CircleZone():
-            (x, y), far = zone.centre_m, zone.radius_m
-            return x - far, x + far, y - far, y + far
-        case PolygonZone():
-            xs, ys = zip(*zone.points_m, strict=True)
-            return min(xs), max(xs), min(ys), max(ys)
-    return -inf, inf, -inf, inf
+    xs, ys = zip(*zone_corners(zone), strict=True)
+    return min(xs), max(xs), min(ys), max(ys)

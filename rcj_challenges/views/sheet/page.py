@@ -9,10 +9,10 @@ from collections.abc import Set as AbstractSet
 from rcj_challenges.scenario.blanks import description_of
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.followed import followed, phases_of
-from rcj_challenges.scenario.halves import half_lengths_s
+from rcj_challenges.scenario.halves import clock_may_stop, half_lengths_s
 from rcj_challenges.scenario.models.actions import DrawAction, Hold, Place, Score, SequenceAction
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Result, Rule, Scenario
-from rcj_challenges.scenario.models.state import AnyStep, CounterValue, Draw, Phase, Sequence, Timer
+from rcj_challenges.scenario.models.state import CounterValue, Draw, Phase, Sequence, Timer
 from rcj_challenges.scenario.models.triggers import NoProgress
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.drawing.beside import layouts_of
@@ -196,7 +196,7 @@ def _drawn_by_rules(nouns: Nouns, *, anew: bool) -> set[str]:
 
 
 def _sequence_words(nouns: Nouns, name: str, sequence: Sequence) -> str:
-    places = [step.any_of if isinstance(step, AnyStep) else (step,) for step in sequence.steps]
+    places = sequence.places()
     way = ", then ".join(map(nouns.any_of, places)) + (" and back to the first" if sequence.cyclic else "")
     owners, made = nouns.owners("sequence", name), _step_words(nouns, [name for step in places for name in step])
     who = nouns.all_of(followed(sequence)).text if owners is None else f"that {nouns.kinds_of(owners)}"
@@ -286,7 +286,7 @@ def _criterion_words(nouns: Nouns, criterion: RankByScore | RankByTime | RankByC
     if isinstance(criterion, RankByCounter):
         larger = "larger" if criterion.order == "descending" else "smaller"
         return f"a {larger} value of {_own_counter(nouns, criterion.counter)}{_added_up(nouns, criterion.counter)}"
-    stops = any(phase.clock == "stops" for phase in nouns.scenario.phases.values())
+    stops = clock_may_stop(nouns.scenario)
     how = [
         *(["of all halves together"] if nouns.scenario.match.halves > 1 else []),
         *(["also counted while the clock stands still"] if stops else []),

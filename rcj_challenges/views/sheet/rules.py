@@ -30,9 +30,8 @@ from rcj_challenges.scenario.models.triggers import (
     TipsOver,
     Touches,
 )
-from rcj_challenges.scenario.other import names_other, others_of
+from rcj_challenges.scenario.other import meant_in, names_other, others_of
 from rcj_challenges.scenario.visiting import visit
-from rcj_challenges.views.sheet.absent import meant_in
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph
 from rcj_challenges.views.sheet.deeds import action_words
 from rcj_challenges.views.sheet.edges import condition_words, trigger_words
@@ -230,7 +229,7 @@ _ON_THE_FIELD = Enters | Leaves | Crosses | Touches | Displaced | NoProgress | S
 def _back_sooner(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     """Return a sentence about what one rule takes off and another one puts somewhere: it is back then."""
     removals = [
-        (action, frozenset(meant_in(action.entity, rule, nouns.roster)))
+        (action, meant_in(action.entity, rule, nouns.roster))
         for rule in scenario.rules.values()
         for action in rule.actions
         if isinstance(action, Remove)
