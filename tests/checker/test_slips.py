@@ -10,7 +10,8 @@ import pytest
 from rcj_challenges.checker.advice.slips import on_slip
 from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.scenario.load import load
-from tests.checker.alone import alone
+from tests.checker.alone import ONE_EACH, alone
+from tests.checker.small_team import write_team
 
 pytestmark = pytest.mark.usefixtures("sources_read_here")
 
@@ -225,6 +226,32 @@ def test_a_method_that_is_given_too_much_and_has_self_is_told_nothing_of_it(meth
 )
 def test_words_of_python_that_do_not_tell_what_is_meant_are_explained(detail, told):
     assert on_slip(f"{detail} (robot.py, line 3)", {PurePosixPath("robot.py"): b""}).startswith(told)
+
+
+@pytest.mark.parametrize(
+    ("key", "told"),
+    [
+        (
+            "robot.getName()",
+            '"Y1" is this robot\'s own name: the same program plays for both colours, write an entry for ',
+        ),
+        (
+            "robot.getName()[0]",
+            '"Y" is the first letter of "Y1", this robot\'s own name: the same program plays for both',
+        ),
+    ],
+)
+def test_a_program_that_knows_the_robots_of_one_colour_only_is_told_of_the_other(tmp_path, key, told):
+    lookup = f"{{'B1': 'goalie', 'B2': 'left', 'B3': 'right', 'B': 1}}[{key}]\n"
+    path = write_team(tmp_path / "teams" / "team.zip", BEGIN + lookup + LOOP)
+    report = check_file(path, load("match", ONE_EACH), CheckOptions(play_s=0.5))
+    remedies = {one.remedy for stage in report.stages for one in stage.findings if one.level == "failure"}
+    assert [remedy for remedy in remedies if remedy.startswith(told)], remedies
+
+
+@pytest.mark.parametrize("key", ["'ball'", "'Y2'", "'Y'"])
+def test_of_any_other_key_that_is_missing_nothing_is_guessed(failure, key):
+    assert "own name" not in failure(BEGIN + f"{{}}[{key}]\n" + LOOP).remedy
 
 
 def test_of_other_crashes_nothing_is_said():

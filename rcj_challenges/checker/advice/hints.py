@@ -51,6 +51,7 @@ _HEARS_THE_REFEREE = re.compile(rb"\bsupervisor\b")  # the name of its receiver 
 _NO_SUCH_NAME = re.compile(r"cannot import name '(?P<name>\w+)' from (partially initialized module )?'(?P<module>\w+)'")
 _NO_SUCH_MODULE = re.compile(r"No module named '(?:\w+\.)*(?P<module>\w+)'")
 _NO_SUCH_ATTRIBUTE = re.compile(r"module '(?P<module>\w+)' has no attribute '(?P<name>\w+)'")
+_NO_SUCH_KEY = re.compile(r"^KeyError: '(?P<key>\w{1,100})'")
 _CAME_TO_ITS_END = "the program came to its end"
 _CALLED_EXIT = "the program called sys.exit"
 _LATER = (
@@ -114,7 +115,7 @@ def hint_at_once(scenario: Scenario, team: Team, fault: Mapping[str, Any], sandb
     if fault["kind"] == "crash":
         outside = on_messages(scenario, team, fault) or on_files(team, fault)
         names = outside or _on_names(team, fault, sandbox)
-        return names or _on_typing(fault["detail"]) or _on_system(team, fault) or _on_slip(team, fault)
+        return names or _on_typing(fault["detail"]) or _on_system(team, fault) or _on_slip(scenario, team, fault)
     if fault["kind"] == "exit" and fault["detail"].startswith(_CAME_TO_ITS_END):
         entry = team.entries.get(fault["robot"])
         has_stepped = fault["tick"] > 0
@@ -298,9 +299,21 @@ def _on_system(team: Team, fault: Mapping[str, Any]) -> Hint | None:
     return Hint(remedy) if remedy else None
 
 
-def _on_slip(team: Team, fault: Mapping[str, Any]) -> Hint | None:
-    remedy = on_slip(fault["detail"], team.files)
+def _on_slip(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hint | None:
+    remedy = on_slip(fault["detail"], team.files) or _on_own_name(scenario, fault)
     return Hint(remedy) if remedy else None
+
+
+def _on_own_name(scenario: Scenario, fault: Mapping[str, Any]) -> str:
+    """Tell of a program that looks something up by its robot's name, or its colour, and knows that of others only."""
+    robot, found = fault["robot"], _NO_SUCH_KEY.match(fault["detail"])
+    if found is None or found["key"] not in (robot, robot[0]):
+        return ""
+    key = found["key"]
+    names = ", ".join(dict.fromkeys(name if key == robot else name[0] for name in scenario.robots))
+    letter_of = "" if key == robot else f'the first letter of "{shown(robot)}", '
+    both = "the same program plays for both colours, " if len(scenario.entrants) > 1 else ""
+    return f'"{shown(key)}" is {letter_of}this robot\'s own name: {both}write an entry for each (here {names})'
 
 
 def _on_place(team: Team, kind: str, whereabouts: str) -> Hint | None:
