@@ -11,7 +11,7 @@ from rcj_challenges.records.testing import half_info, small_header, small_scenar
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.state import Phase
 from rcj_challenges.views.replay import write_replay
-from tests.views.browser_stage import NO_WEBGL, settled
+from tests.views.browser_stage import NARROW, NO_WEBGL, settled
 
 PLAYED, STOPPED_AT, STOPPED = 125, 50, 75  # ticks: 4 s of play, of which 2.4 s are no time of the half
 
@@ -51,3 +51,9 @@ def test_the_time_for_which_the_clock_stood_is_told_beside_it(
     settled(page)
     assert page.inner_text("#half") == length
     assert (page.inner_text("#phase") if page.is_visible("#phase") else "") == phase
+
+
+def test_on_a_phone_it_is_told_in_fewer_words_as_there_is_less_room(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, f"#h1t{STOPPED_AT + 32}", anew=True, script=NO_WEBGL, viewport=NARROW)
+    settled(page)
+    assert page.inner_text("#half") == "of 0:04 + 0:01"

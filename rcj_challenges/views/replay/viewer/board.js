@@ -54,8 +54,9 @@ class Board {
     if (key === this.shown) return;
     this.shown = key;
     const planned = Recording.clockText(track.facts.planned_ticks * recording.tickSeconds).replace(/\.0$/, "");
-    const length = stopped ? `${planned} + ${Recording.clockText(stopped).replace(/\.0$/, "")} stopped` : planned;
+    const length = stopped ? `${planned} + ${Recording.clockText(stopped).replace(/\.0$/, "")}` : planned;
     this.half.textContent = recording.facts.halves_planned > 1 ? `half ${track.facts.half} of ${recording.facts.halves_planned} · ${length}` : `of ${length}`;
+    if (stopped) this.half.append(element("span", "long", " stopped"));
     const name = phase.name === "play" ? "" : phase.name.replaceAll("_", " ");
     this.phase.textContent = [name, held, phase.stopped ? "clock stopped" : ""].filter(Boolean).join(" · ");
     this.phase.hidden = !this.phase.textContent;
