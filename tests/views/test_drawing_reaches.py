@@ -24,6 +24,7 @@ title: Small
 extends: soccersim_v2
 spots: {hill: {x_m: 0.1, y_m: 0.2}}
 groups: {marks: [hill, centre]}
+counters: {reach_m: {initial: 0.3}, none_yet: {}}
 rules:
   near:
     triggers: [{trigger: half_started}]
@@ -66,6 +67,12 @@ def reaches(picture: str) -> list[tuple[float, float, float, str]]:
         ("{condition: spot_free, spot: hill, clearance_m: 0}", []),
         (NEAR % ("marks", "at_most: 0.1"), [(0.1, 0.2, 0.1, "0.1 m from hill"), (0.0, 0.0, 0.1, "0.1 m from centre")]),
         (NEAR % ("ball", "at_most: 0.1"), []),  # it moves
+        (
+            NEAR % ("hill", "at_least: 0.1, at_most: {counter: reach_m}"),
+            [(0.1, 0.2, 0.1, "0.1 m from hill"), (0.1, 0.2, 0.3, "0.3 m from hill (reach_m at first; rules count it)")],
+        ),
+        (NEAR % ("hill", "at_most: {counter: none_yet}"), []),
+        (NEAR % ("hill", "at_most: {counter: yellow}"), []),
         (NEAR % ("hill", "at_most: 0.2") + ", " + NEAR % ("hill", "at_most: 0.2"), [(0.1, 0.2, 0.2, "0.2 m from hill")]),
         ("{condition: any_of, conditions: [" + NEAR % ("hill", "at_most: 0.2") + "]}", [(0.1, 0.2, 0.2, "0.2 m from hill")]),
     ],

@@ -9,6 +9,7 @@ from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.models.conditions import Distance, SpotFree
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.models.state import Bound, CounterValue
 from rcj_challenges.scenario.models.triggers import Displaced
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.visiting import visit
@@ -24,21 +25,25 @@ class Reach(NamedTuple):
         name: of the spot, the zone, the gate or the fixed obstacle; empty for a point.
         centre_m: the circle's centre, [x, y] in m; of a spot that rules set, where it is when a half starts. None of a
             zone, a gate and a wall.
+        counter: whose initial value the distance is; empty of a number.
     """
 
     radius_m: float
     name: str
     centre_m: Point | None = None
+    counter: str = ""
 
     def words(self, unit: str = "") -> str:
-        """Return it for the legend: ``0.2 from hill``."""
-        return f"{self.radius_m:g}{unit} from {self.name or point_words(self.centre_m or (0.0, 0.0))}"
+        """Return it for the legend: ``0.2 from hill``, ``0.3 from hill (radius at first; rules count it)``."""
+        counted = f" ({self.counter} at first; rules count it)" if self.counter else ""
+        return f"{self.radius_m:g}{unit} from {self.name or point_words(self.centre_m or (0.0, 0.0))}{counted}"
 
 
 def reaches(scenario: Scenario, roster: Roster) -> list[Reach]:
     """Return what rules measure from what stands still, each once, in the order of the rules.
 
-    What is measured from something that moves, or against a counter, has no place of its own and is left out.
+    What is measured from something that moves has no place of its own and is left out. Of a counter it is the initial
+    value, which changes with the file as any number does.
     """
     return list(dict.fromkeys(reach for rule in scenario.rules.values() for reach in _of_rule(rule, scenario, roster)))
 
@@ -46,15 +51,28 @@ def reaches(scenario: Scenario, roster: Roster) -> list[Reach]:
 def _of_rule(rule: Rule, scenario: Scenario, roster: Roster) -> Iterator[Reach]:
     for model, _ in visit(rule):
         if isinstance(model, Distance):
-            bounds = (model.at_least, model.at_most, model.equals)
+            bounds = [
+                (radius_m, counter)
+                for bound in (model.at_least, model.at_most, model.equals)
+                for radius_m, counter in _at_first(bound, scenario)
+                if radius_m > 0
+            ]
             for name, centre in _places(model.to, rule, scenario, roster):
-                yield from (Reach(one, name, centre) for one in bounds if isinstance(one, int | float) and one > 0)
+                yield from (Reach(radius_m, name, centre, counter) for radius_m, counter in bounds)
         elif isinstance(model, SpotFree) and model.clearance_m > 0:
             names = (model.spot,) if isinstance(model.spot, str) else model.spot
             for name, centre in (place for one in names for place in _places(one, rule, scenario, roster)):
                 yield Reach(model.clearance_m, name, centre)
         elif isinstance(model, Displaced) and not isinstance(model.from_, str) and model.axis == "distance":
             yield Reach(model.distance_m, "", model.from_)
+
+
+def _at_first(bound: Bound | None, scenario: Scenario) -> Iterator[tuple[float, str]]:
+    """Yield a bound that is known before the match, and the counter of which it is the initial value."""
+    if isinstance(bound, int | float):
+        yield bound, ""
+    elif isinstance(bound, CounterValue) and bound.counter in scenario.counters:
+        yield scenario.counters[bound.counter].initial, bound.counter
 
 
 def _places(to: str | Point, rule: Rule, scenario: Scenario, roster: Roster) -> Iterator[tuple[str, Point | None]]:
