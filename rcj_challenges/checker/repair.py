@@ -33,7 +33,7 @@ _FOLDER_MARK = 0x10
 _UNIX = 3
 # What writing the archive anew puts right by itself, and how to say so.
 _BY_WRITING = {
-    "archive.leftovers": "left out what other programs had left behind",
+    "archive.leftovers": "left out what is none of the team's work (of the system, of editors, records of runs)",
     "archive.backslashes": "separated folders and files by /",
     "archive.no_folders": "added entries for the folders",
     "archive.prepended": "left out what stood before the archive",

@@ -111,7 +111,7 @@ def test_what_was_done_is_listed(tmp_path: Path) -> None:
     }
     result, out = repaired(tmp_path, plain(files))
     assert result.done == [
-        "left out what other programs had left behind",
+        "left out what is none of the team's work (of the system, of editors, records of runs)",
         "renamed the folder My Team/robots to rcj_soccer_team_blue",
         "took everything out of the extra folder My Team",
         "took the team's name from teamname.txt to team_name.txt",
