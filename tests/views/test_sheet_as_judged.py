@@ -68,6 +68,46 @@ def test_that_zones_are_entered_as_one_is_said_where_they_meet(other: str, more:
     assert words in sentence(f"triggers: [{{trigger: enters, entity: ball, zone: {zone}}}], {E}", ZONES % other + more)
 
 
+@pytest.mark.parametrize(
+    ("rule", "words", "before"),
+    [
+        (
+            "for_each: ab, triggers: [{trigger: enters, entity: ball, zone: each}]",
+            "the ball enters it:",
+            "{event: E}, ",
+        ),
+        (
+            "triggers: [{trigger: enters, entity: ball, zone: hot}]",
+            "enters the zone drawn as “hot” (the zone “b” or the zone “c”):",
+            "",
+        ),
+    ],
+)
+def test_one_zone_at_a_time_is_entered_from_the_next_one_as_well(rule: str, words: str, before: str):
+    assert words in judged(f"""{ZONES % BESIDE}
+  c: {{shape: rect, x_min_m: 0, x_max_m: 0.1, y_min_m: -0.3, y_max_m: 0.3}}
+groups: {{ab: [a, b]}}
+draws: {{hot: {{values: [b, c]}}}}
+rules:
+  it: {{{rule}, {E}}}
+expect:
+  it:
+    lasts_s: 2
+    draws: {{hot: b}}
+    keyframes: [{{at_s: 0.1, place: {{ball: [0, 0.5]}}}}, {{at_s: 0.5, place: {{ball: [-0.2, 0.1]}}}},
+                {{at_s: 1, move: {{ball: [-0.05, 0.1]}}}}]
+    events: [{before}{{event: E}}]
+""")
+
+
+def test_of_one_zone_or_a_drawn_one_both_are_left_where_they_may_meet():
+    words = "enters the zone “a” or the zone drawn as “hot” (the zone “b” or the blue goal) from outside both: "
+    more = "draws: {hot: {values: [b, blue_goal]}}\n"
+    assert words in sentence(
+        f"triggers: [{{trigger: enters, entity: ball, zone: [a, hot]}}], {E}", ZONES % BESIDE + more
+    )
+
+
 def test_another_place_of_the_step_reached_last_breaks_no_sequence():
     text = judged(f"""{ZONES % APART}
   c: {{shape: rect, x_min_m: -0.05, x_max_m: 0.1, y_min_m: -0.3, y_max_m: 0.3}}
