@@ -158,6 +158,17 @@ def test_who_is_nowhere_is_not_in_the_goal_and_so_is_meant() -> None:
     assert "as soon as [stuck] puts it somewhere" in said
 
 
+IN_A_GOAL = "{trigger: enters, entity: robots, zone: blue_goal}"
+ANY_IN_GOAL = "{condition: in_zone, entity: robots, zone: blue_goal}"
+
+
+@pytest.mark.parametrize("rule", [f"triggers: [{IN_A_GOAL}]", f"triggers: [{GOAL}], conditions: [{ANY_IN_GOAL}]"])
+def test_one_robot_in_the_goal_brings_all_of_them_back(rule: str) -> None:
+    puts = f"again: {{{rule}, actions: [{{action: place, entity: robots, at: start}}]}}"
+    (said,) = said_of_the_gone("{action: remove, entity: each}", puts)
+    assert "as soon as [again] puts it somewhere" in said
+
+
 def test_a_rule_for_each_that_waits_for_a_time_brings_all_back() -> None:
     puts = (
         "again: {for_each: robots, triggers: [{trigger: time_reached, at_s: 30}], "
