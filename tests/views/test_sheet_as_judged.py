@@ -375,3 +375,20 @@ expect:
     events: [{{event: E}}]
 """)
     assert "The last to touch something is the robot that touched it last since a rule put it where it is; if " in text
+
+
+def test_a_last_step_that_comes_before_as_well_does_not_say_that_the_sequence_is_complete():
+    text = judged(f"""{ZONES % APART}
+sequences: {{way: {{entity: ball, steps: [a, b, a]}}}}
+rules:
+  it:
+    triggers: [{{trigger: time_reached, at_s: 1}}]
+    conditions: [{{condition: sequence_at, sequence: way, step: a}}]
+    {E}
+expect:
+  it:
+    lasts_s: 2
+    keyframes: [{{at_s: 0.5, place: {{ball: [-0.2, 0.1]}}}}]
+    events: [{{event: E, at_s: 1}}]
+""")
+    assert "stands at the zone “a” (also when it is complete, until its next step): E is announced." in text

@@ -56,9 +56,11 @@ def sequence_words(nouns: Nouns, c: Any) -> str:
     """Return a condition on the step at which a sequence stands."""
     who, step = _asked(nouns, "sequence", c.sequence, c), nouns.thing(c.step)
     sequence = nouns.scenario.sequences[c.sequence]
-    if not sequence.cyclic and c.step in nouns.roster.expand(sequence.places()[-1]):
+    *before, last = map(nouns.roster.expand, sequence.places())
+    if not sequence.cyclic and c.step in last:
         # It begins anew when it is complete, but what it stands at is the step that was reached last.
-        step += " (complete, until its next step)"
+        also = "also when it is " if any(c.step in places for places in before) else ""
+        step += f" ({also}complete, until its next step)"
     if who is not None:
         return f"{who.does('has', 'have')} a sequence {quoted(c.sequence)} that stands at {step}"
     stands = "does not stand" if c.negate else "stands"
