@@ -58,7 +58,6 @@ def test_of_two_that_touch_one_must_be_able_to_move(entity, other):
     [
         ("{trigger: touches, entity: B3, other: B3}", "B3"),
         ("{trigger: touches, entity: [B3], other: B3}", "B3"),
-        ("{trigger: touches, entity: balls, other: ball}", "ball"),
         ("{trigger: touches, entity: each, other: each}", "each"),
     ],
 )

@@ -325,7 +325,7 @@ class _Walker:
     def _who_moves(self, touch: Entries, path: Path, bound: Bound) -> None:
         """Check that one of the two that touch can come to the other."""
         entity, other = (bound.meant(touch.entries.get(key), self.names) for key in ("entity", "other"))
-        message = touching_itself(touch, entity, other)
+        message = touching_itself(touch, self.names)
         if entity and other and all(self.names.kinds.get(one) in _STANDING for one in (*entity, *other)):
             message = f"'{entity[0]}' and '{other[0]}' never move, so that they never touch; name a robot or a ball"
         if message:
