@@ -254,6 +254,35 @@ expect:
 
 
 @pytest.mark.parametrize(
+    ("to", "gone", "words", "fires"),
+    [
+        ("blue", "B1", "from the nearest of the blue robots", False),  # B2 is near enough
+        ("blue", "blue", "from the nearest of the blue robots, or all of the blue robots are off the field", True),
+        ("yellow", "yellow", "from the nearest other one of the yellow robots, or off the field, or all of the others are",
+         True),
+        ("yellow", "[Y2, Y3]", "from the nearest other one of the yellow robots, or all of the others are off the field",
+         True),
+        ("B1", "B1", "from B1, or B1 is off the field", True),
+    ],
+)  # fmt: skip
+def test_of_a_group_the_others_count_while_the_nearest_is_off_the_field(to: str, gone: str, words: str, fires: bool):
+    text = judged(f"""
+rules:
+  it:
+    triggers: [{{trigger: time_reached, at_s: 1}}]
+    conditions: [{{condition: distance, entity: Y1, to: {to}, at_most: 0.1, negate: true}}]
+    {E}
+  off: {{triggers: [{{trigger: time_reached, at_s: 0.5}}], actions: [{{action: remove, entity: {gone}}}]}}
+expect:
+  it:
+    lasts_s: 2
+    keyframes: [{{at_s: 0.1, place: {{Y1: [0, 0.3], B1: [0, 0.33], B2: [0, 0.25], Y2: [0.05, 0.3]}}}}]
+    events: [{"{event: E}" * fires}]
+""")
+    assert f"provided that Y1 is more than 0.1 m {words}: E is announced." in text
+
+
+@pytest.mark.parametrize(
     ("halves", "keep", "words"),
     [
         (1, "", "west or east, never the same twice running."),
