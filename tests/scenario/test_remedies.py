@@ -113,6 +113,11 @@ def test_a_place_of_a_keyframe_is_a_list_of_numbers(place):
     assert "in brackets, also of one" not in text
 
 
+def test_the_values_of_a_draw_are_no_list_of_mappings():
+    (text,) = complaints(rule() + "draws: {side: {values: {west: 1, east: 2}}}\n")
+    assert text == "draws.side.values: expected a list, found a mapping with west, east"
+
+
 @pytest.mark.parametrize(
     ("body", "remedy"),
     [
