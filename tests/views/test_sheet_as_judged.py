@@ -153,6 +153,12 @@ expect:
 """)
 
 
+def test_what_is_laid_out_waits_for_a_phase_of_its_rule_as_well():
+    rule = WAITS.replace("{action: place, entity: ball, at: {point: [0, 0]}}", "{action: place, layout: all}")
+    layout = "placements: {all: [{entity: ball, at: {point: [0, 0]}}]}\n"
+    assert "as soon as the place is free in a phase in which that rule counts." in sheet(layout + rule % "")
+
+
 def test_what_comes_back_after_a_time_waits_for_no_phase():
     text = judged(f"""
 phases: {{pause: {{lasts_s: 9}}}}
@@ -421,3 +427,11 @@ expect:
     events: [{{event: E, at_s: 1}}]
 """)
     assert "stands at the zone “a” (also when it is complete, until its next step): E is announced." in text
+
+
+@pytest.mark.parametrize(("step", "cyclic"), [("a", "false"), ("b", "true")])
+def test_at_a_step_that_completes_nothing_a_sequence_merely_stands(step: str, cyclic: str):
+    way = f"sequences: {{way: {{entity: ball, steps: [a, b], cyclic: {cyclic}}}}}\n"
+    asks = f"conditions: [{{condition: sequence_at, sequence: way, step: {step}}}]"
+    said = sentence(f"triggers: [{{trigger: time_reached, at_s: 1}}], {asks}, {E}", ZONES % APART + way)
+    assert said.endswith(f"provided that the sequence “way” stands at the zone “{step}”: E is announced.")

@@ -177,6 +177,25 @@ def test_a_rule_for_each_that_waits_for_a_time_brings_all_back() -> None:
     assert "as soon as [again] puts it somewhere" in said_of_the_gone("{action: remove, entity: each}", puts)[0]
 
 
+def test_one_trigger_that_brings_it_back_suffices() -> None:
+    leaves = "{trigger: leaves, entity: each, zone: pitch}"
+    for other in ("{trigger: time_reached, at_s: 30}", "{trigger: half_started}, {trigger: time_reached, at_s: 30}"):
+        puts = OUT.replace(leaves, f"{leaves}, {other}")
+        assert "as soon as [out] puts it somewhere" in said_of_the_gone("{action: remove, entity: each}", puts)[0]
+
+
+def test_who_is_asked_for_in_no_zone_may_be_off_the_field() -> None:
+    puts = STAYS % (IN_GOAL.replace("}", ", of: none}"), "")
+    assert "as soon as [stuck] puts it somewhere" in said_of_the_gone("{action: remove, entity: each}", puts)[0]
+
+
+def test_the_time_is_over_sooner_only_for_whom_a_rule_brings_back() -> None:
+    for_a_time = "{action: remove, entity: B1, for_s: 60}, {action: remove, entity: Y1}"
+    assert said_of_the_gone(for_a_time, KICK_OFF % (GOAL, "entity: Y1, at: start")) == [
+        "A robot that was taken off the field is back as soon as [kick_off] puts it somewhere."
+    ]
+
+
 def test_the_match_tells_that_a_kick_off_brings_damaged_robots_back() -> None:
     loaded = load("match")
     said = " ".join(sheet_markdown(loaded.scenario, loaded.roster).replace("\\", "").split())
