@@ -51,3 +51,23 @@ def test_the_time_for_which_the_clock_stood_is_told_beside_it(
     settled(page)
     assert page.inner_text("#half") == length
     assert (page.inner_text("#phase") if page.is_visible("#phase") else "") == phase
+
+
+@pytest.mark.parametrize(("width", "height"), [(360, 740), (740, 360), (900, 700)])
+def test_on_a_phone_it_is_told_in_whole_and_nothing_is_pushed_over_the_scores(
+    width: int, height: int, show: Callable[..., Any], run: Path
+) -> None:
+    page = show(run, f"#h1t{PLAYED + STOPPED}", script=NO_WEBGL, viewport={"width": width, "height": height})
+    settled(page)
+    half, stopped, teams = map(page.locator, ("#half", "#half .stopped", ".teams"))
+    assert half.inner_text().split() == ["of", "0:04", "+", "0:02", "stopped"]
+    half.evaluate("half => { half.firstChild.textContent = 'half 1 of 2 · 10:00 '; }")
+    stopped.evaluate("told => { told.textContent = '+ 10:00 stopped'; }")
+    assert half.evaluate("half => half.scrollWidth <= half.clientWidth")
+    room_px = teams.evaluate("teams => teams.clientWidth")
+    stopped.evaluate("told => told.remove()")
+    assert teams.evaluate("teams => teams.clientWidth") == room_px
+    page.locator(".team .name").first.evaluate("name => { name.textContent = 'The long name of a team and more'; }")
+    for score in page.locator(".team .score").all():
+        score.evaluate("score => { score.textContent = '-12.5'; }")
+        assert score.evaluate("score => score.scrollWidth <= score.clientWidth")
