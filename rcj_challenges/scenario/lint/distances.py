@@ -55,10 +55,10 @@ def check_distances(subject: Subject) -> Iterator[Suspect]:
 
 def _is_of_itself(model: Distance, rule: Rule, subject: Subject) -> bool:
     names = (model.entity,) if isinstance(model.entity, str) else model.entity
-    if not isinstance(model.to, str) or len(names) != 1:
+    if not isinstance(model.to, str) or names != (model.to,):
         return False
     # Of a group the nearest other one counts; a group of one has no other.
-    return names == (model.to,) and (model.to == EACH or subject.members(model.to, rule) == {model.to})
+    return model.to == EACH or subject.members(model.to, rule) == {model.to}
 
 
 def _limits(model: Distance, path: Path, far_m: float, subject: Subject, rule: Rule) -> Iterator[Suspect]:
