@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
@@ -54,7 +55,8 @@ def points_in(
     for line in lines:
         for seat, scored in () if line.get("suppressed") else line.get("scored", {}).items():
             team = teams_in(line["half"]).get(seat, seat)
-            points[team] = on_paper(points.get(team, 0) + scored)
+            if team in points:  # in a damaged log any name may stand
+                points[team] = on_paper(points[team] + scored)
     return points
 
 
@@ -76,4 +78,5 @@ def _line(text: bytes) -> dict[str, Any] | None:
     if needed is None or not all(isinstance(line.get(key), kind) for key, kind in (_PLACE | needed).items()):
         return None
     scored = line.get("scored", {})
-    return line if all(isinstance(points, int | float) for points in scored.values()) else None
+    numbers = all(isinstance(points, int | float) and abs(points) < math.inf for points in scored.values())
+    return line if numbers else None

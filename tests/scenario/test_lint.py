@@ -319,7 +319,12 @@ class TestState:
         assert found == ["zone_never_used", "gate_never_used", "sequence_never_used", "layout_never_used"]
 
     @pytest.mark.parametrize(
-        ("body", "name"), [("zones: {pitch: {y_max_m: 0.5}}", "pitch"), ("spots: {centre: {x_m: 0.1}}", "centre")]
+        ("body", "name"),
+        [
+            ("zones: {pitch: {y_max_m: 0.5}}", "pitch"),
+            ("spots: {centre: {x_m: 0.1}}", "centre"),
+            ("groups: {in_play: [pitch]}", "in_play"),
+        ],
     )
     def test_what_the_base_brings_is_taken_away_by_null(self, body, name):
         # Left out it would be that of the base again, with numbers that the author has changed.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from rcj_challenges.referee.trials import run_expectation
 from rcj_challenges.scenario.lint.table import Finding, lint
 from tests.scenario.writing import loaded
 
@@ -95,12 +96,32 @@ def test_what_is_not_known_is_not_said():
     ("entity", "to", "count"),
     [("ball", "ball", 1), ("each", "each", 1), ("each", "robots", 0), ("robots", "robots", 0), ("ball", "Y1", 0)],
 )
-def test_from_a_thing_to_itself_it_is_always_0(entity, to, count):
-    asked = f"{{condition: distance, entity: {entity}, to: {to}, at_most: 0.1}}"
-    body = f"rules: {{r: {{for_each: robots, triggers: [{{trigger: half_started}}], conditions: [{asked}], actions: [{{action: end}}]}}}}"
-    found = [str(one) for one in lint(loaded(PLACES + body)) if one.kind == "distance_never_reached"]
+@pytest.mark.parametrize(
+    ("limit", "holds"),
+    [
+        ("at_most: 0.1", False),
+        ("at_least: 0", False),
+        ("at_most: 0.1, negate: true", True),
+        ("at_most: 0.1, of: none", True),
+        ("at_most: 0.1, of: none, negate: true", False),
+        ("at_most: 0.1, of: all", False),
+        ("at_most: 0.1, of: {at_least: 1}", False),
+    ],
+)
+def test_from_a_thing_to_itself_nothing_is_measured(entity, to, count, limit, holds):
+    asked = f"{{condition: distance, entity: {entity}, to: {to}, {limit}}}"
+    rule = f"for_each: robots, max_executions: 1, triggers: [{{trigger: time_reached, at_s: 1}}], conditions: [{asked}]"
+    body = (
+        f"rules: {{r: {{{rule}, actions: [{{action: emit, event: IT}}]}}}}\n"
+        "expect: {it: {keyframes: [{at_s: 0}], lasts_s: 2, events: []}}\n"
+    )
+    this = loaded(PLACES + body)
+    found = [str(one) for one in lint(this) if one.kind == "distance_never_reached"]
     assert len(found) == count
-    assert all(f"it is measured from '{entity}' to itself, and always 0" in text for text in found)
+    said = f"nothing is measured from '{entity}' to itself, so that it {'always' if holds else 'never'} holds; name the"
+    assert all(said in text for text in found)
+    if count:
+        assert bool(run_expectation(this, "it")) is holds
 
 
 # --- distances in other places ------------------------------------------------------------------------------------------

@@ -170,6 +170,13 @@ class TestWhatHasHeldAsksForTheTimerItself:
         assert self.outcome(in_goal) == ["late"]
         assert self.outcome(f"{{condition: any_of, conditions: [{in_goal}, {RUNS}]}}") == ["late"]
 
+    @pytest.mark.parametrize(("at_most", "judged"), [("10", []), ("15", ["there"])])
+    def test_who_asks_for_a_time_well_before_the_end_is_not_judged_twice_by_it(self, at_most, judged):
+        in_time = f"{{condition: timer, timer: attempt, at_most: {at_most}}}"
+        holds = f"{{trigger: holds, for_s: 0.5, condition: {in_time}}}"
+        rule = there().replace("{trigger: enters, entity: ball, zone: blue_goal}", holds)
+        assert rules_of(rule + late(told="") + after(RESTART, triggers=IN_TIME)) == judged
+
     def test_an_interruption_that_counts_as_holding_reaches_past_its_end(self):
         assert self.outcome(RUNS, grace=", grace_s: 0.2") == ["late"]
 

@@ -59,3 +59,11 @@ def test_phases_that_follow_each_other_or_end_by_a_rule_are_as_long_as_they_like
 def test_of_several_phases_that_do_not_follow_each_other_the_longest_counts():
     assert len(found(HOLDS % 4.1, "[red, green]", "green")) == 1
     assert found(HOLDS % 3, "[red, green]", "green") == []
+
+
+def test_what_a_rule_follows_goes_on_from_one_phase_of_its_own_into_the_next():
+    # First it is red for 2.5 s, then blue for 3 s: 4 s are full in blue.
+    phases = "red: {lasts_s: 2.5, next: blue_light}, blue_light: {lasts_s: 3}"
+    in_both = text(HOLDS % 4, "[red, blue_light]").replace("red: {lasts_s: 2.5}", phases)
+    assert "limit_longer_than_the_phase" not in [one.kind for one in lint(load_text(in_both))]
+    assert try_expectation(load_text(in_both), "it").differences == ()

@@ -43,6 +43,7 @@ def test_what_may_be_reached_is_not_told(condition, count):
         ("entity: Y1, distance_m: 0.5, within_s: 15", 0),
         ("entity: ball, distance_m: 50, within_s: 15", 1),
         ("entity: ball, distance_m: 40, within_s: 15", 0),
+        ("entity: obstacles, distance_m: 0.1, within_s: 15", 0),  # there are none, and for nobody it fires
     ],
 )
 def test_nobody_makes_more_progress_than_its_speed_allows(asked, count):

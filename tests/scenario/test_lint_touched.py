@@ -147,3 +147,31 @@ def test_each_of_one_rule_is_another_one_in_the_rule_that_hears_it():
         " actions: [{action: score, entrant: yellow}], says: Told.}\n"
     )
     assert "last_touch_forgotten" not in [one.kind for one in lint(load_text(HEAD + rules, file="a.yaml"))]
+
+
+# --- who is alone in a group touches nobody of it -----------------------------------------------------------------------
+
+ALONE = "robots: {B1: null, B2: null, B3: null, Y2: null, Y3: null}\nentrants: {blue: null, yellow: {robots: {Y2: null, Y3: null}}}\n"
+
+
+@pytest.mark.parametrize(
+    ("touch", "robot"),
+    [(TOUCH % ("each", "robots"), "Y1"), (TOUCH % ("robots", "yellow"), "Y1"), (TOUCH % ("balls", "ball"), "ball")],
+)
+def test_a_group_of_which_one_is_left_is_no_error_but_never_touches_itself(touch, robot):
+    rules = f"rules: {{r: {{for_each: robots, triggers: [{touch}], actions: [{{action: end}}]}}}}\n"
+    (text,) = (
+        str(one) for one in lint(load_text(HEAD + ALONE + rules, file="a.yaml")) if one.kind == "rule_never_fires"
+    )
+    assert text.endswith(
+        f"rules.r.triggers[0] (touches): '{robot}' alone is meant on both sides, and nothing touches itself; take the "
+        "rule out, or name in other what else it touches [rule_never_fires]"
+    )
+
+
+@pytest.mark.parametrize(
+    "touch", [TOUCH % ("each", "robots"), TOUCH % ("robots", "robots"), TOUCH % ("balls", "robots")]
+)
+def test_where_there_are_several_nothing_is_said(touch):
+    rules = f"rules: {{r: {{for_each: robots, triggers: [{touch}], actions: [{{action: end}}]}}}}\n"
+    assert "rule_never_fires" not in [one.kind for one in lint(load_text(HEAD + rules))]

@@ -88,6 +88,7 @@ def test_of_a_sequence_of_one_set_makes_one_of_each_and_back():
         (" match.half_s = 20 ", lambda s: s.match.half_s == 20),
         ("description='a = b'", lambda s: s.description == "a = b"),
         ("balls.ball.colour=#00ff00", lambda s: s.balls["ball"].colour == "#00ff00"),
+        ("title=#1 Köln 😀 \"A\" \\ 'B'", lambda s: s.title == "#1 Köln 😀 \"A\" \\ 'B'"),
         ("balls.ball.colour= '#00ff00'", lambda s: s.balls["ball"].colour == "#00ff00"),
     ],
 )  # fmt: skip

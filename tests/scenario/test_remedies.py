@@ -58,7 +58,6 @@ def test_of_two_that_touch_one_must_be_able_to_move(entity, other):
     [
         ("{trigger: touches, entity: B3, other: B3}", "B3"),
         ("{trigger: touches, entity: [B3], other: B3}", "B3"),
-        ("{trigger: touches, entity: balls, other: ball}", "ball"),
         ("{trigger: touches, entity: each, other: each}", "each"),
     ],
 )
@@ -114,6 +113,11 @@ def test_a_place_of_a_keyframe_is_a_list_of_numbers(place):
     assert "in brackets, also of one" not in text
 
 
+def test_the_values_of_a_draw_are_no_list_of_mappings():
+    (text,) = complaints(rule() + "draws: {side: {values: {west: 1, east: 2}}}\n")
+    assert text == "draws.side.values: expected a list, found a mapping with west, east"
+
+
 @pytest.mark.parametrize(
     ("body", "remedy"),
     [
@@ -132,6 +136,26 @@ def test_a_place_of_a_keyframe_is_a_list_of_numbers(place):
 def test_what_still_names_a_removed_robot_is_to_be_written_anew(body, remedy):
     text = complaints("robots: {B3: null}\nentrants: {blue: {robots: {B3: null}}}\n" + body)
     assert any("it was removed in a.yaml:5" in line and line.endswith(remedy) for line in text), text
+
+
+@pytest.mark.parametrize(
+    ("body", "group"),
+    [("zones: {blue_goal: null}\n", "in_play"), ("spots: {centre: null}\n", "neutral_spots")],
+)
+def test_a_group_of_the_base_that_still_names_what_was_removed_is_to_be_written_anew(body, group):
+    text = [one for one in complaints(body + rule("{trigger: half_started}")) if one.startswith("groups.")]
+    name = body.partition("{")[2].partition(":")[0]
+    said = (
+        f"unknown name '{name}': it was removed in a.yaml:5; write groups.{group} anew without it, or '{group}: null'"
+    )
+    assert [one.partition(": ")[2] for one in text] == [said]
+
+
+def test_a_group_of_ones_own_that_names_what_the_base_has_removed_is_told_what_there_is():
+    head = "schema_version: 1\nid: a\ntitle: A\nextends: empty_field\n"
+    (text,) = complaints("groups: {mine: [blue_goal]}\n" + rule("{trigger: half_started}"), head=head)
+    assert "groups.mine[0]: unknown name 'blue_goal': it was removed in empty_field.yaml:" in text
+    assert "anew" not in text
 
 
 def test_a_seat_that_still_names_a_removed_robot_is_to_give_it_up():

@@ -333,6 +333,20 @@ def test_a_run_that_was_killed_is_listed_with_the_points_of_its_log(tmp_path: Pa
     assert [row.score for row in list_runs(killed.parent)] == [{"blue": 0, "yellow": 0}]
 
 
+@pytest.mark.parametrize("scored", ['"green": 1', '"yellow": NaN', '"yellow": Infinity', '"yellow": 1e400'])
+def test_points_that_a_damaged_log_gives_to_nobody_or_that_are_no_number_count_nowhere(
+    tmp_path: Path, scored: str
+) -> None:
+    writer = begun_run(tmp_path, GOAL_EVERY_TICKS + 50)
+    killed = Path(shutil.copytree(writer.folder, tmp_path / "killed" / writer.folder.name))
+    writer.finish({"complete": False})
+    log = killed / "referee.jsonl"
+    log.write_text(log.read_text("utf-8").replace('"scored": {"yellow": 1}', f'"scored": {{{scored}}}'), "utf-8")
+    assert scored in log.read_text("utf-8")
+    assert [row.score for row in list_runs(killed.parent)] == [{"blue": 0, "yellow": 0}]
+    assert write_replay(killed).is_file()
+
+
 def test_a_record_is_found_by_folder_file_name_or_the_beginning_of_its_name(runs: Path) -> None:
     wanted = runs / "20210619-100000-match"
     for given_ in (wanted, wanted / "result.json", Path(wanted.name), Path("20210619")):

@@ -68,6 +68,46 @@ def test_that_zones_are_entered_as_one_is_said_where_they_meet(other: str, more:
     assert words in sentence(f"triggers: [{{trigger: enters, entity: ball, zone: {zone}}}], {E}", ZONES % other + more)
 
 
+@pytest.mark.parametrize(
+    ("rule", "words", "before"),
+    [
+        (
+            "for_each: ab, triggers: [{trigger: enters, entity: ball, zone: each}]",
+            "the ball enters it:",
+            "{event: E}, ",
+        ),
+        (
+            "triggers: [{trigger: enters, entity: ball, zone: hot}]",
+            "enters the zone drawn as “hot” (the zone “b” or the zone “c”):",
+            "",
+        ),
+    ],
+)
+def test_one_zone_at_a_time_is_entered_from_the_next_one_as_well(rule: str, words: str, before: str):
+    assert words in judged(f"""{ZONES % BESIDE}
+  c: {{shape: rect, x_min_m: 0, x_max_m: 0.1, y_min_m: -0.3, y_max_m: 0.3}}
+groups: {{ab: [a, b]}}
+draws: {{hot: {{values: [b, c]}}}}
+rules:
+  it: {{{rule}, {E}}}
+expect:
+  it:
+    lasts_s: 2
+    draws: {{hot: b}}
+    keyframes: [{{at_s: 0.1, place: {{ball: [0, 0.5]}}}}, {{at_s: 0.5, place: {{ball: [-0.2, 0.1]}}}},
+                {{at_s: 1, move: {{ball: [-0.05, 0.1]}}}}]
+    events: [{before}{{event: E}}]
+""")
+
+
+def test_of_one_zone_or_a_drawn_one_both_are_left_where_they_may_meet():
+    words = "enters the zone “a” or the zone drawn as “hot” (the zone “b” or the blue goal) from outside both: "
+    more = "draws: {hot: {values: [b, blue_goal]}}\n"
+    assert words in sentence(
+        f"triggers: [{{trigger: enters, entity: ball, zone: [a, hot]}}], {E}", ZONES % BESIDE + more
+    )
+
+
 def test_another_place_of_the_step_reached_last_breaks_no_sequence():
     text = judged(f"""{ZONES % APART}
   c: {{shape: rect, x_min_m: -0.05, x_max_m: 0.1, y_min_m: -0.3, y_max_m: 0.3}}
@@ -111,6 +151,12 @@ expect:
     keyframes: [{{at_s: 0.1, place: {{ball: [0.3, {x_m}], Y1: [0, 0, 0]}}}}, {{at_s: 1.2, place: {{Y1: [-0.3, -0.3, 0]}}}}]
     poses: {{ball: [{x_m}, {x_m}]}}
 """)
+
+
+def test_what_is_laid_out_waits_for_a_phase_of_its_rule_as_well():
+    rule = WAITS.replace("{action: place, entity: ball, at: {point: [0, 0]}}", "{action: place, layout: all}")
+    layout = "placements: {all: [{entity: ball, at: {point: [0, 0]}}]}\n"
+    assert "as soon as the place is free in a phase in which that rule counts." in sheet(layout + rule % "")
 
 
 def test_what_comes_back_after_a_time_waits_for_no_phase():
@@ -211,6 +257,35 @@ expect:
   it: {{lasts_s: 2, {STILL}, events: [{{event: E}}]}}
 """)
     assert f"provided that {words}: E is announced." in text
+
+
+@pytest.mark.parametrize(
+    ("to", "gone", "words", "fires"),
+    [
+        ("blue", "B1", "from the nearest of the blue robots", False),  # B2 is near enough
+        ("blue", "blue", "from the nearest of the blue robots, or all of the blue robots are off the field", True),
+        ("yellow", "yellow", "from the nearest other one of the yellow robots, or off the field, or all of the others are",
+         True),
+        ("yellow", "[Y2, Y3]", "from the nearest other one of the yellow robots, or all of the others are off the field",
+         True),
+        ("B1", "B1", "from B1, or B1 is off the field", True),
+    ],
+)  # fmt: skip
+def test_of_a_group_the_others_count_while_the_nearest_is_off_the_field(to: str, gone: str, words: str, fires: bool):
+    text = judged(f"""
+rules:
+  it:
+    triggers: [{{trigger: time_reached, at_s: 1}}]
+    conditions: [{{condition: distance, entity: Y1, to: {to}, at_most: 0.1, negate: true}}]
+    {E}
+  off: {{triggers: [{{trigger: time_reached, at_s: 0.5}}], actions: [{{action: remove, entity: {gone}}}]}}
+expect:
+  it:
+    lasts_s: 2
+    keyframes: [{{at_s: 0.1, place: {{Y1: [0, 0.3], B1: [0, 0.33], B2: [0, 0.25], Y2: [0.05, 0.3]}}}}]
+    events: [{"{event: E}" * fires}]
+""")
+    assert f"provided that Y1 is more than 0.1 m {words}: E is announced." in text
 
 
 @pytest.mark.parametrize(
@@ -335,3 +410,28 @@ expect:
     events: [{{event: E}}]
 """)
     assert "The last to touch something is the robot that touched it last since a rule put it where it is; if " in text
+
+
+def test_a_last_step_that_comes_before_as_well_does_not_say_that_the_sequence_is_complete():
+    text = judged(f"""{ZONES % APART}
+sequences: {{way: {{entity: ball, steps: [a, b, a]}}}}
+rules:
+  it:
+    triggers: [{{trigger: time_reached, at_s: 1}}]
+    conditions: [{{condition: sequence_at, sequence: way, step: a}}]
+    {E}
+expect:
+  it:
+    lasts_s: 2
+    keyframes: [{{at_s: 0.5, place: {{ball: [-0.2, 0.1]}}}}]
+    events: [{{event: E, at_s: 1}}]
+""")
+    assert "stands at the zone “a” (also when it is complete, until its next step): E is announced." in text
+
+
+@pytest.mark.parametrize(("step", "cyclic"), [("a", "false"), ("b", "true")])
+def test_at_a_step_that_completes_nothing_a_sequence_merely_stands(step: str, cyclic: str):
+    way = f"sequences: {{way: {{entity: ball, steps: [a, b], cyclic: {cyclic}}}}}\n"
+    asks = f"conditions: [{{condition: sequence_at, sequence: way, step: {step}}}]"
+    said = sentence(f"triggers: [{{trigger: time_reached, at_s: 1}}], {asks}, {E}", ZONES % APART + way)
+    assert said.endswith(f"provided that the sequence “way” stands at the zone “{step}”: E is announced.")

@@ -158,12 +158,42 @@ def test_who_is_nowhere_is_not_in_the_goal_and_so_is_meant() -> None:
     assert "as soon as [stuck] puts it somewhere" in said
 
 
+IN_A_GOAL = "{trigger: enters, entity: robots, zone: blue_goal}"
+ANY_IN_GOAL = "{condition: in_zone, entity: robots, zone: blue_goal}"
+
+
+@pytest.mark.parametrize("rule", [f"triggers: [{IN_A_GOAL}]", f"triggers: [{GOAL}], conditions: [{ANY_IN_GOAL}]"])
+def test_one_robot_in_the_goal_brings_all_of_them_back(rule: str) -> None:
+    puts = f"again: {{{rule}, actions: [{{action: place, entity: robots, at: start}}]}}"
+    (said,) = said_of_the_gone("{action: remove, entity: each}", puts)
+    assert "as soon as [again] puts it somewhere" in said
+
+
 def test_a_rule_for_each_that_waits_for_a_time_brings_all_back() -> None:
     puts = (
         "again: {for_each: robots, triggers: [{trigger: time_reached, at_s: 30}], "
         "actions: [{action: place, entity: each, at: start}]}"
     )
     assert "as soon as [again] puts it somewhere" in said_of_the_gone("{action: remove, entity: each}", puts)[0]
+
+
+def test_one_trigger_that_brings_it_back_suffices() -> None:
+    leaves = "{trigger: leaves, entity: each, zone: pitch}"
+    for other in ("{trigger: time_reached, at_s: 30}", "{trigger: half_started}, {trigger: time_reached, at_s: 30}"):
+        puts = OUT.replace(leaves, f"{leaves}, {other}")
+        assert "as soon as [out] puts it somewhere" in said_of_the_gone("{action: remove, entity: each}", puts)[0]
+
+
+def test_who_is_asked_for_in_no_zone_may_be_off_the_field() -> None:
+    puts = STAYS % (IN_GOAL.replace("}", ", of: none}"), "")
+    assert "as soon as [stuck] puts it somewhere" in said_of_the_gone("{action: remove, entity: each}", puts)[0]
+
+
+def test_the_time_is_over_sooner_only_for_whom_a_rule_brings_back() -> None:
+    for_a_time = "{action: remove, entity: B1, for_s: 60}, {action: remove, entity: Y1}"
+    assert said_of_the_gone(for_a_time, KICK_OFF % (GOAL, "entity: Y1, at: start")) == [
+        "A robot that was taken off the field is back as soon as [kick_off] puts it somewhere."
+    ]
 
 
 def test_the_match_tells_that_a_kick_off_brings_damaged_robots_back() -> None:

@@ -11,7 +11,7 @@ from rcj_challenges.records.testing import half_info, small_header, small_scenar
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.state import Phase
 from rcj_challenges.views.replay import write_replay
-from tests.views.browser_stage import NARROW, NO_WEBGL, settled
+from tests.views.browser_stage import NO_WEBGL, settled
 
 PLAYED, STOPPED_AT, STOPPED = 125, 50, 75  # ticks: 4 s of play, of which 2.4 s are no time of the half
 
@@ -53,7 +53,34 @@ def test_the_time_for_which_the_clock_stood_is_told_beside_it(
     assert (page.inner_text("#phase") if page.is_visible("#phase") else "") == phase
 
 
-def test_on_a_phone_it_is_told_in_fewer_words_as_there_is_less_room(show: Callable[..., Any], run: Path) -> None:
-    page = show(run, f"#h1t{STOPPED_AT + 32}", anew=True, script=NO_WEBGL, viewport=NARROW)
+@pytest.mark.parametrize(("width", "height"), [(360, 740), (740, 360), (900, 700)])
+def test_on_a_phone_it_is_told_in_whole_and_nothing_is_pushed_over_the_scores(
+    width: int, height: int, show: Callable[..., Any], run: Path
+) -> None:
+    page = show(run, f"#h1t{PLAYED + STOPPED}", script=NO_WEBGL, viewport={"width": width, "height": height})
     settled(page)
-    assert page.inner_text("#half") == "of 0:04 + 0:01"
+    half, stopped, teams = map(page.locator, ("#half", "#half .stopped", ".teams"))
+    assert half.inner_text().split() == ["of", "0:04", "+", "0:02", "stopped"]
+    half.evaluate("half => { half.firstChild.textContent = 'half 1 of 2 · 10:00 '; }")
+    stopped.evaluate("told => { told.textContent = '+ 10:00 stopped'; }")
+    assert half.evaluate("half => half.scrollWidth <= half.clientWidth")
+    room_px = teams.evaluate("teams => teams.clientWidth")
+    stopped.evaluate("told => told.remove()")
+    assert teams.evaluate("teams => teams.clientWidth") == room_px
+    page.locator(".team .name").first.evaluate("name => { name.textContent = 'The long name of a team and more'; }")
+    for score in page.locator(".team .score").all():
+        score.evaluate("score => { score.textContent = '-12.5'; }")
+        assert score.evaluate("score => score.scrollWidth <= score.clientWidth")
+
+
+def test_the_long_name_of_a_phase_is_cut_before_the_teams_names_are(show: Callable[..., Any], run: Path) -> None:
+    viewport = {"width": 740, "height": 360}
+    page = show(run, f"#h1t{STOPPED_AT + 32}", anew=True, script=NO_WEBGL, viewport=viewport)
+    settled(page)
+    names = page.locator(".team .name")
+    for name in names.all():
+        name.evaluate("name => { name.textContent = 'The long name of a team and more'; }")
+    page.locator("#phase").evaluate(
+        "phase => { phase.textContent = 'a very long time out · robots held · clock stopped'; }"
+    )
+    assert min(name.evaluate("name => name.clientWidth") for name in names.all()) > 80

@@ -12,6 +12,7 @@ from typing import Any
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.catalogue import BOUND, EACH, OTHER, Catalogue, texts
 from rcj_challenges.scenario.checks.bound import Bound
+from rcj_challenges.scenario.checks.removal import removal_of
 from rcj_challenges.scenario.checks.whose import NAMING_ONE, check_whose, touching_itself
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, known_text, listing, nearest
 from rcj_challenges.scenario.messages.ways_out import for_group, for_other_kind, for_spots, for_start, for_teams
@@ -273,13 +274,11 @@ class _Walker:
     ) -> None:  # fmt: skip
         if any(section in self.names.broken for section in sections):
             return  # that the section is none is reported; what might stand in it is unknown
-        removal = next((self.removed[section, name] for section in sections if (section, name) in self.removed), None)
+        removal = removal_of(name, sections, self.removed, mark, self.root)
         if removal is not None:
-            where = f"{removal.file}:{removal.line}" if removal.line else removal.file
-            # What a base takes away and this file names is no remnant of that base: it was never there for its author.
-            is_new = bool(removal.line) and removal.file != mark.file == mark_of(self.root, ("id",)).file
-            way_out = nearest(name, known) or known_text(known, noun) if is_new else _without(name, path)
-            self.add(path, mark, f"unknown {noun} '{name}': it was removed in {where}{way_out}")
+            # What a base takes away and this file names is no remnant of that base.
+            way_out = nearest(name, known) or known_text(known, noun) if removal.is_by_base else _without(name, path)
+            self.add(path, mark, f"unknown {noun} '{name}': {removal.told}{way_out}")
             return
         if teams := for_teams(name, path, self.names.names("entrants")):
             self.add(path, mark, f"unknown {noun} '{name}': {teams}")
@@ -326,7 +325,7 @@ class _Walker:
     def _who_moves(self, touch: Entries, path: Path, bound: Bound) -> None:
         """Check that one of the two that touch can come to the other."""
         entity, other = (bound.meant(touch.entries.get(key), self.names) for key in ("entity", "other"))
-        message = touching_itself(touch, entity, other)
+        message = touching_itself(touch, self.names)
         if entity and other and all(self.names.kinds.get(one) in _STANDING for one in (*entity, *other)):
             message = f"'{entity[0]}' and '{other[0]}' never move, so that they never touch; name a robot or a ball"
         if message:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from rcj_challenges.facts.colours import CSS_COLOURS, hex_colour
 from rcj_challenges.facts.file_names import is_device_of_windows
 from rcj_challenges.scenario.catalogue import ALWAYS, BOUND, EACH, FAMILIES, OTHER, Catalogue, texts
+from rcj_challenges.scenario.checks.removal import removal_of
 from rcj_challenges.scenario.errors import Problem, listing, nearest
 from rcj_challenges.scenario.models.scenario import MAX_MEMBERS
 from rcj_challenges.scenario.tree import Items, Mark, Path, child, in_names, mark_of, node_at
@@ -16,9 +17,14 @@ _SECTIONS = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups"
 _MEANINGS = {EACH: "names the current entity of a rule", OTHER: "names what is touched in a rule"}
 
 
-def check_names(catalogue: Catalogue) -> list[Problem]:
-    """Return what is wrong with the names that a scenario defines."""
-    return [*_namespace(catalogue), *_other_sections(catalogue), *_groups(catalogue)]
+def check_names(catalogue: Catalogue, removed: Mapping[Path, Mark]) -> list[Problem]:
+    """Return what is wrong with the names that a scenario defines.
+
+    Args:
+        catalogue: the names.
+        removed: where entries of a base were removed, for the message to groups that still name them.
+    """
+    return [*_namespace(catalogue), *_other_sections(catalogue), *_groups(catalogue, removed)]
 
 
 def _problem(catalogue: Catalogue, path: Path, message: str, *, at_key: bool = False) -> Problem:
@@ -67,7 +73,7 @@ def _other_sections(catalogue: Catalogue) -> Iterator[Problem]:
         yield _problem(catalogue, ("phases", "any"), "'any' means all phases; choose another name", at_key=True)
 
 
-def _groups(catalogue: Catalogue) -> Iterator[Problem]:
+def _groups(catalogue: Catalogue, removed: Mapping[Path, Mark]) -> Iterator[Problem]:
     own = () if "groups" in catalogue.broken else catalogue.names("groups")
     known = {**catalogue.kinds, **catalogue.groups}
     for group in own:
@@ -79,7 +85,7 @@ def _groups(catalogue: Catalogue) -> Iterator[Problem]:
             for name in texts(item):
                 path: Path = ("groups", group, index)
                 if name not in known:
-                    hint = nearest(name, known) or f"; there are {listing(known)}"
+                    hint = _instead_of(name, group, item.mark, known, catalogue, removed)
                     if not catalogue.broken.intersection(_SECTIONS):
                         yield _problem(catalogue, path, f"unknown name '{name[:64]}'{hint}")
                     continue
@@ -95,6 +101,20 @@ def _groups(catalogue: Catalogue) -> Iterator[Problem]:
                     message = f"a group holds one kind of thing: '{first}' is {_of(one)}, '{second}' {_of(other)}"
                     yield _problem(catalogue, path, message)
                     families.popitem()
+
+
+def _instead_of(
+    name: str, group: str, mark: Mark, known: Mapping[str, object], catalogue: Catalogue, removed: Mapping[Path, Mark]
+) -> str:
+    """Return what to do about a member of a group that does not exist."""
+    hint = nearest(name, known) or f"; there are {listing(known)}"
+    removal = removal_of(name, _SECTIONS, removed, mark, catalogue.root)
+    if removal is None:
+        return hint
+    if removal.is_by_base:
+        return f": {removal.told}{hint}"
+    is_of_base = mark.file != mark_of(catalogue.root, ("id",)).file
+    return f": {removal.told}; write groups.{group} anew without it" + (f", or '{group}: null'" if is_of_base else "")
 
 
 def _of(family: str) -> str:

@@ -25,7 +25,7 @@ def check(scenario: Scenario | None, tree: Entries, removed: Mapping[Path, Mark]
         removed: where entries of a base were removed.
     """
     catalogue = Catalogue(tree)
-    problems = [*check_names(catalogue), *check_references(catalogue, removed)]
+    problems = [*check_names(catalogue, removed), *check_references(catalogue, removed)]
     if scenario is None:
         return problems[: 2 * MAX_FOUND]
     # Whoever shortens a half on the command line does not mean to rewrite the tests; a record holds such a half.

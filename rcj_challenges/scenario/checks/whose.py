@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from rcj_challenges.scenario.catalogue import EACH, Catalogue, texts
@@ -102,19 +102,18 @@ def _is_several(whose: Node, names: Catalogue) -> bool:
     return isinstance(whose, Items) or any(text in names.groups and text not in names.kinds for text in texts(whose))
 
 
-def touching_itself(touch: Entries, entity: Sequence[str], other: Sequence[str]) -> str:
+def touching_itself(touch: Entries, names: Catalogue) -> str:
     """Return what is wrong with a touch of something with itself; empty: it is one of two.
+
+    A group is none of it although only one may be left in it: of that lint tells.
 
     Args:
         touch: the trigger, as it is written.
-        entity: what may touch, groups expanded.
-        other: what may be touched, groups expanded.
+        names: the names of the scenario.
     """
-    written = [texts(touch.entries.get(key)) for key in ("entity", "other")]
-    if written[0] == written[1] == (EACH,):
-        alone = EACH
-    elif entity and {*entity} == {*other} == {entity[0]}:
-        alone = entity[0]
-    else:
+    written = {text for key in ("entity", "other") for text in texts(touch.entries.get(key))}
+    both = all(key in touch.entries for key in ("entity", "other"))
+    (alone, *others) = written or ("",)
+    if not both or others or (alone != EACH and alone not in names.kinds):
         return ""
     return f"'{alone}' never touches itself; name in other what it touches, such as robots or walls"

@@ -9,6 +9,7 @@ from math import dist, inf
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.floor import floor_parts
 from rcj_challenges.scenario.floor_shapes import away_m, to_segment_m
+from rcj_challenges.scenario.lint.logic import without_none
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect
 from rcj_challenges.scenario.models.actions import Place
 from rcj_challenges.scenario.models.base import Strict
@@ -43,7 +44,8 @@ def check_distances(subject: Subject) -> Iterator[Suspect]:
     for name, rule in subject.scenario.rules.items():
         for model, path in visit(rule, ("rules", name)):
             if isinstance(model, Distance) and _is_of_itself(model, rule, subject):
-                reason = f"it is measured from '{model.to}' to itself, and always 0"
+                holds = "always" if without_none(model).negate else "never"
+                reason = f"nothing is measured from '{model.to}' to itself, so that it {holds} holds"
                 yield _suspect(path, "to", reason, "name the other thing, or the group of the others")
             elif isinstance(model, Distance):
                 yield from _limits(model, path, _furthest_m(model, rule, subject, corners), subject, rule)
@@ -53,10 +55,10 @@ def check_distances(subject: Subject) -> Iterator[Suspect]:
 
 def _is_of_itself(model: Distance, rule: Rule, subject: Subject) -> bool:
     names = (model.entity,) if isinstance(model.entity, str) else model.entity
-    if not isinstance(model.to, str) or len(names) != 1:
+    if not isinstance(model.to, str) or names != (model.to,):
         return False
     # Of a group the nearest other one counts; a group of one has no other.
-    return names == (model.to,) and (model.to == EACH or subject.members(model.to, rule) == {model.to})
+    return model.to == EACH or subject.members(model.to, rule) == {model.to}
 
 
 def _limits(model: Distance, path: Path, far_m: float, subject: Subject, rule: Rule) -> Iterator[Suspect]:

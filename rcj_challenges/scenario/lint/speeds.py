@@ -19,11 +19,14 @@ def check_speeds(subject: Subject) -> Iterator[Suspect]:
     """Speeds that something must have at least, and never has; ways that nobody can make in the time for them."""
     for name, rule in subject.scenario.rules.items():
         for model, path in visit(rule, ("rules", name)):
-            if isinstance(model, NoProgress):
-                yield from _ways(model, path, *_driven(subject.members(model.entity, rule), subject))
-            if not isinstance(model, Speed):
+            if not isinstance(model, NoProgress | Speed):
                 continue
             who = subject.members(model.entity, rule)
+            if not who:
+                continue  # of nobody nothing is asked
+            if isinstance(model, NoProgress):
+                yield from _ways(model, path, *_driven(who, subject))
+                continue
             drives_mps, only_robots = _driven(who, subject)
             most_mps = _PUSHED * drives_mps if only_robots else max(_PUSHED * drives_mps, 2 * MAX_KICK_MPS)
             fastest = (
@@ -31,7 +34,7 @@ def check_speeds(subject: Subject) -> Iterator[Suspect]:
             )
             for key in ("at_least", "equals"):
                 limit = getattr(model, key)
-                if who and isinstance(limit, int | float) and limit > most_mps:
+                if isinstance(limit, int | float) and limit > most_mps:
                     yield Suspect(
                         "speed_never_reached",
                         (*path, key),

@@ -247,7 +247,8 @@ def _unused_groups(subject: Subject, written: set[str]) -> Iterator[Suspect]:
     nested = {member for members in groups.values() for member in members}
     for name in groups:
         if name not in written | nested and subject.tree.mark.file == file_of(subject.tree, "groups", name):
-            reason, remedy = f"group '{name}' is never used", "name it in a rule, or remove it"
+            reason = f"group '{name}' is never used"
+            remedy = f"name it in a rule, or {_away('groups', name, subject)}"
             yield Suspect("group_never_used", ("groups", name), reason, remedy, at_key=True)
 
 

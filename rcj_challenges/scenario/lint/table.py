@@ -65,7 +65,12 @@ from rcj_challenges.scenario.lint.times import (
     check_rests,
     check_times,
 )
-from rcj_challenges.scenario.lint.touched import check_forgotten_touches, check_last_touches, check_touched
+from rcj_challenges.scenario.lint.touched import (
+    check_forgotten_touches,
+    check_last_touches,
+    check_touched,
+    check_touching_itself,
+)
 from rcj_challenges.scenario.lint.unheard import check_unheard
 from rcj_challenges.scenario.lint.units import check_units
 from rcj_challenges.scenario.lint.variants import (
@@ -94,6 +99,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_groups_of_groups,
     check_contradictions,
     check_touched,
+    check_touching_itself,
     check_last_touches,
     check_forgotten_touches,
     check_judged_twice,

@@ -33,6 +33,22 @@ def check_touched(subject: Subject) -> Iterator[Suspect]:
                     )
 
 
+def check_touching_itself(subject: Subject) -> Iterator[Suspect]:
+    """Touches of groups in which one thing alone is left: it does not touch itself."""
+    for name, rule in subject.scenario.rules.items():
+        for index, trigger in enumerate(rule.triggers):
+            if not isinstance(trigger, Touches):
+                continue
+            who = subject.members(trigger.entity, rule)
+            if len(who) == 1 and who == subject.members(trigger.other, rule):
+                yield Suspect(
+                    "rule_never_fires",
+                    ("rules", name, "triggers", index),
+                    f"'{min(who)}' alone is meant on both sides, and nothing touches itself",
+                    "take the rule out, or name in other what else it touches",
+                )
+
+
 def check_last_touches(subject: Subject) -> Iterator[Suspect]:
     """Conditions on who touched something last, in the very tick in which somebody else touches it."""
     for name, rule in subject.scenario.rules.items():

@@ -104,7 +104,7 @@ def _hint_at_number(text: str) -> str:
 
 def _is_of_mappings(shape: Shape) -> bool:
     entry = bare(get_args(bare(shape).kind)[0]).kind
-    return is_model(entry) or is_union(entry)
+    return is_model(entry) or (is_union(entry) and any(is_model(bare(one).kind) for one in get_args(entry)))
 
 
 def _hint_at_list(shape: Shape, node: Node) -> str:

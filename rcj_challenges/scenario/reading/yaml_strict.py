@@ -134,7 +134,7 @@ def parse_value(text: str, file: str) -> Node:
         ScenarioError: it is not strict YAML, or is empty.
     """
     # Nobody writes a comment there: what begins with # is a colour.
-    return parse_text(json.dumps(text.strip()) if text.lstrip().startswith("#") else text, file)
+    return parse_text(json.dumps(text.strip(), ensure_ascii=False) if text.lstrip().startswith("#") else text, file)
 
 
 def _refuse_size(size: int, file: str) -> None:

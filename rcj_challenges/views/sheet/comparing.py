@@ -56,9 +56,11 @@ def sequence_words(nouns: Nouns, c: Any) -> str:
     """Return a condition on the step at which a sequence stands."""
     who, step = _asked(nouns, "sequence", c.sequence, c), nouns.thing(c.step)
     sequence = nouns.scenario.sequences[c.sequence]
-    if not sequence.cyclic and c.step in nouns.roster.expand(sequence.places()[-1]):
+    *before, last = map(nouns.roster.expand, sequence.places())
+    if not sequence.cyclic and c.step in last:
         # It begins anew when it is complete, but what it stands at is the step that was reached last.
-        step += " (complete, until its next step)"
+        also = "also when it is " if any(c.step in places for places in before) else ""
+        step += f" ({also}complete, until its next step)"
     if who is not None:
         return f"{who.does('has', 'have')} a sequence {quoted(c.sequence)} that stands at {step}"
     stands = "does not stand" if c.negate else "stands"
@@ -72,13 +74,25 @@ def distance_words(nouns: Nouns, c: Any) -> str:
     if limit is None:
         return f"{who.does('is', 'are')} {compared(nouns, c, ' m', f' from {to}')}"
     # Of who is off the field nothing is measured: then the opposite of it holds.
-    off = " or off the field" if nouns.may_be_off(c.entity) else ""
-    if nouns.may_be_off(c.to):
-        off = ", or one of the two is off the field" if off else f", or {to} is off the field"
+    off = _off(nouns, c)
     if isinstance(limit, (int, float)):
         return f"{who.text} is {'less' if c.at_most is None else 'more'} than {number(limit)} m from {to}{off}"
     how = "nearer to" if c.at_most is None else "further from"
     return f"{who.text} is {how} {to} than {amount(nouns, limit)} says in m{off}"
+
+
+def _off(nouns: Nouns, c: Any) -> str:
+    """Return who need only be off the field for the opposite of a distance to hold."""
+    itself, target = nouns.may_be_off(c.entity), nouns.off_as_a_whole(c.to, c.entity)
+    if target is None:
+        return " or off the field" if itself else ""
+    if not itself:
+        return f", or {target.does('is', 'are')} off the field"
+    return (
+        f", or off the field, or {target.does('is', 'are')}"
+        if target.plural
+        else ", or one of the two is off the field"
+    )
 
 
 def way_words(nouns: Nouns, c: Any) -> str:

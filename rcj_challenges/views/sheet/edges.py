@@ -68,11 +68,10 @@ def _sequence(nouns: Nouns, t: Any) -> str:
 
 
 def _enters(nouns: Nouns, t: Any) -> str:
-    zones = [name for one in ((t.zone,) if isinstance(t.zone, str) else t.zone) for name in nouns.meant(one)]
     entered = f"{nouns.any_of(t.entity)} enters {nouns.any_of(t.zone)}"
-    # Several zones are judged as one: there is no edge between those that meet.
-    several = list(dict.fromkeys(zones))
-    if not may_meet([nouns.scenario.zones[name] for name in several]):
+    # Several zones are judged as one: there is no edge between those that meet. "Each" and a draw are one at a time.
+    several = dict.fromkeys(nouns.roster.expand(t.zone))
+    if not may_meet([[nouns.scenario.zones[one] for one in nouns.meant(name)] for name in several]):
         return entered
     return f"{entered} from outside {'both' if len(several) == 2 else 'all of them'}"
 

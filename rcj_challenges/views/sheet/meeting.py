@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from itertools import combinations
+from collections.abc import Sequence
+from itertools import combinations, product
 from math import inf
 
 from rcj_challenges.scenario.floor_shapes import zone_corners
@@ -12,12 +13,17 @@ _Box = tuple[float, float, float, float]
 """(x_min, x_max, y_min, y_max) in m."""
 
 
-def may_meet(zones: list[Zone]) -> bool:
-    """Return whether any two of these zones overlap or touch, or may do so: the boxes around them are compared."""
-    boxes = [_box_around(zone) for zone in zones]
+def may_meet(several: Sequence[Sequence[Zone]]) -> bool:
+    """Return whether any two of several zones overlap or touch, or may do so: the boxes around them are compared.
+
+    Args:
+        several: for each of them the zones of which it may be any: one, or those among which a draw decides.
+    """
+    boxes = [[_box_around(zone) for zone in zones] for zones in several]
     return any(
         one[0] <= other[1] and other[0] <= one[1] and one[2] <= other[3] and other[2] <= one[3]
-        for one, other in combinations(boxes, 2)
+        for here, there in combinations(boxes, 2)
+        for one, other in product(here, there)
     )
 
 

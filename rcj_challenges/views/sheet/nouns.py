@@ -252,8 +252,10 @@ class Nouns:
 
     def may_be_off(self, names: Any) -> bool:
         """Return whether a rule takes any of what names stand for off the field; of a point none does."""
-        meant = {one for name in _tuple(names) for one in self.meant(name)}
-        return not meant.isdisjoint(taken_off(self.scenario, self.roster))
+        return not self._all_meant(names).isdisjoint(taken_off(self.scenario, self.roster))
+
+    def _all_meant(self, names: Any) -> set[str]:
+        return {one for name in _tuple(names) for one in self.meant(name)} if names is not None else set()
 
     def _of_two(self, of: str, names: Names, *, negate: bool) -> Subject:
         """Return how many of two single things must do something: ``both the ball and Y1``, ``neither Y1 nor Y2``."""
@@ -273,10 +275,26 @@ class Nouns:
             return f"({at[0] + 0.0:g}, {at[1] + 0.0:g})"  # adding 0 makes no -0
         if not self._several(at):
             return self._one(at)
-        own = (
-            {name for one in _tuple(measured_from) for name in self.meant(one)} if measured_from is not None else set()
-        )
-        return f"the nearest {'other one ' if own & set(self.meant(at)) else ''}of {self._group(at)}"
+        own = self._all_meant(measured_from) & set(self.meant(at))
+        return f"the nearest {'other one ' if own else ''}of {self._group(at)}"
+
+    def off_as_a_whole(self, at: Any, measured_from: Any) -> Subject | None:
+        """Return what must be off the field for nothing to be measured to it; None: some of it is always on it.
+
+        Args:
+            at: the thing, the group or the point; of a group any other one counts.
+            measured_from: whose distance to it is told.
+        """
+        meant, own = set(self.meant(at)), self._all_meant(measured_from)
+        others = meant - own if len(own) == 1 else meant
+        gone = taken_off(self.scenario, self.roster)
+        if not isinstance(at, str) or others.isdisjoint(gone):
+            return None
+        if not self._several(at):
+            return Subject(self._one(at))
+        if not others <= gone:
+            return None
+        return Subject(f"all of {'the others' if own & meant else self._group(at)}", plural=True)
 
     def meant(self, at: Any) -> tuple[str, ...]:
         """Return the names for which a name may stand; none for a point."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.models.actions import LastToucher, Place, Remove
 from rcj_challenges.scenario.models.conditions import (
     AllOf,
@@ -248,8 +249,10 @@ def _back_sooner(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     )
 
 
-def _asks_for_presence(rule: Rule, entity: str | tuple[str, ...]) -> bool:
-    """Return whether a rule never fires for what is off the field."""
+def _asks_for_presence(rule: Rule, entity: str | tuple[str, ...], nouns: Nouns) -> bool:
+    """Return whether a rule never fires for what is off the field; one of a group that is on it brings all of them."""
+    if entity != EACH and len(meant_in(entity, rule, nouns.roster)) > 1:
+        return False
     if any(_is_of_present(condition, entity) for condition in rule.conditions):
         return True
     return all(
@@ -284,7 +287,7 @@ def _put(rule: Rule, scenario: Scenario, nouns: Nouns) -> frozenset[str]:
         else:
             entities = [action.entity] if action.entity is not None else []
         for entity in entities:
-            if not _asks_for_presence(rule, entity):
+            if not _asks_for_presence(rule, entity, nouns):
                 found.update(meant_in(entity, rule, nouns.roster))
     return frozenset(found)
 

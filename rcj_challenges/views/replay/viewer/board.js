@@ -53,10 +53,9 @@ class Board {
     const key = JSON.stringify([track.facts.half, phase, held, scores, counted, stopped]);
     if (key === this.shown) return;
     this.shown = key;
-    const planned = Recording.clockText(track.facts.planned_ticks * recording.tickSeconds).replace(/\.0$/, "");
-    const length = stopped ? `${planned} + ${Recording.clockText(stopped).replace(/\.0$/, "")}` : planned;
+    const length = Recording.clockText(track.facts.planned_ticks * recording.tickSeconds).replace(/\.0$/, "");
     this.half.textContent = recording.facts.halves_planned > 1 ? `half ${track.facts.half} of ${recording.facts.halves_planned} · ${length}` : `of ${length}`;
-    if (stopped) this.half.append(element("span", "long", " stopped"));
+    if (stopped) this.half.append(" ", element("span", "stopped", `+ ${Recording.clockText(stopped).replace(/\.0$/, "")} stopped`));
     const name = phase.name === "play" ? "" : phase.name.replaceAll("_", " ");
     this.phase.textContent = [name, held, phase.stopped ? "clock stopped" : ""].filter(Boolean).join(" · ");
     this.phase.hidden = !this.phase.textContent;
