@@ -174,7 +174,7 @@ def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) 
         remedy = f"pack what is in {nested[0].where}, not the archive itself"
         return [Finding("layout.missing", "failure", message, remedy)]
     if plan is None:
-        remedy = f"{_elsewhere(others)}{into_folders or _call_it_so(opening)}"
+        remedy = f"{_elsewhere(others)}{into_folders or _add_it(opening, seats, libraries) or _call_it_so(opening)}"
         return [Finding("layout.missing", "failure", message, remedy)]
     remedy = _elsewhere(others) + ", ".join(map(str, plan.moves))
     if plan.mentioned:
@@ -191,6 +191,26 @@ def _into_folders_with_copies(opening: Opening) -> str:
             each = "each " if len(moves) > 1 else ""
             return f"{', '.join(map(str, moves))}, {each}with a copy of what it imports or opens beside it"
     return ""
+
+
+def _add_it(opening: Opening, seats: Sequence[Entrant], libraries: frozenset[bytes]) -> str:
+    """Return what to do where each program that is there drives another robot; empty if one is left to be renamed."""
+    driving = {robot: entry for robot, entry in entries_of(opening.files, seats).items() if entry is not None}
+    left = [
+        path
+        for path, content in opening.files.items()
+        if path.suffix == ".py" and path not in driving.values() and content not in libraries
+    ]
+    if not driving or left:
+        return ""
+    # Of several layouts that the scenario knows the one that these programs have.
+    wanted = {
+        robot: [PurePosixPath(one) for one in alternatives(entry)] for s in seats for robot, entry in s.robots.items()
+    }
+    robot, entry = next(iter(driving.items()))
+    layout = wanted[robot].index(entry)
+    lacking = dict.fromkeys(str(wanted[one][min(layout, len(wanted[one]) - 1)]) for one in opening.missing)
+    return f"add {', '.join(lacking)}: the programs that are there drive {', '.join(driving)}"
 
 
 def _call_it_so(opening: Opening) -> str:

@@ -291,6 +291,7 @@ def _standing(info: HalfInfo, ticks: int, scenario: Scenario, roster: Roster) ->
         np.zeros((0, 2), "<u2"),
         {},
         {},
+        poses_are_lost=True,
     )
 
 

@@ -60,6 +60,7 @@ class HalfTrack:
         placements: what was put elsewhere after a tick, by tick.
         faults: programs that failed, by the tick at which the referee heard of it.
         heard: what robots told the referee by radio, by the tick at which it heard it: (entity, text).
+        poses_are_lost: whether none of its poses is left, and everything stands at its start instead.
     """
 
     info: HalfInfo
@@ -72,6 +73,7 @@ class HalfTrack:
     placements: Mapping[int, tuple[Placement, ...]]
     faults: Mapping[int, tuple[Fault, ...]]
     heard: Mapping[int, tuple[tuple[int, str], ...]] = field(default_factory=dict)
+    poses_are_lost: bool = False
 
     @property
     def ticks(self) -> int:

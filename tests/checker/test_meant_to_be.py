@@ -306,3 +306,18 @@ def test_a_function_of_its_name_does_not_keep_a_program_from_being_renamed(tmp_p
 def test_who_changes_a_name_that_programs_import_or_open_is_told_of_them(tmp_path: Path, program: bytes) -> None:
     found = misplaced(tmp_path, {"main.py": ALONE + program, "tools.py": b"one = main = 1\nmain()\n"})
     assert found.remedy.endswith("the programs mention main: change that as well")
+
+
+@pytest.mark.parametrize(
+    ("beside", "remedy"),
+    [
+        ({"robot1/utils.py": b"x = 1\n"}, "add robot3/robot3.py: the programs that are there drive B1, B2, Y1, Y2"),
+        ({"third.py": ALONE, "fourth.py": ALONE}, "call the program rcj_soccer_team_blue/rcj_soccer_team_blue.py or "),
+    ],
+    ids=["every program drives a robot", "one of two others is meant"],
+)
+def test_a_program_that_drives_another_robot_is_not_to_be_renamed(tmp_path: Path, beside: dict, remedy: str) -> None:
+    programs = {"robot1/robot1.py": b"import utils\n" + ALONE, "robot2/robot2.py": ALONE}
+    found = misplaced(tmp_path, programs | beside, OF_2021)
+    assert found.code == "layout.missing"
+    assert found.remedy.startswith(remedy)

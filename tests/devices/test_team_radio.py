@@ -113,8 +113,12 @@ def test_nothing_hides_a_radio(bench: Bench) -> None:
     assert heard(bench, "Y1") == [b"through the others"]
 
 
-def test_beyond_its_range_it_is_not_heard() -> None:
-    bench = Bench(change={"kits": {"v2": {"devices": {"team emitter": {"range_m": 0.5}}}}})
+@pytest.mark.parametrize(
+    ("emitter_m", "receiver_m"), [(0.5, 10.0), (10.0, 0.5)], ids=["of the emitter", "of the receiver"]
+)
+def test_beyond_the_shorter_range_it_is_not_heard(emitter_m: float, receiver_m: float) -> None:
+    devices = {"team emitter": {"range_m": emitter_m}, "team receiver": {"range_m": receiver_m}}
+    bench = Bench(change={"kits": {"v2": {"devices": devices}}})
     for robot, x in (("Y1", 0.0), ("Y2", 0.45), ("Y3", -0.55)):
         bench.place(robot, x, 0)
         bench.enable(robot, "team receiver")

@@ -37,6 +37,13 @@ class TestConditionLooks:
         play.place("Y1", 0.0, 0.0, yaw)
         assert ask(play) is holds
 
+    @pytest.mark.parametrize("front", ["+x", "-x"])
+    def test_it_goes_by_the_yaw_whichever_end_is_shown_as_the_front(self, stage, ask, front):
+        kit = f"kits: {{v2: {{looks_along: '{front}'}}}}"
+        play = stage(ASKING % "{condition: looks, entity: Y1, heading_rad: 0}", kit)
+        play.place("Y1", 0.0, 0.0, 0.0)
+        assert ask(play)
+
     def test_a_heading_beyond_a_full_turn_is_the_same_direction(self, stage, ask):
         play = stage(ASKING % "{condition: looks, entity: Y1, heading_rad: 7.85398}")
         assert ask(play)  # Y1 looks at +y

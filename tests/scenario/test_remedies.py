@@ -21,6 +21,14 @@ def test_whoever_puts_something_beside_a_fixed_obstacle_learns_of_movable_and_of
     )
 
 
+def test_of_what_can_be_touched_each_is_named_once():
+    (text,) = complaints(rule("{trigger: touches, entity: ball, other: fence}"))
+    assert text == (
+        "rules.r.triggers[0] (touches): unknown entity or obstacle 'fence'; there are B1, B2, B3, Y1, Y2, Y3, ball, "
+        "walls, robots, balls, blue, yellow"
+    )
+
+
 def test_whoever_takes_a_fixed_obstacle_for_an_entity_learns_of_movable():
     (text,) = complaints(PILLAR + rule(action="{action: remove, entity: pillar}"))
     assert text == (

@@ -296,9 +296,9 @@ def test_of_several_balls_possession_is_the_mean_so_that_all_shares_are_100_at_m
     assert twice["Hanse"]["possession"] == 40.0
 
 
-def test_without_a_ball_nobody_has_it_or_touches_it(record: Callable[..., Path]) -> None:
+def test_without_a_ball_nobody_has_it_touches_it_or_shoots(record: Callable[..., Path]) -> None:
     told = stats_as_json(run_stats(record(50, {}, scenario=with_balls())))
-    assert not {"possession", "touches"} & {*told["definitions"], *told["teams"]["Hanse"]}
+    assert not {"possession", "touches", "shots", "on_goal"} & {*told["definitions"], *told["teams"]["Hanse"]}
 
 
 def test_way_and_speeds_are_those_of_play(record: Callable[..., Path]) -> None:

@@ -312,11 +312,16 @@ def test_a_damaged_log_costs_the_captions_and_not_the_video(tmp_path, monkeypatc
 
 
 def test_a_damaged_result_costs_nothing_that_the_trajectory_knows(tmp_path):
-    folder = write_made_up_run(tmp_path, ticks=100, names=("Hanse", "Alster"))
+    folder = write_made_up_run(tmp_path, ticks=500, names=("Hanse", "Alster"))
+    whole = Footage.open(folder)
     (folder / "result.json").write_text("{", encoding="utf-8")
     footage = Footage.open(folder)
-    assert "cannot be read" in footage.warnings[0]
+    (warning,) = footage.warnings
+    assert "result.json" in warning
+    assert "cannot be read" in warning
     assert dict(footage.titles) == {"blue": "Hanse", "yellow": "Alster"}
+    assert footage.story.events == whole.story.events != []
+    assert footage.story.score_changes == whole.story.score_changes
 
 
 def test_a_trajectory_that_lost_its_end_is_shown_as_far_as_it_goes(folder, tmp_path):

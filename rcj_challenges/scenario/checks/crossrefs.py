@@ -221,6 +221,7 @@ class _Walker:
                 ]
             if reference.drawn:
                 known += [draw for draw in names.names("draws") if self._may_decide(draw, reference)]
+            known = list(dict.fromkeys(known))  # `walls` is a kind of thing and a group
             self._unknown(reference.noun, name, known, _ON_FIELD, path, mark, each=reference.each)
 
     def _may_decide(self, draw: str, reference: Field) -> bool:

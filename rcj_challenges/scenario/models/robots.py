@@ -17,7 +17,9 @@ from rcj_challenges.scenario.models.base import (
 
 
 class Chassis(Strict):
-    """The body: a cube on two wheels. Source of the defaults: reference, section 2."""
+    """The body: a cube on two wheels. The defaults are those of the original's robots."""
+
+    # Their source: reference, section 2.
 
     size_m: Positive = described(0.075, "edge of the cube in m", le=0.5)
     mass_kg: Positive = described(0.2, "mass of the cube in kg", le=20)
@@ -65,7 +67,9 @@ SONAR_NOISE_FULL_FROM_M = 1.0
 
 
 class SonarDevice(Strict):
-    """A distance sensor: one horizontal ray. Source of the defaults: reference, section 4.1."""
+    """A distance sensor: one horizontal ray. The defaults are those of the original's robots."""
+
+    # Their source: reference, section 4.1.
 
     device: Literal["sonar"]
     bearing_rad: float = described(..., "direction in the robot's frame in rad; 0 front, 1.5708 left (+y)")
@@ -94,25 +98,29 @@ class SupervisorReceiverDevice(Strict):
 
 
 class TeamReceiverDevice(Strict):
-    """The receiver of the own team's radio. Range and channel come from the team."""
+    """The receiver of the own team's radio. Its channel is that of the team."""
 
     device: Literal["team_receiver"]
-    range_m: Positive = described(10.0, "range in m")
+    range_m: Positive = described(10.0, "how far away it hears, in m; of it and the emitter the shorter range counts")
 
 
 class TeamEmitterDevice(Strict):
     """The emitter of the own team's radio."""
 
     device: Literal["team_emitter"]
-    range_m: Positive = described(10.0, "range in m")
+    range_m: Positive = described(
+        10.0, "how far away it is heard, in m; of it and the receiver the shorter range counts"
+    )
     baud: int = described(115_200, "speed in bits per second; 8 bits a byte, so 460.8 bytes a tick by default", gt=0)
 
 
 class LidarDevice(Strict):
-    """A laser scanner of one layer. Source of the defaults: reference, section 4.2."""
+    """A laser scanner of one layer. The defaults are those of the original's robots."""
+
+    # Their source: reference, section 4.2.
 
     device: Literal["lidar"]
-    points: int = described(360, "readings of a full turn", ge=1, le=1440)
+    points: int = described(360, "how many readings there are, evenly over field_of_view_rad", ge=1, le=1440)
     field_of_view_rad: Positive = described(6.283185307179586, "angle covered by the readings in rad", le=6.2832)
     min_range_m: NotNegative = described(0.01, "nearer things read as inf, in m")
     max_range_m: Positive = described(3.0, "farther things read as inf, in m", le=50)
@@ -151,9 +159,13 @@ class Kit(Strict):
         (), strict=False, description="robots whose positions a 2021 packet lists, in order"
     )
     packet_has_flag: bool = described(True, "whether a 2021 packet ends with waiting_for_kickoff (the first demo: no)")
-    control_step_ms: int = described(32, "the step that programs of this kit use, in ms", ge=1)
+    control_step_ms: int = described(
+        32,
+        "the step that programs of this kit usually take, in ms, for the rule sheet; each takes the step it asks for",
+        ge=1,
+    )
     looks_along: Literal["+x", "-x"] = described(
-        "+x", "which end of the body is the front; -x: the 2021 robot, front and rear exchanged"
+        "+x", "which end is shown as the front in pictures and views; yaw, devices and rules go by +x in any case"
     )
     chassis: Chassis = described(Chassis(), "the body")
     devices: dict[DeviceName, Device] = described({}, "devices by the name that programs ask for")
@@ -192,5 +204,7 @@ class Entrant(Strict):
     robots: dict[Name, EntryPoints] = described(
         ..., "entry point by robot: a path inside the submission, or several of which the first that exists is taken"
     )
-    radio_channel: int = described(2, "team radio channel; robots of one colour share it", ge=1, le=1000)
+    radio_channel: int = described(
+        2, "team radio channel of all robots that it drives, whatever their colour", ge=1, le=1000
+    )
     title: str = described("", "what the seat is called on screen when no team name is given", max_length=64)

@@ -68,11 +68,11 @@ class Story:
     unreadable: int = 0
 
 
-def tell(folder: Path, scenario: Scenario, halves: Sequence[HalfTrack], result: RunResult) -> Story:
-    """Return the story of a run from the referee's log, as far as it can be read."""
+def tell(folder: Path, scenario: Scenario, halves: Sequence[HalfTrack], result: RunResult | None) -> Story:
+    """Return the story of a run from the referee's log, as far as it can be read; also without a readable result."""
     lines, unreadable = read_referee_log(folder)
     story = Story(unreadable=unreadable)
-    if not lines:
+    if not lines and result is not None:
         lines = [{"kind": "event", **event.model_dump()} for event in result.events]
     firings = [line for line in lines if line["kind"] == "firing" and line.get("suppressed") is None]
     counting = Counting(scenario)
@@ -90,12 +90,19 @@ def tell(folder: Path, scenario: Scenario, halves: Sequence[HalfTrack], result: 
             for line in lines
             if line["kind"] == "held" and line["half"] == half.info.half
         ]
-    names = {team: entrant.name for team, entrant in result.entrants.items() if entrant.name}
-    names = told_apart(names, sides_change=changes_sides(scenario))
+    names = told_apart(_names(halves, result), sides_change=changes_sides(scenario))
     told = Teller(scenario, {half.info.half: half.info.teams for half in halves}, firings, story, names)
     events = [told.event(line) for line in lines if line["kind"] == "event"]
     story.events = sorted([*events, *told.unannounced()], key=lambda event: (event["half"], event["tick"]))
     return story
+
+
+def _names(halves: Sequence[HalfTrack], result: RunResult | None) -> dict[str, str]:
+    """Return what teams call themselves, of those that have a name."""
+    if result is not None:
+        return {team: entrant.name for team, entrant in result.entrants.items() if entrant.name}
+    first = halves[0].info
+    return {first.teams[seat]: name for seat, name in first.team_names.items() if name}
 
 
 def _follow_the_score(story: Story, half: HalfTrack, firings: list[dict[str, Any]]) -> None:

@@ -79,14 +79,14 @@ DEFINITIONS: dict[str, Definition] = {
 def shown_keys(stats: Stats) -> list[str]:
     """Return the figures that make sense here.
 
-    Touches need a ball, possession two teams as well; shots need goals, halves need sides.
+    Touches need a ball, possession two teams as well; shots need a ball and goals, halves need sides.
     """
     left_out = set()
     if len(stats.teams) < 2 or not stats.balls:
         left_out.add("possession")
     if not stats.balls:
         left_out.add("touches")
-    if not stats.has_goals:
+    if not (stats.balls and stats.has_goals):
         left_out |= {"shots", "on_goal"}
     if not any(team.total.sided_ticks for team in stats.teams.values()):
         left_out.add("own_half")

@@ -41,6 +41,8 @@ def run_stats(folder: Path) -> Stats:
 def _stats_of(run: RunRecord, folder: Path) -> Stats:
     lines, unreadable = read_referee_log(folder)
     notes = [*run.problems, *([f"{unreadable} lines of the referee's log are damaged."] if unreadable else [])]
+    if any(half.poses_are_lost for half in run.halves):
+        notes.append("As no pose is left, points, faults and calls are counted and no play.")
     stats = Stats(runs=[folder.name], notes=[f"{folder.name}: {note}" for note in notes])
     counting = _Counting(run, stats)
     for half in run.halves:
@@ -86,7 +88,12 @@ class _Counting:
         return robots.setdefault(self._labels.get((team, name), name), Tally())
 
     def half(self, half: HalfTrack, lines: list[dict[str, Any]]) -> None:
-        """Add a half."""
+        """Add a half: of one whose poses are lost its calls alone, for where it was nobody knows."""
+        self._add_calls(half.info.half, lines)
+        if half.poses_are_lost:
+            for name in self._roster.entities[: self._roster.robots]:
+                self.robot(half.info.half, name)
+            return
         play = play_mask(
             half.ticks, [(line["tick"], bool(line["waiting_for_kickoff"])) for line in lines if line["kind"] == "phase"]
         )
@@ -107,7 +114,6 @@ class _Counting:
         for index in range(self._roster.robots, self._roster.robots + self._roster.balls):
             _add_motion(self._stats.balls.setdefault(names[index], Tally()), motion, play, index)
         self._add_balls(half, motion, play)
-        self._add_calls(number, lines)
 
     def _add_sides(self, tally: Tally, motion: Motion, play: Any, index: int) -> None:
         own = own_end(self._ends.get(self._seat_of.get(self._roster.entities[index], ""), frozenset()))

@@ -6,8 +6,7 @@ from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from types import SimpleNamespace
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -260,8 +259,7 @@ def _tell(
     folder: Path, scenario: Scenario, tracks: Sequence[HalfTrack], result: RunResult | None, warnings: list[str]
 ) -> Story:
     try:
-        # Without a result there are still the lines of the referee's log.
-        story = tell(folder, scenario, tracks, result or _NO_EVENTS)
+        story = tell(folder, scenario, tracks, result)
         story.events = sorted(story.events, key=lambda event: (event["half"], event["tick"]))
     except (*_DAMAGE, OSError):
         warnings.append(f"{folder.name}: the referee's log is damaged: no captions, and the score does not change")
@@ -269,9 +267,6 @@ def _tell(
     if story.unreadable:
         warnings.append(f"{folder.name}: {story.unreadable} lines of the referee's log are damaged and left out")
     return story
-
-
-_NO_EVENTS = cast("RunResult", SimpleNamespace(events=[]))
 
 
 def _titles(scenario: Scenario, result: RunResult | None, first: HalfInfo) -> dict[str, str]:
