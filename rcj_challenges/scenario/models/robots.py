@@ -151,9 +151,14 @@ class Kit(Strict):
         (), strict=False, description="robots whose positions a 2021 packet lists, in order"
     )
     packet_has_flag: bool = described(True, "whether a 2021 packet ends with waiting_for_kickoff (the first demo: no)")
-    control_step_ms: int = described(32, "the step that programs of this kit use, in ms", ge=1)
+    control_step_ms: int = described(
+        32,
+        "the step that programs of this kit usually take, in ms, for the rule sheet; each takes what it asks for",
+        ge=1,
+    )
     looks_along: Literal["+x", "-x"] = described(
-        "+x", "which end of the body is the front; -x: the 2021 robot, front and rear exchanged"
+        "+x",
+        "which end pictures show as the front; devices and rules go by the yaw, so by +x, whatever stands here",
     )
     chassis: Chassis = described(Chassis(), "the body")
     devices: dict[DeviceName, Device] = described({}, "devices by the name that programs ask for")
