@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal, NamedTuple, Union, get_args, get_origin
 
 import pytest
-from pydantic import BaseModel
+from pydantic import BaseModel, ValidationError
 
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.errors import ScenarioError
@@ -26,7 +26,7 @@ from rcj_challenges.views.sheet import sheet_markdown
 from rcj_challenges.views.sheet.phrases import degrees, number, seconds
 from scripts.write_reference import read_examples
 
-pytestmark = pytest.mark.usefixtures("without_drawing")
+pytestmark = pytest.mark.usefixtures("without_drawing", "without_labels")
 
 _OF_TESTS = (models.Expectation, models.ExpectedEvent, models.Given, models.Keyframe)
 """What stands below `expect` is about the rules' tests, not about the challenge."""
@@ -147,15 +147,13 @@ FIELDS = sorted(_fields(models.Scenario, set()))
 
 @cache
 def _loaded() -> tuple[Loaded, ...]:
-    """Return what is shipped, without its tests."""
+    """Return what is shipped."""
     shipped = Path(__file__).resolve().parents[2] / "scenarios"
-    found = (
+    return (
         load_text(_SHOWN_NOWHERE_ELSE),
         *(load(shipped / f"{name}.yaml") for name in _SHIPPED),
         *(load_text(example.whole) for example in read_examples()),
     )
-    # As the changed ones are read: what was left out and what was written with its default are one there.
-    return tuple(load_resolved({**loaded.resolved, "expect": {}}) for loaded in found)
 
 
 @cache
@@ -207,10 +205,17 @@ def _choices(annotation: Any) -> list[Any]:
 
 def _changed(leaf: Leaf, value: Any) -> Loaded | None:
     """Return the scenario with another value in place of a leaf; None if it may not be there."""
+    data = _with(_untested(leaf.scenario), leaf.path, value)
     try:
-        return load_resolved(_with(_loaded()[leaf.scenario].resolved, leaf.path, value))
-    except ScenarioError:
+        models.Scenario.model_validate(data)  # says no sooner, if less politely
+        return load_resolved(data)
+    except (ValidationError, ScenarioError):
         return None
+
+
+@cache
+def _untested(scenario: int) -> dict[str, Any]:
+    return {**_loaded()[scenario].resolved, "expect": {}}
 
 
 def _with(node: Any, path: tuple[str | int, ...], value: Any) -> Any:
@@ -234,7 +239,8 @@ def _shown(loaded: Loaded, *, drawn: bool) -> Counter[str]:
 
 @cache
 def _shown_before(scenario: int, *, drawn: bool) -> Counter[str]:
-    return _shown(_loaded()[scenario], drawn=drawn)
+    # Read as the changed ones are: what was left out and what was written with its default are one there.
+    return _shown(load_resolved(_untested(scenario)), drawn=drawn)
 
 
 def _new_words(leaf: Leaf, changed: Loaded, *, drawn: bool) -> Counter[str]:
@@ -265,6 +271,12 @@ def _telling(leaf: Leaf, *, drawn: bool) -> tuple[bool, list[Any]]:
             if not isinstance(value, str):
                 break
     return False, tried
+
+
+@pytest.fixture
+def without_labels(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Leave out of drawings the names beside things, for which it takes long to find room; the legend is there."""
+    monkeypatch.setattr("rcj_challenges.views.drawing.paper.place_labels", lambda *_: [])
 
 
 @pytest.mark.parametrize("field", FIELDS)
