@@ -139,3 +139,20 @@ def test_half_2_at_least_and_at_most_is_half_2():
         "conditions: [{condition: half, at_least: 2, at_most: 2}], actions: [{action: end}]}}\n"
     )
     assert "provided that it is half 2: the half ends" in text
+
+
+@pytest.mark.parametrize(
+    ("device", "words"),
+    [
+        ("{device: lidar, points: 1}", "lidar, 1 point, 1 cm"),
+        ("{device: lidar, points: 2}", "lidar, 2 points, 1 cm"),
+        ("{device: team_emitter, baud: 250}", "250 baud (1 byte in a tick)"),
+    ],
+)
+def test_one_is_told_in_the_singular(device, words):
+    assert words in sheet(f"robots: {{Y1: {{devices: {{it: {device}}}}}}}\n")
+
+
+def test_a_packet_of_one_byte_is_told_in_the_singular():
+    kits = "kits: {v2: {messages: '2021', packet_lists: []}}\nballs: {ball: null}\n"
+    assert 'Python unpacks the 1 byte with struct.unpack("?", packet).' in sheet(kits)

@@ -15,7 +15,7 @@ from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.views.drawing.shapes import point_words
 from rcj_challenges.views.sheet.blocks import Block, Heading, Paragraph, Table
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain
-from rcj_challenges.views.sheet.phrases import degrees, heading, metres, metres_alike, number
+from rcj_challenges.views.sheet.phrases import counted, degrees, heading, metres, metres_alike
 
 _RADIO = (models.TeamEmitterDevice, models.TeamReceiverDevice)
 
@@ -165,8 +165,8 @@ def _lidar(d: models.LidarDevice) -> str:
         "clockwise from the front" if is_full_turn(d) else f"over {degrees(d.field_of_view_rad)} from left to right"
     )
     return (
-        f"lidar, {d.points} points, {metres(d.min_range_m)} to {metres(d.max_range_m)}{turning}{order}{noise}, "
-        f"{metres(d.height_m)} above the floor, {round_it}"
+        f"lidar, {counted(d.points, 'point')}, {metres(d.min_range_m)} to {metres(d.max_range_m)}{turning}{order}"
+        f"{noise}, {metres(d.height_m)} above the floor, {round_it}"
     )
 
 
@@ -185,7 +185,7 @@ def _order(d: models.GpsDevice | models.CompassDevice | models.LidarDevice, lega
 
 
 def _emitter(d: models.TeamEmitterDevice) -> str:
-    in_a_tick = f"{number(d.baud * TICK_S / _BITS_OF_A_BYTE)} bytes in a tick"
+    in_a_tick = f"{counted(d.baud * TICK_S / _BITS_OF_A_BYTE, 'byte')} in a tick"
     return f"team radio, sends up to {metres(d.range_m)} far, {d.baud} baud ({in_a_tick})"
 
 

@@ -31,7 +31,7 @@ from rcj_challenges.views.sheet.deeds import placing_words, points_words, receiv
 from rcj_challenges.views.sheet.ground import field_blocks
 from rcj_challenges.views.sheet.machines import has, robot_blocks
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted, quoted_measure
-from rcj_challenges.views.sheet.phrases import lasting, number, seconds, value
+from rcj_challenges.views.sheet.phrases import counted, lasting, number, seconds, value
 from rcj_challenges.views.sheet.rules import rule_blocks, when_words
 from rcj_challenges.views.sheet.spoken import spoken
 from rcj_challenges.views.sheet.told import told_blocks
@@ -390,7 +390,7 @@ def _submission(scenario: Scenario, _nouns: Nouns) -> Iterator[Block]:
 def _limit_words(limits: Limits) -> str:
     """Return what a program may use; the last resort against threads that compute for ever is named if it was set."""
     computing = f"{seconds(limits.processor_s)} of processor time in a half, " if limits.processor_s is not None else ""
-    threads = f"{limits.processes} thread{'s' if limits.processes > 1 else ''} beside its first one"
+    threads = f"{counted(limits.processes, 'thread')} beside its first one"
     return (
         f"Limits: {seconds(limits.start_s)} to the first step, {seconds(limits.step_s)} for a step "
         f"and {seconds(limits.half_s)} in all in a half (only the waiting for that program counts), {computing}"

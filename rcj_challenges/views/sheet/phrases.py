@@ -27,6 +27,12 @@ def number(value: float) -> str:
     return f"{value + 0.0:.{_DIGITS}f}".rstrip("0").rstrip(".")  # adding 0 makes no -0
 
 
+def counted(count: float, what: str) -> str:
+    """Return so many of something: ``1 point``, ``360 points``."""
+    many = number(count)
+    return f"{many} {what}{'' if many == '1' else 's'}"
+
+
 def seconds(value: float) -> str:
     """Return a duration: ``15 s``, ``10 min``."""
     return f"{value / 60:g} min" if value >= 120 and value % 60 == 0 else f"{value:g} s"
