@@ -92,14 +92,18 @@ def _supervisor_receiver_facts(receiver: models.SupervisorReceiverDevice, around
     return {"channel": receiver.channel, "range": RADIO_RANGE_M, "refused_channels": list(around.foreign_channels)}
 
 
+def is_full_turn(lidar: models.LidarDevice) -> bool:
+    """Return whether a lidar looks all around; a turn that was rounded is one."""
+    return math.isclose(lidar.field_of_view_rad, 2 * math.pi, rel_tol=1e-4)
+
+
 def lidar_bearings(lidar: models.LidarDevice) -> tuple[float, float]:
     """Return the bearing of cell 0 and the step from cell to cell, in rad, counter-clockwise from the front.
 
     A full turn begins at the front (reference, 4.2); a part of one spans from its left edge to its right edge. Both
     run clockwise.
     """
-    full = math.isclose(lidar.field_of_view_rad, 2 * math.pi, rel_tol=1e-4)
-    if full:
+    if is_full_turn(lidar):
         return 0.0, -2 * math.pi / lidar.points
     if lidar.points == 1:
         return 0.0, 0.0

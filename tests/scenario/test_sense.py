@@ -102,7 +102,7 @@ BAD = [
     ("entrants: {blue: {radio_channel: 3}}\n", "entrants."),
     ("entrants: {blue: {robots: {B1: a/../b.py}}}\n", "entrants.blue.robots.B1: 'a/../b.py' is no plain path"),
     ("entrants: {blue: {robots: {B1: [a.py, b//c.py]}}}\n", "entrants.blue.robots.B1[1]: 'b//c.py' is no plain path"),
-    ("match: {swap_sides: true}\nentrants: {blue: null}\n", "match.swap_sides: only two entrants can change sides; there are 1"),
+    ("match: {swap_sides: true}\nentrants: {blue: null}\n", "match.swap_sides: only two entrants can change sides; there is 1"),
 ]  # fmt: skip
 
 

@@ -198,3 +198,33 @@ def test_a_place_beside_who_is_drawn_is_drawn_for_each_of_them():
 
 def test_a_place_beside_who_is_drawn_later_is_not_known():
     assert places(BESIDE % "who", trigger="trigger: time_reached, at_s: 2", head=WHO + STILL) == []
+
+
+# --- spots that rules set ---------------------------------------------------------------------------------------------
+
+
+def spot_set_to(to, more=""):
+    """Return what the legend says of where a rule sets a spot."""
+    one = loaded(f"{{action: set_spot, spot: left, to: {to}{more}}}")
+    found = [area.words() for area, who in placement_areas(one.scenario, one.roster).items() if who == ["left"]]
+    picture = draw_scenario(one.scenario, one.roster)
+    assert all(f">left: {words}<" in picture for words in found)
+    return found
+
+
+def test_where_chance_may_set_a_spot_is_drawn():
+    assert spot_set_to("{on_line: [[-0.2, -0.3], [0.2, -0.3]]}") == ["(-0.2, -0.3) to (0.2, -0.3)"]
+    assert spot_set_to("{uniform_in: pitch}") == ["in pitch"]
+    line = "{on_line: [[-0.2, -0.3], [0.2, -0.3]]}, mirror: {axis: y}"
+    assert spot_set_to(line) == ["(-0.2, 0.3) to (0.2, 0.3)"]
+
+
+def test_a_point_to_which_a_rule_sets_a_spot_is_drawn_and_its_mirror_image():
+    assert spot_set_to("[0.12, 0.34]") == ["(0.12, 0.34)"]
+    both = spot_set_to("[0.12, 0.34]", ", mirror: {axis: y, when: away}")
+    assert sorted(both) == ["(0.12, -0.34)", "(0.12, 0.34)"]
+
+
+@pytest.mark.parametrize("to", ["ball", "right", "blue_goal", "{told: Y1}"])
+def test_a_spot_that_is_set_to_where_something_is_has_no_place_of_its_own(to):
+    assert spot_set_to(to) == []

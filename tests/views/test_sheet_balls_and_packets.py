@@ -161,13 +161,13 @@ def test_a_sonar_of_less_than_1_m_tells_the_noise_at_its_own_range():
     sonar = "{device: sonar, bearing_rad: 0, range_m: 0.4, noise: 0.05}"
     assert (
         "up to 0.4 m (noise: standard deviation 2 % of the value at 0.4 m, less when nearer: at half the distance half "
-        "that share)." in sheet(f"robots: {{Y1: {{devices: {{it: {sonar}}}}}}}\n" + RULE)
+        "that share), " in sheet(f"robots: {{Y1: {{devices: {{it: {sonar}}}}}}}\n" + RULE)
     )
 
 
 def test_a_short_sonar_without_noise_tells_none():
     sonar = "{device: sonar, bearing_rad: 0, range_m: 0.4, noise: 0}"
-    assert "bearing 0°, up to 0.4 m." in sheet(f"robots: {{Y1: {{devices: {{it: {sonar}}}}}}}\n" + RULE)
+    assert "bearing 0°, up to 0.4 m, 3.85 cm off" in sheet(f"robots: {{Y1: {{devices: {{it: {sonar}}}}}}}\n" + RULE)
 
 
 # --- packets --------------------------------------------------------------------------------------------------------

@@ -97,7 +97,7 @@ def test_the_sheet_says_that_there_are_goals_or_none():
     none = "field: {corner_cut_m: 0.3, goals: {blue_goal: null, yellow_goal: null}}\n"
     zones = "zones: {blue_goal: null, yellow_goal: null}\ngroups: {in_play: null}\n"
     assert "There are no goals." in sheet(none + zones + RULE)
-    goals = "The blue goal stands at the +y end, 0.4 m wide and 0.1 m deep; the yellow goal stands at the -y end"
+    goals = "The blue goal stands at the +y end, 0.4 m wide and 0.1 m deep, its walls are 0.121 m high; the yellow"
     assert goals in sheet(RULE)
 
 
@@ -275,13 +275,19 @@ DEVICES = {
     ),
     "{device: compass, frame: legacy}": "direction of north, told as [left, up, ahead] as in the worlds of 2021.",
     "{device: lidar, frame: legacy}": (
-        "lidar, 360 points, 1 cm to 3 m, turning at 10 Hz, its points told as [left, up, ahead] as in the worlds of 2021."
+        "lidar, 360 points, 1 cm to 3 m, turning at 10 Hz, its points told as [left, up, ahead] as in the worlds of 2021"
+        ", 4.25 cm above the floor, clockwise from the front."
     ),
     "{device: compass, noise_rad: 0.1}": "direction of north (noise: standard deviation 5.73°).",
     "{device: sonar, bearing_rad: 0, noise: 0.1}": (
-        "distance sensor, bearing 0°, up to 1 m (noise: standard deviation 10 % of the value from 1 m on, less when nearer)."
+        "distance sensor, bearing 0°, up to 1 m (noise: standard deviation 10 % of the value from 1 m on, less when nearer)"
+        ", 3.85 cm off the robot's centre and 5.75 cm above the floor, without an echo of what it meets at 22.5° "
+        "or more off the perpendicular."
     ),
-    "{device: sonar, bearing_rad: 0, noise: 0}": "distance sensor, bearing 0°, up to 1 m.",
+    "{device: sonar, bearing_rad: 0, noise: 0, offset_m: 0.1, height_m: 0.02, lost_from_rad: 3}": (
+        # Where none is lost nothing is said of it.
+        "distance sensor, bearing 0°, up to 1 m, 0.1 m off the robot's centre and 2 cm above the floor."
+    ),
     "{device: ball_receiver, range_m: 3, strength_noise: 0.05, direction_noise_rad: 0.02}": (
         "infra-red receiver of the ball, up to 3 m (noise: standard deviation 5 % of the strength and 1.15° of the direction)."
     ),
@@ -289,9 +295,18 @@ DEVICES = {
         "infra-red receiver of the ball, up to 0.6 m (noise: standard deviation 1.15° of the direction)."
     ),
     "{device: lidar, rotating: false, noise_m: 0.01}": (
-        "lidar, 360 points, 1 cm to 3 m (noise: standard deviation 1 cm)."
+        "lidar, 360 points, 1 cm to 3 m (noise: standard deviation 1 cm), 4.25 cm above the floor, clockwise from "
+        "the front."
     ),
-    "{device: team_emitter, baud: 4800, range_m: 2}": "team radio, sends up to 2 m far, 4800 baud",
+    "{device: lidar, field_of_view_rad: 2, height_m: 0.12}": (
+        "lidar, 360 points, 1 cm to 3 m, turning at 10 Hz, 0.12 m above the floor, over 114.6° from left to right."
+    ),
+    "{device: team_emitter, baud: 4800, range_m: 2}": "team radio, sends up to 2 m far, 4800 baud (19.2 bytes in a tick).",
+    "{device: motor, wheel: left, direction: -1}": "motor of the left wheel, positive speeds drive backward.",
+    "{device: motor, wheel: right}": "motor of the right wheel, positive speeds drive forward.",
+    "{device: wheel_sensor, wheel: left, direction: -1}": (
+        "angle of the left wheel in rad, grows while the robot drives backward."
+    ),
     "{device: team_receiver, range_m: 4}": "team radio, receives from up to 4 m",
 }
 

@@ -342,5 +342,6 @@ def _swap(scenario: Scenario) -> Iterator[Found]:
     if not scenario.match.swap_sides:
         return
     if len(scenario.entrants) != 2:
-        message = f"only two entrants can change sides; there are {len(scenario.entrants)}"
+        count = len(scenario.entrants)
+        message = f"only two entrants can change sides; there {'is' if count == 1 else 'are'} {count}"
         yield Found(("match", "swap_sides"), message)

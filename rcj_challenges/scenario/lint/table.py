@@ -32,6 +32,7 @@ from rcj_challenges.scenario.lint.gone import check_gone
 from rcj_challenges.scenario.lint.ground import check_entities, check_layouts, check_obstacles, check_places
 from rcj_challenges.scenario.lint.heard import check_heard
 from rcj_challenges.scenario.lint.held import check_held, check_holds
+from rcj_challenges.scenario.lint.ignored import check_ignored
 from rcj_challenges.scenario.lint.judged import check_judged_twice
 from rcj_challenges.scenario.lint.kicks import check_kicks
 from rcj_challenges.scenario.lint.literals import check_literals
@@ -142,6 +143,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_put_back,
     check_gone,
     check_kicks,
+    check_ignored,
     check_field_size,
     check_goals,
     check_walled_zones,

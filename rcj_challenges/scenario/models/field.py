@@ -36,7 +36,13 @@ class FieldModel(Strict):
     corner_cut_m: float = described(
         0.06, "how far the 45° corner walls cut into the corner along each axis in m; 0: square corners", ge=0
     )
-    friction: float = described(1.0, "Coulomb friction of all contacts", ge=0, le=2)
+    friction: float = described(
+        1.0,
+        "Coulomb friction of the floor under wheels and balls, of walls (to balls 1 at most) and of bodies that touch; "
+        "of a ball on a robot or a ball, of a wheel's rim and of what is pushed over the floor 0.1 at most",
+        ge=0,
+        le=2,
+    )
     restitution: float = described(0.5, "share of speed kept when the ball meets a wall", ge=0, le=0.95)
     goals: dict[str, Goal] = described({}, "goals by name")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from rcj_challenges.scenario.models.actions import Place, Remove
+from rcj_challenges.scenario.models.actions import Place, Remove, SetSpot
 from rcj_challenges.scenario.models.places import (
     At,
     AtPoint,
@@ -20,6 +20,7 @@ from rcj_challenges.scenario.models.places import (
     UniformIn,
 )
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.models.state import ToldValue
 from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.drawing.beside import layouts_of, listed_names, places_beside
@@ -61,7 +62,7 @@ class Area:
 
 
 def placement_areas(scenario: Scenario, roster: Roster) -> dict[Area, list[str]]:
-    """Return the places where layouts and rules put things, with the names of what is put there, as written.
+    """Return the places where layouts and rules put things or set spots, with the names of these, as written.
 
     What a flag mirrors has both places.
     """
@@ -119,6 +120,11 @@ def _placings(scenario: Scenario) -> Iterator[_Put]:
                 yield from _puts(action, listed_names(action.entity, rule), flip)
         elif isinstance(action, Remove) and action.for_s is not None:
             yield listed_names(action.entity, rule), action.back_at, (0.0, 0.0), AS_WRITTEN, False
+        elif isinstance(action, SetSpot) and not isinstance(action.to, str | ToldValue):
+            # What is set to where something is has no place of its own.
+            at = AtPoint(point=action.to) if isinstance(action.to, tuple) else action.to
+            for flip in flips_of(action, [None]):
+                yield (action.spot,), at, (0.0, 0.0), flip, False
 
 
 def _puts(placing: Placing | Place, names: tuple[str, ...], flip: Flip) -> Iterator[_Put]:

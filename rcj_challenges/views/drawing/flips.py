@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from rcj_challenges.scenario.models.actions import Place
+from rcj_challenges.scenario.models.actions import Place, SetSpot
 from rcj_challenges.scenario.models.places import Mirror, Placing
 from rcj_challenges.views.drawing.labels import Point
 
@@ -20,7 +20,7 @@ def flipped(point: Point, flip: Flip) -> Point:
     return (-point[0] + 0.0 if flip[0] else point[0], -point[1] + 0.0 if flip[1] else point[1])
 
 
-def flips_of(placing: Placing | Place, mirrors: Iterable[Mirror | None]) -> list[Flip]:
+def flips_of(placing: Placing | Place | SetSpot, mirrors: Iterable[Mirror | None]) -> list[Flip]:
     """Return all ways in which a placement may be mirrored: by its own mirror, and by those of its layout."""
     found = {
         (own[0] is not whole[0], own[1] is not whole[1])

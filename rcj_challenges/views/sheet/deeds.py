@@ -13,6 +13,7 @@ from rcj_challenges.views.sheet.mirrored import mirrored_aim_words, mirrored_lay
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted, quoted_measure
 from rcj_challenges.views.sheet.phrases import (
     amount,
+    counted,
     heading,
     lasting,
     metres,
@@ -289,8 +290,7 @@ def _points(nouns: Nouns, action: Any) -> str:
         return f"{who} loses points: {amount(nouns, taken)}{bounds}"
     if not isinstance(points, (int, float)):
         return f"{who} gets points: {amount(nouns, points)}{bounds}"
-    number = amount(nouns, abs(points))
-    return f"{who} {'loses' if points < 0 else 'gets'} {number} point{'' if number == '1' else 's'}{bounds}"
+    return f"{who} {'loses' if points < 0 else 'gets'} {counted(abs(points), 'point')}{bounds}"
 
 
 def _flag(nouns: Nouns, action: Any) -> str:

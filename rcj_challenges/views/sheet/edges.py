@@ -253,7 +253,9 @@ def _drawn(nouns: Nouns, c: Any) -> str:
 
 
 def _half(_nouns: Nouns, c: Any) -> str:
-    if c.at_least is not None and c.at_most is not None:
+    if c.at_least is not None and c.at_least == c.at_most:
+        which = f"half {c.at_least}"
+    elif c.at_least is not None and c.at_most is not None:
         which = f"one of the halves {c.at_least} to {c.at_most}"
     elif c.at_least is not None:
         which = f"half {c.at_least} or a later one"

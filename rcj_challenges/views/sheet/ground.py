@@ -24,6 +24,7 @@ def field_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
         f"{metres(field.wall_height_m)} high. The origin is the centre; x grows to the right, y upwards in the drawing."
         f" {_corners(field)} {_goals(nouns, field)}"
     )
+    yield Paragraph(_surfaces(scenario))
     yield Picture(draw_scenario(scenario, nouns.roster))
     if scenario.gates:
         yield Paragraph("A gate is crossed forward towards the side to which its short mark in the drawing points.")
@@ -52,13 +53,24 @@ def _corners(field: models.FieldModel) -> str:
     return f"Walls at 45° cut {metres(field.corner_cut_m)} off both sides of each corner."
 
 
+def _surfaces(scenario: Scenario) -> str:
+    """Return how the floor holds what drives on it, and how a ball springs back."""
+    field = scenario.field
+    floor = f"The floor's coefficient of friction is {field.friction:g}."
+    if not scenario.balls:
+        return floor
+    return (
+        f"{floor} A ball springs back from a wall with {100 * field.restitution:g} % of the speed at which it meets it."
+    )
+
+
 def _goals(nouns: Nouns, field: models.FieldModel) -> str:
     if not field.goals:
         return "There are no goals."
     ends = {"positive_y": "+y", "negative_y": "-y"}
     goals = "; ".join(
         f"{nouns.thing(name) if name in nouns.scenario.zones else f'the goal {quoted(name)}'} stands at the "
-        f"{ends[goal.end]} end, {wide} wide and {deep} deep"
+        f"{ends[goal.end]} end, {wide} wide and {deep} deep, its walls are {metres(goal.wall_height_m)} high"
         for name, goal in field.goals.items()
         for wide, deep in [metres_alike((goal.width_m, goal.depth_m))]
     )

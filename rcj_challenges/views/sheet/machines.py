@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from typing import Any
 
 from rcj_challenges.devices.channels import entrant_of, team_channels
+from rcj_challenges.devices.fitting import is_full_turn
+from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.models import robots as models
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.own_devices import devices_of
+from rcj_challenges.views.drawing.shapes import point_words
 from rcj_challenges.views.sheet.blocks import Block, Heading, Paragraph, Table
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain
-from rcj_challenges.views.sheet.phrases import degrees, metres
+from rcj_challenges.views.sheet.phrases import counted, degrees, heading, metres, metres_alike
 
 _RADIO = (models.TeamEmitterDevice, models.TeamReceiverDevice)
 
@@ -21,14 +25,23 @@ def robot_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     yield Heading(2, "Robots")
     owners = entrant_of(scenario)
     rows = [
-        (plain(name), plain(robot.colour), _driver(robot, owners.get(name)), robot.kit)
+        (plain(name), plain(robot.colour), _driver(robot, owners.get(name)), robot.kit, _start(robot.start))
         for name, robot in scenario.robots.items()
     ]
-    yield Table(("robot", "colour", "driven by", "kit"), tuple(rows))
-    used = {robot.kit for robot in scenario.robots.values() if not robot.idle}
+    yield Table(("robot", "colour", "driven by", "kit", "start (x, y in m)"), tuple(rows))
+    if any(any(robot.start.noise_m) for robot in scenario.robots.values()):
+        yield Paragraph(
+            "Where ± stands, chance shifts a start by up to that much to either side, all shifts equally likely, each "
+            "time the robot is put there."
+        )
+    driven = {robot.kit for robot in scenario.robots.values() if not robot.idle}
+    standing = {robot.kit for robot in scenario.robots.values() if robot.idle}
     for kit_name, kit in scenario.kits.items():
-        if kit_name in used:
-            yield from _kit(kit_name, kit, nouns)
+        if kit_name in driven | standing:
+            yield Heading(3, f"Kit {kit_name}")
+            yield Paragraph(_body(kit))
+        if kit_name in driven:
+            yield from _kit(kit, nouns)
     for name, robot in scenario.robots.items():
         if robot.devices or robot.without:
             changes = [f"“{device}”: {device_words(model, nouns)}" for device, model in robot.devices.items()]
@@ -48,14 +61,35 @@ def _driver(robot: models.Robot, owner: str | None) -> str:
     return "nobody" if owner is None else f"program of {plain(owner)}"
 
 
-def _kit(name: str, kit: models.Kit, nouns: Nouns) -> Iterator[Block]:
-    yield Heading(3, f"Kit {name}")
+def _start(start: models.StartPose) -> str:
+    """Return where a robot starts: ``(0.3, 0.3), ± 7.5 cm in x, facing 90° clockwise from +x``."""
+    wide = zip("xy", metres_alike(start.noise_m), start.noise_m, strict=True)
+    noise = "".join(f", ± {words} in {axis}" for axis, words, wide_m in wide if wide_m)
+    return f"{point_words((start.x_m, start.y_m))}{noise}, facing {heading(start.yaw_rad)}"
+
+
+def _body(kit: models.Kit) -> str:
+    """Return what a robot's body is: what drives, weighs and is in the way."""
     chassis = kit.chassis
     top = chassis.wheel_radius_m * chassis.max_wheel_radps
+    wheels_m = (chassis.wheel_track_m, chassis.wheel_radius_m, chassis.wheel_width_m)
+    apart, radius, width = metres_alike(wheels_m)
+    shown = (
+        " Pictures show its front at the other end; what is measured and judged, and called forward, left and right "
+        "here, goes by the way it faces."
+    )
+    return (
+        f"A cube of {metres(chassis.size_m)} on two wheels; its mass is {chassis.mass_kg:g} kg, and "
+        f"{chassis.wheel_mass_kg:g} kg that of each wheel. The wheels have a radius of {radius}, are {width} wide and "
+        f"{apart} apart, from centre to centre; top speed {top:g} m/s at {chassis.max_wheel_radps:g} rad/s."
+        + (shown if kit.looks_along == "-x" else "")
+    )
+
+
+def _kit(kit: models.Kit, nouns: Nouns) -> Iterator[Block]:
+    """Return what programs of a kit have to do with."""
     yield Paragraph(
-        f"A cube of {metres(chassis.size_m)} on two wheels; top speed {top:g} m/s "
-        f"at {chassis.max_wheel_radps:g} rad/s. Programs take a step every {kit.control_step_ms} ms; "
-        f"messages are as in version {kit.messages}."
+        f"Programs usually take steps of {kit.control_step_ms} ms; messages are as in version {kit.messages}."
     )
     yield Table(("device", "what it is"), tuple((device, device_words(d, nouns)) for device, d in kit.devices.items()))
 
@@ -114,14 +148,26 @@ def _sonar(d: models.SonarDevice) -> str:
         # It never measures as far as where the noise stops growing: the figure that holds is that of its own range.
         full = _percent(d.noise * d.range_m, f"the value at {metres(d.range_m)}")
         noise = _noise(f"{full}, less when nearer: at half the distance half that share")
-    return f"distance sensor, bearing {degrees(d.bearing_rad)}, up to {metres(d.range_m)}{noise}"
+    where = f"{metres(d.offset_m)} off the robot's centre and {metres(d.height_m)} above the floor"
+    # At a right angle and more a ray meets nothing.
+    lost = f", without an echo of what it meets at {degrees(d.lost_from_rad)} or more off the perpendicular"
+    return (
+        f"distance sensor, bearing {degrees(d.bearing_rad)}, up to {metres(d.range_m)}{noise}, {where}"
+        f"{lost if d.lost_from_rad < math.pi / 2 else ''}"
+    )
 
 
 def _lidar(d: models.LidarDevice) -> str:
     turning = f", turning at {d.frequency_hz:g} Hz" if d.rotating else ""
     noise = _noise(metres(d.noise_m) if d.noise_m else "")
     order = _order(d, ", its points told as [left, up, ahead]")
-    return f"lidar, {d.points} points, {metres(d.min_range_m)} to {metres(d.max_range_m)}{turning}{order}{noise}"
+    round_it = (
+        "clockwise from the front" if is_full_turn(d) else f"over {degrees(d.field_of_view_rad)} from left to right"
+    )
+    return (
+        f"lidar, {counted(d.points, 'point')}, {metres(d.min_range_m)} to {metres(d.max_range_m)}{turning}{order}"
+        f"{noise}, {metres(d.height_m)} above the floor, {round_it}"
+    )
 
 
 def _gps(d: models.GpsDevice) -> str:
@@ -138,14 +184,30 @@ def _order(d: models.GpsDevice | models.CompassDevice | models.LidarDevice, lega
     return f"{legacy} as in the worlds of 2021" if d.frame == "legacy" else ""
 
 
+def _emitter(d: models.TeamEmitterDevice) -> str:
+    in_a_tick = f"{counted(d.baud * TICK_S / _BITS_OF_A_BYTE, 'byte')} in a tick"
+    return f"team radio, sends up to {metres(d.range_m)} far, {d.baud} baud ({in_a_tick})"
+
+
+def _motor(d: models.MotorDevice) -> str:
+    return f"motor of the {d.wheel} wheel, positive speeds drive {'forward' if d.direction == 1 else 'backward'}"
+
+
+def _wheel_sensor(d: models.WheelSensorDevice) -> str:
+    driving = "forward" if d.direction == 1 else "backward"
+    return f"angle of the {d.wheel} wheel in rad, grows while the robot drives {driving}"
+
+
+_BITS_OF_A_BYTE = 8  # on the radio: the description of `baud`
+
 _DEVICES: dict[str, Callable[[Any], str]] = {
-    "motor": lambda d: f"motor of the {d.wheel} wheel",
-    "wheel_sensor": lambda d: f"angle of the {d.wheel} wheel",
+    "motor": _motor,
+    "wheel_sensor": _wheel_sensor,
     "gps": _gps,
     "compass": _compass,
     "sonar": _sonar,
     "supervisor_receiver": lambda d: f"receiver of the referee's packets, channel {d.channel}",
     "team_receiver": lambda d: f"team radio, receives from up to {metres(d.range_m)}",
-    "team_emitter": lambda d: f"team radio, sends up to {metres(d.range_m)} far, {d.baud} baud",
+    "team_emitter": _emitter,
     "lidar": _lidar,
 }

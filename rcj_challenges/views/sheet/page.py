@@ -6,12 +6,22 @@ from collections import Counter
 from collections.abc import Iterator
 from collections.abc import Set as AbstractSet
 
+from rcj_challenges.devices.channels import entrant_of
 from rcj_challenges.scenario.blanks import description_of
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.followed import followed, phases_of
 from rcj_challenges.scenario.halves import clock_may_stop, half_lengths_s
-from rcj_challenges.scenario.models.actions import DrawAction, Hold, Place, Score, SequenceAction
-from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Result, Rule, Scenario
+from rcj_challenges.scenario.models.actions import DrawAction, Hold, Place, Score, SequenceAction, SetPhase
+from rcj_challenges.scenario.models.robots import TeamEmitterDevice
+from rcj_challenges.scenario.models.scenario import (
+    Limits,
+    RankByCounter,
+    RankByScore,
+    RankByTime,
+    Result,
+    Rule,
+    Scenario,
+)
 from rcj_challenges.scenario.models.state import CounterValue, Draw, Phase, Sequence, Timer
 from rcj_challenges.scenario.models.triggers import NoProgress
 from rcj_challenges.scenario.roster import Roster
@@ -19,9 +29,9 @@ from rcj_challenges.views.drawing.beside import layouts_of
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table, as_html, as_markdown
 from rcj_challenges.views.sheet.deeds import placing_words, points_words, receiver_words
 from rcj_challenges.views.sheet.ground import field_blocks
-from rcj_challenges.views.sheet.machines import robot_blocks
+from rcj_challenges.views.sheet.machines import has, robot_blocks
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted, quoted_measure
-from rcj_challenges.views.sheet.phrases import lasting, number, seconds, value
+from rcj_challenges.views.sheet.phrases import counted, lasting, number, seconds, value
 from rcj_challenges.views.sheet.rules import rule_blocks, when_words
 from rcj_challenges.views.sheet.spoken import spoken
 from rcj_challenges.views.sheet.told import told_blocks
@@ -65,9 +75,13 @@ def _course(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     of = seconds(lengths_s[0]) if len(set(lengths_s)) == 1 else listed([seconds(one) for one in lengths_s], "and")
     swap = "; the teams change sides between halves" if match.swap_sides and match.halves > 1 else ""
     first = f" A half begins in the phase {quoted(scenario.first_phase)}." if scenario.first_phase != "play" else ""
-    yield Paragraph(f"{halves} of {of}{swap}.{first} Everything is judged on every tick of 32 ms.")
+    yield Paragraph(
+        f"{halves} of {of}{swap}.{first} Everything is judged on every tick of 32 ms; a time is over on the first tick "
+        "on which it has passed."
+    )
     entries = [
         *(_phase_words(nouns, name, phase) for name, phase in scenario.phases.items()),
+        *_anew_words(scenario),
         *(_timer_words(nouns, name, timer) for name, timer in scenario.timers.items()),
         *_held_words(nouns),
         *_beginnings(scenario, nouns),
@@ -100,6 +114,19 @@ def _phase_words(nouns: Nouns, name: str, phase: Phase) -> str:
     clock = "goes on" if phase.clock == "runs" else f"stands still{', timers go on' * bool(nouns.scenario.timers)}"
     held = " All robots are held meanwhile: their wheels stand still, whatever their programs say."
     return f"The phase {quoted(name)} {lasts}; the clock {clock}{told}.{held if phase.robots == 'held' else ''}"
+
+
+def _anew_words(scenario: Scenario) -> Iterator[str]:
+    """Return what a rule does that begins the phase in which it is judged, where one does."""
+    if any(
+        isinstance(action, SetPhase) and (rule.phases == "any" or action.phase in rule.phases)
+        for rule in scenario.rules.values()
+        for action in rule.actions
+    ):
+        yield (
+            "Where a rule begins the phase that is on already, that phase begins anew: with all of its time, and what "
+            "must last for a time, or move within one, is measured anew."
+        )
 
 
 def _held_words(nouns: Nouns) -> Iterator[str]:
@@ -355,10 +382,19 @@ def _submission(scenario: Scenario, _nouns: Nouns) -> Iterator[Block]:
     asked = [set(entrant.robots.values()) for entrant in scenario.entrants.values()]
     if scenario.match.swap_sides and scenario.match.halves > 1 and any(one != asked[0] for one in asked):
         yield Paragraph("As the teams change sides, each of them hands in all these programs.")
-    limits = scenario.limits
-    yield Paragraph(
+    yield Paragraph(_limit_words(scenario.limits))
+    if any(has(scenario, robot, TeamEmitterDevice) for robot in entrant_of(scenario)):
+        yield Paragraph(f"A radio packet of more than {number(scenario.limits.message_kb)} kB is not sent.")
+
+
+def _limit_words(limits: Limits) -> str:
+    """Return what a program may use; the last resort against threads that compute for ever is named if it was set."""
+    computing = f"{seconds(limits.processor_s)} of processor time in a half, " if limits.processor_s is not None else ""
+    threads = f"{counted(limits.processes, 'thread')} beside its first one"
+    return (
         f"Limits: {seconds(limits.start_s)} to the first step, {seconds(limits.step_s)} for a step "
-        f"and {seconds(limits.half_s)} in all in a half (only the waiting for that program counts), "
-        f"{limits.memory_mb} MB of memory, {limits.output_mb:g} MB of output. "
+        f"and {seconds(limits.half_s)} in all in a half (only the waiting for that program counts), {computing}"
+        f"{limits.memory_mb} MB of memory, {number(limits.output_mb)} MB of output, "
+        f"{number(limits.scratch_mb)} MB of files in its own folder and {threads}. "
         "A program that exceeds one stops for the rest of the half."
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -12,10 +13,24 @@ from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted, quote
 USUALLY_FREE_M = float(SpotFree.model_fields["clearance_m"].default)
 """Nearer than this is nobody to a spot that is free, in m, where nothing else is said."""
 
+_DIGITS = 9  # behind the point: to so many scores and counters are exact
+_MOST = 1e15  # what neither a score nor a counter exceeds
+
 
 def number(value: float) -> str:
-    """Return a number without superfluous zeros."""
-    return f"{value:g}"
+    """Return a number without superfluous zeros: ``0.5``, ``1234567``.
+
+    All its digits are there: people compare it, and not all of them read ``1.23457e+06``.
+    """
+    if value and not 10**-_DIGITS <= abs(value) <= _MOST:
+        return f"{value:g}"
+    return f"{value + 0.0:.{_DIGITS}f}".rstrip("0").rstrip(".")  # adding 0 makes no -0
+
+
+def counted(count: float, what: str) -> str:
+    """Return so many of something: ``1 point``, ``360 points``."""
+    many = number(count)
+    return f"{many} {what}{'' if many == '1' else 's'}"
 
 
 def seconds(value: float) -> str:
@@ -50,8 +65,9 @@ def metres_alike(values: Sequence[float]) -> list[str]:
 
 
 def degrees(value_rad: float) -> str:
-    """Return an angle in rad as degrees: ``34°``."""
-    return f"{value_rad * 57.29578:.3g}°"
+    """Return an angle in rad as degrees, to a tenth, small ones to three digits: ``34.4°``, ``0.573°``."""
+    value = math.degrees(value_rad)
+    return f"{value:.3g}°" if abs(value) < 10 else f"{round(value, 1):g}°"
 
 
 def heading(yaw_rad: float) -> str:

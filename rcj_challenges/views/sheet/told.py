@@ -19,7 +19,7 @@ from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table
 from rcj_challenges.views.sheet.machines import has
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain
-from rcj_challenges.views.sheet.phrases import value
+from rcj_challenges.views.sheet.phrases import counted, value
 from rcj_challenges.views.sheet.spoken import spoken
 
 _FLAG_PACKETS = {
@@ -111,7 +111,8 @@ def _reading_2021(kit: Kit, balls: int) -> str:
     doubles = "Each number is a double of 8 bytes in native byte order. " if robots or balls else ""
     flag = "" if kit.packet_has_flag else " The packet does not tell whether a kick-off is awaited."
     return (
-        f"{numbers}{turned}{off}{doubles}Python unpacks the {struct.calcsize(layout)} bytes with "
+        f"{numbers}{turned}{off}{doubles}Python unpacks the "
+        f"{counted(struct.calcsize(layout), 'byte')} with "
         f'struct.unpack("{layout}", packet).{flag}'
     )
 

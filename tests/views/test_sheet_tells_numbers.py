@@ -1,0 +1,299 @@
+"""Who changes a number of a scenario reads the new one on its rule sheet, or in the drawing on it.
+
+Of each field that is a number, a choice or a yes or no, a leaf of what is shipped is changed: of a scenario, or of an
+example of the reference. What needs no telling is listed, with the reason.
+"""
+
+from __future__ import annotations
+
+import re
+import types
+from collections import Counter
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+from typing import Annotated, Any, Literal, NamedTuple, Union, get_args, get_origin
+
+import pytest
+from pydantic import BaseModel, ValidationError
+
+from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.load import Loaded, load, load_resolved, load_text
+from rcj_challenges.scenario.models import scenario as models
+from rcj_challenges.views.drawing import draw_scenario
+from rcj_challenges.views.sheet import sheet_markdown
+from rcj_challenges.views.sheet.phrases import degrees, number, seconds
+from scripts.write_reference import read_examples
+
+pytestmark = pytest.mark.usefixtures("without_drawing", "without_labels")
+
+_OF_TESTS = (models.Expectation, models.ExpectedEvent, models.Given, models.Keyframe)
+"""What stands below `expect` is about the rules' tests, not about the challenge."""
+
+_SHIPPED = ("match", "match_2021", "variants/precision_lidar_v2", "variants/fast_shooter_v2", "examples/hot_spot")
+"""Beside the examples of the reference: what these do not show."""
+
+_MOST_LEAVES = 6
+"""So many leaves of a field are changed, one after the other, until one is told."""
+
+_NEEDS_NO_TELLING = {
+    "BallReceiverDevice.channel": "what getChannel returns; nothing else is sent to it, whatever the number",
+    "Place.max_attempts": "how often chance tries before it is said that there is no room",
+    "Placing.max_attempts": "how often chance tries before it is said that there is no room",
+    "Robot.number": "what stands on its lid in pictures",
+    "Rule.priority": "the rules stand in the order in which they are judged",
+    "Scenario.params": "the value stands wherever the param is used",
+    "Told.is_a": "a number or a position is asked for by its text as well",
+}
+"""Fields that may change without a word on the sheet, and why."""
+
+_DRAWN = ("RectZone.", "CircleZone.", "PolygonZone.", "HalfPlaneZone.", "Gate.", "Spot.")
+"""What the drawing on the sheet tells, in its legend."""
+
+_SHOWN_NOWHERE_ELSE = """
+schema_version: 1
+id: small
+title: Small
+extends: soccersim_v2
+field: {goals: {yellow_goal: null}}
+obstacles: {bin: {shape: cylinder, centre_m: [0.5, 0.2], radius_m: 0.05, movable: true}}
+zones: {west: {shape: circle, centre_m: [-0.4, 0], radius_m: 0.1}, east: {shape: circle, centre_m: [0.4, 0], radius_m: 0.1}}
+sequences: {way: {per: robots, steps: [west, east]}}
+counters: {laps: {per: robots}}
+timers: {watch: {lasts_s: 30, per: robots}}
+draws: {tile: {values: [1, 2, 5]}}
+broadcast: {fields: {version: 3}, only: {Y1: {version: 4}}}
+rules:
+  put:
+    triggers: [{trigger: displaced, entity: ball, from: [0.15, 0.25], distance_m: 0.1}, {trigger: half_started}]
+    actions:
+      - {action: place, entity: Y1, at: {furthest_free: neutral_spots, from: [0.1, 0.2]}, facing: {towards: [0.3, 0.4]}}
+      - {action: place, entity: Y2, at: {nearest_free: neutral_spots, to: [0.1, 0.2]}}
+      - {action: set_spot, spot: middle_blue, to: [0.12, 0.34]}
+      - {action: draw, draw: tile, as: 2}
+      - {action: count, counter: laps, to: {distance: [ball, [0.2, 0.1]]}}
+      - {action: score, entrant: blue, points: [{distance: [ball, [0.2, 0.1]], weight: 2}, {told: Y1, weight: 3}]}
+  judged:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    conditions:
+      - {condition: counter, counter: laps, entity: blue, of: any, equals: 5}
+      - {condition: timer, timer: watch, entity: blue, of: any, equals: 5}
+      - {condition: way, entity: blue, at_least: 0.5}
+      - {condition: way, entity: blue, equals: 0.5}
+      - {condition: speed, entity: blue, equals: 0.1}
+      - {condition: distance, entity: blue, to: [0.2, 0.3], equals: 0.4}
+      - {condition: looks, entity: blue, heading_rad: 0.5}
+      - {condition: looks, entity: blue, towards: [0.2, 0.3]}
+      - {condition: in_zone, entity: blue, zone: west}
+      - {condition: held, entity: blue}
+      - {condition: sequence_at, sequence: way, entity: blue, of: any, step: west}
+      - {condition: spot_free, spot: neutral_spots}
+      - {condition: told, entity: blue, text: 7}
+      - {condition: drawn, draw: tile, equals: 2}
+    actions: [{action: hold, entity: Y1}, {action: release, entity: Y1}]
+"""
+
+
+class Leaf(NamedTuple):
+    """A single value of a scenario.
+
+    Attributes:
+        scenario: which of the scenarios.
+        path: where it is.
+        value: what it is; None: it is left out.
+        annotation: what it may be.
+    """
+
+    scenario: int
+    path: tuple[str | int, ...]
+    value: Any
+    annotation: Any
+
+
+def _parts(annotation: Any) -> Iterator[Any]:
+    """Yield the types of which an annotation is made, without names' texts."""
+    origin = get_origin(annotation)
+    if origin is Annotated:
+        yield from _parts(get_args(annotation)[0])
+    elif origin is Literal:
+        yield annotation
+    elif origin in (Union, types.UnionType, tuple, list, dict):
+        for part in get_args(annotation):
+            yield from _parts(part)
+    else:
+        yield annotation
+
+
+def _fields(model: type[BaseModel], seen: set[type[BaseModel]]) -> Iterator[str]:
+    """Yield the fields below a model that are numbers, choices or yes or no: ``Ball.radius_m``."""
+    if model in seen or model in _OF_TESTS:
+        return
+    seen.add(model)
+    for name, field in model.model_fields.items():
+        parts = list(_parts(field.annotation))
+        choices = [get_args(part) for part in parts if get_origin(part) is Literal]
+        if not field.exclude and (
+            any(part in (int, float, bool) for part in parts) or any(len(c) > 1 for c in choices)
+        ):
+            yield f"{model.__name__}.{field.alias or name}"
+        for part in parts:
+            if isinstance(part, type) and issubclass(part, BaseModel):
+                yield from _fields(part, seen)
+
+
+FIELDS = sorted(_fields(models.Scenario, set()))
+
+
+@cache
+def _loaded() -> tuple[Loaded, ...]:
+    """Return what is shipped."""
+    shipped = Path(__file__).resolve().parents[2] / "scenarios"
+    return (
+        load_text(_SHOWN_NOWHERE_ELSE),
+        *(load(shipped / f"{name}.yaml") for name in _SHIPPED),
+        *(load_text(example.whole) for example in read_examples()),
+    )
+
+
+@cache
+def _leaves() -> dict[str, list[Leaf]]:
+    """Return the leaves of what is shipped by their field."""
+    found: dict[str, list[Leaf]] = {}
+    for index, loaded in enumerate(_loaded()):
+        for field, leaf in _below(index, loaded.scenario, ()):
+            found.setdefault(field, []).append(leaf)
+    return found
+
+
+def _below(scenario: int, node: Any, path: tuple[str | int, ...], field: str = "", shape: Any = None) -> Any:
+    if isinstance(node, _OF_TESTS):
+        return
+    if isinstance(node, BaseModel):
+        for name, info in type(node).model_fields.items():
+            key = info.alias or name
+            inner = getattr(node, name)
+            yield from _below(scenario, inner, (*path, key), f"{type(node).__name__}.{key}", info.annotation)
+    elif isinstance(node, dict):
+        for key, inner in node.items():
+            yield from _below(scenario, inner, (*path, key), field, shape)
+    elif isinstance(node, tuple):
+        for place, inner in enumerate(node):
+            yield from _below(scenario, inner, (*path, place), field, shape)
+    else:
+        yield field, Leaf(scenario, path, node, shape)
+
+
+def _others(leaf: Leaf) -> Iterator[Any]:
+    """Yield other values for a leaf; not all of them may be valid."""
+    parts = list(_parts(leaf.annotation))
+    value = leaf.value
+    if isinstance(value, bool) or (value is None and bool in parts):
+        yield not value
+    elif isinstance(value, int | float):
+        # Such as nobody writes, so that the sheet does not tell them anyway.
+        yield from (value + 3, value - 3) if isinstance(value, int) else ()
+        yield from (round(value * 1.13 + 0.0017, 4), round(value * 0.87 - 0.0017, 4), value + 0.137, value + 1.37)
+    elif value is None and (int in parts or float in parts):
+        yield from (0.137, 1.37, 13, 7, 1)
+    yield from (one for one in _choices(leaf.annotation) if one != value)
+
+
+def _choices(annotation: Any) -> list[Any]:
+    return [one for part in _parts(annotation) if get_origin(part) is Literal for one in get_args(part)]
+
+
+def _changed(leaf: Leaf, value: Any) -> Loaded | None:
+    """Return the scenario with another value in place of a leaf; None if it may not be there."""
+    data = _with(_untested(leaf.scenario), leaf.path, value)
+    try:
+        models.Scenario.model_validate(data)  # says no sooner, if less politely
+        return load_resolved(data)
+    except (ValidationError, ScenarioError):
+        return None
+
+
+@cache
+def _untested(scenario: int) -> dict[str, Any]:
+    return {**_loaded()[scenario].resolved, "expect": {}}
+
+
+def _with(node: Any, path: tuple[str | int, ...], value: Any) -> Any:
+    """Return data with another value at one place; nothing else is copied but what holds it."""
+    if not path:
+        return value
+    step, *further = path
+    if isinstance(node, dict):
+        return {**node, step: _with(node.get(step), tuple(further), value)}
+    return [_with(one, tuple(further), value) if place == step else one for place, one in enumerate(node)]
+
+
+def _words(text: str) -> Counter[str]:
+    return Counter(re.findall(r"[^\s,;:()\[\]“”|<>&]+", text.replace("\\", "")))
+
+
+def _shown(loaded: Loaded, *, drawn: bool) -> Counter[str]:
+    show = draw_scenario if drawn else sheet_markdown
+    return _words(show(loaded.scenario, loaded.roster))
+
+
+@cache
+def _shown_before(scenario: int, *, drawn: bool) -> Counter[str]:
+    # Read as the changed ones are: what was left out and what was written with its default are one there.
+    return _shown(load_resolved(_untested(scenario)), drawn=drawn)
+
+
+def _new_words(leaf: Leaf, changed: Loaded, *, drawn: bool) -> Counter[str]:
+    """Return what the sheet, or the drawing on it, says in the changed scenario only."""
+    old, new = _shown_before(leaf.scenario, drawn=drawn), _shown(changed, drawn=drawn)
+    return new - old or Counter({"something left out": 1} if new != old else {})
+
+
+def _tells(words: Counter[str], value: Any, annotation: Any) -> bool:
+    """Return whether words tell a value: in its unit, in cm, as a diameter in cm, in degrees, in %, of ticks in s."""
+    if isinstance(value, bool | str) or value in _choices(annotation):
+        return bool(words)
+    amounts = (value, 100 * value, 200 * value, value * TICK_S)
+    told = {number(abs(amount)) for amount in amounts}
+    told |= {degrees(abs(value)).removesuffix("°"), seconds(abs(value)).split()[0]}
+    return bool(told & {re.sub(r"^[-±]+|[.°s]+$", "", word) for word in words})
+
+
+def _telling(leaf: Leaf, *, drawn: bool) -> tuple[bool, list[Any]]:
+    """Return whether another value of a leaf is told, and which were tried."""
+    tried: list[Any] = []
+    for value in _others(leaf):
+        changed = _changed(leaf, value)
+        if changed is not None:
+            tried.append(value)
+            if _tells(_new_words(leaf, changed, drawn=drawn), value, leaf.annotation):
+                return True, tried
+            if not isinstance(value, str):
+                break
+    return False, tried
+
+
+@pytest.fixture
+def without_labels(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Leave out of drawings the names beside things, for which it takes long to find room; the legend is there."""
+    monkeypatch.setattr("rcj_challenges.views.drawing.paper.place_labels", lambda *_: [])
+
+
+@pytest.mark.parametrize("field", FIELDS)
+def test_a_changed_number_is_on_the_sheet(field):
+    untold = []
+    for leaf in _leaves().get(field, []):
+        told, tried = _telling(leaf, drawn=field.startswith(_DRAWN))
+        if told:
+            assert field not in _NEEDS_NO_TELLING
+            return
+        if tried:
+            untold.append((leaf.path, leaf.value, tried))
+        if len(untold) >= _MOST_LEAVES:
+            break
+    assert untold, "nothing that is shipped shows this field"
+    assert field in _NEEDS_NO_TELLING, untold
+
+
+def test_the_list_of_what_needs_no_telling_names_fields():
+    assert set(_NEEDS_NO_TELLING) <= set(FIELDS)
