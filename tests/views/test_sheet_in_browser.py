@@ -79,3 +79,11 @@ def test_on_paper_the_head_of_a_table_comes_again_on_each_page(sheet_of: Callabl
     head = "() => [...document.querySelectorAll('table')].map((one) => getComputedStyle(one.rows[0].parentElement).display)"
     assert set(page.evaluate(head)) == {"table-header-group"}
     assert set(page.evaluate("() => [...document.querySelectorAll('h2')].map((one) => getComputedStyle(one).breakAfter)")) == {"avoid"}  # fmt: skip
+
+
+def test_on_a_phone_where_robots_start_is_no_tower_of_words(sheet_of: Callable[..., Any]) -> None:
+    page = sheet_of("precision_lidar", PHONE)
+    rows_px = page.evaluate(
+        "[...document.querySelectorAll('table')[0].querySelectorAll('tr')].map(row => row.clientHeight)"
+    )
+    assert max(rows_px) < 5 * 24  # lines of text

@@ -49,6 +49,7 @@ Block = Heading | Paragraph | Items | Table | Picture
 
 _MARKDOWN_MARKS = str.maketrans({mark: f"\\{mark}" for mark in "\\`*_[]<>#|"})
 
+# The fifth column is that of the starts: beside four others it would be a tower of single words on a phone.
 _CSS = """
 :root{color-scheme:light dark}
 body{font:16px/1.5 system-ui,-apple-system,'Segoe UI',sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;
@@ -56,7 +57,7 @@ overflow-wrap:break-word}
 table{border-collapse:collapse;margin:.5rem 0 1rem}th,td{border:1px solid #8886;padding:.3rem .6rem;text-align:left}
 th{background:#8882}svg{max-width:100%;height:auto;background:#fff;border-radius:6px}li{margin:.3rem 0}
 @media screen and (max-width:45rem){table,.drawing{display:block;overflow-x:auto}
-.drawing svg{width:37rem;max-width:none}}
+.drawing svg{width:37rem;max-width:none}td:nth-child(5){min-width:16rem}}
 @media print{body{margin:0;max-width:none}h1,h2,h3{break-after:avoid}tr,svg{break-inside:avoid}}
 """
 
