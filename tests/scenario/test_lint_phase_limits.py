@@ -67,3 +67,10 @@ def test_what_a_rule_follows_goes_on_from_one_phase_of_its_own_into_the_next():
     in_both = text(HOLDS % 4, "[red, blue_light]").replace("red: {lasts_s: 2.5}", phases)
     assert "limit_longer_than_the_phase" not in [one.kind for one in lint(load_text(in_both))]
     assert try_expectation(load_text(in_both), "it").differences == ()
+
+
+@pytest.mark.parametrize("trigger", [HOLDS, STAYS, RESTS])
+def test_what_lasts_as_long_as_the_half_is_told_of_that_alone(trigger):
+    kinds = [one.kind for one in lint(load_text(text(trigger % 60)))]
+    assert kinds.count("limit_longer_than_the_half") == 1
+    assert "limit_longer_than_the_phase" not in kinds

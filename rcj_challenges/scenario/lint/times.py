@@ -47,7 +47,11 @@ def check_times(subject: Subject) -> Iterator[Suspect]:
 
 
 def check_phase_limits(subject: Subject) -> Iterator[Suspect]:
-    """Limits that are not over before the phase is in which the rule lives: what it follows begins anew then."""
+    """Limits that are not over before the phase is in which the rule lives: what it follows begins anew then.
+
+    Of those that are not over before the half is either `check_times` tells.
+    """
+    half = ticks_from_s(longest_half_s(subject.scenario.match))
     for name, rule in subject.standing():
         phases = sorted(phase for phase in subject.reached if lives_in(rule, phase))
         longest_s = _longest_s(phases, subject)
@@ -55,7 +59,7 @@ def check_phase_limits(subject: Subject) -> Iterator[Suspect]:
             if not isinstance(trigger, StaysIn | NoProgress | Holds):
                 continue
             ((key, seconds, _, consequence),) = _limits(trigger, subject.scenario)
-            if longest_s is not None and seconds and ticks_from_s(seconds) > ticks_from_s(longest_s):
+            if longest_s is not None and seconds and half > ticks_from_s(seconds) > ticks_from_s(longest_s):
                 yield Suspect(
                     "limit_longer_than_the_phase",
                     ("rules", name, "triggers", index, key),
