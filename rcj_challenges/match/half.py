@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from rcj_challenges.facts.play import Fault, HalfInfo, Snapshot, Verdict
 from rcj_challenges.facts.traffic import Observation, Request
+from rcj_challenges.scenario.halves import MOST_LENGTHS
 
 if TYPE_CHECKING:
     from rcj_challenges.match.stage import HalfStage
@@ -47,9 +48,6 @@ class HalfOutcome:
     closing: Verdict
 
 
-_MOST_LENGTHS = 10
-"""A half whose clock a phase has stopped for good ends after this many times its length."""
-
 _LOOKED_AFTER_EVERY = 64
 """Ticks between looks at programs that stay away for longer than that."""
 
@@ -60,7 +58,7 @@ def goes_on(referee: Referee, verdict: Verdict, tick: int, half: HalfInfo) -> bo
     """Return whether another tick follows this one: the clock of the half decides, which a phase may stop."""
     if verdict.ended is not None or referee.time_is_up:
         return False
-    return tick < _MOST_LENGTHS * half.ticks
+    return tick < MOST_LENGTHS * half.ticks
 
 
 class HalfPlay:

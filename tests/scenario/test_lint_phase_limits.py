@@ -67,3 +67,51 @@ def test_what_a_rule_follows_goes_on_from_one_phase_of_its_own_into_the_next():
     in_both = text(HOLDS % 4, "[red, blue_light]").replace("red: {lasts_s: 2.5}", phases)
     assert "limit_longer_than_the_phase" not in [one.kind for one in lint(load_text(in_both))]
     assert try_expectation(load_text(in_both), "it").differences == ()
+
+
+@pytest.mark.parametrize("trigger", [HOLDS, STAYS, RESTS])
+def test_what_lasts_as_long_as_the_half_is_told_of_that_alone(trigger):
+    kinds = [one.kind for one in lint(load_text(text(trigger % 60)))]
+    assert kinds.count("limit_longer_than_the_half") == 1
+    assert "limit_longer_than_the_phase" not in kinds
+
+
+# --- a clock that stops makes a half longer -----------------------------------------------------------------------------
+
+STOPPED = """
+match: {half_s: 20}
+phases: {rest: {lasts_s: %s, clock: stops}}
+timers: {long: {lasts_s: 25, starts: true}}
+first_phase: rest
+rules:
+  lasts: {phases: [rest], triggers: [{trigger: holds, condition: {condition: in_zone, entity: ball, zone: pitch}, for_s: 25}],
+          actions: [{action: emit, event: LASTS}], says: L.}
+  runs: {phases: [rest], triggers: [{trigger: timer_expired, timer: long}], actions: [{action: emit, event: RUNS}], says: R.}
+  after: {triggers: [{trigger: time_reached, at_s: 5%s}], actions: [{action: emit, event: AFTER}], says: A.}
+expect:
+  it: {keyframes: [{at_s: 0}], lasts_s: 40, ignore: [], events: [{event: LASTS}, {event: RUNS}, {event: AFTER, at_s: 35.04}]}
+"""
+
+
+def of_half(text: str) -> list[str]:
+    loaded = load_text(f"schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2{text}", file="it.yaml")
+    return [str(one) for one in lint(loaded) if one.kind == "limit_longer_than_the_half"]
+
+
+def test_where_the_clock_stops_the_half_goes_on_for_longer_than_its_length():
+    assert of_half(STOPPED % (30, "")) == []
+    text = f"schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2{STOPPED % (30, '')}"
+    assert try_expectation(load_text(text), "it").differences == ()
+
+
+def test_but_not_for_ever_and_not_by_its_clock():
+    (phase,) = of_half(STOPPED % (201, ""))
+    assert (
+        "phases.rest.lasts_s: 201 s is not over before the half is, after 200 s at most, the time included for which"
+        in phase
+    )
+    (again,) = of_half(STOPPED % (30, ", every_s: 16"))
+    assert (
+        "rules.after.triggers[0] (time_reached): 21 s is not over before the half is, after 20 s: it fires once"
+        in again
+    )

@@ -15,8 +15,6 @@ from hypothesis import strategies as st
 from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Snapshot, Verdict
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.testing import (
-    GOAL_EVERY_TICKS,
-    begun_run,
     half_info,
     small_header,
     small_scenario,
@@ -441,16 +439,6 @@ def test_what_is_no_record_is_refused(tmp_path: Path) -> None:
     shutil.rmtree(tmp_path)
     with pytest.raises(RecordError, match="no record"):
         run_stats(tmp_path)
-
-
-def test_points_of_a_run_that_was_killed_are_those_of_its_log(tmp_path: Path) -> None:
-    writer = begun_run(tmp_path, 2 * GOAL_EVERY_TICKS + 50)  # its result tells of whole halves only
-    killed = Path(shutil.copytree(writer.folder, tmp_path / "killed"))
-    writer.finish({"complete": False})
-    teams = run_stats(killed).teams
-    assert (teams["Alster"].points, teams["Hanse"].points) == (2, 0)
-    (killed / "referee.jsonl").unlink()
-    assert run_stats(killed).teams["Alster"].points == 0
 
 
 def test_a_run_without_a_log_is_all_play(tmp_path: Path) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from rcj_challenges.facts.timing import TICK_S, ticks_from_s
 from rcj_challenges.scenario.errors import listing
-from rcj_challenges.scenario.halves import clock_may_stop, half_lengths_s, longest_half_s
+from rcj_challenges.scenario.halves import MOST_LENGTHS, clock_may_stop, half_lengths_s, longest_half_s
 from rcj_challenges.scenario.lint.logic import range_of, ways_to_hold
 from rcj_challenges.scenario.lint.moments import time_of
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect, lengths_s, lives_in
@@ -32,22 +32,35 @@ _NEVER = "it never fires"
 
 def check_times(subject: Subject) -> Iterator[Suspect]:
     """Limits that are not over before the half is."""
-    half_s = longest_half_s(subject.scenario.match)
-    half = ticks_from_s(half_s)
+    half_s, longest_s = longest_half_s(subject.scenario.match), _most_s(subject.scenario)
     for model, path in subject.models:
+        by_clock = isinstance(model, TimeReached)
+        half = ticks_from_s(half_s if by_clock else longest_s)
+        after = f"{half_s:g} s"
+        if not by_clock and longest_s > half_s:
+            after = f"{longest_s:g} s at most, the time included for which its clock stops"
         for key, seconds, strict, consequence in _limits(model, subject.scenario):
             ticks = ticks_from_s(seconds) if seconds else 0
             if ticks > half or (strict and ticks == half):
                 yield Suspect(
                     "limit_longer_than_the_half",
                     (*path, key),
-                    f"{seconds:g} s is not over before the half is, after {half_s:g} s: {consequence}",
+                    f"{seconds:g} s is not over before the half is, after {after}: {consequence}",
                     "shorten it, or lengthen match.half_s",
                 )
 
 
+def _most_s(scenario: Scenario) -> float:
+    """Return how long a half may be played, in s: longer than its length where a phase stops its clock."""
+    return longest_half_s(scenario.match) * (MOST_LENGTHS if clock_may_stop(scenario) else 1)
+
+
 def check_phase_limits(subject: Subject) -> Iterator[Suspect]:
-    """Limits that are not over before the phase is in which the rule lives: what it follows begins anew then."""
+    """Limits that are not over before the phase is in which the rule lives: what it follows begins anew then.
+
+    Of those that are not over before the half is either `check_times` tells.
+    """
+    half = ticks_from_s(_most_s(subject.scenario))
     for name, rule in subject.standing():
         phases = sorted(phase for phase in subject.reached if lives_in(rule, phase))
         longest_s = _longest_s(phases, subject)
@@ -55,7 +68,7 @@ def check_phase_limits(subject: Subject) -> Iterator[Suspect]:
             if not isinstance(trigger, StaysIn | NoProgress | Holds):
                 continue
             ((key, seconds, _, consequence),) = _limits(trigger, subject.scenario)
-            if longest_s is not None and seconds and ticks_from_s(seconds) > ticks_from_s(longest_s):
+            if longest_s is not None and seconds and half > ticks_from_s(seconds) > ticks_from_s(longest_s):
                 yield Suspect(
                     "limit_longer_than_the_phase",
                     ("rules", name, "triggers", index, key),

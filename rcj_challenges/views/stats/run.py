@@ -52,7 +52,9 @@ def _stats_of(run: RunRecord, folder: Path) -> Stats:
     names = titles(run.scenario, run.result)
     if names != {team: entrant.name or team for team, entrant in run.result.entrants.items()}:
         stats.notes.append(f"{folder.name}: teams of one name played each other; their seats tell them apart")
-    points = points_so_far(run.result, run.scenario, lines)
+    recorded = {half.info.half: half.ticks for half in run.halves}
+    told = [line for line in lines if line["tick"] <= recorded.get(line["half"], -1)]
+    points = points_so_far(run.result, run.scenario, told)
     for team, entrant in run.result.entrants.items():
         tally = stats.teams.setdefault(names[team], TeamTally())
         tally.points += points.get(team, 0)
