@@ -6,7 +6,7 @@ import os
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path, PurePosixPath
+from pathlib import Path, PurePath, PurePosixPath
 from typing import Any
 
 from rcj_challenges import __version__
@@ -153,6 +153,19 @@ def _shipped(name: str, user: Source, mark: Mark) -> Source:
     raise _refused(mark, f"no preset or scenario '{name[:64]}' is shipped; {known}")
 
 
+_FOLDERS_ABOVE = 3
+"""So far up a path is tried that may have been written as seen from another folder."""
+
+
+def _from_elsewhere(parts: tuple[str, ...], folder: Path) -> str:
+    """Return how a path is written from this folder that is right from one above it; empty: it is from none."""
+    above = (place.joinpath(*parts) for place in list(folder.parents)[:_FOLDERS_ABOVE])
+    found = next((path for path in above if path.is_file()), None)
+    if found is None:
+        return ""
+    return f"; from this file's folder it is {PurePath(os.path.relpath(found, folder)).as_posix()}"
+
+
 def _base(name: str, user: Source, mark: Mark) -> Source:
     if _BARE_NAME.fullmatch(name):
         return _shipped(name, user, mark)
@@ -174,6 +187,7 @@ def _base(name: str, user: Source, mark: Mark) -> Source:
         for kind, names in (("scenario", shipped_scenarios()), ("preset", names_in(presets_folder()))):
             if path.stem in names:
                 hint = f"; the shipped {kind} is extended by its name alone: {path.stem}"
+        hint = hint or _from_elsewhere(parts, user.path.parent)
         raise _refused(mark, f"there is no file '{name[:120]}' beside {user.shown}{hint}")
     folder = PurePosixPath(user.shown.replace("\\", "/")).parent
     return Source.of_file(path, os.path.normpath(folder / PurePosixPath(*parts)).replace("\\", "/"))
