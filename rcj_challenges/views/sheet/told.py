@@ -109,11 +109,10 @@ def _reading_2021(kit: Kit, balls: int) -> str:
     counts = (f"{3 * robots}d" if robots else "", f"{2 * balls}d" if balls else "", "?" if kit.packet_has_flag else "")
     layout = "".join(counts)
     doubles = "Each number is a double of 8 bytes in native byte order. " if robots or balls else ""
+    size = struct.calcsize(layout)
+    whole = "its one byte" if size == 1 else f"the {size} bytes"
     flag = "" if kit.packet_has_flag else " The packet does not tell whether a kick-off is awaited."
-    return (
-        f"{numbers}{turned}{off}{doubles}Python unpacks the {struct.calcsize(layout)} bytes with "
-        f'struct.unpack("{layout}", packet).{flag}'
-    )
+    return f'{numbers}{turned}{off}{doubles}Python unpacks {whole} with struct.unpack("{layout}", packet).{flag}'
 
 
 def _broadcast(broadcast: Broadcast, kits: dict[str, Kit], nouns: Nouns) -> Iterator[Block]:
