@@ -19,7 +19,7 @@ PLAYED, STOPPED_AT, STOPPED = 125, 50, 75  # ticks: 4 s of play, of which 2.4 s 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     scenario = small_scenario(1, 1, half_s=PLAYED * 0.032)
-    pause = Phase.model_validate({"lasts_s": STOPPED * 0.032, "clock": "stops"})
+    pause = Phase.model_validate({"lasts_s": STOPPED * 0.032, "clock": "stops", "robots": "held"})
     scenario = scenario.model_copy(update={"phases": {**scenario.phases, "time_out": pause}})
     header = small_header(scenario)
     writer = RecordWriter(tmp_path_factory.mktemp("runs"), header)
@@ -40,7 +40,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     ("tick", "length", "phase"),
     [
         (STOPPED_AT - 1, "of 0:04", ""),
-        (STOPPED_AT + 32, "of 0:04 + 0:01 stopped", "time out · clock stopped"),
+        (STOPPED_AT + 32, "of 0:04 + 0:01 stopped", "time out · robots held · clock stopped"),
         (PLAYED + STOPPED, "of 0:04 + 0:02 stopped", ""),
     ],
 )
@@ -57,3 +57,13 @@ def test_on_a_phone_it_is_told_in_fewer_words_as_there_is_less_room(show: Callab
     page = show(run, f"#h1t{STOPPED_AT + 32}", anew=True, script=NO_WEBGL, viewport=NARROW)
     settled(page)
     assert page.inner_text("#half") == "of 0:04 + 0:01"
+
+
+def test_what_a_phase_does_is_told_whole_on_a_phone_too(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, f"#h1t{STOPPED_AT + 32}", anew=True, script=NO_WEBGL, viewport=NARROW)
+    settled(page)
+    shown, needed = page.evaluate(
+        "() => { const { clientWidth, scrollWidth } = document.getElementById('phase'); return [clientWidth, scrollWidth]; }"
+    )
+    assert page.inner_text("#phase") == "time out · robots held · clock stopped"
+    assert needed <= shown
