@@ -35,6 +35,7 @@ from rcj_challenges.scenario.lint.held import check_held, check_holds
 from rcj_challenges.scenario.lint.judged import check_judged_twice
 from rcj_challenges.scenario.lint.kicks import check_kicks
 from rcj_challenges.scenario.lint.literals import check_literals, check_told_names
+from rcj_challenges.scenario.lint.locked import check_locked
 from rcj_challenges.scenario.lint.moments import check_moments
 from rcj_challenges.scenario.lint.numbers import check_numbers, check_written_out
 from rcj_challenges.scenario.lint.others import check_others
@@ -111,6 +112,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_edges,
     check_exclusive_groups,
     check_state,
+    check_locked,
     check_others,
     check_numbers_alone,
     check_sums,
