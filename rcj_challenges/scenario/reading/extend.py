@@ -171,9 +171,16 @@ def _base(name: str, user: Source, mark: Mark) -> Source:
         return _shipped(name, user, mark)
     parts = PurePosixPath(name).parts
     # Checked as text on every platform alike: what Windows takes for absolute must not pass on Linux either.
-    if name.startswith(("/", "~")) or re.search(r"[\\:\x00-\x1f]", name) or not name.endswith((".yaml", ".yml")):
+    is_foreign = name.startswith(("/", "~")) or re.search(r"[\\:\x00-\x1f]", name)
+    if is_foreign or not name.endswith((".yaml", ".yml")):
         wanted = "a shipped preset or scenario, or a relative path with / to a .yaml file"
-        raise _refused(mark, f"'{name[:120]}' is not {wanted}")
+        whole = f"{name}.yaml"
+        known = (
+            not is_foreign
+            and user.path is not None
+            and user.path.parent.joinpath(*PurePosixPath(whole).parts).is_file()
+        )
+        raise _refused(mark, f"'{name[:120]}' is not {wanted}" + (f"; did you mean '{whole[:120]}'?" if known else ""))
     if user.path is None:
         raise _refused(mark, "a text has no folder for a relative path; extend a preset or a shipped scenario")
     if ".." in parts[len([part for part in parts if part == ".."]) :]:
