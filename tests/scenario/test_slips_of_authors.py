@@ -108,6 +108,25 @@ def test_a_rule_that_fires_once():
 
 
 @pytest.mark.parametrize(
+    ("section", "key"),
+    [("teams: {}", "entrants"), ("areas: {}", "zones"), ("variables: {}", "counters"), ("tests: {}", "expect"), ("name: A", "title")],
+)  # fmt: skip
+def test_what_others_call_a_section(section, key):
+    assert complaints(section + "\n" + rule())[0].endswith(f"; it is called '{key}' here")
+
+
+@pytest.mark.parametrize("key", ["x_m", "x"])
+def test_a_rect_has_bounds(key):
+    text = complaints(f"zones: {{a: {{shape: rect, {key}: [0, 0.1], y_max_m: 0.2}}}}\n" + rule())[0]
+    assert text.endswith("; its bounds are x_min_m and x_max_m, and each may be left out")
+
+
+def test_how_long_something_must_last_is_no_part_of_an_edge():
+    text = complaints(rule("{trigger: enters, entity: ball, zone: pitch, for_s: 1}"))[0]
+    assert text.endswith("; what must last for a time is {trigger: holds, condition: {…}, for_s: …}")
+
+
+@pytest.mark.parametrize(
     ("body", "told"),
     [
         ("match: {periods: 2, half_s: 60}\n" + rule(), "; it is called 'halves' here"),

@@ -138,6 +138,11 @@ _USUAL_KEYS = {
     "periods": "halves",
     "after": "from",
     "set": "to",
+    "teams": "entrants",
+    "areas": "zones",
+    "variables": "counters",
+    "tests": "expect",
+    "name": "title",
 }
 """What others call a key, and how it is written here."""
 
@@ -167,6 +172,8 @@ _COMPARED = {
 }
 """Comparisons of other languages, in which the value itself does not count."""
 
+
+_COORDINATES = frozenset({"x", "y", "x_m", "y_m"})
 
 _OF_RULES = {
     "else": "; what else is to happen is a rule of its own, whose conditions have negate: true",
@@ -217,8 +224,12 @@ def _written_instead(key: str, above: Path, allowed: set[str]) -> str:
     """Return how something is written for which there is no key; empty: nobody knows."""
     if key in _COMPARED and {"at_least", "negate"} <= allowed:
         return f"; {_COMPARED[key]}"
-    if key in ("x", "y", "x_m", "y_m") and "at" in allowed:
-        return "; a place is written at: {point: [x, y]}"
+    if key in _COORDINATES and {"at", "x_min_m"} & allowed:
+        bounds = f"{key[0]}_min_m and {key[0]}_max_m"
+        rect = f"; its bounds are {bounds}, and each may be left out" if "x_min_m" in allowed else ""
+        return "; a place is written at: {point: [x, y]}" if "at" in allowed else rect
+    if key == "for_s" and "trigger" in allowed:
+        return "; what must last for a time is {trigger: holds, condition: {…}, for_s: …}"
     if above[:1] == ("rules",) and len(above) == 2:
         return _OF_RULES.get(key, "")
     if above[:1] == ("draws",) and key.startswith(("weight", "probabilit")):
