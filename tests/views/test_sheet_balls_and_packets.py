@@ -312,3 +312,24 @@ def test_a_shorter_match_has_no_other_length_on_its_sheet():
     assert "One half of 3 min." in written
     assert "ten minutes" not in written
     assert "change sides" not in written
+
+
+# --- which way a wheel drives ------------------------------------------------------------------------------------------
+
+
+def test_of_wheels_that_are_turned_round_it_is_said_which_way_they_drive():
+    written = sheet(RULE, "soccersim_2021")
+    assert (
+        "| left wheel motor | motor of the left wheel; a positive velocity drives against the robot's heading |"
+        in written
+    )
+    assert (
+        "| right wheel sensor | angle of the right wheel; it falls while the robot drives along its heading |"
+        in written
+    )
+
+
+def test_of_the_usual_wheels_nothing_is_said_of_that():
+    written = sheet(RULE)
+    assert "| left wheel motor | motor of the right wheel |" in written
+    assert "heading" not in written

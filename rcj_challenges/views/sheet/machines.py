@@ -138,9 +138,11 @@ def _order(d: models.GpsDevice | models.CompassDevice | models.LidarDevice, lega
     return f"{legacy} as in the worlds of 2021" if d.frame == "legacy" else ""
 
 
+_DRIVES_BACK = "; a positive velocity drives against the robot's heading"
+_FALLS_AHEAD = "; it falls while the robot drives along its heading"
 _DEVICES: dict[str, Callable[[Any], str]] = {
-    "motor": lambda d: f"motor of the {d.wheel} wheel",
-    "wheel_sensor": lambda d: f"angle of the {d.wheel} wheel",
+    "motor": lambda d: f"motor of the {d.wheel} wheel{'' if d.direction > 0 else _DRIVES_BACK}",
+    "wheel_sensor": lambda d: f"angle of the {d.wheel} wheel{'' if d.direction > 0 else _FALLS_AHEAD}",
     "gps": _gps,
     "compass": _compass,
     "sonar": _sonar,
