@@ -153,7 +153,7 @@ class Kit(Strict):
     packet_has_flag: bool = described(True, "whether a 2021 packet ends with waiting_for_kickoff (the first demo: no)")
     control_step_ms: int = described(32, "the step that programs of this kit use, in ms", ge=1)
     looks_along: Literal["+x", "-x"] = described(
-        "+x", "which end of the body is the front; -x: the 2021 robot, front and rear exchanged"
+        "+x", "which end of the body is the front: +x, where the yaw points, or -x, front and rear exchanged"
     )
     chassis: Chassis = described(Chassis(), "the body")
     devices: dict[DeviceName, Device] = described({}, "devices by the name that programs ask for")
