@@ -97,6 +97,26 @@ def test_upper_and_lower_case_matter_on_every_machine(tmp_path):
     assert complaint(write(tmp_path, "mine.yaml", "extends: base.yaml\n")).endswith("did you mean 'Base.yaml'?")
 
 
+def test_a_path_that_is_right_from_another_folder_is_told_as_it_is_from_here(tmp_path):
+    (tmp_path / "base").mkdir()
+    write(tmp_path, "base/arena.yaml", "title: B\n")
+    (tmp_path / "junior").mkdir()
+    text = complaint(write(tmp_path, "junior/mine.yaml", "extends: base/arena.yaml\n"))
+    assert text.endswith("; from this file's folder it is ../base/arena.yaml")
+    beside = complaint(write(tmp_path, "junior/other.yaml", "extends: ./arena.yaml\n"))
+    assert "from this file's folder" not in beside
+    double = complaint(write(tmp_path, "base/own.yaml", "extends: base/arena.yaml\n"))
+    assert double.endswith("; from this file's folder it is arena.yaml")
+
+
+def test_a_path_without_its_ending_is_told_the_ending(tmp_path):
+    (tmp_path / "base").mkdir()
+    write(tmp_path, "base/arena.yaml", "title: B\n")
+    text = complaint(write(tmp_path, "mine.yaml", "extends: base/arena\n"))
+    assert text.endswith("to a .yaml file; did you mean 'base/arena.yaml'?")
+    assert "did you mean" not in complaint(write(tmp_path, "other.yaml", "extends: base/arenas\n"))
+
+
 def test_a_text_has_no_folder_for_a_relative_path():
     with pytest.raises(ScenarioError, match="extend a preset"):
         load_text("extends: ./base.yaml\n")

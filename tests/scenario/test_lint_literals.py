@@ -63,3 +63,26 @@ def test_so_is_one_that_another_rule_tells_as_another_text():
     assert found(emits + other % ("GO", "slow")) == []
     assert len(found(emits + other % ("GO", "limit"))) == 2
     assert len(found(emits + other % ("STOP", "slow"))) == 1
+
+
+@pytest.mark.parametrize(
+    "waits",
+    [
+        rule("{trigger: tells, entity: Y1, text: side}"),
+        rule("{trigger: tells, entity: Y1, text: [nothing, side]}"),
+        rule(
+            "{trigger: tells, entity: Y1}",
+            rest="    conditions: [{condition: told, entity: Y1, text: side, negate: true}]\n",
+        ),
+    ],
+)
+def test_a_draw_whose_name_a_robot_would_have_to_tell(waits):
+    (text,) = found(waits)
+    assert text.endswith(
+        ": it is the text 'side' itself that must be told; write {draw: side} for what is drawn [text_instead_of_value]"
+    )
+
+
+@pytest.mark.parametrize("said", ["text: left", "text: laps", "text: {draw: side}", "is_a: number"])
+def test_a_robot_may_tell_any_other_text(said):
+    assert found(rule(f"{{trigger: tells, entity: Y1, {said}}}")) == []

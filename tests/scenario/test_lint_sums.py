@@ -54,3 +54,30 @@ def test_whose_it_is_is_said_or_it_is_nobodys_in_particular(part):
 
 def test_in_a_rule_without_for_each_the_sum_is_meant():
     assert told("{counter: n}", "", "yellow") == []
+
+
+def added(points: str, action: str = "score, entrant: yellow, points") -> list[str]:
+    """Return what is said of a list of numbers that is added up."""
+    rules = f"  a: {{triggers: [{{trigger: half_started}}], actions: [{{action: {action}: {points}}}], says: So.}}\n"
+    more = ("params: {base: 5, more: 2}", *KEPT)
+    return [str(one) for one in found_in(*more, rules=rules) if one.kind == "numbers_added_up"]
+
+
+def test_points_for_the_first_the_second_and_the_third_are_no_list():
+    (one,) = added("[5, 3, 1]")
+    assert one.endswith(
+        "rules.a.actions[0] (score): a list of points is added up, and all its parts are numbers: it is always 9; write 9; where "
+        "it depends on something, a part such as {counter: NAME, weight: -2}, or a rule for each case [numbers_added_up]"
+    )
+
+
+@pytest.mark.parametrize("key", ["by", "to"])
+def test_what_is_counted_likewise(key):
+    assert len(added("[1.5, -2]", f"count, counter: alone, {key}")) == 1
+
+
+@pytest.mark.parametrize(
+    "points", ["[5]", "5", "[5, {counter: alone}]", "[{param: base}, {param: more}]", "[{param: base}, 1]"]
+)
+def test_a_single_number_what_is_read_and_params_may_be_meant(points):
+    assert added(points) == []

@@ -107,6 +107,19 @@ class TestWhatComesWithAnotherPhase:
         assert kinds(rules + back) == []
         assert fires(rules + back)
 
+    @pytest.mark.parametrize(
+        ("change", "missed"),
+        [("to: 0", False), ("to: 1", True), ("to: [0, {word: halftime}]", True), ("to: 0, at_least: 1", True)],
+    )
+    def test_what_sets_the_counter_back_does_not_make_it_reach_a_limit(self, change, missed):
+        set_back = GOAL % f"{{action: count, counter: goals, {change}}}, {SET_PAUSE}"
+        counts = "  counts: {triggers: [{trigger: touches, entity: Y1, other: ball}], actions: [{action: count, counter: goals}]}\n"
+        assert kinds(counts + set_back + told(COUNTER_IS_1)) == (["moment_may_be_missed"] if missed else [])
+        under = holds("condition: counter, counter: goals, at_least: 1, negate: true")
+        assert (kinds(set_back + told(under)) != []) == (
+            change in ("to: 0", "to: [0, {word: halftime}]", "to: 0, at_least: 1")
+        )
+
     def test_what_changes_only_while_the_rule_does_not_live(self):
         rules = (
             GOAL % SET_PAUSE

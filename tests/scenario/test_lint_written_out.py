@@ -119,6 +119,20 @@ class TestDescriptions:
     def test_a_param_without_a_unit_is_the_number_of_what_it_is_called_after(self):
         assert self.said("Three jewels stand in the vault.", "jewels: 3") == ["3 is the param 'jewels'"]
 
+    @pytest.mark.parametrize(
+        ("description", "points", "said"),
+        [
+            ("{home_points} points for a goal, 5 points at the end.", 5, False),
+            ("{home_points} points for a goal, 5 points at the end.", 7, True),
+            ("5 points for a goal, 5 points at the end.", 5, True),
+        ],
+    )
+    def test_a_number_that_rules_have_of_their_own_is_not_that_of_a_param_told_by_name(self, description, points, said):
+        own = f"  late:\n    triggers: [{{trigger: half_ended}}]\n    actions: [{{action: score, entrant: blue, points: {points}}}]\n"
+        rules = RULES % ("{param: home_points}", "A goal.") + own
+        found = of_kind("number_instead_of_param", f"{head(description)}params: {{home_points: 5}}\n{rules}")
+        assert len(found) == said
+
     def test_of_two_params_with_one_number_nobody_knows_which(self):
         assert self.said("15 s for a shot.", "shot_s: 15, pause_s: 15") == []
 

@@ -193,6 +193,13 @@ def test_the_sheet_says_what_a_packet_of_2021_holds(text, told):
     assert ("does not tell whether a kick-off is awaited" in written) != layout.endswith("?")
 
 
+def test_of_a_packet_of_one_byte_the_byte_is_unpacked():
+    nothing = "balls: {ball: null}\nkits: {legacy_2021: {packet_lists: []}}\n"
+    written = sheet(nothing + RULE, "soccersim_2021")
+    assert 'Python unpacks its one byte with struct.unpack("?", packet).' in written
+    assert "bytes" not in written.partition("What programs are told")[2].partition("##")[0]
+
+
 def test_packets_of_2021_are_unpacked_as_the_sheet_says():
     written = re.search(r'struct\.unpack\("([^"]+)", packet\)', sheet(SECOND + RULE, "soccersim_2021"))
     bench = Bench("soccersim_2021", {"balls": {"second": {"start_m": [0.3, 0]}}})

@@ -151,8 +151,3 @@ def test_half_2_at_least_and_at_most_is_half_2():
 )
 def test_one_is_told_in_the_singular(device, words):
     assert words in sheet(f"robots: {{Y1: {{devices: {{it: {device}}}}}}}\n")
-
-
-def test_a_packet_of_one_byte_is_told_in_the_singular():
-    kits = "kits: {v2: {messages: '2021', packet_lists: []}}\nballs: {ball: null}\n"
-    assert 'Python unpacks the 1 byte with struct.unpack("?", packet).' in sheet(kits)

@@ -11,7 +11,7 @@ from rcj_challenges.records.testing import half_info, small_header, small_scenar
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.state import Phase
 from rcj_challenges.views.replay import write_replay
-from tests.views.browser_stage import NO_WEBGL, settled
+from tests.views.browser_stage import NARROW, NO_WEBGL, settled
 
 PLAYED, STOPPED_AT, STOPPED = 125, 50, 75  # ticks: 4 s of play, of which 2.4 s are no time of the half
 
@@ -19,7 +19,7 @@ PLAYED, STOPPED_AT, STOPPED = 125, 50, 75  # ticks: 4 s of play, of which 2.4 s 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     scenario = small_scenario(1, 1, half_s=PLAYED * 0.032)
-    pause = Phase.model_validate({"lasts_s": STOPPED * 0.032, "clock": "stops"})
+    pause = Phase.model_validate({"lasts_s": STOPPED * 0.032, "clock": "stops", "robots": "held"})
     scenario = scenario.model_copy(update={"phases": {**scenario.phases, "time_out": pause}})
     header = small_header(scenario)
     writer = RecordWriter(tmp_path_factory.mktemp("runs"), header)
@@ -40,7 +40,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     ("tick", "length", "phase"),
     [
         (STOPPED_AT - 1, "of 0:04", ""),
-        (STOPPED_AT + 32, "of 0:04 + 0:01 stopped", "time out · clock stopped"),
+        (STOPPED_AT + 32, "of 0:04 + 0:01 stopped", "time out · robots held · clock stopped"),
         (PLAYED + STOPPED, "of 0:04 + 0:02 stopped", ""),
     ],
 )
@@ -84,3 +84,13 @@ def test_the_long_name_of_a_phase_is_cut_before_the_teams_names_are(show: Callab
         "phase => { phase.textContent = 'a very long time out · robots held · clock stopped'; }"
     )
     assert min(name.evaluate("name => name.clientWidth") for name in names.all()) > 80
+
+
+def test_what_a_phase_does_is_told_whole_on_a_phone_too(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, f"#h1t{STOPPED_AT + 32}", anew=True, script=NO_WEBGL, viewport=NARROW)
+    settled(page)
+    shown, needed = page.evaluate(
+        "() => { const { clientWidth, scrollWidth } = document.getElementById('phase'); return [clientWidth, scrollWidth]; }"
+    )
+    assert page.inner_text("#phase") == "time out · robots held · clock stopped"
+    assert needed <= shown

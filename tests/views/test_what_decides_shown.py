@@ -24,7 +24,7 @@ from rcj_challenges.views.replay import write_replay
 from rcj_challenges.views.replay.payloads import told_beside
 from rcj_challenges.views.standing import Counting, shows_score
 from rcj_challenges.views.video.footage import Footage
-from tests.views.browser_stage import NO_WEBGL, settled
+from tests.views.browser_stage import NARROW, NO_WEBGL, settled
 
 TICKS = 40
 RANK = [{"counter": "laps", "order": "descending"}, {"counter": "best_s", "order": "ascending"}]
@@ -278,6 +278,25 @@ def test_names_of_zones_do_not_cover_each_other(show: Callable[..., Any], tmp_pa
         for (one, a), (other, b) in combinations(boxes.items(), 2):
             beside = a["x"] + a["width"] <= b["x"] or b["x"] + b["width"] <= a["x"]
             assert beside or a["y"] + a["height"] <= b["y"] or b["y"] + b["height"] <= a["y"], (camera, one, other)
+
+
+@pytest.mark.parametrize("script", ["", NO_WEBGL], ids=["3-D", "2-D"])
+def test_a_name_at_the_edge_is_written_whole_on_a_phone(show: Callable[..., Any], tmp_path: Path, script: str) -> None:
+    # Its name stands beside the gate's end, which is at the wall.
+    gates = {
+        "west_line": {"from_m": [-0.6, 0], "to_m": [-0.65, 0]},
+        "east_line_of_all": {"from_m": [0.6, 0], "to_m": [0.65, 0]},
+    }
+    rules = {name: _crosses(name)["line"] for name in gates}
+    page = show(_replay(tmp_path, gates=gates, rules=rules), script=script, viewport=NARROW)
+    for camera in ("overview", "top"):
+        page.evaluate("(camera) => replay.app.look(camera)", camera)
+        settled(page)
+        names = page.locator(".label.mark")
+        assert set(names.all_inner_texts()) == set(gates)
+        for box in (one.bounding_box() for one in names.all()):
+            assert box["x"] >= 0
+            assert box["x"] + box["width"] <= NARROW["width"]
 
 
 def test_a_live_match_tells_what_counts_where_it_changes() -> None:

@@ -15,7 +15,15 @@ from rcj_challenges.scenario.checks.bound import Bound
 from rcj_challenges.scenario.checks.removal import removal_of
 from rcj_challenges.scenario.checks.whose import NAMING_ONE, check_whose, touching_itself
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, known_text, listing, nearest
-from rcj_challenges.scenario.messages.ways_out import for_group, for_other_kind, for_spots, for_start, for_teams
+from rcj_challenges.scenario.messages.taken_away import without
+from rcj_challenges.scenario.messages.ways_out import (
+    for_group,
+    for_other_kind,
+    for_plural,
+    for_spots,
+    for_start,
+    for_teams,
+)
 from rcj_challenges.scenario.messages.wording import found_text, spelled
 from rcj_challenges.scenario.models import actions, conditions, places, state, triggers
 from rcj_challenges.scenario.models.base import LONGEST_S
@@ -278,14 +286,15 @@ class _Walker:
         removal = removal_of(name, sections, self.removed, mark, self.root)
         if removal is not None:
             # What a base takes away and this file names is no remnant of that base.
-            way_out = nearest(name, known) or known_text(known, noun) if removal.is_by_base else _without(name, path)
+            way_out = nearest(name, known) or known_text(known, noun) if removal.is_by_base else without(name, path)
             self.add(path, mark, f"unknown {noun} '{name}': {removal.told}{way_out}")
             return
         if teams := for_teams(name, path, self.names.names("entrants")):
             self.add(path, mark, f"unknown {noun} '{name}': {teams}")
             return
         kind = self.names.known_as(name)
-        alike = for_start(name, path) or nearest(name, known) or known_text(known, noun)
+        alike = for_start(name, path) or for_plural(name, known, self.names.names("groups"))
+        alike = alike or nearest(name, known) or known_text(known, noun)
         hint = alike + for_other_kind(name, kind, path, each=each)
         which = f", which is {_a(kind)}" if kind else ""
         self.add(path, mark, f"unknown {noun} '{name[:64]}'{which}{hint}")
@@ -483,13 +492,6 @@ def _way_out(kind: str, reference: Field) -> str:
     if "spot" in reference.kinds:
         return ": with movable: true it is an entity, and a spot of the same place can stand for it"
     return ", which can move: with movable: true it is one"
-
-
-def _without(name: str, path: Path) -> str:
-    """Return what to do about a place that still names something removed."""
-    if path[-1] == name and not any(isinstance(part, int) for part in path):
-        return f"; write '{name}: null' under {'.'.join(map(str, path[:-1]))} too"
-    return f"; write {path[0]}.{path[1]} anew without it" if len(path) > 2 else ""
 
 
 def _a(noun: str) -> str:

@@ -1,4 +1,4 @@
-"""Lint of texts in payloads and the broadcast that are the names of values: they are told as they stand."""
+"""Lint of texts that are the names of values: in payloads and the broadcast, and in what robots must tell."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from typing import Any, get_args
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect
 from rcj_challenges.scenario.models.actions import Emit
 from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.scenario.models.conditions import Message
 from rcj_challenges.scenario.models.scenario import Broadcast
-from rcj_challenges.scenario.models.state import WordValue
+from rcj_challenges.scenario.models.state import DrawValue, WordValue
 from rcj_challenges.scenario.tree import Path
 
 _WORDS = frozenset(get_args(WordValue.model_fields["word"].annotation))
@@ -35,6 +36,22 @@ def check_literals(subject: Subject) -> Iterator[Suspect]:
                     at,
                     f"it is told as the text '{value}', the same each time",
                     f"write {written} for the value{_OR_MEANT if isinstance(model, Emit) else ''}",
+                )
+
+
+def check_told_names(subject: Subject) -> Iterator[Suspect]:
+    """Messages that robots must tell letter by letter, where what the draw of that name has decided is meant."""
+    draws = subject.scenario.draws
+    for model, path in subject.models:
+        if not isinstance(model, Message) or isinstance(model.text, DrawValue):
+            continue
+        for text in model.text if isinstance(model.text, tuple) else (model.text,):
+            if isinstance(text, str) and text in draws:
+                yield Suspect(
+                    "text_instead_of_value",
+                    (*path, "text"),
+                    f"it is the text '{text}' itself that must be told",
+                    f"write {{draw: {text}}} for what is drawn",
                 )
 
 

@@ -89,7 +89,13 @@ def check_written_out(subject: Subject) -> Iterator[Suspect]:
             )
     text = subject.tree.entries.get("description")
     if isinstance(text, Leaf) and text.mark.file == subject.tree.mark.file:
-        found = [name for name, leaf in params.items() if _tells_of(str(text.value), leaf, name)]
+        own = {leaf.value for leaf in _leaves(subject.tree.entries.get("rules")) if not leaf.param}
+        found = [
+            name
+            for name, leaf in params.items()
+            # Where a param is told by its name, its number once more is one that rules have of their own.
+            if _tells_of(str(text.value), leaf, name) and not (f"{{{name}}}" in str(text.value) and leaf.value in own)
+        ]
         yield from _written_out(_alone(found, params), params, ("description",))
 
 

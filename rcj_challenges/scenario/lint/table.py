@@ -35,7 +35,8 @@ from rcj_challenges.scenario.lint.held import check_held, check_holds
 from rcj_challenges.scenario.lint.ignored import check_ignored
 from rcj_challenges.scenario.lint.judged import check_judged_twice
 from rcj_challenges.scenario.lint.kicks import check_kicks
-from rcj_challenges.scenario.lint.literals import check_literals
+from rcj_challenges.scenario.lint.literals import check_literals, check_told_names
+from rcj_challenges.scenario.lint.locked import check_locked
 from rcj_challenges.scenario.lint.moments import check_moments
 from rcj_challenges.scenario.lint.numbers import check_numbers, check_written_out
 from rcj_challenges.scenario.lint.others import check_others
@@ -55,7 +56,7 @@ from rcj_challenges.scenario.lint.state import (
     check_unused,
 )
 from rcj_challenges.scenario.lint.steps import check_kept_steps
-from rcj_challenges.scenario.lint.sums import check_sums
+from rcj_challenges.scenario.lint.sums import check_numbers_alone, check_sums
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect
 from rcj_challenges.scenario.lint.times import (
     check_ends,
@@ -111,13 +112,16 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_units,
     check_broadcast,
     check_literals,
+    check_told_names,
     check_scoring,
     check_bounds,
     check_ranking,
     check_edges,
     check_exclusive_groups,
     check_state,
+    check_locked,
     check_others,
+    check_numbers_alone,
     check_sums,
     check_draws,
     check_drawn_names,

@@ -216,7 +216,28 @@ def _what_counts(condition: CounterIs, subject: Subject) -> _Makes | None:
     up = condition.at_most is not None if condition.negate else condition.at_least is not None
     down = condition.at_least is not None if condition.negate else condition.at_most is not None
     either = up == down  # between two bounds, at one value, or other than 0
-    return lambda action: _changes(action, condition.counter, subject, up=up or either, down=down or either)
+    counter = subject.scenario.counters.get(condition.counter)
+    # Of one that is kept for each of several the sum may reach it, whatever it is set to for one of them.
+    is_one = counter is not None and counter.per is None
+
+    def makes(action: Action) -> bool:
+        bounded = isinstance(action, Count) and (action.at_least, action.at_most) != (None, None)
+        if isinstance(action, Count) and isinstance(action.to, int | float) and not bounded and is_one:
+            return action.counter == condition.counter and _holds_at(condition, action.to)
+        return _changes(action, condition.counter, subject, up=up or either, down=down or either)
+
+    return makes
+
+
+def _holds_at(condition: CounterIs, value: float) -> bool:
+    """Return whether a condition whose bounds are numbers holds at a value of its counter."""
+    at_least, at_most, equals = condition.at_least, condition.at_most, condition.equals
+    holds = (
+        not (isinstance(at_least, int | float) and value < at_least)
+        and not (isinstance(at_most, int | float) and value > at_most)
+        and not (isinstance(equals, int | float) and value != equals)
+    )
+    return holds != condition.negate
 
 
 def _changes(action: Action, counter: str, subject: Subject, *, up: bool, down: bool) -> bool:

@@ -14,6 +14,7 @@ from pydantic import ConfigDict, TypeAdapter, ValidationError
 
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, listing, nearest
 from rcj_challenges.scenario.messages.other_names import other_name
+from rcj_challenges.scenario.messages.taken_away import for_nothing
 from rcj_challenges.scenario.messages.ways_out import (
     for_coordinates,
     for_degrees,
@@ -201,7 +202,7 @@ class _Explainer:
             return self._wrong_tag(mistake)
         node = node_at(self.root, mistake.path)
         message = refusal(mistake.kind, mistake.details, mistake.shape, node)
-        hints = for_value(mistake.path, node) + for_several(mistake.path, node)
+        hints = for_value(mistake.path, node) + for_several(mistake.path, node) + for_nothing(mistake.path, node)
         hints += for_param(node, self.root) or for_named(mistake.path, node, self.root, message)
         kind = bare(mistake.shape).kind
         hints += for_coordinates(mistake.path, node, fields(kind) if is_model(kind) else ())

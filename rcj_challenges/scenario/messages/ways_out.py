@@ -135,8 +135,19 @@ _USUAL_KEYS = {
     "factor": "weight",
     "to": "as",
     "for_s": "limit_s",
+    "periods": "halves",
+    "after": "from",
+    "set": "to",
+    "teams": "entrants",
+    "areas": "zones",
+    "variables": "counters",
+    "tests": "expect",
+    "name": "title",
 }
 """What others call a key, and how it is written here."""
+
+_OPPOSITES = ("not", "not_in", "not_equals", "unequal", "different_from", "inverted", "inverse", "opposite")
+"""What others write beside a condition that is to hold the other way round, as they do `to: false`."""
 
 _THINGS = ("robot", "ball", "who")
 """What others call the first and the second thing that a word is about, here entity and other."""
@@ -155,9 +166,20 @@ _MORE = "'at_least' holds from that value on, and 'more than it' is at_most with
 _LESS = "'at_most' holds up to that value, and 'less than it' is at_least with negate: true"
 _COMPARED = {
     **dict.fromkeys(("more", "more_than", "greater", "greater_than", "larger_than", "above"), _MORE),
+    **dict.fromkeys(("faster_than", "farther_than"), _MORE),
     **dict.fromkeys(("less", "less_than", "fewer_than", "smaller_than", "below", "under"), _LESS),
+    **dict.fromkeys(("slower_than", "nearer_than"), _LESS),
 }
 """Comparisons of other languages, in which the value itself does not count."""
+
+
+_COORDINATES = frozenset({"x", "y", "x_m", "y_m"})
+
+_OF_RULES = {
+    "else": "; what else is to happen is a rule of its own, whose conditions have negate: true",
+    "once": "; a rule that fires once has max_executions: 1",
+}
+"""What other languages have beside triggers, conditions and actions."""
 
 
 def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
@@ -173,7 +195,7 @@ def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
     usual = _usual_key(key, allowed, node_at(root, above))
     if usual is not None:
         return f"; it is called {usual!r} here"
-    written = _written_instead(key, above, allowed)
+    written = _written_instead(key, above, allowed) or _of_condition(key, above, allowed, node_at(root, above))
     if written:
         return written
     if above or not isinstance(root, Entries):
@@ -202,13 +224,49 @@ def _written_instead(key: str, above: Path, allowed: set[str]) -> str:
     """Return how something is written for which there is no key; empty: nobody knows."""
     if key in _COMPARED and {"at_least", "negate"} <= allowed:
         return f"; {_COMPARED[key]}"
-    if key in ("x", "y", "x_m", "y_m") and "at" in allowed:
-        return "; a place is written at: {point: [x, y]}"
-    if above[:1] == ("rules",) and len(above) == 2 and key == "else":
-        return "; what else is to happen is a rule of its own, whose conditions have negate: true"
+    if key in _COORDINATES and {"at", "x_min_m"} & allowed:
+        bounds = f"{key[0]}_min_m and {key[0]}_max_m"
+        rect = f"; its bounds are {bounds}, and each may be left out" if "x_min_m" in allowed else ""
+        return "; a place is written at: {point: [x, y]}" if "at" in allowed else rect
+    if key == "for_s" and "trigger" in allowed:
+        return "; what must last for a time is {trigger: holds, condition: {…}, for_s: …}"
+    if above[:1] == ("rules",) and len(above) == 2:
+        return _OF_RULES.get(key, "")
     if above[:1] == ("draws",) and key.startswith(("weight", "probabilit")):
         return "; a value that shall come more often is written more than once: values: [a, a, a, b]"
     return ""
+
+
+def _of_condition(key: str, above: Path, allowed: set[str], node: Node | None) -> str:
+    """Return how a condition is turned over, counts a group or must last; empty: something else is meant."""
+    if "condition" not in allowed:
+        return ""
+    value = child(node, key)
+    is_false = isinstance(value, Leaf) and value.value is False
+    if "negate" in allowed and (key in _OPPOSITES or is_false):
+        return "; the opposite of a condition is written negate: true"
+    if key == "at_least" and "of" in allowed and isinstance(value, Leaf):
+        return f"; how many of them is written of: {{at_least: {value.value}}}"
+    if key in ("for_s", "every_s", "grace_s") and above[-1:] == ("condition",):
+        written = f"{{trigger: holds, condition: {{…}}, {key}: …}}"
+        return f"; it stands beside 'condition', in the trigger: {written}"
+    return ""
+
+
+def for_plural(name: str, known: Collection[str], groups: Collection[str]) -> str:
+    """Return how several are named together whose plural was written: `crates` of crate_1 and crate_2; else empty.
+
+    Args:
+        name: the name that is none.
+        known: those that may stand there.
+        groups: the groups that are written; where they may stand, several may be named.
+    """
+    stem = name.casefold().removesuffix("s")
+    several = [one for one in known if one.casefold().rstrip("0123456789").rstrip("_") == stem]
+    if stem == name.casefold() or len(several) < 2 or not any(one in ("robots", *groups) for one in known):
+        return ""
+    members = listing(several)
+    return f"; several under one name are a group: groups: {{{name.casefold()}: [{members}]}}"
 
 
 def for_coordinates(path: Path, node: Node | None, keys: Collection[str]) -> str:
@@ -246,6 +304,7 @@ _VALUES = {"counter": "counters", "draw": "draws", "timer": "timers", "flag": "f
 """Where the names stand whose value is written ``{counter: NAME}``."""
 _LOOKED_AT = ("robots", "balls", "spots")
 _WORDS = frozenset(get_args(NumberWord.model_fields["word"].annotation))
+"""Of numbers that the referee knows: in a list that is added up, as a limit, and in what is told."""
 
 
 def for_named(path: Path, node: Node | None, root: Node, said: str) -> str:
@@ -298,11 +357,14 @@ def for_value(path: Path, node: Node | None) -> str:
     if not isinstance(node, Entries):
         return ""
     if path[:1] == ("broadcast",) or "payload" in path:
-        return _told_otherwise(node)
+        return _told_otherwise(node) or _word_alone(node) or _name_told(node)
+    if path[:1] == ("placements",):
+        return _zone_to_put(path, node) or _draw_to_put(path, node)
     if path[:1] != ("rules",):
         return ""
     compared = (_no_number, _score_compared, _measured_before, _drawn_compared, _told_compared)
-    return next(filter(None, (way(path, node) for way in (*compared, _zone_to_put, _spot_of_chance))), "")
+    ways = (way(path, node) for way in (*compared, _zone_to_put, _draw_to_put, _spot_of_chance))
+    return next(filter(None, ways), "") or (_word_alone(node) if any(key in path for key in _ADDED_UP) else "")
 
 
 def _told_otherwise(node: Entries) -> str:
@@ -380,6 +442,27 @@ def _zone_to_put(path: Path, node: Entries) -> str:
     """Return how something is put into a zone."""
     zone = texts(child(node, "zone"))
     return f"; a random point of a zone is {{uniform_in: {zone[0]}}}" if zone and path[-1] in _PLACES else ""
+
+
+def _draw_to_put(path: Path, node: Entries) -> str:
+    """Return how something is put on a spot that a draw decides."""
+    draw = texts(child(node, "draw"))
+    return f"; a spot that a draw decides is written {{spot: {draw[0]}}}" if draw and path[-1] in _PLACES else ""
+
+
+_NAMES_TOLD = {"other": "other one", "robot": "robot", "entity": "entity", "team": "team"}
+
+
+def _word_alone(node: Entries) -> str:
+    """Return how a value is written whose word stands where a key is expected."""
+    word = next((key for key in node.entries if key in _WORDS), None)
+    return f"; its value is written {{word: {word}}}" if word is not None else ""
+
+
+def _name_told(node: Entries) -> str:
+    """Return how a payload tells who it was, where what it was stands as a key."""
+    about = next((key for key in node.entries if key in _NAMES_TOLD), None)
+    return f"; the name of the {_NAMES_TOLD[about]} is written {{word: {about}_name}}" if about else ""
 
 
 def for_reckoned(above: Path, key: str, node: Node | None) -> str:

@@ -31,6 +31,12 @@ _QUOTES = "\u201c\u201d\u201e\u201f\u2018\u2019\u201a\u201b\u00ab\u00bb\u2039\u2
 
 _YES, _NO = frozenset({"yes", "on", "y"}), frozenset({"no", "off", "n"})
 _ALL = frozenset({"all", "every", "always", "each"})
+_HOW_MANY = {
+    **dict.fromkeys(("one", "some", "either", "anybody", "anyone"), "any"),
+    **dict.fromkeys(("both", "each", "every", "everybody", "everyone"), "all"),
+    **dict.fromkeys(("neither", "nobody", "nothing", "0"), "none"),
+}
+"""What others write for how many of a group: a word of it can be more like one that means the opposite."""
 _LIST_OF_NAMES = "a list of names"
 _NUMBER = re.compile(r"[-+]?[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?")
 _DECIMAL_COMMA = re.compile(r"[-+]?[0-9]+,[0-9]+")
@@ -51,8 +57,10 @@ _SPECIAL: tuple[tuple[Any, str], ...] = (
 
 def expected(shape: Shape, node: Node | None) -> str:
     """Return the sentence for a value of the wrong type or an unknown word."""
-    hint = ""
-    if isinstance(node, Leaf) and isinstance(node.value, str):
+    hint = _how_many(shape, node)
+    if hint:
+        pass
+    elif isinstance(node, Leaf) and isinstance(node.value, str):
         known = (str(word).casefold() for word in _literals(shape) if not isinstance(word, str))
         if node.value.casefold() in known:
             hint = "; leave the quotes out"
@@ -67,6 +75,16 @@ def expected(shape: Shape, node: Node | None) -> str:
     elif node is not None:
         hint = _hint_at_list(shape, node)
     return f"expected {expectation(shape)}, found {found_text(node)}{hint}"
+
+
+def _how_many(shape: Shape, node: Node | None) -> str:
+    """Return how it is written how many of a group are meant; empty: nothing of the kind stands there."""
+    if not isinstance(node, Leaf) or not {"any", "all", "none"} <= set(_words(shape)):
+        return ""
+    if isinstance(node.value, int) and not isinstance(node.value, bool) and node.value > 0:
+        return f"; so many or more are written {{at_least: {node.value}}}"
+    meant = _HOW_MANY.get(str(node.value).casefold())
+    return f"; did you mean {meant!r}?" if meant else ""
 
 
 def _hint(shape: Shape, text: str) -> str:

@@ -6,7 +6,7 @@ import os
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path, PurePosixPath
+from pathlib import Path, PurePath, PurePosixPath
 from typing import Any
 
 from rcj_challenges import __version__
@@ -153,14 +153,34 @@ def _shipped(name: str, user: Source, mark: Mark) -> Source:
     raise _refused(mark, f"no preset or scenario '{name[:64]}' is shipped; {known}")
 
 
+_FOLDERS_ABOVE = 3
+"""So far up a path is tried that may have been written as seen from another folder."""
+
+
+def _from_elsewhere(parts: tuple[str, ...], folder: Path) -> str:
+    """Return how a path is written from this folder that is right from one above it; empty: it is from none."""
+    above = (place.joinpath(*parts) for place in list(folder.parents)[:_FOLDERS_ABOVE])
+    found = next((path for path in above if path.is_file()), None)
+    if found is None:
+        return ""
+    return f"; from this file's folder it is {PurePath(os.path.relpath(found, folder)).as_posix()}"
+
+
 def _base(name: str, user: Source, mark: Mark) -> Source:
     if _BARE_NAME.fullmatch(name):
         return _shipped(name, user, mark)
     parts = PurePosixPath(name).parts
     # Checked as text on every platform alike: what Windows takes for absolute must not pass on Linux either.
-    if name.startswith(("/", "~")) or re.search(r"[\\:\x00-\x1f]", name) or not name.endswith((".yaml", ".yml")):
+    is_foreign = name.startswith(("/", "~")) or re.search(r"[\\:\x00-\x1f]", name)
+    if is_foreign or not name.endswith((".yaml", ".yml")):
         wanted = "a shipped preset or scenario, or a relative path with / to a .yaml file"
-        raise _refused(mark, f"'{name[:120]}' is not {wanted}")
+        whole = f"{name}.yaml"
+        known = (
+            not is_foreign
+            and user.path is not None
+            and user.path.parent.joinpath(*PurePosixPath(whole).parts).is_file()
+        )
+        raise _refused(mark, f"'{name[:120]}' is not {wanted}" + (f"; did you mean '{whole[:120]}'?" if known else ""))
     if user.path is None:
         raise _refused(mark, "a text has no folder for a relative path; extend a preset or a shipped scenario")
     if ".." in parts[len([part for part in parts if part == ".."]) :]:
@@ -174,6 +194,7 @@ def _base(name: str, user: Source, mark: Mark) -> Source:
         for kind, names in (("scenario", shipped_scenarios()), ("preset", names_in(presets_folder()))):
             if path.stem in names:
                 hint = f"; the shipped {kind} is extended by its name alone: {path.stem}"
+        hint = hint or _from_elsewhere(parts, user.path.parent)
         raise _refused(mark, f"there is no file '{name[:120]}' beside {user.shown}{hint}")
     folder = PurePosixPath(user.shown.replace("\\", "/")).parent
     return Source.of_file(path, os.path.normpath(folder / PurePosixPath(*parts)).replace("\\", "/"))

@@ -44,8 +44,8 @@ _LETTERS = 2
 _GROUPS_OF_ALL = ("robots", "balls", "obstacles")
 _WITHOUT_ARTICLE = frozenset(
     ("a", "above", "all", "an", "another", "any", "around", "at", "behind", "below", "beside", "between", "beyond",
-     "both", "each", "every", "in", "inside", "my", "near", "no", "not", "off", "on", "our", "out", "outside", "over",
-     "some", "that", "this", "under")
+     "both", "each", "every", "far", "here", "in", "inside", "my", "near", "no", "not", "off", "on", "our", "out",
+     "outside", "over", "some", "that", "this", "under")
 )  # fmt: skip
 """What a name may begin with so that no article fits before it: ``outside_the_circle``, ``another_corner``."""
 

@@ -19,7 +19,7 @@ from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table
 from rcj_challenges.views.sheet.machines import has
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain
-from rcj_challenges.views.sheet.phrases import counted, value
+from rcj_challenges.views.sheet.phrases import value
 from rcj_challenges.views.sheet.spoken import spoken
 
 _FLAG_PACKETS = {
@@ -109,12 +109,10 @@ def _reading_2021(kit: Kit, balls: int) -> str:
     counts = (f"{3 * robots}d" if robots else "", f"{2 * balls}d" if balls else "", "?" if kit.packet_has_flag else "")
     layout = "".join(counts)
     doubles = "Each number is a double of 8 bytes in native byte order. " if robots or balls else ""
+    size = struct.calcsize(layout)
+    whole = "its one byte" if size == 1 else f"the {size} bytes"
     flag = "" if kit.packet_has_flag else " The packet does not tell whether a kick-off is awaited."
-    return (
-        f"{numbers}{turned}{off}{doubles}Python unpacks the "
-        f"{counted(struct.calcsize(layout), 'byte')} with "
-        f'struct.unpack("{layout}", packet).{flag}'
-    )
+    return f'{numbers}{turned}{off}{doubles}Python unpacks {whole} with struct.unpack("{layout}", packet).{flag}'
 
 
 def _broadcast(broadcast: Broadcast, kits: dict[str, Kit], nouns: Nouns) -> Iterator[Block]:

@@ -23,7 +23,7 @@ class Labels {
     for (const sign of this.placed) {
       const place = view.project(...sign.at(frame.poses));
       const seen = place && place[0] > 0 && place[0] < 1 && place[1] > 0 && place[1] < 1;
-      const x = seen ? place[0] * this.width : 0, y = seen ? (place[1] - place[2] * sign.reach) * this.height : 0;
+      const x = seen ? this.within(place[0] * this.width, sign) : 0, y = seen ? (place[1] - place[2] * sign.reach) * this.height : 0;
       const down = seen && sign.still ? Labels.room(sign, x, y, taken) : 0;
       const style = seen ? `translate(${x.toFixed(1)}px, ${(y + down).toFixed(1)}px) translate(-50%, ${100 * sign.lift}%)` : "";
       // The page is told of what changed only: most of these stand still.
@@ -32,6 +32,12 @@ class Labels {
       sign.label.style.display = seen ? "" : "none";
       sign.label.style.transform = style;
     }
+  }
+
+  /** Where the middle of a name stands so that its ends are not cut off at the picture's edge. */
+  within(x, sign) {
+    const half = sign.width / 2 + 1; // it is known in whole pixels
+    return this.width < sign.width ? this.width / 2 : Math.min(Math.max(x, half), this.width - half);
   }
 
   /** How far down a name moves so that it covers none of those that are written already; only a zone's has the choice. */

@@ -1,0 +1,185 @@
+"""Slips that authors make: the message leads to what was meant, and never to its opposite."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.scenario.writing import complaints, loaded, rule
+
+COUNTED = "{trigger: holds, condition: {condition: in_zone, entity: robots, zone: pitch, of: %s}}"
+
+
+@pytest.mark.parametrize(
+    ("written", "told"),
+    [
+        ("one", "found 'one'; did you mean 'any'?"),
+        ("some", "found 'some'; did you mean 'any'?"),
+        ("both", "found 'both'; did you mean 'all'?"),
+        ("each", "found 'each'; did you mean 'all'?"),
+        ("every", "found 'every'; did you mean 'all'?"),
+        ("nobody", "found 'nobody'; did you mean 'none'?"),
+        ("0", "found 0; did you mean 'none'?"),
+        ("2", "found 2; so many or more are written {at_least: 2}"),
+    ],
+)
+def test_how_many_of_a_group_are_meant(written, told):
+    assert complaints(rule(COUNTED % written))[0].endswith(told)
+
+
+def test_an_order_has_nothing_of_how_many():
+    rank = "result: {rank: [{score: both}]}\n"
+    assert complaints(rank + rule())[0].endswith("expected ascending or descending, found 'both'")
+
+
+@pytest.mark.parametrize(
+    ("action", "told"),
+    [
+        ("{action: score, entrant: blue, points: [60, {time_s: 1, weight: -1}]}", "; its value is written {word: time_s}"),
+        ("{action: emit, event: E, payload: {at: {time_s: 1}}}", "; its value is written {word: time_s}"),
+        ("{action: emit, event: E, payload: {on: {other: name}}}", "; the name of the other one is written {word: other_name}"),
+        ("{action: emit, event: E, payload: {by: {robot: name}}}", "; the name of the robot is written {word: robot_name}"),
+    ],
+)  # fmt: skip
+def test_a_word_is_written_behind_its_key(action, told):
+    text = complaints(rule(action=action))[0]
+    assert text.endswith(told)
+    assert "did you mean" not in text
+
+
+@pytest.mark.parametrize(
+    "action",
+    ["{action: score, entrant: blue, points: {entity: Y1}}", "{action: place, entity: ball, at: {robot: Y1}}"],
+)
+def test_a_number_or_a_place_is_no_name(action):
+    assert "_name}" not in complaints(rule(action=action))[0]
+
+
+@pytest.mark.parametrize("word", ["none", "None", "nothing", "no", "'null'", "removed"])
+def test_what_is_not_wanted_is_written_null(word):
+    text = complaints(f"robots: {{B3: {word}}}\n" + rule())[0]
+    assert text.endswith("; what is not wanted is taken away by null: B3: null")
+
+
+def test_so_it_is_with_who_drives_it_and_with_goals():
+    text = complaints("entrants: {blue: {robots: {B3: none}}}\n" + rule())[0]
+    assert text.endswith("; what is not wanted is taken away by null: B3: null")
+    text = complaints("field: {goals: {blue_goal: none}}\n" + rule())[0]
+    assert text.endswith("; what is not wanted is taken away by null: blue_goal: null")
+
+
+def test_any_other_word_there_is_not_taken_for_it():
+    assert complaints("robots: {B3: big}\n" + rule())[0] == "robots.B3: expected a mapping, found 'big'"
+
+
+FLAG = "flags: {armed: {}}\n"
+ASKED = "    conditions: [{condition: %s}]\n"
+
+
+@pytest.mark.parametrize(
+    ("condition", "told"),
+    [
+        ("flag, flag: armed, to: false", "; the opposite of a condition is written negate: true"),
+        ("held, entity: Y1, is: false", "; the opposite of a condition is written negate: true"),
+        ("drawn, draw: d, not_equals: a", "; the opposite of a condition is written negate: true"),
+        ("in_zone, entity: Y1, not_in: pitch", "; the opposite of a condition is written negate: true"),
+        ("speed, entity: Y1, faster_than: 0.1", "; 'at_least' holds from that value on"),
+        ("distance, entity: Y1, to: ball, nearer_than: 0.1", "; 'at_most' holds up to that value"),
+        ("in_zone, entity: robots, zone: pitch, at_least: 2", "; how many of them is written of: {at_least: 2}"),
+    ],
+)
+def test_a_condition_is_turned_over_compared_and_counted(condition, told):
+    body = FLAG + "draws: {d: {values: [a, b]}}\n" + rule(rest=ASKED % condition)
+    assert any(told in text and "unknown key" in text for text in complaints(body))
+
+
+def test_a_key_for_a_value_that_is_not_false_is_nothing_of_the_opposite():
+    assert "negate: true" not in complaints(FLAG + rule(rest=ASKED % "flag, flag: armed, to: true"))[0]
+
+
+def test_how_long_it_must_hold_stands_beside_the_condition():
+    holds = "{trigger: holds, condition: {condition: in_zone, entity: ball, zone: pitch, for_s: 2}}"
+    assert complaints(rule(holds))[0].endswith(
+        "; it stands beside 'condition', in the trigger: {trigger: holds, condition: {…}, for_s: …}"
+    )
+
+
+def test_a_rule_that_fires_once():
+    assert complaints(rule(rest="    once: true\n"))[0].endswith("; a rule that fires once has max_executions: 1")
+
+
+@pytest.mark.parametrize(
+    ("section", "key"),
+    [("teams: {}", "entrants"), ("areas: {}", "zones"), ("variables: {}", "counters"), ("tests: {}", "expect"), ("name: A", "title")],
+)  # fmt: skip
+def test_what_others_call_a_section(section, key):
+    assert complaints(section + "\n" + rule())[0].endswith(f"; it is called '{key}' here")
+
+
+@pytest.mark.parametrize("key", ["x_m", "x"])
+def test_a_rect_has_bounds(key):
+    text = complaints(f"zones: {{a: {{shape: rect, {key}: [0, 0.1], y_max_m: 0.2}}}}\n" + rule())[0]
+    assert text.endswith("; its bounds are x_min_m and x_max_m, and each may be left out")
+
+
+def test_how_long_something_must_last_is_no_part_of_an_edge():
+    text = complaints(rule("{trigger: enters, entity: ball, zone: pitch, for_s: 1}"))[0]
+    assert text.endswith("; what must last for a time is {trigger: holds, condition: {…}, for_s: …}")
+
+
+@pytest.mark.parametrize(
+    ("body", "told"),
+    [
+        ("match: {periods: 2, half_s: 60}\n" + rule(), "; it is called 'halves' here"),
+        ("phases: {nap: {lasts_s: 1}}\nfirst_phase: nap\n" + rule("{trigger: phase_entered, phase: play, after: nap}"),
+         "; it is called 'from' here"),
+        ("counters: {n: {}}\n" + rule(action="{action: count, counter: n, set: 0}"), "; it is called 'to' here"),
+    ],
+)  # fmt: skip
+def test_what_others_call_it(body, told):
+    assert complaints(body)[0].endswith(told)
+
+
+SPOTS = "draws: {mark: {values: [centre, middle_blue]}}\n"
+
+
+@pytest.mark.parametrize(
+    ("at", "told"),
+    [
+        ("{draw: mark}", "; a spot that a draw decides is written {spot: mark}"),
+        ("{zone: pitch}", "; a random point of a zone is {uniform_in: pitch}"),
+    ],
+)
+def test_where_chance_puts_something_in_a_layout_and_in_an_action(at, told):
+    layout = f"placements: {{l: [{{entity: ball, at: {at}}}]}}\n"
+    assert complaints(SPOTS + layout + rule(action="{action: place, layout: l}"))[0].endswith(told)
+    assert complaints(SPOTS + rule(action=f"{{action: place, entity: ball, at: {at}}}"))[0].endswith(told)
+    assert loaded(SPOTS + rule(action="{action: place, entity: ball, at: {spot: mark}}"))
+
+
+CRATES = "balls: {ball: {start_m: [0.5, 0]}}\nobstacles:\n" + "".join(
+    f"  crate_{n}: {{shape: box, centre_m: [{n / 5 - 0.4:.1f}, 0.05], size_m: [0.1, 0.1], movable: true}}\n" for n in (1, 2, 3)
+)  # fmt: skip
+
+
+def test_the_plural_of_several_names_is_a_group():
+    text = complaints(CRATES + rule(action="{action: place, entity: crates, at: start}"))[0]
+    assert text.endswith(
+        "unknown entity 'crates'; several under one name are a group: groups: {crates: [crate_1, crate_2, crate_3]}"
+    )
+    text = complaints(CRATES + "counters: {n: {per: Crates}}\n" + rule())[0]
+    assert text.endswith("groups: {crates: [crate_1, crate_2, crate_3]}")
+
+
+def test_where_only_one_is_meant_the_plural_is_a_slip_of_the_pen():
+    text = complaints(
+        CRATES + rule("{trigger: time_reached, at_s: 1}", "{action: place, entity: ball, at: {relative_to: crates}}")
+    )[0]
+    assert "did you mean 'crate_3'?" in text
+    assert "group" not in text
+
+
+def test_a_packet_that_still_lists_a_robot_is_written_anew_and_not_the_whole_kit():
+    head = "schema_version: 1\nid: a\ntitle: A\nextends: soccersim_2021\n"
+    body = "robots: {B1: null}\nentrants: {blue: {robots: {B1: null}}}\n"
+    text = next(text for text in complaints(body + rule(), head=head) if "packet_lists" in text)
+    assert text.endswith("; write kits.legacy_2021.packet_lists anew without it")
