@@ -109,6 +109,22 @@ def test_a_path_that_is_right_from_another_folder_is_told_as_it_is_from_here(tmp
     assert double.endswith("; from this file's folder it is arena.yaml")
 
 
+def test_it_is_told_also_where_the_file_is_named_from_its_own_folder(tmp_path, monkeypatch):
+    for name in ("base", "junior"):
+        (tmp_path / name).mkdir()
+    write(tmp_path, "base/arena.yaml", "title: B\n")
+    write(tmp_path, "junior/mine.yaml", "extends: base/arena.yaml\n")
+    monkeypatch.chdir(tmp_path / "junior")
+    assert complaint(Path("mine.yaml")).endswith("; from this file's folder it is ../base/arena.yaml")
+
+
+@pytest.mark.parametrize("name", ["./" + "b" * 5000, "./" + "b" * 5000 + ".yaml", "x/" * 3000 + "y.yaml"])
+def test_a_name_longer_than_any_file_has_is_refused_as_any_other(tmp_path, name):
+    text = complaint(write(tmp_path, "mine.yaml", f"extends: {name}\n"))
+    assert "there is no file" in text or "is not a shipped preset or scenario" in text
+    assert len(text) < 500
+
+
 def test_a_path_without_its_ending_is_told_the_ending(tmp_path):
     (tmp_path / "base").mkdir()
     write(tmp_path, "base/arena.yaml", "title: B\n")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path, PurePath, PurePosixPath
 from typing import Any
@@ -153,14 +154,28 @@ def _shipped(name: str, user: Source, mark: Mark) -> Source:
     raise _refused(mark, f"no preset or scenario '{name[:64]}' is shipped; {known}")
 
 
+def _is_file(path: Path) -> bool:
+    """Return whether there is such a file; a name that is too long for the system is none."""
+    with suppress(OSError):
+        return path.is_file()
+    return False
+
+
+def _scenarios_in(folder: Path) -> list[str]:
+    """Return the names of a folder's scenarios; of one that cannot be read, or is none, nothing."""
+    with suppress(OSError):
+        return sorted(found.name for found in folder.glob("*.y*ml"))
+    return []
+
+
 _FOLDERS_ABOVE = 3
 """So far up a path is tried that may have been written as seen from another folder."""
 
 
 def _from_elsewhere(parts: tuple[str, ...], folder: Path) -> str:
     """Return how a path is written from this folder that is right from one above it; empty: it is from none."""
-    above = (place.joinpath(*parts) for place in list(folder.parents)[:_FOLDERS_ABOVE])
-    found = next((path for path in above if path.is_file()), None)
+    above = (place.joinpath(*parts) for place in list(folder.absolute().parents)[:_FOLDERS_ABOVE])
+    found = next((path for path in above if _is_file(path)), None)
     if found is None:
         return ""
     return f"; from this file's folder it is {PurePath(os.path.relpath(found, folder)).as_posix()}"
@@ -174,21 +189,17 @@ def _base(name: str, user: Source, mark: Mark) -> Source:
     is_foreign = name.startswith(("/", "~")) or re.search(r"[\\:\x00-\x1f]", name)
     if is_foreign or not name.endswith((".yaml", ".yml")):
         wanted = "a shipped preset or scenario, or a relative path with / to a .yaml file"
-        whole = f"{name}.yaml"
-        known = (
-            not is_foreign
-            and user.path is not None
-            and user.path.parent.joinpath(*PurePosixPath(whole).parts).is_file()
-        )
+        whole, folder = f"{name}.yaml", None if user.path is None or is_foreign else user.path.parent
+        known = folder is not None and _is_file(folder.joinpath(*PurePosixPath(whole).parts))
         raise _refused(mark, f"'{name[:120]}' is not {wanted}" + (f"; did you mean '{whole[:120]}'?" if known else ""))
     if user.path is None:
         raise _refused(mark, "a text has no folder for a relative path; extend a preset or a shipped scenario")
     if ".." in parts[len([part for part in parts if part == ".."]) :]:
         raise _refused(mark, f"'{name[:120]}': '..' may stand at the beginning only")
     path = user.path.parent.joinpath(*parts)
-    beside = sorted(found.name for found in path.parent.glob("*.y*ml")) if path.parent.is_dir() else []
+    beside = _scenarios_in(path.parent)
     # Compared with the folder's listing: a name in other case works on some machines only.
-    if path.name not in beside or not path.is_file():
+    if path.name not in beside or not _is_file(path):
         own = user.path.name
         hint = nearest(path.name, [found for found in beside if found != own])
         for kind, names in (("scenario", shipped_scenarios()), ("preset", names_in(presets_folder()))):
@@ -196,5 +207,5 @@ def _base(name: str, user: Source, mark: Mark) -> Source:
                 hint = f"; the shipped {kind} is extended by its name alone: {path.stem}"
         hint = hint or _from_elsewhere(parts, user.path.parent)
         raise _refused(mark, f"there is no file '{name[:120]}' beside {user.shown}{hint}")
-    folder = PurePosixPath(user.shown.replace("\\", "/")).parent
-    return Source.of_file(path, os.path.normpath(folder / PurePosixPath(*parts)).replace("\\", "/"))
+    shown = PurePosixPath(user.shown.replace("\\", "/")).parent / PurePosixPath(*parts)
+    return Source.of_file(path, os.path.normpath(shown).replace("\\", "/"))
