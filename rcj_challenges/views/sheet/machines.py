@@ -28,7 +28,7 @@ def robot_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
         (plain(name), plain(robot.colour), _driver(robot, owners.get(name)), robot.kit, _start(robot.start))
         for name, robot in scenario.robots.items()
     ]
-    yield Table(("robot", "colour", "driven by", "kit", "start (x, y in m)"), tuple(rows))
+    yield Table(("robot", "colour", "driven by", "kit", "start (x, y in m)"), tuple(rows), ends_in_words=True)
     if any(any(robot.start.noise_m) for robot in scenario.robots.values()):
         yield Paragraph(
             "Where ± stands, chance shifts a start by up to that much to either side, all shifts equally likely, each "
