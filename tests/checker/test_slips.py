@@ -9,7 +9,7 @@ import pytest
 
 from rcj_challenges.checker.advice.slips import on_slip
 from rcj_challenges.checker.check import CheckOptions, check_file
-from rcj_challenges.scenario.load import load
+from rcj_challenges.scenario.load import load, load_text
 from tests.checker.alone import ONE_EACH, alone
 from tests.checker.small_team import write_team
 
@@ -247,6 +247,34 @@ def test_a_program_that_knows_the_robots_of_one_colour_only_is_told_of_the_other
     report = check_file(path, load("match", ONE_EACH), CheckOptions(play_s=0.5))
     remedies = {one.remedy for stage in report.stages for one in stage.findings if one.level == "failure"}
     assert [remedy for remedy in remedies if remedy.startswith(told)], remedies
+
+
+HUNTER_AND_HARE = """\
+schema_version: 1
+id: hunter
+title: Hunter and hare
+extends: soccersim_v2
+robots: {B2: null, B3: null, Y2: null, Y3: null}
+entrants:
+  blue: {robots: {B1: hunter.py, B2: null, B3: null}}
+  yellow: {robots: {Y1: hare.py, Y2: null, Y3: null}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("key", "remedy"),
+    [
+        ("robot.getName()", '"B1" is this robot\'s own name: write an entry for it'),
+        ("robot.getName()[0]", '"B" is the first letter of "B1", this robot\'s own name: write an entry for it'),
+    ],
+)
+def test_a_program_that_drives_one_robot_only_needs_no_entry_for_another(tmp_path, key, remedy):
+    path = tmp_path / "team.zip"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("hunter.py", BEGIN + f"{{'Y1': 1}}[{key}]\n" + LOOP)
+        archive.writestr("hare.py", BEGIN + LOOP)
+    report = check_file(path, load_text(HUNTER_AND_HARE, []), CheckOptions(play_s=0.5))
+    assert [one.remedy for stage in report.stages for one in stage.findings if one.level == "failure"] == [remedy]
 
 
 @pytest.mark.parametrize("key", ["'ball'", "'Y2'", "'Y'"])

@@ -175,3 +175,11 @@ def test_a_group_of_which_one_is_left_is_no_error_but_never_touches_itself(touch
 def test_where_there_are_several_nothing_is_said(touch):
     rules = f"rules: {{r: {{for_each: robots, triggers: [{touch}], actions: [{{action: end}}]}}}}\n"
     assert "rule_never_fires" not in [one.kind for one in lint(load_text(HEAD + rules))]
+
+
+def test_of_several_triggers_only_the_one_that_is_in_vain_is_to_go():
+    touches = f"{TOUCH % ('each', 'robots')}, {TOUCH % ('ball', 'each')}"
+    rules = f"rules: {{r: {{for_each: robots, triggers: [{touches}], actions: [{{action: end}}]}}}}\n"
+    (found,) = (one for one in lint(load_text(HEAD + ALONE + rules)) if one.kind == "rule_never_fires")
+    assert found.problem.path == "rules.r.triggers[0] (touches)"
+    assert found.remedy == "take this trigger out, or name in other what else it touches"

@@ -60,6 +60,7 @@ def test_the_field_tells_how_floor_and_walls_are():
     floor = "The floor's coefficient of friction is 0.3."
     assert f"{floor} A ball springs back from a wall with 85 % of the speed at which it meets it." in text
     assert f"{floor}\n" in sheet("field: {friction: 0.3}\nballs: {ball: null}\n")
+    assert f"{floor} A ball does not spring back from a wall." in sheet("field: {friction: 0.3, restitution: 0}\n")
 
 
 def test_all_limits_are_told():

@@ -301,6 +301,9 @@ DEVICES = {
     "{device: lidar, field_of_view_rad: 2, height_m: 0.12}": (
         "lidar, 360 points, 1 cm to 3 m, turning at 10 Hz, 0.12 m above the floor, over 114.6° from left to right."
     ),
+    "{device: lidar, field_of_view_rad: 2, points: 1}": (
+        "lidar, 1 point, 1 cm to 3 m, turning at 10 Hz, 4.25 cm above the floor, straight ahead."
+    ),
     "{device: team_emitter, baud: 4800, range_m: 2}": "team radio, sends up to 2 m far, 4800 baud (19.2 bytes in a tick).",
     "{device: motor, wheel: left, direction: -1}": "motor of the left wheel, positive speeds drive backward.",
     "{device: motor, wheel: right}": "motor of the right wheel, positive speeds drive forward.",

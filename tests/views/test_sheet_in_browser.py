@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from rcj_challenges.scenario.load import load
+from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.views.sheet import sheet_html
 
 PHONE = {"width": 360, "height": 740}
@@ -87,3 +87,18 @@ def test_on_a_phone_where_robots_start_is_no_tower_of_words(sheet_of: Callable[.
         "[...document.querySelectorAll('table')[0].querySelectorAll('tr')].map(row => row.clientHeight)"
     )
     assert max(rows_px) < 5 * 24  # lines of text
+
+
+def test_on_a_phone_short_words_take_no_more_room_than_they_need(watch: Callable[..., Any], tmp_path: Path) -> None:
+    loaded = load_text(
+        "schema_version: 1\nid: two\ntitle: Two\nextends: soccersim_v2\nballs: {second: {start_m: [0.3, 0]}}\n"
+        "obstacles: {crate: {shape: box, centre_m: [0.5, 0.5], size_m: [0.1, 0.1]}}\n"
+    )
+    file = tmp_path / "two.html"
+    file.write_text(sheet_html(loaded.scenario, loaded.roster), encoding="utf-8")
+    page = watch(file.as_uri(), ready="table", viewport=PHONE)
+    yes_or_no_px = page.evaluate(
+        "[...document.querySelectorAll('td')].filter(cell => /^(yes|no)$/.test(cell.textContent)).map(cell => cell.clientWidth)"
+    )
+    assert len(yes_or_no_px) == 3
+    assert max(yes_or_no_px) < 9 * 16  # letters of the head

@@ -63,11 +63,12 @@ def test_on_a_phone_it_is_told_in_whole_and_nothing_is_pushed_over_the_scores(
     assert half.inner_text().split() == ["of", "0:04", "+", "0:02", "stopped"]
     half.evaluate("half => { half.firstChild.textContent = 'half 1 of 2 · 10:00 '; }")
     stopped.evaluate("told => { told.textContent = '+ 10:00 stopped'; }")
+    for name in page.locator(".team .name").all():
+        name.evaluate("name => { name.textContent = 'The long name of a team and more'; }")
     assert half.evaluate("half => half.scrollWidth <= half.clientWidth")
     room_px = teams.evaluate("teams => teams.clientWidth")
     stopped.evaluate("told => told.remove()")
     assert teams.evaluate("teams => teams.clientWidth") == room_px
-    page.locator(".team .name").first.evaluate("name => { name.textContent = 'The long name of a team and more'; }")
     for score in page.locator(".team .score").all():
         score.evaluate("score => { score.textContent = '-12.5'; }")
         assert score.evaluate("score => score.scrollWidth <= score.clientWidth")

@@ -300,20 +300,25 @@ def _on_system(team: Team, fault: Mapping[str, Any]) -> Hint | None:
 
 
 def _on_slip(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hint | None:
-    remedy = on_slip(fault["detail"], team.files) or _on_own_name(scenario, fault)
+    remedy = on_slip(fault["detail"], team.files) or _on_own_name(scenario, team, fault)
     return Hint(remedy) if remedy else None
 
 
-def _on_own_name(scenario: Scenario, fault: Mapping[str, Any]) -> str:
+def _on_own_name(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> str:
     """Tell of a program that looks something up by its robot's name, or its colour, and knows that of others only."""
     robot, found = fault["robot"], _NO_SUCH_KEY.match(fault["detail"])
     if found is None or found["key"] not in (robot, robot[0]):
         return ""
     key = found["key"]
-    names = ", ".join(dict.fromkeys(name if key == robot else name[0] for name in scenario.robots))
+    driven = [name for name in scenario.robots if team.entries.get(name) == team.entries.get(robot)]
+    names = list(dict.fromkeys(name if key == robot else name[0] for name in driven))
     letter_of = "" if key == robot else f'the first letter of "{shown(robot)}", '
-    both = "the same program plays for both colours, " if len(scenario.entrants) > 1 else ""
-    return f'"{shown(key)}" is {letter_of}this robot\'s own name: {both}write an entry for each (here {names})'
+    own = f'"{shown(key)}" is {letter_of}this robot\'s own name'
+    if len(names) == 1:
+        return f"{own}: write an entry for it"
+    colours = {scenario.robots[name].colour for name in driven}
+    both = "the same program plays for both colours, " if len(colours) > 1 else ""
+    return f"{own}: {both}write an entry for each (here {', '.join(names)})"
 
 
 def _on_place(team: Team, kind: str, whereabouts: str) -> Hint | None:

@@ -36,6 +36,7 @@ def check_touched(subject: Subject) -> Iterator[Suspect]:
 def check_touching_itself(subject: Subject) -> Iterator[Suspect]:
     """Touches of groups in which one thing alone is left: it does not touch itself."""
     for name, rule in subject.scenario.rules.items():
+        in_vain = "the rule" if len(rule.triggers) == 1 else "this trigger"
         for index, trigger in enumerate(rule.triggers):
             if not isinstance(trigger, Touches):
                 continue
@@ -45,7 +46,7 @@ def check_touching_itself(subject: Subject) -> Iterator[Suspect]:
                     "rule_never_fires",
                     ("rules", name, "triggers", index),
                     f"'{min(who)}' alone is meant on both sides, and nothing touches itself",
-                    "take the rule out, or name in other what else it touches",
+                    f"take {in_vain} out, or name in other what else it touches",
                 )
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from rcj_challenges.scenario.catalogue import EACH
+from rcj_challenges.scenario.models.actions import Count
 from rcj_challenges.scenario.models.conditions import Distance, SpotFree
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
@@ -25,7 +26,7 @@ class Reach(NamedTuple):
         name: of the spot, the zone, the gate or the fixed obstacle; empty for a point.
         centre_m: the circle's centre, [x, y] in m; of a spot that rules set, where it is when a half starts. None of a
             zone, a gate and a wall.
-        counter: whose initial value the distance is; empty of a number.
+        counter: that rules count, and whose initial value the distance is; empty of what stays as it is.
     """
 
     radius_m: float
@@ -68,11 +69,13 @@ def _of_rule(rule: Rule, scenario: Scenario, roster: Roster) -> Iterator[Reach]:
 
 
 def _at_first(bound: Bound | None, scenario: Scenario) -> Iterator[tuple[float, str]]:
-    """Yield a bound that is known before the match, and the counter of which it is the initial value."""
+    """Yield a bound that is known before the match, and the counter of which it is the initial value, if one counts."""
     if isinstance(bound, int | float):
         yield bound, ""
     elif isinstance(bound, CounterValue) and bound.counter in scenario.counters:
-        yield scenario.counters[bound.counter].initial, bound.counter
+        actions = (action for rule in scenario.rules.values() for action in rule.actions)
+        changes = any(isinstance(action, Count) and action.counter == bound.counter for action in actions)
+        yield scenario.counters[bound.counter].initial, bound.counter if changes else ""
 
 
 def _places(to: str | Point, rule: Rule, scenario: Scenario, roster: Roster) -> Iterator[tuple[str, Point | None]]:

@@ -32,10 +32,17 @@ class Items:
 
 @dataclass(frozen=True)
 class Table:
-    """A table with a head."""
+    """A table with a head.
+
+    Attributes:
+        head: above the columns.
+        rows: the cells of each.
+        ends_in_words: whether the last column is a sentence beside several short ones: on a phone it keeps its width.
+    """
 
     head: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
+    ends_in_words: bool = False
 
 
 @dataclass(frozen=True)
@@ -49,7 +56,7 @@ Block = Heading | Paragraph | Items | Table | Picture
 
 _MARKDOWN_MARKS = str.maketrans({mark: f"\\{mark}" for mark in "\\`*_[]<>#|"})
 
-# The fifth column is that of the starts: beside four others it would be a tower of single words on a phone.
+# Beside several others a column of sentences would be a tower of single words on a phone.
 _CSS = """
 :root{color-scheme:light dark}
 body{font:16px/1.5 system-ui,-apple-system,'Segoe UI',sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;
@@ -57,7 +64,7 @@ overflow-wrap:break-word}
 table{border-collapse:collapse;margin:.5rem 0 1rem}th,td{border:1px solid #8886;padding:.3rem .6rem;text-align:left}
 th{background:#8882}svg{max-width:100%;height:auto;background:#fff;border-radius:6px}li{margin:.3rem 0}
 @media screen and (max-width:45rem){table,.drawing{display:block;overflow-x:auto}
-.drawing svg{width:37rem;max-width:none}td:nth-child(5){min-width:16rem}}
+.drawing svg{width:37rem;max-width:none}.words td:last-child{min-width:16rem}}
 @media print{body{margin:0;max-width:none}h1,h2,h3{break-after:avoid}tr,svg{break-inside:avoid}}
 """
 
@@ -114,7 +121,8 @@ def _html(block: Block) -> str:
         return f"<{tag}>" + "".join(f"<li>{escape(entry)}</li>" for entry in block.entries) + f"</{tag}>"
     if isinstance(block, Table):
         rows = "".join(_row("td", row) for row in block.rows)
-        return f"<table><thead>{_row('th', block.head)}</thead><tbody>{rows}</tbody></table>"
+        words = ' class="words"' if block.ends_in_words else ""
+        return f"<table{words}><thead>{_row('th', block.head)}</thead><tbody>{rows}</tbody></table>"
     # Where a phone shows the whole field, its key stands beside it, off the screen.
     return f'<div class="drawing">\n{block.svg}</div>'
 

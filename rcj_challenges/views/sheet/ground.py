@@ -59,6 +59,8 @@ def _surfaces(scenario: Scenario) -> str:
     floor = f"The floor's coefficient of friction is {field.friction:g}."
     if not scenario.balls:
         return floor
+    if not field.restitution:
+        return f"{floor} A ball does not spring back from a wall."
     return (
         f"{floor} A ball springs back from a wall with {100 * field.restitution:g} % of the speed at which it meets it."
     )

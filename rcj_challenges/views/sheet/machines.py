@@ -28,7 +28,7 @@ def robot_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
         (plain(name), plain(robot.colour), _driver(robot, owners.get(name)), robot.kit, _start(robot.start))
         for name, robot in scenario.robots.items()
     ]
-    yield Table(("robot", "colour", "driven by", "kit", "start (x, y in m)"), tuple(rows))
+    yield Table(("robot", "colour", "driven by", "kit", "start (x, y in m)"), tuple(rows), ends_in_words=True)
     if any(any(robot.start.noise_m) for robot in scenario.robots.values()):
         yield Paragraph(
             "Where ± stands, chance shifts a start by up to that much to either side, all shifts equally likely, each "
@@ -161,13 +161,17 @@ def _lidar(d: models.LidarDevice) -> str:
     turning = f", turning at {d.frequency_hz:g} Hz" if d.rotating else ""
     noise = _noise(metres(d.noise_m) if d.noise_m else "")
     order = _order(d, ", its points told as [left, up, ahead]")
-    round_it = (
-        "clockwise from the front" if is_full_turn(d) else f"over {degrees(d.field_of_view_rad)} from left to right"
-    )
     return (
         f"lidar, {counted(d.points, 'point')}, {metres(d.min_range_m)} to {metres(d.max_range_m)}{turning}{order}"
-        f"{noise}, {metres(d.height_m)} above the floor, {round_it}"
+        f"{noise}, {metres(d.height_m)} above the floor, {_sweep(d)}"
     )
+
+
+def _sweep(d: models.LidarDevice) -> str:
+    """Return where a lidar looks."""
+    if d.points == 1:
+        return "straight ahead"  # whatever its field of view is
+    return "clockwise from the front" if is_full_turn(d) else f"over {degrees(d.field_of_view_rad)} from left to right"
 
 
 def _gps(d: models.GpsDevice) -> str:
