@@ -148,7 +148,7 @@ def _closing(told: Sequence[dict[str, Any]], options: JudgeOptions) -> Iterator[
 def _judge_one(folder: Path, options: JudgeOptions, scenario: Scenario | None) -> _Judged:
     from rcj_challenges.match.judging import differences, judge_again, recorded
     from rcj_challenges.records.changed import refusing_changes
-    from rcj_challenges.records.refereelog import read_referee_log
+    from rcj_challenges.records.refereelog import events_as_lines, read_referee_log
     from rcj_challenges.records.result import read_result
     from rcj_challenges.records.trajectory import Trajectory
     from rcj_challenges.records.upgrades import read_scenario
@@ -163,7 +163,7 @@ def _judge_one(folder: Path, options: JudgeOptions, scenario: Scenario | None) -
     trajectory = Trajectory.open(folder)
     with nullcontext() if options.scenario is not None else refusing_changes(folder, scenario):
         judgement = judge_again(trajectory, scenario)
-    before = recorded(trajectory, read_referee_log(folder)[0], result.score)
+    before = recorded(trajectory, read_referee_log(folder)[0] or events_as_lines(result), result.score)
     found = differences(before.events, judgement.events)
     alike = len(judgement.events) - sum(one.after is not None for one in found)
     return _Judged(folder, result, before.scores, scenario, judgement, alike, found)

@@ -39,6 +39,11 @@ def read_referee_log(folder: Path) -> tuple[list[dict[str, Any]], int]:
     return lines, unreadable
 
 
+def events_as_lines(result: RunResult) -> list[dict[str, Any]]:
+    """Return the events of a result as lines of the log, for a record that has lost it."""
+    return [{"kind": "event", **event.model_dump()} for event in result.events]
+
+
 def points_in(
     lines: Iterable[dict[str, Any]], teams: Iterable[str], teams_in: Callable[[int], Mapping[str, str]]
 ) -> dict[str, Score]:

@@ -146,6 +146,14 @@ def test_what_an_older_version_took_is_judged_by_its_own_rules_although_no_new_s
     assert "judged:   Hanse 0 : 1 Alster\n" in told
 
 
+def test_without_the_referees_log_the_events_of_the_result_are_compared(judge, records, tmp_path):
+    (record,) = records.iterdir()
+    copy = copied(record, tmp_path)
+    (copy / "referee.jsonl").unlink()
+    code, said = judge(copy)
+    assert (code, judge(record)[1].replace(record.name, copy.name)) == (0, said)
+
+
 def cut_off(record, folder):
     """Make a record of it as a kill leaves one: poses up to 1.6 s, and a log that goes on for another 0.8 s."""
     other = copied(record, folder)

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from rcj_challenges.facts.amounts import Score, on_paper
-from rcj_challenges.records.refereelog import read_referee_log
+from rcj_challenges.records.refereelog import events_as_lines, read_referee_log
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.records.trajectory import HalfTrack
@@ -73,7 +73,7 @@ def tell(folder: Path, scenario: Scenario, halves: Sequence[HalfTrack], result: 
     lines, unreadable = read_referee_log(folder)
     story = Story(unreadable=unreadable)
     if not lines and result is not None:
-        lines = [{"kind": "event", **event.model_dump()} for event in result.events]
+        lines = events_as_lines(result)
     firings = [line for line in lines if line["kind"] == "firing" and line.get("suppressed") is None]
     counting = Counting(scenario)
     for half in halves:
