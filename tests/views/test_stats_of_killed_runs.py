@@ -19,6 +19,10 @@ def test_points_of_a_run_that_was_killed_are_those_of_its_log(tmp_path: Path) ->
     (goal, *_) = (line for line in log.read_text("utf-8").splitlines() if '"scored": {"yellow": 1}' in line)
     with log.open("a", encoding="utf-8") as stream:
         stream.write(json.dumps(json.loads(goal) | {"tick": 2 * GOAL_EVERY_TICKS + 60}) + "\n")
-    assert run_stats(killed).teams["Alster"].points == 2
+        late = {"kind": "event", "half": 1, "tick": 2 * GOAL_EVERY_TICKS + 60, "event": "LATE", "payload": {}}
+        stream.write(json.dumps(late) + "\n")
+    stats = run_stats(killed)
+    assert stats.teams["Alster"].points == 2
+    assert "LATE" not in stats.calls
     (killed / "referee.jsonl").unlink()
     assert run_stats(killed).teams["Alster"].points == 0

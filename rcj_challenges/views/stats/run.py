@@ -39,12 +39,15 @@ def run_stats(folder: Path) -> Stats:
 
 
 def _stats_of(run: RunRecord, folder: Path) -> Stats:
-    lines, unreadable = read_referee_log(folder)
+    written, unreadable = read_referee_log(folder)
     notes = [*run.problems, *([f"{unreadable} lines of the referee's log are damaged."] if unreadable else [])]
     if any(half.poses_are_lost for half in run.halves):
         notes.append("As no pose is left, points, faults and calls are counted and no play.")
     stats = Stats(runs=[folder.name], notes=[f"{folder.name}: {note}" for note in notes])
     counting = _Counting(run, stats)
+    # Of a run that was killed the log goes on for longer than the poses: the figures end with these.
+    recorded = {half.info.half: half.ticks for half in run.halves}
+    lines = [line for line in written if line["tick"] <= recorded.get(line["half"], -1)]
     for half in run.halves:
         counting.half(half, [line for line in lines if line["half"] == half.info.half])
     for fault in run.result.faults:
@@ -52,9 +55,7 @@ def _stats_of(run: RunRecord, folder: Path) -> Stats:
     names = titles(run.scenario, run.result)
     if names != {team: entrant.name or team for team, entrant in run.result.entrants.items()}:
         stats.notes.append(f"{folder.name}: teams of one name played each other; their seats tell them apart")
-    recorded = {half.info.half: half.ticks for half in run.halves}
-    told = [line for line in lines if line["tick"] <= recorded.get(line["half"], -1)]
-    points = points_so_far(run.result, run.scenario, told)
+    points = points_so_far(run.result, run.scenario, lines)
     for team, entrant in run.result.entrants.items():
         tally = stats.teams.setdefault(names[team], TeamTally())
         tally.points += points.get(team, 0)
