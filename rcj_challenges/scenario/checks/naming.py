@@ -9,6 +9,7 @@ from rcj_challenges.facts.file_names import is_device_of_windows
 from rcj_challenges.scenario.catalogue import ALWAYS, BOUND, EACH, FAMILIES, OTHER, Catalogue, texts
 from rcj_challenges.scenario.checks.removal import removal_of
 from rcj_challenges.scenario.errors import Problem, listing, nearest
+from rcj_challenges.scenario.messages.taken_away import without
 from rcj_challenges.scenario.models.scenario import MAX_MEMBERS
 from rcj_challenges.scenario.tree import Items, Mark, Path, child, in_names, mark_of, node_at
 
@@ -85,7 +86,7 @@ def _groups(catalogue: Catalogue, removed: Mapping[Path, Mark]) -> Iterator[Prob
             for name in texts(item):
                 path: Path = ("groups", group, index)
                 if name not in known:
-                    hint = _instead_of(name, group, item.mark, known, catalogue, removed)
+                    hint = _instead_of(name, path, item.mark, known, catalogue, removed)
                     if not catalogue.broken.intersection(_SECTIONS):
                         yield _problem(catalogue, path, f"unknown name '{name[:64]}'{hint}")
                     continue
@@ -104,7 +105,7 @@ def _groups(catalogue: Catalogue, removed: Mapping[Path, Mark]) -> Iterator[Prob
 
 
 def _instead_of(
-    name: str, group: str, mark: Mark, known: Mapping[str, object], catalogue: Catalogue, removed: Mapping[Path, Mark]
+    name: str, path: Path, mark: Mark, known: Mapping[str, object], catalogue: Catalogue, removed: Mapping[Path, Mark]
 ) -> str:
     """Return what to do about a member of a group that does not exist."""
     hint = nearest(name, known) or f"; there are {listing(known)}"
@@ -114,7 +115,7 @@ def _instead_of(
     if removal.is_by_base:
         return f": {removal.told}{hint}"
     is_of_base = mark.file != mark_of(catalogue.root, ("id",)).file
-    return f": {removal.told}; write groups.{group} anew without it" + (f", or '{group}: null'" if is_of_base else "")
+    return f": {removal.told}{without(name, path)}" + (f", or '{path[1]}: null'" if is_of_base else "")
 
 
 def _of(family: str) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect
-from rcj_challenges.scenario.models.actions import SetFlag, ToggleFlag
+from rcj_challenges.scenario.lint.unheard import asks_for_some, turns_flag
 from rcj_challenges.scenario.models.conditions import FlagIs
 from rcj_challenges.scenario.models.scenario import Rule
 
@@ -15,8 +15,11 @@ def check_locked(subject: Subject) -> Iterator[Suspect]:
     """Rules that ask for a flag as nobody makes it but they themselves."""
     for flag, model in subject.scenario.flags.items():
         changed = not model.initial
-        changing = {name: rule for name, rule in subject.standing() if _changes(rule, flag, to=changed)}
-        asking = {name: _asks(rule, flag, for_set=changed) for name, rule in changing.items()}
+        asking = {
+            name: _asks(rule, flag, for_set=changed)
+            for name, rule in subject.standing()
+            if any(turns_flag(action, flag, to=changed) for action in rule.actions)
+        }
         if any(index is None for index in asking.values()):
             continue
         state, does = ("set", "sets") if changed else ("not set", "clears")
@@ -32,20 +35,9 @@ def check_locked(subject: Subject) -> Iterator[Suspect]:
             yield Suspect("rule_never_fires", ("rules", name, "conditions", index or 0), reason, remedy)
 
 
-def _changes(rule: Rule, flag: str, *, to: bool) -> bool:
-    return any(
-        (isinstance(action, SetFlag) and action.flag == flag and action.to == to)
-        or (isinstance(action, ToggleFlag) and action.flag == flag)
-        for action in rule.actions
-    )
-
-
 def _asks(rule: Rule, flag: str, *, for_set: bool) -> int | None:
     """Return which condition of a rule holds only if the flag, of whomever, is set or is not; None: none of them."""
     for index, condition in enumerate(rule.conditions):
-        if isinstance(condition, FlagIs) and condition.flag == flag:
-            # "None of them" and its opposite are the other way round.
-            asks_for_set = (condition.of == "none") == condition.negate
-            if asks_for_set == for_set:
-                return index
+        if isinstance(condition, FlagIs) and condition.flag == flag and asks_for_some(condition) == for_set:
+            return index
     return None

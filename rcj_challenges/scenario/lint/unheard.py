@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.scenario.catalogue import BOUND
+from rcj_challenges.scenario.lint.logic import range_of
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect, lengths_s, lives_in
 from rcj_challenges.scenario.models.actions import (
     Action,
@@ -177,8 +178,8 @@ def _what_makes_true(condition: Condition, subject: Subject) -> _Makes | None:
         case CounterIs():
             return _what_counts(condition, subject)
         case FlagIs(flag=flag):
-            return lambda action: _turns_flag(action, flag, to=_asks_for_some(condition))
-        case IsHeld() if _asks_for_some(condition) and _only_rules_hold(subject):
+            return lambda action: turns_flag(action, flag, to=asks_for_some(condition))
+        case IsHeld() if asks_for_some(condition) and _only_rules_hold(subject):
             return lambda action: isinstance(action, Hold)
         case Drawn(negate=False):
             return lambda action: (
@@ -194,7 +195,7 @@ def _what_makes_true(condition: Condition, subject: Subject) -> _Makes | None:
             return None
 
 
-def _asks_for_some(condition: FlagIs | IsHeld) -> bool:
+def asks_for_some(condition: FlagIs | IsHeld) -> bool:
     """Return whether a condition waits for one to be so, and not for one that no longer is."""
     return (condition.of == "none") == condition.negate
 
@@ -203,7 +204,8 @@ def _only_rules_hold(subject: Subject) -> bool:
     return all(phase.robots != "held" for phase in subject.scenario.phases.values())
 
 
-def _turns_flag(action: Action, flag: str, *, to: bool) -> bool:
+def turns_flag(action: Action, flag: str, *, to: bool) -> bool:
+    """Return whether an action may make a flag, of whomever, set or not set."""
     if isinstance(action, SetFlag):
         return action.flag == flag and action.to == to
     return isinstance(action, ToggleFlag) and action.flag == flag
@@ -219,25 +221,16 @@ def _what_counts(condition: CounterIs, subject: Subject) -> _Makes | None:
     counter = subject.scenario.counters.get(condition.counter)
     # Of one that is kept for each of several the sum may reach it, whatever it is set to for one of them.
     is_one = counter is not None and counter.per is None
+    least, most = range_of(condition)
 
     def makes(action: Action) -> bool:
         bounded = isinstance(action, Count) and (action.at_least, action.at_most) != (None, None)
         if isinstance(action, Count) and isinstance(action.to, int | float) and not bounded and is_one:
-            return action.counter == condition.counter and _holds_at(condition, action.to)
+            holds = least <= action.to <= most
+            return action.counter == condition.counter and holds != condition.negate
         return _changes(action, condition.counter, subject, up=up or either, down=down or either)
 
     return makes
-
-
-def _holds_at(condition: CounterIs, value: float) -> bool:
-    """Return whether a condition whose bounds are numbers holds at a value of its counter."""
-    at_least, at_most, equals = condition.at_least, condition.at_most, condition.equals
-    holds = (
-        not (isinstance(at_least, int | float) and value < at_least)
-        and not (isinstance(at_most, int | float) and value > at_most)
-        and not (isinstance(equals, int | float) and value != equals)
-    )
-    return holds != condition.negate
 
 
 def _changes(action: Action, counter: str, subject: Subject, *, up: bool, down: bool) -> bool:

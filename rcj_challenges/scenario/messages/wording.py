@@ -57,24 +57,24 @@ _SPECIAL: tuple[tuple[Any, str], ...] = (
 
 def expected(shape: Shape, node: Node | None) -> str:
     """Return the sentence for a value of the wrong type or an unknown word."""
-    hint = _how_many(shape, node)
-    if hint:
-        pass
-    elif isinstance(node, Leaf) and isinstance(node.value, str):
+    hint = _how_many(shape, node) or _instead(shape, node)
+    return f"expected {expectation(shape)}, found {found_text(node)}{hint}"
+
+
+def _instead(shape: Shape, node: Node | None) -> str:
+    """Return how what was most likely meant is written; empty: nobody knows."""
+    if isinstance(node, Leaf) and isinstance(node.value, str):
         known = (str(word).casefold() for word in _literals(shape) if not isinstance(word, str))
         if node.value.casefold() in known:
-            hint = "; leave the quotes out"
-        else:
-            hint = nearest(node.value, _words(shape)) or _hint(shape, node.value)
-    elif isinstance(node, Leaf) and str(node.value) in _words(shape):
-        hint = f"; write it in quotes: '{node.value}'"
-    elif isinstance(node, Items) and without_none(shape) == At:
-        hint = _point(node)
-    elif isinstance(node, Entries) and without_none(shape) in (Name, Names):
-        hint = _draw(node)
-    elif node is not None:
-        hint = _hint_at_list(shape, node)
-    return f"expected {expectation(shape)}, found {found_text(node)}{hint}"
+            return "; leave the quotes out"
+        return nearest(node.value, _words(shape)) or _hint(shape, node.value)
+    if isinstance(node, Leaf) and str(node.value) in _words(shape):
+        return f"; write it in quotes: '{node.value}'"
+    if isinstance(node, Items) and without_none(shape) == At:
+        return _point(node)
+    if isinstance(node, Entries) and without_none(shape) in (Name, Names):
+        return _draw(node)
+    return "" if node is None else _hint_at_list(shape, node)
 
 
 def _how_many(shape: Shape, node: Node | None) -> str:
