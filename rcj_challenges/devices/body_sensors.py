@@ -6,7 +6,7 @@ Those without noise and in today's frame are so many, and so simple, that `sense
 from __future__ import annotations
 
 import math
-from typing import NamedTuple, cast
+from typing import cast
 
 from rcj_challenges.devices.fitting import Fitted
 from rcj_challenges.devices.ground import Ground
@@ -15,20 +15,18 @@ from rcj_challenges.devices.poses import RobotPose, Vector
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.scenario.models.robots import CompassDevice, GpsDevice, WheelSensorDevice
 
+WheelSensor = tuple[int, int, int]
+"""A wheel's turning angle since the start of the half, in rad: slot, place in `qpos`, and which way it counts.
 
-class WheelSensor(NamedTuple):
-    """A wheel's turning angle since the start of the half, in rad: slot, place in `qpos`, and which way it counts."""
-
-    slot: int
-    at: int
-    direction: int
+A plain tuple: Python takes twice as long to unpack a named one, and does so for all wheels at every tick.
+"""
 
 
 def wheel_sensor(one: Fitted, ground: Ground) -> WheelSensor:
     """Return the sensor of a wheel."""
     device = cast("WheelSensorDevice", one.device)
     at = int(ground.model.joint(f"{one.robot_name}/{device.wheel}_wheel").qposadr[0])
-    return WheelSensor(one.spec.slot, at, device.direction)
+    return one.spec.slot, at, device.direction
 
 
 class _BodySensor:

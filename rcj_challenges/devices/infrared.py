@@ -120,12 +120,16 @@ class Infrared:
             centre = poses.balls[ball]
             dx, dy, dz = centre[0] - pose.x, centre[1] - pose.y, centre[2] - pose.z
             square = dx * dx + dy * dy + dz * dz
-            near = [ear for ear in ears if square <= ear.range_square_m2]
-            if near and self._reaches(robot, centre, -dx, -dy, -dz):
-                distance = math.sqrt(square)
-                direction = pose.to_frame(dx / distance, dy / distance, dz / distance)
-                for ear in near:
-                    ear.hear(tick, ball, square, direction)
+            direction: Vector | None = None
+            for ear in ears:
+                if square > ear.range_square_m2:
+                    continue
+                if direction is None:  # the same for all its ears, and a ray only if one is near enough
+                    if not self._reaches(robot, centre, -dx, -dy, -dz):
+                        break
+                    distance = math.sqrt(square)
+                    direction = pose.to_frame(dx / distance, dy / distance, dz / distance)
+                ear.hear(tick, ball, square, direction)
 
     def _reaches(self, robot: int, centre: Vector, along_x: float, along_y: float, along_z: float) -> bool:
         """Whether a ray from a ball's centre first meets that robot, or nothing."""

@@ -143,7 +143,7 @@ class Senses:
         for slot in self._places:
             values[slot], values[slot + 1], values[slot + 2] = pose.x, pose.y, pose.z
         for slot in self._norths:
-            values[slot : slot + 3] = pose.north()
+            values[slot], values[slot + 1], values[slot + 2] = pose.north()
         if self.sonars and self._echoes is not None:
             self._echoes.read(self.sonars, values)
         for lidar in self._turning:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import NamedTuple, cast
+from typing import cast
 
 import mujoco
 import numpy as np
@@ -74,13 +74,11 @@ def device_sites(scenario: Scenario, roster: Roster) -> Callable[[mujoco.MjSpec]
     return extend
 
 
-class Sonar(NamedTuple):
-    """One sonar: its ray, where its number goes, its range, and the cosine of ray and normal below which it hears."""
+Sonar = tuple[int, int, float, float]
+"""One sonar: its ray, the slot of its number, its range in m, and the cosine of ray and normal below which it hears.
 
-    ray: int
-    slot: int
-    range_m: float
-    heard_below: float
+A plain tuple: Python takes twice as long to unpack a named one, and does so for two dozen at every tick.
+"""
 
 
 class Echoes:
@@ -101,8 +99,11 @@ class Echoes:
         shares = np.array([device.noise for device in devices])
         self._noise = Noise(half, [(one.robot_name, one.spec.name) for one in fitted], scale=_MM_PER_M * shares)
         self.sonars = {
-            (one.robot, one.spec.index): Sonar(
-                ray, one.spec.slot, device.range_m, -max(_GRAZING, math.cos(device.lost_from_rad))
+            (one.robot, one.spec.index): (
+                ray,
+                one.spec.slot,
+                device.range_m,
+                -max(_GRAZING, math.cos(device.lost_from_rad)),
             )
             for ray, (one, device) in enumerate(zip(fitted, devices, strict=True))
         }
