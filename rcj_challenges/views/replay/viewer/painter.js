@@ -114,8 +114,10 @@ class Painter {
   /** Whether WebGL is computed by the processor, as far as the browser tells. */
   static drawsInSoftware() {
     const gl = document.createElement("canvas").getContext("webgl2");
-    const info = gl?.getExtension("WEBGL_debug_renderer_info");
-    const name = info ? String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
+    let name = gl ? String(gl.getParameter(gl.RENDERER)) : "";
+    // Chromium and Safari tell by an extension only; Firefox tells at once, and is about to drop the extension.
+    const info = /^webkit/i.test(name) && gl.getExtension("WEBGL_debug_renderer_info");
+    if (info) name = String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL));
     gl?.getExtension("WEBGL_lose_context")?.loseContext();
     return /swiftshader|llvmpipe|software|basic render/i.test(name);
   }
