@@ -20,6 +20,7 @@ from rcj_challenges.scenario.lint.denied import check_contradictions
 from rcj_challenges.scenario.lint.distances import check_distances
 from rcj_challenges.scenario.lint.echoes import check_echoes
 from rcj_challenges.scenario.lint.edges import check_edges, check_exclusive_groups
+from rcj_challenges.scenario.lint.exactly import check_exactly
 from rcj_challenges.scenario.lint.flow import (
     check_any_for_each,
     check_events,
@@ -140,6 +141,7 @@ CHECKS: tuple[Callable[[Subject], Iterator[Suspect]], ...] = (
     check_places,
     check_distances,
     check_speeds,
+    check_exactly,
     check_obstacles,
     check_entities,
     check_layouts,
