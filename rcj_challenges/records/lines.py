@@ -22,6 +22,18 @@ def json_line(value: Any) -> bytes:
         return json.dumps(value, allow_nan=False).encode() + b"\n"
 
 
+def parsed(text: str | bytes) -> Any:
+    """Return what JSON says.
+
+    Raises:
+        ValueError: it is none, or so deeply nested that no record of ours has written it.
+    """
+    try:
+        return json.loads(text)
+    except RecursionError:
+        raise ValueError("nested too deeply") from None
+
+
 def canonical(value: Any) -> bytes:
     """Return a value as the bytes that digests are made of: ASCII JSON without spaces, keys in their own order.
 

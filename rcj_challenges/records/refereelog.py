@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
@@ -10,6 +9,7 @@ from typing import Any
 
 from rcj_challenges.facts.amounts import Score, on_paper
 from rcj_challenges.records.folder import REFEREE_LOG
+from rcj_challenges.records.lines import parsed
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.seats import teams_by_seat
@@ -74,7 +74,7 @@ def points_so_far(result: RunResult, scenario: Scenario, lines: list[dict[str, A
 
 def _line(text: bytes) -> dict[str, Any] | None:
     try:
-        line = json.loads(text)
+        line = parsed(text)
     except ValueError:
         return None
     if not isinstance(line, dict) or not isinstance(line.get("kind"), str):

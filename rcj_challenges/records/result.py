@@ -15,6 +15,7 @@ from rcj_challenges.facts.amounts import Score
 from rcj_challenges.facts.errors import told_of
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import RESULT
+from rcj_challenges.records.lines import parsed
 from rcj_challenges.records.upgrades import upgraded
 
 _PACKAGES = {"rcj_challenges": "rcj-challenges", "mujoco": "mujoco", "numpy": "numpy"}
@@ -179,7 +180,7 @@ def read_result(folder: Path) -> RunResult:
     """
     path = folder / RESULT
     try:
-        data = json.loads(path.read_bytes())
+        data = parsed(path.read_bytes())
     except FileNotFoundError:
         raise RecordError(f"{folder.name}: no record of a run ({RESULT} is missing)") from None
     except (OSError, ValueError) as error:

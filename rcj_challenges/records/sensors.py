@@ -11,7 +11,6 @@ beyond `MOST_BYTES_A_HALF`: what comes later is left out, and the recording says
 
 from __future__ import annotations
 
-import json
 import math
 import struct
 import zlib
@@ -26,7 +25,7 @@ import numpy.typing as npt
 from rcj_challenges.facts.traffic import DeviceSpec, MotorCommand, Observation, RobotSpec
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import RECORD_VERSION, SENSORS
-from rcj_challenges.records.lines import json_line
+from rcj_challenges.records.lines import json_line, parsed
 from rcj_challenges.records.track import write_all
 
 TICKS_BETWEEN_WRITES = 125
@@ -329,7 +328,7 @@ def read_sensors(folder: Path) -> dict[int, SensorHalf]:
 def _read(path: Path) -> SensorHalf:
     data = path.read_bytes()
     end = data.index(b"\n")
-    head = json.loads(data[:end])
+    head = parsed(data[:end])
     if head["record"] > RECORD_VERSION:
         raise RecordError(f"{path.name}: written by a newer version: it needs a newer rcj-challenges")
     robots = [_robot(robot) for robot in head["robots"]]
@@ -365,7 +364,7 @@ def _chunks(data: bytes, at: int, found: _Gathering) -> Iterator[tuple[dict[str,
             if not unpacker.eof:
                 raise ValueError("no whole chunk")
             end = text.index(b"\n")
-            head = json.loads(text[:end])
+            head = parsed(text[:end])
         except (struct.error, ValueError, zlib.error):
             found.damaged = True
             return

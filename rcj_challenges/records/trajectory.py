@@ -5,7 +5,6 @@ The referee can be run on what `HalfTrack.snapshots` yields: it gives back the v
 
 from __future__ import annotations
 
-import json
 import tokenize
 import warnings
 import zipfile
@@ -21,6 +20,7 @@ import numpy.typing as npt
 from rcj_challenges.facts.play import Fault, HalfInfo, Placement, Snapshot
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import TRAJECTORY, TRAJECTORY_PARTS
+from rcj_challenges.records.lines import parsed
 from rcj_challenges.records.result import read_result
 from rcj_challenges.records.track import part_paths, row_dtype
 from rcj_challenges.records.upgrades import read_scenario, upgraded
@@ -159,7 +159,7 @@ class Trajectory:
             warnings.simplefilter("ignore", UserWarning)
             if "header" not in arrays:
                 raise _MisfitError(f"{path.name} has no header")
-            header = json.loads(arrays["header"].tobytes())
+            header = parsed(arrays["header"].tobytes())
             header = upgraded("header", header, header["record"], path.parent)
             entities = len(header["entities"])
             halves = tuple(
@@ -263,7 +263,7 @@ def read_notes(text: bytes, ticks: int) -> Notes:
 
     A kill may leave notes of ticks whose poses were never written; they are left out.
     """
-    first, *lines = [json.loads(line) for line in text.splitlines()]
+    first, *lines = [parsed(line) for line in text.splitlines()]
     start: Snapshot | None = None
     placements: dict[int, tuple[Placement, ...]] = {}
     faults: dict[int, tuple[Fault, ...]] = {}

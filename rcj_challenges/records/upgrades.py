@@ -14,11 +14,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pydantic import ValidationError
-
 from rcj_challenges.facts.errors import told_of
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import RECORD_VERSION, SCENARIO
+from rcj_challenges.records.lines import parsed
 from rcj_challenges.scenario.models.base import AS_RECORDED
 from rcj_challenges.scenario.models.scenario import Scenario
 
@@ -84,7 +83,7 @@ def read_scenario(folder: Path, record: int = RECORD_VERSION) -> Scenario:
         RecordError: it is missing, damaged, or no scenario.
     """
     try:
-        data = json.loads((folder / SCENARIO).read_bytes())
+        data = parsed((folder / SCENARIO).read_bytes())
         if not isinstance(data, dict):
             raise TypeError("no object")
         text = json.dumps(upgraded("scenario", data, record, folder))
@@ -93,5 +92,5 @@ def read_scenario(folder: Path, record: int = RECORD_VERSION) -> Scenario:
         raise RecordError(f"{folder.name}: {SCENARIO} is missing") from None
     except OSError as error:
         raise RecordError(f"{folder.name}: {SCENARIO} cannot be read: {told_of(error)}") from error
-    except (TypeError, ValueError, ValidationError) as error:
+    except (TypeError, ValueError, RecursionError) as error:
         raise RecordError(f"{folder.name}: {SCENARIO} is damaged: it is not the scenario of a run") from error

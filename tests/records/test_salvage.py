@@ -12,7 +12,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.folder import TRAJECTORY_PARTS
+from rcj_challenges.records.folder import REFEREE_LOG, TRAJECTORY_PARTS
+from rcj_challenges.records.refereelog import read_referee_log
 from rcj_challenges.records.salvage import read_halves, read_run
 from rcj_challenges.records.testing import (
     begun_run,
@@ -191,3 +192,22 @@ def test_a_file_that_cannot_be_read_is_not_taken_for_damaged(
     with pytest.raises(RecordError) as raised:
         read_run(good)
     assert str(raised.value) == f"{good.name}: {name} cannot be read: Permission denied"
+
+
+_DEEP = b"[" * 100_000
+
+
+@pytest.mark.parametrize("name", ["result.json", "scenario.json"])
+def test_a_file_that_is_nested_too_deeply_is_damaged(good: Path, tmp_path: Path, name: str) -> None:
+    folder = damaged(good, tmp_path / "run", whole(good))
+    (folder / name).write_bytes(_DEEP)
+    with pytest.raises(RecordError, match=f"^run: {name} (cannot be read: nested too deeply|is damaged)"):
+        read_run(folder)
+
+
+def test_a_line_of_the_referees_log_that_is_nested_too_deeply_is_no_line(good: Path, tmp_path: Path) -> None:
+    folder = damaged(good, tmp_path / "run", whole(good))
+    lines, _ = read_referee_log(folder)
+    with (folder / REFEREE_LOG).open("ab") as log:
+        log.write(_DEEP + b"\n")
+    assert read_referee_log(folder) == (lines, 1)
