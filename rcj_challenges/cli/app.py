@@ -278,13 +278,15 @@ def view(
     run: Annotated[
         Path | None, typer.Argument(help="A record's folder or the beginning of its name; left out: the newest.")
     ] = None,
-    list_: Annotated[bool, typer.Option("--list", "-l", help="List the records instead.")] = False,
+    list_: Annotated[
+        bool, typer.Option("--list", "-l", help="List the records instead, of DIR or of a folder given as RUN.")
+    ] = False,
     out: _Out = Path("runs"),
 ) -> None:
     """Open the replay page of a record in the browser."""
     from rcj_challenges.cli.view import list_records, view_record
 
-    raise typer.Exit(list_records(out) if list_ else view_record(run, out))
+    raise typer.Exit(list_records(run or out) if list_ else view_record(run, out))
 
 
 @app.command()

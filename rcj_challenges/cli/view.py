@@ -46,7 +46,7 @@ def list_records(out: Path) -> int:
     """Print the records with date, score and teams, the newest first; returns the exit code.
 
     Raises:
-        RecordError: there is no such folder.
+        RecordError: there is no such folder, or no record in it.
     """
     from rich.table import Column, Table
 

@@ -45,6 +45,22 @@ def test_a_damaged_record_is_listed_with_what_is_wrong(runs, capsys, monkeypatch
     assert "cannot be read" in capsys.readouterr().out
 
 
+def test_a_folder_may_be_listed_without_naming_it_an_option(runs, capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "120")
+    (folder,) = runs.iterdir()
+    assert run("view", "--list", runs) == 0
+    assert folder.name in capsys.readouterr().out
+
+
+def test_where_nothing_was_recorded_there_is_no_empty_table(runs, tmp_path):
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(RcjError, match=r"no run was recorded in .*empty"):
+        run("view", "--list", tmp_path / "empty")
+    (folder,) = runs.iterdir()
+    with pytest.raises(RcjError, match="it is a record itself: rcj-challenge view "):
+        run("view", "--list", folder)
+
+
 def test_replay_writes_the_page_of_the_newest_record_anew(runs, capsys):
     (folder,) = runs.iterdir()
     (folder / "replay.html").unlink(missing_ok=True)

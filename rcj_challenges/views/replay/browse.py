@@ -40,11 +40,15 @@ def list_runs(out: Path) -> list[RunRow]:
     """Return the records in a folder, the newest first; damaged ones are listed with what is wrong.
 
     Raises:
-        RecordError: there is no such folder.
+        RecordError: there is no such folder, or none in it.
     """
     if not _is_folder(out):
         raise RecordError(f"no folder {shown(out)}: no run was recorded there")
-    return [_row(folder) for folder in _folders(out)]
+    folders = _folders(out)
+    if not folders:
+        itself = f"; it is a record itself: rcj-challenge view {shown(out)}" if _is_record(out) else ""
+        raise RecordError(f"no run was recorded in {shown(out)} yet{itself}")
+    return [_row(folder) for folder in folders]
 
 
 def find_run(run: Path | None, out: Path) -> Path:
