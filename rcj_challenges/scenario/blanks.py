@@ -85,4 +85,9 @@ def _filled(text: str, known: Mapping[str, str]) -> str:
 def _as_text(value: Scalar) -> str:
     if isinstance(value, bool):
         return str(value).lower()
-    return str(on_paper(value)) if isinstance(value, int | float) else value
+    return _written_out(on_paper(value)) if isinstance(value, int | float) else value
+
+
+def _written_out(value: float) -> str:
+    """Return all digits of a number: not everybody reads ``1e-05``."""
+    return str(value) if isinstance(value, int) else f"{value:.9f}".rstrip("0")

@@ -190,6 +190,8 @@ def test_a_sentence_says_the_points_and_the_params():
     assert sentence(SAYS % ("-1", "A foul: {points} points.")).startswith("A foul: -1 point. ")
     params = "params: {reach_m: 0.5, side: left}\n"
     assert sentence(SAYS % ("1", "Within {reach_m} m, {side}."), params).startswith("Within 0.5 m, left. ")
+    params = "params: {tiny_m: 0.00001, far_m: 2.5}\n"
+    assert sentence(SAYS % ("1", "From {tiny_m} to {far_m} m."), params).startswith("From 0.00001 to 2.5 m. ")
 
 
 def test_it_follows_what_is_set_on_the_command_line():
