@@ -88,7 +88,7 @@ def run_scenario(options: RunOptions) -> int:
                 show.match_over(outcome.folder)
                 stay_on_air(show, options.live, console)
     except MatchInterruptedError as error:
-        _tell_of_interruption(console, scenario, error)
+        _tell_of_interruption(options, console, scenario, error)
         return INTERRUPTED
     finally:
         for team in plan.teams.values():
@@ -166,21 +166,33 @@ def _tell(
 
 def _tell_all(options: RunOptions, console: Console, plan: MatchPlan, outcome: PlayedMatch) -> None:
     from rcj_challenges.cli.advice import advice_on
+    from rcj_challenges.facts.errors import interruption_behind
     from rcj_challenges.records.folder import LOGS
 
-    scenario, written = plan.loaded.scenario, False
+    scenario = plan.loaded.scenario
     hints = advice_on(scenario, plan.teams, outcome.result["faults"], outcome.folder / LOGS)
+
+    def say(*, replay: bool) -> None:
+        if options.json:
+            _say_result(outcome, hints)
+        else:
+            _summary(console, scenario, outcome, hints, replay=replay)
+
+    wanted = options.replay and _has_ticks(outcome)
     try:
-        if options.replay and _has_ticks(outcome):
+        if wanted:
             from rcj_challenges.views.replay import write_replay
 
             write_replay(outcome.folder)
-            written = True
-    finally:
-        if options.json:
-            say_json({**outcome.result, "hints": hints, "folder": str(outcome.folder)})
-        else:
-            _summary(console, scenario, outcome, hints, replay=written)
+    except BaseException as error:
+        if interruption_behind(error) is None:  # what is said of an interruption says it all
+            say(replay=False)
+        raise
+    say(replay=wanted)
+
+
+def _say_result(outcome: PlayedMatch, hints: Sequence[dict[str, Any]]) -> None:
+    say_json({**outcome.result, "hints": hints, "folder": str(outcome.folder)})
 
 
 def _has_ticks(outcome: PlayedMatch) -> bool:
@@ -198,12 +210,16 @@ def _open_page(folder: Path, console: Console) -> None:
         console.print(line, markup=False, highlight=False, soft_wrap=True)
 
 
-def _tell_of_interruption(console: Console, scenario: Scenario, error: MatchInterruptedError) -> None:
+def _tell_of_interruption(
+    options: RunOptions, console: Console, scenario: Scenario, error: MatchInterruptedError
+) -> None:  # fmt: skip
     """Say how far the match came, and where that is."""
     from rcj_challenges.views.naming import changes_sides
     from rcj_challenges.views.scoreboard import score_line
     from rcj_challenges.views.sentences import clock
 
+    if options.json:
+        _say_result(error.played, [])
     result, folder = error.played.result, error.played.folder
     names = {seat: entrant["name"] for seat, entrant in result["entrants"].items()}
     where = "before the first half"

@@ -341,48 +341,6 @@ def test_who_interrupts_a_match_gets_130_and_a_readable_record(tmp_path, team, n
     assert_gone(pids)
 
 
-def test_an_interruption_that_an_import_makes_an_error_of_is_one(tmp_path, monkeypatch, capsys, team):
-    """Numpy says of a Ctrl-C in its midst that it cannot be imported."""
-
-    def numpy(*_):
-        try:
-            raise KeyboardInterrupt
-        except KeyboardInterrupt as error:
-            raise ImportError("numpy cannot be imported") from error
-
-    monkeypatch.setattr("rcj_challenges.match.stage.build_stage", numpy)
-    assert here(monkeypatch, tmp_path, *short(team, *DUEL)) == 130
-    told = capsys.readouterr().out
-    (folder,) = (tmp_path / "runs").iterdir()
-    assert "interrupted before the first half" in told
-    assert f"record: {folder.relative_to(tmp_path)}" in told
-    assert read_result(folder).stopped == "KeyboardInterrupt"
-
-
-@pytest.mark.parametrize(
-    "moment",
-    [
-        "rcj_challenges.match.watching.Silent.finished",
-        "rcj_challenges.cli.advice.advice_on",
-        "rcj_challenges.views.replay.write_replay",
-    ],
-)
-def test_an_interruption_after_the_last_tick_says_that_the_match_was_played_and_where_it_is(
-    tmp_path, monkeypatch, capsys, team, moment
-):
-    def interrupt(*_, **__):
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(moment, interrupt)
-    assert here(monkeypatch, tmp_path, *short(team, "--quiet", *DUEL)) == 130
-    told = capsys.readouterr().out
-    (folder,) = (tmp_path / "runs").iterdir()
-    assert "interrupted after half 1 of 1: " in told
-    assert f"record: {folder.relative_to(tmp_path)}\n" in told
-    assert f"watch:  rcj-challenge view {folder.relative_to(tmp_path)}\n" in told
-    assert read_result(folder).complete
-
-
 @POSIX
 def test_a_signal_that_comes_twice_ends_a_match_as_one_does(tmp_path, team, monkeypatch):
     """A terminal that is closed: the system tells it, and so does the shell."""

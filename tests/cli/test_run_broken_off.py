@@ -1,0 +1,80 @@
+"""A match that is broken off by its user says how far it came and where that is, whenever it happens."""
+
+import json
+
+import pytest
+
+from rcj_challenges.records.result import read_result
+from tests.cli.in_this_process import here
+from tests.cli.test_run import DUEL, STAND, short
+
+
+@pytest.fixture
+def team(tmp_path):
+    file = tmp_path / "team.py"
+    file.write_text(STAND, encoding="utf-8")
+    return str(file)
+
+
+def test_an_interruption_that_an_import_makes_an_error_of_is_one(tmp_path, monkeypatch, capsys, team):
+    """Numpy says of a Ctrl-C in its midst that it cannot be imported."""
+
+    def numpy(*_):
+        try:
+            raise KeyboardInterrupt
+        except KeyboardInterrupt as error:
+            raise ImportError("numpy cannot be imported") from error
+
+    monkeypatch.setattr("rcj_challenges.match.stage.build_stage", numpy)
+    assert here(monkeypatch, tmp_path, *short(team, *DUEL)) == 130
+    told = capsys.readouterr().out
+    (folder,) = (tmp_path / "runs").iterdir()
+    assert "interrupted before the first half" in told
+    assert f"record: {folder.relative_to(tmp_path)}" in told
+    assert read_result(folder).stopped == "KeyboardInterrupt"
+
+
+@pytest.mark.parametrize(
+    "moment",
+    [
+        "rcj_challenges.match.watching.Silent.finished",
+        "rcj_challenges.cli.advice.advice_on",
+        "rcj_challenges.views.replay.write_replay",
+    ],
+)
+def test_an_interruption_after_the_last_tick_says_that_the_match_was_played_and_where_it_is(
+    tmp_path, monkeypatch, capsys, team, moment
+):
+    def interrupt(*_, **__):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(moment, interrupt)
+    assert here(monkeypatch, tmp_path, *short(team, "--quiet", *DUEL)) == 130
+    told = capsys.readouterr().out
+    (folder,) = (tmp_path / "runs").iterdir()
+    assert "interrupted after half 1 of 1: " in told
+    assert f"record: {folder.relative_to(tmp_path)}\n" in told
+    assert f"watch:  rcj-challenge view {folder.relative_to(tmp_path)}\n" in told
+    assert read_result(folder).complete
+
+
+@pytest.mark.parametrize(
+    "moment",
+    [
+        "rcj_challenges.match.stage.build_stage",
+        "rcj_challenges.match.watching.Silent.finished",
+        "rcj_challenges.cli.advice.advice_on",
+        "rcj_challenges.views.replay.write_replay",
+    ],
+)
+def test_the_result_of_a_match_that_is_broken_off_is_printed_as_json_once(tmp_path, monkeypatch, capsys, team, moment):
+    def interrupt(*_, **__):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(moment, interrupt)
+    assert here(monkeypatch, tmp_path, *short(team, "--json", *DUEL)) == 130
+    told = json.loads(capsys.readouterr().out)
+    (folder,) = (tmp_path / "runs").iterdir()
+    result = json.loads((folder / "result.json").read_text("utf-8"))
+    assert told == {**result, "hints": [], "folder": str(folder.relative_to(tmp_path))}
+    assert result["complete"] is (moment != "rcj_challenges.match.stage.build_stage")
