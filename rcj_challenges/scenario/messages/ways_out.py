@@ -253,20 +253,18 @@ def _of_condition(key: str, above: Path, allowed: set[str], node: Node | None) -
     return ""
 
 
-def for_plural(name: str, known: Collection[str], groups: Collection[str]) -> str:
+def for_plural(name: str, known: Collection[str]) -> str:
     """Return how several are named together whose plural was written: `crates` of crate_1 and crate_2; else empty.
 
     Args:
-        name: the name that is none.
+        name: the name that is none, where a group's may stand.
         known: those that may stand there.
-        groups: the groups that are written; where they may stand, several may be named.
     """
     stem = name.casefold().removesuffix("s")
     several = [one for one in known if one.casefold().rstrip("0123456789").rstrip("_") == stem]
-    if stem == name.casefold() or len(several) < 2 or not any(one in ("robots", *groups) for one in known):
+    if stem == name.casefold() or len(several) < 2:
         return ""
-    members = listing(several)
-    return f"; several under one name are a group: groups: {{{name.casefold()}: [{members}]}}"
+    return f"; several under one name are a group: groups: {{{name}: [{listing(several)}]}}"
 
 
 def for_coordinates(path: Path, node: Node | None, keys: Collection[str]) -> str:
