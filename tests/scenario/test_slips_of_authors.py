@@ -46,6 +46,23 @@ def test_a_word_is_written_behind_its_key(action, told):
     assert "did you mean" not in text
 
 
+@pytest.mark.parametrize("word", ["robot_name", "phase", "match_id", "time_left_s"])
+def test_what_is_told_may_be_any_word(word):
+    text = complaints(rule(action=f"{{action: emit, event: E, payload: {{it: {{{word}: 1}}}}}}"))[0]
+    assert text.endswith(f"; its value is written {{word: {word}}}")
+    assert loaded(rule(action=f"{{action: emit, event: E, payload: {{it: {{word: {word}}}}}}}"))
+
+
+def test_a_broadcast_is_about_nobody():
+    broadcast = "broadcast: {fields: {it: %s}}\n"
+    for about in ("robot: Y1", "entity: ball", "other: 1", "robot_name: 1", "measured: 1"):
+        assert "is written" not in complaints(broadcast % f"{{{about}}}" + rule())[0]
+    assert complaints(broadcast % "{team: yellow}" + rule())[0].endswith(
+        "; the name of the team is written {word: team_name, of: yellow}"
+    )
+    assert complaints(broadcast % "{time_left_s: 1}" + rule())[0].endswith("; its value is written {word: time_left_s}")
+
+
 @pytest.mark.parametrize(
     "action",
     ["{action: score, entrant: blue, points: {entity: Y1}}", "{action: place, entity: ball, at: {robot: Y1}}"],
