@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.facts.amounts import Score, on_paper
+from rcj_challenges.facts.amounts import Score, counted, on_paper
 from rcj_challenges.records.folder import REFEREE_LOG
 from rcj_challenges.records.lines import parsed
 from rcj_challenges.records.result import RunResult
@@ -37,6 +37,11 @@ def read_referee_log(folder: Path) -> tuple[list[dict[str, Any]], int]:
         else:
             lines.append(line)
     return lines, unreadable
+
+
+def damaged_lines(unreadable: int) -> str:
+    """Return in words how many lines of a log are damaged, without a full stop."""
+    return f"{counted(unreadable, 'line')} of the referee's log {'is' if unreadable == 1 else 'are'} damaged"
 
 
 def events_as_lines(result: RunResult) -> list[dict[str, Any]]:

@@ -263,3 +263,26 @@ def test_of_an_unknown_name_all_that_is_shipped_is_told():
 def test_a_name_that_no_system_takes_is_no_file(name):
     with pytest.raises(ScenarioError, match="no such file"):
         load(name)
+
+
+@pytest.mark.parametrize("ending", [".yaml", ".yml"])
+def test_a_file_beside_it_is_told_where_its_name_alone_was_written(tmp_path, ending):
+    write(tmp_path, f"arena{ending}", "schema_version: 1\nid: b\ntitle: B\nextends: soccersim_v2\n")
+    text = complaint(write(tmp_path, "mine.yaml", "extends: arena\n"))
+    assert text.startswith("no preset or scenario 'arena' is shipped; ")
+    assert text.endswith(f"mine.yaml: write arena{ending}")
+    assert load(write(tmp_path, "told.yaml", f"extends: arena{ending}\n")).scenario.id == "b"
+    assert "lies" not in complaint(write(tmp_path, "own.yaml", "extends: own\n"))
+
+
+def test_the_other_ending_is_told_as_well(tmp_path):
+    (tmp_path / "base").mkdir()
+    write(tmp_path, "base/arena.yml", "title: B\n")
+    text = complaint(write(tmp_path, "mine.yaml", "extends: base/arena\n"))
+    assert text.endswith("did you mean 'base/arena.yml'?")
+
+
+def test_its_own_path_is_not_told_as_that_of_its_base(tmp_path):
+    (tmp_path / "junior").mkdir()
+    text = complaint(write(tmp_path, "junior/mine.yaml", "extends: junior/mine.yaml\n"))
+    assert "from this file's folder" not in text

@@ -69,7 +69,6 @@ def test_so_is_one_that_another_rule_tells_as_another_text():
     "waits",
     [
         rule("{trigger: tells, entity: Y1, text: side}"),
-        rule("{trigger: tells, entity: Y1, text: [nothing, side]}"),
         rule(
             "{trigger: tells, entity: Y1}",
             rest="    conditions: [{condition: told, entity: Y1, text: side, negate: true}]\n",
@@ -80,6 +79,14 @@ def test_a_draw_whose_name_a_robot_would_have_to_tell(waits):
     (text,) = found(waits)
     assert text.endswith(
         ": it is the text 'side' itself that must be told; write {draw: side} for what is drawn [text_instead_of_value]"
+    )
+
+
+def test_among_other_texts_no_draw_can_stand():
+    (text,) = found(rule("{trigger: tells, entity: Y1, text: [nothing, side]}"))
+    assert text.endswith(
+        ": it is the text 'side' itself that must be told; write text: {draw: side} for what is drawn, without other texts beside "
+        "it [text_instead_of_value]"
     )
 
 

@@ -53,6 +53,35 @@ def test_whose_flag_it_is_does_not_matter_where_nobody_has_one():
     assert len(locked(rule("a", each, "{action: set_flag, flag: kept, entity: Y1}", "for_each: robots,"))) == 1
 
 
+IN_ZONE = "{condition: in_zone, entity: ball, zone: blue_goal}"
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        f"{{condition: all_of, conditions: [{IN_ZONE}, {SEEN}]}}",
+        f"{{condition: any_of, conditions: [{SEEN}, {{condition: all_of, conditions: [{SEEN}, {IN_ZONE}]}}]}}",
+    ],
+)
+def test_so_it_is_where_the_flag_is_asked_for_among_other_things(asked):
+    (one,) = locked(rule("a", asked, SEE))
+    assert "rules.a.conditions[0]" in one
+
+
+def holding(condition: str, more: str = "") -> str:
+    holds = f"{{trigger: holds, condition: {condition}, for_s: 2}}"
+    return f"  a: {{triggers: [{holds}{more}], actions: [{SEE}, {{action: emit, event: E}}], says: So.}}\n"
+
+
+def test_and_where_a_trigger_waits_for_it():
+    both = f"{{condition: all_of, conditions: [{IN_ZONE}, {SEEN}]}}"
+    (one,) = locked(holding(both))
+    assert "rules.a.triggers[0] (holds): it asks that flag 'seen' is set, and no other rule sets it" in one
+    assert locked(holding(both, ", {trigger: half_started}")) == []
+    assert locked(holding(f"{{condition: all_of, conditions: [{IN_ZONE}, {SEEN}], negate: true}}")) == []
+    assert locked(holding(f"{{condition: any_of, conditions: [{IN_ZONE}, {SEEN}]}}")) == []
+
+
 @pytest.mark.parametrize(
     "rules",
     [

@@ -41,6 +41,15 @@ def test_what_lasts_longer_than_the_only_phase_of_the_rule_never_fires(trigger):
 
 
 @pytest.mark.parametrize("trigger", [HOLDS, STAYS, RESTS])
+def test_what_lasts_as_long_as_the_phase_never_fires_either(trigger):
+    (one,) = found(trigger % 2.5)
+    assert (
+        "2.5 s is not over before phase red is, after 2.5 s, and begins anew with the next one: it never fires" in one
+    )
+    assert try_expectation(load_text(text(trigger % 2.5)), "it").differences
+
+
+@pytest.mark.parametrize("trigger", [HOLDS, STAYS, RESTS])
 def test_what_is_over_sooner_may_fire(trigger):
     assert found(trigger % 2) == []
     assert try_expectation(load_text(text(trigger % 2)), "it").differences == ()

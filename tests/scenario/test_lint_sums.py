@@ -71,6 +71,12 @@ def test_points_for_the_first_the_second_and_the_third_are_no_list():
     )
 
 
+@pytest.mark.parametrize(("points", "total"), [("[1.5, 1.5]", "3"), ("[1.0e+2, 3]", "103"), ("[0.1, 0.2]", "0.3")])
+def test_the_sum_is_written_as_on_paper(points, total):
+    (one,) = added(points)
+    assert f"it is always {total}; write {total};" in one
+
+
 @pytest.mark.parametrize("key", ["by", "to"])
 def test_what_is_counted_likewise(key):
     assert len(added("[1.5, -2]", f"count, counter: alone, {key}")) == 1

@@ -46,6 +46,23 @@ def test_a_word_is_written_behind_its_key(action, told):
     assert "did you mean" not in text
 
 
+@pytest.mark.parametrize("word", ["robot_name", "phase", "match_id", "time_left_s"])
+def test_what_is_told_may_be_any_word(word):
+    text = complaints(rule(action=f"{{action: emit, event: E, payload: {{it: {{{word}: 1}}}}}}"))[0]
+    assert text.endswith(f"; its value is written {{word: {word}}}")
+    assert loaded(rule(action=f"{{action: emit, event: E, payload: {{it: {{word: {word}}}}}}}"))
+
+
+def test_a_broadcast_is_about_nobody():
+    broadcast = "broadcast: {fields: {it: %s}}\n"
+    for about in ("robot: Y1", "entity: ball", "other: 1", "robot_name: 1", "measured: 1"):
+        assert "is written" not in complaints(broadcast % f"{{{about}}}" + rule())[0]
+    assert complaints(broadcast % "{team: yellow}" + rule())[0].endswith(
+        "; the name of the team is written {word: team_name, of: yellow}"
+    )
+    assert complaints(broadcast % "{time_left_s: 1}" + rule())[0].endswith("; its value is written {word: time_left_s}")
+
+
 @pytest.mark.parametrize(
     "action",
     ["{action: score, entrant: blue, points: {entity: Y1}}", "{action: place, entity: ball, at: {robot: Y1}}"],
@@ -65,6 +82,32 @@ def test_so_it_is_with_who_drives_it_and_with_goals():
     assert text.endswith("; what is not wanted is taken away by null: B3: null")
     text = complaints("field: {goals: {blue_goal: none}}\n" + rule())[0]
     assert text.endswith("; what is not wanted is taken away by null: blue_goal: null")
+
+
+@pytest.mark.parametrize(
+    ("section", "name"),
+    [
+        ("zones: {blue_penalty_area: none}", "blue_penalty_area"),
+        ("kits: {v2: {devices: {gps: none}}}", "gps"),
+        ("groups: {penalty_areas: none}", "penalty_areas"),
+    ],
+)
+def test_so_it_is_with_all_that_has_a_name_of_its_own(section, name):
+    text = complaints(f"{section}\n" + rule())[0]
+    assert text.endswith(f"; what is not wanted is taken away by null: {name}: null")
+
+
+@pytest.mark.parametrize(
+    "section",
+    ["match: {halves: none}", "match: {swap_sides: none}", "field: {corner_cut_m: none}", "limits: {step_s: none}"],
+)
+def test_of_what_null_does_not_take_away_it_is_not_said(section):
+    assert "null" not in complaints(f"{section}\n" + rule())[0]
+
+
+def test_a_device_of_the_kit_is_taken_from_a_robot_by_without():
+    text = complaints("robots: {Y1: {devices: {gps: none}}}\n" + rule())[0]
+    assert text.endswith("; a device of the robot's kit is taken away by 'without: [gps]'")
 
 
 def test_any_other_word_there_is_not_taken_for_it():
@@ -167,7 +210,8 @@ def test_the_plural_of_several_names_is_a_group():
         "unknown entity 'crates'; several under one name are a group: groups: {crates: [crate_1, crate_2, crate_3]}"
     )
     text = complaints(CRATES + "counters: {n: {per: Crates}}\n" + rule())[0]
-    assert text.endswith("groups: {crates: [crate_1, crate_2, crate_3]}")
+    assert text.endswith("groups: {Crates: [crate_1, crate_2, crate_3]}")
+    assert loaded(CRATES + "groups: {Crates: [crate_1, crate_2, crate_3]}\ncounters: {n: {per: Crates}}\n" + rule())
 
 
 def test_where_only_one_is_meant_the_plural_is_a_slip_of_the_pen():
@@ -183,3 +227,10 @@ def test_a_packet_that_still_lists_a_robot_is_written_anew_and_not_the_whole_kit
     body = "robots: {B1: null}\nentrants: {blue: {robots: {B1: null}}}\n"
     text = next(text for text in complaints(body + rule(), head=head) if "packet_lists" in text)
     assert text.endswith("; write kits.legacy_2021.packet_lists anew without it")
+
+
+def test_where_there_is_no_group_yet_it_is_told_all_the_same():
+    rooms = "".join(f"  room_{n}: {{shape: circle, centre_m: [0, {n}.0e-1], radius_m: 0.1}}\n" for n in (1, 2))
+    body = "zones:\n" + rooms + rule("{trigger: enters, entity: Y1, zone: Rooms}")
+    (text,) = complaints(body, head="schema_version: 1\nid: a\ntitle: A\nextends: empty_field\n")
+    assert text.endswith("; several under one name are a group: groups: {Rooms: [room_1, room_2]}")

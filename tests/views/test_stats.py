@@ -429,7 +429,9 @@ def test_of_a_damaged_run_what_is_left_is_counted_and_the_damage_is_said(tmp_pat
     stats = run_stats(folder)
     assert 100 < stats.ticks < 200
     assert any("damaged: " in note and folder.name in note for note in stats.notes)
-    assert any("1 lines" in note for note in stats.notes)
+    assert any("1 line of the referee's log is damaged." in note for note in stats.notes)
+    (folder / "referee.jsonl").write_bytes((folder / "referee.jsonl").read_bytes() + b"{more\n")
+    assert any("2 lines of the referee's log are damaged." in note for note in run_stats(folder).notes)
 
 
 def test_what_is_no_record_is_refused(tmp_path: Path) -> None:

@@ -303,7 +303,7 @@ def test_a_damaged_log_costs_the_captions_and_not_the_video(tmp_path, monkeypatc
     folder = write_made_up_run(tmp_path, ticks=500, halves=1)
     log = folder / "referee.jsonl"
     log.write_bytes(b"\x00\xff{]\n" + log.read_bytes())
-    assert "1 lines" in " ".join(Footage.open(folder).warnings)
+    assert "1 line of the referee's log is damaged and left out" in " ".join(Footage.open(folder).warnings)
     monkeypatch.setattr(footage_module, "tell", lambda *_: {}["no such seat"])
     footage = Footage.open(folder)
     assert "the referee's log is damaged" in " ".join(footage.warnings)

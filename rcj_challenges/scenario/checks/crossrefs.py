@@ -230,7 +230,7 @@ class _Walker:
             if reference.drawn:
                 known += [draw for draw in names.names("draws") if self._may_decide(draw, reference)]
             known = list(dict.fromkeys(known))  # `walls` is a kind of thing and a group
-            self._unknown(reference.noun, name, known, _ON_FIELD, path, mark, each=reference.each)
+            self._unknown(reference.noun, name, known, _ON_FIELD, path, mark, reference)
 
     def _may_decide(self, draw: str, reference: Field) -> bool:
         """Return whether all values of a draw are of a kind that is needed."""
@@ -278,8 +278,8 @@ class _Walker:
                 self.problems.append(replace(problem, message=problem.message + needed))
 
     def _unknown(
-        self, noun: str, name: str, known: list[str], sections: tuple[str, ...], path: Path, mark: Mark, *,
-        each: bool = False,
+        self, noun: str, name: str, known: list[str], sections: tuple[str, ...], path: Path, mark: Mark,
+        reference: Field | None = None,
     ) -> None:  # fmt: skip
         if any(section in self.names.broken for section in sections):
             return  # that the section is none is reported; what might stand in it is unknown
@@ -293,9 +293,9 @@ class _Walker:
             self.add(path, mark, f"unknown {noun} '{name}': {teams}")
             return
         kind = self.names.known_as(name)
-        alike = for_start(name, path) or for_plural(name, known, self.names.names("groups"))
-        alike = alike or nearest(name, known) or known_text(known, noun)
-        hint = alike + for_other_kind(name, kind, path, each=each)
+        plural = for_plural(name, known) if reference is not None and reference.groups else ""
+        alike = for_start(name, path) or plural or nearest(name, known) or known_text(known, noun)
+        hint = alike + for_other_kind(name, kind, path, each=reference is not None and reference.each)
         which = f", which is {_a(kind)}" if kind else ""
         self.add(path, mark, f"unknown {noun} '{name[:64]}'{which}{hint}")
 

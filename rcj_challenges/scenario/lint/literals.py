@@ -45,13 +45,16 @@ def check_told_names(subject: Subject) -> Iterator[Suspect]:
     for model, path in subject.models:
         if not isinstance(model, Message) or isinstance(model.text, DrawValue):
             continue
+        is_list = isinstance(model.text, tuple)
         for text in model.text if isinstance(model.text, tuple) else (model.text,):
             if isinstance(text, str) and text in draws:
+                value = f"{{draw: {text}}}"
+                alone = f"text: {value} for what is drawn, without other texts beside it"
                 yield Suspect(
                     "text_instead_of_value",
                     (*path, "text"),
                     f"it is the text '{text}' itself that must be told",
-                    f"write {{draw: {text}}} for what is drawn",
+                    f"write {alone if is_list else f'{value} for what is drawn'}",
                 )
 
 

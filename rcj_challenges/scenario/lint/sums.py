@@ -33,6 +33,8 @@ def check_numbers_alone(subject: Subject) -> Iterator[Suspect]:
             if len(numbers) < 2 or len(numbers) < len(written):
                 continue
             total = f"{sum(map(Decimal, map(str, numbers))):f}"
+            if "." in total:
+                total = total.rstrip("0").rstrip(".")
             yield Suspect(
                 "numbers_added_up",
                 (*path, key),

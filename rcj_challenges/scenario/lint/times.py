@@ -68,7 +68,7 @@ def check_phase_limits(subject: Subject) -> Iterator[Suspect]:
             if not isinstance(trigger, StaysIn | NoProgress | Holds):
                 continue
             ((key, seconds, _, consequence),) = _limits(trigger, subject.scenario)
-            if longest_s is not None and seconds and half > ticks_from_s(seconds) > ticks_from_s(longest_s):
+            if longest_s is not None and seconds and half > ticks_from_s(seconds) >= ticks_from_s(longest_s):
                 yield Suspect(
                     "limit_longer_than_the_phase",
                     ("rules", name, "triggers", index, key),

@@ -202,11 +202,16 @@ class _Explainer:
             return self._wrong_tag(mistake)
         node = node_at(self.root, mistake.path)
         message = refusal(mistake.kind, mistake.details, mistake.shape, node)
-        hints = for_value(mistake.path, node) + for_several(mistake.path, node) + for_nothing(mistake.path, node)
+        hints = for_value(mistake.path, node) + for_several(mistake.path, node) + self._for_nothing(mistake.path)
         hints += for_param(node, self.root) or for_named(mistake.path, node, self.root, message)
         kind = bare(mistake.shape).kind
         hints += for_coordinates(mistake.path, node, fields(kind) if is_model(kind) else ())
         return self._at(mistake.path, message + hints + for_degrees(mistake.path, node, mistake.kind))
+
+    def _for_nothing(self, path: Path) -> str:
+        above = node_at(self.root, path[:-1])
+        around = shape_at(self.shape, self.root, path[:-1])
+        return for_nothing(path, node_at(self.root, path), chosen(around, above) if above is not None else None)
 
     def _at(self, path: Path, message: str, *, at_key: bool = False) -> Problem:
         node = node_at(self.root, path)
@@ -269,7 +274,7 @@ class _Explainer:
             hints = (nearest(key, words) for key in node.entries) if isinstance(node, Entries) else ()
             hint = next(filter(None, hints), "") or _instead_of_list(mistake.path, node, words)
             hint = hint or _with_its_key(mistake.shape, node)
-            hint = for_value(mistake.path, node) or for_param(node, self.root) or hint
+            hint = for_value(mistake.path, node) or for_param(node, self.root) or hint + self._for_nothing(mistake.path)
             return self._at(mistake.path, expected(mistake.shape, node) + hint)
         tag = child(node, discriminator)
         if tag is None:

@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
+from rcj_challenges.scenario.shape import Shape, is_named
 from rcj_challenges.scenario.tree import Leaf, Node, Path
 
 _NOTHING = frozenset({"none", "nothing", "no", "null", "nil", "removed", "remove", "delete", "deleted", "off", "away"})
 """What others write for a thing that is not to be there."""
 
 
-def for_nothing(path: Path, node: Node | None) -> str:
-    """Return how something is taken away; empty: it is not what was meant.
+def for_nothing(path: Path, node: Node | None, around: Shape) -> str:
+    """Return how something is taken away; empty: it is not what was meant, or null does not take it away.
 
     Args:
-        path: where it stands: the name of a thing, of a goal, or of a robot that somebody drives.
+        path: where it stands.
         node: what stands there.
+        around: the shape of the mapping in which it stands: null takes away what has a name of the author's own.
     """
     word = node.value if isinstance(node, Leaf) else None
-    is_named = len(path) == 2 or path[-2:-1] in (("goals",), ("robots",))
-    if not isinstance(word, str) or word.casefold() not in _NOTHING or not is_named:
+    if not isinstance(word, str) or word.casefold() not in _NOTHING or not is_named(around):
         return ""
+    if path[:1] == ("robots",) and path[2:-1] == ("devices",):
+        return f"; a device of the robot's kit is taken away by 'without: [{path[-1]}]'"
     return f"; what is not wanted is taken away by null: {path[-1]}: null"
 
 

@@ -8,7 +8,7 @@ from typing import get_args
 
 from rcj_challenges.scenario.catalogue import Catalogue, texts
 from rcj_challenges.scenario.errors import listing
-from rcj_challenges.scenario.models.state import NumberWord
+from rcj_challenges.scenario.models.state import NumberWord, WordValue
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, child, node_at
 
 _TIMES = ("at_s", "limit_s", "within_s", "for_s", "grace_s", "every_s")
@@ -253,20 +253,18 @@ def _of_condition(key: str, above: Path, allowed: set[str], node: Node | None) -
     return ""
 
 
-def for_plural(name: str, known: Collection[str], groups: Collection[str]) -> str:
+def for_plural(name: str, known: Collection[str]) -> str:
     """Return how several are named together whose plural was written: `crates` of crate_1 and crate_2; else empty.
 
     Args:
-        name: the name that is none.
+        name: the name that is none, where a group's may stand.
         known: those that may stand there.
-        groups: the groups that are written; where they may stand, several may be named.
     """
     stem = name.casefold().removesuffix("s")
     several = [one for one in known if one.casefold().rstrip("0123456789").rstrip("_") == stem]
-    if stem == name.casefold() or len(several) < 2 or not any(one in ("robots", *groups) for one in known):
+    if stem == name.casefold() or len(several) < 2:
         return ""
-    members = listing(several)
-    return f"; several under one name are a group: groups: {{{name.casefold()}: [{members}]}}"
+    return f"; several under one name are a group: groups: {{{name}: [{listing(several)}]}}"
 
 
 def for_coordinates(path: Path, node: Node | None, keys: Collection[str]) -> str:
@@ -304,7 +302,11 @@ _VALUES = {"counter": "counters", "draw": "draws", "timer": "timers", "flag": "f
 """Where the names stand whose value is written ``{counter: NAME}``."""
 _LOOKED_AT = ("robots", "balls", "spots")
 _WORDS = frozenset(get_args(NumberWord.model_fields["word"].annotation))
-"""Of numbers that the referee knows: in a list that is added up, as a limit, and in what is told."""
+"""Of numbers that the referee knows: in a list that is added up, and as a limit."""
+_TOLD_WORDS = frozenset(get_args(WordValue.model_fields["word"].annotation))
+"""Of all that the referee knows, in the payload of an event."""
+_OF_THE_MATCH = frozenset({"halftime", "match_id", "total_match_time_s", "time_s", "time_left_s", "phase", "seed_id"})
+"""Of what is about no entity, and stands in the broadcast as well."""
 
 
 def for_named(path: Path, node: Node | None, root: Node, said: str) -> str:
@@ -356,15 +358,17 @@ def for_value(path: Path, node: Node | None) -> str:
     """
     if not isinstance(node, Entries):
         return ""
-    if path[:1] == ("broadcast",) or "payload" in path:
-        return _told_otherwise(node) or _word_alone(node) or _name_told(node)
+    if path[:1] == ("broadcast",):
+        return _told_otherwise(node) or _word_alone(node, _OF_THE_MATCH) or _team_told(node)
+    if "payload" in path:
+        return _told_otherwise(node) or _word_alone(node, _TOLD_WORDS) or _name_told(node)
     if path[:1] == ("placements",):
         return _zone_to_put(path, node) or _draw_to_put(path, node)
     if path[:1] != ("rules",):
         return ""
     compared = (_no_number, _score_compared, _measured_before, _drawn_compared, _told_compared)
     ways = (way(path, node) for way in (*compared, _zone_to_put, _draw_to_put, _spot_of_chance))
-    return next(filter(None, ways), "") or (_word_alone(node) if any(key in path for key in _ADDED_UP) else "")
+    return next(filter(None, ways), "") or (_word_alone(node, _WORDS) if any(key in path for key in _ADDED_UP) else "")
 
 
 def _told_otherwise(node: Entries) -> str:
@@ -453,9 +457,9 @@ def _draw_to_put(path: Path, node: Entries) -> str:
 _NAMES_TOLD = {"other": "other one", "robot": "robot", "entity": "entity", "team": "team"}
 
 
-def _word_alone(node: Entries) -> str:
+def _word_alone(node: Entries, words: frozenset[str]) -> str:
     """Return how a value is written whose word stands where a key is expected."""
-    word = next((key for key in node.entries if key in _WORDS), None)
+    word = next((key for key in node.entries if key in words), None)
     return f"; its value is written {{word: {word}}}" if word is not None else ""
 
 
@@ -463,6 +467,12 @@ def _name_told(node: Entries) -> str:
     """Return how a payload tells who it was, where what it was stands as a key."""
     about = next((key for key in node.entries if key in _NAMES_TOLD), None)
     return f"; the name of the {_NAMES_TOLD[about]} is written {{word: {about}_name}}" if about else ""
+
+
+def _team_told(node: Entries) -> str:
+    """Return how the broadcast tells the name of a team: it is about nobody, so it must say whose."""
+    team = texts(child(node, "team"))
+    return f"; the name of the team is written {{word: team_name, of: {team[0]}}}" if team else ""
 
 
 def for_reckoned(above: Path, key: str, node: Node | None) -> str:

@@ -151,6 +151,9 @@ def _shipped(name: str, user: Source, mark: Mark) -> Source:
         return Source.of_file(shipped[name], shown)
     usual = [*names_in(scenarios_folder()), *presets]
     known = f"there are {listing(usual)}{nearest(name.replace('-', '_'), shipped)}"
+    own_file = _with_ending(name, user)
+    if own_file:
+        known = f"{own_file} lies beside {user.shown}: write {own_file}"
     raise _refused(mark, f"no preset or scenario '{name[:64]}' is shipped; {known}")
 
 
@@ -168,15 +171,27 @@ def _scenarios_in(folder: Path) -> list[str]:
     return []
 
 
+def _with_ending(name: str, user: Source) -> str:
+    """Return a path with the ending that it lacks; empty: there is no such file, or it is the user itself."""
+    if user.path is None:
+        return ""
+    for whole in (f"{name}.yaml", f"{name}.yml"):
+        path = user.path.parent.joinpath(*PurePosixPath(whole).parts)
+        if _is_file(path) and not path.samefile(user.path):
+            return whole
+    return ""
+
+
 _FOLDERS_ABOVE = 3
 """So far up a path is tried that may have been written as seen from another folder."""
 
 
-def _from_elsewhere(parts: tuple[str, ...], folder: Path) -> str:
-    """Return how a path is written from this folder that is right from one above it; empty: it is from none."""
+def _from_elsewhere(parts: tuple[str, ...], own: Path) -> str:
+    """Return how a path is written from a file's folder that is right from one above it; empty: it is from none."""
+    folder = own.parent
     above = (place.joinpath(*parts) for place in list(folder.absolute().parents)[:_FOLDERS_ABOVE])
     found = next((path for path in above if _is_file(path)), None)
-    if found is None:
+    if found is None or found.samefile(own):
         return ""
     return f"; from this file's folder it is {PurePath(os.path.relpath(found, folder)).as_posix()}"
 
@@ -189,9 +204,8 @@ def _base(name: str, user: Source, mark: Mark) -> Source:
     is_foreign = name.startswith(("/", "~")) or re.search(r"[\\:\x00-\x1f]", name)
     if is_foreign or not name.endswith((".yaml", ".yml")):
         wanted = "a shipped preset or scenario, or a relative path with / to a .yaml file"
-        whole, folder = f"{name}.yaml", None if user.path is None or is_foreign else user.path.parent
-        known = folder is not None and _is_file(folder.joinpath(*PurePosixPath(whole).parts))
-        raise _refused(mark, f"'{name[:120]}' is not {wanted}" + (f"; did you mean '{whole[:120]}'?" if known else ""))
+        whole = "" if is_foreign else _with_ending(name, user)
+        raise _refused(mark, f"'{name[:120]}' is not {wanted}" + (f"; did you mean '{whole[:120]}'?" if whole else ""))
     if user.path is None:
         raise _refused(mark, "a text has no folder for a relative path; extend a preset or a shipped scenario")
     if ".." in parts[len([part for part in parts if part == ".."]) :]:
@@ -205,7 +219,7 @@ def _base(name: str, user: Source, mark: Mark) -> Source:
         for kind, names in (("scenario", shipped_scenarios()), ("preset", names_in(presets_folder()))):
             if path.stem in names:
                 hint = f"; the shipped {kind} is extended by its name alone: {path.stem}"
-        hint = hint or _from_elsewhere(parts, user.path.parent)
+        hint = hint or _from_elsewhere(parts, user.path)
         raise _refused(mark, f"there is no file '{name[:120]}' beside {user.shown}{hint}")
     shown = PurePosixPath(user.shown.replace("\\", "/")).parent / PurePosixPath(*parts)
     return Source.of_file(path, os.path.normpath(shown).replace("\\", "/"))

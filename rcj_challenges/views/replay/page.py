@@ -16,6 +16,7 @@ from rcj_challenges.records.changed import refusing_changes
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, replaced
 from rcj_challenges.records.logos import MOST_LOGO_BYTES, LogoError, checked_png, logo_path
+from rcj_challenges.records.refereelog import damaged_lines
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.records.salvage import RunRecord, read_run
 from rcj_challenges.records.sensors import DAMAGE, read_sensors
@@ -190,7 +191,7 @@ def _problem(run: RunRecord, story: Story) -> str:
     """Return the sentence of warning above the field, or nothing."""
     problems = list(run.problems)
     if story.unreadable:
-        problems.append(f"{story.unreadable} lines of the referee's log are damaged and left out.")
+        problems.append(f"{damaged_lines(story.unreadable)} and left out.")
     return " ".join(problems)
 
 

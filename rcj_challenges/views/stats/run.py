@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from rcj_challenges.records.changed import refusing_changes
-from rcj_challenges.records.refereelog import points_so_far, read_referee_log
+from rcj_challenges.records.refereelog import damaged_lines, points_so_far, read_referee_log
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.salvage import RunRecord, read_run
 from rcj_challenges.records.trajectory import HalfTrack
@@ -40,7 +40,9 @@ def run_stats(folder: Path) -> Stats:
 
 def _stats_of(run: RunRecord, folder: Path) -> Stats:
     written, unreadable = read_referee_log(folder)
-    notes = [*run.problems, *([f"{unreadable} lines of the referee's log are damaged."] if unreadable else [])]
+    notes = [*run.problems, *([f"{damaged_lines(unreadable)}."] if unreadable else [])]
+    if not written and not unreadable:
+        notes.append("The referee's log is missing: no calls are counted, and what awaits a kick-off counts as play.")
     if any(half.poses_are_lost for half in run.halves):
         notes.append("As no pose is left, points, faults and calls are counted and no play.")
     stats = Stats(runs=[folder.name], notes=[f"{folder.name}: {note}" for note in notes])

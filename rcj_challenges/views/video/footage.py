@@ -17,6 +17,7 @@ from rcj_challenges.facts.timing import SUBSTEP_S, SUBSTEPS_PER_TICK, TICK_S, s_
 from rcj_challenges.records.changed import refusing_changes
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import RECORD_VERSION
+from rcj_challenges.records.refereelog import damaged_lines
 from rcj_challenges.records.result import RunResult, read_result
 from rcj_challenges.records.salvage import read_halves
 from rcj_challenges.records.trajectory import HalfTrack
@@ -265,7 +266,7 @@ def _tell(
         warnings.append(f"{folder.name}: the referee's log is damaged: no captions, and the score does not change")
         return Story()
     if story.unreadable:
-        warnings.append(f"{folder.name}: {story.unreadable} lines of the referee's log are damaged and left out")
+        warnings.append(f"{folder.name}: {damaged_lines(story.unreadable)} and left out")
     return story
 
 
