@@ -10,7 +10,7 @@ from rcj_challenges.scenario.models.field import Box as BoxObstacle
 from rcj_challenges.scenario.models.field import Cylinder, Wall
 from rcj_challenges.scenario.models.places import Gate, OnLine, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.remembered import remembered_spots
+from rcj_challenges.scenario.remembered import remembered_spots, set_at_once
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.drawing.areas import placement_areas
 from rcj_challenges.views.drawing.around import lines_around
@@ -172,7 +172,8 @@ def _start(scenario: Scenario, name: str) -> Point | None:
 
 def _reaches(paper: Paper, scenario: Scenario, roster: Roster) -> None:
     """Draw the distances that rules measure, within the walls: nothing is ever behind them."""
-    remembered, measured = remembered_spots(scenario), reaches(scenario, roster)
+    remembered, nowhere = remembered_spots(scenario), set_at_once(scenario)
+    measured = [reach for reach in reaches(scenario, roster) if reach.name not in nowhere]
     if measured:
         field = scenario.field
         paper.clip(_WITHIN, [floor_of(field), *(goal_floor(goal, field) for goal in field.goals.values())])
@@ -210,8 +211,12 @@ def _gates(paper: Paper, scenario: Scenario) -> None:
 
 
 def _spots(paper: Paper, scenario: Scenario) -> None:
+    """Draw the spots, but for those that are set as soon as a half starts: they are never where the file says."""
     remembered, reach_m = remembered_spots(scenario), _mark_m(paper, _CROSS_M)
+    nowhere = set_at_once(scenario)
     for name, spot in scenario.spots.items():
+        if name in nowhere:
+            continue
         at, is_set = (spot.x_m, spot.y_m), name in remembered
         style = f'stroke="{_PUT if is_set else "#212529"}" stroke-width="2"'
         for dx, dy in ((reach_m, 0.0), (0.0, reach_m)):
@@ -316,8 +321,11 @@ def _legend_entries(scenario: Scenario, roster: Roster) -> list[tuple[str, list[
         for name, gate in scenario.gates.items()
     ]
     remembered = remembered_spots(scenario)
+    nowhere = set_at_once(scenario)
     spots = [
-        f"{name}: {spot.x_m + 0.0:g}, {spot.y_m + 0.0:g}{_SET if name in remembered else ''}"
+        f"{name}: rules set it when a half starts"
+        if name in nowhere
+        else f"{name}: {spot.x_m + 0.0:g}, {spot.y_m + 0.0:g}{_SET if name in remembered else ''}"
         for name, spot in scenario.spots.items()
     ]
     starts = [
