@@ -220,7 +220,7 @@ class _Walker:
         elif name in names.groups:
             self._check_group(reference, name, path, mark)
         elif reference.drawn and name in names.names("draws"):
-            self._check_drawn(Field(reference.noun, reference.kinds), name, path)
+            self._check_drawn(replace(reference, groups=False, each=False, drawn=False), name, path)
         else:
             known = names.of_kind(reference.kinds)
             if reference.groups:
@@ -484,8 +484,8 @@ _DRAWN_NUMBERS: dict[Any, Callable[[Leaf], str]] = {
 
 
 def _way_out(kind: str, reference: Field) -> str:
-    """Return what to write where an obstacle is taken for something that moves or tips."""
-    if reference.instead and kind in ("obstacle", "fixed obstacle"):
+    """Return what to write where an obstacle is taken for something that moves or tips, or a robot for a spot."""
+    if reference.instead and kind in reference.instead_of:
         return f"; {reference.instead}"
     if kind != "fixed obstacle" or "obstacle" not in reference.kinds:
         return ""

@@ -69,6 +69,8 @@ def for_group(group: str, path: Path, root: Node, catalogue: Catalogue) -> str:
         catalogue: its names.
     """
     node, names = node_at(root, path[:-1]), catalogue.expand(group)
+    if path[-1] == "spot" and child(node, "action") is None:
+        return f"; one of them by chance is written {{choice: [{group}]}}"
     kind = next((one for one in _KEPT if texts(child(node, one))), None)
     if path[-1] != "entity" or kind is None or not names:
         return ""
@@ -110,6 +112,8 @@ def for_other_kind(name: str, kind: str, path: Path, *, each: bool) -> str:
         return f"; what a param holds is written {{param: {name}}}"
     if kind != "draw" or path[2:3] != ("actions",):
         return ""
+    if path[-1] == "layout":
+        return f"; the one drawn is written layout: {{draw: {name}}}"
     if not each and "at" in path:
         placed = f"{{action: place, layout: {{draw: {name}}}}}"
         return f"; where a draw decides the place, give it layouts as values: {placed}"
@@ -302,6 +306,8 @@ def for_param(node: Node | None, root: Node) -> str:
 
 _VALUES = {"counter": "counters", "draw": "draws", "timer": "timers", "flag": "flags"}
 """Where the names stand whose value is written ``{counter: NAME}``."""
+_SCORE = ("counter", "entrants")
+"""A score is read like a counter."""
 _LOOKED_AT = ("robots", "balls", "spots")
 _WORDS = frozenset(get_args(NumberWord.model_fields["word"].annotation))
 """Of numbers that the referee knows: in a list that is added up, as a limit, and in what is told."""
@@ -325,7 +331,7 @@ def for_named(path: Path, node: Node | None, root: Node, said: str) -> str:
         movable = child(child(child(root, "obstacles"), name), "movable")
         known = known or (isinstance(movable, Leaf) and movable.value is True)
         return f"; to look at it is written {{towards: {name}}}" if known else ""
-    named = (key for key, section in _VALUES.items() if child(child(root, section), name) is not None)
+    named = (key for key, section in (*_VALUES.items(), _SCORE) if child(child(root, section), name) is not None)
     keys = [*named, *(["word"] if name in _WORDS else [])]
     key = next((key for key in keys if f"{{{key}: …}}" in said), None)
     return f"; its value is written {{{key}: {name}}}" if key else ""
