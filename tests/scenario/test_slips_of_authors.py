@@ -239,6 +239,38 @@ def test_a_score_is_compared_with_another_score(key):
     assert loaded(rule(rest=ASKED % f"counter, counter: yellow, {key}: {{counter: blue}}"))
 
 
+@pytest.mark.parametrize(
+    ("trigger", "told"),
+    [
+        ("{trigger: GOAL}", "; an event is heard by {trigger: event, event: GOAL}"),
+        ("{trigger: enters, entity: this, zone: pitch}",
+         "unknown entity 'this'; in a rule with repeat_for the name for which it is repeated is written {param: this}"),
+        ("{trigger: enters, entity: Y1 Y2, zone: pitch}",
+         "; in a name no blank stands: Y1_Y2; several names have commas between them: Y1, Y2"),
+    ],
+)  # fmt: skip
+def test_what_is_heard_and_of_whom(trigger, told):
+    assert complaints(rule(trigger))[0].endswith(told)
+
+
+@pytest.mark.parametrize(
+    ("action", "told"),
+    [
+        ("{action: GOAL}", "; an event is announced by {action: emit, event: GOAL}"),
+        ("{action: set, counter: n, to: 3}",
+         ("; a flag is set by set_flag, a spot by set_spot, a draw by draw with as; a counter changes by {action: count, "
+         "counter: NAME, by: 1}, or is set: {action: count, counter: NAME, to: 0}")),
+    ],
+)  # fmt: skip
+def test_what_is_announced_and_set(action, told):
+    assert complaints("counters: {n: {}}\n" + rule(action=action))[0].endswith(told)
+
+
+def test_how_far_a_lidar_sees_is_not_where_it_begins_to():
+    lidar = "robots: {Y1: {devices: {lidar: {device: lidar, range_m: 1}}}}\n"
+    assert complaints(lidar + rule())[0].endswith("; it is called 'max_range_m' here")
+
+
 CRATES = "balls: {ball: {start_m: [0.5, 0]}}\nobstacles:\n" + "".join(
     f"  crate_{n}: {{shape: box, centre_m: [{n / 5 - 0.4:.1f}, 0.05], size_m: [0.1, 0.1], movable: true}}\n" for n in (1, 2, 3)
 )  # fmt: skip

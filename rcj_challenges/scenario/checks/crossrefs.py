@@ -21,8 +21,8 @@ from rcj_challenges.scenario.messages.ways_out import (
     for_other_kind,
     for_plural,
     for_spots,
-    for_start,
     for_teams,
+    for_word,
 )
 from rcj_challenges.scenario.messages.wording import found_text, spelled
 from rcj_challenges.scenario.models import actions, conditions, places, state, triggers
@@ -293,7 +293,7 @@ class _Walker:
             self.add(path, mark, f"unknown {noun} '{name}': {teams}")
             return
         kind = self.names.known_as(name)
-        alike = for_start(name, path) or for_plural(name, known, self.names.names("groups"))
+        alike = for_word(name, path) or for_plural(name, known, self.names.names("groups"))
         alike = alike or nearest(name, known) or known_text(known, noun)
         hint = alike + for_other_kind(name, kind, path, each=each)
         which = f", which is {_a(kind)}" if kind else ""

@@ -86,8 +86,10 @@ def for_group(group: str, path: Path, root: Node, catalogue: Catalogue) -> str:
     return f"; of several a list is added up, with a part for each: [{parts}]"
 
 
-def for_start(name: str, path: Path) -> str:
-    """Return how something is put where it began; empty: that is not what was meant."""
+def for_word(name: str, path: Path) -> str:
+    """Return how one puts something where it began, or names that for which a rule is repeated; empty: neither."""
+    if name == "this" and path[:1] == ("rules",):
+        return "; in a rule with repeat_for the name for which it is repeated is written {param: this}"
     return f"; where it began is written {path[-2]}: start" if name == "start" and path[-2:-1] in _AT else ""
 
 
@@ -135,6 +137,7 @@ _USUAL_KEYS = {
     "friction": "slows_mps2",
     "rolling_friction": "slows_mps2",
     "damping": "slows_mps2",
+    "range_m": "max_range_m",
     "times": "weight",
     "factor": "weight",
     "to": "as",
