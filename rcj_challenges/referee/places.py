@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable
 from math import atan2, cos, pi, sin, sqrt
-from typing import Any
+from typing import Any, NamedTuple, TypeVar
 
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.random_points import Sampler, point_sampler
@@ -17,6 +17,16 @@ from rcj_challenges.scenario.starting import start_noise_m, start_pose
 
 Locate = Callable[[Board], Point]
 """Returns where something is now."""
+
+_Value = TypeVar("_Value")
+
+
+class _Anchor(NamedTuple):
+    """Beside what something is put: where that is now, and the index of the entity; None: a spot or a point."""
+
+    locate: Locate
+    entity: int | None = None
+
 
 # Distances are compared to the nanometre, so that spots at equal distances stand in the order of the file.
 _EQUAL_DIGITS = 9
@@ -84,16 +94,30 @@ def _spot_or_draw(workshop: Workshop, name: str) -> Callable[[], Point]:
     return lambda: spots[spot]
 
 
-def _locate(workshop: Workshop, what: str | Point, each: str | None) -> tuple[Locate, bool]:
-    """Return what tells where an entity, a spot or a point is, and whether it is an entity."""
+def _anchored(workshop: Workshop, what: str | Point, each: str | None) -> Callable[[], _Anchor]:
+    """Return what tells beside what something is put, or what it looks at: a draw's name stands for what it decided."""
     if isinstance(what, tuple):
-        return (lambda _board: what), False
+        return _always(_Anchor(lambda _board: what))
     member = workshop.members(what, each)[0]
-    index = workshop.roster.index.get(member, len(workshop.roster.entities))
+    among = workshop.roster.drawn.get(member)
+    if among is None:
+        return _always(_one_anchor(workshop, member))
+    anchors, draws = {one: _one_anchor(workshop, one) for one in among}, workshop.state.draws
+    return lambda: anchors[str(draws[member])]
+
+
+def _one_anchor(workshop: Workshop, name: str) -> _Anchor:
+    index = workshop.roster.index.get(name, len(workshop.roster.entities))
     if index < len(workshop.roster.entities):
-        return (lambda board: board.poses[index][:2]), True
-    read = _spot_or_draw(workshop, member)
-    return (lambda _board: read()), False
+        return _Anchor(lambda board: board.poses[index][:2], entity=index)
+    spot, spots = spot_name(workshop, name), workshop.state.spots
+    return _Anchor(lambda _board: spots[spot])
+
+
+def _locate(workshop: Workshop, what: str | Point, each: str | None) -> Locate:
+    """Return what tells where an entity, a spot or a point is, or what a draw of this name decided."""
+    anchor = _anchored(workshop, what, each)
+    return lambda board: anchor().locate(board)
 
 
 # --- the words of `at` ----------------------------------------------------------------------------------------------
@@ -157,30 +181,30 @@ def choice(model: models.Choice, workshop: Workshop, _entity: int, each: str | N
 
 def nearest_free(model: models.NearestFree, workshop: Workshop, entity: int, each: str | None) -> Where:
     """A random one of the nearest free spots."""
-    reference, _ = _locate(workshop, _own_or(model.to, workshop, entity), each)
+    reference = _locate(workshop, _own_or(model.to, workshop, entity), each)
     spots = spots_of(workshop, model.nearest_free, each)
     return _free_spot(spots, reference, 1.0, model.choose_among, model.clearance_m)
 
 
 def furthest_free(model: models.FurthestFree, workshop: Workshop, entity: int, each: str | None) -> Where:
     """A random one of the furthest free spots."""
-    reference, _ = _locate(workshop, _own_or(model.from_, workshop, entity), each)
+    reference = _locate(workshop, _own_or(model.from_, workshop, entity), each)
     spots = spots_of(workshop, model.furthest_free, each)
     return _free_spot(spots, reference, -1.0, model.choose_among, model.clearance_m)
 
 
 def relative_to(model: models.RelativeTo, workshop: Workshop, _entity: int, each: str | None) -> Where:
     """Beside an entity or a spot. Mirroring turns the offset over; a spot is mirrored with it, an entity is not."""
-    place, moves = _locate(workshop, model.relative_to, each)
-    anchor = workshop.entity(model.relative_to, each) if moves else None
+    anchored = _anchored(workshop, model.relative_to, each)
     dx, dy = model.offset_m
 
     def find(request: Request) -> Point:
-        x, y = place(request.board)
-        if anchor is None:
+        anchor = anchored()
+        x, y = anchor.locate(request.board)
+        if anchor.entity is None:
             return request.mirrored((x + dx, y + dy))
         if model.turns:
-            yaw = request.board.poses[anchor][2]
+            yaw = request.board.poses[anchor.entity][2]
             return (x + dx * cos(yaw) - dy * sin(yaw), y + dx * sin(yaw) + dy * cos(yaw))
         offset_x, offset_y = request.mirrored((dx, dy))
         return (x + offset_x, y + offset_y)
@@ -208,8 +232,8 @@ def compile_place(at: Any, workshop: Workshop, entity: int, each: str | None) ->
     return PLACES[word](at, workshop, entity, each)
 
 
-def _always(point: Point) -> Callable[[], Point]:
-    return lambda: point
+def _always(value: _Value) -> Callable[[], _Value]:
+    return lambda: value
 
 
 def _own_or(name: str | Point | None, workshop: Workshop, entity: int) -> str | Point:
@@ -242,7 +266,7 @@ def _compile_facing(
     state = workshop.state
     match facing:
         case models.Towards():
-            target, _ = _locate(workshop, facing.towards, each)
+            target = _locate(workshop, facing.towards, each)
 
             def towards(board: Board, _entity: int, point: Point, _rng: random.Random) -> float:
                 x, y = target(board)

@@ -61,7 +61,9 @@ def _may_be_set(point: Point, action: SetSpot, scenario: Scenario, roster: Roste
         case OnLine(on_line=(start, end)):
             return any(to_segment_m(one, start, end) <= _ON_LINE_M for one in points)
         case UniformIn(uniform_in=names):
-            return any(lies_in(one, scenario.zones[zone]) for one, zone in product(points, roster.expand(names)))
+            zones = [scenario.zones.get(name) for name in roster.expand(names)]
+            # Of what is no zone it is said where it is written; nothing is wrong here then.
+            return any(zone is None or lies_in(one, zone) for one, zone in product(points, zones))
     return False
 
 

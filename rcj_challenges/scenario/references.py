@@ -23,7 +23,9 @@ class Field:
         drawn: whether a draw's name may stand for what it decided.
         words: words that are no names.
         keys: True if the names are the keys of the mapping.
-        instead: what to write in place of an obstacle, where something that moves or tips is needed; empty: the usual.
+        instead: what to write in place of what is of these kinds, such as of an obstacle, where something that moves or
+            tips is needed; empty: the usual.
+        instead_of: those kinds.
     """
 
     noun: str
@@ -34,6 +36,7 @@ class Field:
     words: frozenset[str] = frozenset()
     keys: bool = False
     instead: str = ""
+    instead_of: frozenset[str] = frozenset({"obstacle", "fixed obstacle"})
 
 
 @dataclass(frozen=True)
@@ -227,7 +230,13 @@ REFERENCES: dict[tuple[type[BaseModel], str], Reference] = {
     (state.Phase, "next"): _PHASE,
     # places
     (places.Gate, "anchor"): _ONE_ENTITY,
-    (places.AtSpot, "spot"): Field("spot", _SPOT, drawn=True),
+    (places.AtSpot, "spot"): Field(
+        "spot",
+        _SPOT,
+        drawn=True,
+        instead="beside what moves is {relative_to: NAME, offset_m: [0.1, 0]}",
+        instead_of=_MOVING,
+    ),
     (places.UniformIn, "uniform_in"): _PUT_IN,
     (places.Choice, "choice"): Field("spot", _SPOT, groups=True, drawn=True),
     (places.NearestFree, "nearest_free"): _SPOTS,

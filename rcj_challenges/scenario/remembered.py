@@ -5,6 +5,8 @@ from __future__ import annotations
 from rcj_challenges.scenario.models.actions import SetSpot
 from rcj_challenges.scenario.models.places import Spot
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.models.state import ToldValue
+from rcj_challenges.scenario.set_draws import starts_each_half
 
 
 def remembered_spots(scenario: Scenario) -> tuple[str, ...]:
@@ -18,3 +20,16 @@ def fixed_spots(scenario: Scenario) -> dict[str, Spot]:
     """Return the spots that no rule sets."""
     remembered = remembered_spots(scenario)
     return {name: spot for name, spot in scenario.spots.items() if name not in remembered}
+
+
+def set_at_once(scenario: Scenario) -> tuple[str, ...]:
+    """Return those that a rule sets as each half starts, whatever else is so: they are never where the file says."""
+    named = {
+        action.spot
+        for rule in scenario.rules.values()
+        if rule.exclusive is None and starts_each_half(rule, scenario.first_phase)
+        for action in rule.actions
+        # Nobody has told a place yet when a half starts.
+        if isinstance(action, SetSpot) and not isinstance(action.to, ToldValue)
+    }
+    return tuple(name for name in scenario.spots if name in named)

@@ -20,13 +20,13 @@ def set_from_the_start(scenario: Scenario) -> frozenset[str]:
         if isinstance(action, DrawAction)
         and action.as_ is not None
         and (action.as_ not in BOUND or action.as_ in scenario.draws[action.draw].values)
-        and _starts_each_half(rule, scenario.first_phase)
+        and starts_each_half(rule, scenario.first_phase)
     }
     drawn = {action.draw for _, action in actions if isinstance(action, DrawAction) and action.as_ is None}
     return frozenset(setting - drawn - (_asked_at_the_start(scenario) if setting else set()))
 
 
-def _starts_each_half(rule: Rule, first_phase: str) -> bool:
+def starts_each_half(rule: Rule, first_phase: str) -> bool:
     """Return whether a rule fires as each half starts, whatever else is so."""
     lives = rule.phases == "any" or first_phase in rule.phases
     return lives and not rule.conditions and _hears_the_start(rule)

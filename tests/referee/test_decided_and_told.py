@@ -78,6 +78,19 @@ class TestExpectSpots:
     def test_only_what_chance_could_bring_can_be_decided(self, spots, message):
         assert refused(f"spots: {spots}") == [message]
 
+    @pytest.mark.parametrize(
+        ("zones", "message"),
+        [
+            ("boxx", "rules.hide.actions[0] (set_spot): unknown zone 'boxx'; did you mean 'box'?"),
+            ("Y1", "rules.hide.actions[0] (set_spot): 'Y1' is a robot; expected a zone"),
+            ("[box, Y1]", "rules.hide.actions[0] (set_spot): 'Y1' is a robot; expected a zone"),
+        ],
+    )
+    def test_where_chance_sets_it_to_what_is_no_zone_that_alone_is_told(self, zones, message):
+        wrong = HIDING.replace("uniform_in: box", f"uniform_in: {zones}", 1)
+        test = "expect: {it: {keyframes: [{at_s: 0.5}], lasts_s: 1, spots: {treasure: [0.2, 0]}}}\n"
+        assert complaints(wrong + test) == [message]
+
     def test_a_line_is_met_within_a_millimetre_and_no_place_outside_the_walls_is(self):
         assert tried("spots: {treasure: [[0.2, 0], [0.0009, -0.3]]}") == []
         beyond = HIDING.replace("x_max_m: 0.3", "x_max_m: 3")

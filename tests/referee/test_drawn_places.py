@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from rcj_challenges.referee.trials import try_expectation
@@ -190,3 +192,70 @@ expect:
     score: {yellow: 1}
 """)
     assert try_expectation(loaded, "only_the_drawn_goal_counts").differences == ()
+
+
+class TestPlaces:
+    """A drawn robot, ball or obstacle, beside which or towards which something is put."""
+
+    WHO = "draws: {who: {values: [B1, Y1]}}"
+
+    def put(self, stage, who: str, action: str):
+        play = stage(self.WHO, f"rules: {{put: {{triggers: [{NOW}], actions: [{action}]}}}}", draws={"who": who})
+        play.place("B1", 0.4, 0.5, math.pi / 2)
+        play.place("Y1", -0.4, -0.5, math.pi)
+        play.play_until(10)
+        return play
+
+    @pytest.mark.parametrize(("who", "where"), [("B1", (0.5, 0.3)), ("Y1", (-0.3, -0.7))])
+    def test_something_is_put_beside_the_one_that_is_drawn(self, stage, who, where):
+        play = self.put(stage, who, "{action: place, entity: ball, at: {relative_to: who, offset_m: [0.1, -0.2]}}")
+        assert play.pose("ball")[:2] == pytest.approx(where)
+
+    @pytest.mark.parametrize(("who", "where"), [("B1", (0.4, 0.6)), ("Y1", (-0.5, -0.5))])
+    def test_the_offset_turns_with_the_one_that_is_drawn(self, stage, who, where):
+        at = "{relative_to: who, offset_m: [0.1, 0], turns: true}"
+        play = self.put(stage, who, f"{{action: place, entity: ball, at: {at}}}")
+        assert play.pose("ball")[:2] == pytest.approx(where)
+
+    @pytest.mark.parametrize(("who", "where"), [("B1", (0.4, 0.3)), ("Y1", (-0.4, -0.7))])
+    def test_a_mirror_turns_the_offset_over_and_not_the_one_that_is_drawn(self, stage, who, where):
+        at = "{relative_to: who, offset_m: [0, 0.2]}, mirror: {axis: y}"
+        play = self.put(stage, who, f"{{action: place, entity: ball, at: {at}}}")
+        assert play.pose("ball")[:2] == pytest.approx(where)
+
+    @pytest.mark.parametrize(("who", "way"), [("B1", (0.4, 0.5)), ("Y1", (-0.4, -0.5))])
+    def test_a_ball_is_kicked_towards_the_one_that_is_drawn(self, stage, who, way):
+        kick = "{towards: {relative_to: who}, speed_mps: 0.5}"
+        play = self.put(stage, who, f"{{action: place, entity: ball, at: {{point: [0, 0]}}, kick: {kick}}}")
+        placement = play.placements[-1][1]
+        length = math.hypot(*way)
+        assert (placement.vx_mps, placement.vy_mps) == pytest.approx(
+            (0.5 * way[0] / length, 0.5 * way[1] / length), abs=1e-6
+        )
+
+    @pytest.mark.parametrize(("who", "x"), [("B1", 0.3), ("Y1", -0.3)])
+    def test_the_nearest_and_the_furthest_spot_are_those_of_the_one_that_is_drawn(self, stage, who, x):
+        for word, near in (("nearest_free: neutral_spots, to", 1), ("furthest_free: neutral_spots, from", -1)):
+            play = self.put(stage, who, f"{{action: place, entity: ball, at: {{{word}: who}}}}")
+            assert play.pose("ball")[:2] == pytest.approx((near * x, near * x))
+
+    @pytest.mark.parametrize(("who", "yaw"), [("B1", math.pi / 2), ("Y1", -math.pi / 2)])
+    def test_it_looks_towards_the_one_that_is_drawn(self, stage, who, yaw):
+        x = 0.4 if who == "B1" else -0.4
+        action = f"{{action: place, entity: Y2, at: {{point: [{x}, 0]}}, facing: {{towards: who}}}}"
+        play = self.put(stage, who, action)
+        assert play.pose("Y2")[2] == pytest.approx(yaw, abs=1e-6)
+
+    def test_of_a_draw_in_the_same_tick_the_new_one_counts(self, stage):
+        actions = "{action: place, entity: ball, at: {relative_to: who, offset_m: [0.1, 0]}}, {action: draw, draw: who, as: Y1}"
+        assert self.put(stage, "B1", actions).pose("ball")[:2] == pytest.approx((-0.3, -0.5))
+
+    def test_entities_and_spots_may_be_drawn_together(self, stage):
+        play = stage(
+            "draws: {who: {values: [B1, middle_blue]}}",
+            f"rules: {{put: {{triggers: [{NOW}], actions: [{{action: place, entity: ball, "
+            "at: {relative_to: who, offset_m: [0.1, 0.1]}, mirror: {axis: y}}]}}",
+            draws={"who": "middle_blue"},
+        )
+        play.play_until(10)
+        assert play.pose("ball")[:2] == pytest.approx((0.1, -0.3))  # a spot is mirrored with its offset

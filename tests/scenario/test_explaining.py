@@ -69,8 +69,10 @@ CASES = [
      "of them, or write the rule once for each name with repeat_for")),
     (rule(rest=f"    says: {'x' * 501}\n"), f"rules.r.says: must have at most 500 characters, found '{'x' * 60}…'"),
     (place("at: centre"), ("rules.r.actions[0] (place).at: expected start, {start: …}, {point: …}, {spot: …}, {uniform_in: …}, {on_line: …}, "
-     "{choice: …}, {nearest_free: …}, {furthest_free: …} or {relative_to: …}, found 'centre'; a spot is written {spot: centre}, "
-     "a random point of a zone {uniform_in: centre}, beside a robot or a ball {relative_to: centre}")),
+     "{choice: …}, {nearest_free: …}, {furthest_free: …} or {relative_to: …}, found 'centre'; a spot is written {spot: centre}")),
+    (place("at: middle"), ("rules.r.actions[0] (place).at: expected start, {start: …}, {point: …}, {spot: …}, {uniform_in: …}, {on_line: …}, "
+     "{choice: …}, {nearest_free: …}, {furthest_free: …} or {relative_to: …}, found 'middle'; a spot is written {spot: middle}, "
+     "a random point of a zone {uniform_in: middle}, beside a robot or a ball {relative_to: middle}")),
     (place("at: {spot: [centre]}"), "rules.r.actions[0] (place).at.spot: expected a name, found a list of 1"),
     (place("at: {point: [0, 0], spot: centre}"), "rules.r.actions[0] (place).at: unknown key 'spot'; allowed are point; 'point' is given already, in line 8"),
     (place("at: {on_line: [[0, 0], [1]]}"), "rules.r.actions[0] (place).at.on_line[1]: expected two numbers [x, y], found a list of 1"),

@@ -37,6 +37,38 @@ class TestGround:
         zone = f"field: {{corner_cut_m: 0}}\nzones: {{z: {{shape: circle, centre_m: [{x}, 0.8], radius_m: 0.1}}}}"
         assert kinds(zone, rules=self.USE) == ([] if has_floor else ["zone_off_the_field"])
 
+    @pytest.mark.parametrize(
+        ("zone", "covers"),
+        [
+            ("shape: circle, centre_m: [0, 0], radius_m: 45", True),  # 45 cm were meant
+            ("shape: circle, centre_m: [0, 0], radius_m: 2.1", True),
+            ("shape: circle, centre_m: [0, 0], radius_m: 1.2", False),  # who jumps over a wall is caught by it
+            ("shape: rect, x_min_m: -30, x_max_m: 30, y_min_m: -40, y_max_m: 40", True),
+            ("shape: rect, x_min_m: -30, x_max_m: 30, y_min_m: -40, y_max_m: 0", False),
+            ("shape: rect, x_min_m: 30, inverted: true", True),
+            ("shape: half_plane, through_m: [-20, 0], normal: [1, 0]", True),
+        ],
+    )
+    @pytest.mark.parametrize("trigger", ["enters", "leaves"])
+    def test_a_zone_that_covers_the_floor_by_far_is_never_entered_or_left(self, zone, covers, trigger):
+        edge = rule("a", f"{{trigger: {trigger}, entity: ball, zone: z}}")
+        assert kinds(f"zones: {{z: {{{zone}}}}}", rules=edge) == (["zone_covers_the_floor"] if covers else [])
+
+    def test_it_is_told_once_and_how_it_came_about(self):
+        both = "{trigger: enters, entity: ball, zone: z}, {trigger: leaves, entity: robots, zone: [z, pitch]}"
+        zone = "zones: {z: {shape: circle, centre_m: [0, 0], radius_m: 45}}"
+        (one,) = found_in(zone, rules=rule("a", both))
+        told = (
+            "zone 'z' covers the whole floor and half a metre more: nothing ever enters or leaves it; correct its numbers: "
+            "lengths are in m"
+        )
+        assert told in str(one)
+
+    def test_one_that_is_the_whole_field_is_no_slip_where_no_edge_is_waited_for(self):
+        inside = ", conditions: [{condition: in_zone, entity: ball, zone: z}]"
+        zone = "zones: {z: {shape: circle, centre_m: [0, 0], radius_m: 45}}"
+        assert kinds(zone, rules=rule("a", "{trigger: touches, entity: Y1, other: ball}", more=inside)) == []
+
     def test_what_is_only_measured_to_may_lie_in_the_wall(self):
         near = "{condition: distance, entity: ball, to: z, at_least: 0.2}, {condition: distance, entity: ball, to: g, at_least: 0.2}"
         wall = "zones: {z: {shape: rect, x_min_m: 0.7}}\ngates: {g: {from_m: [-0.7, 0], to_m: [-0.7, 0.1]}}"

@@ -36,6 +36,13 @@ def test_what_rules_remember_likewise(name, value):
     assert f"write {value} for the value" in text
 
 
+def test_of_several_of_that_name_each_is_named():
+    both = KEPT.replace("side:", "attempt:") + "broadcast: {fields: {it: attempt}}\n" + rule()
+    findings = lint(load_text(HEAD + both, file="a.yaml"))
+    (text,) = [str(one) for one in findings if one.kind == "text_instead_of_value"]
+    assert "write {timer: attempt} or {draw: attempt} for the value" in text
+
+
 def test_what_only_some_robots_are_told_likewise():
     (text,) = found("broadcast: {fields: {}, only: {Y1: {it: laps}}}\n" + rule())
     assert "broadcast.only.Y1.it: it is told as the text 'laps'" in text

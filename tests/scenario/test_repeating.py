@@ -340,3 +340,30 @@ expect:
 """
     found = loaded(GOALS + expect)
     assert not try_expectation(found, "a_goal_for_each").differences
+
+
+def test_what_the_first_name_alone_lacks_is_told_once_and_there():
+    rows = "".join(f"      {name}: {{zone: pitch, worth: 1}}\n" for name in ("b", "c", "d"))
+    rule = f"""
+rules:
+  goal:
+    repeat_for:
+      a: {{zone: pitch}}
+{rows}    triggers: [{{trigger: enters, entity: ball, zone: {{param: zone}}}}]
+    actions: [{{action: score, entrant: blue, points: {{param: worth}}}}]
+"""
+    (text,) = complaints(rule)
+    line = HEAD_LINES + rule.split("\n").index("      b: {zone: pitch, worth: 1}") + 1
+    assert text == f"rules.goal.repeat_for.a: 'worth' is missing, which 'b' and all others have (line {line})"
+
+
+def test_of_two_names_nobody_knows_which_is_right():
+    rule = """
+rules:
+  goal:
+    repeat_for: {a: {zone: pitch}, b: {zone: pitch, worth: 1}}
+    triggers: [{trigger: enters, entity: ball, zone: {param: zone}}]
+    actions: [{action: score, entrant: blue, points: {param: worth}}]
+"""
+    (text,) = complaints(rule)
+    assert text.endswith("'worth' is missing for 'a'; it has zone; all names need the same keys")

@@ -199,6 +199,121 @@ def test_where_chance_puts_something_in_a_layout_and_in_an_action(at, told):
     assert loaded(SPOTS + rule(action="{action: place, entity: ball, at: {spot: mark}}"))
 
 
+WHO = "draws: {who: {values: [B1, Y1, ball]}}\ngroups: {corners: [corner_blue_left, corner_blue_right]}\n"
+
+
+class TestPlacesOfNames:
+    """A name stands where a place is expected: the message says how the place of just that thing is written."""
+
+    @pytest.mark.parametrize(
+        ("written", "told"),
+        [
+            ("who", "{relative_to: who, offset_m: [0.1, 0]}"),
+            ("{draw: who}", "{relative_to: who, offset_m: [0.1, 0]}"),
+            ("Y1", "{relative_to: Y1, offset_m: [0.1, 0]}"),
+            ("{entity: Y1}", "{relative_to: Y1, offset_m: [0.1, 0]}"),
+            ("centre", "{spot: centre}"),
+            ("pitch", "{uniform_in: pitch}"),
+            ("corners", "{choice: [corners]}"),
+        ],
+    )
+    def test_where_something_is_put(self, written, told):
+        (text,) = complaints(WHO + rule(action=f"{{action: place, entity: Y2, at: {written}}}"))
+        assert told in text
+        assert "did you mean" not in text
+        assert loaded(WHO + rule(action=f"{{action: place, entity: Y2, at: {told}}}"))
+
+    @pytest.mark.parametrize(
+        ("written", "told"),
+        [("who", "{relative_to: who}"), ("{draw: who}", "{relative_to: who}"), ("B1", "{relative_to: B1}")],
+    )
+    def test_where_a_ball_is_kicked_to(self, written, told):
+        kick = "{action: place, entity: ball, at: {spot: centre}, kick: {towards: %s, speed_mps: 1}}"
+        assert complaints(WHO + rule(action=kick % written))[0].endswith(
+            f"; at where {_it(written)} is, is written {told}"
+        )
+        assert loaded(WHO + rule(action=kick % told))
+
+    def test_a_name_like_start_is_not_taken_for_it(self):
+        draw = "draws: {target: {values: [B1, Y1]}}\n"
+        assert "'start'" not in complaints(draw + rule(action="{action: place, entity: ball, at: target}"))[0]
+        assert "did you mean 'start'?" in complaints(rule(action="{action: place, entity: ball, at: strat}"))[0]
+
+    def test_a_misspelt_word_stays_one(self):
+        text = complaints(WHO + rule(action="{action: place, entity: Y2, at: {nearest_fre: corners}}"))[0]
+        assert text.endswith("; did you mean 'nearest_free'?")
+
+    @pytest.mark.parametrize("name", ["who", "B1"])
+    def test_a_robot_is_no_spot(self, name):
+        text = complaints(WHO + rule(action=f"{{action: place, entity: Y2, at: {{spot: {name}}}}}"))[0]
+        assert "'B1' is a robot; expected a spot; beside what moves is {relative_to: NAME, offset_m: [0.1, 0]}" in text
+
+    def test_one_of_a_group_of_spots(self):
+        text = complaints(WHO + rule(action="{action: place, entity: Y2, at: {spot: corners}}"))[0]
+        assert text.endswith(
+            "'corners' is a group; name one spot; one of them by chance is written {choice: [corners]}"
+        )
+        assert loaded(WHO + rule(action="{action: place, entity: Y2, at: {choice: [corners]}}"))
+
+    def test_of_a_spot_that_is_set_no_chance_is_told(self):
+        text = complaints(WHO + rule(action="{action: set_spot, spot: corners, to: ball}"))[0]
+        assert text.endswith("'corners' is a group; name one spot")
+
+
+def _it(written: str) -> str:
+    return "the one drawn" if "who" in written else "it"
+
+
+def test_a_layout_that_a_draw_decides():
+    which = "draws: {which: {values: [a, b]}}\n" + "placements: {a: [%s], b: [%s]}\n" % (
+        ("{entity: ball, at: start}",) * 2
+    )
+    text = complaints(which + rule(action="{action: place, layout: which}"))[0]
+    assert text.endswith(
+        "unknown layout 'which', which is a draw; there are a, b; the one drawn is written layout: {draw: which}"
+    )
+    assert loaded(which + rule(action="{action: place, layout: {draw: which}}"))
+
+
+@pytest.mark.parametrize("key", ["equals", "at_least", "at_most"])
+def test_a_score_is_compared_with_another_score(key):
+    text = complaints(rule(rest=ASKED % f"counter, counter: yellow, {key}: blue"))[0]
+    assert text.endswith(", found 'blue'; its value is written {counter: blue}")
+    assert loaded(rule(rest=ASKED % f"counter, counter: yellow, {key}: {{counter: blue}}"))
+
+
+@pytest.mark.parametrize(
+    ("trigger", "told"),
+    [
+        ("{trigger: GOAL}", "; an event is heard by {trigger: event, event: GOAL}"),
+        ("{trigger: enters, entity: this, zone: pitch}",
+         "unknown entity 'this'; in a rule with repeat_for the name for which it is repeated is written {param: this}"),
+        ("{trigger: enters, entity: Y1 Y2, zone: pitch}",
+         "; in a name no blank stands: Y1_Y2; several names have commas between them: Y1, Y2"),
+    ],
+)  # fmt: skip
+def test_what_is_heard_and_of_whom(trigger, told):
+    assert complaints(rule(trigger))[0].endswith(told)
+
+
+@pytest.mark.parametrize(
+    ("action", "told"),
+    [
+        ("{action: GOAL}", "; an event is announced by {action: emit, event: GOAL}"),
+        ("{action: set, counter: n, to: 3}",
+         ("; a flag is set by set_flag, a spot by set_spot, a draw by draw with as; a counter changes by {action: count, "
+         "counter: NAME, by: 1}, or is set: {action: count, counter: NAME, to: 0}")),
+    ],
+)  # fmt: skip
+def test_what_is_announced_and_set(action, told):
+    assert complaints("counters: {n: {}}\n" + rule(action=action))[0].endswith(told)
+
+
+def test_how_far_a_lidar_sees_is_not_where_it_begins_to():
+    lidar = "robots: {Y1: {devices: {lidar: {device: lidar, range_m: 1}}}}\n"
+    assert complaints(lidar + rule())[0].endswith("; it is called 'max_range_m' here")
+
+
 CRATES = "balls: {ball: {start_m: [0.5, 0]}}\nobstacles:\n" + "".join(
     f"  crate_{n}: {{shape: box, centre_m: [{n / 5 - 0.4:.1f}, 0.05], size_m: [0.1, 0.1], movable: true}}\n" for n in (1, 2, 3)
 )  # fmt: skip

@@ -12,9 +12,12 @@ SPOTS = "spots: {found: {x_m: 0, y_m: 0.2}, lost: {x_m: 0.3, y_m: 0.1}}\ngroups:
 NOTE = "until then it is where the drawing shows"
 
 
-def loaded(*actions, more=""):
-    text = f"rules:\n  r: {{triggers: [{{trigger: half_started}}], actions: [{', '.join(actions)}]}}\n"
-    return load_text(HEAD + SPOTS + more + text)
+START, LATER = "{trigger: half_started}", "{trigger: touches, entity: robots, other: ball}"
+
+
+def loaded(*actions, more="", trigger=START, rule="", rules=""):
+    text = f"rules:\n  r: {{triggers: [{trigger}], {rule}actions: [{', '.join(actions)}]}}\n"
+    return load_text(HEAD + SPOTS + more + text + rules)
 
 
 def set_to(what, spot="found"):
@@ -64,16 +67,16 @@ def test_of_each_the_sheet_says_its_place():
 
 
 def test_the_sheet_says_that_rules_set_it_and_where_a_half_begins():
-    one = f"{SPOTS}rules:\n  r: {{triggers: [{{trigger: half_started}}], actions: [{set_to('ball')}]}}\n"
+    one = f"{SPOTS}rules:\n  r: {{triggers: [{LATER}], actions: [{set_to('ball')}]}}\n"
     assert "Rules set the spot “found” anew in a half; until then it is where the drawing shows it." in sheet(one)
-    two = one.replace("ball}]", f"ball}}, {set_to('Y1', 'lost')}]")
+    two = one.replace("to: ball}]", f"to: ball}}, {set_to('Y1', 'lost')}]")
     said = "Rules set the spot “found” and the spot “lost” anew in a half; until then they are where the drawing shows them."
     assert said in sheet(two)
     assert NOTE not in sheet(SPOTS)
 
 
 def test_the_picture_marks_it_in_the_colour_of_what_rules_put_and_tells_where_it_begins():
-    one = loaded(set_to("ball"))
+    one = loaded(set_to("ball"), trigger=LATER)
     picture = draw_scenario(one.scenario, one.roster)
     assert ">found: 0, 0.2 when a half starts; rules set it<" in picture
     assert ">lost: 0.3, 0.1<" in picture
@@ -82,6 +85,55 @@ def test_the_picture_marks_it_in_the_colour_of_what_rules_put_and_tells_where_it
     assert len(orange) == 2
     assert all("found" in line for line in orange)
     assert ">found<" in picture
+
+
+NEAR = (
+    "  near: {triggers: [{trigger: holds, condition: {condition: distance, entity: Y1, to: found, at_most: 0.3}}], "
+    "actions: [{action: emit, event: NEAR}]}\n"
+)
+
+
+class TestSetAsTheHalfStarts:
+    """What a rule sets as each half starts is never where the file says: nobody is to look for it there."""
+
+    @pytest.mark.parametrize("to", ["{uniform_in: blue_goal}", "[0.1, 0]", "ball", "lost"])
+    def test_the_picture_does_not_show_it_where_it_never_is(self, to):
+        one = loaded(set_to(to), rules=NEAR)
+        picture = draw_scenario(one.scenario, one.roster)
+        assert ">found: rules set it when a half starts<" in picture
+        assert ">0.3 from found<" in picture
+        assert ">found: 0, 0.2" not in picture
+        assert 'class="reach"' not in picture
+        assert ">found<" not in picture
+
+    def test_where_chance_hides_it_is_drawn(self):
+        one = loaded(set_to("{uniform_in: blue_goal}"))
+        assert ">put found<" in draw_scenario(one.scenario, one.roster)
+
+    def test_the_sheet_says_so_and_that_others_are_where_the_drawing_shows_them(self):
+        at_once, later = set_to("{uniform_in: pitch}"), set_to("Y1", "lost")
+        one = f"{SPOTS}rules:\n  r: {{triggers: [{START}], actions: [{at_once}]}}\n"
+        assert "Rules set the spot “found” as soon as a half starts." in sheet(one)
+        assert NOTE not in sheet(one)
+        both = sheet(f"{one}  s: {{triggers: [{LATER}], actions: [{later}]}}\n")
+        assert "Rules set the spot “found” as soon as a half starts." in both
+        assert "Rules set the spot “lost” anew in a half; until then it is where the drawing shows it." in both
+
+    @pytest.mark.parametrize(
+        "more",
+        [
+            "phases: [later], ",
+            "conditions: [{condition: half, equals: 2}], ",
+            "exclusive: one, ",
+        ],
+    )
+    def test_what_may_not_be_set_is_shown_where_the_file_says(self, more):
+        one = loaded(set_to("ball"), more="phases: {later: {}}\nmatch: {halves: 2}\n", rule=more)
+        assert ">found: 0, 0.2 when a half starts; rules set it<" in draw_scenario(one.scenario, one.roster)
+
+    def test_nobody_has_told_a_place_when_a_half_starts(self):
+        one = loaded(set_to("{told: Y1}"))
+        assert ">found: 0, 0.2 when a half starts; rules set it<" in draw_scenario(one.scenario, one.roster)
 
 
 @pytest.mark.parametrize(

@@ -21,8 +21,8 @@ from rcj_challenges.scenario.messages.ways_out import (
     for_other_kind,
     for_plural,
     for_spots,
-    for_start,
     for_teams,
+    for_word,
 )
 from rcj_challenges.scenario.messages.wording import found_text, spelled
 from rcj_challenges.scenario.models import actions, conditions, places, state, triggers
@@ -220,7 +220,7 @@ class _Walker:
         elif name in names.groups:
             self._check_group(reference, name, path, mark)
         elif reference.drawn and name in names.names("draws"):
-            self._check_drawn(Field(reference.noun, reference.kinds), name, path)
+            self._check_drawn(replace(reference, groups=False, each=False, drawn=False), name, path)
         else:
             known = names.of_kind(reference.kinds)
             if reference.groups:
@@ -294,7 +294,7 @@ class _Walker:
             return
         kind = self.names.known_as(name)
         plural = for_plural(name, known) if reference is not None and reference.groups else ""
-        alike = for_start(name, path) or plural or nearest(name, known) or known_text(known, noun)
+        alike = for_word(name, path) or plural or nearest(name, known) or known_text(known, noun)
         hint = alike + for_other_kind(name, kind, path, each=reference is not None and reference.each)
         which = f", which is {_a(kind)}" if kind else ""
         self.add(path, mark, f"unknown {noun} '{name[:64]}'{which}{hint}")
@@ -484,8 +484,8 @@ _DRAWN_NUMBERS: dict[Any, Callable[[Leaf], str]] = {
 
 
 def _way_out(kind: str, reference: Field) -> str:
-    """Return what to write where an obstacle is taken for something that moves or tips."""
-    if reference.instead and kind in ("obstacle", "fixed obstacle"):
+    """Return what to write where an obstacle is taken for something that moves or tips, or a robot for a spot."""
+    if reference.instead and kind in reference.instead_of:
         return f"; {reference.instead}"
     if kind != "fixed obstacle" or "obstacle" not in reference.kinds:
         return ""

@@ -19,7 +19,7 @@ from rcj_challenges.scenario.models.actions import Place, Remove, SetSpot
 from rcj_challenges.scenario.models.conditions import Distance
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import DistanceValue
-from rcj_challenges.scenario.models.triggers import HalfStarted
+from rcj_challenges.scenario.models.triggers import Enters, HalfStarted, Leaves
 from rcj_challenges.scenario.outlines import Disc, Outline, Point, robot_outline
 from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.tree import Path
@@ -28,6 +28,8 @@ _LINE_SAMPLES = 65
 _INSIDE_SHARE = 0.6
 """More than half: a post that rounds the end of a wall is half in it, and walls may cross or meet at corners."""
 _NO_SHARE = 1e-9
+_FAR_BEYOND_M = 0.5
+"""A zone a little larger than the floor catches what jumps over a wall; one that is so much larger is a slip."""
 
 
 def check_places(subject: Subject) -> Iterator[Suspect]:
@@ -38,6 +40,7 @@ def check_places(subject: Subject) -> Iterator[Suspect]:
     for name, zone in scenario.zones.items():
         if name not in measured and not zone_has_floor(zone, parts):
             yield _off_field("zone", ("zones", name), f"zone '{name}' has no point on the field: nothing enters it")
+    yield from _covering(subject)
     for name, gate in scenario.gates.items():
         moves = gate.anchor is not None
         if not moves and name not in measured and not segment_has_floor(gate.from_m, gate.to_m, parts):
@@ -50,6 +53,22 @@ def check_places(subject: Subject) -> Iterator[Suspect]:
         if isinstance(line, places.OnLine) and not segment_has_floor(*line.on_line, parts):
             reason = "no point of the line is on the field: the spot stays where it is"
             yield Suspect("spot_off_the_field", (*path, "to"), reason, "correct its numbers")
+
+
+def _covering(subject: Subject) -> Iterator[Suspect]:
+    """Zones that cover the floor by far, of which a rule waits that something enters or leaves them."""
+    scenario = subject.scenario
+    edges = (one for _, rule in subject.standing() for one in rule.triggers if isinstance(one, Enters | Leaves))
+    awaited = {name for edge in edges for name in subject.roster.expand(edge.zone)} & scenario.zones.keys()
+    field, more_m = scenario.field, 2 * _FAR_BEYOND_M
+    beyond = {"width_m": field.width_m + more_m, "length_m": field.length_m + more_m, "corner_cut_m": 0.0}
+    parts = floor_parts(field.model_copy(update=beyond))
+    for name in (name for name in scenario.zones if name in awaited):
+        zone = scenario.zones[name]
+        if not zone_has_floor(zone.model_copy(update={"inverted": not zone.inverted}), parts):
+            problem = f"zone '{name}' covers the whole floor and half a metre more: nothing ever enters or leaves it"
+            remedy = "correct its numbers: lengths are in m"
+            yield Suspect("zone_covers_the_floor", ("zones", name), problem, remedy, at_key=True)
 
 
 def _only_measured(subject: Subject) -> frozenset[str]:

@@ -29,7 +29,7 @@ def check_literals(subject: Subject) -> Iterator[Suspect]:
             if not written and isinstance(model, Broadcast):
                 # In a payload the name itself may be meant: which of several draws it was about.
                 kinds = [kind for kind, names in kept.items() if value in names]
-                written = f"{{{kinds[0]}: {value}}}" if kinds else ""
+                written = " or ".join(f"{{{kind}: {value}}}" for kind in kinds)
             if written and not (isinstance(model, Emit) and _is_meant(model, str(at[-1]), value, subject)):
                 yield Suspect(
                     "text_instead_of_value",

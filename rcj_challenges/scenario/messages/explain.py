@@ -13,6 +13,7 @@ from typing import Any, get_args, get_origin
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, listing, nearest
+from rcj_challenges.scenario.messages.named_places import for_place
 from rcj_challenges.scenario.messages.other_names import other_name
 from rcj_challenges.scenario.messages.taken_away import for_nothing
 from rcj_challenges.scenario.messages.ways_out import (
@@ -26,9 +27,10 @@ from rcj_challenges.scenario.messages.ways_out import (
     for_several,
     for_value,
 )
-from rcj_challenges.scenario.messages.wording import expected, found_text, is_fixed, no_name, refusal
+from rcj_challenges.scenario.messages.wording import expectation, expected, found_text, is_fixed, no_name, refusal
 from rcj_challenges.scenario.models.actions import Action
 from rcj_challenges.scenario.models.conditions import Condition
+from rcj_challenges.scenario.models.places import At
 from rcj_challenges.scenario.models.state import TimerValue, WordValue
 from rcj_challenges.scenario.models.triggers import TimerExpired, Trigger
 from rcj_challenges.scenario.shape import (
@@ -42,6 +44,7 @@ from rcj_challenges.scenario.shape import (
     shape_at,
     step_into,
     tags,
+    without_none,
 )
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, child, in_names, mark_of, node_at, plain
 
@@ -198,9 +201,15 @@ class _Explainer:
             return self._at(above, f"'{key}' is missing{self._sentence_about(above, str(key))}{hint}")
         if mistake.kind == "extra_forbidden":
             return self._unknown_key(above, str(key))
+        return self._wrong_value(mistake)
+
+    def _wrong_value(self, mistake: _Mistake) -> Problem:
+        node = node_at(self.root, mistake.path)
+        place = for_place(mistake.path, node, self.root) if without_none(mistake.shape) == At else ""
+        if place:
+            return self._at(mistake.path, f"expected {expectation(mistake.shape)}, found {found_text(node)}{place}")
         if mistake.kind.startswith("union_tag") or mistake.kind == "model_attributes_type":
             return self._wrong_tag(mistake)
-        node = node_at(self.root, mistake.path)
         message = refusal(mistake.kind, mistake.details, mistake.shape, node)
         hints = for_value(mistake.path, node) + for_several(mistake.path, node) + self._for_nothing(mistake.path)
         hints += for_param(node, self.root) or for_named(mistake.path, node, self.root, message)

@@ -63,6 +63,7 @@ _TABLE: dict[str, tuple[tuple[str, str], ...]] = {
         ("random choose pick roll shuffle", "write draw, of a draw that stands under 'draws'"),
         ("flag clear_flag unset_flag reset_flag", "write set_flag, with to: true or to: false"),
         ("toggle", "write toggle_flag"),
+        ("set change", f"a flag is set by set_flag, a spot by set_spot, a draw by draw with as; {_COUNT}"),
         ("broadcast tell send inform", "what programs are told stands in the section 'broadcast'"),
     ),
     "condition": (
@@ -98,6 +99,11 @@ _SHAPES: tuple[tuple[str, frozenset[str]], ...] = (
     ("half_plane", frozenset({"plane", "line"})),
     ("wall", frozenset({"line", "fence", "barrier", "segment"})),
 )
+_EVENTS = {
+    "trigger": "an event is heard by {{trigger: event, event: {event}}}",
+    "action": "an event is announced by {{action: emit, event: {event}}}",
+}
+"""Events have capitals, and words of the language none."""
 
 
 def other_name(word: str, kind: str, known: list[str]) -> str:
@@ -108,6 +114,8 @@ def other_name(word: str, kind: str, known: list[str]) -> str:
         kind: ``trigger``, ``action``, ``condition`` or ``shape``.
         known: the words that may stand there.
     """
+    if word.isidentifier() and word.isupper() and kind in _EVENTS:
+        return f"; {_EVENTS[kind].format(event=word)}"
     word = word.casefold()
     if kind == "shape":
         meant = next((shape for shape, names in _SHAPES if shape in known and word in names), None)

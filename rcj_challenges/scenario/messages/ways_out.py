@@ -69,6 +69,8 @@ def for_group(group: str, path: Path, root: Node, catalogue: Catalogue) -> str:
         catalogue: its names.
     """
     node, names = node_at(root, path[:-1]), catalogue.expand(group)
+    if path[-1] == "spot" and child(node, "action") is None:
+        return f"; one of them by chance is written {{choice: [{group}]}}"
     kind = next((one for one in _KEPT if texts(child(node, one))), None)
     if path[-1] != "entity" or kind is None or not names:
         return ""
@@ -84,8 +86,10 @@ def for_group(group: str, path: Path, root: Node, catalogue: Catalogue) -> str:
     return f"; of several a list is added up, with a part for each: [{parts}]"
 
 
-def for_start(name: str, path: Path) -> str:
-    """Return how something is put where it began; empty: that is not what was meant."""
+def for_word(name: str, path: Path) -> str:
+    """Return how one puts something where it began, or names that for which a rule is repeated; empty: neither."""
+    if name == "this" and path[:1] == ("rules",):
+        return "; in a rule with repeat_for the name for which it is repeated is written {param: this}"
     return f"; where it began is written {path[-2]}: start" if name == "start" and path[-2:-1] in _AT else ""
 
 
@@ -110,6 +114,8 @@ def for_other_kind(name: str, kind: str, path: Path, *, each: bool) -> str:
         return f"; what a param holds is written {{param: {name}}}"
     if kind != "draw" or path[2:3] != ("actions",):
         return ""
+    if path[-1] == "layout":
+        return f"; the one drawn is written layout: {{draw: {name}}}"
     if not each and "at" in path:
         placed = f"{{action: place, layout: {{draw: {name}}}}}"
         return f"; where a draw decides the place, give it layouts as values: {placed}"
@@ -131,6 +137,7 @@ _USUAL_KEYS = {
     "friction": "slows_mps2",
     "rolling_friction": "slows_mps2",
     "damping": "slows_mps2",
+    "range_m": "max_range_m",
     "times": "weight",
     "factor": "weight",
     "to": "as",
@@ -300,6 +307,8 @@ def for_param(node: Node | None, root: Node) -> str:
 
 _VALUES = {"counter": "counters", "draw": "draws", "timer": "timers", "flag": "flags"}
 """Where the names stand whose value is written ``{counter: NAME}``."""
+_SCORE = ("counter", "entrants")
+"""A score is read like a counter."""
 _LOOKED_AT = ("robots", "balls", "spots")
 _WORDS = frozenset(get_args(NumberWord.model_fields["word"].annotation))
 """Of numbers that the referee knows: in a list that is added up, and as a limit."""
@@ -327,7 +336,7 @@ def for_named(path: Path, node: Node | None, root: Node, said: str) -> str:
         movable = child(child(child(root, "obstacles"), name), "movable")
         known = known or (isinstance(movable, Leaf) and movable.value is True)
         return f"; to look at it is written {{towards: {name}}}" if known else ""
-    named = (key for key, section in _VALUES.items() if child(child(root, section), name) is not None)
+    named = (key for key, section in (*_VALUES.items(), _SCORE) if child(child(root, section), name) is not None)
     keys = [*named, *(["word"] if name in _WORDS else [])]
     key = next((key for key in keys if f"{{{key}: …}}" in said), None)
     return f"; its value is written {{{key}: {name}}}" if key else ""

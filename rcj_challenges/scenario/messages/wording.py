@@ -300,7 +300,15 @@ def is_fixed(shape: Shape) -> bool:
 
 def no_name(text: str) -> str:
     """Return why a text is no name, and what is one."""
-    return f"{quoted(text)} is no name: {NAME_RULE}{_from_a_to_z(text)}"
+    return f"{quoted(text)} is no name: {NAME_RULE}{_from_a_to_z(text) or _without_blanks(text)}"
+
+
+def _without_blanks(text: str) -> str:
+    """Return how names are written where blanks stand in a text; empty: it has none, or is something else."""
+    parts = text.split()
+    if len(parts) < 2 or not all(part.isidentifier() for part in parts):
+        return ""
+    return f"; in a name no blank stands: {'_'.join(parts)}; several names have commas between them: {', '.join(parts)}"
 
 
 def _from_a_to_z(text: str) -> str:

@@ -127,7 +127,9 @@ class NearestFree(Strict):
     """A random one of the nearest free spots."""
 
     nearest_free: Names = described(..., "spots, or a group of spots")
-    to: Name | Point | None = described(None, "the entity, spot or point to be near; left out: the moved entity")
+    to: Name | Point | None = described(
+        None, "the entity, spot or point to be near, each, or a draw's name; left out: the moved entity"
+    )
     choose_among: int = described(1, "draw one of this many nearest", ge=1, le=100)
     clearance_m: NotNegative = described(
         0.08,
@@ -141,7 +143,9 @@ class FurthestFree(Strict):
 
     furthest_free: Names = described(..., "spots, or a group of spots")
     from_: Name | Point | None = Field(
-        None, alias="from", description="the entity, spot or point to be far from; left out: the moved entity"
+        None,
+        alias="from",
+        description="the entity, spot or point to be far from, each, or a draw's name; left out: the moved entity",
     )
     choose_among: int = described(1, "draw one of this many furthest", ge=1, le=100)
     clearance_m: NotNegative = described(
@@ -154,7 +158,7 @@ class FurthestFree(Strict):
 class RelativeTo(Strict):
     """Beside another entity or spot; of a ball itself, with a kick: it rolls on from where it is, another way."""
 
-    relative_to: Name = described(..., "an entity or spot")
+    relative_to: Name = described(..., "an entity or spot, each, or a draw's name: what that has decided")
     offset_m: Point = described(
         (0.0, 0.0), "[x, y] from it in m; a mirror mirrors a spot with its offset, of an entity the offset only"
     )
@@ -192,7 +196,7 @@ At = Annotated[
 class Towards(Strict):
     """Look at an entity, a spot or a point: at where it is once all is put that is put in that tick."""
 
-    towards: Name | Point = described(..., "an entity, a spot, or [x, y] in m")
+    towards: Name | Point = described(..., "an entity, a spot, each, a draw's name, or [x, y] in m")
 
 
 class RandomFacing(Strict):

@@ -24,6 +24,8 @@ _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _LONGEST = 64
 _MOST_VALUES = 50_000
 """How many single values all that is repeated may come to: a file of 1 MB that repeats nothing has about as many."""
+_SEVERAL = 2
+"""So many others must have what the first has not, for it to be the first that is wrong."""
 _FORMS = "a list of names, [yellow, blue], or a mapping of values by name, {yellow: {zone: blue_goal}, …}"
 
 
@@ -244,8 +246,9 @@ class _Reader:
         first = rows[0] if rows else None
         if first is None:
             return
+        lacking = self._lacking(first, rows[1:])
         for row in rows[1:]:
-            strangers = [key for key in row.written if key not in first.written]
+            strangers = [key for key in row.written if key not in (*first.written, *lacking)]
             missing = [key for key in first.written if key not in row.written]
             for key in strangers:
                 hint = nearest(key, missing)
@@ -257,6 +260,18 @@ class _Reader:
             for key in missing:
                 message = f"'{key}' is missing, which '{first.name}' has{_line(first.key_marks[key], row.mark)}"
                 self._add((row.step,), row.mark, f"{message}; all names need the same keys")
+
+    def _lacking(self, first: _Row, others: list[_Row]) -> list[str]:
+        """Tell what all others have and the first has not: once, where it is missing; return these keys."""
+        if len(others) < _SEVERAL:
+            return []
+        keys = [key for key in others[0].written if all(key in row.written for row in others)]
+        lacking = [key for key in keys if key not in first.written and not nearest(key, first.written)]
+        for key in lacking:
+            where = _line(others[0].key_marks[key], first.mark)
+            message = f"'{key}' is missing, which '{others[0].name}' and all others have{where}"
+            self._add((first.step,), first.mark, message)
+        return lacking
 
     def _read(self, row: _Row, keys: Iterable[str]) -> None:
         # What a name lacks is told; its uses are not wrong as well.

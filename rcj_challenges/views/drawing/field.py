@@ -10,7 +10,7 @@ from rcj_challenges.scenario.models.field import Box as BoxObstacle
 from rcj_challenges.scenario.models.field import Cylinder, Wall
 from rcj_challenges.scenario.models.places import Gate, OnLine, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.remembered import remembered_spots
+from rcj_challenges.scenario.remembered import remembered_spots, set_at_once
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.drawing.areas import placement_areas
 from rcj_challenges.views.drawing.around import lines_around
@@ -19,6 +19,7 @@ from rcj_challenges.views.drawing.labels import Point
 from rcj_challenges.views.drawing.paper import Paper
 from rcj_challenges.views.drawing.reaches import reaches
 from rcj_challenges.views.drawing.shapes import (
+    FORWARD_M,
     box,
     floor_of,
     forward_mark,
@@ -35,15 +36,20 @@ from rcj_challenges.views.drawing.shapes import (
     zone_words,
 )
 
-_PX_PER_M = 460.0
-_MARGIN_M = 0.1
+_PX_PER_M = 460.0  # of a field of the usual size
+_MOST_PX = (968.0, 1408.0)  # across and up: of a larger field the scale is smaller, and texts keep their size
+_MARGIN_PX = 46.0
 _LEGEND_PX = 380.0
 _LINE_PX = 15.0
 _CHARACTERS = 60  # of a line of the legend: 380 px hold them in wide fonts too
 _TITLE_CHARACTERS = 38
 _THICK = 3.0  # what it costs a label to cover a pixel of a wall, of an obstacle or of a gate, which are thick
-_DOT_M = 0.006  # half the side of the square that marks a place without noise
-_IN_A_ROBOT = 4  # characters of a name that fit into its body
+# Marks keep their size, whatever the scale: these are half of it on a field of the usual size.
+_DOT_M = 0.006  # the square that marks a place without noise
+_CROSS_M = 0.012  # a spot
+_POST_M = 0.008  # the end of a gate
+_TIP_M = 0.006  # the end of its mark that points forward
+_NUMBER_PX = 8.5  # of a character of the name in a robot's body
 _PUT = "#f08c00"  # what rules put somewhere
 # Of zones; none of these is near orange.
 _ZONE_COLOURS = ("#7048e8", "#1098ad", "#d6336c", "#5c940d", "#9c36b5", "#4263eb", "#0b7285", "#a61e4d")
@@ -70,8 +76,10 @@ def draw_scenario(scenario: Scenario, roster: Roster) -> str:
     """
     field = scenario.field
     depth = max((goal.depth_m for goal in field.goals.values()), default=0.0)
-    half_x, half_y = field.width_m / 2 + _MARGIN_M, field.length_m / 2 + depth + _MARGIN_M
-    paper = Paper((-half_x, -half_y, half_x, half_y), _PX_PER_M)
+    x, y = field.width_m / 2, field.length_m / 2 + depth
+    px_per_m = min(_PX_PER_M, _MOST_PX[0] / (2 * x), _MOST_PX[1] / (2 * y))
+    x, y = x + _MARGIN_PX / px_per_m, y + _MARGIN_PX / px_per_m
+    paper = Paper((-x, -y, x, y), px_per_m)
     _ground(paper, scenario)
     _zones(paper, scenario)
     _placement_areas(paper, scenario, roster)
@@ -83,6 +91,11 @@ def draw_scenario(scenario: Scenario, roster: Roster) -> str:
     _bodies(paper, scenario, roster)
     height = _legend(paper, scenario, roster)
     return paper.svg(title=f"{scenario.title}: field", style=_STYLE, extra_width_px=_LEGEND_PX, height_px=height)
+
+
+def _mark_m(paper: Paper, usual_m: float) -> float:
+    """Return how large a mark is, in m of the paper's scale, that has a size on a field of the usual size."""
+    return usual_m * _PX_PER_M / paper.scale
 
 
 def _ground(paper: Paper, scenario: Scenario) -> None:
@@ -146,10 +159,11 @@ def _placement_areas(paper: Paper, scenario: Scenario, roster: Roster) -> None:
             paper.line(start, end, line, f"{names} anywhere on this line", in_the_way=_THICK)
             paper.label(((start[0] + 3 * end[0]) / 4, (start[1] + 3 * end[1]) / 4), names, colour=colour)
         else:
-            x, y = (2 * max(noise, _DOT_M) for noise in area.noise_m)
+            dot_m = _mark_m(paper, _DOT_M)
+            x, y = (2 * max(noise, dot_m) for noise in area.noise_m)
             paper.polygon([shifted(at, corner) for corner in box(x, y)], style, f"{names} at {point_words(at)}")
             # A dot may lie under a robot: the line that leads there tells where it is.
-            paper.label(at, names, reach_m=max(area.noise_m[1], _DOT_M), colour=colour)
+            paper.label(at, names, reach_m=max(area.noise_m[1], dot_m), colour=colour)
 
 
 def _start(scenario: Scenario, name: str) -> Point | None:
@@ -158,7 +172,8 @@ def _start(scenario: Scenario, name: str) -> Point | None:
 
 def _reaches(paper: Paper, scenario: Scenario, roster: Roster) -> None:
     """Draw the distances that rules measure, within the walls: nothing is ever behind them."""
-    remembered, measured = remembered_spots(scenario), reaches(scenario, roster)
+    remembered, nowhere = remembered_spots(scenario), set_at_once(scenario)
+    measured = [reach for reach in reaches(scenario, roster) if reach.name not in nowhere]
     if measured:
         field = scenario.field
         paper.clip(_WITHIN, [floor_of(field), *(goal_floor(goal, field) for goal in field.goals.values())])
@@ -186,25 +201,29 @@ def _gates(paper: Paper, scenario: Scenario) -> None:
             start, end = turned([start, end], home(scenario, gate.anchor), home_yaw_rad(scenario, gate.anchor))
         paper.line(start, end, 'stroke="#c92a2a" stroke-width="3"', name, in_the_way=_THICK)
         for post in (start, end):
-            paper.circle(post, 0.008, 'fill="#c92a2a"')
-            paper.reserve(post, 0.008)
-        centre, tip = forward_mark(start, end)
+            paper.circle(post, _mark_m(paper, _POST_M), 'fill="#c92a2a"')
+            paper.reserve(post, _mark_m(paper, _POST_M))
+        centre, tip = forward_mark(start, end, _mark_m(paper, FORWARD_M))
         paper.line(centre, tip, 'stroke="#c92a2a" stroke-width="2"', "forward", in_the_way=_THICK)
-        paper.circle(tip, 0.006, 'fill="#c92a2a"')
-        paper.reserve(tip, 0.006)
+        paper.circle(tip, _mark_m(paper, _TIP_M), 'fill="#c92a2a"')
+        paper.reserve(tip, _mark_m(paper, _TIP_M))
         paper.label(centre, name, colour=_dark("#c92a2a"))
 
 
 def _spots(paper: Paper, scenario: Scenario) -> None:
-    remembered = remembered_spots(scenario)
+    """Draw the spots, but for those that are set as soon as a half starts: they are never where the file says."""
+    remembered, reach_m = remembered_spots(scenario), _mark_m(paper, _CROSS_M)
+    nowhere = set_at_once(scenario)
     for name, spot in scenario.spots.items():
+        if name in nowhere:
+            continue
         at, is_set = (spot.x_m, spot.y_m), name in remembered
         style = f'stroke="{_PUT if is_set else "#212529"}" stroke-width="2"'
-        for dx, dy in ((0.012, 0.0), (0.0, 0.012)):
+        for dx, dy in ((reach_m, 0.0), (0.0, reach_m)):
             words = f"{name}{_SET if is_set else ''}"
             paper.line((at[0] - dx, at[1] - dy), (at[0] + dx, at[1] + dy), style, words)
-        paper.reserve(at, 0.012)
-        paper.label(at, name, reach_m=0.012, colour=_dark(_PUT) if is_set else "")
+        paper.reserve(at, reach_m)
+        paper.label(at, name, reach_m=reach_m, colour=_dark(_PUT) if is_set else "")
 
 
 def _obstacles(paper: Paper, scenario: Scenario) -> None:
@@ -260,7 +279,7 @@ def _bodies(paper: Paper, scenario: Scenario, roster: Roster) -> None:
         ]
         paper.polygon(turned(nose, at, start.yaw_rad), f'fill="{_ink_on(body)}"', "its front")
         paper.reserve(at, chassis.size_m * 0.7)
-        if len(name) <= _IN_A_ROBOT:
+        if len(name) * _NUMBER_PX <= chassis.size_m * paper.scale:
             x, y = paper.px(at)
             paper.text_px(x, y + 5, name, "number" if _ink_on(body) == _WHITE else "number dark")
         else:
@@ -302,8 +321,11 @@ def _legend_entries(scenario: Scenario, roster: Roster) -> list[tuple[str, list[
         for name, gate in scenario.gates.items()
     ]
     remembered = remembered_spots(scenario)
+    nowhere = set_at_once(scenario)
     spots = [
-        f"{name}: {spot.x_m + 0.0:g}, {spot.y_m + 0.0:g}{_SET if name in remembered else ''}"
+        f"{name}: rules set it when a half starts"
+        if name in nowhere
+        else f"{name}: {spot.x_m + 0.0:g}, {spot.y_m + 0.0:g}{_SET if name in remembered else ''}"
         for name, spot in scenario.spots.items()
     ]
     starts = [

@@ -11,7 +11,7 @@ from rcj_challenges.scenario.starting import start_pose
 from rcj_challenges.views.drawing.labels import Box, Point
 
 _NOTHING_M2 = 1e-6  # an area that nobody sees: a square millimetre
-_FORWARD_M = 0.05
+FORWARD_M = 0.05
 
 
 def zone_outline(zone: Zone, bounds: Box) -> list[Point]:
@@ -144,10 +144,10 @@ def turned(points: list[Point], at: Point, yaw_rad: float) -> list[Point]:
     return [(at[0] + c * x - s * y, at[1] + s * x + c * y) for x, y in points]
 
 
-def forward_mark(start: Point, end: Point) -> tuple[Point, Point]:
+def forward_mark(start: Point, end: Point, length_m: float = FORWARD_M) -> tuple[Point, Point]:
     """Return both ends of a gate's short mark, which points forward: of who drives so the first post is on the left."""
     x, y = (start[0] + end[0]) / 2, (start[1] + end[1]) / 2
-    share = _FORWARD_M / (math.dist(start, end) or 1.0)
+    share = length_m / (math.dist(start, end) or 1.0)
     return (x, y), (x - share * (end[1] - start[1]), y + share * (end[0] - start[0]))
 
 

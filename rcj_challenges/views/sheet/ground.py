@@ -7,7 +7,7 @@ from typing import Any
 
 from rcj_challenges.scenario.models import field as models
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.remembered import remembered_spots
+from rcj_challenges.scenario.remembered import remembered_spots, set_at_once
 from rcj_challenges.views.drawing import draw_scenario
 from rcj_challenges.views.drawing.shapes import point_words
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Picture, Table
@@ -80,11 +80,14 @@ def _goals(nouns: Nouns, field: models.FieldModel) -> str:
 
 
 def _remembered(nouns: Nouns) -> Iterator[Block]:
-    """Return that some spots do not stay where the drawing shows them."""
-    spots = remembered_spots(nouns.scenario)
-    if spots:
-        those = listed([nouns.thing(name) for name in spots], "and")
-        are, them = ("they are", "them") if len(spots) > 1 else ("it is", "it")
+    """Return that some spots do not stay where the drawing shows them, or are never there."""
+    at_once = set_at_once(nouns.scenario)
+    later = [name for name in remembered_spots(nouns.scenario) if name not in at_once]
+    if at_once:
+        yield Paragraph(f"Rules set {listed([*map(nouns.thing, at_once)], 'and')} as soon as a half starts.")
+    if later:
+        those = listed([*map(nouns.thing, later)], "and")
+        are, them = ("they are", "them") if len(later) > 1 else ("it is", "it")
         yield Paragraph(f"Rules set {those} anew in a half; until then {are} where the drawing shows {them}.")
 
 
