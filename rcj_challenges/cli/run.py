@@ -169,8 +169,9 @@ def _tell_all(options: RunOptions, console: Console, plan: MatchPlan, outcome: P
     from rcj_challenges.records.folder import LOGS
 
     scenario, written = plan.loaded.scenario, False
-    hints = advice_on(scenario, plan.teams, outcome.result["faults"], outcome.folder / LOGS)
-    try:
+    hints: Sequence[dict[str, Any]] = []
+    try:  # whatever comes of the advice and the page, the match is told
+        hints = advice_on(scenario, plan.teams, outcome.result["faults"], outcome.folder / LOGS)
         if options.replay and _has_ticks(outcome):
             from rcj_challenges.views.replay import write_replay
 
