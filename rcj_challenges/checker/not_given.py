@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import ast
 import re
 from pathlib import PurePath, PurePosixPath, PureWindowsPath
 
+from rcj_challenges.checker.advice.crash_lines import unquoted
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.shown import shown
 
@@ -26,7 +26,7 @@ def on_not_given(team: Team, detail: str) -> str:
     if (found := _MODULE.match(detail)) is not None:
         return module_not_given(team, found["module"])
     if (found := _FILE.match(detail)) is not None:
-        asked: PurePath = PureWindowsPath(ast.literal_eval(found["path"]))  # Python wrote it, as a text
+        asked: PurePath = PureWindowsPath(unquoted(found["path"]))
         return _told(team, asked.parts[0]) if asked.parts and not asked.anchor else ""
     return ""
 

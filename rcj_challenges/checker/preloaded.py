@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import functools
 import sys
-import tempfile
 from collections.abc import Iterable
-from pathlib import Path, PurePosixPath
+from pathlib import PurePosixPath
 
 from rcj_challenges.checker.modules import Library, Module, places_of
 from rcj_challenges.controllers.crew import Crew, CrewPlan
+from rcj_challenges.controllers.private_folders import PrivateFolders
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.facts.traffic import RobotSpec
@@ -66,8 +66,8 @@ def loaded_before(sandbox: str) -> frozenset[str]:
 
 def _asked(sandbox: str) -> frozenset[str]:
     """Return the names that a program finds taken; none if it does not come to tell them."""
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
+    with PrivateFolders() as folders:
+        folder = folders.place
         probe = folder / "probe.py"
         probe.write_text(_PROBE, encoding="utf-8")
         plan = CrewPlan(limits=Limits(), half=1, match_seed=0, logs=folder, sandbox=sandbox)

@@ -10,6 +10,7 @@ one line of JSON for each file, in order, as soon as it is known.
 from __future__ import annotations
 
 import ast
+import contextlib
 import json
 import sys
 import warnings
@@ -18,6 +19,8 @@ from typing import Any, NamedTuple
 
 MEMORY_BYTES = 2_000_000_000
 """Far above what any honest file needs; where the system lets us, Python gets no more."""
+PROCESSOR_S = 30
+"""More than anybody waits for an answer: so this process comes to an end also where nobody is left who could end it."""
 
 _CATCHES = frozenset({"ImportError", "ModuleNotFoundError", "Exception", "BaseException"})
 _CATCHES_UNREADABLE = frozenset({"SyntaxError", "IndentationError"})
@@ -49,7 +52,7 @@ class _Spot(NamedTuple):
 
 def main() -> None:
     """Read all files and say what is in them."""
-    _limit_memory()
+    limit_itself()
     warnings.simplefilter("ignore")  # a strange escape in a string is no reason to complain here
     source = sys.stdin.buffer
     for name, size in json.loads(source.readline()):
@@ -250,14 +253,19 @@ def _moves_path(tree: ast.AST) -> bool:
 _PATH_OWNERS = frozenset({"sys", "site"})
 
 
-def _limit_memory() -> None:
+def limit_itself() -> None:
+    """Limit the memory and the processor time of this process, and let it leave no dump, as far as the system does."""
     try:
         import resource  # noqa: PLC0415 - not on every system
-
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
-        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    except (ImportError, OSError, ValueError):
+    except ImportError:
         return
+    for kind, limit in (
+        (resource.RLIMIT_AS, MEMORY_BYTES),
+        (resource.RLIMIT_CPU, PROCESSOR_S),
+        (resource.RLIMIT_CORE, 0),
+    ):
+        with contextlib.suppress(OSError, ValueError):  # not on every system, or there is a lower one
+            resource.setrlimit(kind, (limit, limit))
 
 
 if __name__ == "__main__":

@@ -14,7 +14,8 @@ MOST_BYTES = 2_000_000
 """A longer Python file is not looked into: to read 2 MB of source takes Python seconds."""
 
 _READER = Path(__file__).with_name("reader.py")
-_PATIENCE_S = 20.0
+PATIENCE_S = 20.0
+"""For so long an answer about files that are read together is waited for."""
 _MOST_CRASHES = 5
 
 
@@ -98,11 +99,14 @@ def _ask(paths: Sequence[PurePosixPath], files: Mapping[PurePosixPath, bytes]) -
     ended = "crash"
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
         try:
-            said, _ = process.communicate(told, _PATIENCE_S)
+            said, _ = process.communicate(told, PATIENCE_S)
         except subprocess.TimeoutExpired:
             process.kill()
             said, _ = process.communicate()
             ended = "slow"
+        except BaseException:  # somebody has interrupted the check
+            process.kill()
+            raise
     lines = said.split(b"\n")[:-1]  # what follows the last line break was never finished
     return [_source(json.loads(line)) for line in lines[: len(paths)]], ended
 

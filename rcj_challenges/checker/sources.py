@@ -29,6 +29,7 @@ from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.shown import shown
 
 _MOST_FINDINGS = 40
+_MOST_LOOKED_FOR = 100  # of modules that are nowhere: to look through thousands of files for each would take hours
 _PYTHON = f"Python {platform.python_version()}"
 
 Unit = tuple[PurePosixPath, int]
@@ -91,6 +92,7 @@ class _Walk:
         self._sources = sources
         self._makes_modules = any(_MAKES_MODULES.search(team.files[path]) for path in sources)
         self._unread = unread
+        self._looked_for = 0
         self._usual = Library(team.files, places_of(entry))
         self._library = self._usual
         self._follow(entry)
@@ -219,6 +221,10 @@ class _Walk:
             inside: names of what is asked for in it, one in the other: then it is a folder.
         """
         quoted = shown(name)
+        nowhere = f'imports "{quoted}", which is neither part of Python, nor numpy or scipy, nor in the submission'
+        self._looked_for += 1
+        if self._looked_for > _MOST_LOOKED_FOR:
+            return "missing_module", nowhere, f"put {quoted}.py beside the program, or do without it"
         names = self._usual.names()
         other_case = next((near for near in names if near.casefold() == name.casefold()), None)
         if other_case is not None:
@@ -230,8 +236,7 @@ class _Walk:
         if place is not None:
             message = f'imports "{quoted}", but {shown(place)} is not where Python looks for it'
             return "elsewhere", message, "move the file beside the program, or import it by the name of its folder"
-        message = f'imports "{quoted}", which is neither part of Python, nor numpy or scipy, nor in the submission'
-        return "missing_module", message, self._instead_of_missing(name, inside, names)
+        return "missing_module", nowhere, self._instead_of_missing(name, inside, names)
 
     def _instead_of_missing(self, name: str, inside: list[str], names: list[str]) -> str:
         """Return what to do about a module that is nowhere, where ``names`` could be imported."""

@@ -170,7 +170,7 @@ def _tell_all(options: RunOptions, console: Console, plan: MatchPlan, outcome: P
     from rcj_challenges.records.folder import LOGS
 
     scenario = plan.loaded.scenario
-    hints = advice_on(scenario, plan.teams, outcome.result["faults"], outcome.folder / LOGS)
+    hints: Sequence[dict[str, Any]] = []
 
     def say(*, replay: bool) -> None:
         if options.json:
@@ -179,7 +179,8 @@ def _tell_all(options: RunOptions, console: Console, plan: MatchPlan, outcome: P
             _summary(console, scenario, outcome, hints, replay=replay)
 
     wanted = options.replay and _has_ticks(outcome)
-    try:
+    try:  # whatever comes of the advice and the page, the match is told
+        hints = advice_on(scenario, plan.teams, outcome.result["faults"], outcome.folder / LOGS)
         if wanted:
             from rcj_challenges.views.replay import write_replay
 

@@ -100,9 +100,9 @@ class Process:
             return None
         return tasks.usage_of(self._innermost_pid())
 
-    def nameless_bytes(self, output_fd: int) -> int:
-        """Return what it holds in files that it has deleted but not closed; 0 where that cannot be told."""
-        return scratch.nameless_bytes(self._innermost_pid(), output_fd)
+    def nameless_bytes(self, output_fd: int, folder: Path) -> float:
+        """Return what it holds in files that it has deleted and still uses; 0 where that cannot be told."""
+        return scratch.nameless_bytes(self._innermost_pid(), output_fd, folder)
 
     def say_where_it_is(self, lifeline_fd: int | None) -> None:
         """Let it write its present traceback to its log and end. It may refuse, so `kill` afterwards.

@@ -475,7 +475,7 @@ class Program:
         return "output_flood", f"the program wrote more than {self._limits.scratch_mb:g} MB into its folder"
 
     def _has_written_more_than(self, folder: Path, limit_bytes: float) -> bool:
-        nameless = 0 if self._process is None else self._process.nameless_bytes(self._output_fd())
+        nameless = 0 if self._process is None else self._process.nameless_bytes(self._output_fd(), folder)
         return scratch.has_more_than(folder, limit_bytes - nameless)
 
     def _usage(self) -> Usage | None:

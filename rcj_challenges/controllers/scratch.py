@@ -24,6 +24,9 @@ _LONGEST_PATH = 512
 _ROOM_BYTES = 1_000_000
 """More than a program writes at once, than a page of some teams needs, and a replay of ten seconds."""
 
+_DELETED = b" (deleted)\n"
+"""How Linux tells of a file in a process's memory that it has no name any more."""
+
 _OF_FILES = 0.9
 """Part of a disk that files take, as they are counted here: the rest is lists of them and halves of blocks."""
 
@@ -93,12 +96,15 @@ def _entry_bytes(entry: os.DirEntry[str]) -> int:
     return _ENTRY_BYTES
 
 
-def nameless_bytes(pid: int, output_fd: int) -> int:
+def nameless_bytes(pid: int, output_fd: int, folder: Path) -> float:
     """Return what a process holds in files that have no name any more (Linux; elsewhere 0).
+
+    Infinite if there is one that it keeps only by having it in its memory: nobody tells how large that is.
 
     Args:
         pid: of the process.
         output_fd: open here: the file of its output, which is counted elsewhere.
+        folder: its private one.
     """
     total = 0
     if sys.platform == "linux":
@@ -110,7 +116,21 @@ def nameless_bytes(pid: int, output_fd: int) -> int:
                     if stat.S_ISREG(status.st_mode) and not status.st_nlink and _identity(status) not in known:
                         known.add(_identity(status))
                         total += status.st_size
+        if _maps_another(pid, folder, {inode for _, inode in known}):
+            return math.inf
     return total
+
+
+def _maps_another(pid: int, folder: Path, known: set[int]) -> bool:
+    """Return whether a process has a file in its memory that was in a folder and is deleted, beside known inodes."""
+    below = os.fsencode(f"{folder}{os.sep}")
+    try:
+        with open(f"/proc/{pid}/maps", "rb") as file:  # noqa: PTH123 - no path of ours
+            # Addresses, rights, offset, device, inode, path.
+            mapped = [line.split(maxsplit=5) for line in file if line.endswith(_DELETED) and below in line]
+    except OSError:
+        return False
+    return any(fields[5].startswith(below) and int(fields[4]) not in known for fields in mapped)
 
 
 def _identity(status: os.stat_result) -> tuple[int, int]:

@@ -121,3 +121,15 @@ def test_other_errors_of_the_system_say_nothing_of_files(remedy):
     assert remedy("OSError: [Errno 22] Invalid argument") == ""
     assert remedy("ValueError: No such file or directory: 5") == ""
     assert remedy(f"{MISSING}'{'x' * 5000}' (a.py, line 1)") == ""
+
+
+@pytest.mark.parametrize(
+    "quoted",
+    [r"'\x'", r"'C:\users'", r"'\N{no such letter}'", r"'data/\ud800.txt'", r"'\d'", r"'\'", r"'\\'"],
+    ids=ascii,
+)
+@pytest.mark.parametrize("error", [MISSING, "PermissionError: [Errno 13] Permission denied: "])
+@pytest.mark.filterwarnings("error")
+def test_what_a_program_itself_wrote_in_the_words_of_python_costs_nothing_but_the_advice(remedy, error, quoted):
+    program = "try:\n    open('data/x', 'w')\nexcept OSError:\n    pass\n"
+    assert isinstance(remedy(f"{error}{quoted} ({FOLDER}/{FOLDER}.py, line 3)", program=program), str)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import tempfile
 
 import pytest
 
@@ -10,6 +11,7 @@ from rcj_challenges.checker import preloaded
 from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.checker.preloaded import loaded_before
 from rcj_challenges.checker.sources import check_sources
+from rcj_challenges.controllers.private_folders import PREFIX
 from rcj_challenges.controllers.team import open_team
 from tests.checker.alone import alone
 
@@ -109,3 +111,18 @@ def test_where_no_program_can_be_started_only_what_is_part_of_the_interpreter_co
         assert loaded_before("auto") == set(sys.builtin_module_names) & sys.stdlib_module_names
     finally:
         loaded_before.cache_clear()
+
+
+def test_what_a_killed_check_leaves_of_it_is_where_the_next_one_finds_and_removes_it(tmp_path, monkeypatch):
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    seen = []
+
+    def opened(path, *seats):
+        seen.extend(tmp_path.iterdir())
+        return open_team(path, *seats)
+
+    monkeypatch.setattr(preloaded, "open_team", opened)
+    assert "sys" in preloaded.loaded_before.__wrapped__("auto")
+    assert seen
+    assert all(folder.name.startswith(PREFIX) for folder in seen)
+    assert not list(tmp_path.iterdir())

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from rcj_challenges.checker.modules import Library
 from rcj_challenges.checker.reader import read_source
 from tests.checker import test_sources
 from tests.checker.test_sources import codes, only
@@ -83,3 +84,13 @@ def test_what_only_python_2_could_read_is_told_with_what_to_write_now(check, pro
 def test_several_errors_without_brackets_are_not_taken_for_python_2(check):
     found = only(check("try:\n    x = 1\nexcept KeyError, ValueError:\n    pass\n"))
     assert "write except (KeyError, ValueError):" in found.remedy
+
+
+def test_for_hundreds_of_modules_that_are_nowhere_not_all_files_are_looked_through_each_time(check, monkeypatch):
+    looked = []
+    names = Library.names
+    monkeypatch.setattr(Library, "names", lambda library: looked.append(library) or names(library))
+    stage = check("".join(f"import nowhere_{number}\n" for number in range(300)))
+    assert codes(stage)[:2] == ["missing_module", "missing_module"]
+    assert "260 more of the kind" in stage.findings[-1].message
+    assert len(looked) < 300

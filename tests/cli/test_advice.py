@@ -79,6 +79,22 @@ def test_who_reads_the_result_as_json_is_told_the_same_and_the_record_keeps_what
     assert "hints" not in json.loads(result.read_text(encoding="utf-8"))
 
 
+@pytest.mark.parametrize("output", ["--json", "--quiet"])
+def test_a_match_is_told_also_where_the_advice_fails_by_a_fault_of_ours(tmp_path, monkeypatch, capsys, output):
+    def fails(*_):
+        raise LookupError("no such advice")
+
+    monkeypatch.setattr("rcj_challenges.cli.advice.advice_on", fails)
+    (tmp_path / "team.py").write_text(JSON_PROGRAM, encoding="utf-8")
+    assert here(monkeypatch, tmp_path, *short("team.py", output, "--no-replay", *DUEL)) == 3
+    told = capsys.readouterr()
+    assert "our fault" in told.err
+    if output == "--json":
+        RunResult.model_validate(json.loads(told.out))
+    else:
+        assert "record:" in told.out
+
+
 @pytest.mark.parametrize(
     ("program", "beside", "named"),
     [
@@ -109,6 +125,7 @@ def test_who_gives_one_file_and_not_its_folder_is_told_what_lies_beside_it(
         ("x, y = controller.Robot().getDevice('gps').getValues()\n", "these are three numbers"),
         ("input('Role? ')\n", "nobody types in a match"),
         ("open('C:/me/speeds.csv')\n", "a place on your own computer"),
+        (r"""raise FileNotFoundError("[Errno 2] No such file or directory: '\\x'")""", "was not handed in"),
         ("for n in xrange(5): pass\n", "Python 2 was the last that had xrange"),
         ("robot = controller.Robot()\nwhile robot.step(32): pass\n", "the loop in line 3 ends at once"),
         ("exit()\n", "leave out exit()"),

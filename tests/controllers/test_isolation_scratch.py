@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import mmap
 import os
 import shutil
 import sys
@@ -14,6 +15,7 @@ from fake_match import FakeMatch
 
 from rcj_challenges.controllers import scratch
 
+linux = pytest.mark.skipif(sys.platform != "linux", reason="elsewhere nobody tells")
 posix = pytest.mark.skipif(sys.platform == "win32", reason="paths of Windows end before this depth")
 
 
@@ -37,6 +39,18 @@ def test_files_count_by_their_size_and_for_at_least_a_block(tmp_path: Path) -> N
     (tmp_path / "folder").mkdir()
     assert scratch.has_more_than(tmp_path, 100_000 + 2 * scratch._ENTRY_BYTES - 1)
     assert not scratch.has_more_than(tmp_path, 100_000 + 2 * scratch._ENTRY_BYTES)
+
+
+@linux
+def test_a_deleted_file_that_is_open_counts_by_its_size_also_if_it_is_mapped(tmp_path: Path) -> None:
+    before = scratch.nameless_bytes(os.getpid(), -1, tmp_path)
+    with (tmp_path / "table").open("wb+") as file:
+        file.write(bytes(100_000))
+        file.flush()
+        with mmap.mmap(file.fileno(), 4096), mmap.mmap(-1, 4096):  # the second one is memory and no file
+            assert scratch.nameless_bytes(os.getpid(), -1, tmp_path) == before
+            (tmp_path / "table").unlink()
+            assert scratch.nameless_bytes(os.getpid(), -1, tmp_path) == before + 100_000
 
 
 @posix

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import ast
 import re
 from collections.abc import Mapping
 from pathlib import PurePosixPath, PureWindowsPath
 
+from rcj_challenges.checker.advice.crash_lines import unquoted
 from rcj_challenges.checker.modules import REFUSED
 from rcj_challenges.facts.shown import shown
 
@@ -37,10 +37,10 @@ def on_system(detail: str, entry: PurePosixPath, files: Mapping[PurePosixPath, b
         files: of the team.
     """
     if (found := _NOT_FOUND.match(detail)) is not None:
-        return _on_missing(_path(found), entry.parent, files)
+        return _on_missing(unquoted(found["path"]), entry.parent, files)
     if (found := _REFUSED.match(detail)) is None:
         return ""
-    path = _path(found) if found["path"] else ""
+    path = unquoted(found["path"]) if found["path"] else ""
     parts = PurePosixPath(path).parts
     if not path or (parts[1:2] and parts[1] in _OF_THE_SYSTEM):
         return _on_refused(files)
@@ -49,10 +49,6 @@ def on_system(detail: str, entry: PurePosixPath, files: Mapping[PurePosixPath, b
         f'a program may write only into its own folder, which is the current one: write "{name}" without a folder. '
         "The file is gone after the half: what you want to read then, print"
     )
-
-
-def _path(found: re.Match[str]) -> str:
-    return str(ast.literal_eval(found["path"]))  # Python wrote it, as a text
 
 
 def _on_missing(asked: str, current: PurePosixPath, files: Mapping[PurePosixPath, bytes]) -> str:

@@ -1,4 +1,4 @@
-"""Where a program crashed: the file and the line that the last line of its report names."""
+"""Where a program crashed, by the last line of its report: the file and the line, and how Python quotes in it."""
 
 from __future__ import annotations
 
@@ -43,6 +43,14 @@ def crash_line(detail: str, files: Mapping[PurePosixPath, bytes]) -> CrashLine |
     lines = content.splitlines()  # of bytes: at the same places as Python does
     number = int(found["line"])
     return CrashLine(file, number, text_of(lines[number - 1][:_MOST_LINE])) if 0 < number <= len(lines) else None
+
+
+def unquoted(text: str) -> str:
+    """Return the name of a file without the quotation marks and backslashes that Python adds.
+
+    A program may have written all of it: so whatever it is, it is taken as it stands, and not as a text of Python's.
+    """
+    return re.sub(r"\\(.)", r"\1", text[1:-1])
 
 
 def text_of(content: bytes) -> str:

@@ -17,7 +17,10 @@ from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.scenario.resources import presets_folder
 
 # What `controller.Robot.getDevice` writes into a program's log when it gives None.
-_NO_DEVICE = re.compile(r'^Warning: "(?P<asked>.*)" device not found\. This robot has: (?P<has>.*)\.$', re.MULTILINE)
+# A program may print such lines itself, as long ones as it likes: in them the search could take for ever.
+_NO_DEVICE = re.compile(
+    r'^Warning: "(?P<asked>.{0,300})" device not found\. This robot has: (?P<has>.{0,8000})\.$', re.MULTILINE
+)
 _OF_NOTHING = re.compile(r"AttributeError: 'NoneType' object has no attribute '(?P<attribute>\w{1,100})'")
 # Methods of Webots' devices, also of those that no robot here has. Of a ball that is not in sight others are asked.
 _OF_DEVICES = re.compile(

@@ -16,16 +16,15 @@ from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, listing, nea
 from rcj_challenges.scenario.messages.named_places import for_place
 from rcj_challenges.scenario.messages.other_names import other_name
 from rcj_challenges.scenario.messages.taken_away import for_nothing
+from rcj_challenges.scenario.messages.values_instead import for_reckoned, for_value
 from rcj_challenges.scenario.messages.ways_out import (
     for_coordinates,
     for_degrees,
     for_key,
     for_named,
     for_param,
-    for_reckoned,
     for_repeated,
     for_several,
-    for_value,
 )
 from rcj_challenges.scenario.messages.wording import expectation, expected, found_text, is_fixed, no_name, refusal
 from rcj_challenges.scenario.models.actions import Action
