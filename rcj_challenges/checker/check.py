@@ -74,6 +74,7 @@ class _Findings:
     """What is known so far."""
 
     stages: dict[StageName, Stage] = field(default_factory=dict)
+    started: dict[str, str] = field(default_factory=dict)
     matches: list[MatchReport] = field(default_factory=list)
     hindrance: str = ""
     our_fault: bool = False
@@ -131,6 +132,7 @@ def check_file(
         digest=inspection.digest if inspection is not None else "",
         repaired=repaired or [],
         stages=stages,
+        started=found.started,
         matches=found.matches,
         wall_s=round(time.perf_counter() - began, 3),
         logo=_logo(inspection),
@@ -237,7 +239,10 @@ def _run(found: _Findings, options: CheckOptions, named: Called, rehearsal_in: C
         rehearsal = rehearsal_in(folders.place)
 
         def start() -> Stage:
-            return _unless_full(check_start(rehearsal), folders.place)
+            started = check_start(rehearsal)
+            if options.show_output and started.stage.failed:  # else what is played shows it
+                found.started = _outputs(started.match)
+            return _unless_full(started.stage, folders.place)
 
         def play() -> Stage:
             played = check_play(rehearsal, options.play_s)
@@ -329,10 +334,12 @@ def _match(match: Rehearsed, named: Called, options: CheckOptions) -> MatchRepor
             no_replay = shown(f"{error.filename or options.replays}: {advised(error)}", 400)
         except RecordError as error:
             no_replay = shown(error, 400)
-    outputs = {}
-    if options.show_output:
-        outputs = {robot: shown_block(match.log(robot), _MOST_OUTPUT_LINES) for robot in match.motions}
-    return match_report(match, replay, no_replay, outputs)
+    return match_report(match, replay, no_replay, _outputs(match) if options.show_output else {})
+
+
+def _outputs(match: Rehearsed) -> dict[str, str]:
+    """Return what programs printed, by robot, safe to show."""
+    return {robot: shown_block(match.log(robot), _MOST_OUTPUT_LINES) for robot in match.motions}
 
 
 def _keep_replay(match: Rehearsed, named: Called, folder: Path) -> Path:

@@ -224,8 +224,11 @@ def _elsewhere(others: Sequence[str]) -> str:
 def _left_over(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
     if opening.contents.kind == "program":
         return []
-    entries = [entry for entry in entries_of(opening.files, seats).values() if entry is not None]
-    return never_started(opening.files, entries, _asked(seats))
+    # Beside an empty file that is to be deleted, those that are started then are no left-overs.
+    spare = {empty.path for empty in empty_programs(opening.files, seats) if empty.started and empty.spare}
+    files = {path: content for path, content in opening.files.items() if path not in spare}
+    entries = [entry for entry in entries_of(files, seats).values() if entry is not None]
+    return never_started(files, entries, _asked(seats))
 
 
 def _empties(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:

@@ -105,6 +105,9 @@ class FileReport(_Part):
     digest: str = _described("SHA-256 over names and contents of its files; empty if they cannot be read")
     repaired: list[str] = _described("what --fix put right before this check")
     stages: list[StageReport] = _described("the stages, in order")
+    started: dict[str, str] = _described(
+        "what programs printed in the stage start, by robot, if that was asked for and the stage failed", default={}
+    )
     matches: list[MatchReport] = _described("the short matches of the stage play")
     wall_s: float = _described("how long the check took in s", ge=0)
     logo: bytes | None = Field(default=None, exclude=True, repr=False, description="its logo, a PNG; not in the JSON")

@@ -94,6 +94,7 @@ def _file(file: FileReport, number: int, folder: Path) -> str:
             f"<p>{_text(verdict(file))}</p>",
             f"<p>Repaired:</p><ul>{repaired}</ul>" if repaired else "",
             f'<ol class="stages">{"".join(map(_stage, file.stages))}</ol>',
+            *(_output(robot, " at its start", output) for robot, output in file.started.items()),
             *(_match(match, folder) for match in file.matches),
             f'<p class="quiet">Files: <code>{_text(file.digest[:16])}</code></p>' if file.digest else "",
             "</article>",
@@ -134,15 +135,17 @@ def _match(match: MatchReport, folder: Path) -> str:
         fault = f'<span class="badge failure">{_text(robot.fault)}</span>' if robot.fault else ""
         numbers = "".join(f'<td class="number">{number_of(robot)}</td>' for number_of in ROBOT_NUMBERS.values())
         rows.append(f"<tr><td>{_text(robot.robot)}</td>{numbers}<td>{fault}</td></tr>")
-    outputs = "".join(
-        f"<details><summary>What {_text(robot.robot)} printed</summary><pre>{_text(robot.output)}</pre></details>"
-        for robot in match.robots
-        if robot.output
-    )
+    outputs = "".join(_output(robot.robot, "", robot.output) for robot in match.robots)
     return (
         f'<div class="scroll"><table><caption>{caption}</caption><thead><tr><th>robot</th>{head}<th></th></tr></thead>'
         f"<tbody>{''.join(rows)}</tbody></table></div>{_replay(match, folder)}{outputs}"
     )
+
+
+def _output(robot: str, when: str, output: str) -> str:
+    if not output:
+        return ""
+    return f"<details><summary>What {_text(robot)} printed{when}</summary><pre>{_text(output)}</pre></details>"
 
 
 def _replay(match: MatchReport, folder: Path) -> str:

@@ -70,8 +70,11 @@ def print_file(console: Console, file: FileReport) -> None:
             _indented(console, Text(f"watch: {shown(match.replay, 400)}"))
         if match.no_replay:
             _indented(console, Text(no_replay(match)))
+    for robot, output in file.started.items():
+        _print_output(console, robot, "at its start", output)
     for match in file.matches:
-        _print_outputs(console, match)
+        for one in match.robots:
+            _print_output(console, one.robot, f"as {', '.join(match.seats)}", one.output)
     _say(console, Text(verdict(file), style=_STYLES[file.level]))
     _say(console, Text(""))
 
@@ -209,12 +212,11 @@ def _robots(match: MatchReport) -> Table:
     return table
 
 
-def _print_outputs(console: Console, match: MatchReport) -> None:
-    for robot in match.robots:
-        if robot.output:
-            _say(console, Text(f"{robot.robot} as {', '.join(match.seats)} printed:", style="dim"))
-            for line in robot.output.split("\n"):
-                console.print(Text(f"{robot.robot} | {line}"), soft_wrap=True)
+def _print_output(console: Console, robot: str, when: str, output: str) -> None:
+    if output:
+        _say(console, Text(f"{robot} {when} printed:", style="dim"))
+        for line in output.split("\n"):
+            console.print(Text(f"{robot} | {line}"), soft_wrap=True)
 
 
 def _say(console: Console, content: RenderableType) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from rcj_challenges.checker.advice.no_device import InsteadOf, asked_in_vain, is_of_a_device
 from rcj_challenges.checker.failing import fault_findings
@@ -25,7 +25,20 @@ _Asked = dict[tuple[str, str], list[str]]
 _IGNORED = re.compile(r"^Warning: (\w+) is ignored and gives None", re.MULTILINE)
 
 
-def check_start(rehearsal: Rehearsal) -> Stage:
+@dataclass(frozen=True)
+class Started:
+    """The stage and what it rests on.
+
+    Attributes:
+        stage: findings.
+        match: the few ticks that were played.
+    """
+
+    stage: Stage
+    match: Rehearsed
+
+
+def check_start(rehearsal: Rehearsal) -> Started:
     """Let the team take all seats that it can at once, for a few ticks.
 
     Raises:
@@ -48,7 +61,7 @@ def check_start(rehearsal: Rehearsal) -> Stage:
                 "start.ok", "passed", f"all robots start and answer, the slowest after {longest_s:.1f} s", "", robots
             )
         )
-    return stage
+    return Started(stage, started)
 
 
 def _slow(started: Rehearsed, limit_s: float) -> Finding | None:

@@ -37,6 +37,12 @@ def test_an_except_that_takes_every_error_and_tells_none_is_named(handler: str) 
     assert why_it_ended({ENTRY: looped(handler)}, ENTRY, has_stepped=True) == SAYS
 
 
+TOLD = (
+    'the "except" in line 6 takes every error: if one ended the program, what was printed of it stands in the program\'s '
+    "output (--show-output). Without try and except Python tells its line as well"
+)
+
+
 @pytest.mark.parametrize(
     "handler",
     [
@@ -45,12 +51,30 @@ def test_an_except_that_takes_every_error_and_tells_none_is_named(handler: str) 
         "except:\n    import traceback\n    traceback.print_exc()",
         "except:\n    print(sys.exc_info())",
         "except:\n    logging.exception('oh')",
+    ],
+)
+def test_of_one_that_tells_them_it_is_said_where(handler: str) -> None:
+    """The loop is there: who is told to write one looks in the wrong place."""
+    assert why_it_ended({ENTRY: looped(handler)}, ENTRY, has_stepped=True) == TOLD
+
+
+def test_one_that_keeps_quiet_is_named_before_one_that_tells() -> None:
+    program = looped("except Exception as e:\n    print(e)") + b"try:\n    robot.step(1 / 0)\nexcept:\n    pass\n"
+    program = program.replace(b"robot.step(1", b"while robot.step(32) != -1: (1")
+    assert "line 10 takes every error: if one ended the program, it kept quiet" in why_it_ended({ENTRY: program}, ENTRY)
+
+
+@pytest.mark.parametrize(
+    "handler",
+    [
         "except:\n    raise",
+        "except Exception as e:\n    print(e)\n    raise",
         "except ValueError:\n    pass",
+        "except ValueError as e:\n    print(e)",
         "finally:\n    pass",
     ],
 )
-def test_nothing_is_said_of_one_that_tells_them_or_takes_some_only(handler: str) -> None:
+def test_nothing_is_said_of_one_that_lets_errors_pass_or_takes_some_only(handler: str) -> None:
     assert why_it_ended({ENTRY: looped(handler)}, ENTRY, has_stepped=True) == ""
 
 
@@ -84,7 +108,8 @@ LOOP = "while robot.step(32) != -1 and n < 9:\n    n += 1\n"
     ],
 )
 def test_one_after_which_the_loop_goes_on_is_not_what_ended_the_program(program: str) -> None:
-    assert why_it_ended({ENTRY: (BEGIN + program).encode()}, ENTRY, has_stepped=True) == ""
+    for written in (program, program.replace("except:\n", "except Exception as e:\n        print(e)\n")):
+        assert why_it_ended({ENTRY: (BEGIN + written).encode()}, ENTRY, has_stepped=True) == ""
 
 
 @pytest.mark.parametrize(

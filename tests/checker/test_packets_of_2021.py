@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import struct
 
 import pytest
@@ -53,7 +54,39 @@ def test_the_size_is_that_of_the_scenarios_own_packet(hint):
     assert "flag" not in hint(ALONE, "ddd" * 6 + "dd", 41).remedy
 
 
-@pytest.mark.parametrize(("layout", "tick"), [("dd", 2), ("ddd" * 6 + "dd", 400)])
-def test_other_sizes_and_later_packets_say_nothing_about_the_flag(hint, layout, tick):
-    told = hint(OF_2021, layout, 161, tick)
+LIDAR, PASSERS = load("precision_lidar").scenario, load("pass_the_ball").scenario
+
+
+@pytest.mark.parametrize(
+    ("scenario", "packet_bytes", "told"),
+    [
+        (OF_2021, 161, 'unpack("ddd" * 6 + "dd?", packet) gives x, y and orientation of B1, B2, B3, Y1, Y2, Y3; x and y of the'),
+        (ALONE, 41, 'has 41 bytes: struct.unpack("ddd" * 1 + "dd?", packet) gives x, y and orientation of Y3; x and y of the ball'),
+        (PASSERS, 113, 'unpack("ddd" * 4 + "dd?", packet) gives x, y and orientation of B1, B2, Y1, Y2; x and y of the ball'),
+        (LIDAR, 17, 'has 17 bytes: struct.unpack("dd?", packet) gives x and y of the ball; waiting_for_kickoff'),
+        (OF_THE_FIRST_DEMO, 160, 'unpack("ddd" * 6 + "dd", packet) gives x, y and orientation of B1, B2, B3, Y1, Y2, Y3; x and y of the ball'),
+    ],
+)  # fmt: skip
+def test_a_program_that_reads_packets_of_another_size_is_told_what_is_in_those_of_the_scenario(
+    hint, scenario, packet_bytes, told
+):
+    """A program of the match that is taken for a challenge, mostly: each of these lists other robots."""
+    found = hint(scenario, "ddd" * 5 + "dd?", packet_bytes)
+    assert told in found.remedy
+    assert found.message == ": this program reads other packets than the referee sends here"
+
+
+def test_what_is_told_to_be_unpacked_is_what_the_packet_holds(hint):
+    form = re.search(r"struct\.unpack\((.+), packet\)", hint(PASSERS, "d", 113).remedy)[1]
+    assert struct.calcsize(eval(form)) == 113  # noqa: S307 - a form that the advice has made
+
+
+def test_later_packets_say_nothing_about_what_the_referees_hold(hint):
+    told = hint(OF_2021, "ddd" * 6 + "dd", 161, 400)
+    assert (told.message, told.remedy[:33]) == ("", "the packet has another length tha")
+
+
+def test_of_a_packet_that_is_read_as_the_referees_but_is_another_one_nothing_is_said(hint):
+    """What a challenge tells comes in packets of its own."""
+    told = hint(ALONE, "ddddd?", 30)
     assert (told.message, told.remedy[:33]) == ("", "the packet has another length tha")

@@ -34,7 +34,8 @@ _TAKES_ALL = re.compile(
     rb"except[ \t]{0,4}\(?[ \t]{0,4}(?:(?:Base)?Exception)?[ \t]{0,4}\)?(?:[ \t]{1,4}as[ \t]{1,4}(?P<name>\w{1,80}))?"
     rb"[ \t]{0,4}:(?P<rest>.*)"
 )
-_TELLS = re.compile(rb"\b(?:raise|exc_info|exception|print_exc\w*|format_exc\w*|print_last|excepthook)\b")
+_PASSES_ON = re.compile(rb"\braise\b")
+_TELLS = re.compile(rb"\b(?:exc_info|exception|print_exc\w*|format_exc\w*|print_last|excepthook)\b")
 _LEAVES = re.compile(rb"\b(?:break|return)\b")
 _LOOP = re.compile(rb"(?:while|for)\b")
 _SETS = re.compile(rb"(?:^|;)[ \t]{0,4}(?:self\.)?(\w{1,80})[ \t]{0,4}[+-]?=(?!=)")
@@ -69,7 +70,7 @@ def why_it_ended(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath, *, 
         return _told(unreached[0])
     begun = programs.get(entry, b"")
     named = _only_named(loops, begun, used_times) if loops and not has_stepped else ""
-    return named or _on_its_name(begun) or _on_quiet(programs, entry)
+    return named or _on_its_name(begun) or _on_except(programs, entry)
 
 
 @dataclass(frozen=True)
@@ -131,8 +132,23 @@ def _on_its_name(content: bytes) -> str:
     )
 
 
-def _on_quiet(programs: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> str:
-    """Return what to do about the first ``except`` that takes every error, tells none, and may have ended all."""
+def _on_except(programs: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> str:
+    """Return what to do about an ``except`` that takes every error and may have ended all; one that is quiet first."""
+    told = ""
+    for path, number, tells in _ending_excepts(programs):
+        place = "" if path == entry else f" of {shown(path)}"
+        named = f'the "except" in line {number}{place} takes every error: if one ended the program,'
+        if not tells:
+            return f"{named} it kept quiet about it. Write traceback.print_exc() there, and import traceback at the top"
+        told = told or (
+            f"{named} what was printed of it stands in the program's output (--show-output). Without try and except "
+            "Python tells its line as well"
+        )
+    return told
+
+
+def _ending_excepts(programs: Mapping[PurePosixPath, bytes]) -> Iterator[tuple[PurePosixPath, int, bool]]:
+    """Yield file and line of each ``except`` that takes every error and may end the loop, and whether it tells any."""
     looping = {path: list(_loops_with_step(content)) for path, content in programs.items()}
     holding = {name for loops in looping.values() for loop in loops for name in (loop.name, loop.owner)} - {b""}
     held_by = _with_callers(holding, programs.values())
@@ -143,15 +159,10 @@ def _on_quiet(programs: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> 
         excepts = ((at, found) for at, line in enumerate(lines) if (found := _TAKES_ALL.fullmatch(line[2])) is not None)
         for at, found in islice(excepts, _MOST_EXCEPTS):
             handler = [found["rest"], *_inside(lines, at)]
-            if any(_TELLS.search(line) or found["name"] in _WORD.findall(line) for line in handler):
+            if any(_PASSES_ON.search(line) for line in handler) or not _may_end_it(lines, at, handler, held_by | files):
                 continue
-            if _may_end_it(lines, at, handler, held_by | files):
-                place = "" if path == entry else f" of {shown(path)}"
-                return (
-                    f'the "except" in line {lines[at][0]}{place} takes every error: if one ended the program, it kept '
-                    "quiet about it. Write traceback.print_exc() there, and import traceback at the top"
-                )
-    return ""
+            tells = any(_TELLS.search(line) or found["name"] in _WORD.findall(line) for line in handler)
+            yield path, lines[at][0], tells
 
 
 def _with_callers(names: AbstractSet[bytes], contents: Iterable[bytes]) -> AbstractSet[bytes]:

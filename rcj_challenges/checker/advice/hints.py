@@ -133,7 +133,7 @@ def on_messages(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hin
     if not 0 < fault["tick"] <= _FIRST_TICKS:
         return None
     if messages == "2021":
-        return _on_flag(scenario, kit, detail)
+        return _on_flag(scenario, kit, detail) or _on_lists(scenario, kit, detail)
     if not _any_mentions(team, _HEARS_THE_REFEREE):
         return None
     code = _code(team, _places(fault["traceback"]))
@@ -194,6 +194,23 @@ def _on_flag(scenario: Scenario, kit: str, detail: str) -> Hint | None:
         f'"--set kits.{kit}.packet_has_flag={str(not told.packet_has_flag).lower()}" (check and run); else '
         f'{"add" if told.packet_has_flag else "leave out"} the "?" at the end of the format',
         f": this program seems to be written for packets {there} waiting_for_kickoff",
+    )
+
+
+def _on_lists(scenario: Scenario, kit: str, detail: str) -> Hint | None:
+    """Tell of a program that reads packets of 2021 which list others: each challenge lists its own robots."""
+    told, balls, found = scenario.kits[kit], tuple(scenario.balls), _OTHER_SIZE.search(detail)
+    listed, flag = told.packet_lists, "?" * told.packet_has_flag
+    size = struct.calcsize(f"{3 * len(listed) + 2 * len(balls)}d{flag}")
+    if found is None or int(found["bytes"]) == size:
+        return None  # it asks for these, and was given what a challenge tells beside them
+    form = (f'"ddd" * {len(listed)} + ' if listed else "") + f'"{"dd" * len(balls)}{flag}"'
+    of_robots = [f"x, y and orientation of {', '.join(listed)}"] * bool(listed)
+    of_balls = [f"x and y of {'the ball' if len(balls) == 1 else ', '.join(balls)}"] * bool(balls)
+    return Hint(
+        f"here that packet has {size} bytes: struct.unpack({form}, packet) "
+        f"gives {'; '.join([*of_robots, *of_balls, *['waiting_for_kickoff'] * told.packet_has_flag])}",
+        ": this program reads other packets than the referee sends here",
     )
 
 

@@ -40,7 +40,7 @@ def for_value(path: Path, node: Node | None) -> str:
     if path[:1] != ("rules",):
         return ""
     compared = (_no_number, _score_compared, _measured_before, _drawn_compared, _told_compared)
-    ways = (way(path, node) for way in (*compared, _zone_to_put, _draw_to_put, _spot_of_chance))
+    ways = (say(path, node) for say in (*compared, _zone_to_put, _draw_to_put, _spot_of_chance))
     return next(filter(None, ways), "") or (
         _word_alone(node, NUMBER_WORDS) if any(key in path for key in _ADDED_UP) else ""
     )
