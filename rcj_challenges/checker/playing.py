@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from pathlib import PurePosixPath
 from typing import Any
 
+from rcj_challenges.checker.advice.early_ends import why_it_stands
 from rcj_challenges.checker.failing import fault_findings
 from rcj_challenges.checker.findings import Finding, Level, Stage
 from rcj_challenges.checker.growth import Growth
@@ -102,7 +104,7 @@ def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding
     absent = _absent(match)
     rest = [
         *_told_absent(match, absent, side),
-        *_standing(match, absent, side),
+        *_standing(rehearsal, match, absent, side),
         *_away_from_ball(rehearsal, match, side),
         *_slow(rehearsal, match, side),
     ]
@@ -145,19 +147,20 @@ def _told_absent(match: Rehearsed, absent: Mapping[str, int], side: str) -> list
     ]
 
 
-def _standing(match: Rehearsed, absent: Collection[str], side: str) -> list[Finding]:
-    """Return a warning if robots did not move: those that failed or were absent have been told of already."""
+def _standing(rehearsal: Rehearsal, match: Rehearsed, absent: Collection[str], side: str) -> list[Finding]:
+    """Return warnings if robots did not move: those that failed or were absent have been told of already."""
     told = {*absent, *(fault["robot"] for fault in match.faults)}
-    standing = [
-        robot
-        for robot, motion in match.motions.items()
-        if motion.path_m < _STANDS_M and motion.turned_rad < _STANDS_RAD and robot not in told
-    ]
-    if not standing:
-        return []
+    standing: dict[str, list[str]] = {}  # by what else may be the reason
+    for robot, motion in match.motions.items():
+        if motion.path_m < _STANDS_M and motion.turned_rad < _STANDS_RAD and robot not in told:
+            why = why_it_stands(rehearsal.team.files, PurePosixPath(rehearsal.team.entries[robot]))
+            standing.setdefault(f"; or an error is hidden: {why}" if why else "", []).append(robot)
     message = f"{side}did not move in {match.simulated_s:.0f} s"
-    remedy = "if it waits on purpose, all is well; else look for setPosition(inf) and setVelocity on both motors"
-    return [Finding("play.stands", "warning", message, remedy, ", ".join(standing))]
+    usual = "if it waits on purpose, all is well; else look for setPosition(inf) and setVelocity on both motors"
+    return [
+        Finding("play.stands", "warning", message, f"{usual}{hidden}", ", ".join(robots))
+        for hidden, robots in standing.items()
+    ]
 
 
 def _away_from_ball(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:

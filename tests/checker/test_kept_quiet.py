@@ -6,7 +6,7 @@ from pathlib import PurePosixPath
 
 import pytest
 
-from rcj_challenges.checker.advice.early_ends import why_it_ended
+from rcj_challenges.checker.advice.early_ends import why_it_ended, why_it_stands
 from rcj_challenges.checker.check import CheckOptions, check_file
 from tests.checker.alone import alone
 
@@ -148,6 +148,61 @@ def test_one_that_leaves_the_loop_is_named(program: str) -> None:
 def test_the_file_is_named_where_it_is_not_the_program() -> None:
     files = {ENTRY: b"import player\nplayer.play()\n", PurePosixPath("player.py"): looped("except:\n    pass")}
     assert why_it_ended(files, ENTRY, has_stepped=True) == SAYS.replace("line 6", "line 6 of player.py")
+
+
+STANDS = "while robot.step(32) != -1:\n    try:\n        left.setVelocity(speed)\n    except:\n        pass\n"
+
+
+@pytest.mark.parametrize(
+    "program",
+    [
+        STANDS,
+        STANDS.replace("pass", "print('oh no')"),
+        STANDS.replace("left.setVelocity(speed)", "left.velocity = speed"),
+        (
+            "def drive():\n    left.setVelocity(speed)\ndef play():\n    drive()\n"
+            "while robot.step(32) != -1:\n    try:\n        play()\n    except Exception:\n        continue\n"
+        ),
+        "try:\n    left.setPosition(float('int'))\nexcept:\n    pass\n" + LOOP,
+    ],
+    ids=["in the loop", "it says something", "a property", "a call of a call", "before the loop"],
+)
+def test_of_a_robot_that_stands_an_except_that_may_keep_it_from_driving_is_named(program: str) -> None:
+    content = (BEGIN + program).encode()
+    number = 1 + next(number for number, line in enumerate(content.splitlines()) if b"except" in line)
+    assert why_it_stands({ENTRY: content}, ENTRY) == (
+        f'the "except" in line {number} takes every error and keeps quiet about it: write traceback.print_exc() there, '
+        "and import traceback at the top"
+    )
+
+
+@pytest.mark.parametrize(
+    "program",
+    [
+        STANDS.replace("except:", "except ValueError:"),
+        STANDS.replace("except:", "except Exception as e:").replace("pass", "print(e)"),
+        STANDS.replace("pass", "raise"),
+        STANDS.replace("left.setVelocity(speed)", "x = ball.getEmitterDirection()"),
+        "left.setVelocity(5)\ntry:\n    import cv2\nexcept:\n    cv2 = None\n" + LOOP,
+    ],
+    ids=["it takes some only", "it tells them", "it lets them pass", "nothing drives there", "of an import"],
+)
+def test_of_others_nothing_is_said(program: str) -> None:
+    assert why_it_stands({ENTRY: (BEGIN + program).encode()}, ENTRY) == ""
+
+
+def test_a_check_says_so_of_robots_that_stand(tmp_path) -> None:
+    path = tmp_path / "robot.py"
+    path.write_text(BEGIN + STANDS, encoding="utf-8")
+    (found,) = [
+        one
+        for stage in check_file(path, alone(), CheckOptions(play_s=1.0)).stages
+        for one in stage.findings
+        if one.code == "play.stands"
+    ]
+    hidden = why_it_stands({ENTRY: path.read_bytes()}, ENTRY)
+    assert hidden
+    assert found.remedy.endswith(f"setVelocity on both motors; or an error is hidden: {hidden}")
 
 
 def test_a_check_says_so(tmp_path) -> None:

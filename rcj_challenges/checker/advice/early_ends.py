@@ -1,4 +1,4 @@
-"""Why a program came to its end while the match goes on: a loop that ends at once, or lines that nobody comes to.
+"""Why a program came to its end while the match goes on, or its robot stands: what its lines tell of it.
 
 Lines are looked at as text: strange programs are parsed in a process of their own only (`reader`).
 """
@@ -36,6 +36,7 @@ _TAKES_ALL = re.compile(
 )
 _PASSES_ON = re.compile(rb"\braise\b")
 _TELLS = re.compile(rb"\b(?:exc_info|exception|print_exc\w*|format_exc\w*|print_last|excepthook)\b")
+_DRIVE = frozenset((b"setVelocity", b"setPosition", b"velocity", b"target_velocity", b"target_position"))
 _LEAVES = re.compile(rb"\b(?:break|return)\b")
 _LOOP = re.compile(rb"(?:while|for)\b")
 _SETS = re.compile(rb"(?:^|;)[ \t]{0,4}(?:self\.)?(\w{1,80})[ \t]{0,4}[+-]?=(?!=)")
@@ -147,22 +148,69 @@ def _on_except(programs: Mapping[PurePosixPath, bytes], entry: PurePosixPath) ->
     return told
 
 
+def why_it_stands(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> str:
+    """Return what to do about an ``except`` that may keep a robot from driving without a word; empty if there is none.
+
+    Args:
+        files: of its team.
+        entry: the file that was started.
+    """
+    programs = {path: files[path] for path in reached_from(entry, files) if len(files[path]) <= _MOST_BYTES}
+    driving = _with_callers(_DRIVE, programs.values())
+    for path, one in _excepts(programs):
+        if not one.tells and any(not driving.isdisjoint(_WORD.findall(code)) for code in _tried(one.lines, one.at)):
+            place = "" if path == entry else f" of {shown(path)}"
+            return (
+                f'the "except" in line {one.number}{place} takes every error and keeps quiet about it: write '
+                "traceback.print_exc() there, and import traceback at the top"
+            )
+    return ""
+
+
+@dataclass(frozen=True)
+class _Except:
+    """An ``except`` that takes every error, and lets none pass.
+
+    Attributes:
+        lines: of its file.
+        at: which of them it is.
+        handler: what is done then.
+        tells: whether that tells the error.
+    """
+
+    lines: Sequence[_Line]
+    at: int
+    handler: Sequence[bytes]
+    tells: bool
+
+    @property
+    def number(self) -> int:
+        """Of its line, as editors show it."""
+        return self.lines[self.at][0]
+
+
+def _excepts(programs: Mapping[PurePosixPath, bytes]) -> Iterator[tuple[PurePosixPath, _Except]]:
+    """Yield each ``except`` of programs that takes every error, with its file."""
+    for path, content in programs.items():
+        lines = list(_lines(content))
+        found = ((at, taken) for at, line in enumerate(lines) if (taken := _TAKES_ALL.fullmatch(line[2])) is not None)
+        for at, taken in islice(found, _MOST_EXCEPTS):
+            handler = [taken["rest"], *_inside(lines, at)]
+            if not any(_PASSES_ON.search(code) for code in handler):
+                tells = any(_TELLS.search(code) or taken["name"] in _WORD.findall(code) for code in handler)
+                yield path, _Except(lines, at, handler, tells)
+
+
 def _ending_excepts(programs: Mapping[PurePosixPath, bytes]) -> Iterator[tuple[PurePosixPath, int, bool]]:
     """Yield file and line of each ``except`` that takes every error and may end the loop, and whether it tells any."""
     looping = {path: list(_loops_with_step(content)) for path, content in programs.items()}
     holding = {name for loops in looping.values() for loop in loops for name in (loop.name, loop.owner)} - {b""}
     held_by = _with_callers(holding, programs.values())
-    for path, content in programs.items():
+    for path, one in _excepts(programs):
         # A file does not import itself: in robot.py, robot is that of the match.
         files = {other.stem.encode("utf-8", "surrogateescape") for other in looping if looping[other] and other != path}
-        lines = list(_lines(content))
-        excepts = ((at, found) for at, line in enumerate(lines) if (found := _TAKES_ALL.fullmatch(line[2])) is not None)
-        for at, found in islice(excepts, _MOST_EXCEPTS):
-            handler = [found["rest"], *_inside(lines, at)]
-            if any(_PASSES_ON.search(line) for line in handler) or not _may_end_it(lines, at, handler, held_by | files):
-                continue
-            tells = any(_TELLS.search(line) or found["name"] in _WORD.findall(line) for line in handler)
-            yield path, lines[at][0], tells
+        if _may_end_it(one.lines, one.at, one.handler, held_by | files):
+            yield path, one.number, one.tells
 
 
 def _with_callers(names: AbstractSet[bytes], contents: Iterable[bytes]) -> AbstractSet[bytes]:
