@@ -148,6 +148,9 @@ def _syntax_problem(error: yaml.MarkedYAMLError, file: str) -> Problem:
     said = " ".join(str(part) for part in (error.context, error.problem) if part) or "not valid YAML"
     hint = next((f" ({text})" for found, text in _HINTS if found in said), "")
     line, column = (mark.line + 1, mark.column + 1) if mark is not None else (1, 1)
+    # libyaml reads ahead as far as a key may be long, and from 0.2.6 on it has a limit of its own.
+    if "maximum nesting depth" in said:
+        return Problem(file, line, column, "", f"nested deeper than {MAX_DEPTH} levels")
     return Problem(file, line, column, "", f"not valid YAML: {said}{hint}")
 
 
