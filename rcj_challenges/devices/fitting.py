@@ -45,7 +45,7 @@ class Fitted:
 class _Surroundings:
     """What a device's facts may depend on beside the device."""
 
-    chassis: models.Chassis
+    kit: models.Kit
     max_packet_bytes: int
     own_channel: int
     foreign_channels: tuple[int, ...]
@@ -89,7 +89,10 @@ def _team_emitter_facts(emitter: models.TeamEmitterDevice, around: _Surroundings
 
 
 def _supervisor_receiver_facts(receiver: models.SupervisorReceiverDevice, around: _Surroundings) -> dict[str, Any]:
-    return {"channel": receiver.channel, "range": RADIO_RANGE_M, "refused_channels": list(around.foreign_channels)}
+    facts = {"channel": receiver.channel, "range": RADIO_RANGE_M, "refused_channels": list(around.foreign_channels)}
+    if around.kit.messages == "2021":  # what is said after a tick is heard in the next one
+        facts["silent_ticks"] = around.kit.packet_every_ticks
+    return facts
 
 
 def is_full_turn(lidar: models.LidarDevice) -> bool:
@@ -131,7 +134,7 @@ def _lidar_facts(lidar: models.LidarDevice, _: _Surroundings) -> dict[str, Any]:
 
 
 def _motor_facts(_: models.MotorDevice, around: _Surroundings) -> dict[str, Any]:
-    return {"max_velocity": around.chassis.max_wheel_radps}
+    return {"max_velocity": around.kit.chassis.max_wheel_radps}
 
 
 def _nothing(*_: Any) -> dict[str, Any]:
@@ -177,7 +180,7 @@ def fit(scenario: Scenario, roster: Roster) -> list[Fitted]:
         name = roster.entities[robot]
         devices = devices_of(scenario, name)
         around = _Surroundings(
-            chassis=scenario.kits[scenario.robots[name].kit].chassis,
+            kit=scenario.kits[scenario.robots[name].kit],
             max_packet_bytes=int(scenario.limits.message_kb * 1000),
             own_channel=channels[name],
             foreign_channels=tuple(sorted(set(channels.values()) - {channels[name]})),

@@ -33,6 +33,30 @@ class Player:
 Player().run()
 """
 
+READS_AT_ONCE = """
+import struct
+from controller import Robot
+robot = Robot()
+receiver = robot.getDevice("receiver")
+receiver.enable(64)
+while robot.step(64) != -1:
+    packet = receiver.getData()
+    receiver.nextPacket()
+    print(robot.getTime(), receiver.getQueueLength(), len(packet))
+"""
+ASKS_AND_READS_TOO_OFTEN = """
+from controller import Robot
+robot = Robot()
+receiver = robot.getReceiver("receiver")
+receiver.enable(64)
+robot.step(64)
+print("first", receiver.getQueueLength())
+robot.step(64)
+receiver.getData()
+receiver.nextPacket()
+receiver.getData()
+"""
+
 
 def test_programs_of_2021_play_a_match(play, team_folder):
     run = play("match.half_s=2", scenario="match_2021", blue=team_folder(PROGRAM), yellow=team_folder(PROGRAM))
@@ -55,3 +79,19 @@ def test_the_sample_team_of_2021_pushes_the_ball_towards_the_other_goal(play, te
     assert list(goals) in ([], [colour])
     assert max(ball * (-1 if colour == "blue" else 1)) > 0.3
     assert max(ball * (1 if colour == "blue" else -1)) < 0.3
+
+
+def test_a_program_of_2021_that_reads_without_asking_waits_for_the_first_packet(play, team_folder):
+    run = play(
+        "match.half_s=1", "match.halves=1", scenario="match_2021", blue=team_folder(READS_AT_ONCE),
+        yellow=team_folder(ASKS_AND_READS_TOO_OFTEN),
+    )  # fmt: skip
+    told, *read = [line for line in run.log("B1").splitlines() if not line.startswith("--- half")]
+    assert told == (
+        "Warning: 'receiver': getData was called before the first packet was there, and waits for it: 0.064 s. Ask "
+        "getQueueLength() first."
+    )
+    assert read[:3] == ["0.128 0 161", "0.192 0 161", "0.256 0 161"]
+    assert {fault["robot"] for fault in run.result["faults"]} == {"Y1", "Y2", "Y3"}
+    assert "first 0" in run.log("Y1")
+    assert "getData was called with an empty queue" in run.log("Y1")
