@@ -168,14 +168,18 @@ def test_all_overlaps_are_reported():
     body = "balls: {a: {start_m: [0, 0.1]}, b: {start_m: [0.01, 0.1]}, c: {start_m: [0.02, 0.1]}}\n"
     assert sorted(complaints(body)) == [
         f"balls.b.start_m: 'b' overlaps 'a' at the start; {APART}",
-        f"balls.c.start_m: 'c' overlaps 'a' at the start; {APART}",
-        f"balls.c.start_m: 'c' overlaps 'b' at the start; {APART}",
+        f"balls.c.start_m: 'c' overlaps 'a', 'b' at the start; {APART}",
     ]
 
 
-def test_sixty_bodies_in_one_place_are_all_reported():
+def test_sixty_bodies_in_one_place_have_a_line_each():
     rows = "".join(f"  ball_{i}: {{start_m: [{0.0001 * i}, -0.1]}}\n" for i in range(60))
-    assert len(complaints("balls:\n  ball: null\n" + rows)) == 60 * 59 / 2
+    found = complaints("balls:\n  ball: null\n" + rows)
+    assert len(found) == 59
+    assert found[-1] == (
+        "balls.ball_59.start_m: 'ball_59' overlaps 'ball_0', 'ball_1', 'ball_2', 'ball_3', … (59 in all) at the start; "
+        f"{APART}"
+    )
 
 
 # --- shapes -----------------------------------------------------------------------------------------------------------

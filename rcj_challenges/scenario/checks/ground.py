@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import atan2, hypot
 
+from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.models.field import Box, Cylinder, FieldModel, Wall
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, UniformIn, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -186,20 +187,33 @@ def _bodies(scenario: Scenario) -> Iterator[Found]:
 
 
 _APART = "move one of them; who is to come there later is put there by a rule"
+_MOST_NAMED = 4
 
 
 def _overlaps(bodies: list[Body]) -> Iterator[Found]:
-    """Sweep along x, so that a file with thousands of bodies does not cost millions of comparisons."""
+    """Yield each body that overlaps others which stand before it in the file."""
     order = {body.name: rank for rank, body in enumerate(bodies)}
+    met: dict[str, list[Body]] = {}
+    for pair in _overlapping(bodies):
+        first, second = sorted(pair, key=lambda one: order[one.name])
+        met.setdefault(second.name, []).append(first)
+    for second in bodies:
+        firsts = sorted(met.get(second.name, ()), key=lambda one: order[one.name])
+        if firsts:
+            names = listing((f"'{first.name}'" for first in firsts), _MOST_NAMED)
+            message = f"'{second.name}' overlaps {names} at the start; {_APART}"
+            yield Found(second.path, message, other=firsts[0].path)
+
+
+def _overlapping(bodies: list[Body]) -> Iterator[tuple[Body, Body]]:
+    """Sweep along x, so that a file with thousands of bodies does not cost millions of comparisons."""
     open_: list[tuple[float, Body]] = []
     for body in sorted(bodies, key=lambda body: body.outline.box()[0]):
         x_0, x_1, _, _ = body.outline.box()
         open_ = [(end, other) for end, other in open_ if end > x_0]
         for _, other in open_:
             if not (body.fixed and other.fixed) and body.outline.overlaps(other.outline):
-                first, second = sorted((body, other), key=lambda one: order[one.name])
-                message = f"'{second.name}' overlaps '{first.name}' at the start; {_APART}"
-                yield Found(second.path, message, other=first.path)
+                yield other, body
         open_.append((x_1, body))
 
 
