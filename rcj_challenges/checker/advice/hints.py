@@ -12,7 +12,7 @@ from typing import Any
 
 from rcj_challenges.checker.advice.asked_of_the_system import on_system
 from rcj_challenges.checker.advice.early_ends import why_it_ended
-from rcj_challenges.checker.advice.no_device import InsteadOf, asked_in_vain, is_of_a_device
+from rcj_challenges.checker.advice.no_device import InsteadOf, asked_in_vain, behind_none, ignored_calls
 from rcj_challenges.checker.advice.old_names import on_old_name
 from rcj_challenges.checker.advice.slips import on_slip
 from rcj_challenges.checker.modules import COMPILED, Library, places_of
@@ -62,6 +62,7 @@ _THREADS_ALONE = (
     "the program itself came to its end, and only its threads go on: let one of them call robot.step(32) in a loop, or "
     "keep that loop in the program itself"
 )
+_NO_REFEREE = "only a referee is told where things are; a player asks its own devices (gps, compass, ball receiver)"
 _NOBODY_TYPES = "EOFError: EOF when reading a line"
 # Calls of Python's own library that come back only when something else happens. ``wait`` and the like stand here with
 # empty brackets or a time: what a team calls so itself, or ``", ".join(…)``, is none.
@@ -154,8 +155,8 @@ def on_messages(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hin
     return _on_positions(detail) if messages == "v2.1" else None
 
 
-def on_device(scenario: Scenario, team: Team, fault: Mapping[str, Any], log: str) -> Hint | None:
-    """Return what is behind a crash over None, where the program asked for a device that the robot has not.
+def on_none(scenario: Scenario, team: Team, fault: Mapping[str, Any], log: str) -> Hint | None:
+    """Return what is behind a crash over None, which the program was given for a device, or as it is no referee.
 
     Args:
         scenario: what was played.
@@ -164,12 +165,17 @@ def on_device(scenario: Scenario, team: Team, fault: Mapping[str, Any], log: str
         log: of the robot, or its beginning.
     """
     asked = asked_in_vain(log)
-    if fault["kind"] != "crash" or not asked or not is_of_a_device(fault["detail"], team):
+    crashed = fault["kind"] == "crash"
+    given = behind_none(fault["detail"], team, asked, ignored_calls(log)) if crashed else None
+    if given is None:
         return None
-    name, has = list(asked.items())[-1]
-    instead = InsteadOf(scenario, team, asked)
+    if not given.devices:
+        return Hint(f"{given.told}: {_NO_REFEREE}")
+    instead, name = InsteadOf(scenario, team, asked), given.devices[-1]
     made_for = f"{told}; " if (told := instead.made_for(name)) else ""
-    return Hint(f'getDevice("{shown(name)}") gave None: {made_for}{instead.remedy(name, fault["robot"], has)}')
+    remedies = {one: instead.remedy(one, fault["robot"], asked[one]) for one in given.devices}
+    remedy = remedies[name] if len(remedies) == 1 or made_for else f"these robots have: {shown(asked[name], 400)}"
+    return Hint(f"{given.told}: {made_for}{remedy}")
 
 
 def on_files(team: Team, fault: Mapping[str, Any]) -> Hint | None:

@@ -1,12 +1,13 @@
-"""Devices that a program asked for in vain: what it may have meant, and whether a crash comes of it."""
+"""What a program asked for in vain, a device mostly: what it may have meant, and whether a crash comes of it."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from difflib import get_close_matches
 
-from rcj_challenges.checker.advice.crash_lines import crash_line
+from rcj_challenges.checker.advice.crash_lines import crash_line, text_of
 from rcj_challenges.checker.others import looks_like, others_that_fit
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.shown import shown
@@ -21,6 +22,8 @@ from rcj_challenges.scenario.resources import presets_folder
 _NO_DEVICE = re.compile(
     r'^Warning: "(?P<asked>.{0,300})" device not found\. This robot has: (?P<has>.{0,8000})\.$', re.MULTILINE
 )
+# And what its Supervisor writes.
+_IGNORED = re.compile(r"^Warning: (\w{1,100}) is ignored and gives None", re.MULTILINE)
 _OF_NOTHING = re.compile(r"AttributeError: 'NoneType' object has no attribute '(?P<attribute>\w{1,100})'")
 # Methods of Webots' devices, also of those that no robot here has. Of a ball that is not in sight others are asked.
 _OF_DEVICES = re.compile(
@@ -28,6 +31,7 @@ _OF_DEVICES = re.compile(
     r"|enable|disable|send"
 )
 _ASKS = rb"get(?:Device|Motor|Receiver|Emitter|GPS|Compass|DistanceSensor|PositionSensor|Lidar|Camera|LED|Gyro)\("
+_MOST_NAMED = 4
 _OF_2021, _SINCE = "2021", "2022 and later"
 _KITS = {_OF_2021: ("soccersim_2021.yaml", "legacy_2021"), _SINCE: ("soccersim_v2.yaml", "v2")}
 """Of the years: where their robots are described."""
@@ -43,6 +47,73 @@ def asked_in_vain(log: str) -> dict[str, str]:
     return {found["asked"]: found["has"] for found in _NO_DEVICE.finditer(log)}
 
 
+def ignored_calls(log: str) -> list[str]:
+    """Return the calls of a supervisor that gave nothing, in order.
+
+    Args:
+        log: of the robot, or its beginning.
+    """
+    return _IGNORED.findall(log)
+
+
+@dataclass(frozen=True)
+class GivenNone:
+    """What a program that crashed over None was given it for.
+
+    Attributes:
+        told: that it was so, as a sentence begins.
+        devices: the names among which the one is; none if it was a call of a supervisor.
+    """
+
+    told: str
+    devices: tuple[str, ...] = ()
+
+
+def behind_none(detail: str, team: Team, asked: Collection[str], calls: Sequence[str]) -> GivenNone | None:
+    """Return what a program was given None for, if its crash is that of one that takes it for a device.
+
+    Args:
+        detail: the last line of what the program told of its end.
+        team: whose program it is.
+        asked: all names of devices that it asked for in vain.
+        calls: all calls of a supervisor that gave nothing.
+    """
+    if not (asked or calls) or not is_of_a_device(detail, team):
+        return None
+    origins = _origins(detail, team)
+    devices = [name for name in asked if any(mark + name + mark in origins for mark in "\"'")]
+    if calls and not devices:
+        called = [call for call in calls if re.search(rf"\b{call}\(", origins)]
+        if called or not asked:
+            return GivenNone(f"{(called or calls)[-1]} gave None")
+    devices = devices or list(asked)
+    shown_ones = [f'getDevice("{shown(name)}")' for name in devices[:_MOST_NAMED]]
+    if len(devices) == 1:
+        return GivenNone(f"{shown_ones[0]} gave None", tuple(devices))
+    others = " or another" if len(devices) > _MOST_NAMED else f" or {shown_ones.pop()}"
+    return GivenNone(f"this None comes from {', '.join(shown_ones)}{others}", tuple(devices))
+
+
+def _origins(detail: str, team: Team) -> str:
+    """Return the line of a crash over None, and those in which what it was asked of is set."""
+    line, holder = _used(detail, team)
+    if not holder:
+        return line
+    # Up to so many letters alone: of a line full of them each would be looked at as often as there are letters.
+    setting = re.compile(rb"\b%b[ \t]{0,4}=(?!=)[^\n]{0,300}" % holder)
+    programs = (content for path, content in team.files.items() if path.suffix == ".py")
+    return "\n".join([line, *(text_of(found[0]) for content in programs for found in setting.finditer(content))])
+
+
+def _used(detail: str, team: Team) -> tuple[str, bytes]:
+    """Return the line of a crash over None, and the name there of what was None; empty if that is not known."""
+    found, line = _OF_NOTHING.search(detail), crash_line(detail, team.files)
+    if found is None or line is None:
+        return "", b""
+    held = re.search(rf"\b(\w{{1,100}})\.{found['attribute']}\b", line.code)
+    return line.code, held[1].encode() if held is not None else b""
+
+
 def is_of_a_device(detail: str, team: Team) -> bool:
     """Return whether a crash is that of a program that takes None for a device, and not for something of its own.
 
@@ -54,9 +125,7 @@ def is_of_a_device(detail: str, team: Team) -> bool:
     if found is None:
         return False
     attribute = found["attribute"]
-    line = crash_line(detail, team.files)
-    held = re.search(rf"\b(\w{{1,100}})\.{attribute}\b", line.code) if line is not None else None
-    holder = held[1].encode() if held is not None else b""
+    _, holder = _used(detail, team)
     # Up to the next "=" alone: of a line full of them each would be looked at as often as there are letters.
     if holder and _any_program_has(rb"\b%b[ \t]{0,4}=[^\n=]{0,200}?%b" % (holder, _ASKS), team):
         return True
