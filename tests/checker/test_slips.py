@@ -129,6 +129,11 @@ def test_a_number_that_is_none_before_the_first_sample_is_told_so(failure):
         ("ball = None\nif ball < 1: pass\n", "if ball is not None"),
         ("ball = None; x, y = ball\n", "if ball is not None"),
         ("ball = None\nfor x in ball: pass\n", "if ball is not None"),
+        ("c = robot.getDevice('compass').enable(32)\nc.getValues()\n", 'enable() gives nothing back, so "c" is None'),
+        (
+            "m = robot.getDevice('left wheel motor').setPosition(float('inf'))  # go\nm.setVelocity(1)\n",
+            'so "m" is None',
+        ),
         ("x = math.atan2(1, 2)\n", 'write "import math" at the top of rcj_soccer_team_blue.py'),
         ("x = np.array([1])\n", 'write "import numpy as np" at the top of rcj_soccer_team_blue.py'),
         ("x = sqrt(2)\n", 'write "from math import sqrt" at the top of rcj_soccer_team_blue.py'),

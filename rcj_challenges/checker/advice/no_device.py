@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 
-from rcj_challenges.checker.advice.crash_lines import crash_line, text_of
+from rcj_challenges.checker.advice.crash_lines import OF_NONE, set_in, used_none
 from rcj_challenges.checker.others import looks_like, others_that_fit
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.shown import shown
@@ -24,7 +24,6 @@ _NO_DEVICE = re.compile(
 )
 # And what its Supervisor writes.
 _IGNORED = re.compile(r"^Warning: (\w{1,100}) is ignored and gives None", re.MULTILINE)
-_OF_NOTHING = re.compile(r"AttributeError: 'NoneType' object has no attribute '(?P<attribute>\w{1,100})'")
 # Methods of Webots' devices, also of those that no robot here has. Of a ball that is not in sight others are asked.
 _OF_DEVICES = re.compile(
     r"(?:get|set|is|has|next|image|draw|fill|load|play|stop|reset|remove|add|export|enable|disable)[A-Z]\w*"
@@ -80,7 +79,8 @@ def behind_none(detail: str, team: Team, asked: Collection[str], calls: Sequence
     """
     if not (asked or calls) or not is_of_a_device(detail, team):
         return None
-    origins = _origins(detail, team)
+    line, holder = used_none(detail, team.files)
+    origins = "\n".join([line, *set_in(holder, team.files)])
     devices = [name for name in asked if any(mark + name + mark in origins for mark in "\"'")]
     if calls and not devices:
         called = [call for call in calls if re.search(rf"\b{call}\(", origins)]
@@ -94,26 +94,6 @@ def behind_none(detail: str, team: Team, asked: Collection[str], calls: Sequence
     return GivenNone(f"this None comes from {', '.join(shown_ones)}{others}", tuple(devices))
 
 
-def _origins(detail: str, team: Team) -> str:
-    """Return the line of a crash over None, and those in which what it was asked of is set."""
-    line, holder = _used(detail, team)
-    if not holder:
-        return line
-    # Up to so many letters alone: of a line full of them each would be looked at as often as there are letters.
-    setting = re.compile(rb"\b%b[ \t]{0,4}=(?!=)[^\n]{0,300}" % holder)
-    programs = (content for path, content in team.files.items() if path.suffix == ".py")
-    return "\n".join([line, *(text_of(found[0]) for content in programs for found in setting.finditer(content))])
-
-
-def _used(detail: str, team: Team) -> tuple[str, bytes]:
-    """Return the line of a crash over None, and the name there of what was None; empty if that is not known."""
-    found, line = _OF_NOTHING.search(detail), crash_line(detail, team.files)
-    if found is None or line is None:
-        return "", b""
-    held = re.search(rf"\b(\w{{1,100}})\.{found['attribute']}\b", line.code)
-    return line.code, held[1].encode() if held is not None else b""
-
-
 def is_of_a_device(detail: str, team: Team) -> bool:
     """Return whether a crash is that of a program that takes None for a device, and not for something of its own.
 
@@ -121,11 +101,11 @@ def is_of_a_device(detail: str, team: Team) -> bool:
         detail: the last line of what the program told of its end.
         team: whose program it is.
     """
-    found = _OF_NOTHING.search(detail)
+    found = OF_NONE.search(detail)
     if found is None:
         return False
     attribute = found["attribute"]
-    _, holder = _used(detail, team)
+    holder = used_none(detail, team.files)[1].encode()
     # Up to the next "=" alone: of a line full of them each would be looked at as often as there are letters.
     if holder and _any_program_has(rb"\b%b[ \t]{0,4}=[^\n=]{0,200}?%b" % (holder, _ASKS), team):
         return True

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 from pathlib import PurePosixPath
 
-from rcj_challenges.checker.advice.crash_lines import PLACE, CrashLine, crash_line, text_of
+from rcj_challenges.checker.advice.crash_lines import PLACE, CrashLine, crash_line, set_in, text_of, used_none
 from rcj_challenges.checker.advice.unknown_names import on_unknown_name
 from rcj_challenges.checker.advice.unset_attributes import on_unset_attribute
 from rcj_challenges.checker.modules import instead_of_the_folder
@@ -68,6 +68,11 @@ _OUT_OF_BOUNDS = (
 _NOTHING_THERE = (
     "something in this line is None: a ball that is not in sight, what has not come yet, what a function without "
     "return gives; ask first: if ball is not None:"
+)
+# Calls of devices that give nothing, at the end of a line that sets a name.
+_GIVES_NOTHING = re.compile(
+    r"=[^;]{1,200}\.(?P<call>enable|disable|setPosition|setVelocity|nextPacket|setChannel)\([^()]{0,60}(?:\([^()]{0,40}\))?\)"
+    r"[ \t]{0,20}(?:[;#]|$)"
 )
 _NO_SCREEN = "there is no screen in a match: do without windows (tkinter, turtle)"
 _NO_DEBUGGER = (
@@ -153,7 +158,19 @@ def on_slip(detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
     if (found := _ONE_TOO_MANY.match(detail)) and int(found["given"]) == int(found["takes"]) + 1:
         return _on_self(found["method"], files)
     told = next((remedy for words, remedy in _REMEDIES if words.match(detail)), "")
-    return told or on_unset_attribute(detail, files)
+    return told or _on_nothing_given(detail, files) or on_unset_attribute(detail, files)
+
+
+def _on_nothing_given(detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
+    """Tell of a crash over None which a name was given by a call of a device that gives nothing."""
+    holder = used_none(detail, files)[1]
+    found = next(filter(None, map(_GIVES_NOTHING.search, set_in(holder, files))), None)
+    if found is None:
+        return ""
+    return (
+        f'{found["call"]}() gives nothing back, so "{holder}" is None: keep what getDevice gives, '
+        f"{holder} = robot.getDevice(…), and call {holder}.{found['call']}(…) in a line of its own"
+    )
 
 
 def _on_import(found: re.Match[str], detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
