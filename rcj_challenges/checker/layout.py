@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import PurePosixPath
 
 from rcj_challenges.checker.findings import Finding
@@ -174,12 +174,31 @@ def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) 
         remedy = f"pack what is in {nested[0].where}, not the archive itself"
         return [Finding("layout.missing", "failure", message, remedy)]
     if plan is None:
-        remedy = f"{_elsewhere(others)}{into_folders or _add_it(opening, seats, libraries) or _call_it_so(opening)}"
+        remedy = into_folders or _of_one_colour(opening, seats)
+        remedy = _elsewhere(others) + (remedy or _add_it(opening, seats, libraries) or _call_it_so(opening))
         return [Finding("layout.missing", "failure", message, remedy)]
-    remedy = _elsewhere(others) + ", ".join(map(str, plan.moves))
-    if plan.mentioned:
-        remedy += f"; the programs mention {told(plan.mentioned)}: change that as well"
+    remedy = _elsewhere(others) + _in_words(plan)
     return [Finding("layout.misnamed", "failure", message, remedy, told(plan.moves[0].old), not plan.mentioned)]
+
+
+def _of_one_colour(opening: Opening, seats: Sequence[Entrant]) -> str:
+    """Return what to do where programs for blue and yellow differ, as if those for blue were meant; else nothing."""
+    files = opening.contents.files
+    rest = {path: data for path, data in files.items() if not any(map(of_yellow, (*path.parts[:-1], path.stem)))}
+    if len(rest) in (0, len(files)):
+        return ""
+    plan = plan_moves(replace(opening, contents=replace(opening.contents, files=rest)), seats)
+    if plan is None:
+        return ""
+    return (
+        f"{_in_words(plan)}; or do so with the programs of yellow, if these are yours: they differ, and the same ones "
+        "play for both colours"
+    )
+
+
+def _in_words(plan: Plan) -> str:
+    change = f"; the programs mention {told(plan.mentioned)}: change that as well" if plan.mentioned else ""
+    return f"{', '.join(map(str, plan.moves))}{change}"
 
 
 def _into_folders_with_copies(opening: Opening) -> str:
