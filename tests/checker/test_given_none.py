@@ -73,7 +73,9 @@ def test_a_call_of_the_referees_is_blamed_where_what_it_gave_was_used_and_no_dev
     given = behind(program, ["led"], ["getFromDef", "getSelf"])
     assert (given.told, given.devices) == ("getFromDef gave None", ())
     assert behind("led.getValues()\nled = robot.getDevice('led')\n", ["led"], ["getSelf"]).devices == ("led",)
-    assert behind("one.getValues()\n", [], ["getSelf"]).told == "getSelf gave None"
+    assert behind("one.getValues()\n", [], ["getSelf", "setLabel"]).told == "getSelf gave None"
+    told = behind("one.getValues()\n", [], ["getSelf", "getFromDef", "getSelf"]).told
+    assert told == "this None comes from getSelf or getFromDef"
 
 
 def test_who_uses_a_missing_device_in_the_middle_of_the_match_is_told_which(pack):

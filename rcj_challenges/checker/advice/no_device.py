@@ -85,13 +85,19 @@ def behind_none(detail: str, team: Team, asked: Collection[str], calls: Sequence
     if calls and not devices:
         called = [call for call in calls if re.search(rf"\b{call}\(", origins)]
         if called or not asked:
-            return GivenNone(f"{(called or calls)[-1]} gave None")
+            # The others of a supervisor's calls are there for what they do.
+            return GivenNone(_gave_none(called[-1:] or [one for one in calls if one.startswith("get")] or calls))
     devices = devices or list(asked)
-    shown_ones = [f'getDevice("{shown(name)}")' for name in devices[:_MOST_NAMED]]
-    if len(devices) == 1:
-        return GivenNone(f"{shown_ones[0]} gave None", tuple(devices))
-    others = " or another" if len(devices) > _MOST_NAMED else f" or {shown_ones.pop()}"
-    return GivenNone(f"this None comes from {', '.join(shown_ones)}{others}", tuple(devices))
+    return GivenNone(_gave_none([f'getDevice("{shown(name)}")' for name in devices]), tuple(devices))
+
+
+def _gave_none(calls: Sequence[str]) -> str:
+    """Return which call it was, as a sentence begins; of several, that it is one of them."""
+    *first, last = dict.fromkeys(calls)
+    if not first:
+        return f"{last} gave None"
+    others = "another" if len(first) >= _MOST_NAMED else last
+    return f"this None comes from {', '.join(first[:_MOST_NAMED])} or {others}"
 
 
 def is_of_a_device(detail: str, team: Team) -> bool:
