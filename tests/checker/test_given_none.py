@@ -55,11 +55,16 @@ def behind(tmp_path):
         ("robot.getDevice('imu').getValues()\nrobot.getDevice('led')\n", 'getDevice("imu") gave None'),
         ("sensors['a'].getValues()\n", 'this None comes from getDevice("imu") or getDevice("led")'),
         ("one.getValues()\nfor one in map(robot.getDevice, NAMES): pass\n", 'getDevice("imu") or getDevice("led")'),
+        ("imu.getValues()\nimu = robot.getDevice('i' + 'mu')\n", 'getDevice("imu") or getDevice("led")'),
         ("imu.getValues()\nimu = robot.getDevice(NAME)\n", 'getDevice("imu") or getDevice("led")'),
     ],
 )
 def test_of_several_devices_asked_for_in_vain_the_one_is_named_that_was_used(behind, program, told):
     assert told in behind(program, ["imu", "led"]).told
+
+
+def test_a_device_that_is_there_was_not_given_none_for_another_that_is_missing(behind):
+    assert behind("gps.getValues()\ngps = robot.getDevice('gps')\ngps = fix(gps)\n", ["led"]) is None
 
 
 def test_very_many_devices_are_not_all_named(behind):

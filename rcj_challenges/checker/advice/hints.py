@@ -11,10 +11,11 @@ from pathlib import PurePosixPath
 from typing import Any
 
 from rcj_challenges.checker.advice.asked_of_the_system import on_system
+from rcj_challenges.checker.advice.crash_lines import OF_NONE
 from rcj_challenges.checker.advice.early_ends import why_it_ended
 from rcj_challenges.checker.advice.no_device import InsteadOf, asked_in_vain, behind_none, ignored_calls
 from rcj_challenges.checker.advice.old_names import on_old_name
-from rcj_challenges.checker.advice.slips import on_slip
+from rcj_challenges.checker.advice.slips import NOTHING_THERE, on_slip
 from rcj_challenges.checker.modules import COMPILED, Library, places_of
 from rcj_challenges.checker.not_given import on_not_given
 from rcj_challenges.checker.preloaded import never_read
@@ -156,7 +157,7 @@ def on_messages(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hin
 
 
 def on_none(scenario: Scenario, team: Team, fault: Mapping[str, Any], log: str) -> Hint | None:
-    """Return what is behind a crash over None, which the program was given for a device, or as it is no referee.
+    """Return what is behind a crash over None: what was given for a device, or as a player is no referee, or else.
 
     Args:
         scenario: what was played.
@@ -165,10 +166,11 @@ def on_none(scenario: Scenario, team: Team, fault: Mapping[str, Any], log: str) 
         log: of the robot, or its beginning.
     """
     asked = asked_in_vain(log)
-    crashed = fault["kind"] == "crash"
-    given = behind_none(fault["detail"], team, asked, ignored_calls(log)) if crashed else None
-    if given is None:
+    if fault["kind"] != "crash" or OF_NONE.search(fault["detail"]) is None:
         return None
+    given = behind_none(fault["detail"], team, asked, ignored_calls(log))
+    if given is None:
+        return Hint(NOTHING_THERE)
     if not given.devices:
         return Hint(f"{given.told}: {_NO_REFEREE}")
     instead, name = InsteadOf(scenario, team, asked), given.devices[-1]

@@ -30,6 +30,7 @@ _OF_DEVICES = re.compile(
     r"|enable|disable|send"
 )
 _ASKS = rb"get(?:Device|Motor|Receiver|Emitter|GPS|Compass|DistanceSensor|PositionSensor|Lidar|Camera|LED|Gyro)\("
+_ASKS_BY_NAME = re.compile(_ASKS.decode() + r"[ \t]{0,4}([\"'])[^\"']{0,100}\1[ \t]{0,4}\)")
 _MOST_NAMED = 4
 _OF_2021, _SINCE = "2021", "2022 and later"
 _KITS = {_OF_2021: ("soccersim_2021.yaml", "legacy_2021"), _SINCE: ("soccersim_v2.yaml", "v2")}
@@ -87,6 +88,8 @@ def behind_none(detail: str, team: Team, asked: Collection[str], calls: Sequence
         if called or not asked:
             # The others of a supervisor's calls are there for what they do.
             return GivenNone(_gave_none(called[-1:] or [one for one in calls if one.startswith("get")] or calls))
+    if not devices and _ASKS_BY_NAME.search(origins):
+        return None  # that one is there
     devices = devices or list(asked)
     return GivenNone(_gave_none([f'getDevice("{shown(name)}")' for name in devices]), tuple(devices))
 

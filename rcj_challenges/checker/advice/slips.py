@@ -65,7 +65,7 @@ _OUT_OF_BOUNDS = (
     "math.acos and math.asin take numbers from -1 to 1, math.sqrt and math.log none below 0, and rounding leads beyond "
     "by a hair: math.acos(max(-1, min(1, x)))"
 )
-_NOTHING_THERE = (
+NOTHING_THERE = (
     "something in this line is None: a ball that is not in sight, what has not come yet, what a function without "
     "return gives; ask first: if ball is not None:"
 )
@@ -73,6 +73,14 @@ _NOTHING_THERE = (
 _GIVES_NOTHING = re.compile(
     r"=[^;]{1,200}\.(?P<call>enable|disable|setPosition|setVelocity|nextPacket|setChannel)\([^()]{0,60}(?:\([^()]{0,40}\))?\)"
     r"[ \t]{0,20}(?:[;#]|$)"
+)
+_NO_SUCH_LETTER = (
+    'each letter of the format takes one kind: whole numbers for "i" (int(x)), any for "f" and "d", True or False for '
+    '"?"; None fits no letter: of a ball that is not in sight send a number that stands for it'
+)
+_NO_END = (
+    "this number is infinite: so is what a lidar gives beyond its range, and a division by 0 in numpy; ask first: "
+    "if math.isfinite(x):"
 )
 _NO_SCREEN = "there is no screen in a match: do without windows (tkinter, turtle)"
 _NO_DEBUGGER = (
@@ -108,9 +116,9 @@ _REMEDIES = (
     (re.compile(r"^TypeError: cannot unpack non-iterable (?:builtin_function_or_)?method object"), _BRACKETS),
     (re.compile(r"^TypeError: \w{1,100}\.\w{1,100}\(\) takes 0 positional arguments but "), _SELF),
     (re.compile(r"^TypeError: .{1,200} missing 1 required positional argument: 'self'"), _AN_OBJECT),
-    (re.compile(r"^TypeError: (?:.{1,100} )?'NoneType' (?:and|object is not|object cannot)"), _NOTHING_THERE),
-    (re.compile(r"^TypeError: .{1,100} and 'NoneType'"), _NOTHING_THERE),
-    (re.compile(r"^TypeError: cannot unpack non-iterable NoneType object"), _NOTHING_THERE),
+    (re.compile(r"^TypeError: .{0,300}\bNoneType\b"), NOTHING_THERE),
+    (re.compile(r"^struct\.error: required argument is not an? (?:integer|float)"), _NO_SUCH_LETTER),
+    (re.compile(r"^OverflowError: cannot convert float infinity to integer"), _NO_END),
     (re.compile(r"^_tkinter\.TclError: "), _NO_SCREEN),
     (re.compile(r"^bdb\.BdbQuit\b"), _NO_DEBUGGER),
     (re.compile(r"^UnicodeDecodeError: 'utf-8' codec can't decode "), _NO_TEXT),
