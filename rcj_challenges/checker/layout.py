@@ -281,6 +281,12 @@ def _asked(seats: Iterable[Entrant]) -> set[PurePosixPath]:
     return {PurePosixPath(entry) for seat in seats for wanted in seat.robots.values() for entry in alternatives(wanted)}
 
 
+def _asked_by_all(seats: Iterable[Entrant]) -> set[PurePosixPath]:
+    """Return the places in which one program may lie that drives every robot."""
+    wanted = [set(map(PurePosixPath, alternatives(one))) for seat in seats for one in seat.robots.values()]
+    return set.intersection(*wanted) if wanted else set()
+
+
 def _complete(files: Files, seats: Sequence[Entrant]) -> bool:
     """Return whether every robot has its program, and no file lies where a folder is."""
     if any(entry is None for entry in entries_of(files, seats).values()):
@@ -361,7 +367,7 @@ def _beside_their_folders(files: Files, wanted: Iterable[PurePosixPath]) -> list
 def _meant_to_be(
     entry: PurePosixPath, files: Files, seats: Sequence[Entrant], roles: Roles
 ) -> PurePosixPath | None:  # fmt: skip
-    asked = _asked(seats)
+    asked, for_all = _asked(seats), _asked_by_all(seats)
     endings = (".py", HIDDEN_ENDING)
     programs = [
         path for path in files if path.name.casefold().endswith(endings) and len(path.parts) == len(entry.parts)
@@ -371,6 +377,9 @@ def _meant_to_be(
         if path not in asked and files[path].strip(BLANK):
             alone = sum(other.parent == path.parent for other in programs) == 1
             rank = _likeness(path, entry, alone=alone)
+            # A program without its folder is named after the folder that it should lie in.
+            if len(entry.parts) == 1 and entry in for_all:
+                rank = max(rank, _LIKE * any(alike(path.stem, one.stem) for one in for_all))
             # Of what others import, only the very name can say that it is a program all the same.
             if files[path] in roles.libraries and rank < _SAME:
                 rank = 0

@@ -128,6 +128,19 @@ def test_where_the_programs_of_the_colours_differ_the_team_has_to_say_which_are_
     )
 
 
+@pytest.mark.parametrize("name", ["rcj_soccer_team_yellow", "rcj_soccer_team", "rcj_soccer_team_bleu"])
+def test_what_lies_in_the_folder_of_yellow_may_be_given_alone(tmp_path: Path, name: str) -> None:
+    """Who played as yellow at home gives that folder: in it lies the program, and not the folder."""
+    found = misplaced(tmp_path, {f"{name}.py": MAIN} | SHARED)
+    assert (found.code, found.remedy) == ("layout.misnamed", f"rename the file {name}.py to robot.py")
+    assert mended(tmp_path) == {"robot.py", "team_name.txt", *SHARED}
+
+
+def test_the_program_of_one_robot_is_none_for_all(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, {"robot1.py": ALONE, "utils.py": b"x = 1\n"})
+    assert "robot.py" not in found.remedy.split(" or ")[0]
+
+
 def test_programs_that_import_from_the_folder_of_another_one_are_meant_all_the_same(tmp_path: Path) -> None:
     """The template of 2021: what all share lies in the folder of B1; packed with all that its repository has."""
     up = b"import sys\nfrom pathlib import Path\nsys.path.append(str(Path('.').absolute().parent))\n"
