@@ -8,7 +8,7 @@ from pathlib import PurePosixPath
 
 from rcj_challenges.checker.findings import Finding
 from rcj_challenges.checker.left_over import never_started
-from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned, of_yellow, same_number
+from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned, of_blue, of_yellow, same_number
 from rcj_challenges.checker.mains import HIDDEN_ENDING, Roles, roles_of, what_it_does
 from rcj_challenges.checker.others import looks_like
 from rcj_challenges.controllers.archive import Files
@@ -185,7 +185,7 @@ def _of_one_colour(opening: Opening, seats: Sequence[Entrant]) -> str:
     """Return what to do where programs for blue and yellow differ, as if those for blue were meant; else nothing."""
     files = opening.contents.files
     rest = {path: data for path, data in files.items() if not any(map(of_yellow, (*path.parts[:-1], path.stem)))}
-    if len(rest) in (0, len(files)):
+    if len(rest) == len(files) or not any(of_blue(name) for path in rest for name in (*path.parts[:-1], path.stem)):
         return ""
     plan = plan_moves(replace(opening, contents=replace(opening.contents, files=rest)), seats)
     if plan is None:

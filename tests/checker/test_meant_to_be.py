@@ -128,6 +128,13 @@ def test_where_the_programs_of_the_colours_differ_the_team_has_to_say_which_are_
     )
 
 
+def test_of_programs_for_yellow_alone_nothing_else_is_meant_instead(tmp_path: Path) -> None:
+    files = {"rcj_soccer_player_y1.py": ALONE + b"import rcj_soccer_robot\n", "rcj_soccer_robot.py": BASE}
+    found = misplaced(tmp_path, files, OF_2021)
+    assert found.code == "layout.missing"
+    assert "rename" not in found.remedy
+
+
 @pytest.mark.parametrize("name", ["rcj_soccer_team_yellow", "rcj_soccer_team", "rcj_soccer_team_bleu"])
 def test_what_lies_in_the_folder_of_yellow_may_be_given_alone(tmp_path: Path, name: str) -> None:
     """Who played as yellow at home gives that folder: in it lies the program, and not the folder."""
