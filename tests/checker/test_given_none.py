@@ -9,6 +9,7 @@ import pytest
 from rcj_challenges.checker.advice.no_device import behind_none
 from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.controllers.team import open_team
+from rcj_challenges.scenario.load import load
 from tests.checker.alone import alone
 
 pytestmark = pytest.mark.usefixtures("sources_read_here")
@@ -87,6 +88,18 @@ def test_who_uses_a_missing_device_in_the_middle_of_the_match_is_told_which(pack
     program = BEGIN + "imu = robot.getDevice('imu')\nlamp = robot.getDevice('led')\n" + LOOP + "imu.getRollPitchYaw()\n"
     (crash,) = findings(check_file(pack(program), ALONE, LATE), "play", "play.crash")
     assert crash.remedy.startswith('getDevice("imu") gave None: these robots have: left wheel motor')
+
+
+def test_who_asks_for_what_robots_of_another_challenge_have_is_told_of_that_one(tmp_path):
+    """Two challenges of 2021 call their program alike."""
+    with zipfile.ZipFile(tmp_path / "team.zip", "w") as archive:
+        archive.writestr("score_goal/score_goal.py", BEGIN + "lidar = robot.getDevice('lidar')\nlidar.enable(64)\n")
+        archive.writestr("team_name.txt", "Hanse")
+    report = check_file(tmp_path / "team.zip", load("fast_shooter"), LATE)
+    (missing,) = findings(report, "start", "start.no_device")
+    assert missing.remedy.startswith(
+        "it looks like one for precision_lidar: rcj-challenge check … --scenario precision_lidar; these robots have: "
+    )
 
 
 def test_who_goes_on_with_what_only_a_referee_gets_is_told_so_in_the_middle_of_the_match_too(pack):

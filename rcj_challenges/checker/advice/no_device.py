@@ -142,7 +142,8 @@ class InsteadOf:
         self._scenario = scenario
         self._team = team
         self._years = _SINCE if _plays_2021(scenario) else _OF_2021
-        self._theirs = _devices_of_other_years(scenario, team, set(names), self._years)
+        self._asked = set(names)
+        self._theirs = _devices_of_other_years(scenario, team, self._asked, self._years)
 
     def made_for(self, name: str) -> str:
         """Return for which robots the programs seem to be written, if those have it; else nothing."""
@@ -160,7 +161,14 @@ class InsteadOf:
             meant = self._scenarios_of_their_years()
             return meant + _in_place(self._scenario, robot, self._theirs[name], has)
         near = get_close_matches(name.casefold(), has.split(", "), 1)
-        return f'did you mean "{shown(near[0])}"?' if near else _all_of(has)
+        if near:
+            return f'did you mean "{shown(near[0])}"?'
+        others = others_that_fit(self._team.files, self._scenario, self._are_of)
+        return (f"{looks_like(others)}; " if others else "") + _all_of(has)
+
+    def _are_of(self, other: Scenario) -> bool:
+        """Return whether a robot of another scenario has all that was asked for in vain."""
+        return any(self._asked <= devices_of(other, robot).keys() for robot in other.robots)
 
     def _scenarios_of_their_years(self) -> str:
         """Return where programs of such a layout meet the robots that they were written for, as a remedy begins."""
