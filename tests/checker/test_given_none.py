@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import time
 import zipfile
 
 import pytest
 
-from rcj_challenges.checker.advice.no_device import behind_none
+from rcj_challenges.checker.advice.no_device import behind_none, ignored_calls
 from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.scenario.load import load
@@ -66,6 +67,15 @@ def test_of_several_devices_asked_for_in_vain_the_one_is_named_that_was_used(beh
 
 def test_a_device_that_is_there_was_not_given_none_for_another_that_is_missing(behind):
     assert behind("gps.getValues()\ngps = robot.getDevice('gps')\ngps = fix(gps)\n", ["led"]) is None
+
+
+def test_programs_and_logs_without_end_are_looked_at_in_no_time(behind):
+    program = "x.getValues()\n" + "x=" * 2_000_000 + "1\n"
+    calls = ignored_calls("".join(f"Warning: get{n} is ignored and gives None\n" for n in range(3000)))
+    began_s = time.process_time()  # what else the machine does is not counted
+    assert behind(program, [f"led {n}" for n in range(3000)], calls) is not None
+    assert behind(program, [], calls) is not None
+    assert time.process_time() - began_s < 5
 
 
 def test_very_many_devices_are_not_all_named(behind):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import PurePosixPath
 
 PLACE = re.compile(r" \((?P<file>[^()]{1,300}), line (?P<line>[0-9]{1,7})\)$")
@@ -14,6 +15,7 @@ OF_NONE = re.compile(r"AttributeError: 'NoneType' object has no attribute '(?P<a
 
 _MOST_LINE = 500  # letters
 _MOST_SET = 300  # letters behind "=": of a line full of them each would be looked at as often as there are letters
+_MOST_SETTINGS = 1000
 
 
 @dataclass(frozen=True)
@@ -66,7 +68,8 @@ def set_in(name: str, files: Mapping[PurePosixPath, bytes]) -> list[str]:
     """Return the lines of a team's programs that set a name, from that name on; none if there is no name."""
     setting = re.compile(rb"\b%b[ \t]{0,4}=(?!=)[^\r\n]{0,%d}" % (name.encode(), _MOST_SET))
     programs = [content for path, content in files.items() if name and path.suffix == ".py"]
-    return [text_of(found[0]) for content in programs for found in setting.finditer(content)]
+    found = (one[0] for content in programs for one in setting.finditer(content))
+    return [text_of(line) for line in islice(found, _MOST_SETTINGS)]
 
 
 def unquoted(text: str) -> str:

@@ -32,6 +32,7 @@ _OF_DEVICES = re.compile(
 _ASKS = rb"get(?:Device|Motor|Receiver|Emitter|GPS|Compass|DistanceSensor|PositionSensor|Lidar|Camera|LED|Gyro)\("
 _ASKS_BY_NAME = re.compile(_ASKS.decode() + r"[ \t]{0,4}([\"'])[^\"']{0,100}\1[ \t]{0,4}\)")
 _MOST_NAMED = 4
+_MOST_CALLS = 50  # a supervisor has fewer; a program may print what it likes
 _OF_2021, _SINCE = "2021", "2022 and later"
 _KITS = {_OF_2021: ("soccersim_2021.yaml", "legacy_2021"), _SINCE: ("soccersim_v2.yaml", "v2")}
 """Of the years: where their robots are described."""
@@ -48,12 +49,12 @@ def asked_in_vain(log: str) -> dict[str, str]:
 
 
 def ignored_calls(log: str) -> list[str]:
-    """Return the calls of a supervisor that gave nothing, in order.
+    """Return the calls of a supervisor that gave nothing, in order, each once.
 
     Args:
         log: of the robot, or its beginning.
     """
-    return _IGNORED.findall(log)
+    return list(dict.fromkeys(_IGNORED.findall(log)))[:_MOST_CALLS]
 
 
 @dataclass(frozen=True)
