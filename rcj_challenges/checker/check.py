@@ -237,15 +237,17 @@ def _run(found: _Findings, options: CheckOptions, named: Called, rehearsal_in: C
 
     with _private_folders() as folders:
         rehearsal = rehearsal_in(folders.place)
+        asked: list[tuple[str, str]] = []  # devices, in vain, when the programs started
 
         def start() -> Stage:
             started = check_start(rehearsal)
+            asked.extend(started.asked)
             if options.show_output and started.stage.failed:  # else what is played shows it
                 found.started = _outputs(started.match)
             return _unless_full(started.stage, folders.place)
 
         def play() -> Stage:
-            played = check_play(rehearsal, options.play_s)
+            played = check_play(rehearsal, options.play_s, asked)
             found.matches = [_match(match, named, options) for match in played.matches]
             return _unless_full(played.stage, folders.place)
 

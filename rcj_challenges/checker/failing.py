@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from rcj_challenges.checker.advice.hints import WHEREABOUTS, Hint, hint_on
+from rcj_challenges.checker.advice.hints import WHEREABOUTS, Hint, hint_on, on_none
 from rcj_challenges.checker.findings import Finding, StageName
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
 from rcj_challenges.controllers.log import AFTER_ITS_END, ANOTHER_THREAD
@@ -54,6 +54,7 @@ def _finding(
     # Of robots that hang, each was somewhere else when its patience ended: one place is enough.
     whereabouts = next(filter(None, (_whereabouts(match.log(robot)) for robot in robots)), "") if not traceback else ""
     hint = hint_on(rehearsal.loaded.scenario, rehearsal.team, first, whereabouts, rehearsal.sandbox)
+    hint = hint or on_none(rehearsal.loaded.scenario, rehearsal.team, first, match.log(first["robot"]))
     hint = hint or Hint(_REMEDIES.get(kind, _OTHER_REMEDY))
     when = f"{side}after {s_from_ticks(first['tick']):.1f} s: " if stage == "play" else ""
     report = traceback or whereabouts

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import PurePosixPath
 
 from rcj_challenges.checker.findings import Finding
 from rcj_challenges.checker.left_over import never_started
-from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned, of_yellow, same_number
+from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned, of_blue, of_yellow, same_number
 from rcj_challenges.checker.mains import HIDDEN_ENDING, Roles, roles_of, what_it_does
 from rcj_challenges.checker.others import looks_like
 from rcj_challenges.controllers.archive import Files
@@ -174,12 +174,31 @@ def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) 
         remedy = f"pack what is in {nested[0].where}, not the archive itself"
         return [Finding("layout.missing", "failure", message, remedy)]
     if plan is None:
-        remedy = f"{_elsewhere(others)}{into_folders or _add_it(opening, seats, libraries) or _call_it_so(opening)}"
+        remedy = into_folders or _of_one_colour(opening, seats)
+        remedy = _elsewhere(others) + (remedy or _add_it(opening, seats, libraries) or _call_it_so(opening))
         return [Finding("layout.missing", "failure", message, remedy)]
-    remedy = _elsewhere(others) + ", ".join(map(str, plan.moves))
-    if plan.mentioned:
-        remedy += f"; the programs mention {told(plan.mentioned)}: change that as well"
+    remedy = _elsewhere(others) + _in_words(plan)
     return [Finding("layout.misnamed", "failure", message, remedy, told(plan.moves[0].old), not plan.mentioned)]
+
+
+def _of_one_colour(opening: Opening, seats: Sequence[Entrant]) -> str:
+    """Return what to do where programs for blue and yellow differ, as if those for blue were meant; else nothing."""
+    files = opening.contents.files
+    rest = {path: data for path, data in files.items() if not any(map(of_yellow, (*path.parts[:-1], path.stem)))}
+    if len(rest) == len(files) or not any(of_blue(name) for path in rest for name in (*path.parts[:-1], path.stem)):
+        return ""
+    plan = plan_moves(replace(opening, contents=replace(opening.contents, files=rest)), seats)
+    if plan is None:
+        return ""
+    return (
+        f"{_in_words(plan)}; or do so with the programs of yellow, if these are yours: they differ, and the same ones "
+        "play for both colours"
+    )
+
+
+def _in_words(plan: Plan) -> str:
+    change = f"; the programs mention {told(plan.mentioned)}: change that as well" if plan.mentioned else ""
+    return f"{', '.join(map(str, plan.moves))}{change}"
 
 
 def _into_folders_with_copies(opening: Opening) -> str:
@@ -262,6 +281,12 @@ def _asked(seats: Iterable[Entrant]) -> set[PurePosixPath]:
     return {PurePosixPath(entry) for seat in seats for wanted in seat.robots.values() for entry in alternatives(wanted)}
 
 
+def _asked_by_all(seats: Iterable[Entrant]) -> set[PurePosixPath]:
+    """Return the places in which one program may lie that drives every robot."""
+    wanted = [set(map(PurePosixPath, alternatives(one))) for seat in seats for one in seat.robots.values()]
+    return set.intersection(*wanted) if wanted else set()
+
+
 def _complete(files: Files, seats: Sequence[Entrant]) -> bool:
     """Return whether every robot has its program, and no file lies where a folder is."""
     if any(entry is None for entry in entries_of(files, seats).values()):
@@ -342,7 +367,7 @@ def _beside_their_folders(files: Files, wanted: Iterable[PurePosixPath]) -> list
 def _meant_to_be(
     entry: PurePosixPath, files: Files, seats: Sequence[Entrant], roles: Roles
 ) -> PurePosixPath | None:  # fmt: skip
-    asked = _asked(seats)
+    asked, for_all = _asked(seats), _asked_by_all(seats)
     endings = (".py", HIDDEN_ENDING)
     programs = [
         path for path in files if path.name.casefold().endswith(endings) and len(path.parts) == len(entry.parts)
@@ -352,6 +377,9 @@ def _meant_to_be(
         if path not in asked and files[path].strip(BLANK):
             alone = sum(other.parent == path.parent for other in programs) == 1
             rank = _likeness(path, entry, alone=alone)
+            # A program without its folder is named after the folder that it should lie in.
+            if len(entry.parts) == 1 and entry in for_all:
+                rank = max(rank, _LIKE * any(alike(path.stem, one.stem) for one in for_all))
             # Of what others import, only the very name can say that it is a program all the same.
             if files[path] in roles.libraries and rank < _SAME:
                 rank = 0

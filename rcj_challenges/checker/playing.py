@@ -9,6 +9,7 @@ from pathlib import PurePosixPath
 from typing import Any
 
 from rcj_challenges.checker.advice.early_ends import why_it_stands
+from rcj_challenges.checker.devices import Asked, asked_by_robots, device_findings
 from rcj_challenges.checker.failing import fault_findings
 from rcj_challenges.checker.findings import Finding, Level, Stage
 from rcj_challenges.checker.growth import Growth
@@ -80,8 +81,13 @@ class Played:
     matches: list[Rehearsed] = field(default_factory=list)
 
 
-def check_play(rehearsal: Rehearsal, seconds: float) -> Played:
+def check_play(rehearsal: Rehearsal, seconds: float, told: Collection[tuple[str, str]] = ()) -> Played:
     """Play on each side that the team can take, and say how its robots did.
+
+    Args:
+        rehearsal: what is to be played.
+        seconds: how long, on each side.
+        told: devices asked for in vain that are told of already, as in `Asked`.
 
     Raises:
         RcjError: it cannot be played for a reason that is not the team's.
@@ -95,11 +101,13 @@ def check_play(rehearsal: Rehearsal, seconds: float) -> Played:
             # The same match once more: what was slow because this computer was busy will hardly be so twice.
             match.waits.update(_shorter(match.waits, rehearse(rehearsal, (seat,), seconds).waits))
         played.matches.append(match)
-        played.stage.findings += _findings(rehearsal, match, side)
+        asked = {found: robots for found, robots in asked_by_robots(match).items() if found not in told}
+        played.stage.findings += _findings(rehearsal, match, side, asked)
     return played
 
 
-def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
+def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str, asked: Asked) -> list[Finding]:
+    missing = device_findings("play", asked, rehearsal, side)
     failed = fault_findings("play", rehearsal, match, side)
     absent = _absent(match)
     rest = [
@@ -110,8 +118,8 @@ def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding
     ]
     much = _much(rehearsal, match, side)
     told = [*_threads(match, side), *_complaints(match, side)]
-    # What would end a program comes before what may be as it should.
-    return [*failed, *much, *rest, *told, _summary(match, side), *_others_failed(match, side)]
+    # What would end a program comes before what may be as it should, and after what it may come from.
+    return [*missing, *failed, *much, *rest, *told, _summary(match, side), *_others_failed(match, side)]
 
 
 def _absent(match: Rehearsed) -> dict[str, int]:

@@ -2,27 +2,21 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from rcj_challenges.checker.advice.no_device import InsteadOf, asked_in_vain, is_of_a_device
+from rcj_challenges.checker.advice.no_device import behind_none, ignored_calls
+from rcj_challenges.checker.devices import Asked, asked_by_robots, device_findings
 from rcj_challenges.checker.failing import fault_findings
 from rcj_challenges.checker.findings import Finding, Stage
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, rehearse
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.facts.shown import shown
 from rcj_challenges.facts.timing import TICK_S
 
 _TICKS = 4
 """Enough for two answers of a program that steps 64 ms."""
 
 _SLOW_SHARE = 0.5
-_MOST_DEVICES = 10
-_Asked = dict[tuple[str, str], list[str]]
-"""Robots by the name that they asked for in vain, and by what they have."""
-
-_IGNORED = re.compile(r"^Warning: (\w+) is ignored and gives None", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -32,10 +26,12 @@ class Started:
     Attributes:
         stage: findings.
         match: the few ticks that were played.
+        asked: devices that were asked for in vain, as told in the findings.
     """
 
     stage: Stage
     match: Rehearsed
+    asked: Asked
 
 
 def check_start(rehearsal: Rehearsal) -> Started:
@@ -46,8 +42,8 @@ def check_start(rehearsal: Rehearsal) -> Started:
     """
     stage = Stage("start")
     started = rehearse(rehearsal, tuple(rehearsal.seats()), _TICKS * TICK_S)
-    asked = _asked_in_vain(started)
-    stage.findings += _devices(asked, rehearsal)  # before what follows from it
+    asked = asked_by_robots(started)
+    stage.findings += device_findings("start", asked, rehearsal)  # before what follows from it
     for finding in fault_findings("start", rehearsal, started):
         stage.findings.append(_because_of(asked, _ignored(started), rehearsal.team, finding))
     slow = _slow(started, rehearsal.loaded.scenario.limits.start_s)
@@ -61,7 +57,7 @@ def check_start(rehearsal: Rehearsal) -> Started:
                 "start.ok", "passed", f"all robots start and answer, the slowest after {longest_s:.1f} s", "", robots
             )
         )
-    return Started(stage, started)
+    return Started(stage, started, asked)
 
 
 def _slow(started: Rehearsed, limit_s: float) -> Finding | None:
@@ -78,45 +74,16 @@ def _slow(started: Rehearsed, limit_s: float) -> Finding | None:
     )
 
 
-def _asked_in_vain(started: Rehearsed) -> _Asked:
-    asked: _Asked = {}
-    for robot in started.motions:
-        for found in asked_in_vain(started.log(robot)).items():
-            asked.setdefault(found, []).append(robot)
-    return asked
-
-
 def _ignored(started: Rehearsed) -> dict[str, list[str]]:
     """Return the calls of a supervisor that gave nothing, by robot."""
-    return {robot: _IGNORED.findall(started.log(robot)) for robot in started.motions}
+    return {robot: ignored_calls(started.log(robot)) for robot in started.motions}
 
 
-def _because_of(asked: _Asked, ignored: Mapping[str, list[str]], team: Team, crash: Finding) -> Finding:
-    """Return the finding on a crash, with what the program was not given if that may be the reason."""
+def _because_of(asked: Asked, ignored: Mapping[str, list[str]], team: Team, crash: Finding) -> Finding:
+    """Return the finding on a crash, shorter where what the program was not given is told before it."""
     robots = set(crash.where.split(", "))
     missing = [name for (name, _), those in asked.items() if robots & set(those)]
-    calls = [call for robot in robots for call in ignored.get(robot, ())]
-    if not (missing or calls) or not is_of_a_device(crash.message, team):
+    given = behind_none(crash.message, team, missing, [call for robot in robots for call in ignored.get(robot, ())])
+    if given is None or not given.devices:
         return crash
-    if not missing:
-        return replace(
-            crash,
-            remedy=f"{calls[-1]} gave None: only a referee is told where things are; a player asks its own devices "
-            "(gps, compass, ball receiver)",
-        )
-    return replace(
-        crash, remedy=f'getDevice("{shown(missing[-1])}") gave None, see above: ask for a device that there is'
-    )
-
-
-def _devices(asked: _Asked, rehearsal: Rehearsal) -> list[Finding]:
-    """Return a warning for each device that a program asked for in vain."""
-    instead = InsteadOf(rehearsal.loaded.scenario, rehearsal.team, [name for name, _ in asked])
-    findings = []
-    for (name, has), robots in list(asked.items())[:_MOST_DEVICES]:
-        message = f'asks for a device "{shown(name)}"; there is none'
-        if made_for := instead.made_for(name):
-            message += f": {made_for}"
-        remedy = instead.remedy(name, robots[0], has)
-        findings.append(Finding("start.no_device", "warning", message, remedy, ", ".join(robots)))
-    return findings
+    return replace(crash, remedy=f"{given.told}, see above: ask for a device that there is")

@@ -112,6 +112,42 @@ def test_of_the_same_programs_for_both_colours_those_of_blue_are_meant(tmp_path:
     assert "robot3/robot3.py" in mended(tmp_path, OF_2021)
 
 
+def test_where_the_programs_of_the_colours_differ_the_team_has_to_say_which_are_its_own(tmp_path: Path) -> None:
+    """Many wrote theirs for one colour only, and left the example as the opponent: which is which, no name tells."""
+    files = {
+        f"rcj_soccer_player_{who}/rcj_soccer_player_{who}.py": ALONE + b"# spare\nx = 1\n" * (who[0] == "y")
+        for who in ("b1", "b2", "b3", "y1", "y2", "y3")
+    }
+    found = misplaced(tmp_path, below("controllers", files), OF_2021)
+    assert (found.code, found.repair) == ("layout.missing", False)
+    assert found.remedy.startswith(
+        "move what is in controllers to the top, rename the folder rcj_soccer_player_b1 to robot1"
+    )
+    assert found.remedy.endswith(
+        "; or do so with the programs of yellow, if these are yours: they differ, and the same ones play for both colours"
+    )
+
+
+def test_of_programs_for_yellow_alone_nothing_else_is_meant_instead(tmp_path: Path) -> None:
+    files = {"rcj_soccer_player_y1.py": ALONE + b"import rcj_soccer_robot\n", "rcj_soccer_robot.py": BASE}
+    found = misplaced(tmp_path, files, OF_2021)
+    assert found.code == "layout.missing"
+    assert "rename" not in found.remedy
+
+
+@pytest.mark.parametrize("name", ["rcj_soccer_team_yellow", "rcj_soccer_team", "rcj_soccer_team_bleu"])
+def test_what_lies_in_the_folder_of_yellow_may_be_given_alone(tmp_path: Path, name: str) -> None:
+    """Who played as yellow at home gives that folder: in it lies the program, and not the folder."""
+    found = misplaced(tmp_path, {f"{name}.py": MAIN} | SHARED)
+    assert (found.code, found.remedy) == ("layout.misnamed", f"rename the file {name}.py to robot.py")
+    assert mended(tmp_path) == {"robot.py", "team_name.txt", *SHARED}
+
+
+def test_the_program_of_one_robot_is_none_for_all(tmp_path: Path) -> None:
+    found = misplaced(tmp_path, {"robot1.py": ALONE, "utils.py": b"x = 1\n"})
+    assert "robot.py" not in found.remedy.split(" or ")[0]
+
+
 def test_programs_that_import_from_the_folder_of_another_one_are_meant_all_the_same(tmp_path: Path) -> None:
     """The template of 2021: what all share lies in the folder of B1; packed with all that its repository has."""
     up = b"import sys\nfrom pathlib import Path\nsys.path.append(str(Path('.').absolute().parent))\n"

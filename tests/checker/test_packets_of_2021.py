@@ -76,6 +76,25 @@ def test_a_program_that_reads_packets_of_another_size_is_told_what_is_in_those_o
     assert found.message == ": this program reads other packets than the referee sends here"
 
 
+@pytest.mark.parametrize(
+    ("scenario", "layout", "packet_bytes", "meant"),
+    [(LIDAR, "ddddd?", 17, "fast_shooter"), (ALONE, "dd?", 41, "precision_lidar"), (LIDAR, "d" * 20, 17, "")],
+)
+def test_two_challenges_that_call_their_program_alike_are_told_apart_by_their_packets(
+    tmp_path, scenario, layout, packet_bytes, meant
+):
+    (tmp_path / "score_goal").mkdir()
+    (tmp_path / "score_goal" / "score_goal.py").write_text("packet = receiver.getData()\n", encoding="utf-8")
+    with pytest.raises(struct.error) as error:
+        struct.unpack(layout, bytes(packet_bytes))
+    detail = f"struct.error: {error.value}"
+    fault = {"kind": "crash", "robot": "Y3", "tick": 2, "detail": detail, "traceback": ""}
+    with open_team(tmp_path, *scenario.entrants.values()) as team:
+        told = hint_on(scenario, team, fault, "")
+    assert told.remedy.startswith(f"it looks like one for {meant}: " if meant else "here that packet has 17 bytes")
+    assert "here that packet has" in told.remedy
+
+
 def test_what_is_told_to_be_unpacked_is_what_the_packet_holds(hint):
     form = re.search(r"struct\.unpack\((.+), packet\)", hint(PASSERS, "d", 113).remedy)[1]
     assert struct.calcsize(eval(form)) == 113  # noqa: S307 - a form that the advice has made

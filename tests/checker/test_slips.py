@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 import zipfile
 from pathlib import PurePosixPath
 
@@ -129,6 +130,11 @@ def test_a_number_that_is_none_before_the_first_sample_is_told_so(failure):
         ("ball = None\nif ball < 1: pass\n", "if ball is not None"),
         ("ball = None; x, y = ball\n", "if ball is not None"),
         ("ball = None\nfor x in ball: pass\n", "if ball is not None"),
+        ("c = robot.getDevice('compass').enable(32)\nc.getValues()\n", 'enable() gives nothing back, so "c" is None'),
+        (
+            "m = robot.getDevice('left wheel motor').setPosition(float('inf'))  # go\nm.setVelocity(1)\n",
+            'so "m" is None',
+        ),
         ("x = math.atan2(1, 2)\n", 'write "import math" at the top of rcj_soccer_team_blue.py'),
         ("x = np.array([1])\n", 'write "import numpy as np" at the top of rcj_soccer_team_blue.py'),
         ("x = sqrt(2)\n", 'write "from math import sqrt" at the top of rcj_soccer_team_blue.py'),
@@ -153,6 +159,40 @@ def test_a_number_that_is_none_before_the_first_sample_is_told_so(failure):
 )
 def test_small_things_that_are_left_out_are_told(failure, lines, told):
     assert told in failure(BEGIN + "gps = robot.getDevice('gps')\n" + lines + LOOP).remedy
+
+
+@pytest.mark.parametrize(
+    ("lines", "told"),
+    [
+        ("math.atan2(ball, 1)", "is None"),
+        ("-ball", "is None"),
+        ("float(ball)", "is None"),
+        ("int(ball)", "is None"),
+        ("abs(ball)", "is None"),
+        ("len(ball)", "is None"),
+        ("1 in ball", "is None"),
+        ("round(ball)", "is None"),
+        ("[1, 2][ball]", "is None"),
+        ("'x: ' + ball", "is None"),
+        ("f'{ball:.2f}'", "is None"),
+        ("'%d' % ball", "is None"),
+        ("ball[0] = 1", "is None"),
+        ("ball()", "is None"),
+        ("struct.pack('ff', 1.5, ball)", "None fits no letter"),
+        ("struct.pack('i', 'B1')", 'whole numbers for "i"'),
+        ("struct.pack('i', 2.5)", 'whole numbers for "i"'),
+        ("struct.pack('f', 'B1')", 'whole numbers for "i"'),
+        ("int(math.inf)", "beyond its range"),
+        ("round(math.inf)", "beyond its range"),
+    ],
+)
+def test_python_s_many_words_for_what_is_not_there_are_all_told(lines, told):
+    code = f"import math, struct\nball = None\n{lines}\n"
+    with pytest.raises((TypeError, OverflowError, struct.error)) as caught:
+        exec(code, {})  # noqa: S102 - the words are those of the Python that runs here
+    kind = "struct.error" if caught.type is struct.error else caught.typename
+    detail = f"{kind}: {caught.value} (robot.py, line 3)"
+    assert told in on_slip(detail, {PurePosixPath("robot.py"): code.encode()})
 
 
 @pytest.mark.parametrize("words", ["expected 2", "expected 2, got 3"])  # the latter from Python 3.14 on

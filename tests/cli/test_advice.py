@@ -27,6 +27,9 @@ while robot.step(32) != -1:
 """
 
 
+NONE_THERE = "something in this line is None"
+
+
 @pytest.fixture
 def told(tmp_path):
     (tmp_path / "robot.py").write_text("packet = receiver.getData()\n", encoding="utf-8")
@@ -138,10 +141,10 @@ def test_who_gives_one_file_and_not_its_folder_is_told_what_lies_beside_it(
             "controller.Robot().getDevice('imu').enable(32)\n",
             'getDevice("imu") gave None: these robots have: left wheel',
         ),
-        ("controller.Robot().getDevice('lidar')\nball = None\nball.x\n", ""),
-        ("controller.Robot().getDevice('lidar')\nball = None\nball.value\n", ""),
-        ("controller.Robot().getDevice('lidar')\nball = None\nball.getX()\ndef getX(): pass\n", ""),
-        ("controller.Robot().getDevice('lidar')\nnews = None\nnews.getData()\n", ""),
+        ("controller.Robot().getDevice('lidar')\nball = None\nball.x\n", NONE_THERE),
+        ("controller.Robot().getDevice('lidar')\nball = None\nball.value\n", NONE_THERE),
+        ("controller.Robot().getDevice('lidar')\nball = None\nball.getX()\ndef getX(): pass\n", NONE_THERE),
+        ("controller.Robot().getDevice('lidar')\nnews = None\nnews.getData()\n", NONE_THERE),
         (
             "lidar = None\nlidar = controller.Robot().getDevice('lidar')\nlidar.enable(9)\n",
             'getDevice("lidar") gave None',
@@ -151,7 +154,7 @@ def test_who_gives_one_file_and_not_its_folder_is_told_what_lies_beside_it(
             "controller.Robot().getDevice('receiver').enable(64)\n",
             'this program seems to be written for the robots of 2021; here "supervisor receiver" gets the referee\'s',
         ),
-        ("motor = None; motor.setPosition(0)\n", ""),
+        ("motor = None; motor.setPosition(0)\n", NONE_THERE),
         ("1 / 0\n", ""),
     ],
 )

@@ -245,6 +245,19 @@ def test_what_webots_has_and_this_world_has_not_is_accepted(match: FakeMatch) ->
     assert played.motors() == []
 
 
+def test_a_robot_tells_its_kind_and_each_device_its_tag(match: FakeMatch) -> None:
+    played = _play(
+        match,
+        "from controller import Node\n"
+        "other = robot.getDevice('right wheel motor')\n"
+        "print(robot.getType() == Node.ROBOT, robot.getDeviceByIndex(2).getTag(), motor.getTag() != other.getTag())\n"
+        "print(robot.getAltimeter('gps'), robot.getSkin('skin'), robot.getVacuumGripper('gripper'))\n"
+        "robot.step(32)\n",
+    )
+    assert played.said[0] == "True 3 True"  # 0 is the robot's own
+    assert played.said[-1] == "None None None"
+
+
 def test_the_period_of_the_torque_feedback_is_kept_and_the_torque_is_always_0(match: FakeMatch) -> None:
     played = _play(
         match,

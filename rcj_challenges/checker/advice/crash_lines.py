@@ -5,12 +5,17 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import PurePosixPath
 
 PLACE = re.compile(r" \((?P<file>[^()]{1,300}), line (?P<line>[0-9]{1,7})\)$")
 """The place at the end of the last line that a program told of its end."""
+OF_NONE = re.compile(r"AttributeError: 'NoneType' object has no attribute '(?P<attribute>\w{1,100})'")
+"""What Python says of a program that asks None for something."""
 
 _MOST_LINE = 500  # letters
+_MOST_SET = 300  # letters behind "=": of a line full of them each would be looked at as often as there are letters
+_MOST_SETTINGS = 1000
 
 
 @dataclass(frozen=True)
@@ -43,6 +48,28 @@ def crash_line(detail: str, files: Mapping[PurePosixPath, bytes]) -> CrashLine |
     lines = content.splitlines()  # of bytes: at the same places as Python does
     number = int(found["line"])
     return CrashLine(file, number, text_of(lines[number - 1][:_MOST_LINE])) if 0 < number <= len(lines) else None
+
+
+def used_none(detail: str, files: Mapping[PurePosixPath, bytes]) -> tuple[str, str]:
+    """Return the line of a crash over None, and the name there of what was None; empty if that is not known.
+
+    Args:
+        detail: the last line of what the program told of its end, and its place.
+        files: of the team.
+    """
+    found, line = OF_NONE.search(detail), crash_line(detail, files)
+    if found is None or line is None:
+        return "", ""
+    held = re.search(rf"\b(\w{{1,100}})\.{found['attribute']}\b", line.code)
+    return line.code, held[1] if held is not None else ""
+
+
+def set_in(name: str, files: Mapping[PurePosixPath, bytes]) -> list[str]:
+    """Return the lines of a team's programs that set a name, from that name on; none if there is no name."""
+    setting = re.compile(rb"\b%b[ \t]{0,4}=(?!=)[^\r\n]{0,%d}" % (name.encode(), _MOST_SET))
+    programs = [content for path, content in files.items() if name and path.suffix == ".py"]
+    found = (one[0] for content in programs for one in setting.finditer(content))
+    return [text_of(line) for line in islice(found, _MOST_SETTINGS)]
 
 
 def unquoted(text: str) -> str:

@@ -11,12 +11,14 @@ from pathlib import PurePosixPath
 from typing import Any
 
 from rcj_challenges.checker.advice.asked_of_the_system import on_system
+from rcj_challenges.checker.advice.crash_lines import OF_NONE
 from rcj_challenges.checker.advice.early_ends import why_it_ended
-from rcj_challenges.checker.advice.no_device import InsteadOf, asked_in_vain, is_of_a_device
+from rcj_challenges.checker.advice.no_device import InsteadOf, asked_in_vain, behind_none, ignored_calls
 from rcj_challenges.checker.advice.old_names import on_old_name
-from rcj_challenges.checker.advice.slips import on_slip
+from rcj_challenges.checker.advice.slips import NOTHING_THERE, on_slip
 from rcj_challenges.checker.modules import COMPILED, Library, places_of
 from rcj_challenges.checker.not_given import on_not_given
+from rcj_challenges.checker.others import looks_like, others_that_fit
 from rcj_challenges.checker.preloaded import never_read
 from rcj_challenges.controllers.log import AFTER_ITS_END, ANOTHER_THREAD
 from rcj_challenges.controllers.team import Team
@@ -26,6 +28,7 @@ from rcj_challenges.scenario.models.scenario import Scenario
 WHEREABOUTS = "It was here, the innermost call first:\n"
 """What the match writes into a program's log when it had to end it."""
 
+_MESSAGES_2021 = "2021"
 _FIRST_TICKS = 8  # who misreads the referee's packets does so with the first of them
 _MOST_CODE_LETTERS = 80
 _MOST_CODE_BYTES = 500  # of a line that is looked at: in a longer one the search could take for ever
@@ -62,6 +65,7 @@ _THREADS_ALONE = (
     "the program itself came to its end, and only its threads go on: let one of them call robot.step(32) in a loop, or "
     "keep that loop in the program itself"
 )
+_NO_REFEREE = "only a referee is told where things are; a player asks its own devices (gps, compass, ball receiver)"
 _NOBODY_TYPES = "EOFError: EOF when reading a line"
 # Calls of Python's own library that come back only when something else happens. ``wait`` and the like stand here with
 # empty brackets or a time: what a team calls so itself, or ``", ".join(…)``, is none.
@@ -132,8 +136,8 @@ def on_messages(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hin
     messages, detail = scenario.kits[kit].messages, fault["detail"]
     if not 0 < fault["tick"] <= _FIRST_TICKS:
         return None
-    if messages == "2021":
-        return _on_flag(scenario, kit, detail) or _on_lists(scenario, kit, detail)
+    if messages == _MESSAGES_2021:
+        return _on_flag(scenario, kit, detail) or _on_lists(scenario, team, kit, detail)
     if not _any_mentions(team, _HEARS_THE_REFEREE):
         return None
     code = _code(team, _places(fault["traceback"]))
@@ -154,8 +158,8 @@ def on_messages(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hin
     return _on_positions(detail) if messages == "v2.1" else None
 
 
-def on_device(scenario: Scenario, team: Team, fault: Mapping[str, Any], log: str) -> Hint | None:
-    """Return what is behind a crash over None, where the program asked for a device that the robot has not.
+def on_none(scenario: Scenario, team: Team, fault: Mapping[str, Any], log: str) -> Hint | None:
+    """Return what is behind a crash over None: what was given for a device, or as a player is no referee, or else.
 
     Args:
         scenario: what was played.
@@ -164,12 +168,18 @@ def on_device(scenario: Scenario, team: Team, fault: Mapping[str, Any], log: str
         log: of the robot, or its beginning.
     """
     asked = asked_in_vain(log)
-    if fault["kind"] != "crash" or not asked or not is_of_a_device(fault["detail"], team):
+    if fault["kind"] != "crash" or OF_NONE.search(fault["detail"]) is None:
         return None
-    name, has = list(asked.items())[-1]
-    instead = InsteadOf(scenario, team, asked)
+    given = behind_none(fault["detail"], team, asked, ignored_calls(log))
+    if given is None:
+        return Hint(NOTHING_THERE)
+    if not given.devices:
+        return Hint(f"{given.told}: {_NO_REFEREE}")
+    instead, name = InsteadOf(scenario, team, asked), given.devices[-1]
     made_for = f"{told}; " if (told := instead.made_for(name)) else ""
-    return Hint(f'getDevice("{shown(name)}") gave None: {made_for}{instead.remedy(name, fault["robot"], has)}')
+    remedies = {one: instead.remedy(one, fault["robot"], asked[one]) for one in given.devices}
+    remedy = remedies[name] if len(remedies) == 1 or made_for else f"these robots have: {shown(asked[name], 400)}"
+    return Hint(f"{given.told}: {made_for}{remedy}")
 
 
 def on_files(team: Team, fault: Mapping[str, Any]) -> Hint | None:
@@ -197,18 +207,34 @@ def _on_flag(scenario: Scenario, kit: str, detail: str) -> Hint | None:
     )
 
 
-def _on_lists(scenario: Scenario, kit: str, detail: str) -> Hint | None:
+def _kits_of_2021(scenario: Scenario) -> set[str]:
+    kits = {robot.kit for robot in scenario.robots.values()}
+    return {kit for kit in kits if scenario.kits[kit].messages == _MESSAGES_2021}
+
+
+def _packet_bytes(scenario: Scenario, kit: str) -> int:
+    """Return how long the referee's packets are to robots of 2021."""
+    told = scenario.kits[kit]
+    numbers = 3 * len(told.packet_lists) + 2 * len(scenario.balls)
+    return struct.calcsize(f"{numbers}d{'?' * told.packet_has_flag}")
+
+
+def _on_lists(scenario: Scenario, team: Team, kit: str, detail: str) -> Hint | None:
     """Tell of a program that reads packets of 2021 which list others: each challenge lists its own robots."""
     told, balls, found = scenario.kits[kit], tuple(scenario.balls), _OTHER_SIZE.search(detail)
-    listed, flag = told.packet_lists, "?" * told.packet_has_flag
-    size = struct.calcsize(f"{3 * len(listed) + 2 * len(balls)}d{flag}")
-    if found is None or int(found["bytes"]) == size:
+    listed, flag, size = told.packet_lists, "?" * told.packet_has_flag, _packet_bytes(scenario, kit)
+    wanted = int(found["bytes"]) if found is not None else size
+    if wanted == size:
         return None  # it asks for these, and was given what a challenge tells beside them
+    others = others_that_fit(
+        team.files, scenario, lambda other: any(_packet_bytes(other, one) == wanted for one in _kits_of_2021(other))
+    )
+    meant = f"{looks_like(others)}; " if others else ""
     form = (f'"ddd" * {len(listed)} + ' if listed else "") + f'"{"dd" * len(balls)}{flag}"'
     of_robots = [f"x, y and orientation of {', '.join(listed)}"] * bool(listed)
     of_balls = [f"x and y of {'the ball' if len(balls) == 1 else ', '.join(balls)}"] * bool(balls)
     return Hint(
-        f"here that packet has {size} bytes: struct.unpack({form}, packet) "
+        f"{meant}here that packet has {size} bytes: struct.unpack({form}, packet) "
         f"gives {'; '.join([*of_robots, *of_balls, *['waiting_for_kickoff'] * told.packet_has_flag])}",
         ": this program reads other packets than the referee sends here",
     )

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 from pathlib import PurePosixPath
 
-from rcj_challenges.checker.advice.crash_lines import PLACE, CrashLine, crash_line, text_of
+from rcj_challenges.checker.advice.crash_lines import PLACE, CrashLine, crash_line, set_in, text_of, used_none
 from rcj_challenges.checker.advice.unknown_names import on_unknown_name
 from rcj_challenges.checker.advice.unset_attributes import on_unset_attribute
 from rcj_challenges.checker.modules import instead_of_the_folder
@@ -65,9 +65,22 @@ _OUT_OF_BOUNDS = (
     "math.acos and math.asin take numbers from -1 to 1, math.sqrt and math.log none below 0, and rounding leads beyond "
     "by a hair: math.acos(max(-1, min(1, x)))"
 )
-_NOTHING_THERE = (
+NOTHING_THERE = (
     "something in this line is None: a ball that is not in sight, what has not come yet, what a function without "
     "return gives; ask first: if ball is not None:"
+)
+# Calls of devices that give nothing, at the end of a line that sets a name.
+_GIVES_NOTHING = re.compile(
+    r"=[^;]{1,200}\.(?P<call>enable|disable|setPosition|setVelocity|nextPacket|setChannel)\([^()]{0,60}(?:\([^()]{0,40}\))?\)"
+    r"[ \t]{0,20}(?:[;#]|$)"
+)
+_NO_SUCH_LETTER = (
+    'each letter of the format takes one kind: whole numbers for "i" (int(x)), any for "f" and "d", True or False for '
+    '"?"; None fits no letter: of a ball that is not in sight send a number that stands for it'
+)
+_NO_END = (
+    "this number is infinite: so is what a lidar gives beyond its range, and a division by 0 in numpy; ask first: "
+    "if math.isfinite(x):"
 )
 _NO_SCREEN = "there is no screen in a match: do without windows (tkinter, turtle)"
 _NO_DEBUGGER = (
@@ -103,9 +116,9 @@ _REMEDIES = (
     (re.compile(r"^TypeError: cannot unpack non-iterable (?:builtin_function_or_)?method object"), _BRACKETS),
     (re.compile(r"^TypeError: \w{1,100}\.\w{1,100}\(\) takes 0 positional arguments but "), _SELF),
     (re.compile(r"^TypeError: .{1,200} missing 1 required positional argument: 'self'"), _AN_OBJECT),
-    (re.compile(r"^TypeError: (?:.{1,100} )?'NoneType' (?:and|object is not|object cannot)"), _NOTHING_THERE),
-    (re.compile(r"^TypeError: .{1,100} and 'NoneType'"), _NOTHING_THERE),
-    (re.compile(r"^TypeError: cannot unpack non-iterable NoneType object"), _NOTHING_THERE),
+    (re.compile(r"^TypeError: .{0,300}\bNoneType\b"), NOTHING_THERE),
+    (re.compile(r"^struct\.error: required argument is not an? (?:integer|float)"), _NO_SUCH_LETTER),
+    (re.compile(r"^OverflowError: cannot convert float infinity to integer"), _NO_END),
     (re.compile(r"^_tkinter\.TclError: "), _NO_SCREEN),
     (re.compile(r"^bdb\.BdbQuit\b"), _NO_DEBUGGER),
     (re.compile(r"^UnicodeDecodeError: 'utf-8' codec can't decode "), _NO_TEXT),
@@ -153,7 +166,19 @@ def on_slip(detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
     if (found := _ONE_TOO_MANY.match(detail)) and int(found["given"]) == int(found["takes"]) + 1:
         return _on_self(found["method"], files)
     told = next((remedy for words, remedy in _REMEDIES if words.match(detail)), "")
-    return told or on_unset_attribute(detail, files)
+    return told or _on_nothing_given(detail, files) or on_unset_attribute(detail, files)
+
+
+def _on_nothing_given(detail: str, files: Mapping[PurePosixPath, bytes]) -> str:
+    """Tell of a crash over None which a name was given by a call of a device that gives nothing."""
+    holder = used_none(detail, files)[1]
+    found = next(filter(None, map(_GIVES_NOTHING.search, set_in(holder, files))), None)
+    if found is None:
+        return ""
+    return (
+        f'{found["call"]}() gives nothing back, so "{holder}" is None: keep what getDevice gives, '
+        f"{holder} = robot.getDevice(…), and call {holder}.{found['call']}(…) in a line of its own"
+    )
 
 
 def _on_import(found: re.Match[str], detail: str, files: Mapping[PurePosixPath, bytes]) -> str:

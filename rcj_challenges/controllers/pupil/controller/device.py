@@ -80,6 +80,10 @@ class Device:
         """Return its model: none of these devices has one."""
         return ""
 
+    def getTag(self) -> int:
+        """Return its number on the robot, from 1; 0 would be the robot itself."""
+        return self._rcj_index + 1
+
     def getNodeType(self) -> int:
         """Return its kind, as ``Node`` numbers them: ``Node.GPS``."""
         from .node import Node  # noqa: PLC0415 - each import costs every program

@@ -136,6 +136,12 @@ class Robot:
         """Return all devices by name."""
         return dict(self._rcj_hub.devices)
 
+    def getType(self) -> int:
+        """Return its kind, as ``Node`` numbers them: ``Node.ROBOT``."""
+        from .node import Node  # noqa: PLC0415 - each import costs every program
+
+        return Node.ROBOT
+
     def getModel(self) -> str:
         """Return the robot's model: none."""
         return ""
@@ -266,8 +272,19 @@ def _getter_of_old(kind: str) -> Callable[[Robot, str], Any]:
 
 
 for _kind in (
-    *("Accelerometer", "Brake", "Camera", "Compass", "Connector", "Display", "DistanceSensor", "Emitter", "GPS"),
+    *(
+        "Accelerometer",
+        "Altimeter",
+        "Brake",
+        "Camera",
+        "Compass",
+        "Connector",
+        "Display",
+        "DistanceSensor",
+        "Emitter",
+        "GPS",
+    ),
     *("Gyro", "InertialUnit", "LED", "Lidar", "LightSensor", "Motor", "Pen", "PositionSensor", "Radar"),
-    *("RangeFinder", "Receiver", "Servo", "Speaker", "TouchSensor"),
+    *("RangeFinder", "Receiver", "Servo", "Skin", "Speaker", "TouchSensor", "VacuumGripper"),
 ):
     setattr(Robot, f"get{_kind}", _getter_of_old(_kind))
