@@ -27,6 +27,7 @@ from rcj_challenges.scenario.models.state import DrawValue
 from rcj_challenges.scenario.other import written_others
 from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.set_draws import starting_each_half
 from rcj_challenges.scenario.starting import start_noise_m
 from rcj_challenges.views.drawing.flips import AS_WRITTEN, Flip, flipped
 from rcj_challenges.views.drawing.labels import Point
@@ -68,13 +69,14 @@ def places_beside(scenario: Scenario, roster: Roster) -> Iterator[Beside]:
         name: (_Pose(home(scenario, name), start_noise_m(scenario, name), home_yaw_rad(scenario, name)),)
         for name in roster.entities
     }
-    for rule in sorted(scenario.rules.values(), key=lambda rule: rule.priority):
+    surely = starting_each_half(scenario)
+    for name, rule in sorted(scenario.rules.items(), key=lambda named: named[1].priority):
         hears = _hears_the_start(scenario, rule)
         walks = [_Walk(scenario, roster, rule, flags, start if hears else {}) for flags in _settings(scenario, rule)]
         for walk in walks:
             yield from walk.found
         if hears:
-            left_out = [start] if rule.conditions or rule.exclusive is not None else []
+            left_out = [] if name in surely else [start]
             start = _merged([*left_out, *(walk.board for walk in walks)])
 
 
