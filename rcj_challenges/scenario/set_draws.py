@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from rcj_challenges.scenario.beginnings import starting_each_half
 from rcj_challenges.scenario.catalogue import BOUND
-from rcj_challenges.scenario.models.actions import DrawAction, SetPhase
+from rcj_challenges.scenario.models.actions import DrawAction
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import DrawnDuration
 
@@ -25,20 +26,6 @@ def set_from_the_start(scenario: Scenario) -> frozenset[str]:
     }
     drawn = {action.draw for _, action in actions if isinstance(action, DrawAction) and action.as_ is None}
     return frozenset(setting - drawn - (_asked_at_the_start(scenario) if setting else set()))
-
-
-def starting_each_half(scenario: Scenario) -> frozenset[str]:
-    """Return the rules that fire as each half starts, whatever else is so."""
-    surely: list[str] = []
-    phases = {scenario.first_phase}  # in one of these it is by then: a rule that came before may have left the first
-    for name, rule in sorted(scenario.rules.items(), key=lambda named: named[1].priority):
-        lives = phases if rule.phases == "any" else phases & set(rule.phases)
-        if not lives or not _hears_the_start(rule):
-            continue
-        if lives == phases and not rule.conditions and rule.exclusive is None:
-            surely.append(name)
-        phases |= {action.phase for action in rule.actions if isinstance(action, SetPhase)}
-    return frozenset(surely)
 
 
 def _hears_the_start(rule: Rule) -> bool:

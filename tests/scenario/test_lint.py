@@ -454,16 +454,6 @@ class TestDraws:
         found = kinds("draws: {d: {values: [1, 2]}}", test, rules=rules, halves=2)
         assert found == ["draw_decided_in_vain"] * warned
 
-    @pytest.mark.parametrize(
-        ("lives", "warned"), [("", False), (", phases: any", True), (", phases: any, exclusive: one", False)]
-    )
-    def test_a_rule_of_the_start_that_another_one_stops_sets_no_draw(self, lives, warned):
-        test = "expect: {t: {lasts_s: 1, keyframes: [{at_s: 0}], draws: {d: 2}}}"
-        start, phases = "{trigger: half_started}", "phases: {intro: {lasts_s: 1, next: play}}"
-        first = rule("b", start, "{action: set_phase, phase: intro}")
-        rules = self.READ + first + rule("c", start, "{action: draw, draw: d, as: 1}", more=lives)
-        assert ("draw_decided_in_vain" in kinds("draws: {d: {values: [1, 2]}}", phases, test, rules=rules)) == warned
-
     def test_a_draw_is_read_by_what_lasts_as_long_as_it_decides(self):
         expired = rule("a", "{trigger: timer_expired, timer: t}")
         timer = "timers: {t: {lasts_s: {draw: d}, starts: true}}"
