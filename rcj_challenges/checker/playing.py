@@ -151,9 +151,13 @@ def _standing(rehearsal: Rehearsal, match: Rehearsed, absent: Collection[str], s
     """Return warnings if robots did not move: those that failed or were absent have been told of already."""
     told = {*absent, *(fault["robot"] for fault in match.faults)}
     standing: dict[str, list[str]] = {}  # by what else may be the reason
+    reasons: dict[str, str] = {}  # by the program: strange ones take long to look through
     for robot, motion in match.motions.items():
         if motion.path_m < _STANDS_M and motion.turned_rad < _STANDS_RAD and robot not in told:
-            why = why_it_stands(rehearsal.team.files, PurePosixPath(rehearsal.team.entries[robot]))
+            entry = rehearsal.team.entries[robot]
+            if entry not in reasons:
+                reasons[entry] = why_it_stands(rehearsal.team.files, PurePosixPath(entry))
+            why = reasons[entry]
             standing.setdefault(f"; or an error is hidden: {why}" if why else "", []).append(robot)
     message = f"{side}did not move in {match.simulated_s:.0f} s"
     usual = "if it waits on purpose, all is well; else look for setPosition(inf) and setVelocity on both motors"

@@ -369,11 +369,7 @@ _WITHOUT_WORDS = {
         f"more than {MOST_BYTES / 1e6:g} MB of Python: not looked into",
         "put large data into a file that is no program",
     ),
-    "unread": (
-        "unread",
-        "not looked into: the files before it are too much for Python",
-        "leave out what no program needs",
-    ),
+    "unread": ("unread", "not looked into: those before it are too much for Python", "leave out what is not needed"),
 }
 _NOT_LOOKED_INTO = ("large", "unread")
 
