@@ -38,6 +38,10 @@ _HOW_MANY = {
 }
 """What others write for how many of a group: a word of it can be more like one that means the opposite."""
 _LIST_OF_NAMES = "a list of names"
+_NAMED = frozenset(
+    ("draw", "entity", "robot", "ball", "obstacle", "group", "spot", "zone", "gate", "relative_to", "position_of")
+) | {"entrant", "team", "counter", "flag", "timer", "sequence", "phase", "layout", "name"}
+"""Behind which the name of something is written where its name alone is expected."""
 _NUMBER = re.compile(r"[-+]?[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?")
 _DECIMAL_COMMA = re.compile(r"[-+]?[0-9]+,[0-9]+")
 _FEW = 4
@@ -72,8 +76,8 @@ def _instead(shape: Shape, node: Node | None) -> str:
         return f"; write it in quotes: '{node.value}'"
     if isinstance(node, Items) and without_none(shape) == At:
         return _point(node)
-    if isinstance(node, Entries) and without_none(shape) in (Name, Names):
-        return _draw(node)
+    if isinstance(node, Entries) and any(member in (Name, Names) for member in (without_none(shape), *members(shape))):
+        return _name_alone(node)
     return "" if node is None else _hint_at_list(shape, node)
 
 
@@ -156,12 +160,13 @@ def _point(node: Items) -> str:
     return f"; a point is written {{point: [{found[0]}, {found[1]}]}}"
 
 
-def _draw(node: Entries) -> str:
-    """Return how a draw that decides among names is named where a name stands: like what it decides on."""
-    name = node.entries.get("draw")
-    if len(node.entries) != 1 or not isinstance(name, Leaf) or not isinstance(name.value, str):
+def _name_alone(node: Entries) -> str:
+    """Return that the name of something stands alone where it was written with what it is, `{spot: centre}`."""
+    (kind,) = node.entries if len(node.entries) == 1 else ("",)
+    name = node.entries.get(kind)
+    if kind not in _NAMED or not isinstance(name, Leaf) or not isinstance(name.value, str):
         return ""
-    return f"; where a draw may decide, its name stands alone: {name.value}"
+    return f"; {'where a draw may decide, ' * (kind == 'draw')}its name stands alone: {name.value}"
 
 
 def _words(shape: Shape) -> list[str]:
