@@ -335,6 +335,9 @@ def test_a_score_is_compared_with_another_score(key):
          "unknown entity 'this'; in a rule with repeat_for the name for which it is repeated is written {param: this}"),
         ("{trigger: enters, entity: Y1 Y2, zone: pitch}",
          "; in a name no blank stands: Y1_Y2; several names have commas between them: Y1, Y2"),
+        ("{trigger: enters, entity: robot 1, zone: pitch}", "at most 64; in a name no blank stands: robot_1"),
+        ("{trigger: enters, entity: 'Y1, Y2', zone: pitch}", "; several names are a list: [Y1, Y2]"),
+        ("{trigger: ENTERS, entity: Y1, zone: pitch}", "; did you mean 'enters'?"),
     ],
 )  # fmt: skip
 def test_what_is_heard_and_of_whom(trigger, told):
@@ -345,6 +348,7 @@ def test_what_is_heard_and_of_whom(trigger, told):
     ("action", "told"),
     [
         ("{action: GOAL}", "; an event is announced by {action: emit, event: GOAL}"),
+        ("{action: SCORE, entrant: yellow}", "; did you mean 'score'?"),
         ("{action: set, counter: n, to: 3}",
          ("; a flag is set by set_flag, a spot by set_spot, a draw by draw with as; a counter changes by {action: count, "
          "counter: NAME, by: 1}, or is set: {action: count, counter: NAME, to: 0}")),

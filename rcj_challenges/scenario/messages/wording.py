@@ -309,11 +309,14 @@ def no_name(text: str) -> str:
 
 
 def _without_blanks(text: str) -> str:
-    """Return how names are written where blanks stand in a text; empty: it has none, or is something else."""
-    parts = text.split()
-    if len(parts) < 2 or not all(part.isidentifier() for part in parts):
-        return ""
-    return f"; in a name no blank stands: {'_'.join(parts)}; several names have commas between them: {', '.join(parts)}"
+    """Return how names are written where blanks or commas stand in a text; empty: it has none, or is something else."""
+    parts = text.replace(",", " ").split()
+    are_names = len(parts) > 1 and all(part.isidentifier() for part in parts)
+    if "," in text:
+        return f"; several names are a list: [{', '.join(parts)}]" if are_names else ""
+    joined = "_".join(parts)
+    several = f"; several names have commas between them: {', '.join(parts)}" if are_names else ""
+    return f"; in a name no blank stands: {joined}{several}" if len(parts) > 1 and joined.isidentifier() else ""
 
 
 def _from_a_to_z(text: str) -> str:
