@@ -13,6 +13,7 @@ from rcj_challenges.checker.failing import fault_findings
 from rcj_challenges.checker.findings import Finding, Level, Stage
 from rcj_challenges.checker.growth import Growth
 from rcj_challenges.checker.rehearsal import OWN_TEAM, Rehearsal, Rehearsed, rehearse
+from rcj_challenges.facts.measures import number_words
 from rcj_challenges.facts.shown import shown, shown_block
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.match.watching import Waits
@@ -313,7 +314,7 @@ def _complaint(line: str) -> tuple[str, str] | None:
 
 def _summary(match: Rehearsed, side: str) -> Finding:
     against = "".join(f" against {shown(name)}" for name in match.opponents.values())
-    score = " : ".join(f"{points:g}" for points in match.result["score"].values())
+    score = " : ".join(map(number_words, match.result["score"].values()))
     touches = sum(1 for motion in match.motions.values() if motion.ball_touches)
     told = f"{side}{match.simulated_s:.0f} s played{against}, score {score}"
     if touches:
