@@ -104,7 +104,8 @@ def _hint(shape: Shape, text: str) -> str:
         return "; did you mean any?"
     if _LIST_OF_NAMES in map(expectation, members(shape)) and text.isidentifier():
         return f"; a list of one is written [{text}]"
-    return ""
+    is_of_two = get_args(bare(shape).kind) == (Name, Name)
+    return "; each pair stands in brackets of its own: [[Y1, ball]]" if is_of_two else ""
 
 
 def _hint_at_number(text: str) -> str:
