@@ -14,6 +14,7 @@ from rcj_challenges.checker.failing import fault_findings
 from rcj_challenges.checker.findings import Finding, Level, Stage
 from rcj_challenges.checker.growth import Growth
 from rcj_challenges.checker.rehearsal import OWN_TEAM, Rehearsal, Rehearsed, rehearse
+from rcj_challenges.facts.measures import number_words
 from rcj_challenges.facts.shown import shown, shown_block
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.match.watching import Waits
@@ -159,9 +160,13 @@ def _standing(rehearsal: Rehearsal, match: Rehearsed, absent: Collection[str], s
     """Return warnings if robots did not move: those that failed or were absent have been told of already."""
     told = {*absent, *(fault["robot"] for fault in match.faults)}
     standing: dict[str, list[str]] = {}  # by what else may be the reason
+    reasons: dict[str, str] = {}  # by the program: strange ones take long to look through
     for robot, motion in match.motions.items():
         if motion.path_m < _STANDS_M and motion.turned_rad < _STANDS_RAD and robot not in told:
-            why = why_it_stands(rehearsal.team.files, PurePosixPath(rehearsal.team.entries[robot]))
+            entry = rehearsal.team.entries[robot]
+            if entry not in reasons:
+                reasons[entry] = why_it_stands(rehearsal.team.files, PurePosixPath(entry))
+            why = reasons[entry]
             standing.setdefault(f"; or an error is hidden: {why}" if why else "", []).append(robot)
     message = f"{side}did not move in {match.simulated_s:.0f} s"
     usual = "if it waits on purpose, all is well; else look for setPosition(inf) and setVelocity on both motors"
@@ -317,7 +322,7 @@ def _complaint(line: str) -> tuple[str, str] | None:
 
 def _summary(match: Rehearsed, side: str) -> Finding:
     against = "".join(f" against {shown(name)}" for name in match.opponents.values())
-    score = " : ".join(f"{points:g}" for points in match.result["score"].values())
+    score = " : ".join(map(number_words, match.result["score"].values()))
     touches = sum(1 for motion in match.motions.values() if motion.ball_touches)
     told = f"{side}{match.simulated_s:.0f} s played{against}, score {score}"
     if touches:

@@ -16,7 +16,8 @@ MOST_BYTES = 2_000_000
 _READER = Path(__file__).with_name("reader.py")
 PATIENCE_S = 20.0
 """For so long an answer about files that are read together is waited for."""
-_MOST_CRASHES = 5
+_MOST_ROUNDS = 8
+"""So often the files that are left are begun with: thousands of a library are read also where it is slow."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +50,8 @@ class Source:
         imports: in order.
         moves_path: it uses ``sys.path``, so modules may be found in places that only the program knows.
         empty: there is nothing in it but comments.
-        wrong: why it is no Python: the kind of error, ``depth``, ``crash``, ``slow`` or ``large``; empty if it is.
+        wrong: why it is no Python: the kind of error, ``depth``, ``crash``, ``slow``, ``large`` or ``unread``; empty if
+            it is.
         said: Python's own words about that.
         line, column: where; 0 if that is not known.
     """
@@ -77,15 +79,16 @@ def read_sources(files: Mapping[PurePosixPath, bytes]) -> dict[PurePosixPath, So
                 found[path] = Source(wrong="large", moves_path=True)
             else:
                 left.append(path)
-    for _ in range(_MOST_CRASHES):
+    for _ in range(_MOST_ROUNDS):
         answers, ended = _ask(left, files)
         found |= dict(zip(left, answers, strict=False))
         left = left[len(answers) :]
-        if left:  # the next one was too much for Python
+        # Of many files any may be in hand when patience ends: one is slow if it alone took all of it.
+        if left and not (ended == "slow" and answers):
             found[left.pop(0)] = Source(wrong=ended)
         if not left:
             break
-    found |= dict.fromkeys(left, Source(wrong="crash"))
+    found |= dict.fromkeys(left, Source(wrong="unread", moves_path=True))
     return {path: found[path] for path in files if path in found}
 
 

@@ -21,6 +21,7 @@ from rcj_challenges.checker.report import (
 )
 from rcj_challenges.checker.report_text import WORDS, first_finding, is_single, no_replay, summary, verdict
 from rcj_challenges.controllers.disk_names import from_disk, on_disk
+from rcj_challenges.facts.measures import number_words
 
 
 def html_page(report: CheckReport, folder: Path) -> str:
@@ -126,7 +127,7 @@ def _finding(finding: FindingReport) -> str:
 
 def _match(match: MatchReport, folder: Path) -> str:
     against = "".join(f" against {_shown(name)}" for name in match.opponents.values())
-    score = " : ".join(f"{points:g}" for points in match.score.values())
+    score = " : ".join(map(number_words, match.score.values()))
     seats = _text(", ".join(match.seats))
     caption = f"as {seats}{against}, {match.simulated_s:.0f} s, score {_text(score)}"
     head = "".join(f'<th class="number">{column}</th>' for column in ROBOT_NUMBERS)

@@ -314,10 +314,10 @@ def _unreadable(
             continue
         code, message, remedy = _wrong(source, _line(files[path], source.line))
         where = ":".join([shown(path), *(str(number) for number in (source.line, source.column) if number)])
-        level: Level = "failure" if used.get(path) and code != "large" else "warning"
+        level: Level = "failure" if used.get(path) and code not in _NOT_LOOKED_INTO else "warning"
         if path not in used:
             message += "; no program seems to use this file"
-        elif not used[path] and code != "large":
+        elif not used[path] and code not in _NOT_LOOKED_INTO:
             message += _RUNNING_TELLS
         yield Finding(f"sources.{code}", level, message, remedy, where)
 
@@ -369,7 +369,9 @@ _WITHOUT_WORDS = {
         f"more than {MOST_BYTES / 1e6:g} MB of Python: not looked into",
         "put large data into a file that is no program",
     ),
+    "unread": ("unread", "not looked into: those before it are too much for Python", "leave out what is not needed"),
 }
+_NOT_LOOKED_INTO = ("large", "unread")
 
 
 def _syntax_remedy(source: Source, line: str) -> str:

@@ -228,10 +228,12 @@ def _report(outcomes: Sequence[Outcome], rank: Sequence[Criterion], options: Sim
 def _score_table(told: dict[str, Any]) -> Table:
     from rich.table import Table
 
+    from rcj_challenges.facts.measures import number_words
+
     noun = "match" if told["played"] == 1 else "matches"
     table = Table("entrant", "least", "median", "mean", "most", title=f"{told['played']} {noun}")
     for entrant, spread in told["spread"].items():
-        table.add_row(entrant, *(f"{value:g}" for value in spread.values()))
+        table.add_row(entrant, *map(number_words, spread.values()))
     return table
 
 

@@ -137,12 +137,13 @@ def _print_table(console: Console, stats: Stats) -> None:
 
 def _blocks(stats: Stats, keys: Sequence[str]) -> list[list[tuple[str, dict[str, str], str]]]:
     """Return the lines of each team and those of the balls: who, the figures by key, how it is printed."""
+    from rcj_challenges.facts.measures import number_words
     from rcj_challenges.views.sentences import plain
     from rcj_challenges.views.stats.figures import figures
 
     blocks = []
     for name, team in stats.teams.items():
-        block = [(f"{plain(name, 32)}: {team.points:g}", _cells(figures(team.total, stats), keys), "bold")]
+        block = [(f"{plain(name, 32)}: {number_words(team.points)}", _cells(figures(team.total, stats), keys), "bold")]
         for label, robot in sorted(team.robots.items()):
             block.append((f"  {plain(label, 40)}", _cells(figures(robot, stats), keys), ""))
         blocks.append(block)

@@ -8,6 +8,7 @@ from math import hypot
 from typing import Any, Protocol
 
 from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.measures import number_words
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.referee.comparing import difference, equal, event_differences, told_difference
 from rcj_challenges.referee.denied import denied_notes
@@ -305,7 +306,7 @@ def _ranking_differences(
     found = [set(sharing) for sharing in places.values()]
     if found != [{one} if isinstance(one, str) else set(one) for one in expected]:
         told = ", then ".join(
-            " and ".join(f"{seat} ({', '.join(f'{value:g}' for value in values)})" for seat, values in sharing.items())
+            " and ".join(f"{seat} ({', '.join(map(number_words, values))})" for seat, values in sharing.items())
             for sharing in places.values()
         )
         wanted = ", then ".join(one if isinstance(one, str) else " and ".join(one) for one in expected)

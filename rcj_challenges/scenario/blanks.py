@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 
 from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.measures import number_words
 from rcj_challenges.scenario.models.actions import Score
 from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
@@ -16,6 +17,7 @@ BLANKS = ("entity", "each", "other", "team", "measured", "limit", "points")
 _IN_BRACES = re.compile(r"\{([^{}]*)\}")
 _OF_POINTS = re.compile(r"\{([^{}]*)\}( points\b)?")
 _ONE = ("1", "-1")
+_DECIMALS = 9  # to so many numbers are exact
 
 
 def in_braces(says: str) -> tuple[str, ...]:
@@ -85,9 +87,4 @@ def _filled(text: str, known: Mapping[str, str]) -> str:
 def _as_text(value: Scalar) -> str:
     if isinstance(value, bool):
         return str(value).lower()
-    return _written_out(on_paper(value)) if isinstance(value, int | float) else value
-
-
-def _written_out(value: float) -> str:
-    """Return all digits of a number: not everybody reads ``1e-05``."""
-    return str(value) if isinstance(value, int) else f"{value:.9f}".rstrip("0")
+    return number_words(on_paper(value), _DECIMALS) if isinstance(value, int | float) else value

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from rcj_challenges.scenario.beginnings import starting_each_half
 from rcj_challenges.scenario.catalogue import BOUND
 from rcj_challenges.scenario.models.actions import DrawAction
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
@@ -13,23 +14,18 @@ from rcj_challenges.scenario.models.state import DrawnDuration
 
 def set_from_the_start(scenario: Scenario) -> frozenset[str]:
     """Return the draws that rules set as each half starts, whatever was drawn, and that nothing draws anew."""
-    actions = [(rule, action) for rule in scenario.rules.values() for action in rule.actions]
+    surely = starting_each_half(scenario)
+    actions = [(name, action) for name, rule in scenario.rules.items() for action in rule.actions]
     setting = {
         action.draw
-        for rule, action in actions
+        for name, action in actions
         if isinstance(action, DrawAction)
         and action.as_ is not None
         and (action.as_ not in BOUND or action.as_ in scenario.draws[action.draw].values)
-        and starts_each_half(rule, scenario.first_phase)
+        and name in surely
     }
     drawn = {action.draw for _, action in actions if isinstance(action, DrawAction) and action.as_ is None}
     return frozenset(setting - drawn - (_asked_at_the_start(scenario) if setting else set()))
-
-
-def starts_each_half(rule: Rule, first_phase: str) -> bool:
-    """Return whether a rule fires as each half starts, whatever else is so."""
-    lives = rule.phases == "any" or first_phase in rule.phases
-    return lives and not rule.conditions and _hears_the_start(rule)
 
 
 def _hears_the_start(rule: Rule) -> bool:

@@ -49,8 +49,8 @@ def score_line(names: Mapping[str, str], scores: Mapping[str, int | float], *, s
     shown = _shown(names, sides_change=sides_change)
     if len(scores) == 2:
         (first, first_score), (second, second_score) = scores.items()
-        return f"{shown[first]} {first_score:g} : {second_score:g} {shown[second]}"
-    return ", ".join(f"{shown[seat]} {score:g}" for seat, score in scores.items())
+        return f"{shown[first]} {number_words(first_score)} : {number_words(second_score)} {shown[second]}"
+    return ", ".join(f"{shown[seat]} {number_words(score)}" for seat, score in scores.items())
 
 
 def score_so_far(half: HalfInfo, scores: Mapping[str, int | float]) -> str:

@@ -129,6 +129,7 @@ def test_one_after_which_the_loop_goes_on_is_not_what_ended_the_program(program:
         ),
         "def step():\n    try:\n        return robot.step(look())\n    except:\n        return -1\nwhile step() != -1:\n    pass\n",
         "for tick in range(9999):\n    robot.step(32)\n    try:\n        1 / 0\n    except:\n        break\n",
+        "def play():\n    while robot.step(32) != -1:\n        1 / 0\ntry: play()\nexcept: pass\n",
     ],
     ids=[
         "break",
@@ -139,6 +140,7 @@ def test_one_after_which_the_loop_goes_on_is_not_what_ended_the_program(program:
         "made",
         "around step",
         "for",
+        "a try in one line",
     ],
 )
 def test_one_that_leaves_the_loop_is_named(program: str) -> None:
@@ -164,8 +166,9 @@ STANDS = "while robot.step(32) != -1:\n    try:\n        left.setVelocity(speed)
             "while robot.step(32) != -1:\n    try:\n        play()\n    except Exception:\n        continue\n"
         ),
         "try:\n    left.setPosition(float('int'))\nexcept:\n    pass\n" + LOOP,
+        "while robot.step(32) != -1:\n    try: left.setVelocity(speed)\n    except: pass\n",
     ],
-    ids=["in the loop", "it says something", "a property", "a call of a call", "before the loop"],
+    ids=["in the loop", "it says something", "a property", "a call of a call", "before the loop", "in one line"],
 )
 def test_of_a_robot_that_stands_an_except_that_may_keep_it_from_driving_is_named(program: str) -> None:
     content = (BEGIN + program).encode()

@@ -128,7 +128,7 @@ def test_who_gives_one_file_and_not_its_folder_is_told_what_lies_beside_it(
         ("x, y = controller.Robot().getDevice('gps').getValues()\n", "these are three numbers"),
         ("input('Role? ')\n", "nobody types in a match"),
         ("open('C:/me/speeds.csv')\n", "a place on your own computer"),
-        (r"""raise FileNotFoundError("[Errno 2] No such file or directory: '\\x'")""", "was not handed in"),
+        (r"""raise FileNotFoundError("[Errno 2] No such file or directory: '\\x'")""", "put x into "),
         ("for n in xrange(5): pass\n", "Python 2 was the last that had xrange"),
         ("robot = controller.Robot()\nwhile robot.step(32): pass\n", "the loop in line 3 ends at once"),
         ("exit()\n", "leave out exit()"),

@@ -116,6 +116,31 @@ def in_this_process(monkeypatch):
 
 
 @pytest.mark.usefixtures("in_this_process")
+def test_scores_are_told_with_all_their_points_and_without_powers_of_ten(tmp_path, capsys, monkeypatch, still):
+    """`1.23457e+06 : 5e-05` says neither who leads nor by how much."""
+    monkeypatch.setenv("COLUMNS", "100")
+    path = tmp_path / "pays.yaml"
+    path.write_text(
+        "schema_version: 1\nid: pays\ntitle: Pays\nextends: soccersim_v2\nrules:\n  pay:\n"
+        "    triggers: [{trigger: time_reached, at_s: 0.2}]\n    says: Paid.\n    actions:\n"
+        "      - {action: score, entrant: blue, points: 1234567.25}\n"
+        "      - {action: score, entrant: yellow, points: 0.00005}\n",
+        encoding="utf-8",
+    )
+    told = "1234567.25 : 0.00005"
+    assert run("run", path, *still, "--quiet") == 0
+    assert told in capsys.readouterr().out
+    (folder,) = (tmp_path / "runs").iterdir()
+    assert told in (folder / "replay.html").read_text("utf-8")
+    assert run("stats", folder) == 0
+    assert "1234567.25" in capsys.readouterr().out
+    assert run("simulate", path, *still, "--seeds", "1") == 0
+    out = capsys.readouterr().out
+    assert out.count("1234567.25") == 4
+    assert out.count("0.00005") == 3  # the mean is rounded
+
+
+@pytest.mark.usefixtures("in_this_process")
 def test_simulate_shows_places_and_times_below_the_scores(tmp_path, capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
     assert run("simulate", SLALOM, "--seeds", "1,2", "--quiet", "--out", tmp_path) == 0

@@ -41,7 +41,7 @@ CASES = [
     (rule("{trigger: enters, entity: [], zone: pitch}"),
      "rules.r.triggers[0] (enters).entity: must have at least 1 entry, found an empty list"),
     (rule("{trigger: enters, entity: {name: ball}, zone: pitch}"),
-     "rules.r.triggers[0] (enters).entity: expected a name or a list of names, found a mapping with name"),
+     "rules.r.triggers[0] (enters).entity: expected a name or a list of names, found a mapping with name; its name stands alone: ball"),
     (rule("{trigger: displaced, entity: ball, distance_m: 1, from: last}"),
      "rules.r.triggers[0] (displaced).from: expected last_placement or two numbers [x, y], found 'last'; did you mean 'last_placement'?"),
     (rule("{trigger: displaced, entity: ball, distance_m: 1, from: [1]}"),

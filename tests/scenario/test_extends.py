@@ -97,6 +97,17 @@ def test_upper_and_lower_case_matter_on_every_machine(tmp_path):
     assert complaint(write(tmp_path, "mine.yaml", "extends: base.yaml\n")).endswith("did you mean 'Base.yaml'?")
 
 
+def test_a_misspelt_file_in_another_folder_is_told_with_its_folder(tmp_path):
+    (tmp_path / "base").mkdir()
+    write(tmp_path, "base/arena.yaml", "title: B\n")
+    text = complaint(write(tmp_path, "mine.yaml", "extends: base/arna.yaml\n"))
+    assert text.endswith("did you mean 'base/arena.yaml'?")
+    write(tmp_path, "base/mine.yaml", "title: B\n")
+    assert complaint(tmp_path / "mine.yaml").endswith("did you mean 'base/arena.yaml'?")
+    text = complaint(write(tmp_path, "mine.yaml", "extends: base/mines.yaml\n"))
+    assert text.endswith("did you mean 'base/mine.yaml'?")
+
+
 def test_a_path_that_is_right_from_another_folder_is_told_as_it_is_from_here(tmp_path):
     (tmp_path / "base").mkdir()
     write(tmp_path, "base/arena.yaml", "title: B\n")

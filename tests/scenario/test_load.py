@@ -90,6 +90,29 @@ def test_the_nearest_match(word, known, hint):
     assert nearest(word, known) == hint
 
 
+@pytest.mark.parametrize(
+    ("asked", "told"),
+    [
+        ("quiet", "; did you mean 'quiet.yaml'?"),  # 'quiet' is what was written
+        ("quiet.yml", "; did you mean 'quiet.yaml'?"),
+        ("Quiet.yaml", "; did you mean 'quiet.yaml'?"),
+        ("arena", "; did you mean 'arena.yml'?"),
+        ("sub/slalon", "; did you mean 'sub/slalons.yaml'?"),
+        ("slalon", "; did you mean 'slalom'?"),
+        ("elsewhere/slalom.yaml", "; did you mean 'slalom'?"),
+        (f"sub/{'x' * 300}", "slalom; variants fast_shooter_v2, pass_the_ball_v2, precision_lidar_v2"),
+    ],
+)
+def test_a_file_of_ones_own_that_may_be_meant_is_told_as_it_is_written(tmp_path, monkeypatch, asked, told):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "sub").mkdir()
+    for name in ("quiet.yaml", "arena.yml", "sub/slalons.yaml"):
+        (tmp_path / name).touch()
+    with pytest.raises(ScenarioError) as error:
+        load(asked)
+    assert str(error.value).endswith(told)
+
+
 def test_kinds_of_values_stay_as_written():
     found = loaded("draws: {d: {values: [1, 1.0, true, '1', one]}}\n").scenario.draws["d"].values
     assert [type(value) for value in found] == [int, float, bool, str, str]

@@ -342,19 +342,35 @@ expect:
     assert not try_expectation(found, "a_goal_for_each").differences
 
 
-def test_what_the_first_name_alone_lacks_is_told_once_and_there():
+@pytest.mark.parametrize(
+    ("first", "place", "told"),
+    [
+        ("zone: pitch", "a", "'worth' is missing, which 'b' has (line {line}); all names need the same keys"),
+        (
+            "zon: pitch, worth: 1",
+            "a.zon",
+            "'zon' is missing for 'b'; it has zone, worth; all names need the same keys; did you mean 'zone'?",
+        ),
+        (
+            "zone: pitch, worth: 1, more: 2",
+            "a.more",
+            "'more' is missing for 'b'; it has zone, worth; all names need the same keys",
+        ),
+    ],
+)
+def test_what_the_first_name_has_otherwise_than_all_others_is_told_once_and_there(first, place, told):
     rows = "".join(f"      {name}: {{zone: pitch, worth: 1}}\n" for name in ("b", "c", "d"))
     rule = f"""
 rules:
   goal:
     repeat_for:
-      a: {{zone: pitch}}
+      a: {{{first}}}
 {rows}    triggers: [{{trigger: enters, entity: ball, zone: {{param: zone}}}}]
     actions: [{{action: score, entrant: blue, points: {{param: worth}}}}]
 """
     (text,) = complaints(rule)
     line = HEAD_LINES + rule.split("\n").index("      b: {zone: pitch, worth: 1}") + 1
-    assert text == f"rules.goal.repeat_for.a: 'worth' is missing, which 'b' and all others have (line {line})"
+    assert text == f"rules.goal.repeat_for.{place}: {told.format(line=line)}"
 
 
 def test_of_two_names_nobody_knows_which_is_right():

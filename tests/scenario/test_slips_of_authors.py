@@ -199,7 +199,17 @@ def test_where_chance_puts_something_in_a_layout_and_in_an_action(at, told):
     assert loaded(SPOTS + rule(action="{action: place, entity: ball, at: {spot: mark}}"))
 
 
-WHO = "draws: {who: {values: [B1, Y1, ball]}}\ngroups: {corners: [corner_blue_left, corner_blue_right]}\n"
+WHO = """
+draws:
+  who: {values: [B1, Y1, ball]}
+  any: {values: [B1, centre]}
+  hot: {values: [pitch, blue_goal]}
+  n: {values: [1, 2]}
+groups: {corners: [corner_blue_left, corner_blue_right]}
+obstacles:
+  post: {shape: cylinder, centre_m: [0.3, 0], radius_m: 0.05}
+  crate: {shape: box, centre_m: [-0.3, 0], size_m: [0.1, 0.1], movable: true}
+"""
 
 
 class TestPlacesOfNames:
@@ -212,6 +222,9 @@ class TestPlacesOfNames:
             ("{draw: who}", "{relative_to: who, offset_m: [0.1, 0]}"),
             ("Y1", "{relative_to: Y1, offset_m: [0.1, 0]}"),
             ("{entity: Y1}", "{relative_to: Y1, offset_m: [0.1, 0]}"),
+            ("{draw: who, offset_m: [0, 0.2]}", "{relative_to: who, offset_m: [0.1, 0]}"),
+            ("any", "{relative_to: any, offset_m: [0.1, 0]}"),
+            ("crate", "{relative_to: crate, offset_m: [0.1, 0]}"),
             ("centre", "{spot: centre}"),
             ("pitch", "{uniform_in: pitch}"),
             ("corners", "{choice: [corners]}"),
@@ -233,6 +246,38 @@ class TestPlacesOfNames:
             f"; at where {_it(written)} is, is written {told}"
         )
         assert loaded(WHO + rule(action=kick % told))
+
+    @pytest.mark.parametrize("written", ["post", "{obstacle: post}"])
+    def test_a_fixed_obstacle_is_no_place(self, written):
+        (text,) = complaints(WHO + rule(action=f"{{action: place, entity: Y2, at: {written}}}"))
+        assert text.endswith("; 'post' is a fixed obstacle: a spot of the same place, or beside it, can stand for it")
+
+    @pytest.mark.parametrize("written", ["hot", "{draw: hot}", "{draw: n}"])
+    def test_a_draw_that_decides_among_no_places_can_decide_among_layouts(self, written):
+        told = "where a draw decides the place, give it layouts as values: {action: place, layout: {draw: "
+        assert told in complaints(WHO + rule(action=f"{{action: place, entity: Y2, at: {written}}}"))[0]
+
+    @pytest.mark.parametrize("written", ["{draw: who}", "{spot: centre}", "{entity: B1}", "{relative_to: who}"])
+    @pytest.mark.parametrize(
+        "action",
+        [
+            "{action: place, entity: Y2, at: start, facing: {towards: %s}}",
+            "{action: place, entity: Y2, at: {nearest_free: corners, to: %s}}",
+            "{action: set_spot, spot: middle_blue, to: %s}",
+        ],
+    )
+    def test_where_a_name_is_expected_it_stands_alone(self, action, written):
+        name = written.strip("{}").partition(": ")[2]
+        assert complaints(WHO + rule(action=action % written))[0].endswith(f"its name stands alone: {name}")
+        assert loaded(WHO + rule(action=action % name))
+
+    @pytest.mark.parametrize("name", ["who", "any", "crate", "centre"])
+    def test_what_one_can_look_at(self, name):
+        facing = "{action: place, entity: Y2, at: start, facing: %s}"
+        assert complaints(WHO + rule(action=facing % name))[0].endswith(f"to look at it is written {{towards: {name}}}")
+        assert loaded(WHO + rule(action=facing % f"{{towards: {name}}}"))
+        assert "to look at" not in complaints(WHO + rule(action=facing % "post"))[0]
+        assert "to look at" not in complaints(WHO + rule(action=facing % "hot"))[0]
 
     def test_a_name_like_start_is_not_taken_for_it(self):
         draw = "draws: {target: {values: [B1, Y1]}}\n"
@@ -290,6 +335,9 @@ def test_a_score_is_compared_with_another_score(key):
          "unknown entity 'this'; in a rule with repeat_for the name for which it is repeated is written {param: this}"),
         ("{trigger: enters, entity: Y1 Y2, zone: pitch}",
          "; in a name no blank stands: Y1_Y2; several names have commas between them: Y1, Y2"),
+        ("{trigger: enters, entity: robot 1, zone: pitch}", "at most 64; in a name no blank stands: robot_1"),
+        ("{trigger: enters, entity: 'Y1, Y2', zone: pitch}", "; several names are a list: [Y1, Y2]"),
+        ("{trigger: ENTERS, entity: Y1, zone: pitch}", "; did you mean 'enters'?"),
     ],
 )  # fmt: skip
 def test_what_is_heard_and_of_whom(trigger, told):
@@ -300,6 +348,7 @@ def test_what_is_heard_and_of_whom(trigger, told):
     ("action", "told"),
     [
         ("{action: GOAL}", "; an event is announced by {action: emit, event: GOAL}"),
+        ("{action: SCORE, entrant: yellow}", "; did you mean 'score'?"),
         ("{action: set, counter: n, to: 3}",
          ("; a flag is set by set_flag, a spot by set_spot, a draw by draw with as; a counter changes by {action: count, "
          "counter: NAME, by: 1}, or is set: {action: count, counter: NAME, to: 0}")),
@@ -349,3 +398,12 @@ def test_where_there_is_no_group_yet_it_is_told_all_the_same():
     body = "zones:\n" + rooms + rule("{trigger: enters, entity: Y1, zone: Rooms}")
     (text,) = complaints(body, head="schema_version: 1\nid: a\ntitle: A\nextends: empty_field\n")
     assert text.endswith("; several under one name are a group: groups: {Rooms: [room_1, room_2]}")
+
+
+def test_who_touches_whom_is_a_list_of_pairs():
+    test = "expect: {t: {lasts_s: 1, keyframes: [{at_s: 0, touch: %s}]}}\n"
+    assert complaints(rule() + test % "[Y1, ball]")[0].endswith(
+        "; each pair stands in brackets of its own: [[Y1, ball]]"
+    )
+    assert loaded(rule() + test % "[[Y1, ball]]")
+    assert "pair" not in complaints(rule() + "balls: {ball: {start_m: centre}}\n")[0]

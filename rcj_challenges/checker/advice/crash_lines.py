@@ -75,9 +75,10 @@ def set_in(name: str, files: Mapping[PurePosixPath, bytes]) -> list[str]:
 def unquoted(text: str) -> str:
     """Return the name of a file without the quotation marks and backslashes that Python adds.
 
-    A program may have written all of it: so whatever it is, it is taken as it stands, and not as a text of Python's.
+    A program may have written all of it: so whatever it is, it is taken as it stands, and not as a text of Python's. A
+    tab in it stays a backslash and a t: it has come of these two, which part folders on Windows.
     """
-    return re.sub(r"\\(.)", r"\1", text[1:-1])
+    return re.sub(r"""\\([\\'"])""", r"\1", text[1:-1])
 
 
 def text_of(content: bytes) -> str:

@@ -269,12 +269,14 @@ def _may_end_it(lines: Sequence[_Line], at: int, handler: Sequence[bytes], to_lo
 
 
 def _tried(lines: Sequence[_Line], at: int) -> Iterator[bytes]:
-    """Return the code of the lines above an ``except``, up to its ``try``."""
+    """Return the code of the lines above an ``except``, its ``try`` included."""
     for above in range(at - 1, max(-1, at - 1 - _MOST_LINES_ABOVE), -1):
         _, depth, code = lines[above]
-        if depth < lines[at][1] or (depth == lines[at][1] and code.startswith(b"try")):
+        if depth < lines[at][1]:
             return
-        yield code
+        yield code  # behind a try as well: it may stand in one line
+        if depth == lines[at][1] and code.startswith(b"try"):
+            return
 
 
 def _loop_around(lines: Sequence[_Line], at: int) -> int | None:

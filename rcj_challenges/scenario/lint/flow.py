@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from rcj_challenges.scenario.beginnings import turns
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.lint.about import found_by
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect, lives_in
@@ -42,6 +43,7 @@ def check_phases(subject: Subject) -> Iterator[Suspect]:
                 "that ends, or remove it",
                 at_key=True,
             )
+    left = {turn.name: turn.phases for turn in turns(subject.scenario) if not turn.lives}
     for name, rule in subject.scenario.rules.items():
         if not subject.can_live(rule):
             phases = listing(rule.phases)
@@ -54,6 +56,19 @@ def check_phases(subject: Subject) -> Iterator[Suspect]:
             )
         else:
             yield from _waiting_for_phases(name, rule, subject)
+            if name in left:
+                yield _left_before(name, rule, sorted(left[name]))
+
+
+def _left_before(name: str, rule: Rule, entered: list[str]) -> Suspect:
+    """Return that another rule leaves the first phase before a rule has its turn as a half starts."""
+    index = next(index for index, trigger in enumerate(rule.triggers) if isinstance(trigger, HalfStarted))
+    return Suspect(
+        "rule_never_fires",
+        ("rules", name, "triggers", index),
+        f"as a half starts another rule enters {listing(entered)} before it, in which this rule does not live",
+        f"add '{entered[0]}' to its phases, or let it come first: it needs a lower priority",
+    )
 
 
 def _waiting_for_phases(name: str, rule: Rule, subject: Subject) -> Iterator[Suspect]:

@@ -114,7 +114,7 @@ def other_name(word: str, kind: str, known: list[str]) -> str:
         kind: ``trigger``, ``action``, ``condition`` or ``shape``.
         known: the words that may stand there.
     """
-    if word.isidentifier() and word.isupper() and kind in _EVENTS:
+    if word.isidentifier() and word.isupper() and kind in _EVENTS and word.casefold() not in known:
         return f"; {_EVENTS[kind].format(event=word)}"
     word = word.casefold()
     if kind == "shape":

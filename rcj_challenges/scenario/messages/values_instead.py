@@ -12,7 +12,6 @@ _TIMES = ("at_s", "limit_s", "within_s", "for_s", "grace_s", "every_s")
 """The times that triggers wait for."""
 _MEASURES = ("timer", "way", "distance", "word", "told", "flag", "draw")
 _LIMITS = ("at_least", "at_most", "equals")
-_PLACES = ("at", "back_at", "towards")
 _ADDED_UP = ("points", "by", "to")
 NUMBER_WORDS = frozenset(get_args(NumberWord.model_fields["word"].annotation))
 """Of numbers that the referee knows: in a list that is added up, and as a limit."""
@@ -35,12 +34,10 @@ def for_value(path: Path, node: Node | None) -> str:
         return _told_otherwise(node) or _word_alone(node, _OF_THE_MATCH) or _team_told(node)
     if "payload" in path:
         return _told_otherwise(node) or _word_alone(node, _TOLD_WORDS) or _name_told(node)
-    if path[:1] == ("placements",):
-        return _zone_to_put(path, node) or _draw_to_put(path, node)
     if path[:1] != ("rules",):
         return ""
     compared = (_no_number, _score_compared, _measured_before, _drawn_compared, _told_compared)
-    ways = (say(path, node) for say in (*compared, _zone_to_put, _draw_to_put, _spot_of_chance))
+    ways = (say(path, node) for say in (*compared, _spot_of_chance))
     return next(filter(None, ways), "") or (
         _word_alone(node, NUMBER_WORDS) if any(key in path for key in _ADDED_UP) else ""
     )
@@ -109,24 +106,12 @@ def _told_compared(path: Path, node: Entries) -> str:
 
 def _spot_of_chance(path: Path, node: Entries) -> str:
     """Return how chance decides where a spot is."""
-    if path[-1] != "to" or not any(one in node.entries for one in ("choice", "draw")):
+    if path[-1] != "to" or "choice" not in node.entries:
         return ""
     return (
         "; chance decides among spots of the file by a draw, draws: {hidden: {values: [a, b, c]}}: its name stands for "
         "the spot drawn, in distance, {spot: hidden} and {relative_to: hidden}"
     )
-
-
-def _zone_to_put(path: Path, node: Entries) -> str:
-    """Return how something is put into a zone."""
-    zone = texts(child(node, "zone"))
-    return f"; a random point of a zone is {{uniform_in: {zone[0]}}}" if zone and path[-1] in _PLACES else ""
-
-
-def _draw_to_put(path: Path, node: Entries) -> str:
-    """Return how something is put on a spot that a draw decides."""
-    draw = texts(child(node, "draw"))
-    return f"; a spot that a draw decides is written {{spot: {draw[0]}}}" if draw and path[-1] in _PLACES else ""
 
 
 _NAMES_TOLD = {"other": "other one", "robot": "robot", "entity": "entity", "team": "team"}

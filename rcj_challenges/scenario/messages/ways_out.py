@@ -7,6 +7,7 @@ from math import pi, radians
 
 from rcj_challenges.scenario.catalogue import Catalogue, texts
 from rcj_challenges.scenario.errors import listing
+from rcj_challenges.scenario.messages.named_places import SEEN, kind_of
 from rcj_challenges.scenario.messages.values_instead import NUMBER_WORDS
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, child, node_at
 
@@ -302,7 +303,6 @@ _VALUES = {"counter": "counters", "draw": "draws", "timer": "timers", "flag": "f
 """Where the names stand whose value is written ``{counter: NAME}``."""
 _SCORE = ("counter", "entrants")
 """A score is read like a counter."""
-_LOOKED_AT = ("robots", "balls", "spots")
 
 
 def for_named(path: Path, node: Node | None, root: Node, said: str) -> str:
@@ -318,11 +318,8 @@ def for_named(path: Path, node: Node | None, root: Node, said: str) -> str:
         return ""
     name = node.value
     if path[-1] == "facing":
-        known = any(child(child(root, section), name) is not None for section in _LOOKED_AT)
-        # A fixed obstacle is nothing to look at.
-        movable = child(child(child(root, "obstacles"), name), "movable")
-        known = known or (isinstance(movable, Leaf) and movable.value is True)
-        return f"; to look at it is written {{towards: {name}}}" if known else ""
+        is_seen = kind_of(name, root) in SEEN
+        return f"; to look at it is written {{towards: {name}}}" if is_seen else ""
     named = (key for key, section in (*_VALUES.items(), _SCORE) if child(child(root, section), name) is not None)
     keys = [*named, *(["word"] if name in NUMBER_WORDS else [])]
     key = next((key for key in keys if f"{{{key}: …}}" in said), None)

@@ -38,6 +38,10 @@ _HOW_MANY = {
 }
 """What others write for how many of a group: a word of it can be more like one that means the opposite."""
 _LIST_OF_NAMES = "a list of names"
+_NAMED = frozenset(
+    ("draw", "entity", "robot", "ball", "obstacle", "group", "spot", "zone", "gate", "relative_to", "position_of")
+) | {"entrant", "team", "counter", "flag", "timer", "sequence", "phase", "layout", "name"}
+"""Behind which the name of something is written where its name alone is expected."""
 _NUMBER = re.compile(r"[-+]?[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?")
 _DECIMAL_COMMA = re.compile(r"[-+]?[0-9]+,[0-9]+")
 _FEW = 4
@@ -72,8 +76,8 @@ def _instead(shape: Shape, node: Node | None) -> str:
         return f"; write it in quotes: '{node.value}'"
     if isinstance(node, Items) and without_none(shape) == At:
         return _point(node)
-    if isinstance(node, Entries) and without_none(shape) in (Name, Names):
-        return _draw(node)
+    if isinstance(node, Entries) and any(member in (Name, Names) for member in (without_none(shape), *members(shape))):
+        return _name_alone(node)
     return "" if node is None else _hint_at_list(shape, node)
 
 
@@ -100,7 +104,8 @@ def _hint(shape: Shape, text: str) -> str:
         return "; did you mean any?"
     if _LIST_OF_NAMES in map(expectation, members(shape)) and text.isidentifier():
         return f"; a list of one is written [{text}]"
-    return ""
+    is_of_two = get_args(bare(shape).kind) == (Name, Name)
+    return "; each pair stands in brackets of its own: [[Y1, ball]]" if is_of_two else ""
 
 
 def _hint_at_number(text: str) -> str:
@@ -156,12 +161,13 @@ def _point(node: Items) -> str:
     return f"; a point is written {{point: [{found[0]}, {found[1]}]}}"
 
 
-def _draw(node: Entries) -> str:
-    """Return how a draw that decides among names is named where a name stands: like what it decides on."""
-    name = node.entries.get("draw")
-    if len(node.entries) != 1 or not isinstance(name, Leaf) or not isinstance(name.value, str):
+def _name_alone(node: Entries) -> str:
+    """Return that the name of something stands alone where it was written with what it is, `{spot: centre}`."""
+    (kind,) = node.entries if len(node.entries) == 1 else ("",)
+    name = node.entries.get(kind)
+    if kind not in _NAMED or not isinstance(name, Leaf) or not isinstance(name.value, str):
         return ""
-    return f"; where a draw may decide, its name stands alone: {name.value}"
+    return f"; {'where a draw may decide, ' * (kind == 'draw')}its name stands alone: {name.value}"
 
 
 def _words(shape: Shape) -> list[str]:
@@ -304,11 +310,14 @@ def no_name(text: str) -> str:
 
 
 def _without_blanks(text: str) -> str:
-    """Return how names are written where blanks stand in a text; empty: it has none, or is something else."""
-    parts = text.split()
-    if len(parts) < 2 or not all(part.isidentifier() for part in parts):
-        return ""
-    return f"; in a name no blank stands: {'_'.join(parts)}; several names have commas between them: {', '.join(parts)}"
+    """Return how names are written where blanks or commas stand in a text; empty: it has none, or is something else."""
+    parts = text.replace(",", " ").split()
+    are_names = len(parts) > 1 and all(part.isidentifier() for part in parts)
+    if "," in text:
+        return f"; several names are a list: [{', '.join(parts)}]" if are_names else ""
+    joined = "_".join(parts)
+    several = f"; several names have commas between them: {', '.join(parts)}" if are_names else ""
+    return f"; in a name no blank stands: {joined}{several}" if len(parts) > 1 and joined.isidentifier() else ""
 
 
 def _from_a_to_z(text: str) -> str:

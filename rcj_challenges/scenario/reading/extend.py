@@ -182,6 +182,13 @@ def _with_ending(name: str, user: Source) -> str:
     return ""
 
 
+def _alike(path: Path, beside: list[str], written: PurePosixPath) -> str:
+    """Return which file of the same folder may be meant, as it is written from the user's folder; empty: none."""
+    hint = nearest(path.name, beside)
+    near = next((found for found in beside if hint == nearest(found, [found])), None)
+    return f"; did you mean {written.with_name(near).as_posix()!r}?" if near else hint
+
+
 _FOLDERS_ABOVE = 3
 """So far up a path is tried that may have been written as seen from another folder."""
 
@@ -214,8 +221,7 @@ def _base(name: str, user: Source, mark: Mark) -> Source:
     beside = _scenarios_in(path.parent)
     # Compared with the folder's listing: a name in other case works on some machines only.
     if path.name not in beside or not _is_file(path):
-        own = user.path.name
-        hint = nearest(path.name, [found for found in beside if found != own])
+        hint = _alike(path, [found for found in beside if path.parent / found != user.path], PurePosixPath(*parts))
         for kind, names in (("scenario", shipped_scenarios()), ("preset", names_in(presets_folder()))):
             if path.stem in names:
                 hint = f"; the shipped {kind} is extended by its name alone: {path.stem}"

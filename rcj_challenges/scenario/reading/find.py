@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path, PureWindowsPath
 
 from rcj_challenges.scenario.errors import Problem, ScenarioError, listing, nearest
@@ -28,11 +30,28 @@ def find_scenario(source: str | Path) -> Path:
     if exists:
         raise ScenarioError([Problem(str(source), 0, 0, "", "this is no file; expected a scenario in YAML")])
     stem = PureWindowsPath(source).stem  # documents may have been read on Windows: both kinds of slashes count
-    hint = nearest(stem, shipped) or nearest(stem, names_in(path.parent))
+    own = _own_files(path.parent)
+    hints = [_own_alike(stem, own), nearest(stem, shipped)]
+    # A name alone means a shipped one, unless a file is called just so.
+    hint = next(filter(None, hints if path.parent != Path() or stem in own else reversed(hints)), "")
     more = "; ".join(f"{kind} {listing(names_in(scenarios_folder() / kind))}" for kind in ("examples", "variants"))
     known = f"{listing(names_in(scenarios_folder()))}; {more}"
     message = f"no such file, and no shipped scenario of that name; shipped are {known}{hint}"
     raise ScenarioError([Problem(str(source)[:200], 0, 0, "", message)])
+
+
+def _own_files(folder: Path) -> dict[str, Path]:
+    """Return the YAML files of a folder by their names without the ending; of what is none, nothing."""
+    with suppress(OSError, ValueError):
+        return {found.stem: found for found in sorted(folder.glob("*.y*ml"), reverse=True)}
+    return {}
+
+
+def _own_alike(stem: str, own: Mapping[str, Path]) -> str:
+    """Return which file of the author's may be meant, as it is written; empty: none."""
+    hint = nearest(stem, own)
+    near = next((name for name in own if hint == nearest(name, [name])), None)
+    return f"; did you mean '{own[near].as_posix()}'?" if near is not None else ""
 
 
 def _not_one_of_yours(shipped: Path) -> Path:

@@ -7,6 +7,7 @@ row. Whatever comes later knows those rules only, and that each value in them st
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
@@ -24,8 +25,6 @@ _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _LONGEST = 64
 _MOST_VALUES = 50_000
 """How many single values all that is repeated may come to: a file of 1 MB that repeats nothing has about as many."""
-_SEVERAL = 2
-"""So many others must have what the first has not, for it to be the first that is wrong."""
 _FORMS = "a list of names, [yellow, blue], or a mapping of values by name, {yellow: {zone: blue_goal}, …}"
 
 
@@ -243,35 +242,24 @@ class _Reader:
                     self._add((row.step, key), mark, message)
 
     def _same_keys(self, rows: list[_Row]) -> None:
-        first = rows[0] if rows else None
-        if first is None:
+        """Tell which names have other keys than most of them; the first decides where as many have one as the other."""
+        if not rows:
             return
-        lacking = self._lacking(first, rows[1:])
-        for row in rows[1:]:
-            strangers = [key for key in row.written if key not in (*first.written, *lacking)]
-            missing = [key for key in first.written if key not in row.written]
+        ((usual, _),) = Counter(frozenset(row.written) for row in rows).most_common(1)
+        like = next(row for row in rows if row.written.keys() == usual)
+        for row in rows:
+            strangers = [key for key in row.written if key not in like.written]
+            missing = [key for key in like.written if key not in row.written]
             for key in strangers:
                 hint = nearest(key, missing)
                 misspelt = [known for known in missing if repr(known) in hint]
                 missing = [known for known in missing if known not in misspelt]
-                there = f"it has {listing(first.written)}" if first.written else "it has none"
-                message = f"'{key}' is missing for '{first.name}'; {there}; all names need the same keys{hint}"
+                there = f"it has {listing(like.written)}" if like.written else "it has none"
+                message = f"'{key}' is missing for '{like.name}'; {there}; all names need the same keys{hint}"
                 self._add((row.step, key), row.key_marks[key], message)
             for key in missing:
-                message = f"'{key}' is missing, which '{first.name}' has{_line(first.key_marks[key], row.mark)}"
+                message = f"'{key}' is missing, which '{like.name}' has{_line(like.key_marks[key], row.mark)}"
                 self._add((row.step,), row.mark, f"{message}; all names need the same keys")
-
-    def _lacking(self, first: _Row, others: list[_Row]) -> list[str]:
-        """Tell what all others have and the first has not: once, where it is missing; return these keys."""
-        if len(others) < _SEVERAL:
-            return []
-        keys = [key for key in others[0].written if all(key in row.written for row in others)]
-        lacking = [key for key in keys if key not in first.written and not nearest(key, first.written)]
-        for key in lacking:
-            where = _line(others[0].key_marks[key], first.mark)
-            message = f"'{key}' is missing, which '{others[0].name}' and all others have{where}"
-            self._add((first.step,), first.mark, message)
-        return lacking
 
     def _read(self, row: _Row, keys: Iterable[str]) -> None:
         # What a name lacks is told; its uses are not wrong as well.

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from itertools import product
 from typing import NamedTuple
 
+from rcj_challenges.scenario.beginnings import turns
 from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.models.actions import Place, Remove
 from rcj_challenges.scenario.models.base import Names
@@ -68,13 +69,16 @@ def places_beside(scenario: Scenario, roster: Roster) -> Iterator[Beside]:
         name: (_Pose(home(scenario, name), start_noise_m(scenario, name), home_yaw_rad(scenario, name)),)
         for name in roster.entities
     }
-    for rule in sorted(scenario.rules.values(), key=lambda rule: rule.priority):
-        hears = _hears_the_start(scenario, rule)
-        walks = [_Walk(scenario, roster, rule, flags, start if hears else {}) for flags in _settings(scenario, rule)]
+    starting = {turn.name: turn for turn in turns(scenario)}
+    for name, rule in sorted(scenario.rules.items(), key=lambda named: named[1].priority):
+        turn = starting.get(name)
+        walks = [
+            _Walk(scenario, roster, rule, flags, {} if turn is None else start) for flags in _settings(scenario, rule)
+        ]
         for walk in walks:
             yield from walk.found
-        if hears:
-            left_out = [start] if rule.conditions or rule.exclusive is not None else []
+        if turn is not None:
+            left_out = [] if turn.surely else [start]
             start = _merged([*left_out, *(walk.board for walk in walks)])
 
 
@@ -92,11 +96,6 @@ def listed_names(names: Names, rule: Rule | None = None) -> tuple[str, ...]:
         return listed
     bound = {EACH: (rule.for_each or "",), OTHER: written_others(rule)}
     return tuple(one for name in listed for one in bound.get(name, (name,)))
-
-
-def _hears_the_start(scenario: Scenario, rule: Rule) -> bool:
-    lives = rule.phases == "any" or scenario.first_phase in rule.phases
-    return lives and any(trigger.trigger == "half_started" for trigger in rule.triggers)
 
 
 def _settings(scenario: Scenario, rule: Rule) -> list[frozenset[str]]:

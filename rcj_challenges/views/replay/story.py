@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from rcj_challenges.facts.amounts import Score, on_paper
+from rcj_challenges.facts.measures import number_words
 from rcj_challenges.records.refereelog import events_as_lines, read_referee_log
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.result import RunResult
@@ -221,7 +222,7 @@ class Teller:
         for at, standing in self._story.score_changes.get(half, ()):
             if at <= tick:
                 scores = standing
-        return " : ".join(f"{scores.get(team, 0):g}" for team in self._teams)
+        return " : ".join(number_words(scores.get(team, 0)) for team in self._teams)
 
 
 def _whose(scored: Mapping[str, Score]) -> str:

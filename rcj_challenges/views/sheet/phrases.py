@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from rcj_challenges.facts.measures import number_words
 from rcj_challenges.scenario.models import state
 from rcj_challenges.scenario.models.conditions import SpotFree
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted, quoted_measure
@@ -24,7 +25,7 @@ def number(value: float) -> str:
     """
     if value and not 10**-_DIGITS <= abs(value) <= _MOST:
         return f"{value:g}"
-    return f"{value + 0.0:.{_DIGITS}f}".rstrip("0").rstrip(".")  # adding 0 makes no -0
+    return number_words(value, _DIGITS)
 
 
 def counted(count: float, what: str) -> str:

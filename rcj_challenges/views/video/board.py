@@ -7,6 +7,7 @@ from typing import Any
 
 from PIL import Image, ImageDraw
 
+from rcj_challenges.facts.measures import number_words
 from rcj_challenges.views.sentences import clock, plain
 from rcj_challenges.views.video.colours import BOARD, CALL, EDGE, FAINT, FAULT, WHITE, Rgb, mixed, rgb, text_on
 from rcj_challenges.views.video.footage import Footage
@@ -73,7 +74,7 @@ class Board:
     def _draw_pair(self, strip: Image.Image, half: int, scores: tuple[tuple[str, float], ...], room: int) -> None:
         (left, left_score), (right, right_score) = scores
         middle = strip.width // 2
-        between = f"{left_score:g} : {right_score:g}" if self._footage.shows_score else ":"
+        between = f"{number_words(left_score)} : {number_words(right_score)}" if self._footage.shows_score else ":"
         points = self._lettering.mask(between, self._text_px, bold=True)
         strip.paste(WHITE, (middle - points.width // 2, self._line_top(self._text_px)), points)
         chip, inner = round(self.height * 0.36), middle - points.width // 2 - self._gap
@@ -91,7 +92,9 @@ class Board:
         each = room // max(len(scores), 1)
         pieces = []
         for team, score in scores:
-            points = self._lettering.mask(f"{score:g}" if self._footage.shows_score else "", self._text_px, bold=True)
+            points = self._lettering.mask(
+                number_words(score) if self._footage.shows_score else "", self._text_px, bold=True
+            )
             name = self._name(team, each - chip - points.width - 3 * self._gap)
             pieces.append((team, name, points, chip + name.width + points.width + 2 * self._gap))
         x = (strip.width - sum(width for *_, width in pieces)) // 2
