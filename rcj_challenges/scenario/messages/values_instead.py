@@ -119,14 +119,14 @@ def _spot_of_chance(path: Path, node: Entries) -> str:
 
 def _zone_to_put(path: Path, node: Entries) -> str:
     """Return how something is put into a zone."""
-    zone = texts(child(node, "zone"))
-    return f"; a random point of a zone is {{uniform_in: {zone[0]}}}" if zone and path[-1] in _PLACES else ""
+    zone, is_put = texts(child(node, "zone")), path[-1] in _PLACES and "facing" not in path
+    return f"; a random point of a zone is {{uniform_in: {zone[0]}}}" if zone and is_put else ""
 
 
 def _draw_to_put(path: Path, node: Entries) -> str:
     """Return how something is put on a spot that a draw decides."""
-    draw = texts(child(node, "draw"))
-    return f"; a spot that a draw decides is written {{spot: {draw[0]}}}" if draw and path[-1] in _PLACES else ""
+    draw, is_put = texts(child(node, "draw")), path[-1] in _PLACES and "facing" not in path
+    return f"; a spot that a draw decides is written {{spot: {draw[0]}}}" if draw and is_put else ""
 
 
 _NAMES_TOLD = {"other": "other one", "robot": "robot", "entity": "entity", "team": "team"}

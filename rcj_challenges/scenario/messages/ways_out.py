@@ -143,6 +143,8 @@ _USUAL_KEYS = {
     "variables": "counters",
     "tests": "expect",
     "name": "title",
+    "start_m": "centre_m",
+    "centre_m": "start_m",
 }
 """What others call a key, and how it is written here."""
 
@@ -155,7 +157,10 @@ _THINGS = ("robot", "ball", "who")
 _BY_PLACE = {
     ("min", "minimum"): ("keeps_at_least", "at_least"),
     ("max", "maximum"): ("keeps_at_most", "at_most"),
-    ("position", "pos", "location", "start", "start_pos"): ("start_m", "centre_m"),
+    ("position", "pos", "location", "start_pos", "at"): ("start_m", "centre_m"),
+    ("start",): ("start_m", "centre_m", "initial"),
+    ("amount",): ("points", "by"),
+    ("value",): ("points", "to", "equals", "initial"),
     ("duration", "duration_s", "length", "length_s", "seconds"): ("half_s", "lasts_s", "for_s", "limit_s"),
 }
 _CALLED_BY_PLACE = {key: called for keys, called in _BY_PLACE.items() for key in keys}
@@ -210,7 +215,7 @@ def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
 def _usual_key(key: str, allowed: Collection[str], node: Node | None) -> str | None:
     """Return what a key is called here, of several the first that is not given yet; None: nobody knows."""
     marks = node.key_marks if isinstance(node, Entries) else {}
-    named = ("entity", "other") if key in _THINGS else (_USUAL_KEYS.get(key), *_CALLED_BY_PLACE.get(key, ()))
+    named = _of_thing(key, allowed) if key in _THINGS else (_USUAL_KEYS.get(key), *_CALLED_BY_PLACE.get(key, ()))
     meant = [one for one in named if one is not None and one in allowed]
     # What a base gives may be given anew.
     free = [one for one in meant if one not in marks or key not in marks or marks[one].file != marks[key].file]
@@ -218,6 +223,12 @@ def _usual_key(key: str, allowed: Collection[str], node: Node | None) -> str | N
     if key in things and meant:
         return next(iter(free[things.index(key) :]), None if free else meant[0])
     return next(iter(free or meant), None)
+
+
+def _of_thing(thing: str, allowed: Collection[str]) -> tuple[str, ...]:
+    """Return the keys for what a word is about, in the order in which they are given."""
+    # Of a last touch the ball is what was touched, and who it was stands under a key of its own.
+    return ("by",) if "by" in allowed and thing != "ball" else ("entity", "other")
 
 
 def _written_instead(key: str, above: Path, allowed: set[str]) -> str:
@@ -282,6 +293,29 @@ def for_coordinates(path: Path, node: Node | None, keys: Collection[str]) -> str
     if not 2 <= len(numbers) <= len(known) or any(isinstance(one, bool | str | None) for one in numbers):
         return ""
     return f"; write {{{', '.join(f'{key}: {one}' for key, one in zip(known, numbers, strict=False))}}}"
+
+
+def for_pair(path: Path, node: Node | None, root: Node) -> str:
+    """Return how two that belong together are written; empty: something else is meant."""
+    if path[-1:] == ("distance",) and isinstance(node, Entries):
+        two = [one for part in node.entries.values() for one in texts(part)]
+        return f"; the two are written [{listing(two)}]" if len(two) == 2 else ""
+    if path[:1] != ("expect",) or path[-2:-1] != ("touch",) or not isinstance(node, Leaf):
+        return ""
+    pair = node_at(root, path[:-1])
+    two = [one for item in pair.items for one in texts(item)] if isinstance(pair, Items) else []
+    return f"; each touch is a pair, also one alone: [[{listing(two)}]]" if len(two) == 2 else ""
+
+
+def for_rank(path: Path, node: Node | None, root: Node) -> str:
+    """Return how entrants are ranked by a counter whose name stands as a key, as `score` and `time` do."""
+    if path[:2] != ("result", "rank") or not isinstance(node, Entries):
+        return ""
+    counters = child(root, "counters")
+    known = counters.entries if isinstance(counters, Entries) else {}
+    name, order = next(((key, one) for key, one in node.entries.items() if key in known), ("", None))
+    ways = [way for way in texts(order) if way in ("ascending", "descending")]
+    return f"; a counter is written {{counter: {name}, order: {ways[0] if ways else '…'}}}" if name else ""
 
 
 def for_param(node: Node | None, root: Node) -> str:

@@ -72,8 +72,8 @@ def _instead(shape: Shape, node: Node | None) -> str:
         return f"; write it in quotes: '{node.value}'"
     if isinstance(node, Items) and without_none(shape) == At:
         return _point(node)
-    if isinstance(node, Entries) and without_none(shape) in (Name, Names):
-        return _draw(node)
+    if isinstance(node, Entries) and without_none(shape) in (Name, Names, _LOOKED_AT):
+        return _draw(node) or (_place(node) if without_none(shape) == _LOOKED_AT else "")
     return "" if node is None else _hint_at_list(shape, node)
 
 
@@ -98,9 +98,9 @@ def _hint(shape: Shape, text: str) -> str:
         return _hint_at_number(text)
     if "any" in _words(shape) and text.lower() in _ALL:
         return "; did you mean any?"
-    if _LIST_OF_NAMES in map(expectation, members(shape)) and text.isidentifier():
-        return f"; a list of one is written [{text}]"
-    return ""
+    of_names = _LIST_OF_NAMES in map(expectation, members(shape)) and text.isidentifier()
+    of_texts = is_list(shape) and bare(get_args(bare(shape).kind)[0]).kind is str
+    return f"; a list of one is written [{text}]" if of_names or of_texts else ""
 
 
 def _hint_at_number(text: str) -> str:
@@ -132,11 +132,13 @@ def _hint_at_list(shape: Shape, node: Node) -> str:
         return "; each entry begins with its name and ':', not with '-'"
     if isinstance(node, Entries) and is_list(shape) and _is_of_mappings(shape):
         return "; a list stands in brackets, also of one: [{…}]"
-    if not isinstance(node, Items) or shape != Point or len(node.items) != 4:
+    if not isinstance(node, Items) or shape != Point or len(node.items) not in (3, 4):
         return ""
     numbers = [item.value if isinstance(item, Leaf) else None for item in node.items]
     if not all(isinstance(one, int) and not isinstance(one, bool) for one in numbers):
         return ""
+    if len(numbers) == 3:  # which of the commas is meant, nobody knows
+        return "; if decimal numbers are meant, they are written with a point, as in [0.3, -0.2]"
     return f"; a decimal number is written with a point: [{numbers[0]}.{numbers[1]}, {numbers[2]}.{numbers[3]}]"
 
 
@@ -162,6 +164,18 @@ def _draw(node: Entries) -> str:
     if len(node.entries) != 1 or not isinstance(name, Leaf) or not isinstance(name.value, str):
         return ""
     return f"; where a draw may decide, its name stands alone: {name.value}"
+
+
+_LOOKED_AT = Name | Point
+"""What may be looked at: the name of a place is one, whatever it is the place of."""
+
+
+def _place(node: Entries) -> str:
+    """Return how what has a name is looked at where a place by that name stands."""
+    key, one = next(iter(node.entries.items()), ("", None))
+    if len(node.entries) != 1 or key in ("zone", "uniform_in") or not isinstance(one, Leaf):
+        return ""
+    return f"; its name stands alone: {one.value}" if isinstance(one.value, str) else ""
 
 
 def _words(shape: Shape) -> list[str]:

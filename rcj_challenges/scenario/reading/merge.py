@@ -194,12 +194,26 @@ def _of_empty(key: str, base: Entries, key_mark: Mark, shape: Shape) -> str:
     if key == "colour":
         return "what begins with # is a comment, unless it is in quotes: '#ff8800'"
     before = list(base.entries.items())[-1:]
-    if not before or step_into(shape, base, key) is not None:
-        return ""
+    inner = step_into(shape, base, key)
+    if inner is not None:
+        return _SUFFICES if is_named(chosen(shape, base)) and _needs_nothing(inner) else ""
+    if not before:
+        in_braces = base.mark.line == key_mark.line and base.mark.column < key_mark.column
+        is_name = in_braces and key.isidentifier() and shape is not None and may_be_scalar(shape)
+        return f"where a param is meant, write {{param: {key}}}" if is_name else ""
     (name, node) = before[0]
     if not isinstance(node, Leaf) or not isinstance(node.value, str) or node.mark.line != key_mark.line:
         return ""
     return f"several values stand in brackets, {name}: [{cut(node.value)}, {cut(key)}], and a text with a ',' in quotes"
+
+
+_SUFFICES = "write {}, which suffices, or leave the line out"
+
+
+def _needs_nothing(shape: Shape) -> bool:
+    """Return whether a mapping may stand here in which nothing is given."""
+    kind: Any = bare(shape).kind
+    return is_model(kind) and not any(one.is_required() for one in kind.model_fields.values())
 
 
 def make_way(base: Entries, written: AbstractSet[str], shape: Shape) -> None:
