@@ -26,6 +26,17 @@ def set_from_the_start(scenario: Scenario) -> frozenset[str]:
     return frozenset(setting - drawn - (_asked_at_the_start(scenario) if setting else set()))
 
 
+def drawn_from_the_start(scenario: Scenario) -> frozenset[str]:
+    """Return the draws that rules draw anew as each half starts, before anything asked what was drawn first."""
+    drawing = {
+        action.draw
+        for rule in scenario.rules.values()
+        for action in rule.actions
+        if isinstance(action, DrawAction) and action.as_ is None and starts_each_half(rule, scenario.first_phase)
+    }
+    return frozenset(drawing - (_asked_at_the_start(scenario) if drawing else set()))
+
+
 def starts_each_half(rule: Rule, first_phase: str) -> bool:
     """Return whether a rule fires as each half starts, whatever else is so."""
     lives = rule.phases == "any" or first_phase in rule.phases
