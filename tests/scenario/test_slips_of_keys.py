@@ -199,6 +199,38 @@ def test_three_whole_numbers_for_a_point():
     )
 
 
+@pytest.mark.parametrize(
+    ("reckoned", "told"),
+    [
+        ("{param: long_s, minus: 0.1}", "; what is taken off is a plus below 0: plus: -0.1"),
+        ("{param: long_s, subtract: 3}", "; what is taken off is a plus below 0: plus: -3"),
+        ("{param: long_s, divided_by: 4}", "; it is divided by times: 0.25"),
+        ("{param: long_s, add: 3}", "; did you mean 'plus'?"),
+    ],
+)
+def test_a_param_is_never_reckoned_the_other_way_round(reckoned, told):
+    (text,) = complaints(f"params: {{long_s: 5}}\ntimers: {{t: {{lasts_s: {reckoned}}}}}\n" + rule())
+    assert text.endswith(told)
+
+
+def test_a_part_that_is_taken_off():
+    action = "{action: count, counter: c, to: [3, {counter: c, minus: true}]}"
+    assert complaints("counters: {c: {}}\n" + rule(action=action))[0].endswith("; what is taken off has weight: -1")
+
+
+@pytest.mark.parametrize("word", ["all", "any", "none"])
+def test_how_many_as_a_key(word):
+    condition = f"{{condition: in_zone, entity: yellow, zone: pitch, {word}: true}}"
+    assert complaints(rule(rest=CONDITION % condition))[0].endswith(f"; how many of them is written of: {word}")
+
+
+def test_the_second_of_a_group_without_brackets():
+    found = complaints("groups: {followers: Y2, Y3}\n" + rule())
+    assert any("several values stand in brackets, followers: [Y2, Y3]" in text for text in found)
+    (text,) = complaints("groups: {followers: [Y2], leaders: }\n" + rule())
+    assert text == "groups.leaders: an empty value; write one, or leave the line out"
+
+
 def test_all_that_is_meant_is_taken():
     body = (
         "params: {long_s: 5}\ntimers: {t: {lasts_s: {param: long_s}}}\ncounters: {c: {per: robots}}\n"

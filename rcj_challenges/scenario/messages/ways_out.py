@@ -256,6 +256,8 @@ def _of_condition(key: str, above: Path, allowed: set[str], node: Node | None) -
     is_false = isinstance(value, Leaf) and value.value is False
     if "negate" in allowed and (key in _OPPOSITES or is_false):
         return "; the opposite of a condition is written negate: true"
+    if key in ("all", "any", "none") and "of" in allowed:
+        return f"; how many of them is written of: {key}"
     if key == "at_least" and "of" in allowed and isinstance(value, Leaf):
         return f"; how many of them is written of: {{at_least: {value.value}}}"
     if key in ("for_s", "every_s", "grace_s") and above[-1:] == ("condition",):
