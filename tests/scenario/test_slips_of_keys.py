@@ -73,6 +73,8 @@ def test_how_much(action, key):
         ("balls: {ball: {centre_m: [0, 0]}}\n", "start_m"),
         ("obstacles: {a: {shape: cylinder, start_m: [0, 0], radius_m: 0.1}}\n", "centre_m"),
         ("obstacles: {a: {shape: cylinder, at: [0, 0], radius_m: 0.1}}\n", "centre_m"),
+        ("robots: {Y1: {at: [0, 0]}}\n", "start"),
+        ("robots: {Y1: {position: [0, 0]}}\n", "start"),
         ("counters: {c: {start: 3}}\n", "initial"),
         ("flags: {f: {value: true}}\n", "initial"),
     ],
@@ -159,6 +161,12 @@ def test_a_param_as_sentences_write_it(body):
 def test_a_trigger_under_another_key(key):
     text = complaints(rule(f"{{{key}: enters, entity: ball, zone: pitch}}"))[0]
     assert text.endswith("; write {trigger: enters, …}")
+
+
+@pytest.mark.parametrize("trigger", ["half_started", "half_ended"])
+def test_in_which_half(trigger):
+    text = complaints(rule(f"{{trigger: {trigger}, half: 2}}"))[0]
+    assert text.endswith("; in which half it counts stands in the rule's conditions: {condition: half, equals: …}")
 
 
 def test_a_condition_in_a_not():

@@ -157,7 +157,7 @@ _THINGS = ("robot", "ball", "who")
 _BY_PLACE = {
     ("min", "minimum"): ("keeps_at_least", "at_least"),
     ("max", "maximum"): ("keeps_at_most", "at_most"),
-    ("position", "pos", "location", "start_pos", "at"): ("start_m", "centre_m"),
+    ("position", "pos", "location", "start_pos", "at"): ("start_m", "centre_m", "start"),
     ("start",): ("start_m", "centre_m", "initial"),
     ("amount",): ("points", "by"),
     ("value",): ("points", "to", "equals", "initial"),
@@ -179,6 +179,12 @@ _COMPARED = {
 
 
 _COORDINATES = frozenset({"x", "y", "x_m", "y_m"})
+
+_OF_TRIGGERS = {
+    "for_s": "what must last for a time is {trigger: holds, condition: {…}, for_s: …}",
+    "half": "in which half it counts stands in the rule's conditions: {condition: half, equals: …}",
+}
+"""What others have beside a trigger's own keys."""
 
 _OF_RULES = {
     "else": "; what else is to happen is a rule of its own, whose conditions have negate: true",
@@ -239,8 +245,8 @@ def _written_instead(key: str, above: Path, allowed: set[str]) -> str:
         bounds = f"{key[0]}_min_m and {key[0]}_max_m"
         rect = f"; its bounds are {bounds}, and each may be left out" if "x_min_m" in allowed else ""
         return "; a place is written at: {point: [x, y]}" if "at" in allowed else rect
-    if key == "for_s" and "trigger" in allowed:
-        return "; what must last for a time is {trigger: holds, condition: {…}, for_s: …}"
+    if key in _OF_TRIGGERS and "trigger" in allowed:
+        return f"; {_OF_TRIGGERS[key]}"
     if above[:1] == ("rules",) and len(above) == 2:
         return _OF_RULES.get(key, "")
     if above[:1] == ("draws",) and key.startswith(("weight", "probabilit")):
