@@ -29,9 +29,15 @@ def draw(scenario: str, out: Path | None, overrides: list[str]) -> int:
     loaded = load(scenario, overrides)
     picture = draw_scenario(loaded.scenario, loaded.roster)
     if out is not None and out.suffix.lower() == ".png":
-        from rcj_challenges.views.drawing.png import png_from_svg
+        from rcj_challenges.views.drawing.png import png_from_svg, written_with
 
-        return _deliver(png_from_svg(picture), out)
+        done = _deliver(png_from_svg(picture), out)
+        if written_with() is None:
+            sys.stderr.write(
+                f"{out.name} has no words, for no font for them was found on this computer: take --out "
+                f"{out.stem}.svg, or install a font, such as DejaVu Sans or Noto Sans\n"
+            )
+        return done
     return _deliver(picture, out)
 
 

@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Container, Iterable, Mapping
+from collections.abc import Container, Iterable, Mapping
 from typing import NamedTuple
 
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.messages.written import as_written
-from rcj_challenges.scenario.models.actions import Emit, Score
+from rcj_challenges.scenario.models.actions import (
+    Action,
+    Count,
+    Emit,
+    End,
+    Hold,
+    Release,
+    Score,
+    SetFlag,
+    SetPhase,
+    ToggleFlag,
+)
 from rcj_challenges.scenario.models.scenario import Scenario
 
 
@@ -24,6 +35,28 @@ class Denial(NamedTuple):
     held_after: bool
 
 
+class Wanted(NamedTuple):
+    """What a test expects and is otherwise.
+
+    Attributes:
+        missing: the events that did not come, with the time in s at which they were expected, if at any.
+        scores: the entrants with another score.
+        counters: the counters with another value.
+        flags: the flags with another value.
+        phase: the phase that it should be; None: it is.
+        over: whether nothing, or the half only, is over that should be.
+        held: whether somebody is held who should not be, or the other way round.
+    """
+
+    missing: Mapping[str, float | None]
+    scores: Container[str] = ()
+    counters: Container[str] = ()
+    flags: Container[str] = ()
+    phase: str | None = None
+    over: bool = False
+    held: bool = False
+
+
 Denied = dict[str, dict[int, Denial]]
 """By rule and tick, what kept it from firing."""
 
@@ -37,32 +70,47 @@ _YET = (
 def denied_notes(
     denied: Denied,
     scenario: Scenario,
-    missing: Mapping[str, float | None],
-    scores: Collection[str],
+    wanted: Wanted,
     fired: Container[str],
 ) -> Iterable[str]:
-    """Return notes on rules that never fired, and would have emitted an event that is missing or changed a score.
+    """Return notes on rules that never fired, and would have done something to what is otherwise than expected.
 
     Args:
         denied: what conditions did not hold.
         scenario: the scenario.
-        missing: the events that did not come, with the time in s at which they were expected, if at any.
-        scores: the entrants with another score than expected.
+        wanted: what the test expects and is otherwise.
         fired: the rules that fired at some time.
     """
     told = 0
     for name, ticks in denied.items():
         rule = scenario.rules[name]
-        emitted = [one.event for one in rule.actions if isinstance(one, Emit) and one.event in missing]
-        scored = bool(scores) and any(isinstance(one, Score) and _may_be(one.entrant, scores) for one in rule.actions)
-        if not (emitted or scored) or name in fired or told == _SHOWN:
+        emitted = [one.event for one in rule.actions if isinstance(one, Emit) and one.event in wanted.missing]
+        if not (emitted or any(_does(one, wanted) for one in rule.actions)) or name in fired or told == _SHOWN:
             continue
         told += 1
-        tick = _nearest(ticks, missing[emitted[0]] if emitted else None)
+        tick = _nearest(ticks, wanted.missing[emitted[0]] if emitted else None)
         condition, held_after = ticks[tick]
         which = as_written(rule.conditions[condition])
         yet = _YET if held_after else ""
         yield f"note: {name} was triggered at {s_from_ticks(tick):g} s, and {which} did not hold{yet}"
+
+
+def _does(action: Action, wanted: Wanted) -> bool:
+    """Return whether an action does something to what is otherwise than expected; events are another matter."""
+    match action:
+        case Score():
+            does = bool(wanted.scores) and _may_be(action.entrant, wanted.scores)
+        case Count():
+            does = action.counter in wanted.counters
+        case SetFlag() | ToggleFlag():
+            does = action.flag in wanted.flags
+        case SetPhase():
+            does = action.phase == wanted.phase
+        case End():
+            does = wanted.over
+        case _:
+            does = wanted.held and isinstance(action, Hold | Release)
+    return does
 
 
 def _may_be(entrant: object, scores: Container[str]) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Mapping
+from collections.abc import Collection, Container, Iterable, Mapping
 from dataclasses import dataclass, replace
 from math import hypot
 from typing import Any, Protocol
@@ -11,7 +11,7 @@ from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.facts.measures import number_words
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.referee.comparing import difference, equal, event_differences, told_difference
-from rcj_challenges.referee.denied import denied_notes
+from rcj_challenges.referee.denied import Wanted, denied_notes
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.put_inside import put_inside_notes
 from rcj_challenges.referee.ranking import Tally, ranking
@@ -19,6 +19,7 @@ from rcj_challenges.referee.script import ScriptedPlay, half_of
 from rcj_challenges.referee.state import Number
 from rcj_challenges.scenario.decided import places_of
 from rcj_challenges.scenario.drawn import series_of
+from rcj_challenges.scenario.models.actions import End
 from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe, Scenario
 from rcj_challenges.scenario.roster import Roster
@@ -105,15 +106,16 @@ def try_expectation(loaded: HasScenario, name: str) -> Trial:
         play.finish()
     fired = dict.fromkeys(firing.rule for firing in play.firings if firing.suppressed is None)
     differences = list(_differences(play, scenario, expected))
-    missing = _missing(differences, expected)
+    wanted = _wanted(differences, play, expected)
     notes = (
         (
             *_no_room(play),
             *_not_drawn(play, expected),
             *play.wrong_ways.notes(),
             *_true_before(play, fired),
-            *put_inside_notes(play.placements, scenario, loaded.roster, missing, fired),
-            *denied_notes(play.referee.denied or {}, scenario, missing, _scores(play, expected), fired),
+            *put_inside_notes(play.placements, scenario, loaded.roster, wanted.missing, fired),
+            *denied_notes(play.referee.denied or {}, scenario, wanted, fired),
+            *_ended_before(play, scenario, expected, wanted),
             *_course(play, differences),
         )
         if differences
@@ -137,6 +139,41 @@ def _true_before(play: ScriptedPlay, fired: Container[str]) -> Iterable[str]:
                 f"note: {rule} waits for a condition to come true that held already at {s_from_ticks(tick):g} s; "
                 "with for_s: 0.05 that is heard too"
             )
+
+
+def _wanted(differences: Collection[str], play: ScriptedPlay, expected: Expectation) -> Wanted:
+    """Return what is otherwise than expected, by the differences that are told."""
+    # A name has no blank and no colon in it.
+    told = {tuple(one.replace(":", " :").split(" ", 3)[:2]) for one in differences}
+    return Wanted(
+        missing=_missing(differences, expected),
+        scores=_scores(play, expected),
+        counters={name for name in expected.counters if ("counter", name) in told},
+        flags={name for name in expected.flags if ("flag", name) in told},
+        phase=expected.phase if ("phase", ":") in told else None,
+        over=expected.ended != "none" and ("ended", ":") in told,
+        held=any((name, "held") in told for name in expected.held or ()),
+    )
+
+
+def _ended_before(play: ScriptedPlay, scenario: Scenario, expected: Expectation, wanted: Wanted) -> Iterable[str]:
+    """Return which rule ended the half or the match, where the test would have gone on."""
+    last = ticks_from_s(expected.lasts_s)
+    if play.verdict.ended is None or play.tick >= last:
+        return
+    left_out = any(ticks_from_s(one.at_s) > play.tick for one in expected.keyframes)
+    if not (wanted.missing or left_out or expected.ended == "none"):
+        return
+    what = "match" if play.verdict.ends_match else "half"
+    ending = (f.rule for f in reversed(play.firings) if f.suppressed is None and _ends(scenario, f.rule))
+    rule = next(ending, None)
+    if rule is not None:
+        at_s = s_from_ticks(play.tick)
+        yield f"note: {rule} ended the {what} at {at_s:g} s, and so the test; it lasts {expected.lasts_s:g} s"
+
+
+def _ends(scenario: Scenario, rule: str) -> bool:
+    return any(isinstance(one, End) for one in scenario.rules[rule].actions)
 
 
 def _missing(differences: Iterable[str], expected: Expectation) -> dict[str, float | None]:

@@ -93,6 +93,11 @@ def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str:
     return f"; did you mean {by_folded[found[0]]!r}?" if found else ""
 
 
+def in_plain_letters(name: str) -> str:
+    """Return a name as it is compared where case, and a stroke for a blank, make no difference."""
+    return name.casefold().replace("_", " ").replace("-", " ")
+
+
 def _is_contrary(written: set[str], name: str, may_turn: list[frozenset[str]]) -> bool:
     meant = set(name.casefold().split("_"))
     return any(meant & words and not written & meant & words for words in may_turn)

@@ -139,3 +139,58 @@ def test_a_condition_of_several_is_told_as_it_is_written():
         "to: ball, at_most: 0.01}, {condition: in_zone, entity: [Y1, Y2], zone: blue_goal, of: {at_least: 2}, negate: true}], "
         "negate: true} did not hold"
     )
+
+
+DENIED = f"{GOAL}, conditions: [{{condition: half, equals: 2}}]"
+
+
+def notes_of(rules: str, expected: str, sections: str = "") -> list[str]:
+    """Return the notes on a test that lasts 4 s, in which the ball is put into the goal after 1 s."""
+    expect = f"expect: {{it: {{keyframes: [{{at_s: 1, place: {{ball: [0, 0.8]}}}}], lasts_s: 4, {expected}}}}}\n"
+    found = run_expectation(load_text(f"{HEAD}{sections}rules:\n{rules}{expect}", file="it.yaml"), "it")
+    assert found
+    return [line for line in found if line.startswith("note: ")]
+
+
+@pytest.mark.parametrize(
+    ("action", "expected"),
+    [
+        ("{action: count, counter: c}", "counters: {c: 1}"),
+        ("{action: count, counter: each_s, entity: Y1}", "counters: {each_s: {Y1: 1}}"),
+        ("{action: set_flag, flag: f}", "flags: {f: true}"),
+        ("{action: toggle_flag, flag: f}", "flags: {f: true}"),
+        ("{action: set_phase, phase: pause}", "phase: pause"),
+        ("{action: end}", "ended: half"),
+        ("{action: end, what: match}", "ended: match"),
+        ("{action: hold, entity: Y1}", "held: {Y1: true}"),
+    ],
+)
+def test_whatever_is_otherwise_than_expected_the_rule_that_would_have_done_it_is_told(action, expected):
+    sections = "counters: {c: {}, each_s: {per: robots}, d: {}}\nflags: {f: {}}\nphases: {pause: {}}\n"
+    rules = (
+        f"  would: {{{DENIED}, actions: [{action}]}}\n  other: {{{DENIED}, actions: [{{action: count, counter: d}}]}}\n"
+    )
+    assert notes_of(rules, expected, sections) == [
+        "note: would was triggered at 1.024 s, and {condition: half, equals: 2} did not hold"
+    ]
+
+
+def test_what_is_not_to_be_over_was_ended_by_no_rule_that_did_not_fire():
+    rules = f"  ends: {{{GOAL}, actions: [{{action: end}}]}}\n  would: {{{DENIED}, actions: [{{action: end}}]}}\n"
+    assert notes_of(rules, "ended: none") == ["note: ends ended the half at 1.024 s, and so the test; it lasts 4 s"]
+
+
+@pytest.mark.parametrize("what", ["half", "match"])
+def test_which_rule_ended_the_test_is_told_where_something_is_missing(what):
+    rules = (
+        f"  ends: {{{GOAL}, actions: [{{action: end, what: {what}}}]}}\n"
+        "  later: {triggers: [{trigger: time_reached, at_s: 3}], actions: [{action: emit, event: LATER}]}\n"
+    )
+    assert notes_of(rules, "events: [{event: LATER}]") == [
+        f"note: ends ended the {what} at 1.024 s, and so the test; it lasts 4 s"
+    ]
+
+
+def test_that_a_test_was_over_is_not_told_where_nothing_was_to_come():
+    rules = f"  ends: {{{GOAL}, actions: [{{action: end}}]}}\n"
+    assert notes_of(rules, "score: {yellow: 1}") == []

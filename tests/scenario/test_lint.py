@@ -445,7 +445,10 @@ class TestDraws:
         [
             ("{action: draw, draw: d, as: 1}", "", True),
             ("{action: draw, draw: d, as: 1}", ", conditions: [{condition: half, equals: 2}]", False),
-            ("{action: draw, draw: d}", "", False),
+            ("{action: draw, draw: d}", "", True),
+            ("{action: draw, draw: d}", ", conditions: [{condition: half, equals: 2}]", False),
+            # What is drawn first is told before it is drawn anew.
+            ("{action: emit, event: E, payload: {d: {draw: d}}}, {action: draw, draw: d}", "", False),
         ],
     )
     def test_a_test_that_decides_what_a_rule_sets_as_the_half_starts(self, starts, more, warned):
@@ -453,6 +456,13 @@ class TestDraws:
         rules = self.READ + rule("b", "{trigger: half_started}", starts, more=more)
         found = kinds("draws: {d: {values: [1, 2]}}", test, rules=rules, halves=2)
         assert found == ["draw_decided_in_vain"] * warned
+
+    @pytest.mark.parametrize(("decided", "told"), [("2", "[2, 2]"), ("[1]", "[1, 1]"), ("[1, 2]", None)])
+    def test_of_a_draw_that_a_rule_draws_anew_at_once_the_second_value_is_the_one_that_counts(self, decided, told):
+        test = f"expect: {{t: {{lasts_s: 1, keyframes: [{{at_s: 0}}], draws: {{d: {decided}}}}}}}"
+        rules = self.READ + rule("b", "{trigger: half_started}", "{action: draw, draw: d}")
+        remedies = [one.remedy for one in found_in("draws: {d: {values: [1, 2]}}", test, rules=rules)]
+        assert [f"'d: {told}'" in remedy for remedy in remedies] == ([True] if told else [])
 
     def test_a_draw_is_read_by_what_lasts_as_long_as_it_decides(self):
         expired = rule("a", "{trigger: timer_expired, timer: t}")

@@ -59,7 +59,12 @@ class TestFieldOfAnotherSize:
 
     def test_new_numbers_along_the_other_axis_do_not_help(self):
         (finding,) = found(f"field: {{length_m: 2}}\n{self.NEW_PITCH}", self.KIND)
-        assert "pitch" in finding.problem.message
+        assert "it was: pitch in y, " in finding.problem.message
+
+    def test_of_what_was_moved_along_one_axis_the_other_one_is_told(self):
+        moved = "field: {length_m: 2, width_m: 2}\nzones: {blue_penalty_area: {y_min_m: 0.84}}\n"
+        (finding,) = found(moved, self.KIND)
+        assert "pitch, blue_penalty_area in x, yellow_penalty_area, " in finding.problem.message
 
     def test_nothing_is_said_of_what_nobody_names(self):
         rules = "rules:\n  r: {triggers: [{trigger: enters, entity: ball, zone: %s}], actions: [{action: end}]}\n"

@@ -97,6 +97,14 @@ class TestExclusiveGroups:
         assert "did you mean 'one'?" in str(finding)
 
     @pytest.mark.parametrize("group", ["", "Y1"])
+    def test_so_is_that_of_a_rule_for_nobody_or_one(self, group):
+        text = rules(group, group, group).replace("exclusive: one", "exclusive: ones", 1)
+        (finding,) = found(text, self.KIND)
+        assert finding.problem.path == "rules.r0.exclusive"
+        assert "did you mean 'one'?" in str(finding)
+        assert found(text.replace("exclusive: ones", "exclusive: another"), self.KIND) == []
+
+    @pytest.mark.parametrize("group", ["", "Y1"])
     def test_a_rule_alone_that_is_for_nobody_or_one_is_no_matter(self, group):
         assert found(rules(group), self.KIND) == []
 

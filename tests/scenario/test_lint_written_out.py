@@ -43,6 +43,10 @@ class TestNumbersInSentences:
     def test_a_placeholder_and_other_numbers_are_none(self, says):
         assert in_says(says) == []
 
+    @pytest.mark.parametrize("says", ["Y5 is home.", "B5 comes through gate_5.", "It is in t5 and leaves."])
+    def test_the_number_in_a_name_is_none(self, says):
+        assert in_says(says) == []
+
     @pytest.mark.parametrize("number", [0, 1, 2])
     def test_every_other_sentence_has_a_one_or_a_two_in_it(self, number):
         assert in_says(f"{number} points.", params=f"home_points: {number}") == []

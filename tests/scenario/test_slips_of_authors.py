@@ -398,12 +398,3 @@ def test_where_there_is_no_group_yet_it_is_told_all_the_same():
     body = "zones:\n" + rooms + rule("{trigger: enters, entity: Y1, zone: Rooms}")
     (text,) = complaints(body, head="schema_version: 1\nid: a\ntitle: A\nextends: empty_field\n")
     assert text.endswith("; several under one name are a group: groups: {Rooms: [room_1, room_2]}")
-
-
-def test_who_touches_whom_is_a_list_of_pairs():
-    test = "expect: {t: {lasts_s: 1, keyframes: [{at_s: 0, touch: %s}]}}\n"
-    assert complaints(rule() + test % "[Y1, ball]")[0].endswith(
-        "; each pair stands in brackets of its own: [[Y1, ball]]"
-    )
-    assert loaded(rule() + test % "[[Y1, ball]]")
-    assert "pair" not in complaints(rule() + "balls: {ball: {start_m: centre}}\n")[0]

@@ -9,7 +9,7 @@ from itertools import count
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.decided import check_decided_spots
 from rcj_challenges.scenario.drawn import never_drawn
-from rcj_challenges.scenario.errors import listing
+from rcj_challenges.scenario.errors import in_plain_letters, listing, nearest
 from rcj_challenges.scenario.halves import clock_may_stop, half_length_s, longest_half_s
 from rcj_challenges.scenario.models.actions import Bounded, Count, DrawAction, Place
 from rcj_challenges.scenario.models.base import Scalar, Strict
@@ -32,7 +32,7 @@ from rcj_challenges.scenario.models.conditions import (
 from rcj_challenges.scenario.models.field import Match
 from rcj_challenges.scenario.models.places import Kick
 from rcj_challenges.scenario.models.robots import LidarDevice
-from rcj_challenges.scenario.models.scenario import Expectation, Given, Scenario
+from rcj_challenges.scenario.models.scenario import Expectation, Given, Rule, Scenario
 from rcj_challenges.scenario.models.state import Draw, NumberWord, Sequence
 from rcj_challenges.scenario.models.triggers import Holds, StaysIn, TimeReached
 from rcj_challenges.scenario.roster import Roster
@@ -58,6 +58,10 @@ def check_sense(scenario: Scenario, *, half_is_set: bool) -> Iterator[Found]:
         yield from _times(model, path, scenario, longest_s, half_is_set=half_is_set)
         yield from _draw(model, path)
         yield from _whose_way(model, path)
+        if isinstance(model, Rule) and isinstance(model.phases, tuple) and "any" in model.phases:
+            yield Found(
+                (*path, "phases"), "'any' is no phase in a list: any phase is written phases: any, without brackets"
+            )
         if isinstance(model, Expectation):
             yield from _series(model, path, scenario)
             yield from _places(model, path, scenario)
@@ -294,7 +298,9 @@ def _robots(scenario: Scenario, roster: Roster) -> Iterator[Found]:
         for index, device in enumerate(robot.without):
             if device not in kit.devices:
                 known = ", ".join(kit.devices)
-                message = f"kit '{robot.kit}' has no device '{device}'; it has {known}"
+                plain = (name for name in kit.devices if in_plain_letters(name) == in_plain_letters(device))
+                hint = next((f"; did you mean {name!r}?" for name in plain), "") or nearest(device, kit.devices)
+                message = f"kit '{robot.kit}' has no device '{device}'; it has {known}{hint}"
                 yield Found(("robots", name, "without", index), message)
 
 

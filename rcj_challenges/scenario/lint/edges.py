@@ -107,6 +107,17 @@ def check_exclusive_groups(subject: Subject) -> Iterator[Suspect]:
                 "to let only one of them count in a tick leave for_each out and name the group in the trigger; else "
                 "give another rule the same exclusive, or leave it out",
             )
+        elif (
+            len(names) == 1
+            and _is_alone_for_nothing(names[0], subject)
+            and (meant := nearest(group, groups.keys() - {group}, _NEARLY))
+        ):
+            yield Suspect(
+                "exclusive_never_meets",
+                ("rules", names[0], "exclusive"),
+                f"no other rule is in the group '{group}', so that nothing is stopped by it{meant}",
+                "correct its name, give another rule the same exclusive, or leave it out",
+            )
         pair = _strangers(names, subject)
         if pair is not None and not all(_meets_itself(subject.scenario.rules[name], subject) for name in pair):
             first, second = pair
@@ -129,6 +140,17 @@ def _meant_by_repeating(first: str, second: str, subject: Subject) -> str:
         "leave it out; for only one of several to count in a tick each makes itself the value of a draw, "
         "{action: draw, draw: …, as: each}, which the last one keeps, and a rule that hears an event asks who that is"
     )
+
+
+_NEARLY = 0.8
+"""How like another group's name one must be to be taken for it, misspelt."""
+
+
+def _is_alone_for_nothing(name: str, subject: Subject) -> bool:
+    """Return whether a rule of the author's own is alone in its group, and is not stopped at a second touch either."""
+    rule = subject.scenario.rules[name]
+    own = file_of(subject.tree, "rules", name) == subject.tree.mark.file
+    return own and not names_other(rule, subject.scenario)
 
 
 def _stops_nothing(name: str, subject: Subject) -> bool:

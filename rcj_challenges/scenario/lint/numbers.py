@@ -161,7 +161,8 @@ def _tells_in_its_unit(text: str, number: Leaf, param: str) -> bool:
 def _spelt(number: Leaf) -> str:
     """Return a pattern for a number as sentences write it."""
     value = number.value if isinstance(number.value, int | float) else 0
-    found = [rf"(?<![\d.]){re.escape(f'{value:g}')}(?![\d]|\.\d)"]
+    # The 3 of Y3, and that of t_3, belong to a name.
+    found = [rf"(?<![\w.]){re.escape(f'{value:g}')}(?![\d]|\.\d)"]
     if value == 1:
         found.append(rf"\bone(?={_AFTER_ONE})")
     elif value == int(value) and 0 <= value < len(_WORDS):

@@ -7,6 +7,7 @@ from typing import Any
 
 from rcj_challenges.scenario.blanks import BLANKS, in_braces
 from rcj_challenges.scenario.catalogue import BOUND
+from rcj_challenges.scenario.drawn import series_of
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect, Use, on_field
 from rcj_challenges.scenario.models.actions import (
@@ -22,7 +23,7 @@ from rcj_challenges.scenario.models.conditions import Drawn
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe
 from rcj_challenges.scenario.references import Named
 from rcj_challenges.scenario.remembered import remembered_spots
-from rcj_challenges.scenario.set_draws import set_from_the_start
+from rcj_challenges.scenario.set_draws import drawn_from_the_start, set_from_the_start
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, file_of
 from rcj_challenges.scenario.visiting import visit
 
@@ -81,7 +82,7 @@ def check_draws(subject: Subject) -> Iterator[Suspect]:
                 f"it is drawn once in a {draw.not_again}: nothing can come again",
                 f"add {{action: draw, draw: {name}}} to a rule, or leave not_again out",
             )
-    is_set = set_from_the_start(scenario)
+    is_set, is_drawn = set_from_the_start(scenario), drawn_from_the_start(scenario)
     for test, expected in scenario.expect.items():
         for name, decided in expected.draws.items():
             if name in is_set:
@@ -90,6 +91,14 @@ def check_draws(subject: Subject) -> Iterator[Suspect]:
                     ("expect", test, "draws", name),
                     f"a rule sets '{name}' as the half starts, whatever was decided here",
                     "let the test lead up to that value, or keep what 'given' can set: a counter or a flag",
+                )
+            elif name in is_drawn and len(series := series_of(decided)) == 1:
+                yield Suspect(
+                    "draw_decided_in_vain",
+                    ("expect", test, "draws", name),
+                    f"a rule draws '{name}' anew as the half starts, and nothing asks before what was decided here",
+                    f"write a list whose second value is for that rule, '{name}: [{series[0]}, {series[0]}]', or take "
+                    "the draw out of the rule: each half draws as it starts",
                 )
             elif isinstance(decided, tuple) and len(decided) > 1 and name not in again:
                 yield Suspect(

@@ -74,11 +74,13 @@ def check_field_size(subject: Subject) -> Iterator[Suspect]:
     """A field of another size whose inherited zones, gates and spots stay where they were."""
     changed = [(key, path) for key in _AXES if (path := _where_set(("field", key), subject))]
     axes = [_AXES[key] for key, _ in changed]
-    left = [
-        (section, name)
-        for section, name, node in _used_places(subject)
-        if any(_stays_behind(node, axis, subject) for axis in axes)
-    ]
+    left: list[tuple[str, str]] = []
+    for section, name, node in _used_places(subject):
+        behind = [axis for axis in axes if _stays_behind(node, axis, subject)]
+        # Of what the author has moved along one axis it is the other one that was forgotten, or is meant to stay.
+        moved = any(_is_own_number(number, subject) for axis in _AXES.values() for number in _numbers(node, axis))
+        if behind:
+            left.append((section, f"{name} in {' and '.join('xy'[axis] for axis in behind)}" if moved else name))
     if left:
         sections = " and ".join(dict.fromkeys(section for section, _ in left))
         yield Suspect(
@@ -114,9 +116,11 @@ def _used_names(subject: Subject) -> frozenset[str]:
 def _stays_behind(node: Node, axis: int, subject: Subject) -> bool:
     """Return whether a place has a number on an axis, and the own file none of them; the middle stays the middle."""
     numbers = list(_numbers(node, axis))
-    return any(number.value for number in numbers) and all(
-        _is_inherited(number.mark, subject) and not _own_param(number, subject) for number in numbers
-    )
+    return any(number.value for number in numbers) and not any(_is_own_number(number, subject) for number in numbers)
+
+
+def _is_own_number(number: Leaf, subject: Subject) -> bool:
+    return not _is_inherited(number.mark, subject) or bool(_own_param(number, subject))
 
 
 def _numbers(node: Node, axis: int) -> Iterator[Leaf]:

@@ -12,17 +12,21 @@ from typing import Any, get_args, get_origin
 
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
-from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, listing, nearest
+from rcj_challenges.scenario.catalogue import texts
+from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, in_plain_letters, listing, nearest
 from rcj_challenges.scenario.messages.named_places import for_place
 from rcj_challenges.scenario.messages.other_names import other_name
 from rcj_challenges.scenario.messages.taken_away import for_nothing
+from rcj_challenges.scenario.messages.units import for_unit
 from rcj_challenges.scenario.messages.values_instead import for_reckoned, for_value
 from rcj_challenges.scenario.messages.ways_out import (
     for_coordinates,
     for_degrees,
     for_key,
     for_named,
+    for_pair,
     for_param,
+    for_rank,
     for_repeated,
     for_several,
 )
@@ -182,7 +186,8 @@ class _Explainer:
         if (
             not isinstance(node, Entries)
             or not node.entries
-            or not all((*path, key) in unknown for key in node.entries)
+            # What stands there without a value is reported as that, and is as strange: {NAME} for {param: NAME}.
+            or not all((*path, key) in unknown or _is_null(entry) for key, entry in node.entries.items())
         ):
             return None
         shape = shape_at(self.shape, self.root, path)
@@ -211,6 +216,7 @@ class _Explainer:
             return self._wrong_tag(mistake)
         message = refusal(mistake.kind, mistake.details, mistake.shape, node)
         hints = for_value(mistake.path, node) + for_several(mistake.path, node) + self._for_nothing(mistake.path)
+        hints += for_pair(mistake.path, node, self.root) + for_rank(mistake.path, node, self.root)
         hints += for_param(node, self.root) or for_named(mistake.path, node, self.root, message)
         kind = bare(mistake.shape).kind
         hints += for_coordinates(mistake.path, node, fields(kind) if is_model(kind) else ())
@@ -247,7 +253,7 @@ class _Explainer:
             why = "; of a timer kept per entity for_each says whose is meant, without it any of them"
         if model in (TimerValue, WordValue) and key == "fraction":
             why = "; a payload and the broadcast tell times with their fraction anyway: leave it out"
-        called = for_key(key, above, allowed, self.root)
+        called = for_unit(key, node_at(self.root, (*above, key)), allowed) or for_key(key, above, allowed, self.root)
         meant = called or self._meant_by(key, above, allowed)
         message = f"unknown key '{key[:64]}'; allowed are {listing(allowed, 40)}{meant}{why}"
         reckoned = "" if called else for_reckoned(above, key, node_at(self.root, above))
@@ -287,7 +293,8 @@ class _Explainer:
         tag = child(node, discriminator)
         if tag is None:
             message = f"'{discriminator}' is missing; it is one of {listing(words, 40)}"
-            return self._at(mistake.path, message + (_of_condition(node, words) or _with_its_key(mistake.shape, node)))
+            hint = _of_condition(node, words) or _turned_over(node, words) or _with_its_key(mistake.shape, node)
+            return self._at(mistake.path, message + (hint or self._of_the_kit(mistake.path)))
         written = str(tag.value) if isinstance(tag, Leaf) else found_text(tag)
         message = f"unknown {discriminator} '{written[:64]}'; there are {listing(words, 40)}"
         message += (
@@ -297,6 +304,19 @@ class _Explainer:
             or nearest(written, words, _LIKE)
         )
         return mark_of(self.root, (*mistake.path, discriminator)).problem(in_names(self.root, mistake.path), message)
+
+    def _of_the_kit(self, path: Path) -> str:
+        """Return under which name a device of the kit is changed, where that name was written in other letters."""
+        if path[-2:-1] != ("devices",):
+            return ""
+        robot = node_at(self.root, path[:-2])
+        kits = texts(child(robot, "kit")) or path[1:2]
+        known = [name for kit in kits for name in _names_in(node_at(self.root, ("kits", str(kit), "devices")))]
+        mine = str(path[-1])
+        meant = next(
+            (name for name in known if name != mine and in_plain_letters(name) == in_plain_letters(mine)), None
+        )
+        return f"; one that the kit has is changed under its own name, '{meant}'" if meant else ""
 
     def _in_itself(self, path: Path, word: str) -> str:
         """Return what to do about an any_of within an any_of, or an all_of within an all_of."""
@@ -315,17 +335,33 @@ def _of_condition(node: Entries, words: list[str]) -> str:
     return f"; to wait until a condition comes true: {{trigger: holds, condition: {written}}}"
 
 
+def _turned_over(node: Entries, words: list[str]) -> str:
+    """Return how a condition is turned over that stands within a ``not``; empty: it is none."""
+    if "in_zone" not in words or "not" not in node.entries:
+        return ""
+    return "; its opposite is the condition itself, with negate: true"
+
+
+def _names_in(node: Node | None) -> Iterator[str]:
+    yield from node.entries if isinstance(node, Entries) else ()
+
+
 def _with_its_key(shape: Shape, node: Node | None) -> str:
     """Return how a word is written that stands without its key: `enters`, or `enters: …` for `trigger: enters`."""
     discriminator, models = bare(shape).discriminator, tags(shape)
     alone = [node.value] if isinstance(node, Leaf) and isinstance(node.value, str) else []
-    words = [*alone, *(node.entries if isinstance(node, Entries) else ())]
-    word = next((one for one in words if one in models), None)
+    given = node.entries if isinstance(node, Entries) else {}
+    # Behind another key, as in `type: enters`; what stands behind a key of the word itself is a name.
+    behind = [one.value for key, one in given.items() if key in _KEYS_OF_WORDS and isinstance(one, Leaf)]
+    word = next((one for one in (*alone, *behind, *given) if one in models), None)
     if word is None:
         return other_name(alone[0], str(discriminator), list(models)) if alone else ""
     more = ", …" if fields(bare(models[word]).kind).keys() - {discriminator} else ""
     return f"; write {{{discriminator}: {word}{more}}}"
 
+
+_KEYS_OF_WORDS = ("type", "kind", "name", "event", "when", "on", "if", "do", "shape", "is")
+"""Keys behind which others write which trigger, condition or action it is."""
 
 _LIKE = 0.65
 """A word of the language is taken for another only if it is more like it than a name need be."""

@@ -147,6 +147,8 @@ def for_reckoned(above: Path, key: str, node: Node | None) -> str:
     if key not in ("plus", "times", "minus", "weight") or not counter:
         return ""
     parts = f"[{{counter: {counter[0]}, weight: 2}}, 1]"
+    if key == "minus" and isinstance(above[-1], int):
+        return "; what is taken off has weight: -1"
     if above[-1:] in (("by",), ("to",), ("points",)):
         if key == "weight":
             return ""  # said of all that may stand in a list

@@ -144,6 +144,8 @@ _USUAL_KEYS = {
     "variables": "counters",
     "tests": "expect",
     "name": "title",
+    "start_m": "centre_m",
+    "centre_m": "start_m",
 }
 """What others call a key, and how it is written here."""
 
@@ -156,7 +158,10 @@ _THINGS = ("robot", "ball", "who")
 _BY_PLACE = {
     ("min", "minimum"): ("keeps_at_least", "at_least"),
     ("max", "maximum"): ("keeps_at_most", "at_most"),
-    ("position", "pos", "location", "start", "start_pos"): ("start_m", "centre_m"),
+    ("position", "pos", "location", "start_pos", "at"): ("start_m", "centre_m", "start"),
+    ("start",): ("start_m", "centre_m", "initial"),
+    ("amount",): ("points", "by"),
+    ("value",): ("points", "to", "equals", "initial"),
     ("duration", "duration_s", "length", "length_s", "seconds"): ("half_s", "lasts_s", "for_s", "limit_s"),
 }
 _CALLED_BY_PLACE = {key: called for keys, called in _BY_PLACE.items() for key in keys}
@@ -175,6 +180,12 @@ _COMPARED = {
 
 
 _COORDINATES = frozenset({"x", "y", "x_m", "y_m"})
+
+_OF_TRIGGERS = {
+    "for_s": "what must last for a time is {trigger: holds, condition: {…}, for_s: …}",
+    "half": "in which half it counts stands in the rule's conditions: {condition: half, equals: …}",
+}
+"""What others have beside a trigger's own keys."""
 
 _OF_RULES = {
     "else": "; what else is to happen is a rule of its own, whose conditions have negate: true",
@@ -211,7 +222,7 @@ def for_key(key: str, above: Path, allowed: Iterable[str], root: Node) -> str:
 def _usual_key(key: str, allowed: Collection[str], node: Node | None) -> str | None:
     """Return what a key is called here, of several the first that is not given yet; None: nobody knows."""
     marks = node.key_marks if isinstance(node, Entries) else {}
-    named = ("entity", "other") if key in _THINGS else (_USUAL_KEYS.get(key), *_CALLED_BY_PLACE.get(key, ()))
+    named = _of_thing(key, allowed) if key in _THINGS else (_USUAL_KEYS.get(key), *_CALLED_BY_PLACE.get(key, ()))
     meant = [one for one in named if one is not None and one in allowed]
     # What a base gives may be given anew.
     free = [one for one in meant if one not in marks or key not in marks or marks[one].file != marks[key].file]
@@ -219,6 +230,12 @@ def _usual_key(key: str, allowed: Collection[str], node: Node | None) -> str | N
     if key in things and meant:
         return next(iter(free[things.index(key) :]), None if free else meant[0])
     return next(iter(free or meant), None)
+
+
+def _of_thing(thing: str, allowed: Collection[str]) -> tuple[str, ...]:
+    """Return the keys for what a word is about, in the order in which they are given."""
+    # Of a last touch the ball is what was touched, and who it was stands under a key of its own.
+    return ("by",) if "by" in allowed and thing != "ball" else ("entity", "other")
 
 
 def _written_instead(key: str, above: Path, allowed: set[str]) -> str:
@@ -229,8 +246,8 @@ def _written_instead(key: str, above: Path, allowed: set[str]) -> str:
         bounds = f"{key[0]}_min_m and {key[0]}_max_m"
         rect = f"; its bounds are {bounds}, and each may be left out" if "x_min_m" in allowed else ""
         return "; a place is written at: {point: [x, y]}" if "at" in allowed else rect
-    if key == "for_s" and "trigger" in allowed:
-        return "; what must last for a time is {trigger: holds, condition: {…}, for_s: …}"
+    if key in _OF_TRIGGERS and "trigger" in allowed:
+        return f"; {_OF_TRIGGERS[key]}"
     if above[:1] == ("rules",) and len(above) == 2:
         return _OF_RULES.get(key, "")
     if above[:1] == ("draws",) and key.startswith(("weight", "probabilit")):
@@ -246,6 +263,8 @@ def _of_condition(key: str, above: Path, allowed: set[str], node: Node | None) -
     is_false = isinstance(value, Leaf) and value.value is False
     if "negate" in allowed and (key in _OPPOSITES or is_false):
         return "; the opposite of a condition is written negate: true"
+    if key in ("all", "any", "none") and "of" in allowed:
+        return f"; how many of them is written of: {key}"
     if key == "at_least" and "of" in allowed and isinstance(value, Leaf):
         return f"; how many of them is written of: {{at_least: {value.value}}}"
     if key in ("for_s", "every_s", "grace_s") and above[-1:] == ("condition",):
@@ -283,6 +302,29 @@ def for_coordinates(path: Path, node: Node | None, keys: Collection[str]) -> str
     if not 2 <= len(numbers) <= len(known) or any(isinstance(one, bool | str | None) for one in numbers):
         return ""
     return f"; write {{{', '.join(f'{key}: {one}' for key, one in zip(known, numbers, strict=False))}}}"
+
+
+def for_pair(path: Path, node: Node | None, root: Node) -> str:
+    """Return how two that belong together are written; empty: something else is meant."""
+    if path[-1:] == ("distance",) and isinstance(node, Entries):
+        two = [one for part in node.entries.values() for one in texts(part)]
+        return f"; the two are written [{listing(two)}]" if len(two) == 2 else ""
+    if path[:1] != ("expect",) or path[-2:-1] != ("touch",) or not isinstance(node, Leaf):
+        return ""
+    pair = node_at(root, path[:-1])
+    two = [one for item in pair.items for one in texts(item)] if isinstance(pair, Items) else []
+    return f"; each touch is a pair, also one alone: [[{listing(two)}]]" if len(two) == 2 else ""
+
+
+def for_rank(path: Path, node: Node | None, root: Node) -> str:
+    """Return how entrants are ranked by a counter whose name stands as a key, as `score` and `time` do."""
+    if path[:2] != ("result", "rank") or not isinstance(node, Entries):
+        return ""
+    counters = child(root, "counters")
+    known = counters.entries if isinstance(counters, Entries) else {}
+    name, order = next(((key, one) for key, one in node.entries.items() if key in known), ("", None))
+    ways = [way for way in texts(order) if way in ("ascending", "descending")]
+    return f"; a counter is written {{counter: {name}, order: {ways[0] if ways else '…'}}}" if name else ""
 
 
 def for_param(node: Node | None, root: Node) -> str:

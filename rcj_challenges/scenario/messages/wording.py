@@ -40,7 +40,7 @@ _HOW_MANY = {
 _LIST_OF_NAMES = "a list of names"
 _NAMED = frozenset(
     ("draw", "entity", "robot", "ball", "obstacle", "group", "spot", "zone", "gate", "relative_to", "position_of")
-) | {"entrant", "team", "counter", "flag", "timer", "sequence", "phase", "layout", "name"}
+) | {"entrant", "team", "counter", "flag", "timer", "sequence", "phase", "layout", "name", "point"}
 """Behind which the name of something is written where its name alone is expected."""
 _NUMBER = re.compile(r"[-+]?[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?")
 _DECIMAL_COMMA = re.compile(r"[-+]?[0-9]+,[0-9]+")
@@ -77,7 +77,7 @@ def _instead(shape: Shape, node: Node | None) -> str:
     if isinstance(node, Items) and without_none(shape) == At:
         return _point(node)
     if isinstance(node, Entries) and any(member in (Name, Names) for member in (without_none(shape), *members(shape))):
-        return _name_alone(node)
+        return _name_alone(node, looked_at=Point in members(shape))
     return "" if node is None else _hint_at_list(shape, node)
 
 
@@ -102,10 +102,10 @@ def _hint(shape: Shape, text: str) -> str:
         return _hint_at_number(text)
     if "any" in _words(shape) and text.lower() in _ALL:
         return "; did you mean any?"
-    if _LIST_OF_NAMES in map(expectation, members(shape)) and text.isidentifier():
-        return f"; a list of one is written [{text}]"
-    is_of_two = get_args(bare(shape).kind) == (Name, Name)
-    return "; each pair stands in brackets of its own: [[Y1, ball]]" if is_of_two else ""
+    of_names = _LIST_OF_NAMES in map(expectation, members(shape)) and text.isidentifier()
+    inner = get_args(bare(shape).kind)
+    of_texts = inner[1:] == (Ellipsis,) and bare(inner[0]).kind is str
+    return f"; a list of one is written [{text}]" if of_names or of_texts else ""
 
 
 def _hint_at_number(text: str) -> str:
@@ -137,11 +137,13 @@ def _hint_at_list(shape: Shape, node: Node) -> str:
         return "; each entry begins with its name and ':', not with '-'"
     if isinstance(node, Entries) and is_list(shape) and _is_of_mappings(shape):
         return "; a list stands in brackets, also of one: [{…}]"
-    if not isinstance(node, Items) or shape != Point or len(node.items) != 4:
+    if not isinstance(node, Items) or shape != Point or len(node.items) not in (3, 4):
         return ""
     numbers = [item.value if isinstance(item, Leaf) else None for item in node.items]
     if not all(isinstance(one, int) and not isinstance(one, bool) for one in numbers):
         return ""
+    if len(numbers) == 3:  # which of the commas is meant, nobody knows
+        return "; if decimal numbers are meant, they are written with a point, as in [0.3, -0.2]"
     return f"; a decimal number is written with a point: [{numbers[0]}.{numbers[1]}, {numbers[2]}.{numbers[3]}]"
 
 
@@ -161,11 +163,13 @@ def _point(node: Items) -> str:
     return f"; a point is written {{point: [{found[0]}, {found[1]}]}}"
 
 
-def _name_alone(node: Entries) -> str:
+def _name_alone(node: Entries, *, looked_at: bool) -> str:
     """Return that the name of something stands alone where it was written with what it is, `{spot: centre}`."""
     (kind,) = node.entries if len(node.entries) == 1 else ("",)
     name = node.entries.get(kind)
     if kind not in _NAMED or not isinstance(name, Leaf) or not isinstance(name.value, str):
+        return ""
+    if looked_at and kind == "zone":  # it is no place to look at
         return ""
     return f"; {'where a draw may decide, ' * (kind == 'draw')}its name stands alone: {name.value}"
 

@@ -193,13 +193,35 @@ def _of_empty(key: str, base: Entries, key_mark: Mark, shape: Shape) -> str:
         return f"a blank comes after the ':', {cut(word)}: {cut(value)}"
     if key == "colour":
         return "what begins with # is a comment, unless it is in quotes: '#ff8800'"
+    inner = step_into(shape, base, key)
+    named = is_named(chosen(shape, base))
+    if inner is not None and not (named and is_list(inner)):
+        return _SUFFICES if named and _needs_nothing(inner) else ""
     before = list(base.entries.items())[-1:]
-    if not before or step_into(shape, base, key) is not None:
-        return ""
-    (name, node) = before[0]
+    return _as_list(*before[0], key, key_mark) if before else _as_param(key, base, key_mark, shape, inner)
+
+
+def _as_list(name: str, node: Node, key: str, key_mark: Mark) -> str:
+    """Return how several values are written of which all but the first stand as keys; empty: it is not so."""
     if not isinstance(node, Leaf) or not isinstance(node.value, str) or node.mark.line != key_mark.line:
         return ""
     return f"several values stand in brackets, {name}: [{cut(node.value)}, {cut(key)}], and a text with a ',' in quotes"
+
+
+def _as_param(key: str, base: Entries, key_mark: Mark, shape: Shape, inner: Shape) -> str:
+    """Return how the value of a param is written where ``{NAME}`` stands alone; empty: something else stands there."""
+    in_braces = base.mark.line == key_mark.line and base.mark.column < key_mark.column
+    is_meant = in_braces and key.isidentifier() and inner is None and shape is not None and may_be_scalar(shape)
+    return f"where a param is meant, write {{param: {key}}}" if is_meant else ""
+
+
+_SUFFICES = "write {}, which suffices, or leave the line out"
+
+
+def _needs_nothing(shape: Shape) -> bool:
+    """Return whether a mapping may stand here in which nothing is given."""
+    kind: Any = bare(shape).kind
+    return is_model(kind) and not any(one.is_required() for one in kind.model_fields.values())
 
 
 def make_way(base: Entries, written: AbstractSet[str], shape: Shape) -> None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from decimal import Context
 from math import isfinite
 
-from rcj_challenges.facts.amounts import plain
+from rcj_challenges.facts.amounts import on_paper, plain
 from rcj_challenges.scenario.errors import nearest
 from rcj_challenges.scenario.messages.wording import expected, found_text
 from rcj_challenges.scenario.reading.yaml_strict import INT_LIMIT
@@ -20,7 +20,7 @@ _ON_PAPER = Context(prec=60)
 """More digits than a product of two numbers of a file has, so that only the result is rounded, to a float."""
 _EXACT = 2**53
 """Up to here each whole number is a float."""
-_INSTEAD = {"weight": TIMES, "factor": TIMES, "minus": PLUS, "add": PLUS, "offset": PLUS}
+_INSTEAD = {"weight": TIMES, "factor": TIMES, "add": PLUS, "offset": PLUS}
 """What others call the two."""
 
 _NAME, _AMOUNT = r"(?P<name>[A-Za-z_]\w*)", r"(?P<number>\d+(?:\.\d*)?|\.\d+)"
@@ -93,8 +93,19 @@ def _strangers(use: Entries) -> Iterable[Refusal]:
     for key in use.entries:
         if key not in KEYS:
             meant = f"; did you mean '{_INSTEAD[key]}'?" if key in _INSTEAD else nearest(key, (TIMES, PLUS))
+            meant = _other_way_round(key, use.entries[key]) or meant
             message = f"unknown key '{key[:64]}'; beside param may stand times and plus{meant}"
             yield Refusal(use.key_marks[key], "", message)
+
+
+def _other_way_round(key: str, node: Node) -> str:
+    """Return what takes off or divides as plus and times; empty: the key is for something else."""
+    number = node.value if isinstance(node, Leaf) and not isinstance(node.value, bool | str) else None
+    if key in ("minus", "subtract"):
+        return "; what is taken off is a plus below 0" + ("" if number is None else f": plus: {on_paper(-number):g}")
+    if key in ("divide", "divided_by", "over") and number:
+        return f"; it is divided by times: {on_paper(1 / number):g}"
+    return ""
 
 
 def _no_numbers(use: Entries) -> Iterable[Refusal]:

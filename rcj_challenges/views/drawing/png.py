@@ -2,10 +2,23 @@
 
 from __future__ import annotations
 
+from functools import cache
+from types import ModuleType
+
 from rcj_challenges.facts.errors import RcjError
 
 ZOOM = 2.0
 """Pixels for each unit of the drawing: sharp on paper and on dense screens."""
+
+FAMILIES = (
+    "Segoe UI", "Helvetica Neue", "Helvetica", "Arial", "Liberation Sans", "Noto Sans", "DejaVu Sans", "Ubuntu",
+    "Ubuntu Sans", "Cantarell", "Adwaita Sans", "Open Sans", "Roboto", "FreeSans", "Nimbus Sans", "Nimbus Sans L",
+    "Lato", "Carlito", "Droid Sans", "Verdana", "Tahoma", "Calibri", "DejaVu Serif", "Liberation Serif",
+    "Times New Roman", "DejaVu Sans Mono", "Liberation Mono", "Courier New",
+)  # fmt: skip
+"""Fonts that computers bring, narrow ones first: the renderer asks no system which one stands for ``sans-serif``."""
+
+_WORD = '<svg xmlns="http://www.w3.org/2000/svg" width="20" height="20"><text y="18" font-family="{}">M</text></svg>'
 
 
 class PngMissingError(RcjError):
@@ -15,12 +28,33 @@ class PngMissingError(RcjError):
 def png_from_svg(picture: str) -> bytes:
     """Return a drawing as PNG, twice as many pixels each way as its SVG has units.
 
+    Where no font is found (`written_with`) it has no words.
+
     Raises:
         PngMissingError: the extra is not installed.
     """
+    renderer = _renderer()
+    family = written_with()
+    return bytes(renderer.svg_to_bytes(svg_string=picture, zoom=ZOOM, background="#ffffff", sans_serif_family=family))
+
+
+@cache
+def written_with() -> str | None:
+    """Return the font of the words in a PNG; None if there is none, and so no words.
+
+    Raises:
+        PngMissingError: the extra is not installed.
+    """
+    renderer = _renderer()
+    nothing = bytes(renderer.svg_to_bytes(svg_string=_WORD.replace("M", "")))
+    words = ((family, bytes(renderer.svg_to_bytes(svg_string=_WORD.format(family)))) for family in FAMILIES)
+    return next((family for family, word in words if word != nothing), None)
+
+
+def _renderer() -> ModuleType:
     try:
         import resvg_py  # noqa: PLC0415 - an extra: most people never need it
     except ImportError as error:
         message = 'PNG needs an optional package: pip install "rcj-challenges[png]". SVG needs none: --out field.svg'
         raise PngMissingError(message) from error
-    return bytes(resvg_py.svg_to_bytes(svg_string=picture, zoom=ZOOM, background="#ffffff"))
+    return resvg_py

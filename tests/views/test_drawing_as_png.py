@@ -1,0 +1,53 @@
+"""A drawing as PNG: it shows what the SVG shows, its words too."""
+
+from __future__ import annotations
+
+from io import BytesIO
+
+import pytest
+from typer.testing import CliRunner
+
+from rcj_challenges.cli.app import app
+from rcj_challenges.scenario.load import load
+from rcj_challenges.views.drawing import draw_scenario, png
+
+pytest.importorskip("resvg_py")
+Image = pytest.importorskip("PIL.Image")
+
+DARK = 100
+
+
+@pytest.fixture(autouse=True)
+def fonts_are_looked_for_anew():
+    png.written_with.cache_clear()
+    yield
+    png.written_with.cache_clear()
+
+
+def test_it_has_the_words():
+    # The renderer takes a general name such as sans-serif for Arial, and where that is missing it leaves all words out.
+    if png.written_with() is None:
+        pytest.skip("this computer has no font")
+    loaded = load("match")
+    with Image.open(BytesIO(png.png_from_svg(draw_scenario(loaded.scenario, loaded.roster)))) as picture:
+        # On the right of the field there is the legend: coloured marks, and nothing dark but words.
+        legend = picture.convert("L").crop((picture.width * 3 // 4, 0, picture.width, picture.height))
+        assert legend.getextrema()[0] < DARK
+
+
+def test_that_it_has_none_is_said(tmp_path, monkeypatch):
+    monkeypatch.setattr(png, "FAMILIES", ("No Such Font",))
+    done = CliRunner().invoke(app, ["draw", "match", "--out", str(tmp_path / "field.png")])
+    assert done.exit_code == 0
+    assert (tmp_path / "field.png").exists()
+    assert done.stderr == (
+        "field.png has no words, for no font for them was found on this computer: take --out field.svg, or install a "
+        "font, such as DejaVu Sans or Noto Sans\n"
+    )
+
+
+def test_where_there_is_a_font_nothing_is_said(tmp_path):
+    if png.written_with() is None:
+        pytest.skip("this computer has no font")
+    done = CliRunner().invoke(app, ["draw", "match", "--out", str(tmp_path / "field.png")])
+    assert done.stderr == ""
