@@ -259,6 +259,24 @@ class TestFacing:
         assert play.pose("Y1")[:2] == pytest.approx((0.09, 0.3))
         assert play.pose("B1")[2] == pytest.approx(0, abs=1e-6)
 
+    def test_of_two_side_by_side_only_one_turns_where_both_have_no_room_to(self, stage):
+        # Along x a robot is 0.075 long and 0.1 wide: turned to the ball, both would overlap by a centimetre.
+        play = stage("""
+        placements:
+          shot:
+            - {entity: B1, at: {point: [0, 0]}, facing: {towards: ball}}
+            - {entity: Y1, at: {point: [0.09, 0]}, facing: {towards: ball}}
+            - {entity: ball, at: {point: [0.045, 0.6]}}
+        rules:
+          put:
+            triggers: [{trigger: program_fault, robot: Y1}]
+            actions: [{action: place, layout: shot}]
+        """)
+        play.place("ball", -0.5, 0)
+        put(play)
+        assert play.pose("B1")[2] == pytest.approx(math.pi / 2, abs=0.1)
+        assert abs(play.pose("Y1")[2]) == pytest.approx(math.pi, abs=1e-6)
+
     def test_it_can_be_random(self, stage):
         play = stage(placing("B1", "{point: [0, 0.3]}", ", facing: {random: true}"))
         yaws = [put(play) and play.pose("B1")[2] for _ in range(40)]
