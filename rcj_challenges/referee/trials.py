@@ -89,15 +89,14 @@ def try_expectation(loaded: HasScenario, name: str) -> Trial:
     play = ScriptedPlay(scenario, loaded.roster, half, expected.draws, spots)
     last = ticks_from_s(expected.lasts_s)
     before = 0
-    for keyframe in sorted(expected.keyframes, key=lambda keyframe: keyframe.at_s):
+    for keyframe in expected.keyframes:
         at = max(1, ticks_from_s(keyframe.at_s))
         # Glides begin at the keyframe before; two keyframes in one tick make a jump of it.
-        _play_until(play, min(before, at - 1, last))
+        _play_until(play, min(before, at - 1))
         for entity, to in keyframe.move.items():
             play.glide(entity, to, at - play.tick)
-        _play_until(play, min(at - 1, last))
-        if at <= last:
-            _act(play, keyframe)
+        _play_until(play, at - 1)
+        _act(play, keyframe)
         before = at
     _play_until(play, last)
     if play.verdict.ended is not None or play.referee.time_is_up:
