@@ -88,6 +88,16 @@ def test_another_robots_wheel_hides_the_ball(bench: Bench) -> None:
     assert len(ball_heard(bench)) == 1
 
 
+def test_to_the_sonars_wheels_are_nothing_and_to_the_ball_receiver_they_are_still_in_the_way(bench: Bench) -> None:
+    bench.enable("Y1", "distancesensor front")
+    bench.place("Y1", -0.3, 0)
+    bench.place("ball", 0.1, 0)
+    bench.place("B1", -0.1, 0.044, 0)
+    assert ball_heard(bench) == []
+    assert bench.read("Y1", "distancesensor front")[0] > 800  # the wall beyond the wheel
+    assert ball_heard(bench) == []
+
+
 def test_a_team_mate_hides_the_ball_as_well(bench: Bench) -> None:
     bench.place("Y1", -0.3, 0)
     bench.place("ball", 0.1, 0)

@@ -101,7 +101,7 @@ class TestPlaceUniformIn:
             int((x + 0.4) / 0.1) for x, _ in many(stage(sections, placing("ball", "{uniform_in: pair}")), times=1200)
         ]
         assert set(sixths) == set(range(6))
-        assert all(150 < sixths.count(part) < 250 for part in range(6))
+        assert all(165 < sixths.count(part) < 235 for part in range(6))
         listed = many(stage(sections, placing("ball", "{uniform_in: [west, north]}")), times=400)
         in_north = [math.hypot(x - 0.4, y - 0.4) < 0.1001 for x, y in listed]
         assert all(there or (-0.4 < x < 0 and -0.1 < y < 0.1) for there, (x, y) in zip(in_north, listed, strict=True))
