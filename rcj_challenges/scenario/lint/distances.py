@@ -28,6 +28,7 @@ from rcj_challenges.scenario.models.robots import StartPose
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.triggers import Displaced
 from rcj_challenges.scenario.remembered import fixed_spots
+from rcj_challenges.scenario.roster import row_of
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.visiting import visit
 
@@ -54,8 +55,7 @@ def check_distances(subject: Subject) -> Iterator[Suspect]:
 
 
 def _is_of_itself(model: Distance, rule: Rule, subject: Subject) -> bool:
-    names = (model.entity,) if isinstance(model.entity, str) else model.entity
-    if not isinstance(model.to, str) or names != (model.to,):
+    if not isinstance(model.to, str) or row_of(model.entity) != (model.to,):
         return False
     # Of a group the nearest other one counts; a group of one has no other.
     return model.to == EACH or subject.members(model.to, rule) == {model.to}
