@@ -217,6 +217,18 @@ def test_strength_and_direction_can_be_noisy() -> None:
     assert all(math.hypot(*packet.direction) == pytest.approx(1) for packet in packets)
 
 
+@pytest.mark.parametrize("noise", ["strength_noise", "direction_noise_rad"])
+def test_either_noise_comes_without_the_other(noise: str) -> None:
+    bench = Bench(change={"kits": {"v2": {"devices": {"ball receiver": {noise: 0.1}}}}})
+    bench.enable("Y1", "ball receiver")
+    bench.place("Y1", 0, 0)
+    bench.place("ball", 0.2, 0)
+    bench.sense(ticks=20)
+    packets = bench.heard("Y1", "ball receiver")
+    assert len({packet.strength for packet in packets}) == (20 if noise == "strength_noise" else 1)
+    assert len({packet.direction for packet in packets}) == (20 if noise == "direction_noise_rad" else 1)
+
+
 def test_each_of_several_balls_has_its_own_noise() -> None:
     noise = {"strength_noise": 0.1, "direction_noise_rad": 0.05}
     change = {"kits": {"v2": {"devices": {"ball receiver": noise}}}, "balls": {"second": {"start_m": [0.2, 0.2]}}}
