@@ -11,8 +11,8 @@ from dataclasses import dataclass, field
 from typing import NamedTuple, TypeVar
 
 from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.contacts import Contacts
-from rcj_challenges.referee.outlines import Bodies
 from rcj_challenges.referee.regions import AnyOf, Drawn, Outlined, Region, region_of
 from rcj_challenges.referee.rules import Hits, Listener, StandingRule
 from rcj_challenges.referee.setting_down import Putting, Queue

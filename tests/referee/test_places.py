@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rcj_challenges.referee.outlines import Bodies
+from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.script import ScriptedPlay, half_of
 from rcj_challenges.scenario.roster import Roster
 
