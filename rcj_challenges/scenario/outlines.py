@@ -96,8 +96,7 @@ def obstacle_outline(obstacle: Obstacle) -> Outline:
 def _wall_part(wall: Wall) -> Part:
     (ax, ay), (bx, by) = wall.from_m, wall.to_m
     length = sqrt((bx - ax) ** 2 + (by - ay) ** 2)
-    along_x, along_y = ((bx - ax) / length, (by - ay) / length) if length else (1.0, 0.0)
-    nx, ny = -along_y * wall.thickness_m / 2, along_x * wall.thickness_m / 2
+    nx, ny = -(by - ay) / length * wall.thickness_m / 2, (bx - ax) / length * wall.thickness_m / 2
     return Part(counter_clockwise(((ax + nx, ay + ny), (bx + nx, by + ny), (bx - nx, by - ny), (ax - nx, ay - ny))))
 
 

@@ -164,6 +164,11 @@ def test_a_turned_box_covers_other_ground():
     assert complaints(obstacle(long_box + ", yaw_rad: 1.5707963"))
 
 
+def test_a_wall_of_no_length_overlaps_nothing_and_is_told_once():
+    (complaint,) = complaints(obstacle("shape: wall, from_m: [0, 0], to_m: [0, 0]"))  # where the ball lies
+    assert "both ends are at one point" in complaint
+
+
 def test_all_overlaps_are_reported():
     body = "balls: {a: {start_m: [0, 0.1]}, b: {start_m: [0.01, 0.1]}, c: {start_m: [0.02, 0.1]}}\n"
     assert sorted(complaints(body)) == [

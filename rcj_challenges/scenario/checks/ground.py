@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from rcj_challenges.scenario.models.field import FieldModel, Wall
+from rcj_challenges.scenario.models.field import FieldModel, Obstacle, Wall
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, UniformIn, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import TOUCHING_M, Part, disc, extent, obstacle_outline, overlap, robot_outline
@@ -34,7 +34,7 @@ def _shapes(scenario: Scenario) -> Iterator[Found]:
         if gate.from_m == gate.to_m:
             yield Found(("gates", name, "to_m"), "both posts are at one point; a gate is a segment")
     for name, obstacle in scenario.obstacles.items():
-        if isinstance(obstacle, Wall) and obstacle.from_m == obstacle.to_m:
+        if _is_a_point(obstacle):
             yield Found(("obstacles", name, "to_m"), "both ends are at one point; a wall is a segment")
     roster = Roster.of(scenario)
     for model, path in visit(scenario):
@@ -63,6 +63,10 @@ def _zone(zone: Zone, path: Path) -> Iterator[Found]:
                 yield Found((*path, "normal"), "[0, 0] has no direction; the normal points into the zone")
         case CircleZone():
             pass
+
+
+def _is_a_point(obstacle: Obstacle) -> bool:
+    return isinstance(obstacle, Wall) and obstacle.from_m == obstacle.to_m
 
 
 def _is_bounded(zone: Zone) -> bool:
@@ -213,7 +217,9 @@ def _balls(scenario: Scenario) -> Iterator[Body]:
 
 
 def obstacle_bodies(scenario: Scenario) -> Iterator[Body]:
-    """Yield the obstacles where they stand at the start; each has one part."""
+    """Yield the obstacles where they stand at the start; each has one part. Walls that are points have none."""
     for name, obstacle in scenario.obstacles.items():
+        if _is_a_point(obstacle):
+            continue
         parts = obstacle_outline(obstacle).at(start_pose(scenario, name))
         yield Body(name, ("obstacles", name), parts, fixed=isinstance(obstacle, Wall) or not obstacle.movable)
