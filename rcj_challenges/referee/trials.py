@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from math import hypot
 from typing import Any, Protocol
 
-from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.amounts import counted, on_paper, times
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.referee.comparing import difference, equal, event_differences, told_difference
 from rcj_challenges.referee.denied import denied_notes
@@ -167,15 +167,11 @@ def _not_drawn(play: ScriptedPlay, expected: Expectation) -> Iterable[str]:
     for name, left in play.referee.undecided.items():
         series = series_of(expected.draws[name])
         drawn = len(series) - len(left)
-        yield f"note: {name} was drawn {_times(drawn)}; draws decides {len(series)} values"
+        yield f"note: {name} was drawn {times(drawn)}; draws decides {counted(len(series), 'value')}"
     for name, missing in play.referee.undecided_spots.items():
         places = len(places_of((expected.spots or {})[name]))
         decides = "a place" if places == 1 else f"{places} places"
-        yield f"note: chance set {name} {_times(places - missing)}; spots decides {decides}"
-
-
-def _times(count: int) -> str:
-    return {0: "never", 1: "once"}.get(count, f"{count} times")
+        yield f"note: chance set {name} {times(places - missing)}; spots decides {decides}"
 
 
 def _as_given(scenario: Scenario, given: Given) -> Scenario:
