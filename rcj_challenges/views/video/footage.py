@@ -130,7 +130,6 @@ class Footage:
     """All of a run that can be shown.
 
     Attributes:
-        name: of the record's folder.
         scenario, roster: what was played.
         things: what of it can be seen, as the replay page has it.
         halves: those with at least one tick.
@@ -139,7 +138,6 @@ class Footage:
         warnings: what is missing or damaged, a sentence each.
     """
 
-    name: str
     scenario: Scenario
     roster: Roster
     things: Mapping[str, Any]
@@ -171,7 +169,6 @@ class Footage:
         for event in story.events:
             events.setdefault(event["half"], []).append(event)
         return cls(
-            name=folder.name,
             scenario=scenario,
             roster=Roster.of(scenario),
             things=visible_things(scenario),
