@@ -11,6 +11,7 @@ from rcj_challenges.checker.layout import layout_findings
 from rcj_challenges.checker.others import others_that_fit, seats_of
 from rcj_challenges.controllers.archive import Contents
 from rcj_challenges.controllers.team import Opening, Team, TeamError, look_into
+from rcj_challenges.facts.amounts import counted
 from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.scenario.models.scenario import Scenario
 
@@ -80,6 +81,6 @@ def _archive(contents: Contents) -> Stage:
     stage = Stage("archive", [finding_of(trouble) for trouble in contents.troubles])
     if not contents.refused:
         count, size = len(contents.files), sum(map(len, contents.files.values()))
-        message = f"{count} file{'s' if count > 1 else ''}, {size / 1000:.1f} kB unpacked"
+        message = f"{counted(count, 'file')}, {size / 1000:.1f} kB unpacked"
         stage.findings.append(Finding("archive.sound", "passed", message))
     return stage

@@ -21,6 +21,7 @@ from rcj_challenges.controllers.private_folders import PrivateFolders
 from rcj_challenges.controllers.team import LOGO_FILE, Opening, alternatives, called_after, opening_of
 from rcj_challenges.controllers.team_name import NAME_FILE, find_team_name
 from rcj_challenges.controllers.troubles import MOST_OF_A_KIND, MOST_PATH_SHOWN, told, with_remedy
+from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.errors import RcjError, advised
 from rcj_challenges.records.logos import LogoError, checked_png
 from rcj_challenges.scenario.models.robots import Entrant
@@ -181,7 +182,7 @@ def _with_safe_names(opening: Opening, seats: Sequence[Entrant], done: list[str]
             renamed_files.append(f"renamed '{told(name)}' to {told(path)}")
     done += renamed_files[:MOST_OF_A_KIND]
     if len(renamed_files) > MOST_OF_A_KIND:
-        done.append(f"and {len(renamed_files) - MOST_OF_A_KIND} more files")
+        done.append(f"and {counted(len(renamed_files) - MOST_OF_A_KIND, 'more file')}")
     renamed = replace(contents, files=dict(sorted(files.items())), troubles=(), unsafe={})
     source = opening.team.source if opening.team else Path(opening.name.text)
     return opening_of(source, renamed, *seats)

@@ -10,6 +10,7 @@ from typing import Any
 
 from rcj_challenges.cli.says import say_json
 from rcj_challenges.cli.validate import say
+from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.trials import Trial, try_expectation
 from rcj_challenges.scenario.errors import ScenarioError
@@ -138,5 +139,4 @@ def _show_sum(reports: list[dict[str, Any]]) -> None:
     if unusable < len(reports):
         say(f"{verdict}; {simulated:.0f} s played{speed}", sys.stdout)
     if unusable:
-        files = "1 file" if len(reports) == 1 else f"{len(reports)} files"
-        say(f"{unusable} of {files} cannot be used", sys.stdout)
+        say(f"{unusable} of {counted(len(reports), 'file')} cannot be used", sys.stdout)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from rcj_challenges.cli.says import say_json
+from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.errors import RcjError
 
 if TYPE_CHECKING:
@@ -139,8 +140,7 @@ def _closing(told: Sequence[dict[str, Any]], options: JudgeOptions) -> Iterator[
     if len(told) > 1:
         other = sum(one["recorded"]["score"] != one["judged"]["score"] for one in judged)
         left = f"; {len(told) - len(judged)} could not be judged" if len(judged) < len(told) else ""
-        records = "1 record" if len(judged) == 1 else f"{len(judged)} records"
-        yield f"{records} judged, {other} of them with another score{left}"
+        yield f"{counted(len(judged), 'record')} judged, {other} of them with another score{left}"
     if judged and options.other_rules:
         yield "Poses stay those of the record: what these rules put elsewhere goes on from where it was."
 
@@ -217,7 +217,7 @@ def _lines(judged: _Judged, options: JudgeOptions) -> Iterator[str]:
     gone, new = (sum(getattr(one, side) is None for one in found) for side in ("after", "before"))
     changed = len(found) - gone - new
     otherwise = f", {gone} only in the record, {new} only now, {changed} changed" if found else ""
-    yield f"  {'' if found else 'all '}{judged.alike} events as recorded{otherwise}"
+    yield f"  {'' if found else 'all '}{counted(judged.alike, 'event')} as recorded{otherwise}"
     if not (judged.is_as_recorded or options.other_rules):
         yield "  By its own rules the same should come out: were its files changed, or did another version play it?"
 

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 from rcj_challenges.cli import OK, OUR_FAULT, WRONG_INPUT
 from rcj_challenges.cli.says import say_json, say_progress
 from rcj_challenges.cli.seating import open_teams
+from rcj_challenges.facts.amounts import counted, times
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.facts.shown import shown
 
@@ -230,8 +231,7 @@ def _score_table(told: dict[str, Any]) -> Table:
 
     from rcj_challenges.facts.measures import number_words
 
-    noun = "match" if told["played"] == 1 else "matches"
-    table = Table("entrant", "least", "median", "mean", "most", title=f"{told['played']} {noun}")
+    table = Table("entrant", "least", "median", "mean", "most", title=counted(told["played"], "match", "matches"))
     for entrant, spread in told["spread"].items():
         table.add_row(entrant, *map(number_words, spread.values()))
     return table
@@ -255,14 +255,10 @@ def _rank_table(ranking: dict[str, Any], rank: Sequence[Criterion]) -> Table:
     for entrant, own in ranking["places"].items():
         table.add_row(
             entrant,
-            *(_times(own.get(place, 0)) for place in places),
+            *(times(own.get(place, 0)) for place in places),
             *(_spread_words(criterion, ranking["spread"][entrant][index]) for index, criterion in beside),
         )
     return table
-
-
-def _times(count: int) -> str:
-    return "once" if count == 1 else f"{count} times" if count else "never"
 
 
 def _spread_words(criterion: Criterion, spread: dict[str, float]) -> str:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from rcj_challenges.cli.says import say_json
+from rcj_challenges.facts.amounts import counted
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -118,7 +119,7 @@ def _print_table(console: Console, stats: Stats) -> None:
     blocks = _blocks(stats, keys)
     told = [cells for block in blocks for _, cells, _ in block]
     widths = [max(map(len, [*_HEADS[key].splitlines(), *(cells[key] for cells in told)])) for key in keys]
-    title = f"{_counted(len(stats.runs), 'run')}, {clock(stats.play_ticks * TICK_S)} of play"
+    title = f"{counted(len(stats.runs), 'run')}, {clock(stats.play_ticks * TICK_S)} of play"
     for part in _parts(widths, console.width):
         table = Table(
             title=title, box=SIMPLE_HEAD, pad_edge=False, padding=(0, 0, 0, 1), collapse_padding=True,
@@ -192,7 +193,3 @@ def _cell(key: str, value: Any) -> str:
     if value is None:
         return _NOTHING
     return f"{value:.2f}" if key.endswith("_mps") else f"{value:.1f}" if isinstance(value, float) else str(value)
-
-
-def _counted(count: int, word: str) -> str:
-    return f"{count} {word}" if count == 1 else f"{count} {word}s"

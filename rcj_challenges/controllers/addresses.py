@@ -33,13 +33,6 @@ def fixed() -> Iterator[None]:
         _personality(before)
 
 
-def can_be_fixed() -> bool:
-    """Return whether programs get fixed addresses here."""
-    with fixed():
-        present = _personality(_ASK)
-    return present >= 0 and present & _NOT_AT_RANDOM != 0
-
-
 def _personality(wanted: int) -> int:
     """Set how this thread starts others, unless it is only asked for; return how it was, negative if refused."""
     call = _system_call()

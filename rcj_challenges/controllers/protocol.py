@@ -15,6 +15,7 @@ from struct import Struct
 from struct import error as StructError  # noqa: N812 - the standard library's name is too plain to be read alone
 from typing import Any
 
+from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.timing import TICK_MS
 from rcj_challenges.facts.traffic import MotorCommand, Observation, Packet, Request, RobotSpec
 
@@ -130,7 +131,7 @@ class Codec:
         try:
             _, _, advance, missed, _, motors, *others = _REQUEST.unpack_from(body)
         except StructError:
-            raise ProtocolError(f"a request of {len(body)} bytes") from None
+            raise ProtocolError(f"a request of {counted(len(body), 'byte')}") from None
         if advance < 1:
             raise ProtocolError("a request to advance by no tick")
         sampling, channels, frequencies, emissions = others
@@ -201,7 +202,7 @@ class Codec:
                 raise ProtocolError("a request that ends too early")
             sent.append((device, channel, body[begins:at]))
         if at != len(body):
-            raise ProtocolError(f"a request with {len(body) - at} bytes too many")
+            raise ProtocolError(f"a request with {counted(len(body) - at, 'byte')} too many")
         return tuple(sent)
 
     def _must_be(self, device: int, kinds: frozenset[str], wanted: str) -> None:
@@ -242,13 +243,13 @@ def _other_than_request(body: bytes, tick: int) -> Ended:
         _, answered = _REQUEST_BEGINS.unpack_from(body)
         raise ProtocolError(f"a request that answers tick {answered} at tick {tick}")
     if body[0] == REQUEST:
-        raise ProtocolError(f"a request of {len(body)} bytes")
+        raise ProtocolError(f"a request of {counted(len(body), 'byte')}")
     if body[0] != FAULT:
         raise ProtocolError(f"a message of unknown type {body[0]}")
     try:
         _, kind, size = _FAULT.unpack_from(body)
     except StructError:
-        raise ProtocolError(f"a farewell of {len(body)} bytes") from None
+        raise ProtocolError(f"a farewell of {counted(len(body), 'byte')}") from None
     if kind >= len(FAULT_KINDS) or _FAULT.size + size > len(body):
         raise ProtocolError("a farewell that is none")
     detail = body[_FAULT.size : _FAULT.size + size][:_MOST_TRACEBACK].decode("utf-8", "replace")

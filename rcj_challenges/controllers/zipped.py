@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rcj_challenges.controllers.troubles import Trouble, Troubles, told
+from rcj_challenges.facts.amounts import counted
 
 MOST_ENTRIES = 10_000
 """Entries of an archive that are looked at; ten thousands of files are no robot's programs."""
@@ -120,7 +121,7 @@ def read_entries(data: bytes, troubles: Troubles) -> list[Entry]:
     bounds = _find_bounds(data, troubles)
     entries = list(_entries(data, bounds))
     if len(entries) != bounds.count:
-        message = f"the archive says it has {bounds.count} entries, and has {len(entries)}"
+        message = f"the archive says it has {counted(bounds.count, 'entry', 'entries')}, and has {len(entries)}"
         troubles.add(Trouble("archive.headers", "warning", message, _PACK_AGAIN, repair=True))
     _check_overlap(entries, bounds)
     return entries
@@ -155,7 +156,7 @@ def unpack(data: bytes, entry: Entry, most: int) -> tuple[bytes, str]:
         if not unpacker.eof:
             raise _damaged(entry, "breaks off in the middle")
     if len(content) != entry.size:
-        raise _damaged(entry, f"has {len(content)} bytes where the archive promises {entry.size}")
+        raise _damaged(entry, f"has {counted(len(content), 'byte')} where the archive promises {entry.size}")
     if zlib.crc32(content) != entry.crc:
         raise _damaged(entry, "has a wrong checksum (CRC)")
     return content, lie
@@ -214,14 +215,20 @@ def _bounds_at(data: bytes, at: int, troubles: Troubles) -> _Bounds | None:
         raise _too_many()
     rest = len(data) - (at + _END.size + comment)
     if rest:
-        message = f"{rest} bytes follow the archive that do not belong to it"
+        message = _stray(rest, "follows", "follow")
         troubles.add(Trouble("archive.trailing", "warning", message, _PACK_AGAIN, repair=True))
     if offset < start and data.startswith(b"PK\x03\x04"):
         raise UnreadableError("archive.two", "these are two archives in one file", _PACK_AGAIN)
     if offset < start:
-        message = f"{start - offset} bytes stand before the archive that do not belong to it"
+        message = _stray(start - offset, "stands before", "stand before")
         troubles.add(Trouble("archive.prepended", "warning", message, _PACK_AGAIN, repair=True))
     return _Bounds(start, end, start - offset, count)
+
+
+def _stray(count: int, stands: str, stand: str) -> str:
+    if count == 1:
+        return f"1 byte {stands} the archive that does not belong to it"
+    return f"{count} bytes {stand} the archive that do not belong to it"
 
 
 def _too_many() -> UnreadableError:
@@ -251,7 +258,7 @@ def _entries(data: bytes, bounds: _Bounds) -> Iterator[Entry]:
         if at == bounds.end:
             return
         if at + _ENTRY.size > bounds.end or data[at : at + 4] != b"PK\x01\x02":
-            message = f"the archive's table of contents is damaged after {number} entries"
+            message = f"the archive's table of contents is damaged after {counted(number, 'entry', 'entries')}"
             raise UnreadableError("archive.damaged", message)
         fields = _ENTRY.unpack_from(data, at)
         (_, _, _, flags, method, _, _, crc, packed, size, name_size, extra_size, comment_size) = fields[:13]

@@ -86,12 +86,9 @@ class Lidar:
 
     def turn(self, tick: int, pose: RobotPose) -> None:
         """Refresh the cells that a rotating head passes in one tick."""
-        begin, forth = self._turns, self._frequency_hz * TICK_S
+        begin, forth = self._turns, self._frequency_hz * TICK_S  # less than a turn: at most 31 Hz
         # Rounded, so that a head that comes back to the same place is seen to be there.
         self._turns = round(begin + forth, 12) % 1.0
-        if forth >= 1:
-            self.measure(tick, pose)
-            return
         sector = self._passed.get((begin, forth))
         if sector is None:
             sector = self._sector(begin, forth)
@@ -111,8 +108,6 @@ class Lidar:
         """Measure some cells, or all of them (None)."""
         chosen, forward, left = sector or self._whole
         count = len(forward)
-        if not count:
-            return
         self._aim(pose, forward, left, count)
         distances = self._distances[:count]
         mujoco.mj_multiRay(

@@ -55,7 +55,6 @@ class DeviceRack:
 
     def begin(self, verdict: Verdict) -> None:
         """Start the half: the world stands as placed at tick 0, and ``verdict`` is that of tick 0."""
-        self._tick = 0
         self._poses.refresh()
         self._radio.speak(0, verdict, self._poses)
 

@@ -26,9 +26,14 @@ def on_paper(value: float) -> int | float:
     return plain(round(within_most(value), _DECIMALS))
 
 
-def counted(number: int, noun: str) -> str:
-    """Return so many of a thing in words: ``1 rule``, ``3 rules``."""
-    return f"{number} {noun}{'' if number == 1 else 's'}"
+def counted(number: int, noun: str, plural: str = "") -> str:
+    """Return so many of a thing in words: ``1 rule``, ``3 rules``; with ``plural`` where that takes more than an s."""
+    return f"{number} {noun if number == 1 else plural or f'{noun}s'}"
+
+
+def times(number: int) -> str:
+    """Return how often: ``never``, ``once``, ``3 times``."""
+    return {0: "never", 1: "once"}.get(number, f"{number} times")
 
 
 def within_most(value: float) -> int | float:

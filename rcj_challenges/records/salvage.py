@@ -50,14 +50,12 @@ class RunRecord:
     """A run, as far as it can be read.
 
     Attributes:
-        folder: of the run.
         result: ``result.json``.
         scenario: as it was played.
         halves: those with at least one tick.
         problems: sentences about what is missing or damaged; empty if all is well.
     """
 
-    folder: Path
     result: RunResult
     scenario: Scenario
     halves: tuple[HalfTrack, ...]
@@ -74,7 +72,7 @@ def read_run(folder: Path) -> RunRecord:
     scenario = read_scenario(folder, result.record)
     with refusing_changes(folder, scenario):
         halves, problems = read_halves(folder, scenario, result)
-    return RunRecord(folder, result, scenario, halves, problems)
+    return RunRecord(result, scenario, halves, problems)
 
 
 def read_halves(

@@ -7,6 +7,7 @@ from functools import partial
 from math import isclose
 from typing import Any
 
+from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.play import Event
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.scenario.models.base import Scalar
@@ -107,7 +108,7 @@ def event_differences(
     yield from told[:_MOST_DIFFERENCES]
     more = len(told) - _MOST_DIFFERENCES
     if more > 0:
-        yield f"and {more} more difference{'' if more == 1 else 's'} of events"
+        yield f"and {counted(more, 'more difference')} of events"
 
 
 def _told_of(pair: _Pair, expected: Sequence[ExpectedEvent], ignored: Sequence[str]) -> Iterator[str]:

@@ -11,19 +11,18 @@ from dataclasses import dataclass, field
 from typing import NamedTuple, TypeVar
 
 from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.contacts import Contacts
-from rcj_challenges.referee.outlines import Bodies
 from rcj_challenges.referee.regions import AnyOf, Drawn, Outlined, Region, region_of
 from rcj_challenges.referee.rules import Hits, Listener, StandingRule
 from rcj_challenges.referee.setting_down import Putting, Queue
 from rcj_challenges.referee.state import State
 from rcj_challenges.referee.watching import Lookout, Track, Watch
 from rcj_challenges.scenario.catalogue import EACH
-from rcj_challenges.scenario.models.base import Scalar
+from rcj_challenges.scenario.models.base import Names, Scalar
 from rcj_challenges.scenario.models.places import Mirror
 from rcj_challenges.scenario.remembered import remembered_spots
-
-Names = str | tuple[str, ...]
+from rcj_challenges.scenario.roster import written_for
 
 _W = TypeVar("_W", bound=Watch)
 _DECIMALS = 9
@@ -123,15 +122,8 @@ class Workshop:
         """Return what names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
         known = self._members.get((names, each))
         if known is None:
-            listed = (names,) if isinstance(names, str) else names
-            found = (member for name in listed for member in self._member(name, each))
-            known = self._members[names, each] = tuple(dict.fromkeys(found))
+            known = self._members[names, each] = self.roster.expand(written_for(names, each))
         return known
-
-    def _member(self, name: str, each: str | None) -> tuple[str, ...]:
-        if name == EACH and each is not None:
-            return (each,)
-        return self.roster.expand(name)
 
     def entities(self, names: Names, each: str | None) -> tuple[int, ...]:
         """Return the indices of entities.

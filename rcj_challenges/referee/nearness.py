@@ -8,9 +8,9 @@ from math import sqrt
 
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.places import spot_name
-from rcj_challenges.referee.regions import distance_to_segment_m
 from rcj_challenges.referee.sequences import GateLine
 from rcj_challenges.scenario.models.field import Obstacle, Wall
+from rcj_challenges.scenario.polygons import distance_to_segment_m
 
 _Point = tuple[float, float]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 
 from rcj_challenges.facts.play import Pose2
-from rcj_challenges.referee.outlines import Bodies
+from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.setting_down import Board, Job, Putting
 from rcj_challenges.referee.state import State
 

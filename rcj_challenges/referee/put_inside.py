@@ -7,11 +7,10 @@ from collections.abc import Collection, Container, Iterable, Iterator
 from rcj_challenges.facts.play import Placement
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.regions import region_of
-from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.models.actions import Emit
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.triggers import Enters
-from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.roster import Roster, written_for
 
 
 def put_inside_notes(
@@ -50,7 +49,7 @@ def _inside(
     for trigger in rule.triggers:
         if not isinstance(trigger, Enters):
             continue
-        who, zones = (_meant(names, rule, roster) for names in (trigger.entity, trigger.zone))
+        who, zones = (roster.expand(written_for(names, rule.for_each)) for names in (trigger.entity, trigger.zone))
         for tick, put in placements:
             name = roster.entities[put.entity]
             if put.parked or name not in who:
@@ -60,9 +59,3 @@ def _inside(
             yield from (
                 (tick, name, zone) for zone in inside if region_of(scenario.zones[zone]).contains(put.x_m, put.y_m)
             )
-
-
-def _meant(names: str | tuple[str, ...], rule: Rule, roster: Roster) -> tuple[str, ...]:
-    listed = (names,) if isinstance(names, str) else names
-    each = rule.for_each
-    return tuple(one for name in listed for one in roster.expand(each if name == EACH and each else name))

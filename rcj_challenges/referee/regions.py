@@ -14,6 +14,7 @@ from math import inf, sqrt
 
 from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone
+from rcj_challenges.scenario.polygons import distance_to_segment_m
 
 Cell = tuple[float, float, float, float]
 """(x_low, x_high, y_low, y_high) in m; strictly between is inside."""
@@ -56,15 +57,6 @@ def cell_beside_square(x_m: float, y_m: float, centre_m: tuple[float, float], ha
     if abs(dx) >= abs(dy):
         return (x + out, inf, -inf, inf) if dx > 0 else (-inf, x - out, -inf, inf)
     return (-inf, inf, y + out, inf) if dy > 0 else (-inf, inf, -inf, y - out)
-
-
-def distance_to_segment_m(x_m: float, y_m: float, ax: float, ay: float, bx: float, by: float) -> float:
-    """Return the distance from a point to the segment from a to b, in m."""
-    dx, dy = bx - ax, by - ay
-    squared = dx * dx + dy * dy
-    share = 0.0 if squared == 0.0 else max(0.0, min(1.0, ((x_m - ax) * dx + (y_m - ay) * dy) / squared))
-    ex, ey = x_m - ax - share * dx, y_m - ay - share * dy
-    return sqrt(ex * ex + ey * ey)
 
 
 class Region(ABC):

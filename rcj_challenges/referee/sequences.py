@@ -15,13 +15,13 @@ from rcj_challenges.referee.regions import (
     box_around,
     common_cell,
     crossing,
-    distance_to_segment_m,
 )
 from rcj_challenges.referee.rules import Listener
 from rcj_challenges.referee.watching import PositionWatch, Watch
 from rcj_challenges.scenario.followed import followed, phases_of
 from rcj_challenges.scenario.models.places import Gate
 from rcj_challenges.scenario.models.state import AnyStep, Sequence
+from rcj_challenges.scenario.polygons import distance_to_segment_m
 
 _NOT_BEGUN = -1
 

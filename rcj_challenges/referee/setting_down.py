@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from math import sqrt
 
 from rcj_challenges.facts.play import Placement, Pose2
-from rcj_challenges.referee.outlines import Bodies
+from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.rules import StandingRule
 from rcj_challenges.referee.state import State, float32
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from math import hypot
 from typing import Any, Protocol
 
-from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.amounts import counted, on_paper, times
 from rcj_challenges.facts.measures import number_words
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.referee.comparing import difference, equal, event_differences, told_difference
@@ -91,15 +91,14 @@ def try_expectation(loaded: HasScenario, name: str) -> Trial:
     play = ScriptedPlay(scenario, loaded.roster, half, expected.draws, spots)
     last = ticks_from_s(expected.lasts_s)
     before = 0
-    for keyframe in sorted(expected.keyframes, key=lambda keyframe: keyframe.at_s):
+    for keyframe in expected.keyframes:
         at = max(1, ticks_from_s(keyframe.at_s))
         # Glides begin at the keyframe before; two keyframes in one tick make a jump of it.
-        _play_until(play, min(before, at - 1, last))
+        _play_until(play, min(before, at - 1))
         for entity, to in keyframe.move.items():
             play.glide(entity, to, at - play.tick)
-        _play_until(play, min(at - 1, last))
-        if at <= last:
-            _act(play, keyframe)
+        _play_until(play, at - 1)
+        _act(play, keyframe)
         before = at
     _play_until(play, last)
     if play.verdict.ended is not None or play.referee.time_is_up:
@@ -206,15 +205,11 @@ def _not_drawn(play: ScriptedPlay, expected: Expectation) -> Iterable[str]:
     for name, left in play.referee.undecided.items():
         series = series_of(expected.draws[name])
         drawn = len(series) - len(left)
-        yield f"note: {name} was drawn {_times(drawn)}; draws decides {len(series)} values"
+        yield f"note: {name} was drawn {times(drawn)}; draws decides {counted(len(series), 'value')}"
     for name, missing in play.referee.undecided_spots.items():
         places = len(places_of((expected.spots or {})[name]))
         decides = "a place" if places == 1 else f"{places} places"
-        yield f"note: chance set {name} {_times(places - missing)}; spots decides {decides}"
-
-
-def _times(count: int) -> str:
-    return {0: "never", 1: "once"}.get(count, f"{count} times")
+        yield f"note: chance set {name} {times(places - missing)}; spots decides {decides}"
 
 
 def _as_given(scenario: Scenario, given: Given) -> Scenario:

@@ -9,12 +9,12 @@ from rcj_challenges.facts.play import Pose2
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.regions import crossing
 from rcj_challenges.referee.sequences import seen_from
-from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.followed import followed
+from rcj_challenges.scenario.models.base import Names
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence
 from rcj_challenges.scenario.models.triggers import Crosses
-from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.roster import Roster, written_for
 
 _WAYS = {1: "forward", -1: "backward"}
 _WRONG = {"forward": -1, "backward": 1}
@@ -65,13 +65,10 @@ class WrongWays:
                         if gate in self._gates:
                             yield _Passage(entity, gate, _WRONG[trigger.direction], unheard)
 
-    def _members(self, names: str | tuple[str, ...], each: str | None) -> tuple[str, ...]:
-        listed = (names,) if isinstance(names, str) else names
-        return tuple(
-            member for name in listed for member in ((each,) if name == EACH and each else self._roster.expand(name))
-        )
+    def _members(self, names: Names, each: str | None) -> tuple[str, ...]:
+        return self._roster.expand(written_for(names, each))
 
-    def _entities(self, names: str | tuple[str, ...], each: str | None) -> tuple[int, ...]:
+    def _entities(self, names: Names, each: str | None) -> tuple[int, ...]:
         return tuple(self._roster.index[name] for name in self._members(names, each))
 
     def look(self, tick: int, before: list[Pose2], substeps: list[list[Pose2]], parked: Collection[int]) -> None:

@@ -6,11 +6,11 @@ from collections.abc import Iterable, Iterator
 from itertools import product
 
 from rcj_challenges.scenario.floor import floor_parts, on_floor
-from rcj_challenges.scenario.floor_shapes import lies_in, to_segment_m
+from rcj_challenges.scenario.floor_shapes import lies_in
 from rcj_challenges.scenario.models.actions import SetSpot
 from rcj_challenges.scenario.models.places import Mirror, OnLine, UniformIn
 from rcj_challenges.scenario.models.scenario import Expectation, Scenario
-from rcj_challenges.scenario.outlines import Point
+from rcj_challenges.scenario.polygons import Point, distance_to_segment_m
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.visiting import Found
@@ -59,7 +59,7 @@ def _may_be_set(point: Point, action: SetSpot, scenario: Scenario, roster: Roste
     points = [(point[0] * sign_x, point[1] * sign_y) for sign_x, sign_y in _signs(action.mirror)]
     match action.to:
         case OnLine(on_line=(start, end)):
-            return any(to_segment_m(one, start, end) <= _ON_LINE_M for one in points)
+            return any(distance_to_segment_m(*one, *start, *end) <= _ON_LINE_M for one in points)
         case UniformIn(uniform_in=names):
             zones = [scenario.zones.get(name) for name in roster.expand(names)]
             # Of what is no zone it is said where it is written; nothing is wrong here then.

@@ -8,7 +8,8 @@ from math import cos, hypot, pi, sin
 
 from rcj_challenges.scenario.floor import Corners
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
-from rcj_challenges.scenario.outlines import Disc, Part, Point, side
+from rcj_challenges.scenario.outlines import Part
+from rcj_challenges.scenario.polygons import Point, distance_to_segment_m, side
 
 _FAR_M = 100.0
 """Stands for an open side; ten times the largest field."""
@@ -61,7 +62,7 @@ def _ring(centre: Point, radius_m: float, count: int) -> Corners:
 
 def corners_of(part: Part) -> Corners:
     """Return the corners of a convex part of a body, counter-clockwise; of a round one a few of its points."""
-    return _ring(part.centre, part.radius_m, _DISC_CORNERS) if isinstance(part, Disc) else part
+    return _ring(part.points[0], part.radius_m, _DISC_CORNERS) if part.radius_m else part.points
 
 
 def share_in(corners: Corners, window: Corners) -> float:
@@ -95,7 +96,7 @@ def _distance(point: Point, part: Corners) -> float:
     edges = [*pairwise(part), (part[-1], part[0])]
     if all(side(a, b, point) >= 0 for a, b in edges):
         return 0.0
-    return min(to_segment_m(point, a, b) for a, b in edges)
+    return min(distance_to_segment_m(*point, *a, *b) for a, b in edges)
 
 
 def away_m(zone: Zone, point: Point) -> float:
@@ -103,15 +104,6 @@ def away_m(zone: Zone, point: Point) -> float:
     if isinstance(zone, CircleZone):
         return max(0.0, hypot(point[0] - zone.centre_m[0], point[1] - zone.centre_m[1]) - zone.radius_m)
     return _distance(point, zone_corners(zone))
-
-
-def to_segment_m(point: Point, a: Point, b: Point) -> float:
-    """Return how far a point is from a segment, in m; its ends may be one point."""
-    dx, dy = b[0] - a[0], b[1] - a[1]
-    squared = dx * dx + dy * dy
-    along = ((point[0] - a[0]) * dx + (point[1] - a[1]) * dy) / squared if squared else 0.0
-    share = min(1.0, max(0.0, along))
-    return hypot(a[0] + share * dx - point[0], a[1] + share * dy - point[1])
 
 
 def segment_has_floor(a: Point, b: Point, parts: Sequence[Corners]) -> bool:

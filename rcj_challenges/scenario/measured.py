@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import atan2
 
-from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.models.actions import SetSpot
 from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.field import Box, Cylinder, Obstacle, Wall
 from rcj_challenges.scenario.models.places import CircleZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import DistanceValue
-from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.roster import Roster, written_for
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.visiting import Found, visit
 
@@ -81,7 +80,7 @@ def _apart(model: Strict, path: Path, rule: Rule | None, scenario: Scenario, ros
 
 
 def _meant(name: str, rule: Rule | None, roster: Roster) -> tuple[str, ...]:
-    return roster.may_be(rule.for_each if name == EACH and rule is not None and rule.for_each else name)
+    return roster.may_be(written_for(name, rule.for_each if rule is not None else None))
 
 
 def _why(zone: Zone) -> str:

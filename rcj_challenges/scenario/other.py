@@ -9,14 +9,14 @@ from __future__ import annotations
 from typing import Any
 
 from rcj_challenges.scenario.blanks import in_braces
-from rcj_challenges.scenario.catalogue import EACH, OTHER
+from rcj_challenges.scenario.catalogue import OTHER
 from rcj_challenges.scenario.models.actions import Score
-from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.scenario.models.base import Names, Strict
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import WordValue
 from rcj_challenges.scenario.models.triggers import Touches
 from rcj_challenges.scenario.references import DRAWN_NAMES, REFERENCES, Field
-from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.roster import Roster, written_for
 from rcj_challenges.scenario.visiting import visit
 
 
@@ -52,16 +52,16 @@ def others_of(rule: Rule, each: str | None, roster: Roster) -> tuple[str, ...]:
     found: set[str] = set()
     for trigger in rule.triggers:
         if isinstance(trigger, Touches):
-            entities = roster.expand(_written(trigger.entity, each))
+            entities = roster.expand(written_for(trigger.entity, each))
             found.update(
                 other
-                for other in roster.expand(_written(trigger.other, each))
+                for other in roster.expand(written_for(trigger.other, each))
                 if any(entity != other for entity in entities)
             )
     return tuple(sorted(found, key=roster.index.__getitem__))
 
 
-def meant_in(names: str | tuple[str, ...], rule: Rule | None, roster: Roster) -> frozenset[str]:
+def meant_in(names: Names, rule: Rule | None, roster: Roster) -> frozenset[str]:
     """Return what names in a rule may stand for; ``each``, ``other`` and draws are any that they may ever be.
 
     Args:
@@ -70,23 +70,18 @@ def meant_in(names: str | tuple[str, ...], rule: Rule | None, roster: Roster) ->
         roster: the roster.
     """
     found: set[str] = set()
-    for name in (names,) if isinstance(names, str) else names:
+    for name in written_for(names, rule.for_each if rule is not None else None):
         if rule is not None and name == OTHER and has_other(rule):
             found.update(others_of(rule, rule.for_each, roster))
         else:
-            found.update(roster.may_be(rule.for_each if rule is not None and name == EACH and rule.for_each else name))
+            found.update(roster.may_be(name))
     return frozenset(found)
 
 
 def written_others(rule: Rule) -> tuple[str, ...]:
     """Return the names behind ``other`` as the rule's triggers write them: groups as groups."""
     touches = (trigger for trigger in rule.triggers if isinstance(trigger, Touches))
-    return tuple(dict.fromkeys(name for trigger in touches for name in _written(trigger.other, rule.for_each)))
-
-
-def _written(names: str | tuple[str, ...], each: str | None) -> tuple[str, ...]:
-    listed = (names,) if isinstance(names, str) else names
-    return tuple(each if name == EACH and each is not None else name for name in listed)
+    return tuple(dict.fromkeys(name for trigger in touches for name in written_for(trigger.other, rule.for_each)))
 
 
 def for_other(rule: Rule, other: str) -> Rule:

@@ -1,137 +1,171 @@
-"""Outlines on the floor: what a body covers, seen from above, and whether two of them overlap."""
+"""Outlines of bodies seen from above: what overlaps what, and how large the gap is.
+
+An outline is a union of convex parts; a part is a convex polygon, or a single point, with a radius around it. A robot
+is its cube and the box around both wheels (0.10 wide), a ball a point with its radius. Only what is checked before a
+match, and placements, are judged with it, so clarity comes before speed.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
-from math import cos, hypot, sin
+from math import cos, inf, sin, sqrt
 
+from rcj_challenges.facts.play import Pose2
+from rcj_challenges.scenario.models.field import Box, Cylinder, Obstacle, Wall
 from rcj_challenges.scenario.models.robots import Chassis
+from rcj_challenges.scenario.polygons import Point, distance_to_segment_m
 
-Point = tuple[float, float]
+Points = tuple[Point, ...]
 
-_TOUCH_M = 1e-6
-"""Bodies that overlap by less only touch: a micrometre, far under what MuJoCo's contacts resolve."""
-
-
-@dataclass(frozen=True)
-class Disc:
-    """A round part."""
-
-    centre: Point
-    radius_m: float
+TOUCHING_M = 1e-6
+"""Bodies that touch do not overlap; float32 poses put them up to this much into each other."""
 
 
-Part = Disc | tuple[Point, ...]
-"""A round part, or the corners of a convex one."""
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A convex piece of an outline: a polygon (or one point), widened by a radius. Metres."""
+
+    points: Points
+    radius_m: float = 0.0
+
+    def at(self, pose: Pose2) -> Part:
+        """Return the part of a body that stands at a pose."""
+        x, y, yaw = pose
+        c, s = cos(yaw), sin(yaw)
+        return Part(tuple((x + c * px - s * py, y + s * px + c * py) for px, py in self.points), self.radius_m)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Outline:
-    """A body seen from above: the union of its parts."""
+    """A body seen from above, in its own frame.
+
+    Attributes:
+        parts: the convex parts whose union it is.
+        reach_m: radius of a circle around its origin that holds it all.
+    """
 
     parts: tuple[Part, ...]
+    reach_m: float
 
-    def box(self) -> tuple[float, float, float, float]:
-        """Return smallest x, largest x, smallest y, largest y in m."""
-        xs, ys = zip(*(corner for part in self.parts for corner in _extremes(part)), strict=True)
-        return min(xs), max(xs), min(ys), max(ys)
+    @classmethod
+    def of(cls, *parts: Part) -> Outline:
+        """Return the outline made of the parts."""
+        reach = max(sqrt(px * px + py * py) + part.radius_m for part in parts for px, py in part.points)
+        return cls(parts, reach)
 
-    def overlaps(self, other: Outline) -> bool:
-        """Return whether two bodies share more than their edges."""
-        return any(_overlap(a, b) for a in self.parts for b in other.parts)
-
-
-def _extremes(part: Part) -> Sequence[Point]:
-    if not isinstance(part, Disc):
-        return part
-    (x, y), r = part.centre, part.radius_m
-    return ((x - r, y), (x + r, y), (x, y - r), (x, y + r))
+    def at(self, pose: Pose2) -> tuple[Part, ...]:
+        """Return its parts where it stands."""
+        return tuple(part.at(pose) for part in self.parts)
 
 
-def rectangle(centre: Point, half_x_m: float, half_y_m: float, yaw_rad: float) -> tuple[Point, ...]:
-    """Return the corners of a turned rectangle, counter-clockwise."""
-    c, s = cos(yaw_rad), sin(yaw_rad)
-    corners = ((half_x_m, half_y_m), (-half_x_m, half_y_m), (-half_x_m, -half_y_m), (half_x_m, -half_y_m))
-    return tuple((centre[0] + x * c - y * s, centre[1] + x * s + y * c) for x, y in corners)
+def rectangle(length_m: float, width_m: float) -> Part:
+    """Return a rectangle around the origin: length along x, width along y."""
+    x, y = length_m / 2, width_m / 2
+    return Part(((x, y), (-x, y), (-x, -y), (x, -y)))
 
 
-def robot_outline(chassis: Chassis, x_m: float, y_m: float, yaw_rad: float) -> Outline:
-    """Return a robot's outline: the cube and, across it, both wheels (0.10 wide; reference, section 2)."""
-    half = chassis.size_m / 2
-    across = chassis.wheel_track_m / 2 + chassis.wheel_width_m / 2
-    cube = rectangle((x_m, y_m), half, half, yaw_rad)
-    return Outline((cube, rectangle((x_m, y_m), chassis.wheel_radius_m, across, yaw_rad)))
+def counter_clockwise(points: Points) -> Points:
+    """Return the corners of a polygon so that they run counter-clockwise."""
+    pairs = zip(points, (*points[1:], points[0]), strict=True)
+    return points if sum(ax * by - ay * bx for (ax, ay), (bx, by) in pairs) >= 0.0 else points[::-1]
 
 
-def _axes(corners: Sequence[Point]) -> list[Point]:
-    found = []
-    for (ax, ay), (bx, by) in zip(corners, (*corners[1:], corners[0]), strict=True):
-        length = hypot(bx - ax, by - ay)
-        if length:
-            found.append(((by - ay) / length, (ax - bx) / length))
-    return found
+def robot_outline(chassis: Chassis) -> Outline:
+    """Return a robot's outline: the cube, and the box that both wheels reach."""
+    wheels = rectangle(2 * chassis.wheel_radius_m, chassis.wheel_track_m + chassis.wheel_width_m)
+    return Outline.of(rectangle(chassis.size_m, chassis.size_m), wheels)
 
 
-def _span(part: Part, axis: Point) -> tuple[float, float]:
-    if isinstance(part, Disc):
-        middle = part.centre[0] * axis[0] + part.centre[1] * axis[1]
-        return middle - part.radius_m, middle + part.radius_m
-    along = [x * axis[0] + y * axis[1] for x, y in part]
-    return min(along), max(along)
+def disc(radius_m: float) -> Outline:
+    """Return the outline of a ball or a cylinder."""
+    return Outline.of(Part(((0.0, 0.0),), radius_m))
 
 
-def _overlap(a: Part, b: Part) -> bool:
-    """Separating axes: two convex parts are apart if their shadows on one of these lines are."""
-    axes = [axis for part in (a, b) if not isinstance(part, Disc) for axis in _axes(part)]
-    for disc, other in ((a, b), (b, a)):
-        if isinstance(disc, Disc):
-            corners = [other.centre] if isinstance(other, Disc) else list(other)
-            nearest = min(corners, key=lambda corner: hypot(corner[0] - disc.centre[0], corner[1] - disc.centre[1]))
-            dx, dy = nearest[0] - disc.centre[0], nearest[1] - disc.centre[1]
-            length = hypot(dx, dy)
-            axes.append((dx / length, dy / length) if length else (1.0, 0.0))
-    for axis in axes:
-        (a_0, a_1), (b_0, b_1) = _span(a, axis), _span(b, axis)
-        if min(a_1, b_1) - max(a_0, b_0) <= _TOUCH_M:
-            return False
-    return True
+def obstacle_outline(obstacle: Obstacle) -> Outline:
+    """Return an obstacle's outline, in the frame of where it stands at the start; a wall's in that of the field."""
+    match obstacle:
+        case Cylinder():
+            return disc(obstacle.radius_m)
+        case Box():
+            return Outline.of(rectangle(*obstacle.size_m))
+        case Wall():
+            return Outline.of(_wall_part(obstacle))
 
 
-def is_simple(points: Sequence[Point]) -> bool:
-    """Return whether a polygon has an area and no two of its edges cross or touch except at shared corners."""
-    count = len(points)
-    edges = [(points[i], points[(i + 1) % count]) for i in range(count)]
-    if any(a == b for a, b in edges):
+def _wall_part(wall: Wall) -> Part:
+    (ax, ay), (bx, by) = wall.from_m, wall.to_m
+    length = sqrt((bx - ax) ** 2 + (by - ay) ** 2)
+    nx, ny = -(by - ay) / length * wall.thickness_m / 2, (bx - ax) / length * wall.thickness_m / 2
+    return Part(counter_clockwise(((ax + nx, ay + ny), (bx + nx, by + ny), (bx - nx, by - ny), (ax - nx, ay - ny))))
+
+
+def extent(parts: Iterable[Part]) -> tuple[float, float, float, float]:
+    """Return smallest x, largest x, smallest y, largest y of a body in m."""
+    extremes = [
+        (x - part.radius_m, x + part.radius_m, y - part.radius_m, y + part.radius_m)
+        for part in parts
+        for x, y in part.points
+    ]
+    west, east, south, north = zip(*extremes, strict=True)
+    return min(west), max(east), min(south), max(north)
+
+
+def overlap(first: Iterable[Part], second: Iterable[Part]) -> bool:
+    """Return whether two bodies share more than their edges."""
+    others = tuple(second)
+    return any(closer_than(a, b, -TOUCHING_M) for a in first for b in others)
+
+
+def gap_m(first: Part, second: Part) -> float:
+    """Return the gap between two parts in m; negative if they overlap (then only its sign means anything)."""
+    radii = first.radius_m + second.radius_m
+    apart = apart_m(first.points, second.points)
+    if apart < 0.0:
+        return apart - radii
+    return min(_nearest(first.points, second.points), _nearest(second.points, first.points)) - radii
+
+
+def closer_than(first: Part, second: Part, limit_m: float) -> bool:
+    """Return whether the gap between two parts is smaller than a limit in m, looking closely only where needed."""
+    apart = apart_m(first.points, second.points)
+    radii = first.radius_m + second.radius_m
+    if apart - radii >= limit_m:
         return False
-    area = sum(ax * by - bx * ay for (ax, ay), (bx, by) in edges)
-    if abs(area) < 1e-12:
-        return False
-    for i, (a, b) in enumerate(edges):
-        for j in range(i + 1, count):
-            c, d = edges[j]
-            if j == i + 1 or (i == 0 and j == count - 1):
-                shared, p, q = (b, a, d) if j == i + 1 else (a, b, c)
-                if side(p, shared, q) == 0 and _between(shared, p, q) is False:
-                    return False  # doubles back on itself
-            elif _meet(a, b, c, d):
-                return False
-    return True
-
-
-def side(a: Point, b: Point, p: Point) -> float:
-    """Return on which side of the line from a to b a point is: over 0 on the left, under 0 on the right."""
-    return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
-
-
-def _between(p: Point, a: Point, b: Point) -> bool:
-    """Return whether a point of the line through a and b lies between them."""
-    return min(a[0], b[0]) <= p[0] <= max(a[0], b[0]) and min(a[1], b[1]) <= p[1] <= max(a[1], b[1])
-
-
-def _meet(a: Point, b: Point, c: Point, d: Point) -> bool:
-    sides = (side(a, b, c), side(a, b, d), side(c, d, a), side(c, d, b))
-    if sides[0] * sides[1] < 0 and sides[2] * sides[3] < 0:
+    if radii == 0.0 and limit_m <= 0.0:  # whether polygons overlap is all that is asked, and that is known
         return True
-    on = ((c, a, b), (d, a, b), (a, c, d), (b, c, d))
-    return any(at == 0 and _between(p, q, r) for at, (p, q, r) in zip(sides, on, strict=True))
+    return gap_m(first, second) < limit_m
+
+
+def apart_m(first: Points, second: Points) -> float:
+    """Return a lower bound of the distance of two point sets; negative just if they overlap."""
+    if len(first) == 1 and len(second) == 1:
+        return sqrt((first[0][0] - second[0][0]) ** 2 + (first[0][1] - second[0][1]) ** 2)
+    bound = -inf
+    if len(first) > 1:
+        bound = _apart_along_normals(first, second)
+    if len(second) > 1:
+        bound = max(bound, _apart_along_normals(second, first))
+    return bound
+
+
+def _apart_along_normals(polygon: Points, other: Points) -> float:
+    """Return the largest gap along a normal of the polygon's edges (separating axes); negative: none separates.
+
+    The polygon's corners run counter-clockwise, as `counter_clockwise` makes them.
+    """
+    best = -inf
+    ax, ay = polygon[-1]
+    for bx, by in polygon:
+        nx, ny = by - ay, ax - bx
+        length = sqrt(nx * nx + ny * ny)
+        if length > 0.0:
+            nearest = min([nx * x + ny * y for x, y in other])
+            best = max(best, (nearest - nx * ax - ny * ay) / length)
+        ax, ay = bx, by
+    return best
+
+
+def _nearest(corners: Points, polygon: Points) -> float:
+    edges = tuple(zip(polygon, (*polygon[1:], polygon[0]), strict=True))
+    return min(distance_to_segment_m(x, y, *a, *b) for x, y in corners for a, b in edges)

@@ -4,10 +4,26 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.scenario.catalogue import EACH
+from rcj_challenges.scenario.models.base import Names, Strict
 from rcj_challenges.scenario.models.scenario import Scenario
 
 WALLS = "walls"
+
+
+def row_of(names: Names) -> tuple[str, ...]:
+    """Return names as a row: where several may be written, one need not be in a list."""
+    return (names,) if isinstance(names, str) else names
+
+
+def written_for(names: Names, each: str | None) -> tuple[str, ...]:
+    """Return names of a rule as a row, with another name for ``each``.
+
+    Args:
+        names: as they are written.
+        each: for whom the rule is: one, or the whole group of its ``for_each``; None: ``each`` stays.
+    """
+    return tuple(each if name == EACH and each is not None else name for name in row_of(names))
 
 
 @dataclass(frozen=True)
@@ -66,12 +82,11 @@ class Roster:
             groups=groups,
         )
 
-    def expand(self, names: str | tuple[str, ...]) -> tuple[str, ...]:
+    def expand(self, names: Names) -> tuple[str, ...]:
         """Return the members that a name, a group or a list of both stands for, without repeats, in order."""
-        listed = (names,) if isinstance(names, str) else names
-        return tuple(dict.fromkeys(member for name in listed for member in self.groups.get(name, (name,))))
+        return tuple(dict.fromkeys(member for name in row_of(names) for member in self.groups.get(name, (name,))))
 
-    def may_be(self, names: str | tuple[str, ...]) -> tuple[str, ...]:
+    def may_be(self, names: Names) -> tuple[str, ...]:
         """Return the same, and for a draw's name all among which it decides: what the names may ever stand for."""
         expanded = self.expand(names)
         return tuple(dict.fromkeys(one for name in expanded for one in self.drawn.get(name, (name,))))

@@ -137,10 +137,6 @@ class Traction:
                 wheel.stopped = stopped
                 self._command(index, wheel.commanded_radps, wheel.target_rad)
 
-    def angles(self) -> list[list[float]]:
-        """Return [left, right] in rad by robot."""
-        return [[self._qpos[left.at], self._qpos[right.at]] for _, _, (left, right) in self._robots]
-
     def before_tick(self) -> None:
         """Turn the wheels as commanded, with the grip that they have at the robots' present speeds.
 

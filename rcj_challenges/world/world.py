@@ -123,10 +123,6 @@ class World:
         for robot in range(self.tables.robots):
             self._traction.set_stopped(robot, stopped=robot in self._held or self.parked[robot])
 
-    def wheel_angles(self) -> list[list[float]]:
-        """Return the angles of [left, right] wheel in rad, by robot; they grow while it drives along its +x."""
-        return self._traction.angles()
-
     def step(self, tick: int, faults: tuple[Fault, ...] = ()) -> Snapshot:
         """Make the four sub-steps of a tick.
 

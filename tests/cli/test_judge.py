@@ -2,9 +2,11 @@
 
 import itertools
 import json
+from dataclasses import replace
 
 import pytest
 
+from rcj_challenges.cli import judge as judge_command
 from rcj_challenges.cli.app import app
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.records.folder import TRAJECTORY_PARTS
@@ -73,6 +75,12 @@ def test_the_newest_record_is_judged_by_its_own_rules_and_the_same_comes_out(jud
     assert "judged:   Hanse 0 : 1 Alster\n" in told
     assert "events as recorded" in told
     assert "Poses stay" not in told
+
+
+def test_one_event_is_told_as_one(records):
+    options = judge_command.JudgeOptions([None], records, None, (), as_json=False)
+    judged = judge_command._judge_one(next(records.iterdir()), options, None)
+    assert "  all 1 event as recorded" in judge_command._lines(replace(judged, alike=1), options)
 
 
 def test_with_a_changed_rule_it_says_both_scores_and_what_differs(judge):

@@ -80,15 +80,23 @@ def test_the_record_of_a_run_that_was_killed_before_its_first_tick_is_no_part_of
 
 
 @pytest.mark.parametrize(
-    "names", [("trajectory.npz", "plan.json"), ("logs/of_us.txt",), ("trajectory.npz", "logs/a.txt")]
+    ("beside", "names"),
+    [
+        ("rcj_soccer_team_blue", ("trajectory.npz", "plan.json")),
+        ("rcj_soccer_team_blue", ("logs/of_us.txt",)),
+        ("rcj_soccer_team_blue", ("trajectory.npz", "logs/a.txt")),
+        ("rcj_soccer_team_blue/data", ("trajectory.npz", "plan.json")),
+        ("rcj_soccer_team_blue/data", ("trajectory.part/1.npz", "plan.json")),
+        ("rcj_soccer_team_blue/data", ("logs/of_us.txt",)),
+    ],
 )
-def test_what_only_looks_like_a_record_stays(tmp_path: Path, names: tuple[str, ...]) -> None:
+def test_what_only_looks_like_a_record_stays(tmp_path: Path, beside: str, names: tuple[str, ...]) -> None:
     """A program's own folder, or one of data."""
-    files = PRESENT | inside("rcj_soccer_team_blue", dict.fromkeys(names, b"ours"))
+    files = PRESENT | inside(beside, dict.fromkeys(names, b"ours"))
     for team in (folder_of(tmp_path / "team", files), zip_of(tmp_path / "team.zip", files)):
         copy = folder_of(tmp_path / f"copy of {team.name}", {"x": b""})
         open_team(team, BLUE).unpack(copy)
-        assert all((copy / "rcj_soccer_team_blue" / name).read_bytes() == b"ours" for name in names)
+        assert all((copy / beside / name).read_bytes() == b"ours" for name in names)
 
 
 @pytest.mark.parametrize("around", ["", "team"])

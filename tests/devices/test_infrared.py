@@ -88,6 +88,16 @@ def test_another_robots_wheel_hides_the_ball(bench: Bench) -> None:
     assert len(ball_heard(bench)) == 1
 
 
+def test_to_the_sonars_wheels_are_nothing_and_to_the_ball_receiver_they_are_still_in_the_way(bench: Bench) -> None:
+    bench.enable("Y1", "distancesensor front")
+    bench.place("Y1", -0.3, 0)
+    bench.place("ball", 0.1, 0)
+    bench.place("B1", -0.1, 0.044, 0)
+    assert ball_heard(bench) == []
+    assert bench.read("Y1", "distancesensor front")[0] > 800  # the wall beyond the wheel
+    assert ball_heard(bench) == []
+
+
 def test_a_team_mate_hides_the_ball_as_well(bench: Bench) -> None:
     bench.place("Y1", -0.3, 0)
     bench.place("ball", 0.1, 0)
@@ -205,6 +215,18 @@ def test_strength_and_direction_can_be_noisy() -> None:
     assert strength == pytest.approx(0.1, rel=0.15)
     assert math.sqrt(sum(turn**2 for turn in turns) / 500) == pytest.approx(0.05, rel=0.15)
     assert all(math.hypot(*packet.direction) == pytest.approx(1) for packet in packets)
+
+
+@pytest.mark.parametrize("noise", ["strength_noise", "direction_noise_rad"])
+def test_either_noise_comes_without_the_other(noise: str) -> None:
+    bench = Bench(change={"kits": {"v2": {"devices": {"ball receiver": {noise: 0.1}}}}})
+    bench.enable("Y1", "ball receiver")
+    bench.place("Y1", 0, 0)
+    bench.place("ball", 0.2, 0)
+    bench.sense(ticks=20)
+    packets = bench.heard("Y1", "ball receiver")
+    assert len({packet.strength for packet in packets}) == (20 if noise == "strength_noise" else 1)
+    assert len({packet.direction for packet in packets}) == (20 if noise == "direction_noise_rad" else 1)
 
 
 def test_each_of_several_balls_has_its_own_noise() -> None:

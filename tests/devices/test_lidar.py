@@ -217,3 +217,13 @@ def test_low_walls_of_2021_are_seen_for_the_plane_is_lower() -> None:
 def test_a_robot_without_lidar_has_no_numbers_for_it() -> None:
     assert lidar_bench().rack.specs[0].values == 2
     assert lidar_bench().rack.specs[5].values == 362
+
+
+def test_a_slow_head_with_few_cells_passes_none_of_them_in_most_ticks() -> None:
+    bench = lidar_bench(points=4, frequency_hz=2)  # a cell every 3.9 ticks
+    bench.place("Y3", 0.25, 0.1, 0)
+    seen = [[round(cell, 6) for cell in scan(bench)] for _ in range(9)]
+    ahead, right, behind = 0.4, 0.85, 0.9
+    assert seen[:3] == [[ahead, 0, 0, 0]] * 3
+    assert seen[3:7] == [[ahead, right, 0, 0]] * 4
+    assert seen[7:] == [[ahead, right, behind, 0]] * 2

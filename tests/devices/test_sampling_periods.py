@@ -98,6 +98,9 @@ def test_what_a_receiver_held_back_is_gone_when_it_is_disabled() -> None:
     bench.enable("Y1", "supervisor receiver", period=0)
     bench.sense(ticks=10)
     assert bench.heard("Y1", "supervisor receiver") == []
+    bench.enable("Y1", "supervisor receiver")
+    bench.sense()
+    assert len(bench.heard("Y1", "supervisor receiver")) == 1
 
 
 def test_a_slow_receiver_of_a_program_that_never_samples_is_bounded() -> None:

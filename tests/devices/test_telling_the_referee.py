@@ -49,9 +49,12 @@ def test_no_robot_hears_it_and_what_goes_to_the_team_the_referee_does_not_hear(b
     bench.send("Y1", b"FOUND", channel=1)
     bench.send("Y2", b"hello")
     assert told(bench) == {"Y1": "FOUND"}
-    heard = {robot: [p.data for p in bench.heard(robot, "team receiver")] for robot in ROBOTS}
-    assert heard == {robot: [b"hello"] if robot in {"Y1", "Y3"} else [] for robot in ROBOTS}
-    assert all(p.data != b"FOUND" for robot in ROBOTS for p in bench.heard(robot, "supervisor receiver"))
+    heard = {robot: bench.rack.observe(bench.roster.index[robot], bench.tick).packets for robot in ROBOTS}
+    teams = {
+        robot: [p.data for p in heard[robot] if p.device == bench.device(robot, "team receiver")] for robot in ROBOTS
+    }
+    assert teams == {robot: [b"hello"] if robot in {"Y1", "Y3"} else [] for robot in ROBOTS}
+    assert {p.data for packets in heard.values() for p in packets} == {b"hello", b"\0"}  # the team's and the referee's
 
 
 def test_of_each_robot_it_hears_one_message_a_tick_in_the_order_sent(bench: Bench) -> None:

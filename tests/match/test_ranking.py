@@ -41,6 +41,15 @@ def test_a_shorter_time_wins_and_penalties_are_seconds():
     assert [(entry["team"], entry["values"]) for entry in told] == [("yellow", [40.0]), ("blue", [50.0])]
 
 
+def test_times_that_are_equal_on_paper_share_a_place():
+    rank = "result.rank=[{time: ascending, plus: [{counter: put_backs, weight: 0.1}, {counter: fouls, weight: 0.3}]}]"
+    scenario = load("match", [rank, "counters.fouls={per: robots}"]).scenario
+    told = ranking(
+        scenario, {"blue": 0, "yellow": 0}, [Tally({"put_backs": {"B1": 3}, "fouls": {"Y1": 1}}, SIDES, 0.0)]
+    )
+    assert [(entry["place"], entry["values"]) for entry in told] == [(1, [0.3]), (1, [0.3])]  # floats: 3 * 0.1 > 0.3
+
+
 def test_times_and_counters_of_all_halves_are_added_up_for_the_team_and_not_for_the_colour():
     rank = "result.rank=[{time: ascending, plus: [{counter: put_backs, weight: 10}]}, {counter: put_backs}]"
     swapped = {"blue": "yellow", "yellow": "blue"}

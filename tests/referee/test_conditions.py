@@ -153,6 +153,16 @@ class TestConditionDistance:
         play.place("Y2", play.pose("Y1")[0] + 0.1, play.pose("Y1")[1])
         assert ask(play)
 
+    def test_who_is_off_the_field_is_not_far_away(self, stage, ask):
+        play = stage(
+            "rules: {gone: {triggers: [{trigger: program_fault, robot: Y1}], actions: [{action: remove, entity: B2}]}}",
+            ASKING % "{condition: distance, entity: B2, to: centre, at_least: 0.3}",
+        )
+        assert ask(play)
+        play.fail("Y1")
+        play.play()
+        assert not ask(play)
+
 
 class TestConditionCounter:
     COUNTERS = """

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rcj_challenges.referee.outlines import Bodies
+from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.scenario.roster import Roster
 from tests.referee.conftest import small_scenario
 

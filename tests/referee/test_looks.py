@@ -110,6 +110,26 @@ class TestConditionLooks:
         play.play_until(17)
         assert [event.payload for event in play.events] == [{"who": "Y1"}]
 
+    @pytest.mark.parametrize(("by", "names"), [("a rule", []), ("a robot", ["SEES_IT"])])
+    def test_what_a_rule_puts_before_its_eyes_has_not_come_there(self, stage, by, names):
+        play = stage("""
+        rules:
+          sees_it:
+            triggers: [{trigger: holds, condition: {condition: looks, entity: Y1, towards: ball}}]
+            actions: [{action: emit, event: SEES_IT}]
+          put:
+            triggers: [{trigger: program_fault, robot: B1}]
+            actions: [{action: place, entity: ball, at: {point: [-0.4, 0.2]}}]
+        """)
+        play.play_until(5)
+        if by == "a rule":
+            play.fail("B1")
+        else:
+            play.place("ball", -0.4, 0.2)
+        play.play_until(20)
+        assert play.pose("ball")[:2] == pytest.approx((-0.4, 0.2))
+        assert play.names() == names
+
 
 class TestConditionAnyOf:
     TWO = (

@@ -70,7 +70,7 @@ class TestStartAndEnd:
             assert yaw == pytest.approx(start.yaw_rad)
 
     def test_start_places_differ_from_seed_to_seed_and_never_overlap(self, match_play, match):
-        from rcj_challenges.referee.outlines import Bodies
+        from rcj_challenges.referee.bodies import Bodies
 
         loaded, places = match(), set()
         bodies = Bodies(loaded.scenario, loaded.roster)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.engine import Referee
-from rcj_challenges.referee.outlines import Bodies
 from rcj_challenges.referee.setting_down import ATTEMPTS_WAITING
 from rcj_challenges.referee.trials import run_expectation
 from rcj_challenges.scenario.load import load_text
@@ -82,6 +82,26 @@ def test_of_two_put_to_one_place_the_second_waits_for_the_first(stage):
     play = stage(put("point: [0.3, 0]", entity="[Y1, Y2]"))
     play.play(20)
     assert notes(play) == ["Y2 waits for room: Y1 is there"]
+
+
+def test_where_there_is_room_in_the_end_it_is_said_that_there_was_none_before(stage):
+    # B1 takes the first spot, and so Y1 stays where it is; that is too near to the first spot for B1, which moves on.
+    play = stage(
+        "spots: {first: {x_m: 0.3, y_m: 0}, second: {x_m: 0.5, y_m: 0}}",
+        """
+rules:
+  put:
+    triggers: [{trigger: time_reached, at_s: 0.32}]
+    actions:
+      - {action: place, entity: B1, at: {nearest_free: [first, second], to: ball, clearance_m: 0.15}}
+      - {action: place, entity: Y1, at: {point: [0.3, 0]}, on_failure: stay}
+""",
+    )
+    play.place("Y1", 0.2, 0)
+    play.play(20)
+    assert play.pose("B1")[:2] == pytest.approx((0.5, 0))
+    assert play.pose("Y1")[:2] == pytest.approx((0.2, 0))
+    assert notes(play) == ["Y1 stays where it is for want of room: there was none when it was put"]
 
 
 def test_a_kick_without_an_aim_is_said(stage):

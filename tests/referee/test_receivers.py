@@ -53,6 +53,16 @@ class TestWhoGetsPoints:
         assert play.referee.scores == scores
         assert len(play.firings) == 1
 
+    def test_who_still_touches_it_when_another_lets_go_is_the_last_one(self, stage):
+        play = stage(PAYS_LAST, "balls: {ball: {start_m: [0.4, 0]}}")
+        play.touch("Y1", "ball", 9)
+        play.play(2)
+        play.touch("B2", "ball", 3)
+        play.play()
+        play.glide("ball", (0.0, 0.0), 20)
+        play.play(25)
+        assert play.referee.scores == {"blue": 0, "yellow": 3}
+
     def test_a_touch_before_it_was_put_elsewhere_does_not_count(self, stage):
         play = stage(
             "balls: {ball: {start_m: [0.4, 0]}}",

@@ -6,10 +6,12 @@ import pytest
 from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
-from rcj_challenges.referee.outlines import Bodies, Part, closer_than, gap_m, rectangle, robot_outline
-from rcj_challenges.referee.regions import cell_beside_square, crossing, distance_to_segment_m, region_of
+from rcj_challenges.referee.bodies import Bodies
+from rcj_challenges.referee.regions import cell_beside_square, crossing, region_of
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone
 from rcj_challenges.scenario.models.robots import Chassis
+from rcj_challenges.scenario.outlines import Part, closer_than, gap_m, rectangle, robot_outline
+from rcj_challenges.scenario.polygons import distance_to_segment_m
 from rcj_challenges.scenario.roster import Roster
 
 number = st.floats(-1, 1, allow_subnormal=False).map(lambda value: round(value, 3))
@@ -116,6 +118,7 @@ class TestOutlines:
         assert self.gap(1.57, 0.099, 0.0, 1.57) < 0
 
     @given(st.floats(-0.3, 0.3), st.floats(-0.3, 0.3), st.floats(-4, 4), st.floats(0, 0.1))
+    @example(0.12, 0.17, 0.0, 0.03)  # beyond a corner, which is further than either side
     def test_the_quick_answer_is_that_of_the_gap(self, x, y, yaw, limit):
         square, disc = rectangle(0.1, 0.2), Part(((x, y),), 0.05)
         turned = rectangle(0.15, 0.05).at((x, y, yaw))
@@ -154,9 +157,11 @@ class TestOutlines:
             ((0.0, 1.5, 1.57), False),  # outside
         ],
     )
-    def test_walls_and_goals_are_solid(self, small, pose, fits):
+    def test_walls_and_goals_are_solid_on_all_sides_alike(self, small, pose, fits):
         scenario = small()
-        assert Bodies(scenario, Roster.of(scenario)).fits(0, pose, {}, 0.0) is fits
+        bodies, (x, y, yaw) = Bodies(scenario, Roster.of(scenario)), pose
+        alike = ((x, y, yaw), (-x, y, -yaw), (x, -y, -yaw), (-x, -y, yaw))
+        assert [bodies.fits(0, mirrored, {}, 0.0) for mirrored in alike] == [fits] * 4
 
     def test_fixed_obstacles_are_bodies(self, small):
         scenario = small("""
@@ -171,3 +176,21 @@ class TestOutlines:
         assert not bodies.fits(ball, (0.2, -0.18, 0.0), {}, 0.0)
         assert bodies.fits(ball, (0.2, -0.17, 0.0), {}, 0.0)
         assert not bodies.fits(ball, (0.2, -0.17, 0.0), {}, 0.01)
+
+    @pytest.mark.parametrize(
+        "ends", ["from_m: [-0.3, -0.3], to_m: [0.3, 0.3]", "from_m: [0.3, 0.3], to_m: [-0.3, -0.3]"]
+    )
+    def test_an_oblique_wall_is_as_thick_and_as_long_as_it_says(self, small, ends):
+        scenario = small(f"obstacles: {{wall: {{shape: wall, {ends}, thickness_m: 0.04}}}}")
+        bodies, roster = Bodies(scenario, Roster.of(scenario)), Roster.of(scenario)
+
+        def fits(along_m: float, beside_m: float) -> bool:
+            x, y = (along_m - beside_m) / math.sqrt(2), (along_m + beside_m) / math.sqrt(2)
+            return bodies.fits(roster.index["ball"], (x, y, 0.0), {}, 0.0)
+
+        end_m = 0.3 * math.sqrt(2)
+        for beside in (1, -1):  # half its thickness and the ball's radius of 0.021 away
+            assert [fits(along * 0.4, beside * 0.040) for along in (1, 0, -1)] == [False] * 3
+            assert [fits(along * 0.4, beside * 0.042) for along in (1, 0, -1)] == [True] * 3
+            assert not fits(beside * (end_m + 0.020), 0.0)
+            assert fits(beside * (end_m + 0.022), 0.0)

@@ -157,6 +157,15 @@ class TestTriggerStaysIn:
         play.play(2)
         assert [event.tick for event in play.events] == [108]
 
+    def test_where_it_is_at_the_end_of_a_tick_says_whether_it_is_inside(self, stage):
+        play = stage(self.RULES)
+        feed(play, (0.0, 0.0), (0.0, 0.0), (0.0, 0.0), (0.3, 0.0))
+        play.play(44)
+        feed(play, (0.3, 0.0), (0.3, 0.0), (0.3, 0.0), (0.0, 0.0))  # outside from tick 46 on: ten ticks are no absence
+        play.play(9)
+        feed(play, (0.0, 0.0), (0.0, 0.0), (0.0, 0.0), (0.3, 0.0))
+        assert [event.payload["measured"] for event in play.events] == [55 * 0.032]
+
     def test_without_grace_one_sub_step_outside_begins_a_new_stay(self, stage):
         play = stage(self.RULES.replace(", grace_s: 0.32", ""))
         play.place("ball", 0.3, 0.0)

@@ -7,36 +7,37 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rcj_challenges.scenario.models.robots import Chassis
-from rcj_challenges.scenario.outlines import Disc, Outline, is_simple, rectangle, robot_outline
+from rcj_challenges.scenario.outlines import disc, extent, overlap, rectangle, robot_outline
+from rcj_challenges.scenario.polygons import is_simple
 from tests.scenario.writing import complaints, loaded, rule
 
 ROBOT = Chassis()
 
 
-def robot_at(x, y, yaw=0.0):
-    return robot_outline(ROBOT, x, y, yaw)
+def robot_at(x, y, yaw=0.0, chassis=ROBOT):
+    return robot_outline(chassis).at((x, y, yaw))
 
 
 # --- outlines ---------------------------------------------------------------------------------------------------------
 
 
 def test_a_robot_is_ten_centimetres_wide_across_its_wheels_and_seven_and_a_half_long():
-    x_0, x_1, y_0, y_1 = robot_at(0, 0).box()
+    x_0, x_1, y_0, y_1 = extent(robot_at(0, 0))
     assert (x_1 - x_0, y_1 - y_0) == pytest.approx((0.075, 0.1))
 
 
 def test_robots_side_by_side_touch_with_their_wheels_and_end_to_end_with_their_cubes():
-    assert robot_at(0, 0).overlaps(robot_at(0, 0.099))
-    assert not robot_at(0, 0).overlaps(robot_at(0, 0.101))
-    assert robot_at(0, 0).overlaps(robot_at(0.074, 0))
-    assert not robot_at(0, 0).overlaps(robot_at(0.076, 0))
+    assert overlap(robot_at(0, 0), robot_at(0, 0.099))
+    assert not overlap(robot_at(0, 0), robot_at(0, 0.101))
+    assert overlap(robot_at(0, 0), robot_at(0.074, 0))
+    assert not overlap(robot_at(0, 0), robot_at(0.076, 0))
 
 
 def test_the_corner_between_cube_and_wheel_is_free():
     """A ball fits beside a wheel, where a plain rectangle of 0.075 x 0.1 would be in its way."""
-    ball = Outline((Disc((0.034, 0.05), 0.0115),))
-    assert not robot_at(0, 0).overlaps(ball)
-    assert Outline((rectangle((0, 0), 0.0375, 0.05, 0),)).overlaps(ball)
+    ball = disc(0.0115).at((0.034, 0.05, 0))
+    assert not overlap(robot_at(0, 0), ball)
+    assert overlap([rectangle(0.075, 0.1)], ball)
 
 
 @settings(max_examples=150, deadline=None)
@@ -48,16 +49,16 @@ def test_overlap_is_mutual_and_does_not_depend_on_the_frame(x, y, yaw, turn):
     gap = (x * x + y * y) ** 0.5
     if abs(gap - 0.075) < 1e-4:
         return
-    assert a.overlaps(b) == b.overlaps(a)
+    assert overlap(a, b) == overlap(b, a)
     turned = robot_at(x * cos(turn) - y * sin(turn), x * sin(turn) + y * cos(turn), yaw + turn)
     nearby = robot_at(0, 0, 0.3 + turn)
     grown = Chassis(size_m=0.0751, wheel_track_m=0.0901)
-    if a.overlaps(b) == robot_outline(grown, 0, 0, 0.3).overlaps(robot_outline(grown, x, y, yaw)):
-        assert nearby.overlaps(turned) == a.overlaps(b)
+    if overlap(a, b) == overlap(robot_at(0, 0, 0.3, grown), robot_at(x, y, yaw, grown)):
+        assert overlap(nearby, turned) == overlap(a, b)
     if gap < 0.075:
-        assert a.overlaps(b)
+        assert overlap(a, b)
     if gap > 0.125:  # beyond twice the radius of the outline
-        assert not a.overlaps(b)
+        assert not overlap(a, b)
 
 
 @pytest.mark.parametrize(
@@ -66,8 +67,7 @@ def test_overlap_is_mutual_and_does_not_depend_on_the_frame(x, y, yaw, turn):
      ((0.0475, 0.0475), 0.0143, True)],
 )  # fmt: skip
 def test_a_ball_touches_the_cube_at_its_faces_and_corners(centre, radius, hit):
-    cube = Outline((rectangle((0, 0), 0.0375, 0.0375, 0),))
-    assert cube.overlaps(Outline((Disc(centre, radius),))) is hit
+    assert overlap([rectangle(0.075, 0.075)], disc(radius).at((*centre, 0))) is hit
 
 
 @pytest.mark.parametrize(
@@ -162,6 +162,11 @@ def test_a_turned_box_covers_other_ground():
     long_box = "shape: box, centre_m: [0, 0.15], size_m: [0.5, 0.02]"
     assert loaded(obstacle(long_box))
     assert complaints(obstacle(long_box + ", yaw_rad: 1.5707963"))
+
+
+def test_a_wall_of_no_length_overlaps_nothing_and_is_told_once():
+    (complaint,) = complaints(obstacle("shape: wall, from_m: [0, 0], to_m: [0, 0]"))  # where the ball lies
+    assert "both ends are at one point" in complaint
 
 
 def test_all_overlaps_are_reported():

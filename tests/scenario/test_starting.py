@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rcj_challenges.records.salvage import _standing
-from rcj_challenges.referee.outlines import Bodies
+from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.script import ScriptedPlay, half_of
 from rcj_challenges.scenario.starting import start_noise_m, start_pose
 from rcj_challenges.world.world import World

@@ -11,9 +11,17 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from PIL import Image, features
 
+from rcj_challenges.facts.play import Placement, Verdict
 from rcj_challenges.facts.timing import TICK_S
-from rcj_challenges.records.testing import write_made_up_run
+from rcj_challenges.records.testing import (
+    half_info,
+    made_up_snapshot,
+    small_header,
+    small_scenario,
+    write_made_up_run,
+)
 from rcj_challenges.records.trajectory import Trajectory
+from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.views.video import gl_probe
 from rcj_challenges.views.video.errors import VideoError
 from rcj_challenges.views.video.fontfile import characters_of
@@ -54,6 +62,23 @@ def test_the_ball_is_drawn_where_the_trajectory_has_it(folder, footage, camera, 
         at = made_in._stage.projection(moment).px(x_m, y_m)
         seen = place_of(made_in._stage.picture(moment), ORANGE, at)
     assert np.hypot(seen[0] - at[0], seen[1] - at[1]) < 1
+
+
+def test_what_is_placed_as_a_half_starts_stands_there_from_the_first_picture_on(tmp_path):
+    scenario = small_scenario(halves=1, half_s=1)
+    header = small_header(scenario)
+    writer = RecordWriter(tmp_path, header)
+    writer.begin_half(half_info(scenario, 1, 10, header))
+    placed = (Placement(BALL, 0.2, -0.1, 0.0), Placement(0, 0.0, 0.0, 0.0, parked=True))
+    for tick in range(11):
+        writer.tick(made_up_snapshot(tick, 6), Verdict(placements=() if tick else placed), b"")
+    writer.end_half(Verdict())
+    (half,) = Footage.open(writer.finish({"wall_s": 1.0})).halves
+    start = half.poses(0.0)
+    assert start[BALL, :2] == pytest.approx((0.2, -0.1))
+    assert np.isnan(start[0]).all()
+    assert start[1, :2] == pytest.approx(made_up_snapshot(0, 6).substeps[-1][1][:2])
+    assert np.isnan(half.poses(0.004)[0]).all()
 
 
 def test_the_field_lies_as_in_the_replay_page(footage):

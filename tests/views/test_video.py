@@ -116,7 +116,7 @@ def test_highlights_are_the_six_seconds_before_each_goal_and_one_after(footage):
 
 def test_goals_close_to_each_other_are_shown_in_one_highlight(footage):
     close = Footage(
-        footage.name, footage.scenario, footage.roster, footage.things, footage.halves,
+        footage.scenario, footage.roster, footage.things, footage.halves,
         type(footage.story)(score_changes={1: [[300, {"blue": 1, "yellow": 0}], [400, {"blue": 1, "yellow": 1}]]}),
         footage.titles,
     )  # fmt: skip

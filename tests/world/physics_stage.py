@@ -15,6 +15,7 @@ from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.world.tables import ROBOT_YAW
 from rcj_challenges.world.world import World
 
 FULL = 10.0
@@ -101,6 +102,11 @@ class Stage:
     def speed(self, name: str) -> float:
         x, y, _ = self.velocity(name)
         return math.hypot(x, y)
+
+    def wheel_angles(self, name: str) -> list[float]:
+        """[left, right] in rad; they grow while it drives along its +x."""
+        first = self.world.tables.qpos_at[self.index(name)] + ROBOT_YAW + 1
+        return self.world.data.qpos[first : first + 2].tolist()
 
     def ray(self, origin: tuple[float, float, float], direction: tuple[float, float, float], *groups: int) -> float:
         """Distance to the first geom of the groups, -1 if there is none."""

@@ -141,7 +141,7 @@ def test_wheel_angles_grow_with_the_way_along_plus_x():
     stage = lone_robot()
     stage.drive("B1", 5.0, -2.5)
     stage.play(0.64)
-    left, right = stage.world.wheel_angles()[0]
+    left, right = stage.wheel_angles("B1")
     assert left == pytest.approx(5.0 * 0.64, rel=1e-3)
     assert right == pytest.approx(-2.5 * 0.64, rel=1e-3)
 
@@ -156,7 +156,7 @@ def test_a_wheel_goes_to_an_angle_at_the_set_speed_at_most_and_holds_it(target):
         stage.play()
         fastest = max(fastest, stage.speed("B1"))
     assert fastest == pytest.approx(2.0 * 0.02, rel=0.02)
-    assert stage.world.wheel_angles()[0] == pytest.approx([target, target], abs=1e-5)
+    assert stage.wheel_angles("B1") == pytest.approx([target, target], abs=1e-5)
     assert stage.speed("B1") == pytest.approx(0, abs=1e-6)
     assert stage.pose("B1")[0] == pytest.approx(-0.4 + target * 0.02, abs=5e-4)
 

@@ -22,7 +22,7 @@ def test_what_is_commanded_meanwhile_acts_when_they_are_let_go(stage):
     stage.drive("Y1", FULL, FULL)
     stage.play(0.5)
     assert stage.pose("Y1") == pytest.approx((0.0, 0.0, 0.0), abs=1e-6)
-    assert stage.world.wheel_angles()[stage.index("Y1")] == [0.0, 0.0]
+    assert stage.wheel_angles("Y1") == [0.0, 0.0]
     stage.hold()
     stage.play(0.5)
     assert stage.pose("Y1")[0] > 0.05
@@ -48,10 +48,10 @@ def test_a_wheel_on_its_way_to_an_angle_waits_and_goes_there_afterwards(stage):
     for side in ("left", "right"):
         stage.world.set_wheel(robot, side, FULL, 2.0)
     stage.play(0.3)
-    assert stage.world.wheel_angles()[robot] == [0.0, 0.0]
+    assert stage.wheel_angles("Y1") == [0.0, 0.0]
     stage.hold()
     stage.play(3)
-    assert stage.world.wheel_angles()[robot] == pytest.approx([2.0, 2.0], abs=1e-5)
+    assert stage.wheel_angles("Y1") == pytest.approx([2.0, 2.0], abs=1e-5)
 
 
 def test_who_is_put_elsewhere_is_held_there_too(stage):
@@ -68,7 +68,7 @@ def test_who_is_off_the_field_stays_stopped_when_the_others_are_let_go(stage):
     stage.hold("Y1", "B1")
     stage.hold()
     stage.play(0.3)
-    assert stage.world.wheel_angles()[stage.index("Y1")] == [0.0, 0.0]
+    assert stage.wheel_angles("Y1") == [0.0, 0.0]
     stage.put("Y1", 0.0, 0.0)
     stage.play(0.5)
     assert stage.pose("Y1")[0] > 0.05

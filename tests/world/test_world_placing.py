@@ -21,7 +21,7 @@ def test_at_the_start_all_stand_at_their_start_poses_at_rest():
     assert stage.pose("ball") == (0, 0, 0)
     assert not stage.world.data.qvel.any()
     assert not any(stage.world.parked)
-    assert stage.world.wheel_angles() == [[0, 0]] * 6
+    assert all(stage.wheel_angles(name) == [0, 0] for name in stage.scenario.robots)
 
 
 def test_a_placed_robot_and_ball_are_at_rest():
@@ -65,9 +65,9 @@ def test_wheels_keep_their_speed_and_their_angle_when_a_robot_is_put_elsewhere()
     stage.put("B1", 0.0, 0.0)
     stage.drive("B1", 8.0, 8.0)
     stage.play(0.32)
-    angles = stage.world.wheel_angles()[0]
+    angles = stage.wheel_angles("B1")
     stage.put("B1", 0.0, -0.4, math.pi / 2)
-    assert stage.world.wheel_angles()[0] == angles
+    assert stage.wheel_angles("B1") == angles
     stage.play(0.5)
     assert stage.velocity("B1")[1] == pytest.approx(0.16, rel=0.02)
 
@@ -155,10 +155,10 @@ def test_nothing_collides_with_a_parked_robot_or_ball(parked):
 
 
 def test_the_wheels_of_a_parked_robot_stand_still(parked):
-    angles = parked.world.wheel_angles()[0]
+    angles = parked.wheel_angles("B1")
     where = parked.pose("B1")
     parked.play(1)
-    assert parked.world.wheel_angles()[0] == pytest.approx(angles, abs=1e-9)
+    assert parked.wheel_angles("B1") == pytest.approx(angles, abs=1e-9)
     assert parked.pose("B1") == where
 
 

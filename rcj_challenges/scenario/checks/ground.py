@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import atan2, hypot
 
 from rcj_challenges.scenario.errors import listing
-from rcj_challenges.scenario.models.field import Box, Cylinder, FieldModel, Wall
+from rcj_challenges.scenario.models.field import FieldModel, Obstacle, Wall
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, UniformIn, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.outlines import Disc, Outline, Point, is_simple, rectangle, robot_outline
+from rcj_challenges.scenario.outlines import TOUCHING_M, Part, disc, extent, obstacle_outline, overlap, robot_outline
+from rcj_challenges.scenario.polygons import Point, is_simple
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.starting import start_pose
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.visiting import Found, visit
-
-_TOUCH_M = 1e-6
 
 
 def check_ground(scenario: Scenario) -> Iterator[Found]:
@@ -36,7 +35,7 @@ def _shapes(scenario: Scenario) -> Iterator[Found]:
         if gate.from_m == gate.to_m:
             yield Found(("gates", name, "to_m"), "both posts are at one point; a gate is a segment")
     for name, obstacle in scenario.obstacles.items():
-        if isinstance(obstacle, Wall) and obstacle.from_m == obstacle.to_m:
+        if _is_a_point(obstacle):
             yield Found(("obstacles", name, "to_m"), "both ends are at one point; a wall is a segment")
     roster = Roster.of(scenario)
     for model, path in visit(scenario):
@@ -67,6 +66,10 @@ def _zone(zone: Zone, path: Path) -> Iterator[Found]:
             pass
 
 
+def _is_a_point(obstacle: Obstacle) -> bool:
+    return isinstance(obstacle, Wall) and obstacle.from_m == obstacle.to_m
+
+
 def _is_bounded(zone: Zone) -> bool:
     if zone.inverted or isinstance(zone, HalfPlaneZone):
         return False
@@ -86,7 +89,7 @@ def _goals(field: FieldModel) -> Iterator[Found]:
     taken: dict[str, str] = {}
     for name, goal in field.goals.items():
         path: Path = ("field", "goals", name)
-        if goal.width_m > room + _TOUCH_M:
+        if goal.width_m > room + TOUCHING_M:
             message = f"{goal.width_m:g} is wider than the end wall between its corners, {room:g}"
             yield Found((*path, "width_m"), message)
         if goal.end in taken:
@@ -102,18 +105,16 @@ class Floor:
         self.diagonal = self.half_x + self.half_y - field.corner_cut_m
         self.goals = {1.0 if goal.end == "positive_y" else -1.0: goal for goal in field.goals.values()}
 
-    def holds(self, outline: Outline) -> bool:
+    def holds(self, parts: Sequence[Part]) -> bool:
         """Return whether a body stands on the floor without being in a wall."""
-        return all(
-            self._holds_disc(part) if isinstance(part, Disc) else self._holds_corners(part) for part in outline.parts
-        )
+        return all(self._holds_disc(part) if part.radius_m else self._holds_corners(part.points) for part in parts)
 
     def _holds_corners(self, corners: tuple[Point, ...]) -> bool:
         edges = [*pairwise(corners), (corners[-1], corners[0])]
         return all(self._inside(x, y) for x, y in corners) and all(self._passes(a, b) for a, b in edges)
 
     def _inside(self, x: float, y: float, margin: float = 0.0) -> bool:
-        reach = _TOUCH_M - margin
+        reach = TOUCHING_M - margin
         on_field = (
             abs(x) <= self.half_x + reach
             and abs(y) <= self.half_y + reach
@@ -125,7 +126,7 @@ class Floor:
         goal = self.goals.get(1.0 if y > 0 else -1.0)
         if goal is None:
             return False
-        reach = _TOUCH_M - margin
+        reach = TOUCHING_M - margin
         far = self.half_y + goal.depth_m + reach
         return abs(x) <= goal.width_m / 2 + reach and self.half_y - margin <= abs(y) <= far
 
@@ -133,23 +134,23 @@ class Floor:
         """Return whether an edge that leaves the field does so through the mouth of a goal."""
         for side in (1.0, -1.0):
             line = side * self.half_y
-            if (a[1] * side - self.half_y) * (b[1] * side - self.half_y) >= -(_TOUCH_M**2):
+            if (a[1] * side - self.half_y) * (b[1] * side - self.half_y) >= -(TOUCHING_M**2):
                 continue
             x = a[0] + (b[0] - a[0]) * (line - a[1]) / (b[1] - a[1])
             goal = self.goals.get(side)
-            if goal is None or abs(x) > goal.width_m / 2 + _TOUCH_M:
+            if goal is None or abs(x) > goal.width_m / 2 + TOUCHING_M:
                 return False
         return True
 
-    def _holds_disc(self, disc: Disc) -> bool:
-        (x, y), radius = disc.centre, disc.radius_m
+    def _holds_disc(self, round_part: Part) -> bool:
+        ((x, y),), radius = round_part.points, round_part.radius_m
         if self._inside(x, y, radius):
             return True
         goal = self.goals.get(1.0 if y > 0 else -1.0)
-        if goal is None or abs(x) > goal.width_m / 2 - radius + _TOUCH_M:
+        if goal is None or abs(x) > goal.width_m / 2 - radius + TOUCHING_M:
             return False
         # In the mouth: between the posts, neither wholly on the field nor wholly in the goal.
-        return self.half_y - radius <= abs(y) <= self.half_y + goal.depth_m - radius + _TOUCH_M
+        return self.half_y - radius <= abs(y) <= self.half_y + goal.depth_m - radius + TOUCHING_M
 
 
 # --- bodies -----------------------------------------------------------------------------------------------------------
@@ -162,13 +163,13 @@ class Body:
     Attributes:
         name: its name.
         path: where the file says where it stands.
-        outline: what it covers.
+        parts: what it covers.
         fixed: whether nothing can push it.
     """
 
     name: str
     path: Path
-    outline: Outline
+    parts: tuple[Part, ...]
     fixed: bool = False
 
 
@@ -176,8 +177,8 @@ def _bodies(scenario: Scenario) -> Iterator[Found]:
     bodies = [*_robots(scenario), *_balls(scenario), *obstacle_bodies(scenario)]
     floor = Floor(scenario.field)
     for body in bodies:
-        if not body.fixed and not floor.holds(body.outline):
-            x_0, x_1, y_0, y_1 = body.outline.box()
+        if not body.fixed and not floor.holds(body.parts):
+            x_0, x_1, y_0, y_1 = extent(body.parts)
             message = (
                 f"'{body.name}' stands outside the field or in a wall: it covers x {x_0:.3f} to {x_1:.3f}, "
                 f"y {y_0:.3f} to {y_1:.3f}; the walls are at x = ±{floor.half_x:g}, y = ±{floor.half_y:g}"
@@ -208,11 +209,11 @@ def _overlaps(bodies: list[Body]) -> Iterator[Found]:
 def _overlapping(bodies: list[Body]) -> Iterator[tuple[Body, Body]]:
     """Sweep along x, so that a file with thousands of bodies does not cost millions of comparisons."""
     open_: list[tuple[float, Body]] = []
-    for body in sorted(bodies, key=lambda body: body.outline.box()[0]):
-        x_0, x_1, _, _ = body.outline.box()
+    for body in sorted(bodies, key=lambda body: extent(body.parts)[0]):
+        x_0, x_1, _, _ = extent(body.parts)
         open_ = [(end, other) for end, other in open_ if end > x_0]
         for _, other in open_:
-            if not (body.fixed and other.fixed) and body.outline.overlaps(other.outline):
+            if not (body.fixed and other.fixed) and overlap(body.parts, other.parts):
                 yield other, body
         open_.append((x_1, body))
 
@@ -221,33 +222,18 @@ def _robots(scenario: Scenario) -> Iterator[Body]:
     for name, robot in scenario.robots.items():
         kit = scenario.kits.get(robot.kit)
         if kit is not None:
-            start = robot.start
-            outline = robot_outline(kit.chassis, start.x_m, start.y_m, start.yaw_rad)
-            yield Body(name, ("robots", name, "start"), outline)
+            yield Body(name, ("robots", name, "start"), robot_outline(kit.chassis).at(start_pose(scenario, name)))
 
 
 def _balls(scenario: Scenario) -> Iterator[Body]:
     for name, ball in scenario.balls.items():
-        yield Body(name, ("balls", name, "start_m"), Outline((Disc(ball.start_m, ball.radius_m),)))
+        yield Body(name, ("balls", name, "start_m"), disc(ball.radius_m).at(start_pose(scenario, name)))
 
 
 def obstacle_bodies(scenario: Scenario) -> Iterator[Body]:
-    """Yield the obstacles where they stand at the start."""
+    """Yield the obstacles where they stand at the start; each has one part. Walls that are points have none."""
     for name, obstacle in scenario.obstacles.items():
-        match obstacle:
-            case Box():
-                part: Disc | tuple[Point, ...] = rectangle(
-                    obstacle.centre_m, obstacle.size_m[0] / 2, obstacle.size_m[1] / 2, obstacle.yaw_rad
-                )
-                fixed = not obstacle.movable
-            case Cylinder():
-                part, fixed = Disc(obstacle.centre_m, obstacle.radius_m), not obstacle.movable
-            case Wall():
-                part, fixed = _wall_corners(obstacle), True
-        yield Body(name, ("obstacles", name), Outline((part,)), fixed)
-
-
-def _wall_corners(wall: Wall) -> tuple[Point, ...]:
-    (ax, ay), (bx, by) = wall.from_m, wall.to_m
-    length = hypot(bx - ax, by - ay)
-    return rectangle(((ax + bx) / 2, (ay + by) / 2), length / 2, wall.thickness_m / 2, atan2(by - ay, bx - ax))
+        if _is_a_point(obstacle):
+            continue
+        parts = obstacle_outline(obstacle).at(start_pose(scenario, name))
+        yield Body(name, ("obstacles", name), parts, fixed=isinstance(obstacle, Wall) or not obstacle.movable)

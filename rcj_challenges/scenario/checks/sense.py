@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterator
 from itertools import count
 
+from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.scenario.decided import check_decided_spots
 from rcj_challenges.scenario.drawn import never_drawn
@@ -249,8 +250,7 @@ def _times(model: Strict, path: Path, scenario: Scenario, longest_s: float, *, h
         case TimeReached(at_s=at_s) if at_s > half_s and not half_is_set:
             yield Found((*path, "at_s"), f"{at_s:g} s is never reached; a half lasts {half_s:g} s")
         case Match(half_s=tuple(lengths)) if len(lengths) != model.halves and not half_is_set:
-            given = "1 length" if len(lengths) == 1 else f"{len(lengths)} lengths"
-            played = "1 half" if model.halves == 1 else f"{model.halves} halves"
+            given, played = counted(len(lengths), "length"), counted(model.halves, "half", "halves")
             message = f"{given} in half_s for {played}; give each half its length, or one number for all"
             yield Found((*path, "half_s"), message, other=(*path, "halves"))
         case Expectation():

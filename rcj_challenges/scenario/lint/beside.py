@@ -14,6 +14,7 @@ from rcj_challenges.scenario.models.actions import Action, Place
 from rcj_challenges.scenario.models.field import Box, Cylinder
 from rcj_challenges.scenario.models.places import Placing, RelativeTo
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.roster import row_of
 from rcj_challenges.scenario.tree import Path
 
 _TOUCHING_M = 0.001
@@ -49,7 +50,7 @@ def check_beside(subject: Subject) -> Iterator[Suspect]:
                 stays = not beside & (away | as_well | _put_as_well(rule, action, subject))
                 if stays and _is_always_in(placing, at, rule, subject):
                     told.add(path)
-                    what = listing((entity,) if isinstance(entity, str) else entity)
+                    what = listing(row_of(entity))
                     problem = f"'{what}' would stand in '{at.relative_to}', beside which it is put"
                     yield no_room(path, problem, "write a larger offset_m", placing)
 

@@ -8,7 +8,7 @@ from math import dist, inf
 
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.floor import floor_parts
-from rcj_challenges.scenario.floor_shapes import away_m, to_segment_m
+from rcj_challenges.scenario.floor_shapes import away_m
 from rcj_challenges.scenario.lint.logic import without_none
 from rcj_challenges.scenario.lint.suspect import Subject, Suspect
 from rcj_challenges.scenario.models.actions import Place
@@ -27,7 +27,9 @@ from rcj_challenges.scenario.models.places import (
 from rcj_challenges.scenario.models.robots import StartPose
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.triggers import Displaced
+from rcj_challenges.scenario.polygons import distance_to_segment_m
 from rcj_challenges.scenario.remembered import fixed_spots
+from rcj_challenges.scenario.roster import row_of
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.visiting import visit
 
@@ -54,8 +56,7 @@ def check_distances(subject: Subject) -> Iterator[Suspect]:
 
 
 def _is_of_itself(model: Distance, rule: Rule, subject: Subject) -> bool:
-    names = (model.entity,) if isinstance(model.entity, str) else model.entity
-    if not isinstance(model.to, str) or names != (model.to,):
+    if not isinstance(model.to, str) or row_of(model.entity) != (model.to,):
         return False
     # Of a group the nearest other one counts; a group of one has no other.
     return model.to == EACH or subject.members(model.to, rule) == {model.to}
@@ -159,8 +160,8 @@ def _from_m(name: str, subject: Subject, corners: tuple[Point, ...]) -> float:
     if gate is None:
         return across_m  # an entity, or a spot that rules set: they may be anywhere
     if gate.anchor is not None:
-        return across_m + to_segment_m((0.0, 0.0), gate.from_m, gate.to_m)
-    return max(to_segment_m(corner, gate.from_m, gate.to_m) for corner in corners)
+        return across_m + distance_to_segment_m(0.0, 0.0, *gate.from_m, *gate.to_m)
+    return max(distance_to_segment_m(*corner, *gate.from_m, *gate.to_m) for corner in corners)
 
 
 def _across_m(corners: tuple[Point, ...]) -> float:

@@ -13,6 +13,7 @@ from rcj_challenges.scenario.models.actions import Count, Emit, End, Remove, Sco
 from rcj_challenges.scenario.models.conditions import Condition, Distance, HalfIs, InZone, Looks, Speed
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.triggers import Holds, OnEvent, PhaseEntered, TimeReached, TimerExpired, Trigger
+from rcj_challenges.scenario.roster import row_of
 
 _WHOLE_FIELD = "pitch"
 _FOR_EVER = float("inf")
@@ -134,7 +135,7 @@ def _is_of_the_gone(way: Way, who: str, rule: Rule, subject: Subject) -> bool:
 def _is_negated_of(condition: Condition, who: str, rule: Rule, subject: Subject) -> bool:
     if not isinstance(condition, InZone | Speed | Distance | Looks) or not without_none(condition).negate:
         return False
-    names = (condition.entity,) if isinstance(condition.entity, str) else condition.entity
+    names = row_of(condition.entity)
     if len(names) != 1 or (names[0] != who and not (names[0] == EACH and rule.for_each is not None)):
         return False
     # "Not on the field" is how who is off is asked for.

@@ -20,7 +20,8 @@ from rcj_challenges.scenario.models.conditions import Distance
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import DistanceValue
 from rcj_challenges.scenario.models.triggers import Enters, HalfStarted, Leaves
-from rcj_challenges.scenario.outlines import Disc, Outline, Point, robot_outline
+from rcj_challenges.scenario.outlines import Part, disc, overlap, robot_outline
+from rcj_challenges.scenario.polygons import Point
 from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.tree import Path
 
@@ -113,16 +114,15 @@ def check_obstacles(subject: Subject) -> Iterator[Suspect]:
 
 
 def _are_one_in_the_other(first: Body, second: Body) -> bool:
-    if not first.outline.overlaps(second.outline):
+    if not overlap(first.parts, second.parts):
         return False
     return any(
-        _share(one, corners_of(other.outline.parts[0])) > _INSIDE_SHARE
-        for one, other in ((first, second), (second, first))
+        _share(one, corners_of(other.parts[0])) > _INSIDE_SHARE for one, other in ((first, second), (second, first))
     )
 
 
 def _share(obstacle: Body, window: Corners) -> float:
-    return share_in(corners_of(obstacle.outline.parts[0]), window)  # an obstacle has one part
+    return share_in(corners_of(obstacle.parts[0]), window)  # an obstacle has one part
 
 
 def check_entities(subject: Subject) -> Iterator[Suspect]:
@@ -180,6 +180,9 @@ def check_layouts(subject: Subject) -> Iterator[Suspect]:
             yield from room.check([(model, path)])
 
 
+_Parts = tuple[Part, ...]
+
+
 class _Room:
     """Where things may stand beside what certainly stands there."""
 
@@ -187,12 +190,12 @@ class _Room:
         self._subject = subject
         self._scenario = subject.scenario
         self._floor = Floor(self._scenario.field)
-        self._fixed = [body.outline for body in obstacle_bodies(self._scenario) if body.fixed]
+        self._fixed = [body.parts for body in obstacle_bodies(self._scenario) if body.fixed]
         self._spots = {name: (spot.x_m, spot.y_m) for name, spot in fixed_spots(self._scenario).items()}
 
     def check(self, placings: Sequence[tuple[places.Placing | Place, Path]]) -> Iterator[Suspect]:
         """Put one thing after the other where it certainly goes, and yield those that fit nowhere."""
-        standing: list[tuple[str, Outline]] = []
+        standing: list[tuple[str, _Parts]] = []
         for placing, path in placings:
             names = self._names(placing)
             found = self._points(placing)
@@ -208,7 +211,7 @@ class _Room:
                     yield no_room(path, problem, _REMEDY, placing)
                     break
                 if len(found) == 1:
-                    standing.append((name, self._outline(name, found[0], placing)))
+                    standing.append((name, self._parts(name, found[0], placing)))
 
     def _names(self, placing: places.Placing | Place) -> tuple[str, ...]:
         names = placing.entity
@@ -257,16 +260,16 @@ class _Room:
         return self._subject.roster.expand(name)
 
     def _try(
-        self, name: str, placing: places.Placing | Place, points: list[Point], standing: list[tuple[str, Outline]]
+        self, name: str, placing: places.Placing | Place, points: list[Point], standing: list[tuple[str, _Parts]]
     ) -> str | None:
         """Return why a thing fits on none of these points, or None if it fits on one."""
         in_wall, on_whom = 0, ""
         for point in points:
-            outline = self._outline(name, point, placing)
-            if not self._floor.holds(outline) or any(outline.overlaps(fixed) for fixed in self._fixed):
+            parts = self._parts(name, point, placing)
+            if not self._floor.holds(parts) or any(overlap(parts, fixed) for fixed in self._fixed):
                 in_wall += 1
                 continue
-            on_whom = next((other for other, there in standing if outline.overlaps(there)), "")
+            on_whom = next((other for other, there in standing if overlap(parts, there)), "")
             if not on_whom:
                 return None
         if in_wall == len(points):
@@ -274,19 +277,19 @@ class _Room:
         what = "action" if isinstance(placing, Place) else "layout"
         return f"'{name}' would stand on '{on_whom}', which this {what} places before it"
 
-    def _outline(self, name: str, point: Point, placing: places.Placing | Place) -> Outline:
+    def _parts(self, name: str, point: Point, placing: places.Placing | Place) -> _Parts:
         """Return what a thing covers at a point; of a robot that may look anywhere what it covers in any case."""
         scenario = self._scenario
         if name in scenario.balls:
-            return Outline((Disc(point, scenario.balls[name].radius_m),))
+            return disc(scenario.balls[name].radius_m).at((*point, 0.0))
         robot = scenario.robots.get(name)
         if robot is None:  # a movable obstacle keeps its own form; its smallest extent is enough here
-            return Outline((Disc(point, 0.005),))
+            return disc(0.005).at((*point, 0.0))
         chassis = scenario.kits[robot.kit].chassis
         yaw = robot.start.yaw_rad if placing.facing == "start" else placing.facing
         if not isinstance(yaw, int | float):
-            return Outline((Disc(point, chassis.size_m / 2),))
-        return robot_outline(chassis, *point, yaw)  # mirroring moves a robot and does not turn it
+            return disc(chassis.size_m / 2).at((*point, 0.0))
+        return robot_outline(chassis).at((*point, yaw))  # mirroring moves a robot and does not turn it
 
 
 def _is_spots(placing: places.Placing | Place) -> bool:

@@ -16,7 +16,7 @@ from rcj_challenges.scenario.models.state import CounterValue, DrawnDuration, Dr
 from rcj_challenges.scenario.other import meant_in
 from rcj_challenges.scenario.reading.merge import Repeated
 from rcj_challenges.scenario.references import REFERENCES, Field, Reference
-from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.roster import Roster, row_of
 from rcj_challenges.scenario.tree import Entries, Leaf, Mark, Path
 from rcj_challenges.scenario.visiting import visit
 
@@ -130,8 +130,7 @@ class Subject:
 
     def surely(self, names: str | tuple[str, ...], rule: Rule) -> frozenset[str]:
         """Return the same without what only a draw's name may stand for."""
-        listed = (names,) if isinstance(names, str) else names
-        return self.members(tuple(name for name in listed if name not in self.roster.drawn), rule)
+        return self.members(tuple(name for name in row_of(names) if name not in self.roster.drawn), rule)
 
     def moved(self, rule: Rule) -> frozenset[str]:
         """Return the entities that a rule may put elsewhere or take off."""

@@ -11,6 +11,7 @@ from rcj_challenges.scenario.models.conditions import LastTouch, Speed
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.models.state import LastTouchValue
 from rcj_challenges.scenario.models.triggers import OnEvent, Touches
+from rcj_challenges.scenario.roster import row_of
 
 _STILL_MPS = 0.05
 """Who asks for less means a ball that lies still; a touch makes it faster."""
@@ -104,15 +105,11 @@ def _surely_put(rule: Rule, subject: Subject) -> frozenset[str]:
     found: set[str] = set()
     for action in rule.actions:
         if isinstance(action, Place) and action.entity is not None:
-            found |= subject.surely(action.entity, rule) if rule.for_each is None else set(_names(action.entity))
+            found |= subject.surely(action.entity, rule) if rule.for_each is None else set(row_of(action.entity))
         elif isinstance(action, Place) and isinstance(action.layout, str):
             for placing in subject.scenario.placements.get(action.layout, ()):
                 found |= subject.surely(placing.entity, rule)
     return frozenset(found)
-
-
-def _names(names: str | tuple[str, ...]) -> tuple[str, ...]:
-    return (names,) if isinstance(names, str) else names
 
 
 def _is_of_another_touch(condition: LastTouch, rule: Rule, subject: Subject) -> bool:

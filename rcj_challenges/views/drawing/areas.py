@@ -22,7 +22,7 @@ from rcj_challenges.scenario.models.places import (
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import ToldValue
 from rcj_challenges.scenario.remembered import fixed_spots
-from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.roster import Roster, row_of
 from rcj_challenges.views.drawing.beside import layouts_of, listed_names, places_beside
 from rcj_challenges.views.drawing.flips import AS_WRITTEN, Flip, flipped, flips_of
 from rcj_challenges.views.drawing.labels import Point
@@ -181,9 +181,9 @@ def _options(at: At) -> tuple[str | Point, ...]:
         case AtSpot():
             return (at.spot,)
         case NearestFree():
-            return (at.nearest_free,) if isinstance(at.nearest_free, str) else at.nearest_free
+            return row_of(at.nearest_free)
         case FurthestFree():
-            return (at.furthest_free,) if isinstance(at.furthest_free, str) else at.furthest_free
+            return row_of(at.furthest_free)
     return ()
 
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 
-from rcj_challenges.referee.regions import distance_to_segment_m, region_of
+from rcj_challenges.referee.regions import region_of
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.places import CircleZone, Gate, Zone
+from rcj_challenges.scenario.polygons import distance_to_segment_m
 from rcj_challenges.views.drawing.labels import Box, Point
 from rcj_challenges.views.drawing.shapes import whole_outline
 

@@ -27,7 +27,7 @@ from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import DrawValue
 from rcj_challenges.scenario.other import written_others
 from rcj_challenges.scenario.remembered import fixed_spots
-from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.roster import Roster, row_of
 from rcj_challenges.scenario.starting import start_noise_m
 from rcj_challenges.views.drawing.flips import AS_WRITTEN, Flip, flipped
 from rcj_challenges.views.drawing.labels import Point
@@ -91,7 +91,7 @@ def layouts_of(scenario: Scenario, action: Place) -> list[str]:
 
 def listed_names(names: Names, rule: Rule | None = None) -> tuple[str, ...]:
     """Return names as a row, with what a rule goes over for ``each``, and what it finds touched for ``other``."""
-    listed = (names,) if isinstance(names, str) else names
+    listed = row_of(names)
     if rule is None:
         return listed
     bound = {EACH: (rule.for_each or "",), OTHER: written_others(rule)}

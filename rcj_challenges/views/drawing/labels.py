@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Generic, TypeVar
 
-from rcj_challenges.scenario.outlines import side
+from rcj_challenges.scenario.polygons import side
 
 Point = tuple[float, float]
 Box = tuple[float, float, float, float]

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.models.actions import Count
 from rcj_challenges.scenario.models.conditions import Distance, SpotFree
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import Bound, CounterValue
 from rcj_challenges.scenario.models.triggers import Displaced
-from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.roster import Roster, row_of, written_for
 from rcj_challenges.scenario.visiting import visit
 from rcj_challenges.views.drawing.labels import Point
 from rcj_challenges.views.drawing.shapes import point_words
@@ -61,8 +60,7 @@ def _of_rule(rule: Rule, scenario: Scenario, roster: Roster) -> Iterator[Reach]:
             for name, centre in _places(model.to, rule, scenario, roster):
                 yield from (Reach(radius_m, name, centre, counter) for radius_m, counter in bounds)
         elif isinstance(model, SpotFree) and model.clearance_m > 0:
-            names = (model.spot,) if isinstance(model.spot, str) else model.spot
-            for name, centre in (place for one in names for place in _places(one, rule, scenario, roster)):
+            for name, centre in (place for one in row_of(model.spot) for place in _places(one, rule, scenario, roster)):
                 yield Reach(model.clearance_m, name, centre)
         elif isinstance(model, Displaced) and not isinstance(model.from_, str) and model.axis == "distance":
             yield Reach(model.distance_m, "", model.from_)
@@ -83,7 +81,7 @@ def _places(to: str | Point, rule: Rule, scenario: Scenario, roster: Roster) -> 
     if not isinstance(to, str):
         yield "", to
         return
-    for name in roster.may_be(rule.for_each if to == EACH and rule.for_each else to):
+    for name in roster.may_be(written_for(to, rule.for_each)):
         if name in scenario.spots:
             spot = scenario.spots[name]
             yield name, (spot.x_m, spot.y_m)

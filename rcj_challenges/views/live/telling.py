@@ -26,7 +26,7 @@ from rcj_challenges.views.live.feed import Feed, poses, said
 from rcj_challenges.views.live.pace import Pace
 from rcj_challenges.views.live.senses import HalfSenses
 from rcj_challenges.views.naming import changes_sides, told_apart
-from rcj_challenges.views.replay.packing import FINEST_M, rounded_poses, start_pose, units
+from rcj_challenges.views.replay.packing import FINEST_M, put_at_start, rounded_poses, units
 from rcj_challenges.views.replay.story import Story, Teller
 from rcj_challenges.views.replay.things import visible_things
 from rcj_challenges.views.standing import Counting
@@ -166,9 +166,7 @@ class LiveWatcher(Silent):
         numbers = np.frombuffer(b"".join([row for _, row, _ in batch]), "<f4").reshape(len(batch), -1)
         judged = numbers[:, : 3 * entities].reshape(-1, entities, 3).copy()
         if first == 0 and start is not None:
-            for placement in start[1].placements:  # the start is shown as the first tick finds it
-                if placement.entity < entities:
-                    judged[0, placement.entity] = start_pose(placement)
+            put_at_start(judged[0], start[1].placements)  # the start is shown as the first tick finds it
         heights, uprights = numbers[:, 3 * entities : 4 * entities], numbers[:, 4 * entities :]
         channels = rounded_poses(judged, heights, uprights, self._unit_m)
         rows = np.stack(list(channels.values()), axis=1).astype("<i2").tobytes()

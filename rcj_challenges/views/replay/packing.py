@@ -9,14 +9,14 @@ from __future__ import annotations
 import base64
 import math
 import zlib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from rcj_challenges.facts.play import Placement, Snapshot
+from rcj_challenges.facts.play import Placement
 from rcj_challenges.records.trajectory import HalfTrack
 
 FINEST_M = 1e-4
@@ -92,9 +92,16 @@ def rounded_poses(judged: Array, heights: Array, uprights: Array, unit_m: float)
         }
 
 
-def start_pose(placement: Placement) -> tuple[float, float, float]:
-    """Return the pose (m, rad) that is shown of what was placed before tick 1: at the edge if it was taken off."""
-    return (math.inf, 0.0, 0.0) if placement.parked else (placement.x_m, placement.y_m, placement.yaw_rad)
+def put_at_start(poses: Array, placements: Iterable[Placement]) -> None:
+    """Put what was placed before tick 1 where it is shown in frame 0: beyond the edge if it was taken off.
+
+    Args:
+        poses: by entity x and y in m, yaw in rad; written to.
+        placements: of tick 0.
+    """
+    for placement in placements:
+        off = (math.inf, 0.0, 0.0)
+        poses[placement.entity] = off if placement.parked else (placement.x_m, placement.y_m, placement.yaw_rad)
 
 
 def units(unit_m: float) -> dict[str, float]:
@@ -135,11 +142,5 @@ def _start(half: HalfTrack) -> tuple[Array, Array, Array]:
     if first is None:
         return np.zeros((entities, 3)), np.zeros(entities), np.ones(entities)
     poses = np.array(first.substeps[-1], dtype=np.float64)
-    for placement in half.placements.get(0, ()):
-        _place(poses, placement, first)
+    put_at_start(poses, half.placements.get(0, ()))
     return poses, np.array(first.heights), np.array(first.uprights)
-
-
-def _place(poses: Array, placement: Placement, first: Snapshot) -> None:
-    if placement.entity < len(first.heights):
-        poses[placement.entity] = start_pose(placement)

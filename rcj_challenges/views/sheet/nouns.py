@@ -7,16 +7,14 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from rcj_challenges.facts.measures import measure_words
-from rcj_challenges.scenario.catalogue import BOUND, EACH, OTHER
-from rcj_challenges.scenario.models.base import Scalar
+from rcj_challenges.scenario.catalogue import BOUND, OTHER
+from rcj_challenges.scenario.models.base import Names, Scalar
 from rcj_challenges.scenario.models.conditions import AtLeast
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.other import names_other, others_of
-from rcj_challenges.scenario.roster import WALLS, Roster
+from rcj_challenges.scenario.roster import WALLS, Roster, row_of, written_for
 from rcj_challenges.scenario.set_draws import set_from_the_start
 from rcj_challenges.views.sheet.absent import taken_off
-
-Names = str | tuple[str, ...]
 
 _MEASURED = {
     "displaced": "the distance in m by which it was displaced",
@@ -152,8 +150,7 @@ class Nouns:
 
     def stands_fast(self, names: Names) -> bool:
         """Return whether names stand for nothing but fixed obstacles; ``each`` is what the rule goes over."""
-        meant = [self.each if name == EACH and self.each is not None else name for name in _tuple(names)]
-        members = self.roster.expand(tuple(meant))
+        members = self.roster.expand(written_for(names, self.each))
         return all(name in self.scenario.obstacles and name not in self.roster.entities for name in members)
 
     def one_kind(self, names: Names) -> str:
@@ -209,11 +206,11 @@ class Nouns:
     def any_of(self, names: Names) -> str:
         """Return the one of several that a rule is about: ``one of the robots``, ``Y1 or Y2``."""
         return listed([f"one of {self._group(name)}" if self._several(name) else self._one(name)
-                       for name in _tuple(names)], "or")  # fmt: skip
+                       for name in row_of(names)], "or")  # fmt: skip
 
     def another_of(self, names: Names, than: Names) -> str:
         """Return the one of several that somebody else meets: ``another of the robots``, if that is a robot as well."""
-        group, first = _tuple(names), {member for name in _tuple(than) for member in self.meant(name)}
+        group, first = row_of(names), {member for name in row_of(than) for member in self.meant(name)}
         if len(group) > 1 or not first or not first <= set(self.meant(group[0])) or not self._several(group[0]):
             return self.any_of(names)
         same = first == set(self.meant(group[0]))
@@ -221,8 +218,8 @@ class Nouns:
 
     def all_of(self, names: Names) -> Subject:
         """Return several together: ``the blue robots and Y3``, which is plural."""
-        parts = [self._group(name) if self._several(name) else self._one(name) for name in _tuple(names)]
-        return Subject(listed(parts, "and"), plural=len(parts) > 1 or self._several(_tuple(names)[0]))
+        parts = [self._group(name) if self._several(name) else self._one(name) for name in row_of(names)]
+        return Subject(listed(parts, "and"), plural=len(parts) > 1 or self._several(row_of(names)[0]))
 
     def each_of(self, names: str) -> str:
         """Return what a rule goes over: ``each of the robots``; of a group of one its only member."""
@@ -255,7 +252,7 @@ class Nouns:
         return not self._all_meant(names).isdisjoint(taken_off(self.scenario, self.roster))
 
     def _all_meant(self, names: Any) -> set[str]:
-        return {one for name in _tuple(names) for one in self.meant(name)} if names is not None else set()
+        return {one for name in row_of(names) for one in self.meant(name)} if names is not None else set()
 
     def _of_two(self, of: str, names: Names, *, negate: bool) -> Subject:
         """Return how many of two single things must do something: ``both the ball and Y1``, ``neither Y1 nor Y2``."""
@@ -300,7 +297,7 @@ class Nouns:
         """Return the names for which a name may stand; none for a point."""
         if not isinstance(at, str):
             return ()
-        return self.roster.may_be(self.each if at == EACH and self.each is not None else at)
+        return self.roster.may_be(written_for(at, self.each))
 
     def owned(self, what: str, names: Names, name: str = "") -> str:
         """Return what belongs to one of several: ``its program``, ``the timer “rest” of one of the robots``."""
@@ -374,10 +371,6 @@ class Nouns:
             article = "" if first == "the" else "the "
             return f"{article}{plain(name)}" if said else f"the {kind}s {quoted(name)}"
         return f"the {plain(name)}" if name in _GROUPS_OF_ALL else f"the {plain(name)} robots"
-
-
-def _tuple(names: Names) -> tuple[str, ...]:
-    return (names,) if isinstance(names, str) else names
 
 
 def _kind(scenario: Scenario, name: str) -> str:

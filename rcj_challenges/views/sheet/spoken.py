@@ -10,6 +10,7 @@ from rcj_challenges.scenario.blanks import partly_filled
 from rcj_challenges.scenario.followed import heard
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.other import has_other, others_of, written_others
+from rcj_challenges.scenario.roster import row_of
 from rcj_challenges.views.sheet.nouns import Nouns, plain
 from rcj_challenges.views.sheet.phrases import number
 
@@ -218,4 +219,4 @@ def _of_trigger(nouns: Nouns, trigger: Any) -> tuple[str, ...]:
             names = per if per is not None and _is_on_the_field(nouns, per) else None
         case "holds" if trigger.condition.condition in _OF_ITS_PLACE:
             names = trigger.condition.entity
-    return () if names is None else (names,) if isinstance(names, str) else names
+    return () if names is None else row_of(names)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.models.actions import Score
+from rcj_challenges.scenario.models.base import Names
 from rcj_challenges.scenario.models.field import FieldModel
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.triggers import Enters
-from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.roster import Roster, written_for
 
 _AT_THE_END = 0.9
 """A zone is at an end of the field if its middle is beyond this share of the way from the centre to the end line."""
@@ -67,10 +67,8 @@ def _ends_entered(rule: Rule, scenario: Scenario, roster: Roster) -> set[int]:
     return ends
 
 
-def _members(names: str | tuple[str, ...], rule: Rule, roster: Roster) -> list[str]:
-    every = (names,) if isinstance(names, str) else names
-    meant = (rule.for_each if name == EACH and rule.for_each is not None else name for name in every)
-    return [member for name in meant for member in roster.may_be(name)]
+def _members(names: Names, rule: Rule, roster: Roster) -> tuple[str, ...]:
+    return roster.may_be(written_for(names, rule.for_each))
 
 
 def _middle_y(zone: Zone, field: FieldModel) -> float:

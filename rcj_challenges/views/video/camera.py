@@ -25,12 +25,10 @@ class Camera:
         kind: ``field`` (all of it, from a raised seat; from above where nothing is solid), ``top``, ``side``,
             ``behind`` or ``follow-ball``.
         entity: index of the robot or ball that is followed, -1: none.
-        name: as the user wrote it.
     """
 
     kind: str
     entity: int
-    name: str
 
     @classmethod
     def named(cls, name: str, roster: Roster) -> Camera:
@@ -47,15 +45,15 @@ class Camera:
                     f"--camera {name[:60]}: there is no robot {robot[:40]!r}{_near(robot, robots)}; "
                     f"robots are {', '.join(robots)}"
                 )
-            return cls("behind", roster.entities.index(robot), name)
+            return cls("behind", roster.entities.index(robot))
         if name not in KINDS:
             listed = ", ".join((*KINDS, f"behind:{robots[0]}" if robots else "behind:ROBOT"))
             raise VideoError(f"--camera {name[:60]!r} is unknown{_near(name, (*KINDS, 'behind:'))}; there are {listed}")
         if name == "follow-ball":
             if not roster.balls:
                 raise VideoError("--camera follow-ball: this scenario has no ball")
-            return cls(name, roster.robots, name)
-        return cls(name, -1, name)
+            return cls(name, roster.robots)
+        return cls(name, -1)
 
     def target(self, half: HalfFootage, t_s: float) -> tuple[float, float]:
         """Return the point of the field that it looks at: the middle, or near what it follows."""

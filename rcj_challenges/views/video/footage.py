@@ -25,7 +25,7 @@ from rcj_challenges.records.upgrades import read_scenario
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.naming import changes_sides, titles, told_apart
-from rcj_challenges.views.replay.packing import PARKED_BEYOND_M
+from rcj_challenges.views.replay.packing import PARKED_BEYOND_M, put_at_start
 from rcj_challenges.views.replay.story import Story, tell
 from rcj_challenges.views.replay.things import visible_things
 from rcj_challenges.views.standing import counted_line, shows_score
@@ -66,7 +66,7 @@ class HalfFootage:
             samples=np.concatenate([poses[None], track.substeps.reshape(-1, entities, 3)]),
             heights=np.concatenate([heights[None], track.heights]),
             jumps={
-                tick: tuple({placement.entity for placement in placements if placement.entity < entities})
+                tick: tuple({placement.entity for placement in placements})
                 for tick, placements in track.placements.items()
                 if tick
             },
@@ -130,7 +130,6 @@ class Footage:
     """All of a run that can be shown.
 
     Attributes:
-        name: of the record's folder.
         scenario, roster: what was played.
         things: what of it can be seen, as the replay page has it.
         halves: those with at least one tick.
@@ -139,7 +138,6 @@ class Footage:
         warnings: what is missing or damaged, a sentence each.
     """
 
-    name: str
     scenario: Scenario
     roster: Roster
     things: Mapping[str, Any]
@@ -171,7 +169,6 @@ class Footage:
         for event in story.events:
             events.setdefault(event["half"], []).append(event)
         return cls(
-            name=folder.name,
             scenario=scenario,
             roster=Roster.of(scenario),
             things=visible_things(scenario),
@@ -240,11 +237,8 @@ def _start(track: HalfTrack) -> tuple[npt.NDArray[np.float32], npt.NDArray[np.fl
     if track.start is None:
         return track.substeps[0, 0].astype(np.float32), track.heights[0].astype(np.float32)
     poses = np.array(track.start.substeps[-1], np.float32)
-    for placement in track.placements.get(0, ()):
-        if placement.entity < len(poses):
-            poses[placement.entity] = (placement.x_m, placement.y_m, placement.yaw_rad)
-            if placement.parked:
-                poses[placement.entity] = np.nan
+    put_at_start(poses, track.placements.get(0, ()))
+    poses[np.isinf(poses[:, 0])] = np.nan  # between it and a place on the field there is nothing
     return poses, np.array(track.start.heights, np.float32)
 
 

@@ -39,6 +39,7 @@ from tests.hostile.archives.making import (
     sound_with,
     below,
     without,
+    damaged_table,
     member_with,
     named,
     logo,
@@ -323,6 +324,11 @@ HOSTILE: dict[str, Case] = {
     "bytes_after_the_archive": Case(
         lambda: plain(SOUND) + noise(300), "archive.trailing", "warning", "300 bytes follow", repair=True
     ),
+    "one_byte_after": Case(lambda: plain(SOUND) + b"x", "archive.trailing", "warning", "1 byte follows", repair=True),
+    "one_byte_before": Case(lambda: sound_before(b"x"), "archive.prepended", "warning", "1 byte stands", repair=True),
+    "one_entry": Case(lambda: pack(with_folders(SOUND), count=1), "archive.headers", "warning", "1 entry,", repair=True),
+    "table_of_contents_damaged": Case(damaged_table, "archive.damaged", says="is damaged after 1 entry"),
+    "member_of_one_byte": Case(lambda: member_with(content=b"x", size=9), "archive.damaged", says="has 1 byte where"),
     "part_of_several": Case(lambda: pack(with_folders(SOUND), disk=2), "archive.split", says="several parts"),
     "member_on_another_disk": Case(lambda: member_with(disk=3), "archive.split", says="several parts"),
     "zip64_with_lies": Case(
@@ -467,6 +473,9 @@ FINE: dict[str, Callable[[], bytes]] = {
     "with_a_logo": lambda: logo(pictures.png(1024, 1024)),
     "with_a_comment": lambda: pack(with_folders(SOUND), comment=b"made by hand PK\5\6"),
     "with_zip64_records": lambda: pack(with_folders(SOUND), zip64=True),
+    "with_a_zip64_size_behind_a_time": lambda: member_with(
+        size=0xFFFFFFFF, local_size=280, extra=b"UT\x05\0\1time" + b"\1\0\x08\0" + (280).to_bytes(8, "little")
+    ),
     "with_sizes_after_the_content": lambda: pack(
         [Member(m.name, m.content, flags=SIZES_FOLLOW) if m.content else m for m in with_folders(SOUND)]
     ),

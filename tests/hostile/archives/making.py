@@ -42,6 +42,12 @@ def member_with(**lies: object) -> bytes:
     return pack([*with_folders(SOUND), Member(**({"name": "more.txt", "content": b"more and more " * 20} | lies))])
 
 
+def damaged_table() -> bytes:
+    """Return an archive whose table of contents has a second entry that begins as none does."""
+    before, first, *others = plain(SOUND).split(b"PK\1\2")
+    return b"PK\1\2".join([before, first + b"PK\1\3" + others[0], *others[1:]])
+
+
 def named(content: bytes, name: str = "team_name.txt") -> bytes:
     return plain(without(SOUND, "team_name.txt") | {name: content})
 
