@@ -95,3 +95,24 @@ def test_a_program_of_2021_that_reads_without_asking_waits_for_the_first_packet(
     assert {fault["robot"] for fault in run.result["faults"]} == {"Y1", "Y2", "Y3"}
     assert "first 0" in run.log("Y1")
     assert "getData was called with an empty queue" in run.log("Y1")
+
+
+READS_WITHIN_A_STEP = """
+from controller import Robot
+robot = Robot()
+receiver = robot.getDevice("receiver")
+receiver.enable(64)
+while True:
+    robot.stepBegin(64)
+    receiver.getData()
+    robot.stepEnd()
+"""
+
+
+def test_between_step_begin_and_step_end_no_time_can_pass_until_the_first_packet(play, team_folder):
+    run = play(
+        "match.half_s=1", "match.halves=1", scenario="match_2021", blue=team_folder(READS_WITHIN_A_STEP),
+    )  # fmt: skip
+    assert "getData was called with an empty queue" in run.log("B1")
+    assert "waits for it" not in run.log("B1")
+    assert "step was called between" not in run.log("B1")

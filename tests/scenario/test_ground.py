@@ -164,8 +164,9 @@ def test_a_turned_box_covers_other_ground():
     assert complaints(obstacle(long_box + ", yaw_rad: 1.5707963"))
 
 
-def test_a_wall_of_no_length_overlaps_nothing_and_is_told_once():
-    (complaint,) = complaints(obstacle("shape: wall, from_m: [0, 0], to_m: [0, 0]"))  # where the ball lies
+@pytest.mark.parametrize("end", ["[0, 0]", "[0, 1.0e-200]"])
+def test_a_wall_of_no_length_overlaps_nothing_and_is_told_once(end):
+    (complaint,) = complaints(obstacle(f"shape: wall, from_m: [0, 0], to_m: {end}"))  # where the ball lies
     assert "both ends are at one point" in complaint
 
 

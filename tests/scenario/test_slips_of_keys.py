@@ -15,6 +15,8 @@ CONDITION = "    conditions: [%s]\n"
     [
         ("zones: {a: {shape: circle, centre_m: [0, 0], radius_cm: 10}}\n", "'radius_m' here, in m: 0.1"),
         ("zones: {a: {shape: circle, centre_m: [0, 0], radius_mm: 150}}\n", "'radius_m' here, in m: 0.15"),
+        ("zones: {a: {shape: circle, centre_m: [0, 0], radius_mm: 0.04}}\n", "'radius_m' here, in m: 0.00004"),
+        ("zones: {a: {shape: circle, centre_m: [0, 0], radius_mm: 1234567}}\n", "'radius_m' here, in m: 1234.567"),
         ("match: {half_min: 5}\n", "'half_s' here, in s: 300"),
         ("match: {half_ms: 5000}\n", "'half_s' here, in s: 5"),
         ("robots: {Y1: {start: {x_m: 0, y_m: 0, yaw_deg: 90}}}\n", "'yaw_rad' here, in rad: 1.5708"),
@@ -213,6 +215,7 @@ def test_three_whole_numbers_for_a_point():
     [
         ("{param: long_s, minus: 0.1}", "; what is taken off is a plus below 0: plus: -0.1"),
         ("{param: long_s, subtract: 3}", "; what is taken off is a plus below 0: plus: -3"),
+        ("{param: long_s, minus: 1234567.5}", "; what is taken off is a plus below 0: plus: -1234567.5"),
         ("{param: long_s, divided_by: 4}", "; it is divided by times: 0.25"),
         ("{param: long_s, add: 3}", "; did you mean 'plus'?"),
     ],

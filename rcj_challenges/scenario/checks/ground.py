@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from math import dist
 
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.models.field import FieldModel, Obstacle, Wall
@@ -67,7 +68,7 @@ def _zone(zone: Zone, path: Path) -> Iterator[Found]:
 
 
 def _is_a_point(obstacle: Obstacle) -> bool:
-    return isinstance(obstacle, Wall) and obstacle.from_m == obstacle.to_m
+    return isinstance(obstacle, Wall) and dist(obstacle.from_m, obstacle.to_m) <= TOUCHING_M
 
 
 def _is_bounded(zone: Zone) -> bool:

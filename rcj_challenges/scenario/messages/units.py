@@ -6,6 +6,7 @@ from collections.abc import Collection
 from math import pi
 
 from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.measures import number_words
 from rcj_challenges.scenario.tree import Leaf, Node
 
 _IN: dict[str, dict[str, float]] = {
@@ -16,6 +17,9 @@ _IN: dict[str, dict[str, float]] = {
     "mps": {"cmps": 0.01, "mmps": 0.001, "kmh": 1 / 3.6},
 }
 """By the unit of a key, other units, and how much of it one of them is."""
+_DECIMALS = 9  # to so many numbers are exact
+_ROUNDED_TO = {"rad": 4, "mps": 4}
+"""Decimals of what is seldom a number of few digits."""
 
 
 def for_unit(key: str, node: Node | None, allowed: Collection[str]) -> str:
@@ -33,6 +37,6 @@ def for_unit(key: str, node: Node | None, allowed: Collection[str]) -> str:
         value = node.value if isinstance(node, Leaf) and not node.param else None
         if isinstance(value, bool) or not isinstance(value, int | float):
             return f"; it is called '{stem}_{unit}' here, in {unit}"
-        amount = on_paper(value * others[written.casefold()])
-        return f"; it is called '{stem}_{unit}' here, in {unit}: {round(amount, 4):g}"
+        amount = number_words(on_paper(value * others[written.casefold()]), _ROUNDED_TO.get(unit, _DECIMALS))
+        return f"; it is called '{stem}_{unit}' here, in {unit}: {amount}"
     return ""

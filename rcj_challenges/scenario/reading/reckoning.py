@@ -9,6 +9,7 @@ from decimal import Context
 from math import isfinite
 
 from rcj_challenges.facts.amounts import on_paper, plain
+from rcj_challenges.facts.measures import number_words
 from rcj_challenges.scenario.errors import nearest
 from rcj_challenges.scenario.messages.wording import expected, found_text
 from rcj_challenges.scenario.reading.yaml_strict import INT_LIMIT
@@ -18,6 +19,7 @@ TIMES, PLUS = "times", "plus"
 KEYS = ("param", TIMES, PLUS)
 _ON_PAPER = Context(prec=60)
 """More digits than a product of two numbers of a file has, so that only the result is rounded, to a float."""
+_DECIMALS = 9  # to so many what is written on paper is exact
 _EXACT = 2**53
 """Up to here each whole number is a float."""
 _INSTEAD = {"weight": TIMES, "factor": TIMES, "add": PLUS, "offset": PLUS}
@@ -102,7 +104,8 @@ def _other_way_round(key: str, node: Node) -> str:
     """Return what takes off or divides as plus and times; empty: the key is for something else."""
     number = node.value if isinstance(node, Leaf) and not isinstance(node.value, bool | str) else None
     if key in ("minus", "subtract"):
-        return "; what is taken off is a plus below 0" + ("" if number is None else f": plus: {on_paper(-number):g}")
+        amount = "" if number is None else f": plus: {number_words(on_paper(-number), _DECIMALS)}"
+        return f"; what is taken off is a plus below 0{amount}"
     if key in ("divide", "divided_by", "over") and number:
         return f"; it is divided by times: {on_paper(1 / number):g}"
     return ""

@@ -290,6 +290,10 @@ class Hub:
             self._begun_ms = duration_ms
             self._has_others = True  # the exchange is to look here for its request
 
+    def is_within_step(self) -> bool:
+        """Return whether a step was begun that has not ended: until then no other can be taken."""
+        return self._begun is not None
+
     def end(self) -> bool:
         """Take the step that `begin` began. What was set since then acts in the next one. Returns False at the end."""
         with self._turn:

@@ -156,9 +156,9 @@ class Receiver(Sensor):
 
         Programs that read without asking were usual in 2021, and lived.
         """
-        if type(self._rcj_queue) is _NotListening:
-            return
         hub = self._rcj_hub
+        if type(self._rcj_queue) is _NotListening or hub.is_within_step():
+            return
         # Up to the second step: robots of 2021 step two ticks, and that often their receivers deliver.
         until = self._rcj_silent_ticks + min(self._rcj_silent_ticks, 2)
         wait_ms = (until - hub.tick) * hub.tick_ms
