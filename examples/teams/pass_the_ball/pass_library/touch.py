@@ -2,7 +2,7 @@
 
 The face of the robot is flat. A blow changes the ball's speed only at right angles to the face; along the face it
 goes on as it came. Measured, for a robot at full speed: whatever the ball did before, it leaves the face with about
-0.23 m/s at right angles to it, and keeps about 0.89 of its speed along it.
+0.25 m/s at right angles to it, and keeps about 0.89 of its speed along it.
 
 So if our face looks into the right direction, one touch is enough for a pass. The ball need not be stopped, and it
 becomes faster than any ball that was hit at rest: 0.3 m/s.
@@ -10,7 +10,7 @@ becomes faster than any ball that was hit at rest: 0.3 m/s.
 
 import math
 
-AWAY = 0.23  # m/s
+AWAY = 0.25  # m/s
 KEEPS = 0.89
 
 
