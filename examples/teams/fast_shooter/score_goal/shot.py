@@ -77,13 +77,14 @@ def time_to(position, heading, point, end_heading):
 def best_shot(position, heading, ball, aims=AIMS):
     """The quickest shot, or None if there is none (the ball lies at a wall)."""
     best = None
+    stay_off = min(CORNER + BALL_RADIUS, math.dist(position, ball)) - 0.001
     for aim in aims:
         direction = direction_of(ball, aim)
         for run_up in RUN_UPS:
             point = point_at(ball, direction + math.pi, TOUCHING + run_up)
             if math.dist(point, ball) < CORNER + BALL_RADIUS + ROOM or not is_free(point):
                 continue  # no room to turn there
-            if distance_to_segment(ball, position, point) < min(CORNER + BALL_RADIUS, math.dist(position, ball)) - 0.001:
+            if distance_to_segment(ball, position, point) < stay_off:
                 continue  # the ball is in our way
             for gear in (1, -1):
                 end_heading = direction if gear > 0 else direction + math.pi

@@ -72,11 +72,12 @@ def best_shot(position, heading, ball, target, can_stand):
     """The quickest shot at a target, or None if there is none (we cannot stand behind the ball)."""
     best = None
     direction = direction_of(ball, target)
+    stay_off = min(CORNER + BALL_RADIUS, math.dist(position, ball)) - 0.001
     for run_up in RUN_UPS:
         point = point_at(ball, direction + math.pi, TOUCHING + run_up)
         if math.dist(point, ball) < CORNER + BALL_RADIUS + ROOM or not can_stand(point):
             continue  # no room to turn there
-        if distance_to_segment(ball, position, point) < min(CORNER + BALL_RADIUS, math.dist(position, ball)) - 0.001:
+        if distance_to_segment(ball, position, point) < stay_off:
             continue  # the ball is in our way
         for gear in (1, -1):
             end_heading = direction if gear > 0 else direction + math.pi
