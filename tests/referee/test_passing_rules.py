@@ -11,7 +11,7 @@ import pytest
 from rcj_challenges.referee.script import ScriptedPlay
 from rcj_challenges.scenario.load import load
 
-TICK_OF_A_FAST_BALL_M = 0.0077  # 0.24 m/s
+TICK_OF_A_BALL_M = 0.0077  # 0.24 m/s
 QUARTER_OF = {"Y1": 1, "Y2": 2, "B2": 3, "B1": 4}
 CENTRES = {1: (-0.3, -0.4), 2: (0.3, -0.4), 3: (0.3, 0.4), 4: (-0.3, 0.4)}
 _BY_SIGNS = {(False, False): 1, (True, False): 2, (True, True): 3, (False, True): 4}
@@ -84,7 +84,7 @@ def towards(here: tuple[float, float], aim: tuple[float, float], step_m: float) 
     return (x, max(-0.73, min(0.73, y)) if abs(x) > 0.2 else y)
 
 
-@pytest.mark.parametrize("step_m", [TICK_OF_A_FAST_BALL_M, 0.04])
+@pytest.mark.parametrize("step_m", [TICK_OF_A_BALL_M, 0.04])
 @pytest.mark.parametrize("seed", [4, 5, 9])
 def test_bounds_are_judged_before_goals_and_goals_before_passes(seed, step_m):
     loaded = load("pass_the_ball")

@@ -76,6 +76,7 @@ def test_programs_of_2022_and_2023_play_together(play_teams):
     assert "Ende für B2" in log
     assert "Höhe" in log or "kein Ball…" in log
     # It prints time, heading, free room and the wheel's angle: the wheel turned, so its properties reach the motor.
+    # In the second half the other team drives Y1.
     _, first_half, _ = played.log("Y1").split("--- half")
     wheel_angles = {line.split()[3] for line in first_half.splitlines()[1:]}
     assert len(wheel_angles) > 10

@@ -66,12 +66,13 @@ def test_a_ball_that_starts_sliding_loses_two_sevenths_of_its_speed():
 
 
 @pytest.mark.parametrize("gap_mm", [0.0, 0.3, 0.7, 1.1, 1.5, 2.3, 4.9])
-def test_a_hit_at_full_speed_sends_a_resting_ball_off_at_24_cm_a_second(gap_mm):
+def test_a_hit_at_full_speed_sends_a_resting_ball_off_at_26_cm_a_second(gap_mm):
     stage = ball_stage(0.1 + gap_mm / 1000, 0.0)
     stage.put("B1", -0.1, 0.0)
     stage.drive("B1", FULL, FULL)
     stage.play(1.2)
-    assert stage.velocity("ball")[0] == pytest.approx(0.24, rel=0.10)
+    assert stage.velocity("ball")[0] == pytest.approx(0.24, rel=0.10)  # the reference's figure …
+    assert stage.velocity("ball")[0] == pytest.approx(0.258, abs=0.004)  # … and ours (ADR 28)
     assert stage.velocity("ball")[1] == pytest.approx(0.0, abs=0.01)
 
 
@@ -88,7 +89,7 @@ def test_a_hit_sends_the_ball_off_equally_fast_in_all_directions(gap_mm):
         vx, vy, _ = stage.velocity("ball")
         speeds.append(math.hypot(vx, vy))
         assert math.remainder(math.atan2(vy, vx) - yaw, math.tau) == pytest.approx(0, abs=0.002)
-    assert max(speeds) < 1.015 * min(speeds)  # 1.012: floor and face share the pyramid of friction (ADR 28)
+    assert max(speeds) < 1.015 * min(speeds)  # 1.012 (ADR 28)
 
 
 def test_a_hit_with_the_side_of_a_wheel_moves_the_ball_too():
@@ -113,13 +114,20 @@ def test_a_robot_drives_on_behind_a_ball_that_it_hits_again_and_again():
 
 
 def share_given_back(stage: Stage, speed: float) -> float:
-    """Roll the ball at the wall at +x; returns its highest speed away from it (rolling, it loses some of it later)."""
+    """Roll the ball at what lies at +x; returns its highest speed away from it (rolling, it loses some of it later)."""
     stage.roll("ball", speed, 0.0)
     fastest = 0.0
     for _ in range(8 + int(0.16 / speed / 0.032)):
         stage.play()
         fastest = max(fastest, -stage.velocity("ball")[0])
     return fastest / speed
+
+
+def test_a_slow_ball_gets_back_half_of_its_speed_from_a_robot_that_stands():
+    stage = ball_stage(0.0, 0.0)
+    stage.put("B1", 0.1 + 0.0375, 0.0)
+    # A faster one gets back less, because the robot gives way (ADR 28).
+    assert share_given_back(stage, 0.1) == pytest.approx(0.5, abs=0.06)
 
 
 @pytest.mark.parametrize("what", ["B1", "second"])

@@ -198,7 +198,7 @@ def test_the_ball_does_not_move_a_braked_robot():
     stage.put("ball", 0.0, 0.0)
     stage.roll("ball", -0.5, 0.0)
     stage.play(2)
-    # At twice the speed of any hit its blow is more than grip can hold within one sub-step.
+    # Twice as fast as a ball that was hit at rest: its blow is more than grip can hold within one sub-step.
     assert stage.pose("B1")[0] == pytest.approx(-0.4, abs=1.5e-3)
 
 

@@ -1,7 +1,7 @@
 """Merry Go Round: the robots that solve "The ball passing machines". This is the program of Y1 and Y2.
 
 The idea: the ball never stops. Each robot hits it while it rolls, like in table tennis: the face looks into the right
-direction, and one blow at full speed sends the ball to the next robot. A round takes little more than five seconds.
+direction, and one blow at full speed sends the ball to the next robot. A round takes little more than four seconds.
 
 All four robots run the same program. It lies in the folder `pass_library`, beside ours:
 

@@ -21,7 +21,7 @@ ROBOTS = ["B1", "B2", "Y1", "Y2"]  # as the packet lists them
 PACKET_TIME = 0.064  # s from packet to packet
 JUMP = 0.05  # m from packet to packet; what goes further was put there by the referee
 
-USUAL_SPEED = 0.32  # m/s of a pass
+USUAL_SPEED = 0.32  # m/s of a pass; only for where to wait
 RUN_UP = 0.05  # m
 STARTS = 0.03  # s that we lose while we get to full speed
 FOLLOWS = 0.12  # s that we drive on after the touch: the ball is hit more than once

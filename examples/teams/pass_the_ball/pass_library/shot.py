@@ -22,8 +22,8 @@ from pass_library.field import (
     wrap,
 )
 
-# How much room there is between our face and the ball after the last turn.
-RUN_UPS = [0.003 + 0.0015 * i for i in range(16)]
+# How much room there is between our face and the ball after the last turn: with less our corners would touch it.
+RUN_UPS = [0.018 + 0.0015 * i for i in range(6)]
 
 # How far we stay off the ball until we hit it.
 ROOM = 0.0003

@@ -1,11 +1,12 @@
 """How to hit a rolling ball so that it goes where we want.
 
 The face of the robot is flat. A blow changes the ball's speed only at right angles to the face; along the face it
-goes on as it came. Measured, for a robot at full speed: whatever the ball did before, it leaves the face with about
-0.25 m/s at right angles to it, and keeps about 0.89 of its speed along it.
+goes on as it came. For a robot at full speed: whatever the ball did before, it leaves the face with about 0.25 m/s at
+right angles to it, and keeps about 0.89 of its speed along it. (Measured it is 0.26 to 0.28 and 0.82 to 1, by how the ball
+comes. With these two numbers the passes went best.)
 
 So if our face looks into the right direction, one touch is enough for a pass. The ball need not be stopped, and it
-becomes faster than any ball that was hit at rest: 0.3 m/s.
+becomes faster than any ball that was hit at rest: up to 0.37 m/s.
 """
 
 import math
