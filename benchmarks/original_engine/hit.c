@@ -1,13 +1,13 @@
 /* How fast a ball leaves a robot at full speed in the original's kind of engine (ADR 28).
  *
  * The original computes with the Open Dynamics Engine (ODE) in one step of 32 ms. This builds its robot, ball and floor
- * in ODE from the numbers of ADR 2 and 28 alone, and prints what can be compared: how they rest, how the robot starts,
+ * in ODE from the numbers that ADR 28 lists, and prints what can be compared: how they rest, how the robot starts,
  * and how fast the ball leaves a hit, for several places on the face and 32 moments within a step.
  *
  *     apt install gcc pkg-config libode-dev
- *     gcc -O2 $(pkg-config --cflags ode) benchmarks/original_engine/hit.c -o hit $(pkg-config --libs ode) -lm && ./hit
+ *     gcc -O2 $(pkg-config --cflags ode) benchmarks/original_engine/hit.c -o /tmp/hit $(pkg-config --libs ode) -lm && /tmp/hit
  *
- * Metres, seconds, kilograms, radians; the robot looks along +x.
+ * Metres, seconds, kilograms, radians, also in what it prints; the robot looks along +x.
  */
 #include <math.h>
 #include <ode/ode.h>
