@@ -164,6 +164,11 @@ class Program:
                 raise HostError(f"the program of {self.name} cannot be started here: {told_of(error)}") from error
             self._fail("start", f"the program could not be started: {one_line(told_of(error))}")
 
+    def rouse(self) -> None:
+        """Let its process wake up: `release` follows at once."""
+        if self._channel is not None:
+            self._channel.rouse()
+
     def release(self, observation: Observation) -> None:
         """Let the program's ``step`` return with this. Does not wait."""
         self._tick = observation.tick

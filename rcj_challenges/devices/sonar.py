@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from struct import Struct
 from typing import cast
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
 from rcj_challenges.devices.fitting import Fitted, fit
 from rcj_challenges.devices.ground import Ground
@@ -28,7 +28,7 @@ _FIELDS = (
     mujoco.mjtRayDataField.mjRAYDATA_DIR,
     mujoco.mjtRayDataField.mjRAYDATA_NORMAL,
 )
-_WIDTH = 7
+_RAY = Struct("7d")
 """Numbers of one rangefinder: distance, direction (3), the surface's normal (3)."""
 
 _SENSORS_ON = ~int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
@@ -74,8 +74,9 @@ def device_sites(scenario: Scenario, roster: Roster) -> Callable[[mujoco.MjSpec]
     return extend
 
 
-Sonar = tuple[int, int, float, float]
-"""One sonar: its ray, the slot of its number, its range in m, and the cosine of ray and normal below which it hears.
+Sonar = tuple[int, int, int, float, float]
+"""One sonar: its ray, where the numbers of that begin in bytes, the slot of its number, its range in m, and the cosine of
+ray and normal below which it hears.
 
 A plain tuple: Python takes twice as long to unpack a named one, and does so for two dozen at every tick.
 """
@@ -91,23 +92,22 @@ class Echoes:
     def __init__(self, fitted: Sequence[Fitted], scenario: Scenario, ground: Ground, half: HalfInfo) -> None:
         """Find the rangefinders that `device_sites` added, in the same order; there is at least one."""
         devices = [cast("SonarDevice", one.device) for one in fitted]
-        count = len(fitted)
         self._model: mujoco.MjModel = ground.model
         self._data: mujoco.MjData = ground.data
         first = int(self._model.sensor(_site_name(fitted[0])).adr[0])
-        self._rays: NDArray[np.float64] = self._data.sensordata[first : first + _WIDTH * count].reshape(count, _WIDTH)
+        self._rays = memoryview(self._data.sensordata[first:]).cast("B")
         shares = np.array([device.noise for device in devices])
         self._noise = Noise(half, [(one.robot_name, one.spec.name) for one in fitted], scale=_MM_PER_M * shares)
         self.sonars = {
             (one.robot, one.spec.index): (
                 ray,
+                _RAY.size * ray,
                 one.spec.slot,
                 device.range_m,
                 -max(_GRAZING, math.cos(device.lost_from_rad)),
             )
             for ray, (one, device) in enumerate(zip(fitted, devices, strict=True))
         }
-        self._echoes: list[list[float]] = []
         self._errors: list[float] = []
         self._mask = RayMask(ground, groups_at(scenario, min(device.height_m for device in devices)))
         self._option = self._model.opt
@@ -121,14 +121,14 @@ class Echoes:
         mujoco.mj_sensorPos(self._model, self._data)
         self._mask.show()
         option.disableflags = flags
-        self._echoes, self._errors = self._rays.tolist(), self._noise.numbers(tick)
+        self._errors = self._noise.numbers(tick)
 
     def read(self, sonars: Sequence[Sonar], values: list[float]) -> None:
         """Write the readings of some sonars of a robot into its numbers."""
-        echoes, errors, full_from_m = self._echoes, self._errors, SONAR_NOISE_FULL_FROM_M
+        rays, numbers_of, errors, full_from_m = self._rays, _RAY.unpack_from, self._errors, SONAR_NOISE_FULL_FROM_M
         # Number by number: for a handful of them numpy's calls cost more than they save.
-        for ray, slot, range_m, heard_below in sonars:
-            distance, dx, dy, dz, nx, ny, nz = echoes[ray]
+        for ray, first_byte, slot, range_m, heard_below in sonars:
+            distance, dx, dy, dz, nx, ny, nz = numbers_of(rays, first_byte)
             # Cosine of the angle between ray and normal, -1 head on. Nothing hit: the normal is zero, not heard.
             facing = dx * nx + dy * ny + dz * nz
             echo_m = distance if facing < heard_below and distance < range_m else range_m

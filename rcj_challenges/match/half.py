@@ -24,6 +24,9 @@ class Driver(Protocol):
     def collect_soon(self) -> Request | Fault | None:
         """Return the same if it is here, or comes at once; None: `collect` has to wait for it."""
 
+    def rouse(self) -> None:
+        """Let it wake up: `release` follows at once."""
+
     def release(self, observation: Observation) -> None:
         """Let its ``step`` return."""
 
@@ -138,6 +141,7 @@ class HalfPlay:
             self._apply_what_was_late(tick)
         faults, self._faults = tuple(self._faults), []
         snapshot = stage.world.step(tick, faults)
+        self._rouse_first(tick)
         heard = stage.rack.told_referee(tick)
         if heard:
             snapshot = snapshot._replace(heard=heard)
@@ -156,6 +160,17 @@ class HalfPlay:
         if tick % _LOOKED_AFTER_EVERY == 0:
             self._look_after_those_away(tick)
         return verdict
+
+    def _rouse_first(self, tick: int) -> None:
+        """Wake the program that is released first while it is still judged and sensed what it will be told.
+
+        The processor on which it waits has slept through the physics, and takes a while to wake up. The others find
+        it awake (ADR 10).
+        """
+        for robot in self._stage.rack.specs:
+            if self._due.get(robot) == tick:
+                self._alive[robot].rouse()
+                return
 
     def _hold(self, verdict: Verdict) -> None:
         """Hold robots from the next tick on, all or some, and let the others go."""

@@ -288,4 +288,5 @@ def main() -> None:
     if lifeline >= 0:
         watched = hello["limits"]["memory_bytes"] if hello["limits"]["watch_memory"] else 0
         _confine.watch(_fd(lifeline, os.O_RDONLY | binary), watched, boot.out_of_memory)
+    wire.count_our_threads()
     boot.run()
