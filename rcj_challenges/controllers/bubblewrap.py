@@ -90,7 +90,8 @@ def innermost(pid: int) -> int:
     """Return the process that bubblewrap started, as this process sees it; that of bubblewrap itself if it is gone."""
     for _ in range(_DEEPEST):
         try:
-            children = Path(f"/proc/{pid}/task/{pid}/children").read_text(encoding="ascii").split()
+            with open(f"/proc/{pid}/task/{pid}/children", "rb", buffering=0) as file:  # noqa: PTH123 - a match waits
+                children = file.read().split()
         except OSError:
             break
         if not children:

@@ -67,21 +67,21 @@ class ProgramLog:
         self._path = path
         self._most_bytes = most_bytes
         self._taken_bytes = 0
-        self._at = 0
+        self._at = self._seen_bytes = 0
         self._shown = self._size_bytes()
         self._decoder = codecs.getincrementaldecoder("utf-8")("replace")
 
     def output_bytes(self) -> int:
-        """Return how much the program has printed, as far as it can be seen; 0 when closed."""
+        """Return how much the program had printed when that was last taken over; 0 when closed."""
         if self.fd < 0:
             return 0
-        return self._taken_bytes + max(0, os.fstat(self._output_fd).st_size - self._at)
+        return self._taken_bytes + max(0, self._seen_bytes - self._at)
 
     def take_over(self) -> None:
         """Take over what the program has printed since. A full disk is no reason to stop a match."""
         if self.fd < 0:
             return
-        size = os.fstat(self._output_fd).st_size
+        size = self._seen_bytes = os.fstat(self._output_fd).st_size
         if size == self._at:  # as nearly always: it has printed nothing
             return
         if size < self._at:

@@ -63,6 +63,7 @@ class Process:
         self._own_session = own_session
         self._wrapped = sandbox_fd is not None
         self._sandbox_fd = sandbox_fd  # read end of a pipe that ends with the last process of bubblewrap's
+        self._looked_at_pid: int | None = None
 
     @property
     def pid(self) -> int:
@@ -88,9 +89,13 @@ class Process:
         """Return whether it is over."""
         return self._popen.poll() is not None
 
+    def has_begun(self) -> None:
+        """Remember which process is the program's. To be called when that has said something: now it is there."""
+        self._looked_at_pid = self._innermost_pid()
+
     def threads(self) -> int:
         """Return how many threads it has; 0 where that cannot be told."""
-        return tasks.threads_of(self._innermost_pid()) if sys.platform == "linux" else 0
+        return tasks.threads_of(self._pid_to_look_at()) if sys.platform == "linux" else 0
 
     def usage(self) -> Usage | None:
         """Return what it did until now; None where that cannot be told."""
@@ -98,11 +103,17 @@ class Process:
             with contextlib.suppress(OSError):
                 return Usage(self._job.computed_s(), None)
             return None
-        return tasks.usage_of(self._innermost_pid())
+        return tasks.usage_of(self._pid_to_look_at())
 
-    def nameless_bytes(self, output_fd: int, folder: Path) -> float:
-        """Return what it holds in files that it has deleted and still uses; 0 where that cannot be told."""
-        return scratch.nameless_bytes(self._innermost_pid(), output_fd, folder)
+    def nameless_bytes(self, output_fd: int, folder: Path, *, in_memory: bool) -> float:
+        """Return what it holds in files that it has deleted and still uses; 0 where that cannot be told.
+
+        Args:
+            output_fd: open here: the file of its output.
+            folder: its private one.
+            in_memory: whether those count that it only has in its memory.
+        """
+        return scratch.nameless_bytes(self._pid_to_look_at(), output_fd, folder, in_memory=in_memory)
 
     def say_where_it_is(self, lifeline_fd: int | None) -> None:
         """Let it write its present traceback to its log and end. It may refuse, so `kill` afterwards.
@@ -136,6 +147,10 @@ class Process:
             bubblewrap.wait_until_gone(self._sandbox_fd)
             os.close(self._sandbox_fd)
             self._sandbox_fd = None
+
+    def _pid_to_look_at(self) -> int:
+        """Return the program's process. Finding out takes as long as many a look; it may have ended, so none is ended by it."""
+        return self._innermost_pid() if self._looked_at_pid is None else self._looked_at_pid
 
     def _innermost_pid(self) -> int:
         return bubblewrap.innermost(self._popen.pid) if self._wrapped else self._popen.pid

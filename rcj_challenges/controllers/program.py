@@ -33,6 +33,7 @@ CLEAN_UP_S = 1.0
 _SLICE_S = 0.25  # how often a program that lets us wait is looked at
 _LOG_LOOKED_AT_EVERY = 16  # requests
 _FOLDER_LOOKED_AT_EVERY = 256  # ticks; walking through a folder takes 100 µs and more
+_MEMORY_LOOKED_AT_EVERY = 1024  # ticks; so does reading what a process has in its memory
 _TOO_MUCH_TO_WAIT = 2.0
 """What a program takes is looked at when it calls ``step``, at ticks that are the same in every run: there its limits
 count. By wall time it is looked at as well, or it could fill a disk in between: there so many times the limits."""
@@ -201,6 +202,8 @@ class Program:
             self._has_waited(began)
         else:
             self.started_s = time.perf_counter() - self._launched_at
+            if self._process is not None:
+                self._process.has_begun()
             self.account.begin()
         return self._accepted(answer)
 
@@ -230,8 +233,9 @@ class Program:
             return self._ended(answer.kind, answer.detail, answer.traceback)
         trespass = None
         if self._tick >= self._look_at_tick:
+            closely = self._look_at_tick % _MEMORY_LOOKED_AT_EVERY == 0
             self._look_at_tick = (self._tick // _FOLDER_LOOKED_AT_EVERY + 1) * _FOLDER_LOOKED_AT_EVERY
-            trespass = self._trespass()
+            trespass = self._trespass(closely=closely)
         elif self._requests % _LOG_LOOKED_AT_EVERY == 0:
             trespass = self._prints_too_much()
         # Since its folder was looked through it may have had time to write much.
@@ -447,9 +451,9 @@ class Program:
         )
         return True
 
-    def _trespass(self, times: float = 1.0) -> tuple[str, str] | None:
+    def _trespass(self, times: float = 1.0, *, closely: bool = True) -> tuple[str, str] | None:
         """Return of what it took more than so many times its limit, if of anything: kind and detail of the fault."""
-        return self._prints_too_much(times) or self._holds_too_much(times)
+        return self._prints_too_much(times) or self._holds_too_much(times, closely=closely)
 
     def _prints_too_much(self, times: float = 1.0) -> tuple[str, str] | None:
         """Put into its log what it has printed, and return whether that is too much."""
@@ -458,13 +462,13 @@ class Program:
             return None
         return "output_flood", f"the program printed more than {self._limits.output_mb:g} MB"
 
-    def _holds_too_much(self, times: float) -> tuple[str, str] | None:
+    def _holds_too_much(self, times: float, *, closely: bool) -> tuple[str, str] | None:
         """Return whether too much is in its folder, or too many threads run. This takes its time."""
         if self._assignment.debug:
             return None
         limits = self._limits
         self._look_at_s = self.account.waited_s + _SLICE_S
-        written = self._writes_too_much(times)
+        written = self._writes_too_much(times, closely=closely)
         if written is not None:
             return written
         # Beside those that it may start it has its first one, and the one that watches over it.
@@ -472,15 +476,17 @@ class Program:
             return "memory", f"the program runs more than {limits.processes} threads"
         return None
 
-    def _writes_too_much(self, times: float = 1.0) -> tuple[str, str] | None:
+    def _writes_too_much(self, times: float = 1.0, *, closely: bool = True) -> tuple[str, str] | None:
         if self._assignment.debug or self._folder is None:
             return None
-        if not self._has_written_more_than(self._folder, times * self._scratch_limit):
+        if not self._has_written_more_than(self._folder, times * self._scratch_limit, closely=closely):
             return None
         return "output_flood", f"the program wrote more than {self._limits.scratch_mb:g} MB into its folder"
 
-    def _has_written_more_than(self, folder: Path, limit_bytes: float) -> bool:
-        nameless = 0 if self._process is None else self._process.nameless_bytes(self._output_fd(), folder)
+    def _has_written_more_than(self, folder: Path, limit_bytes: float, *, closely: bool = True) -> bool:
+        nameless = 0.0
+        if self._process is not None:
+            nameless = self._process.nameless_bytes(self._output_fd(), folder, in_memory=closely)
         return scratch.has_more_than(folder, limit_bytes - nameless)
 
     def _usage(self) -> Usage | None:

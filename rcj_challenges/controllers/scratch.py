@@ -24,7 +24,7 @@ _LONGEST_PATH = 512
 _ROOM_BYTES = 1_000_000
 """More than a program writes at once, than a page of some teams needs, and a replay of ten seconds."""
 
-_DELETED = b" (deleted)\n"
+_DELETED = b" (deleted)"
 """How Linux tells of a file in a process's memory that it has no name any more."""
 
 _OF_FILES = 0.9
@@ -96,7 +96,7 @@ def _entry_bytes(entry: os.DirEntry[str]) -> int:
     return _ENTRY_BYTES
 
 
-def nameless_bytes(pid: int, output_fd: int, folder: Path) -> float:
+def nameless_bytes(pid: int, output_fd: int, folder: Path, *, in_memory: bool = True) -> float:
     """Return what a process holds in files that have no name any more (Linux; elsewhere 0).
 
     Infinite if there is one that it keeps only by having it in its memory: nobody tells how large that is.
@@ -105,6 +105,7 @@ def nameless_bytes(pid: int, output_fd: int, folder: Path) -> float:
         pid: of the process.
         output_fd: open here: the file of its output, which is counted elsewhere.
         folder: its private one.
+        in_memory: whether to look for such ones as well, which takes longer than all the rest.
     """
     total = 0
     if sys.platform == "linux":
@@ -116,7 +117,7 @@ def nameless_bytes(pid: int, output_fd: int, folder: Path) -> float:
                     if stat.S_ISREG(status.st_mode) and not status.st_nlink and _identity(status) not in known:
                         known.add(_identity(status))
                         total += status.st_size
-        if _maps_another(pid, folder, {inode for _, inode in known}):
+        if in_memory and _maps_another(pid, folder, {inode for _, inode in known}):
             return math.inf
     return total
 
@@ -125,11 +126,14 @@ def _maps_another(pid: int, folder: Path, known: set[int]) -> bool:
     """Return whether a process has a file in its memory that was in a folder and is deleted, beside known inodes."""
     below = os.fsencode(f"{folder}{os.sep}")
     try:
-        with open(f"/proc/{pid}/maps", "rb") as file:  # noqa: PTH123 - no path of ours
-            # Addresses, rights, offset, device, inode, path.
-            mapped = [line.split(maxsplit=5) for line in file if line.endswith(_DELETED) and below in line]
+        with open(f"/proc/{pid}/maps", "rb", buffering=0) as file:  # noqa: PTH123 - no path of ours
+            told = file.read()
     except OSError:
         return False
+    if below not in told:
+        return False
+    # Addresses, rights, offset, device, inode, path.
+    mapped = [line.split(maxsplit=5) for line in told.split(b"\n") if line.endswith(_DELETED) and below in line]
     return any(fields[5].startswith(below) and int(fields[4]) not in known for fields in mapped)
 
 
@@ -180,7 +184,7 @@ def _leads_elsewhere(folder: Path) -> bool:
     if sys.platform == "win32":
         with contextlib.suppress(OSError):
             return folder.lstat().st_reparse_tag in (stat.IO_REPARSE_TAG_SYMLINK, stat.IO_REPARSE_TAG_MOUNT_POINT)
-    return folder.is_symlink()
+    return os.path.islink(folder)  # noqa: PTH114 - a match waits
 
 
 def is_folder(entry: os.DirEntry[str]) -> bool:

@@ -164,6 +164,10 @@ def _compiled(source: bytes, entry: str) -> types.CodeType:
     except SyntaxError as error:
         error.filename = error.filename or entry  # Python names none where it finds no text
         raise
+    except ValueError as error:  # the same before Python 3.11.4
+        told = SyntaxError(*error.args)
+        told.filename = entry
+        raise told from None
 
 
 def _flush_output() -> None:
