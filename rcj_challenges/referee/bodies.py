@@ -9,10 +9,10 @@ from rcj_challenges.scenario.outlines import (
     TOUCHING_M,
     Outline,
     Part,
-    apart_m,
     closer_than,
     counter_clockwise,
     disc,
+    extent,
     obstacle_outline,
     robot_outline,
 )
@@ -55,8 +55,7 @@ class Bodies:
 
     Attributes:
         outlines: by entity index.
-        fixed: parts of fixed obstacles, which count as bodies.
-        walls: parts of the field's walls and goals, which do not.
+        fixed: parts of fixed obstacles, which count as bodies; the field's walls and goals do not.
         half_box_m: half widths, along x and y, of the box around field and goals, in m; nothing stands outside.
     """
 
@@ -75,7 +74,8 @@ class Bodies:
                 fixed += obstacle_outline(obstacle).at(start_pose(scenario, name))
         self.outlines = tuple(outlines)
         self.fixed = tuple(fixed)
-        self.walls = wall_parts(scenario.field)
+        # With where they reach from and to, so that few have to be looked at closely.
+        self._walls = [(*extent([wall]), wall) for wall in wall_parts(scenario.field)]
         deepest_m = max((goal.depth_m for goal in scenario.field.goals.values()), default=0.0)
         self.half_box_m = (scenario.field.width_m / 2, scenario.field.length_m / 2 + deepest_m)
 
@@ -101,6 +101,10 @@ class Bodies:
                 return False
         if any(closer_than(part, body, least) for part in parts for body in self.fixed):
             return False
-        centre = (pose[:2],)
-        near_walls = [wall for wall in self.walls if apart_m(centre, wall.points) < outline.reach_m]
+        x, y, reach = pose[0], pose[1], outline.reach_m
+        near_walls = [
+            wall
+            for west, east, south, north, wall in self._walls
+            if west - reach < x < east + reach and south - reach < y < north + reach
+        ]
         return not any(closer_than(part, wall, -TOUCHING_M) for part in parts for wall in near_walls)
