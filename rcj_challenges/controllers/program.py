@@ -117,6 +117,7 @@ class Program:
         self._sharing = Sharing(Path(), math.inf, ())
         self._folder: Path | None = None
         self._log: ProgramLog | None = None
+        self._sleepers = tasks.Sleepers()
         self._look_at_s, self._look_at_tick = _SLICE_S, 0
         self._process: processes.Process | None = None
         self._channel: Channel | None = None
@@ -166,8 +167,8 @@ class Program:
             self._fail("start", f"the program could not be started: {one_line(told_of(error))}")
 
     def rouse(self) -> None:
-        """Let its process wake up: `release` follows at once."""
-        if self._channel is not None:
+        """Let its process wake up: `release` follows at once. Where no processor sleeps it would only hold up others."""
+        if self._channel is not None and self._sleepers.there_are():
             self._channel.rouse()
 
     def release(self, observation: Observation) -> None:
