@@ -126,9 +126,12 @@ class PolledPipes:
             # One that answers before it has read what it was told does not listen: nothing is kept for it.
             self._broken = True
             return
-        self._unsent = self._left_of(frame)
-        if self._unsent:
-            self._poll.register(self._write_fd, select.POLLOUT)
+        try:
+            sent = os.write(self._write_fd, frame)
+        except OSError:
+            sent = -1
+        if sent != len(frame):  # hardly ever
+            self._send_rest(frame[max(0, sent) :])
 
     def rouse(self) -> None:
         """See `Channel`. A process on a processor that sleeps needs about as long to wake up as sensing takes."""
@@ -206,6 +209,11 @@ class PolledPipes:
         """See `Channel`."""
         for fd in (self._read_fd, self._write_fd):
             os.close(fd)
+
+    def _send_rest(self, data: bytes) -> None:
+        self._unsent = self._left_of(data)
+        if self._unsent:
+            self._poll.register(self._write_fd, select.POLLOUT)
 
     def _left_of(self, data: bytes) -> bytes:
         """Write what the pipe takes at once, and return the rest; nothing of it if the other side is gone."""

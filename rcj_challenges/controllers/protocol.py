@@ -33,6 +33,8 @@ _PACKET = Struct("<HI4d")
 _REQUEST = Struct("<BIIIQHHHHI")
 _REQUEST_BEGINS = Struct("<BI")
 _MOTOR = Struct("<Hdd")
+_BOTH_WHEELS = Struct("<BIIIQHHHHIHddHdd")
+"""The commonest request: two motors, and nothing else."""
 _SAMPLING = Struct("<HI")
 _CHANNEL = Struct("<Hi")
 _FREQUENCY = Struct("<Hd")
@@ -128,6 +130,8 @@ class Codec:
         return self._request
 
     def _requested(self, body: bytes) -> Request:
+        if len(body) == _BOTH_WHEELS.size and (request := self._of_both_wheels(body)) is not None:
+            return request
         try:
             _, _, advance, missed, _, motors, *others = _REQUEST.unpack_from(body)
         except StructError:
@@ -154,6 +158,21 @@ class Codec:
             channels=tuple([self._tuning(*tail.take(_CHANNEL)) for _ in range(channels)]),
             frequencies=tuple([self._frequency(*tail.take(_FREQUENCY)) for _ in range(frequencies)]),
             emissions=self._emissions(body, tail.at, emissions),
+        )
+
+    def _of_both_wheels(self, body: bytes) -> Request | None:
+        """Return a request that sets two motors; None if it is another one, or something is wrong with it."""
+        (_, _, advance, missed, _, motors, sampling, channels, frequencies, emissions,
+         left, left_radps, left_to, right, right_radps, right_to) = _BOTH_WHEELS.unpack(body)  # fmt: skip
+        if advance < 1 or motors != 2 or sampling or channels or frequencies or emissions:
+            return None
+        most, known = self._max_velocity, self._motors
+        if left not in known or not (abs(left_radps) <= most and left_to > -math.inf):
+            return None
+        if right not in known or not (abs(right_radps) <= most and right_to > -math.inf):
+            return None
+        return Request(
+            advance, missed, (MotorCommand(left, left_radps, left_to), MotorCommand(right, right_radps, right_to))
         )
 
     def _commands(self, settings: bytes) -> tuple[MotorCommand, ...]:

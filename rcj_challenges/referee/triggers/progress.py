@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from functools import partial
-from itertools import pairwise
+from itertools import accumulate, pairwise
 from math import sqrt
 
 from rcj_challenges.facts.timing import ticks_from_s
@@ -85,11 +85,8 @@ class PathWatch(DueWatch):
         paths = self._paths
         last = self._first + len(paths) - 1
         poses = self._track.of(self._entity, last, self._state.tick)
-        path = paths[-1]
-        for (ax, ay, _), (bx, by, _) in pairwise(poses):
-            dx, dy = bx - ax, by - ay
-            path += sqrt(dx * dx + dy * dy)
-            paths.append(path)
+        pieces = [sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay)) for (ax, ay, _), (bx, by, _) in pairwise(poses)]
+        paths += accumulate(pieces, initial=paths.pop())
         gone = len(paths) - 2 * self._pieces
         if gone > self._pieces:
             del paths[:gone]
