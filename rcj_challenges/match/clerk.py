@@ -54,9 +54,9 @@ class HalfClerk:
         self._every_ticks = max(1, watcher.progress_every_ticks)
         self._began_s = time.perf_counter()
 
-    def ticked(self, snapshot: Snapshot, verdict: Verdict, state: bytes) -> None:
+    def ticked(self, snapshot: Snapshot, verdict: Verdict, state: bytes, poses: bytes) -> None:
         """Take note of a judged tick, while the programs think about the next."""
-        self._record.tick(snapshot, verdict, state)
+        self._record.tick(snapshot, verdict, state, poses)
         tick = snapshot.tick
         if tick == 0:
             self._began_s = time.perf_counter()

@@ -54,7 +54,8 @@ class HalfOutcome:
 _LOOKED_AFTER_EVERY = 64
 """Ticks between looks at programs that stay away for longer than that."""
 
-OnTick = Callable[[Snapshot, Verdict, bytes], None]
+OnTick = Callable[[Snapshot, Verdict, bytes, bytes], None]
+"""Takes what was seen, what was said of it, and from the world `state_bytes` and `poses_bytes`."""
 
 
 def goes_on(referee: Referee, verdict: Verdict, tick: int, half: HalfInfo) -> bool:
@@ -130,7 +131,7 @@ class HalfPlay:
         if verdict.robots_held or verdict.held:
             self._hold(verdict)
         stage.rack.begin(verdict)
-        self._on_tick(snapshot, verdict, stage.world.state_bytes())
+        self._on_tick(snapshot, verdict, stage.world.state_bytes(), stage.world.poses_bytes())
         for robot in list(self._alive):
             self._take(robot, self._alive[robot].collect())
         return verdict
@@ -155,7 +156,7 @@ class HalfPlay:
         self.tick = tick
 
         due = self._sense_and_release(tick, plays_on=goes_on(stage.referee, verdict, tick, self._half))
-        self._on_tick(snapshot, verdict, state)
+        self._on_tick(snapshot, verdict, state, stage.world.poses_bytes())
         self._collect(due)
         if tick % _LOOKED_AFTER_EVERY == 0:
             self._look_after_those_away(tick)

@@ -24,7 +24,7 @@ from rcj_challenges.records.lines import json_line
 TICKS_BETWEEN_WRITES = 25
 """0.8 s of the match: a kill loses less than one second."""
 
-FLOATS_PER_ENTITY = 3 * SUBSTEPS_PER_TICK + 2
+_FLOATS_OF_POSES, _FLOATS_BESIDE = 3 * SUBSTEPS_PER_TICK, 2  # of each entity: height and tilt beside its poses
 _NO_TOUCHES = ((),) * SUBSTEPS_PER_TICK
 
 
@@ -56,7 +56,8 @@ class TrackWriter:
             half: its facts, written first.
             entities: how many entities every snapshot has.
         """
-        self._pack = struct.Struct(f"<{FLOATS_PER_ENTITY * entities}f{SUBSTEPS_PER_TICK}H").pack
+        self._pack_poses = struct.Struct(f"<{_FLOATS_OF_POSES * entities}f").pack
+        self._pack_rest = struct.Struct(f"<{_FLOATS_BESIDE * entities}f{SUBSTEPS_PER_TICK}H").pack
         self._rows = bytearray()
         self._touches = bytearray()
         self._notes = bytearray(json_line({"half": asdict(half)}))
@@ -65,8 +66,13 @@ class TrackWriter:
         self.ticks = 0
         self._write()
 
-    def append(self, snapshot: Snapshot, placements: tuple[Placement, ...]) -> None:
+    def append(self, snapshot: Snapshot, placements: tuple[Placement, ...], poses: bytes = b"") -> None:
         """Add one tick; tick 0 is the start, whatever number of sub-steps it has.
+
+        Args:
+            snapshot: what the referee saw.
+            placements: what it put elsewhere.
+            poses: those of the snapshot as they are written; left out: made here, which takes longer than all the rest.
 
         Raises:
             ValueError: a tick is missing or comes twice.
@@ -79,7 +85,7 @@ class TrackWriter:
         elif tick != self.ticks + 1:
             raise ValueError(f"tick {tick} after tick {self.ticks}: a record takes every tick once, in order")
         else:
-            self._append_row(snapshot)
+            self._append_row(snapshot, poses)
         if placements:
             self._notes += json_line({"tick": tick, "placements": [_placement_list(p) for p in placements]})
         if snapshot.faults and tick:
@@ -89,7 +95,7 @@ class TrackWriter:
         if tick % TICKS_BETWEEN_WRITES == 0:
             self._write()
 
-    def _append_row(self, snapshot: Snapshot) -> None:
+    def _append_row(self, snapshot: Snapshot, poses: bytes) -> None:
         touches = snapshot.touches
         if touches == _NO_TOUCHES:
             counts = (0, 0, 0, 0)
@@ -97,8 +103,8 @@ class TrackWriter:
             counts = tuple(map(len, touches))  # type: ignore[assignment]
             numbers = [*chain.from_iterable(chain.from_iterable(touches))]
             self._touches += struct.pack(f"<{len(numbers)}H", *numbers)
-        poses = chain.from_iterable(chain.from_iterable(snapshot.substeps))
-        self._rows += self._pack(*poses, *snapshot.heights, *snapshot.uprights, *counts)
+        self._rows += poses or self._pack_poses(*chain.from_iterable(chain.from_iterable(snapshot.substeps)))
+        self._rows += self._pack_rest(*snapshot.heights, *snapshot.uprights, *counts)
         self.ticks = snapshot.tick
 
     def close(self) -> None:

@@ -154,19 +154,20 @@ class RecordWriter:
         self._scores |= {half.teams[seat]: points for seat, points in half.scores.items()}
         self._digest.half(half.half)
 
-    def tick(self, snapshot: Snapshot, verdict: Verdict, state: bytes) -> None:
+    def tick(self, snapshot: Snapshot, verdict: Verdict, state: bytes, poses: bytes = b"") -> None:
         """Record one judged tick.
 
         Args:
             snapshot: what the referee saw.
             verdict: what it answered; its placements are carried out after the snapshot.
             state: the judged qpos and qvel as little-endian float64.
+            poses: those of the snapshot as little-endian float32 ``[sub-step][entity][3]``; left out: made here.
         """
         track = self._track
         if track is None:
             raise ValueError("a tick outside of a half: call begin_half first")
         self._digest.state(state)
-        track.append(snapshot, verdict.placements)
+        track.append(snapshot, verdict.placements, poses)
         if verdict.firings or verdict.events or snapshot.faults:
             self._say(snapshot, verdict)
         if (verdict.phase, verdict.waiting_for_kickoff) != self._phase:

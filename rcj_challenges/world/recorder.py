@@ -18,7 +18,7 @@ Touches = tuple[tuple[int, int], ...]
 Numbers = tuple[float, ...]
 
 _FULL_TURN_RAD = 2 * math.pi
-_POSES, _HEIGHT = struct.Struct("3f"), struct.Struct("f")
+_POSES, _HEIGHT = struct.Struct("<3f"), struct.Struct("f")
 _BYTES = 8
 """Of one number in `qpos`."""
 _REMEMBERED = 4096
@@ -26,9 +26,14 @@ _REMEMBERED = 4096
 
 
 class Recorder:
-    """Collects one tick. Poses come straight from `qpos`, which never lags behind the sub-step."""
+    """Collects one tick. Poses come straight from `qpos`, which never lags behind the sub-step.
+
+    Attributes:
+        poses: those of all sub-steps of the latest snapshot, packed as little-endian float32 ``[sub-step][entity][3]``.
+    """
 
     def __init__(self, data: Any, tables: WorldTables, heights_m: tuple[float, ...]) -> None:
+        self.poses = b""
         self._contact = data.contact
         self._qpos = one_by_one(data.qpos)
         self._rows = [b""] * SUBSTEPS_PER_TICK
@@ -64,7 +69,8 @@ class Recorder:
             if not -math.pi <= numbers[yaw] <= math.pi:
                 numbers = self._turned_back(numbers)
                 break
-        poses: list[Pose2] = list(_POSES.iter_unpack(self._in_float32(*numbers)))
+        self.poses = self._in_float32(*numbers)
+        poses: list[Pose2] = list(_POSES.iter_unpack(self.poses))
         substeps = [poses[of_substep] for of_substep in self._substeps]
         heights = self._heights_m.copy()
         for ball, at in self._heights_at:
@@ -116,7 +122,7 @@ def _all_poses(tables: WorldTables, numbers: int) -> tuple[Callable[[bytes], Num
         written += "2f4x" if ball else "3f"  # a ball has no yaw: it is 0 for ever
         end = at + count
     read += f"{_BYTES * (numbers - end)}x"
-    return struct.Struct(SUBSTEPS_PER_TICK * read).unpack, struct.Struct(SUBSTEPS_PER_TICK * written).pack
+    return struct.Struct(SUBSTEPS_PER_TICK * read).unpack, struct.Struct(f"<{SUBSTEPS_PER_TICK * written}").pack
 
 
 def _within_half_a_turn(yaw_rad: float) -> float:

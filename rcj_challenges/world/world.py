@@ -168,6 +168,10 @@ class World:
             return self._qpos.tobytes() + self._qvel.tobytes()
         return bytes(self.data.qpos.astype("<f8").tobytes() + self.data.qvel.astype("<f8").tobytes())
 
+    def poses_bytes(self) -> bytes:
+        """Return the poses of the latest snapshot as `Recorder.poses` has them: the record's part of it."""
+        return self._recorder.poses
+
     def _set_down(self, placement: Placement) -> None:
         entity = placement.entity
         self.parked[entity] = placement.parked
