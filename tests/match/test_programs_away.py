@@ -25,6 +25,9 @@ class Away:
 
     collect_soon = collect
 
+    def rouse(self):
+        pass
+
     def release(self, observation):
         pass
 
