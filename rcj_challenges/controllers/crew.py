@@ -10,9 +10,10 @@ from pathlib import Path
 from typing import Self
 
 from rcj_challenges.controllers import scratch
+from rcj_challenges.controllers.assignment import Assignment
 from rcj_challenges.controllers.isolation import active_layers
 from rcj_challenges.controllers.private_folders import PrivateFolders, remove_left_overs_once, temporary_trouble
-from rcj_challenges.controllers.program import CLEAN_UP_S, Assignment, Program, Sharing
+from rcj_challenges.controllers.program import CLEAN_UP_S, Program, Sharing
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.traffic import Observation, RobotSpec
 from rcj_challenges.scenario.models.scenario import Limits

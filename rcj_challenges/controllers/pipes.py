@@ -136,7 +136,7 @@ class PolledPipes:
     def rouse(self) -> None:
         """See `Channel`. A process on a processor that sleeps needs about as long to wake up as sensing takes."""
         if not self._unsent:
-            with contextlib.suppress(OSError):  # a full pipe has somebody who does not read; one that is gone shows later
+            with contextlib.suppress(OSError):  # one that does not read is left alone; one that is gone shows later
                 os.write(self._write_fd, _ROUSED)
 
     def receive(self, timeout_s: float) -> bytes | None:

@@ -149,7 +149,7 @@ class Process:
             self._sandbox_fd = None
 
     def _pid_to_look_at(self) -> int:
-        """Return the program's process. Finding out takes as long as many a look; it may have ended, so none is ended by it."""
+        """Return the program's process, which may have ended: not to be killed by this. Finding out takes long."""
         return self._innermost_pid() if self._looked_at_pid is None else self._looked_at_pid
 
     def _innermost_pid(self) -> int:

@@ -14,18 +14,17 @@ from typing import Any
 
 from rcj_challenges.controllers import isolation, processes, scratch, tasks
 from rcj_challenges.controllers.account import Account, Usage
+from rcj_challenges.controllers.assignment import Assignment
 from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.log import ProgramLog
 from rcj_challenges.controllers.pipes import Channel, ChannelClosedError, FrameTooLongError, open_channel
 from rcj_challenges.controllers.private_folders import temporary_trouble
 from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hello_frame, most_frame_bytes, one_line
-from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.errors import HostError, RcjError, is_of_the_host, told_of
 from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.streams import stream_seed
 from rcj_challenges.facts.timing import s_from_ticks
-from rcj_challenges.facts.traffic import Observation, Request, RobotSpec
-from rcj_challenges.scenario.models.scenario import Limits
+from rcj_challenges.facts.traffic import Observation, Request
 
 CLEAN_UP_S = 1.0
 """How long a program may go on after its ``step`` returned -1 (reference, section 3)."""
@@ -46,35 +45,6 @@ _NO_ROOM = re.compile(rf"\[Errno ({errno.ENOSPC}|{getattr(errno, 'EDQUOT', errno
 
 _TEAM = "controllers"
 """The folder of the team's files, by its name in Webots, where ``getProjectPath() + "/controllers/…"`` is a file."""
-
-
-@dataclass(frozen=True)
-class Assignment:
-    """Which program drives which robot, and under what conditions.
-
-    Attributes:
-        spec: the robot as its program will see it.
-        team: whose program it is.
-        entry: its path inside the team's folder.
-        limits: what it may use.
-        half: 1-based.
-        match_seed: its randomness derives from it.
-        log_path: where its output goes; appended to.
-        sandbox: ``auto``, ``strict`` or ``off``.
-        debug: True gives it the terminal and takes away the limits.
-        portable: True exchanges messages in the way that works everywhere; None decides by platform.
-    """
-
-    spec: RobotSpec
-    team: Team
-    entry: str
-    limits: Limits
-    half: int
-    match_seed: int
-    log_path: Path
-    sandbox: str = "auto"
-    debug: bool = False
-    portable: bool | None = None
 
 
 @dataclass(frozen=True)
@@ -167,7 +137,7 @@ class Program:
             self._fail("start", f"the program could not be started: {one_line(told_of(error))}")
 
     def rouse(self) -> None:
-        """Let its process wake up: `release` follows at once. Where no processor sleeps it would only hold up others."""
+        """Let its process wake up: `release` follows at once. Where no processor sleeps that would hold up others."""
         if self._channel is not None and self._sleepers.there_are():
             self._channel.rouse()
 

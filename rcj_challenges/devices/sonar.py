@@ -75,7 +75,7 @@ def device_sites(scenario: Scenario, roster: Roster) -> Callable[[mujoco.MjSpec]
 
 
 Sonar = tuple[int, int, int, float, float]
-"""One sonar: its ray, where the numbers of that begin in bytes, the slot of its number, its range in m, and the cosine of
+"""One sonar: its ray, where the numbers of that begin in bytes, the slot of its own, its range in m, and the cosine of
 ray and normal below which it hears.
 
 A plain tuple: Python takes twice as long to unpack a named one, and does so for two dozen at every tick.

@@ -243,7 +243,9 @@ while robot.step(32) != -1:
 """
 
 
-@pytest.mark.parametrize("beside", ["", "import threading, time\nthreading.Thread(target=time.sleep, args=(9,)).start()\n"])
+@pytest.mark.parametrize(
+    "beside", ["", "import threading, time\nthreading.Thread(target=time.sleep, args=(9,)).start()\n"]
+)
 def test_a_real_program_is_told_all_ticks_and_its_end(
     match: FakeMatch, monkeypatch: pytest.MonkeyPatch, beside: str
 ) -> None:

@@ -139,7 +139,7 @@ class Wire:
 
 def _looking_at(fd: int) -> Callable[[int], list[tuple[int, int]]] | None:
     """Return what tells whether something is in a pipe; None where pipes cannot be polled (Windows)."""
-    import select
+    import select  # noqa: PLC0415 - see below
 
     sys.modules.pop("select", None)  # a team may have a file of this name, and gets its own
     if not hasattr(select, "poll"):
