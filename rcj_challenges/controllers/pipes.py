@@ -5,7 +5,6 @@ Two ways that behave alike: `PolledPipes` is fast and needs ``poll`` (POSIX); `T
 
 from __future__ import annotations
 
-import contextlib
 import os
 import queue
 import select
@@ -22,9 +21,6 @@ than most programs think (ADR 10)."""
 
 _LOOKS_LEFT_OUT = 16
 """One who has not answered within `MOMENT_S` is slept for at once the next so many times, then looked at again."""
-
-_ROUSED = LENGTH.pack(0)
-"""An empty frame: what really is to be told follows at once, so whoever reads it need not fall asleep again."""
 
 _CHUNK = 1 << 16
 _USUAL = 4096
@@ -46,9 +42,6 @@ class Channel(Protocol):
 
     def send(self, frame: bytes) -> None:
         """Send a frame, its length included. Never waits; a side that is gone shows at the next `receive`."""
-
-    def rouse(self) -> None:
-        """Let the other side wake up: a frame follows at once. Does nothing where that would not be any faster."""
 
     def receive(self, timeout_s: float) -> bytes | None:
         """Return the next frame without its length, or None if it did not come in time.
@@ -132,12 +125,6 @@ class PolledPipes:
             sent = -1
         if sent != len(frame):  # hardly ever
             self._send_rest(frame[max(0, sent) :])
-
-    def rouse(self) -> None:
-        """See `Channel`. A process on a processor that sleeps needs about as long to wake up as sensing takes."""
-        if not self._unsent:
-            with contextlib.suppress(OSError):  # one that does not read is left alone; one that is gone shows later
-                os.write(self._write_fd, _ROUSED)
 
     def receive(self, timeout_s: float) -> bytes | None:
         """See `Channel`."""
@@ -256,9 +243,6 @@ class ThreadedPipes:
     def send(self, frame: bytes) -> None:
         """See `Channel`."""
         self._to_send.put(frame)
-
-    def rouse(self) -> None:
-        """See `Channel`. The threads would have to be woken first."""
 
     def receive(self, timeout_s: float) -> bytes | None:
         """See `Channel`."""

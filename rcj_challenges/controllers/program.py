@@ -87,7 +87,6 @@ class Program:
         self._sharing = Sharing(Path(), math.inf, ())
         self._folder: Path | None = None
         self._log: ProgramLog | None = None
-        self._sleepers = tasks.Sleepers()
         self._look_at_s, self._look_at_tick = _SLICE_S, 0
         self._process: processes.Process | None = None
         self._channel: Channel | None = None
@@ -135,11 +134,6 @@ class Program:
             if is_of_the_host(error):
                 raise HostError(f"the program of {self.name} cannot be started here: {told_of(error)}") from error
             self._fail("start", f"the program could not be started: {one_line(told_of(error))}")
-
-    def rouse(self) -> None:
-        """Let its process wake up: `release` follows at once. Where no processor sleeps that would hold up others."""
-        if self._channel is not None and self._sleepers.there_are():
-            self._channel.rouse()
 
     def release(self, observation: Observation) -> None:
         """Let the program's ``step`` return with this. Does not wait."""

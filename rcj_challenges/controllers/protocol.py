@@ -21,7 +21,7 @@ from rcj_challenges.facts.traffic import MotorCommand, Observation, Packet, Requ
 
 PROTOCOL_VERSION = 1
 HELLO, OBSERVATION, REQUEST, FAULT = 0x48, 0x4F, 0x52, 0x46
-OVER = 1
+OVER, SOON = 1, 2  # flags of an observation
 FAULT_KINDS = ("crash", "exit", "memory", "output_flood", "start")
 
 MOST_EMISSIONS = 1_000
@@ -96,7 +96,7 @@ class Codec:
     def encode(self, observation: Observation) -> bytes:
         """Return an observation as a frame."""
         packets = observation.packets
-        flags = OVER if observation.over else 0
+        flags = OVER if observation.over else SOON if observation.soon else 0
         form = self._form
         if not packets:
             return form.pack(form.size - 4, OBSERVATION, observation.tick, flags, self._values, 0, *observation.values)

@@ -74,33 +74,17 @@ def held_up_here_s() -> float:
     return 0.0
 
 
-class Sleepers:
-    """Whether a processor has nothing to do, as it was when that was last looked at (Linux; elsewhere none has)."""
-
-    _LOOKS_LEFT_OUT = 15
-
-    def __init__(self) -> None:
-        self._processors = len(os.sched_getaffinity(0)) if sys.platform == "linux" else 0
-        self._left_out = 0
-        self._there_are = False
-
-    def there_are(self) -> bool:
-        """Return whether there are any. Cheap enough for every tick."""
-        if self._left_out:
-            self._left_out -= 1
-        else:
-            self._left_out = self._LOOKS_LEFT_OUT
-            self._there_are = 0 < _running() < self._processors
-        return self._there_are
-
-
-def _running() -> int:
-    """Return how many threads of the whole system have a processor, or wait for one; 0: not known."""
-    try:
-        with open("/proc/loadavg", "rb", buffering=0) as file:  # noqa: PTH123 - called while a match waits
+def running() -> int:
+    """Return how many threads of the whole system have a processor, or wait for one; 0 where nobody tells."""
+    if sys.platform == "linux":
+        with contextlib.suppress(OSError, ValueError, IndexError), open("/proc/loadavg", "rb", buffering=0) as file:  # noqa: PTH123
             return int(file.read().split()[3].partition(b"/")[0])
-    except (OSError, ValueError, IndexError):
-        return 0
+    return 0
+
+
+def processors() -> int:
+    """Return how many processors this process may use; 0 where nobody tells."""
+    return len(os.sched_getaffinity(0)) if sys.platform == "linux" else 0
 
 
 def seconds_of(told: str) -> float:

@@ -125,9 +125,16 @@ class DeviceRack:
         self._senses[robot].read(self._tick)
         self._radio.carry_infrared(robot, self._tick, self._poses)
 
-    def observe(self, robot: int, tick: int, over: bool = False) -> Observation:
-        """Return what a program is told when its step ends at ``tick``; its queue is empty afterwards."""
-        return Observation(tick, self._senses[robot].values.copy(), self._queues[robot].take(), over)
+    def observe(self, robot: int, tick: int, over: bool = False, soon: bool = False) -> Observation:
+        """Return what a program is told when its step ends at ``tick``; its queue is empty afterwards.
+
+        Args:
+            robot: its index.
+            tick: now.
+            over: whether the match is over for it.
+            soon: whether its next step will end soon.
+        """
+        return Observation(tick, self._senses[robot].values.copy(), self._queues[robot].take(), over, soon)
 
     def _set_period(self, robot: int, device: int, period_ticks: int) -> None:
         if self._radio.set_period(robot, device, period_ticks, self._tick):

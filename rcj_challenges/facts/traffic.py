@@ -78,12 +78,14 @@ class Observation(NamedTuple):
         values: all numbers of all devices (NaN before the first sample), by slot. Lidar ranges stand here too.
         packets: those that arrived since the last observation, in order.
         over: True in the last one: ``step`` returns -1.
+        soon: True if the next one follows soon, so that its process had better not fall asleep meanwhile.
     """
 
     tick: int
     values: list[float]
     packets: list[Packet]
     over: bool = False
+    soon: bool = False
 
 
 class MotorCommand(NamedTuple):

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from rcj_challenges.facts.play import Fault, HalfInfo, Snapshot, Verdict
 from rcj_challenges.facts.traffic import Observation, Request
+from rcj_challenges.match.haste import Haste
 from rcj_challenges.scenario.halves import MOST_LENGTHS
 
 if TYPE_CHECKING:
@@ -23,9 +24,6 @@ class Driver(Protocol):
 
     def collect_soon(self) -> Request | Fault | None:
         """Return the same if it is here, or comes at once; None: `collect` has to wait for it."""
-
-    def rouse(self) -> None:
-        """Let it wake up: `release` follows at once."""
 
     def release(self, observation: Observation) -> None:
         """Let its ``step`` return."""
@@ -102,6 +100,7 @@ class HalfPlay:
         self._faults: list[Fault] = []
         self._all_held = False
         self._held: frozenset[int] = frozenset()
+        self._haste = Haste()
         self.tick = 0
 
     def play(self) -> HalfOutcome:
@@ -142,7 +141,6 @@ class HalfPlay:
             self._apply_what_was_late(tick)
         faults, self._faults = tuple(self._faults), []
         snapshot = stage.world.step(tick, faults)
-        self._rouse_first(tick)
         heard = stage.rack.told_referee(tick)
         if heard:
             snapshot = snapshot._replace(heard=heard)
@@ -162,17 +160,6 @@ class HalfPlay:
             self._look_after_those_away(tick)
         return verdict
 
-    def _rouse_first(self, tick: int) -> None:
-        """Wake the program that is released first while it is still judged and sensed what it will be told.
-
-        The processor on which it waits has slept through the physics, and takes a while to wake up. The others find
-        it awake (ADR 10).
-        """
-        for robot in self._stage.rack.specs:
-            if self._due.get(robot) == tick:
-                self._alive[robot].rouse()
-                return
-
     def _hold(self, verdict: Verdict) -> None:
         """Hold robots from the next tick on, all or some, and let the others go."""
         self._all_held, self._held = verdict.robots_held, verdict.held
@@ -187,13 +174,15 @@ class HalfPlay:
 
     def _sense_and_release(self, tick: int, *, plays_on: bool) -> list[int]:
         """Let each robot look around, and release its program if it is due; returns those released."""
-        rack, alive, released = self._stage.rack, self._alive, []
+        rack, alive = self._stage.rack, self._alive
+        due = [robot for robot in rack.specs if self._due.get(robot) == tick] if plays_on else []
+        # The last one to answer keeps its processor awake, and nobody from computing.
+        awake = due[-1] if due and self._haste.next_is_soon() else None
         for robot in rack.specs:
             rack.finish_sensing(robot)
-            if plays_on and self._due.get(robot) == tick:
-                alive[robot].release(rack.observe(robot, tick))
-                released.append(robot)
-        return released
+            if robot in due:
+                alive[robot].release(rack.observe(robot, tick, soon=robot == awake))
+        return due
 
     def _collect(self, due: list[int]) -> None:
         """Carry out what those who were released ask for, in their order."""

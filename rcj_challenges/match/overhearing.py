@@ -75,10 +75,6 @@ class _Overheard:
         self._writer = writer
         self._tail = tail
 
-    def rouse(self) -> None:
-        """Let it wake up."""
-        self._driver.rouse()
-
     def release(self, observation: Observation) -> None:
         """Let its ``step`` return."""
         self._writer.saw(self._number, observation)

@@ -63,6 +63,7 @@ class LoopedWire:
 
     def __init__(self, answer: bytes) -> None:
         self.asked = b""
+        self.next_is_soon = False
         self._answer = answer
 
     def exchange(self, frame: bytes) -> bytes:
@@ -329,3 +330,16 @@ def test_the_document_of_the_protocol_names_every_form() -> None:
         _wire._FAULT.format,
     ):
         assert form.lstrip("<").lstrip("I") in text.replace(" ", ""), form
+
+
+@pytest.mark.parametrize("soon", [False, True])
+def test_a_program_is_told_whether_its_next_step_ends_soon(soon: bool) -> None:
+    hub, wire = pupil(CODEC.encode(Observation(1, [0.0] * SPEC.values, [], soon=soon)))
+    hub.exchange(32)
+    assert (wire.next_is_soon, hub.over) == (soon, False)
+
+
+def test_at_the_end_nothing_is_soon() -> None:
+    hub, wire = pupil(CODEC.encode(Observation(1, [0.0] * SPEC.values, [], over=True, soon=True)))
+    hub.exchange(32)
+    assert (wire.next_is_soon, hub.over) == (False, True)

@@ -25,9 +25,6 @@ class Away:
 
     collect_soon = collect
 
-    def rouse(self):
-        pass
-
     def release(self, observation):
         pass
 

@@ -56,9 +56,6 @@ class Puppet:
         """Return the same at once."""
         return self.collect()
 
-    def rouse(self) -> None:
-        """Be awake already."""
-
     def release(self, observation: Observation) -> None:
         """Hear what its devices say; there must be a packet or a number for each."""
         assert len(observation.values) == self.spec.values

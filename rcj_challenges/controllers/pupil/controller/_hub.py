@@ -13,6 +13,7 @@ from ._wire import (
     OBSERVATION_HEAD,
     OVER,
     PACKET,
+    SOON,
     Emission,
     Wire,
     leave,
@@ -260,7 +261,8 @@ class Hub:
         for samples in self._followed.values():
             samples.see(tick, numbers)
         self._clock.tick_began(tick)
-        if flags == OVER:
+        self._wire.next_is_soon = flags & SOON != 0
+        if flags & OVER:
             self.over = True
             self._tell_of_depth()
 

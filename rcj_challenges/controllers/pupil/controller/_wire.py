@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     """Index, velocity in rad/s, position in rad."""
 
 HELLO, OBSERVATION, REQUEST, FAULT = 0x48, 0x4F, 0x52, 0x46
-OVER = 1
+OVER, SOON = 1, 2  # flags of an observation
 FAULT_KINDS = ("crash", "exit", "memory", "output_flood", "start")
 
 OBSERVATION_HEAD = "<IBIBII"  # length, type, tick, flags, how many values, how many packets; then the values
@@ -42,9 +42,7 @@ _USUAL_READ = 4096
 _LARGE_READ = 1 << 16
 _WHOLE_WRITE = 512  # POSIX writes that much to a pipe in one piece
 
-_ROUSED = _LENGTH.pack(0)
-"""An empty frame: what there is to tell follows at once."""
-_AT_ONCE_S = 0.0002
+_AWAKE_S = 0.001  # ticks take a third of it where nobody computes much
 _let_others_run = getattr(os, "sched_yield", lambda: None)
 
 
@@ -52,6 +50,9 @@ class Wire:
     """Reads and writes whole frames.
 
     A parent that is gone ends the process at once: there is nobody left to play for.
+
+    Attributes:
+        next_is_soon: whether the match has said that the next observation follows soon.
     """
 
     def __init__(self, read_fd: int, write_fd: int) -> None:
@@ -60,6 +61,7 @@ class Wire:
         self._rest = b""
         self._is_here = _looking_at(read_fd)
         self._our_threads = 0
+        self.next_is_soon = False
         self._writing = allocate_lock()
 
     def count_our_threads(self) -> None:
@@ -70,8 +72,6 @@ class Wire:
         """Wait for the next frame and return it, its length included."""
         try:
             frame = self._rest or os.read(self._read_fd, _USUAL_READ)
-            if frame[:4] == _ROUSED:
-                frame = self._roused(frame)
         except OSError:
             leave(1)
         if len(frame) >= 4 and _LENGTH.unpack_from(frame)[0] == len(frame) - 4:
@@ -96,9 +96,9 @@ class Wire:
             return self.receive()
         try:
             os.write(self._write_fd, frame)
+            if self.next_is_soon:
+                self._wait_awake()
             answer = os.read(self._read_fd, _USUAL_READ)
-            if answer[:4] == _ROUSED:
-                answer = self._roused(answer)
             whole = _LENGTH.unpack_from(answer)[0] == len(answer) - 4
         except error:  # not even a length
             whole = False
@@ -106,19 +106,16 @@ class Wire:
             leave(1)
         return answer if whole else self._receive_in_pieces(answer)
 
-    def _roused(self, held: bytes) -> bytes:
-        """Return what follows an empty frame. It is here, or comes while this process looks for it and does not sleep.
+    def _wait_awake(self) -> None:
+        """Wait for the next frame without sleeping, but not for long, and letting everybody else go first.
 
-        Where the program has threads it sleeps, for each look would hold them up.
+        Where the program has threads they would be held up by each look: then there is no waiting here.
         """
-        if len(held) > len(_ROUSED):
-            return held[len(_ROUSED) :]
         is_here = self._is_here
         if is_here is not None and _count() <= self._our_threads:
-            give_up = perf_counter() + _AT_ONCE_S
+            give_up = perf_counter() + _AWAKE_S
             while not is_here(0) and perf_counter() < give_up:
                 _let_others_run()
-        return os.read(self._read_fd, _USUAL_READ)
 
     def _receive_in_pieces(self, held: bytes) -> bytes:
         parts, have, end = [held], len(held), 4

@@ -1,0 +1,153 @@
+"""A program that is told that its next observation follows soon waits for it awake, if that harms nobody."""
+
+from __future__ import annotations
+
+import os
+import sys
+import threading
+import time
+from collections.abc import Iterator
+
+import pytest
+from fake_match import SPEC, FakeMatch, Played, values_at
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rcj_challenges.controllers.processes import PUPIL_FOLDER
+from rcj_challenges.controllers.program import Program
+from rcj_challenges.facts.play import Fault
+from rcj_challenges.facts.traffic import Observation
+
+sys.path.append(str(PUPIL_FOLDER))
+from controller import _wire  # type: ignore[import-not-found]  # the program's end, as programs import it
+
+POSIX = pytest.mark.skipif(sys.platform == "win32", reason="pipes cannot be polled on Windows")
+GO_ON = b"\x05\0\0\0go on"
+
+
+def framed(body: bytes) -> bytes:
+    return len(body).to_bytes(4, "little") + body
+
+
+class Line:
+    """The program's end of the pipes, told to stay awake, and the match's ends."""
+
+    def __init__(self) -> None:
+        self._read, self._says = os.pipe()
+        self._hears, self._write = os.pipe()
+        self.wire = _wire.Wire(self._read, self._write)
+        self.wire.count_our_threads()
+        self.wire.next_is_soon = True
+
+    def tell(self, data: bytes) -> None:
+        while data:
+            data = data[os.write(self._says, data) :]
+
+    def hang_up(self) -> None:
+        os.close(self._says)
+        self._says = -1
+
+    def close(self) -> None:
+        for fd in (self._read, self._says, self._hears, self._write):
+            if fd >= 0:
+                os.close(fd)
+
+
+@pytest.fixture
+def line() -> Iterator[Line]:
+    opened = Line()
+    yield opened
+    opened.close()
+
+
+@POSIX
+def test_it_looks_again_and_again_and_lets_everybody_else_go_first(line: Line, monkeypatch: pytest.MonkeyPatch) -> None:
+    looks: list[int] = []
+
+    def let_others_run() -> None:
+        looks.append(0)
+        if len(looks) == 3:
+            line.tell(framed(b"tick 1"))
+
+    monkeypatch.setattr(_wire, "_AWAKE_S", 60.0)
+    monkeypatch.setattr(_wire, "_let_others_run", let_others_run)
+    assert line.wire.exchange(GO_ON) == framed(b"tick 1")
+    assert len(looks) == 3
+
+
+@POSIX
+def test_it_does_not_look_for_long(line: Line, monkeypatch: pytest.MonkeyPatch) -> None:
+    moments_s = iter([0.0, 0.0004, 0.0008, 0.0012])
+    looks: list[int] = []
+    monkeypatch.setattr(_wire, "perf_counter", lambda: next(moments_s))
+    monkeypatch.setattr(_wire, "_count", lambda: 0)  # that of this test is none of the program's
+    monkeypatch.setattr(_wire, "_let_others_run", lambda: looks.append(0))
+    threading.Timer(0.05, line.tell, [framed(b"late")]).start()
+    assert line.wire.exchange(GO_ON) == framed(b"late")
+    assert len(looks) == 2
+
+
+@pytest.mark.parametrize("why", ["not told so", "threads of the program"])
+def test_otherwise_it_sleeps(line: Line, monkeypatch: pytest.MonkeyPatch, why: str) -> None:
+    if why == "not told so":
+        line.wire.next_is_soon = False
+    else:
+        monkeypatch.setattr(_wire, "_count", lambda: 99)  # each look would hold them up
+    monkeypatch.setattr(_wire, "_let_others_run", lambda: pytest.fail("it looked"))
+    threading.Timer(0.05, line.tell, [framed(b"tick 1")]).start()
+    assert line.wire.exchange(GO_ON) == framed(b"tick 1")
+
+
+@given(st.integers(1, 100_000))
+def test_an_observation_of_any_size_arrives_whole(size: int) -> None:
+    line, frame = Line(), framed(bytes(size))
+    line.wire._our_threads = 99
+    teller = threading.Thread(target=line.tell, args=(frame,))
+    teller.start()
+    assert line.wire.exchange(GO_ON) == frame
+    teller.join()
+    line.close()
+
+
+def test_it_ends_at_once_when_the_match_is_gone(line: Line, monkeypatch: pytest.MonkeyPatch) -> None:
+    def leave(status: int) -> None:
+        raise SystemExit(status)
+
+    monkeypatch.setattr(_wire, "leave", leave)
+    monkeypatch.setattr(_wire, "_AWAKE_S", 60.0)
+    line.hang_up()
+    with pytest.raises(SystemExit):
+        line.wire.exchange(GO_ON)
+
+
+READS_ITS_GPS = """from controller import Robot
+robot = Robot()
+gps = robot.getDevice("gps")
+gps.enable(32)
+while robot.step(32) != -1:
+    print(int(gps.getValues()[0]))
+"""
+WITH_A_THREAD = "import threading, time\nthreading.Thread(target=time.sleep, args=(1,)).start()\n"
+
+
+def told_that_all_is_soon(program: Program, ticks: int) -> list[Fault]:
+    answers = [program.collect()]
+    for tick in range(1, ticks + 1):
+        if tick % 7 == 0:
+            time.sleep(0.002)  # longer than it looks
+        program.release(Observation(tick, values_at(tick), [], soon=True))
+        answers.append(program.collect())
+    return [answer for answer in answers if isinstance(answer, Fault)]
+
+
+@pytest.mark.parametrize("beside", ["", WITH_A_THREAD])
+def test_a_real_program_reads_the_same_as_ever(match: FakeMatch, beside: str) -> None:
+    team, played = match.team(beside + READS_ITS_GPS), Played()
+    with match.crew() as crew:
+        program = crew.add(SPEC, team, team.entry_for("Y1", "robot.py"))
+        crew.launch()
+        assert not told_that_all_is_soon(program, 60)
+        crew.finish({"Y1": Observation(60, values_at(60), [], over=True)})
+        crew.close()
+        played.log = program.new_output()
+    assert played.said == [str(tick) for tick in range(1, 61)]

@@ -1,0 +1,146 @@
+"""Who is told to wait awake for the next tick, and when nobody is."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import pytest
+
+from rcj_challenges.controllers import tasks
+from rcj_challenges.facts.play import Fault
+from rcj_challenges.facts.traffic import Request
+from rcj_challenges.match import haste
+from rcj_challenges.match.half import HalfPlay
+from rcj_challenges.match.haste import SOON_S, Haste
+from rcj_challenges.match.stage import build_stage
+from rcj_challenges.referee.script import half_of
+from rcj_challenges.scenario.load import load
+
+
+@pytest.fixture
+def computer(monkeypatch):
+    """A computer of two processors on which one thread runs, and ticks take a third of a millisecond."""
+    told = SimpleNamespace(now_s=0.0, tick_s=SOON_S / 3, running=1, looked=0)
+
+    def clock():
+        told.now_s += told.tick_s
+        return told.now_s
+
+    def running():
+        told.looked += 1
+        return told.running
+
+    monkeypatch.setattr(haste, "time", SimpleNamespace(perf_counter=clock))
+    monkeypatch.setattr(tasks, "running", running)
+    monkeypatch.setattr(tasks, "processors", lambda: 2)
+    return told
+
+
+def answers(of, ticks):
+    return [of.next_is_soon() for _ in range(ticks)]
+
+
+def test_the_next_tick_is_soon_once_it_is_known_that_there_is_room(computer):
+    assert not any(answers(Haste(), 15))
+    assert computer.looked == 0
+
+
+def test_one_tick_in_16_is_slept_through_so_that_nobody_of_ours_is_counted(computer):
+    of = Haste()
+    answers(of, 15)
+    for looked in range(1, 5):
+        assert answers(of, 16) == 15 * [True] + [False]
+        assert computer.looked == looked
+
+
+@pytest.mark.parametrize("running", [2, 7, 0])
+def test_beside_others_who_compute_nobody_stays_awake(computer, running):
+    of = Haste()
+    answers(of, 15)
+    computer.running = running  # 0: nobody tells
+    assert not any(answers(of, 16))
+    computer.running = 1
+    assert answers(of, 15) == 15 * [True]
+
+
+def test_where_ticks_take_long_nobody_stays_awake(computer):
+    of = Haste()
+    answers(of, 16)
+    computer.tick_s = 0.032
+    assert not any(answers(of, 16))
+    computer.tick_s = SOON_S / 2
+    assert of.next_is_soon()
+
+
+def test_where_nobody_knows_how_many_processors_there_are_nobody_stays_awake(computer, monkeypatch):
+    monkeypatch.setattr(tasks, "processors", lambda: 0)
+    assert not any(answers(Haste(), 40))
+
+
+@pytest.mark.skipif(not tasks.processors(), reason="only Linux tells it")
+def test_linux_tells_that_at_least_this_thread_runs():
+    assert tasks.running() >= 1
+
+
+class Noted:
+    """A program that asks for steps of so many ticks, and of which is noted who was told that the next one is soon."""
+
+    def __init__(self, name, notes, ticks, fails_at=None):
+        self.name, self.ticks, self.notes, self.fails_at = name, ticks, notes, fails_at
+        self.steps = 0
+
+    def collect(self):
+        self.steps += 1
+        return Fault(self.name, "crash", 0, 1, "made up") if self.steps == self.fails_at else Request(self.ticks)
+
+    collect_soon = collect
+
+    def release(self, observation):
+        self.notes.append((self.name, observation.soon))
+
+    def overstepped(self, tick):
+        return None
+
+
+@pytest.fixture
+def told(monkeypatch):
+    """Return what plays some ticks: by tick, who was released, and whether it was told to stay awake."""
+
+    def play(ticks, *, soon=True, **asks):
+        monkeypatch.setattr(Haste, "next_is_soon", lambda _: soon)
+        loaded = load("match")
+        half = replace(half_of(loaded.scenario), ticks=ticks)
+        names = loaded.roster.entities[: loaded.roster.robots]
+        notes, by_tick = [], []
+
+        def on_tick(*_):
+            by_tick.append(notes.copy())
+            notes.clear()
+
+        drivers = {index: Noted(name, notes, *asks.get(name, (1,))) for index, name in enumerate(names)}
+        stage = build_stage(loaded.scenario, loaded.roster, half, drivers)
+        HalfPlay(stage, half, on_tick, lambda _: None, lambda _: None).play()
+        return by_tick[1:]
+
+    return play
+
+
+def awake(ticks):
+    return [[name for name, is_awake in notes if is_awake] for notes in ticks]
+
+
+def test_the_last_one_to_be_released_stays_awake_as_it_keeps_nobody_from_computing(told):
+    ticks = told(3)
+    assert awake(ticks)[:2] == [[ticks[0][-1][0]]] * 2
+    assert [len(notes) for notes in ticks] == [6, 6, 0]
+
+
+def test_of_those_who_are_due(told):
+    assert awake(told(5, Y3=(2,)))[:4] == [["Y2"], ["Y3"], ["Y2"], ["Y3"]]
+
+
+def test_one_that_has_failed_is_not_among_them(told):
+    assert awake(told(4, Y3=(1, 2)))[:3] == [["Y3"], ["Y2"], ["Y2"]]
+
+
+def test_where_the_next_tick_is_not_soon_all_sleep(told):
+    assert not any(awake(told(4, soon=False)))
