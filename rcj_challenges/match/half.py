@@ -176,8 +176,8 @@ class HalfPlay:
         """Let each robot look around, and release its program if it is due; returns those released."""
         rack, alive = self._stage.rack, self._alive
         due = [robot for robot in rack.specs if self._due.get(robot) == tick] if plays_on else []
-        # The last one to answer keeps its processor awake, and nobody from computing.
-        awake = due[-1] if due and self._haste.next_is_soon() else None
+        # The one that is released first finds its processor awake, and so do the others after it.
+        awake = due[0] if due and self._haste.next_is_soon() else None
         for robot in rack.specs:
             rack.finish_sensing(robot)
             if robot in due:
