@@ -8,8 +8,15 @@ import os
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 from rcj_challenges.controllers.account import Usage
+
+_GRANTS = (
+    ("/sys/fs/cgroup/cpu.max",),
+    ("/sys/fs/cgroup/cpu/cpu.cfs_quota_us", "/sys/fs/cgroup/cpu/cpu.cfs_period_us"),
+)
+"""Where Linux tells how much processor time a container is granted, in µs, and of how many: the newer and older way."""
 
 _LINKS_OF_A_FOLDER = 2  # itself and its parent; each further one is a folder in it, here a thread
 
@@ -83,8 +90,20 @@ def running() -> int:
 
 
 def processors() -> int:
-    """Return how many processors this process may use; 0 where nobody tells."""
-    return len(os.sched_getaffinity(0)) if sys.platform == "linux" else 0
+    """Return how many processors this process may keep busy; 0 where nobody tells.
+
+    A container sees all processors of its computer, and may have been granted the time of fewer: who takes more of it
+    is stopped for the rest of each tenth of a second.
+    """
+    if sys.platform != "linux":
+        return 0
+    granted = len(os.sched_getaffinity(0))
+    for files in _GRANTS:
+        with contextlib.suppress(OSError, ValueError, ZeroDivisionError):
+            time_us, of_us = map(int, " ".join(Path(file).read_text(encoding="ascii") for file in files).split())
+            if time_us > 0:  # -1: as much as there is; so does the word "max", which is no number
+                granted = min(granted, time_us // of_us)
+    return granted
 
 
 def seconds_of(told: str) -> float:

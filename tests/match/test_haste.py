@@ -81,6 +81,30 @@ def test_linux_tells_that_at_least_this_thread_runs():
     assert tasks.running() >= 1
 
 
+@pytest.mark.skipif(not tasks.processors(), reason="only Linux tells it")
+@pytest.mark.parametrize(
+    ("told", "processors"),
+    [
+        (["max 100000\n"], 4),
+        (["250000 100000\n"], 2),
+        (["50000 100000\n"], 0),
+        (["-1\n", "100000\n"], 4),
+        (["100000\n", "100000\n"], 1),
+        (["900000\n", "100000\n"], 4),
+        (["what is this\n"], 4),
+        (["100000 0\n"], 4),
+        ([], 4),
+    ],
+)
+def test_a_container_keeps_no_more_processors_busy_than_it_is_granted(monkeypatch, tmp_path, told, processors):
+    monkeypatch.setattr("os.sched_getaffinity", lambda _: set(range(4)))
+    files = [tmp_path / str(number) for number in range(max(1, len(told)))]
+    for file, text in zip(files, told, strict=False):
+        file.write_text(text, encoding="ascii")
+    monkeypatch.setattr(tasks, "_GRANTS", (tuple(map(str, files)),))
+    assert tasks.processors() == processors
+
+
 class Noted:
     """A program that asks for steps of so many ticks, and of which is noted who was told that the next one is soon."""
 
