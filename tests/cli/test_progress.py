@@ -48,7 +48,7 @@ def heard_at(tick, clock_ticks, later_ticks):
     listening = Listening()
     half = replace(half_of(load("match").scenario), ticks=300)
     clerk = HalfClerk(half, later_ticks, Counting(clock_ticks), Nothing(), listening, Nothing(), (), real_time=False)
-    clerk.ticked(SimpleNamespace(tick=tick), Nothing(), b"")
+    clerk.ticked(SimpleNamespace(tick=tick), Nothing(), b"", b"")
     (progress,) = listening.heard
     return progress
 
