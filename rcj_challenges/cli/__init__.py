@@ -106,6 +106,7 @@ def _told(error: BaseException, *, begun: bool, interrupted: bool = False) -> in
     from rcj_challenges.cli.says import is_of_the_output, output_trouble, say_no_more
     from rcj_challenges.facts.errors import RcjError, interruption_behind, is_held, is_no_room, is_of_the_host, told_of
 
+    error = _or_not_installed(error)
     if isinstance(error, RcjError) and error.exit_code != OUR_FAULT:
         _complain(str(error))
         return error.exit_code
@@ -129,6 +130,19 @@ def _told(error: BaseException, *, begun: bool, interrupted: bool = False) -> in
     if usage is None and interrupted:
         return _told(KeyboardInterrupt(), begun=begun)
     return report_our_fault(error) if usage is None else usage
+
+
+def _or_not_installed(error: BaseException) -> BaseException:
+    """Return an error as it is, unless it is that a package is missing: then what to do about that."""
+    package = (error.name or "").partition(".")[0] if isinstance(error, ModuleNotFoundError) else ""
+    if package in ("", __name__.partition(".")[0], *sys.stdlib_module_names):
+        return error
+    from rcj_challenges.facts.errors import HostError
+
+    return HostError(
+        f"the package {package!r} is missing: this Python has rcj-challenge without all that belongs to it; "
+        "install it as the README says, or start the Python in which it is installed"
+    )
 
 
 def _end_gently(interrupted_at_s: list[float]) -> list[int]:

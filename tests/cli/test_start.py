@@ -40,6 +40,30 @@ def test_an_unknown_command_is_met_with_the_nearest_one(arguments, capsys):
     assert "No such command 'valdate'. Did you mean 'validate'?" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("package", ["pydantic", "mujoco.viewer"])
+def test_a_package_that_is_not_installed_is_no_fault_of_ours(arguments, capsys, monkeypatch, package):
+    def missing(*_):
+        raise ModuleNotFoundError(f"No module named {package!r}", name=package)
+
+    monkeypatch.setattr(cli, "_start_quickly", missing)
+    assert arguments("validate", "match") == 2
+    told = capsys.readouterr().err
+    assert f"the package '{package.partition('.')[0]}' is missing" in told
+    assert "install it as the README says" in told
+    assert "Traceback" not in told
+
+
+@pytest.mark.parametrize("module", ["rcj_challenges.nowhere", "json.nowhere"])
+def test_a_module_that_we_should_have_is(arguments, capsys, monkeypatch, tmp_path, module):
+    def missing(*_):
+        raise ModuleNotFoundError(f"No module named {module!r}", name=module)
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(cli, "_start_quickly", missing)
+    assert arguments("validate", "match") == 3
+    assert "our fault" in capsys.readouterr().err
+
+
 def test_the_help_lists_all_commands(arguments, capsys):
     arguments("--help")
     told = capsys.readouterr().out
