@@ -89,8 +89,8 @@ class Process:
         """Return whether it is over."""
         return self._popen.poll() is not None
 
-    def has_begun(self) -> None:
-        """Remember which process is the program's. To be called when that has said something: now it is there."""
+    def remember_program(self) -> None:
+        """Find out for good which process is the program's. To be called when it has said something: it is there."""
         self._looked_at_pid = self._innermost_pid()
 
     def threads(self) -> int:
@@ -114,6 +114,17 @@ class Process:
             in_memory: whether those count that it only has in its memory.
         """
         return scratch.nameless_bytes(self._pid_to_look_at(), output_fd, folder, in_memory=in_memory)
+
+    def give_way(self, give_way: bool) -> None:
+        """Let it interrupt nobody who computes when it has something to do (Linux), or take its turn as at first.
+
+        Else it interrupts the match in the middle of telling other programs, for Linux likes to wake it where it was
+        told.
+        """
+        if sys.platform == "linux" and not self.has_ended():
+            with contextlib.suppress(OSError):
+                policy = os.SCHED_BATCH if give_way else os.SCHED_OTHER
+                os.sched_setscheduler(self._pid_to_look_at(), policy, os.sched_param(0))
 
     def say_where_it_is(self, lifeline_fd: int | None) -> None:
         """Let it write its present traceback to its log and end. It may refuse, so `kill` afterwards.

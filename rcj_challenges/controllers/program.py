@@ -141,6 +141,11 @@ class Program:
         if self._channel is not None:
             self._channel.send(self._codec.encode(observation))
 
+    def give_way(self, give_way: bool) -> None:
+        """Let its process interrupt nobody who computes, or take its turn as everybody does, as at first."""
+        if self._process is not None:
+            self._process.give_way(give_way)
+
     def collect(self) -> Request | Fault:
         """Wait until the program calls ``step``, or until its limit is reached or it fails.
 
@@ -168,7 +173,7 @@ class Program:
         else:
             self.started_s = time.perf_counter() - self._launched_at
             if self._process is not None:
-                self._process.has_begun()
+                self._process.remember_program()
             self.account.begin()
         return self._accepted(answer)
 

@@ -28,6 +28,9 @@ class Driver(Protocol):
     def release(self, observation: Observation) -> None:
         """Let its ``step`` return."""
 
+    def give_way(self, give_way: bool) -> None:
+        """Let it interrupt nobody who computes, or take its turn as everybody does, as at first."""
+
     def overstepped(self, tick: int) -> Fault | None:
         """Look whether it takes more than it may while nobody waits for it: its threads run on in a long ``step``."""
 
@@ -101,6 +104,7 @@ class HalfPlay:
         self._all_held = False
         self._held: frozenset[int] = frozenset()
         self._haste = Haste()
+        self._give_way = False
         self.tick = 0
 
     def play(self) -> HalfOutcome:
@@ -178,6 +182,10 @@ class HalfPlay:
         due = [robot for robot in rack.specs if self._due.get(robot) == tick] if plays_on else []
         # The one that is released first finds its processor awake, and so do the others after it.
         awake = due[0] if due and self._haste.next_is_soon() else None
+        if self._haste.is_room is not self._give_way:
+            self._give_way = self._haste.is_room
+            for driver in alive.values():
+                driver.give_way(self._give_way)
         for robot in rack.specs:
             rack.finish_sensing(robot)
             if robot in due:

@@ -22,13 +22,16 @@ class Haste:
     """Tells that of each tick. It only makes a match faster: no program can see it.
 
     Only where a processor has nothing else to do: beside other matches, those that stay awake would hold everybody up.
+
+    Attributes:
+        is_room: whether there was one when that was last looked at.
     """
 
     def __init__(self) -> None:
         self._processors = tasks.processors()
         self._began_s = -math.inf
         self._ticks = 0
-        self._is_room = False
+        self.is_room = False
 
     def next_is_soon(self) -> bool:
         """Return whether the next tick is expected so soon. To be called once a tick, before programs are released."""
@@ -37,6 +40,6 @@ class Haste:
         self._ticks += 1
         phase = self._ticks % _LOOKED_EVERY_TICKS
         if phase == 0:
-            self._is_room = 0 < tasks.running() < self._processors
+            self.is_room = 0 < tasks.running() < self._processors
         # Before that is looked at, the one who was awake has to sleep: it would be counted.
-        return was_soon and self._is_room and phase != _LOOKED_EVERY_TICKS - 1
+        return was_soon and self.is_room and phase != _LOOKED_EVERY_TICKS - 1

@@ -80,6 +80,10 @@ class _Overheard:
         self._writer.saw(self._number, observation)
         self._driver.release(observation)
 
+    def give_way(self, give_way: bool) -> None:
+        """Let it interrupt nobody, or take its turn."""
+        self._driver.give_way(give_way)
+
     def overstepped(self, tick: int) -> Fault | None:
         """Look whether it takes more than it may."""
         return self._driver.overstepped(tick)

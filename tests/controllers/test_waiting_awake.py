@@ -151,3 +151,24 @@ def test_a_real_program_reads_the_same_as_ever(match: FakeMatch, beside: str) ->
         crew.close()
         played.log = program.new_output()
     assert played.said == [str(tick) for tick in range(1, 61)]
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux has such a way of taking turns")
+@pytest.mark.parametrize("sandbox", ["auto", "off"])
+def test_a_program_gives_way_and_takes_its_turn_again(match: FakeMatch, sandbox: str) -> None:
+    team = match.team(READS_ITS_GPS)
+    with match.crew(sandbox=sandbox) as crew:
+        program = crew.add(SPEC, team, team.entry_for("Y1", "robot.py"))
+        crew.launch()
+        program.collect()
+        process = program._process
+        assert process is not None
+        pid = process._pid_to_look_at()
+        for give_way, policy in ((True, os.SCHED_BATCH), (False, os.SCHED_OTHER), (True, os.SCHED_BATCH)):
+            program.give_way(give_way)
+            assert os.sched_getscheduler(pid) == policy
+            program.release(Observation(1, values_at(1), []))
+            assert not isinstance(program.collect(), Fault)
+        program.kill()
+        program.give_way(True)  # who is gone interrupts nobody
+        crew.close()

@@ -110,7 +110,7 @@ class Noted:
 
     def __init__(self, name, notes, ticks, fails_at=None):
         self.name, self.ticks, self.notes, self.fails_at = name, ticks, notes, fails_at
-        self.steps = 0
+        self.steps, self.gives_way = 0, []
 
     def collect(self):
         self.steps += 1
@@ -121,28 +121,42 @@ class Noted:
     def release(self, observation):
         self.notes.append((self.name, observation.soon))
 
+    def give_way(self, give_way):
+        self.gives_way.append(give_way)
+
     def overstepped(self, tick):
         return None
 
 
 @pytest.fixture
-def told(monkeypatch):
+def stage():
+    """Return what sets up a half of some ticks with six of them: the half, the stage, and what they noted."""
+
+    def set_up(ticks, **asks):
+        loaded = load("match")
+        half = replace(half_of(loaded.scenario), ticks=ticks)
+        notes = []
+        names = loaded.roster.entities[: loaded.roster.robots]
+        drivers = {index: Noted(name, notes, *asks.get(name, (1,))) for index, name in enumerate(names)}
+        return half, build_stage(loaded.scenario, loaded.roster, half, drivers), notes
+
+    return set_up
+
+
+@pytest.fixture
+def told(monkeypatch, stage):
     """Return what plays some ticks: by tick, who was released, and whether it was told to stay awake."""
 
     def play(ticks, *, soon=True, **asks):
         monkeypatch.setattr(Haste, "next_is_soon", lambda _: soon)
-        loaded = load("match")
-        half = replace(half_of(loaded.scenario), ticks=ticks)
-        names = loaded.roster.entities[: loaded.roster.robots]
-        notes, by_tick = [], []
+        half, set_up, notes = stage(ticks, **asks)
+        by_tick = []
 
         def on_tick(*_):
             by_tick.append(notes.copy())
             notes.clear()
 
-        drivers = {index: Noted(name, notes, *asks.get(name, (1,))) for index, name in enumerate(names)}
-        stage = build_stage(loaded.scenario, loaded.roster, half, drivers)
-        HalfPlay(stage, half, on_tick, lambda _: None, lambda _: None).play()
+        HalfPlay(set_up, half, on_tick, lambda _: None, lambda _: None).play()
         return by_tick[1:]
 
     return play
@@ -168,3 +182,18 @@ def test_one_that_has_failed_is_not_among_them(told):
 
 def test_where_the_next_tick_is_not_soon_all_sleep(told):
     assert not any(awake(told(4, soon=False)))
+
+
+def test_as_long_as_there_is_room_they_interrupt_nobody(monkeypatch, stage):
+    room = iter([False, False, True, True, True, False, False, True, True])
+
+    def next_is_soon(haste):
+        haste.is_room = next(room)
+        return False
+
+    monkeypatch.setattr(Haste, "next_is_soon", next_is_soon)
+    half, set_up, _ = stage(10, B1=(1, 5))
+    HalfPlay(set_up, half, lambda *_: None, lambda _: None, lambda _: None).play()
+    first, *others = set_up.drivers.values()
+    assert first.gives_way == [True]  # it fails at its fifth step
+    assert all(one.gives_way == [True, False, True] for one in others)

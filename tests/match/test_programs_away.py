@@ -28,6 +28,9 @@ class Away:
     def release(self, observation):
         pass
 
+    def give_way(self, give_way):
+        pass
+
     def overstepped(self, tick):
         self.looked_at.append(tick)
         return FAULT if tick == 128 else None

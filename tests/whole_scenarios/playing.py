@@ -60,6 +60,9 @@ class Puppet:
         """Hear what its devices say; there must be a packet or a number for each."""
         assert len(observation.values) == self.spec.values
 
+    def give_way(self, give_way: bool) -> None:
+        """Interrupt nobody."""
+
     def overstepped(self, tick: int) -> Fault | None:
         """Say that it takes no more than it may."""
         return None

@@ -136,9 +136,11 @@ class Wire:
 
 def _looking_at(fd: int) -> Callable[[int], list[tuple[int, int]]] | None:
     """Return what tells whether something is in a pipe; None where pipes cannot be polled (Windows)."""
+    was_there = "select" in sys.modules
     import select  # noqa: PLC0415 - see below
 
-    sys.modules.pop("select", None)  # a team may have a file of this name, and gets its own
+    if not was_there:  # a team may have a file of this name, and gets its own
+        del sys.modules["select"]
     if not hasattr(select, "poll"):
         return None
     poll = select.poll()
