@@ -268,3 +268,19 @@ def test_who_writes_fast_is_stopped_before_its_folder_is_looked_through_again(
     fault = fault_of(FakeMatch(tmp_path, scratch_mb=1), fast, 300)
     assert fault.kind == "output_flood"
     assert 19 <= fault.tick < 60
+
+
+def test_what_it_holds_is_looked_at_in_each_256_ticks_and_what_only_its_memory_holds_in_each_1024(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    looks: list[bool] = []
+
+    def nameless_bytes(*_: object, in_memory: bool) -> float:
+        looks.append(in_memory)
+        return 0.0
+
+    monkeypatch.setattr("rcj_challenges.controllers.program._SLICE_S", 60.0)  # a slow computer looks more often
+    monkeypatch.setattr(processes.Process, "nameless_bytes", nameless_bytes)
+    steps = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
+    assert FakeMatch(tmp_path).play(steps, 1100).fault is None
+    assert looks[-5:] == [True, False, False, False, True]  # before the first step by wall time, then at ticks

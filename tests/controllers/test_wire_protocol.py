@@ -343,3 +343,30 @@ def test_at_the_end_nothing_is_soon() -> None:
     hub, wire = pupil(CODEC.encode(Observation(1, [0.0] * SPEC.values, [], over=True, soon=True)))
     hub.exchange(32)
     assert (wire.next_is_soon, hub.over) == (False, True)
+
+
+LEFT, RIGHT = INDEX["left wheel motor"], INDEX["right wheel motor"]
+
+
+@pytest.mark.parametrize(
+    ("advance", "wheels"),
+    [
+        (0, (LEFT, 5.0, math.inf, RIGHT, 5.0, math.inf)),
+        (1, (LEFT, 5.0, math.inf, RIGHT, math.nan, math.inf)),
+        (1, (LEFT, -10.1, math.inf, RIGHT, 5.0, math.inf)),
+        (1, (LEFT, 5.0, math.inf, RIGHT, 5.0, -math.inf)),
+        (1, (LEFT, 5.0, math.nan, RIGHT, 5.0, math.inf)),
+        (1, (LEFT, 5.0, math.inf, INDEX["gps"], 5.0, math.inf)),
+        (1, (INDEX["gps"], 5.0, math.inf, RIGHT, 5.0, math.inf)),
+    ],
+)
+def test_of_the_commonest_request_nothing_is_taken_if_anything_is_wrong(
+    advance: int, wheels: tuple[int, float, float, int, float, float]
+) -> None:
+    def body(tick: int, advance: int, wheels: tuple[float, ...]) -> bytes:
+        return struct.pack("<BIIIQHHHHIHddHdd", 0x52, tick, advance, 0, 0, 2, 0, 0, 0, 0, *wheels)
+
+    good = CODEC.decode(body(3, 1, (LEFT, 5.0, math.inf, RIGHT, -10.0, 1.5)), 3)
+    assert good == Request(1, 0, (MotorCommand(LEFT, 5.0, math.inf), MotorCommand(RIGHT, -10.0, 1.5)))
+    with pytest.raises(ProtocolError):
+        CODEC.decode(body(4, advance, wheels), 4)
