@@ -7,6 +7,7 @@ commanded, and dry friction between wheel and floor (the grip tendons of `build_
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from struct import Struct
 from typing import Any, Literal
 
@@ -50,14 +51,15 @@ class Wheel:
         target_rad: ``inf``: by velocity; else the angle to go to and hold.
         stopped: whether its robot is held, or has been taken off the field: it is braked, whatever is commanded.
         turns_radps: how fast it turns now.
+        limit_n: the grip that was chosen for it.
         just_reversed: whether it has begun to turn this way in this tick.
         tendon: index of its grip in the model.
         at: where its angle stands in `qpos`, and its speed in `qvel`.
     """
 
     __slots__ = (
-        "arm_m", "at", "brake_n", "commanded_radps", "drive_n", "just_reversed", "radius_m", "stopped", "target_rad",
-        "tendon", "turns_radps",
+        "arm_m", "at", "brake_n", "commanded_radps", "drive_n", "just_reversed", "limit_n", "radius_m", "stopped",
+        "target_rad", "tendon", "turns_radps",
     )  # fmt: skip
 
     def __init__(self, arm_m: float, radius_m: float, grip: contact.Grip, tendon: int, at: int) -> None:
@@ -68,6 +70,7 @@ class Wheel:
         self.commanded_radps = 0.0
         self.target_rad = 0.0
         self.turns_radps = 0.0
+        self.limit_n = -1.0
         self.just_reversed = False
         self.stopped = False
 
@@ -77,6 +80,9 @@ class Traction:
 
     MuJoCo's numbers are read and written one by one, through memory views: next to `mj_step` a handful of them takes
     half as long as one call of numpy (ADR 10).
+
+    Attributes:
+        changed: tendons whose grip was changed since `prepare`; some stand there more than once.
     """
 
     def __init__(self, model: Any, data: Any, tables: WorldTables, chassis: list[Chassis], friction: float) -> None:
@@ -100,8 +106,12 @@ class Traction:
             for robot, pair in enumerate(zip(self._wheels[0::2], self._wheels[1::2], strict=True))
         ]
         self._turning = [(at + ROBOT_YAW, self._coefficients.itemsize * turning) for at, turning, _ in self._robots]
+        self._all = range(len(self._wheels))
+        self._along_mps = [0.0] * len(self._wheels)
+        self._commanded: list[int] = []
         self._reversed: list[Wheel] = []
-        self._chosen_n = [-1.0] * len(self._wheels)
+        self._is_ahead = False
+        self.changed: list[int] = []
         # What all its grip stops in this time; on ice it stops nothing.
         self._stops_in_tick_mps = max(friction * contact.GRAVITY_MPS2 * TICK_S, 1e-9)
         self._stops_in_substep_mps = self._stops_in_tick_mps / SUBSTEPS_PER_TICK
@@ -137,48 +147,96 @@ class Traction:
                 wheel.stopped = stopped
                 self._command(index, wheel.commanded_radps, wheel.target_rad)
 
+    @property
+    def steers(self) -> bool:
+        """Whether a wheel is on its way to an angle: each sub-step begins with setting its speed, or its angle."""
+        return bool(self._on_the_way)
+
+    def grip_n(self, tendon: int) -> float:
+        """Return the grip that a tendon has now."""
+        return self._limits_n[tendon]
+
+    def forget(self) -> None:
+        """Do all of the next tick when it comes, after all: the world has been set back."""
+        self._is_ahead = False
+
+    def prepare(self) -> None:
+        """Do of the next `before_tick` and `before_substep` what can be done before robots are commanded for it."""
+        self._turn_all()
+        self._look_along()
+        self._choose_grip(self._all)
+        self._turn_coefficients()
+        self._is_ahead = True
+        self.changed.clear()
+
     def before_tick(self) -> None:
         """Turn the wheels as commanded, with the grip that they have at the robots' present speeds.
 
         Contacts change a wheel's speed by less than a millionth within the tick.
         """
-        self._turn_all()
-        self._choose_grip()
+        if self._is_ahead:
+            for index in self._commanded:
+                wheel = self._wheels[index]
+                self._qvel[wheel.at] = wheel.turns_radps
+            self._choose_grip(self._commanded)
+        else:
+            self.changed.clear()
+            self._turn_all()
+            self._look_along()
+            self._choose_grip(self._all)
+        for wheel in self._reversed:
+            wheel.just_reversed = False
+        self._reversed.clear()
 
-    def before_substep(self) -> None:
-        """Let the grip follow the robots' yaw: a collision changes it by up to 0.3 rad within a tick."""
-        if self._on_the_way:
+    def before_substep(self) -> bool:
+        """Let the grip follow the robots' yaw: a collision changes it by up to 0.3 rad within a tick.
+
+        Returns whether a wheel is on its way to an angle, and may have been set on it.
+        """
+        steers = self.steers
+        if steers:
             self._steer_to_targets()
+        if self._is_ahead:
+            self._is_ahead = False
+        else:
+            self._turn_coefficients()
+        if self._fast:
+            self._choose_grip_of_fast()
+        return steers
+
+    def _turn_coefficients(self) -> None:
         qpos, coefficients, write, cos = self._qpos, self._coefficients, _TURNING.pack_into, math.cos
         for yaw_at, first_byte in self._turning:
             yaw = qpos[yaw_at]
             ahead, aside = cos(yaw), cos(yaw - _QUARTER_TURN_RAD)
             write(coefficients, first_byte, ahead, aside, cos(yaw + _QUARTER_TURN_RAD), ahead, ahead, aside)
-        if self._fast:
-            self._choose_grip_of_fast()
 
-    def _choose_grip(self) -> None:
-        """A wheel that pushes its robot on has less grip than one that slows or holds it, see `contact.grip_of`."""
-        chosen_n, qvel, coefficients, index = self._chosen_n, self._qvel, self._coefficients, 0
-        for at, turning, pair in self._robots:
+    def _look_along(self) -> None:
+        """Find out how fast each wheel's place moves along its robot, by where the robot looked a sub-step ago."""
+        along_mps, qvel, coefficients, index = self._along_mps, self._qvel, self._coefficients, 0
+        for at, turning, (left, right) in self._robots:
             forward_mps = coefficients[turning] * qvel[at] + coefficients[turning + 1] * qvel[at + 1]
             spin = qvel[at + ROBOT_YAW]
-            for wheel in pair:
-                turns = wheel.turns_radps
-                if turns == 0.0:
-                    limit_n = wheel.brake_n
-                elif (forward_mps - wheel.arm_m * spin >= 0.0) is (turns > 0.0):
-                    limit_n = wheel.drive_n
-                else:
-                    limit_n = self._slowing_n(wheel, abs(forward_mps - wheel.arm_m * spin))
-                if limit_n != chosen_n[index]:
-                    chosen_n[index] = limit_n
-                    self._limits_n[wheel.tendon] = limit_n
-                index += 1
-        if self._reversed:
-            for wheel in self._reversed:
-                wheel.just_reversed = False
-            self._reversed.clear()
+            along_mps[index] = forward_mps - left.arm_m * spin
+            along_mps[index + 1] = forward_mps - right.arm_m * spin
+            index += 2
+
+    def _choose_grip(self, indices: Iterable[int]) -> None:
+        """A wheel that pushes its robot on has less grip than one that slows or holds it, see `contact.grip_of`."""
+        wheels, all_along_mps = self._wheels, self._along_mps
+        for index in indices:
+            wheel, along_mps = wheels[index], all_along_mps[index]
+            turns = wheel.turns_radps
+            if turns == 0.0:
+                limit_n = wheel.brake_n
+            elif (along_mps >= 0.0) is (turns > 0.0):
+                limit_n = wheel.drive_n
+            else:
+                limit_n = self._slowing_n(wheel, abs(along_mps))
+            if limit_n != wheel.limit_n:
+                wheel.limit_n = self._limits_n[wheel.tendon] = limit_n
+                self.changed.append(wheel.tendon)
+        self._commanded.clear()
 
     def _choose_grip_of_fast(self) -> None:
         """Choose anew in each sub-step, and let what moves faster than its wheels be braked by them.
@@ -201,6 +259,7 @@ class Traction:
                     limits_n[wheel.tendon] = wheel.brake_n
                 else:
                     limits_n[wheel.tendon] = wheel.drive_n
+                self.changed.append(wheel.tendon)
 
     def _slowing_n(self, wheel: Wheel, along_mps: float) -> float:
         """Return the grip of a wheel against which its robot moves, at this speed.
@@ -233,6 +292,7 @@ class Traction:
                 wheel.just_reversed = True
                 self._reversed.append(wheel)
             wheel.turns_radps = radps
+            self._commanded.append(index)
 
     def _turn_all(self) -> None:
         qvel = self._qvel

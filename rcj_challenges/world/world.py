@@ -16,6 +16,7 @@ from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.starting import start_pose
 from rcj_challenges.world.bouncing import Bouncing
 from rcj_challenges.world.build import build_spec, chassis_of
+from rcj_challenges.world.early import EarlyStep
 from rcj_challenges.world.errors import PhysicsFault
 from rcj_challenges.world.gliding import Gliding
 from rcj_challenges.world.passing import Passing
@@ -69,6 +70,7 @@ class World:
         self._starts = _start_placements(scenario, roster)
         self._traction = Traction(self.model, self.data, self.tables, chassis, scenario.field.friction)
         slow_down = any(ball.slows_mps2 for ball in scenario.balls.values())
+        self._early, self._is_begun = EarlyStep(self.model, self.data), False
         self._rolling = Rolling(self.data, self.tables, scenario.balls) if slow_down else None
         self._bouncing = Bouncing(self.model, self.data, self.tables, scenario.balls, scenario.field)
         passing = Passing(self.model, self.data, self.tables, scenario.balls, scenario.obstacles.values())
@@ -90,6 +92,8 @@ class World:
     def reset(self) -> None:
         """Put everything at its start pose without noise, at rest, wheels at angle 0 and braked, nothing parked."""
         mujoco.mj_resetData(self.model, self.data)
+        self._is_begun = False
+        self._traction.forget()
         self.parked[:] = [False] * len(self.parked)
         self._held = frozenset()
         self._traction.brake_all()
@@ -101,7 +105,13 @@ class World:
         A ball that is placed with a velocity rolls off with it, without slipping.
         Wheels keep their angles and their commands. A parked entity is far away, with its wheels stopped, until it is
         placed again. An entity that is placed twice stands where the last placement put it.
+
+        Raises:
+            RuntimeError: the next tick has been prepared.
         """
+        if self._is_begun and placements:
+            message = "nothing can be placed between `World.prepare` and `World.step`"
+            raise RuntimeError(message)
         for placement in placements:
             self._set_down(placement)
         mujoco.mj_kinematics(self.model, self.data)
@@ -123,6 +133,18 @@ class World:
         for robot in range(self.tables.robots):
             self._traction.set_stopped(robot, stopped=robot in self._held or self.parked[robot])
 
+    def prepare(self) -> None:
+        """Do of the next `step` what does not depend on what robots are commanded until then.
+
+        The same happens as without this, bit by bit. Between this and `step` nothing may be placed.
+        """
+        if self._is_begun or self._traction.steers:
+            return
+        self._traction.prepare()
+        self._before_substep()
+        self._early.begin()
+        self._is_begun = True
+
     def step(self, tick: int, faults: tuple[Fault, ...] = ()) -> Snapshot:
         """Make the four sub-steps of a tick.
 
@@ -137,19 +159,18 @@ class World:
             PhysicsFault: MuJoCo warned of an unstable or overfull simulation.
         """
         model, data, traction, recorder, mj_step = self.model, self.data, self._traction, self._recorder, mujoco.mj_step
-        surroundings, bouncing, gliding, passing = self._surroundings, self._bouncing, self._gliding, self._passing
-        poles = self._poles
+        bouncing, passing = self._bouncing, self._passing
+        is_begun, self._is_begun = self._is_begun, False
         traction.before_tick()
         if self._rolling is not None:
             self._rolling.before_tick()
         for substep in range(SUBSTEPS_PER_TICK):
-            traction.before_substep()
-            surroundings.before_substep()
-            if gliding is not None:
-                gliding.before_substep()
-            if poles is not None:
-                poles.before_substep()
-            mj_step(model, data)
+            steers = traction.before_substep()
+            if is_begun and substep == 0 and not steers:
+                self._early.finish(traction.changed, traction.grip_n)
+            else:
+                self._before_substep()
+                mj_step(model, data)
             if passing is not None:
                 passing.after_substep()
             bouncing.after_substep(recorder.note(substep))
@@ -171,6 +192,14 @@ class World:
     def poses_bytes(self) -> bytes:
         """Return the poses of the latest snapshot as `Recorder.poses` has them: the record's part of it."""
         return self._recorder.poses
+
+    def _before_substep(self) -> None:
+        """Prepare what depends on poses and speeds alone."""
+        self._surroundings.before_substep()
+        if self._gliding is not None:
+            self._gliding.before_substep()
+        if self._poles is not None:
+            self._poles.before_substep()
 
     def _set_down(self, placement: Placement) -> None:
         entity = placement.entity
