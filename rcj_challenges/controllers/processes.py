@@ -18,8 +18,9 @@ from importlib.util import cache_from_source
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.controllers import addresses, bubblewrap, scratch, tasks
+from rcj_challenges.controllers import addresses, bubblewrap, scheduling, scratch, tasks
 from rcj_challenges.controllers.account import Usage
+from rcj_challenges.controllers.scheduling import Manners
 
 if sys.platform == "win32":
     import msvcrt
@@ -115,16 +116,14 @@ class Process:
         """
         return scratch.nameless_bytes(self._pid_to_look_at(), output_fd, folder, in_memory=in_memory)
 
-    def give_way(self, give_way: bool) -> None:
-        """Let it interrupt nobody who computes when it has something to do (Linux), or take its turn as at first.
+    def computed_s(self) -> float:
+        """Return for how long it has computed, all its threads together; 0 where only `usage` tells, or nobody."""
+        return tasks.computed_s(self._pid_to_look_at())
 
-        Else it interrupts the match in the middle of telling other programs, for Linux likes to wake it where it was
-        told.
-        """
-        if sys.platform == "linux" and not self.has_ended():
-            with contextlib.suppress(OSError):
-                policy = os.SCHED_BATCH if give_way else os.SCHED_OTHER
-                os.sched_setscheduler(self._pid_to_look_at(), policy, os.sched_param(0))
+    def behave(self, manners: Manners) -> None:
+        """Let it behave like that from now on (Linux)."""
+        if not self.has_ended():
+            scheduling.behave(self._pid_to_look_at(), manners)
 
     def say_where_it_is(self, lifeline_fd: int | None) -> None:
         """Let it write its present traceback to its log and end. It may refuse, so `kill` afterwards.

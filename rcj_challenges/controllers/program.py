@@ -20,6 +20,7 @@ from rcj_challenges.controllers.log import ProgramLog
 from rcj_challenges.controllers.pipes import Channel, ChannelClosedError, FrameTooLongError, open_channel
 from rcj_challenges.controllers.private_folders import temporary_trouble
 from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hello_frame, most_frame_bytes, one_line
+from rcj_challenges.controllers.scheduling import Manners
 from rcj_challenges.facts.errors import HostError, RcjError, is_of_the_host, told_of
 from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.streams import stream_seed
@@ -141,10 +142,14 @@ class Program:
         if self._channel is not None:
             self._channel.send(self._codec.encode(observation))
 
-    def give_way(self, give_way: bool) -> None:
-        """Let its process interrupt nobody who computes, or take its turn as everybody does, as at first."""
+    def behave(self, manners: Manners) -> None:
+        """Let its process share the processors with the match like that from now on."""
         if self._process is not None:
-            self._process.give_way(give_way)
+            self._process.behave(manners)
+
+    def computed_s(self) -> float:
+        """Return for how long its process has computed; 0 where nobody tells at once."""
+        return 0.0 if self._process is None else self._process.computed_s()
 
     def collect(self) -> Request | Fault:
         """Wait until the program calls ``step``, or until its limit is reached or it fails.

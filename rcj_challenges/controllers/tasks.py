@@ -57,6 +57,14 @@ def usage_of(pid: int) -> Usage | None:
     return None
 
 
+def computed_s(pid: int) -> float:
+    """Return for how long all threads of a process have computed, in s; 0 where that takes long to find out."""
+    if sys.platform == "linux":
+        with contextlib.suppress(OSError):
+            return time.clock_gettime(_processor_clock(pid))
+    return 0.0
+
+
 def _processor_clock(pid: int) -> int:
     """Return the clock of the processor time of a process, as Linux numbers it (``clock_getcpuclockid``)."""
     return ~pid << 3 | 2

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
+from rcj_challenges.controllers.scheduling import AS_EVERYBODY, Manners
 from rcj_challenges.facts.play import Fault, HalfInfo, Snapshot, Verdict
 from rcj_challenges.facts.traffic import Observation, Request
 from rcj_challenges.match.haste import Haste
@@ -28,8 +29,11 @@ class Driver(Protocol):
     def release(self, observation: Observation) -> None:
         """Let its ``step`` return."""
 
-    def give_way(self, give_way: bool) -> None:
-        """Let it interrupt nobody who computes, or take its turn as everybody does, as at first."""
+    def behave(self, manners: Manners) -> None:
+        """Let it share the processors with the match like that from now on."""
+
+    def computed_s(self) -> float:
+        """Return for how long it has computed; 0 where nobody tells at once."""
 
     def overstepped(self, tick: int) -> Fault | None:
         """Look whether it takes more than it may while nobody waits for it: its threads run on in a long ``step``."""
@@ -103,8 +107,8 @@ class HalfPlay:
         self._faults: list[Fault] = []
         self._all_held = False
         self._held: frozenset[int] = frozenset()
-        self._haste = Haste()
-        self._give_way = False
+        self._haste = Haste(self._computed_s)
+        self._manners = AS_EVERYBODY
         self.tick = 0
 
     def play(self) -> HalfOutcome:
@@ -183,15 +187,19 @@ class HalfPlay:
         due = [robot for robot in rack.specs if self._due.get(robot) == tick] if plays_on else []
         # The one that is released first finds its processor awake, and so do the others after it.
         awake = due[0] if due and self._haste.next_is_soon() else None
-        if self._haste.is_room is not self._give_way:
-            self._give_way = self._haste.is_room
+        if self._haste.manners is not self._manners:
+            self._manners = self._haste.manners
             for driver in alive.values():
-                driver.give_way(self._give_way)
+                driver.behave(self._manners)
         for robot in rack.specs:
             rack.finish_sensing(robot)
             if robot in due:
                 alive[robot].release(rack.observe(robot, tick, soon=robot == awake))
         return due
+
+    def _computed_s(self) -> float:
+        """Return for how long all programs have computed but the first: that one is the one that stays awake."""
+        return sum(driver.computed_s() for driver in list(self._alive.values())[1:])
 
     def _collect(self, due: list[int]) -> None:
         """Carry out what those who were released ask for, in their order."""

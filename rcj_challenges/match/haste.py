@@ -1,21 +1,27 @@
-"""Whether the next tick follows so soon that a program had better wait for it awake.
+"""Whether the next tick follows so soon that a program had better wait for it awake, and who may be where meanwhile.
 
 While the match simulates a tick nobody else has anything to do, and the processor on which the programs were falls
 asleep. To wake it up takes as long as two programs think, and in a virtual machine a good part of that from the match
-itself (ADR 10).
+itself. And where no processor is asleep Linux wakes programs on the one on which the match is (ADR 10).
 """
 
 from __future__ import annotations
 
 import math
 import time
+from collections.abc import Callable
 
-from rcj_challenges.controllers import tasks
+from rcj_challenges.controllers import scheduling, tasks
+from rcj_challenges.controllers.scheduling import AS_EVERYBODY, Manners
 
 SOON_S = 0.001
 """Ticks that take longer, because somebody computes or waits for the clock on the wall, are slept through."""
 
-_LOOKED_EVERY_TICKS = 16
+LITTLE = 0.4
+"""Programs that keep less than this of one processor busy leave the match its own: there they would be done no sooner.
+(ADR 10 has what was measured; those that compute for longer are better off on all.)"""
+
+_LOOKED_EVERY_TICKS = 64
 
 
 class Haste:
@@ -24,14 +30,21 @@ class Haste:
     Only where a processor has nothing else to do: beside other matches, those that stay awake would hold everybody up.
 
     Attributes:
-        is_room: whether there was one when that was last looked at.
+        manners: of the programs from now on; another object only if they change.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, computed_s: Callable[[], float]) -> None:
+        """Begin.
+
+        Args:
+            computed_s: tells for how long programs have computed, all together but for the one that may stay awake.
+        """
         self._processors = tasks.processors()
         self._began_s = -math.inf
         self._ticks = 0
-        self.is_room = False
+        self._computed_s_until_now = computed_s
+        self._looked_s = self._computed_s = math.nan
+        self.manners = AS_EVERYBODY
 
     def next_is_soon(self) -> bool:
         """Return whether the next tick is expected so soon. To be called once a tick, before programs are released."""
@@ -40,6 +53,21 @@ class Haste:
         self._ticks += 1
         phase = self._ticks % _LOOKED_EVERY_TICKS
         if phase == 0:
-            self.is_room = 0 < tasks.running() < self._processors
+            self._look(now_s)
         # Before that is looked at, the one who was awake has to sleep: it would be counted.
-        return was_soon and self.is_room and phase != _LOOKED_EVERY_TICKS - 1
+        return was_soon and self.manners.gives_way and phase != _LOOKED_EVERY_TICKS - 1
+
+    def _look(self, now_s: float) -> None:
+        """Find out whether there is room, and whether one processor is enough for the programs."""
+        is_room = 0 < tasks.running() < self._processors
+        manners = Manners(is_room, self._left_to_match(now_s) if is_room else None)
+        if manners != self.manners:
+            self.manners = manners
+
+    def _left_to_match(self, now_s: float) -> int | None:
+        """Return the processor that programs leave to the match; None: none."""
+        computed_s = self._computed_s_until_now()
+        lasted_s, busy_s = now_s - self._looked_s, computed_s - self._computed_s
+        self._looked_s, self._computed_s = now_s, computed_s
+        hurries = lasted_s < _LOOKED_EVERY_TICKS * SOON_S
+        return scheduling.processor_here() if hurries and busy_s < LITTLE * lasted_s else None

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Protocol, Self
 
+from rcj_challenges.controllers.scheduling import Manners
 from rcj_challenges.facts.play import Fault, HalfInfo
 from rcj_challenges.facts.traffic import Observation, Request, RobotSpec
 from rcj_challenges.match.half import Driver
@@ -80,9 +81,13 @@ class _Overheard:
         self._writer.saw(self._number, observation)
         self._driver.release(observation)
 
-    def give_way(self, give_way: bool) -> None:
-        """Let it interrupt nobody, or take its turn."""
-        self._driver.give_way(give_way)
+    def behave(self, manners: Manners) -> None:
+        """Let it share the processors like that."""
+        self._driver.behave(manners)
+
+    def computed_s(self) -> float:
+        """Return for how long it has computed."""
+        return self._driver.computed_s()
 
     def overstepped(self, tick: int) -> Fault | None:
         """Look whether it takes more than it may."""

@@ -11,26 +11,21 @@ from typing import Any
 
 import mujoco
 
+from rcj_challenges.world.tables import one_by_one
+
 
 class EarlyStep:
     """`mujoco.mj_step` in two parts, with the same bits."""
 
     def __init__(self, model: Any, data: Any) -> None:
         self._model, self._data = model, data
-        self._row_of_tendon: Any = ()
-        self._limits_n: Any = ()
-        self._row_in_islands: Any = ()
-        self._limits_in_islands_n: Any = ()
 
     def begin(self) -> None:
         """Do what depends on `qpos` and on the coefficients of tendons, which may not be changed until `finish`."""
         model, data = self._model, self._data
-        mujoco.mj_step1(model, data)
-        # Taken now, as it is not known yet whether they are needed: MuJoCo lays them out anew in each sub-step.
-        self._row_of_tendon, self._limits_n = memoryview(data.tendon_efcadr), memoryview(data.efc_frictionloss)
-        if data.nisland:
-            self._row_in_islands = memoryview(data.map_efc2iefc)
-            self._limits_in_islands_n = memoryview(data.iefc_frictionloss)
+        mujoco.mj_checkPos(model, data)
+        mujoco.mj_checkVel(model, data)
+        mujoco.mj_fwdPosition(model, data)
 
     def finish(self, changed: Collection[int], grip_n: Callable[[int], float]) -> None:
         """Do the rest, with `qvel` as it is now.
@@ -40,11 +35,21 @@ class EarlyStep:
             grip_n: tells the friction of a tendon.
         """
         model, data = self._model, self._data
-        for tendon in changed:
-            row = self._row_of_tendon[tendon]
-            if row >= 0:
-                self._limits_n[row] = grip_n(tendon)
-                if data.nisland:
-                    self._limits_in_islands_n[self._row_in_islands[row]] = grip_n(tendon)
+        if changed:
+            self._change_limits(changed, grip_n)
         mujoco.mj_fwdVelocity(model, data)
         mujoco.mj_step2(model, data)
+
+    def _change_limits(self, changed: Collection[int], grip_n: Callable[[int], float]) -> None:
+        """Write other limits of friction into the rows of constraints, and into those of the islands they belong to."""
+        data = self._data
+        row_of_tendon, limits_n = memoryview(data.tendon_efcadr), one_by_one(data.efc_frictionloss)
+        rows = [(row_of_tendon[tendon], grip_n(tendon)) for tendon in changed]
+        for row, limit_n in rows:
+            if row >= 0:
+                limits_n[row] = limit_n
+        if data.nisland:
+            row_in_islands, limits_n = memoryview(data.map_efc2iefc), one_by_one(data.iefc_frictionloss)
+            for row, limit_n in rows:
+                if row >= 0:
+                    limits_n[row_in_islands[row]] = limit_n

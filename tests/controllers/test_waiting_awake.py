@@ -13,8 +13,10 @@ from fake_match import SPEC, FakeMatch, Played, values_at
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rcj_challenges.controllers import scheduling
 from rcj_challenges.controllers.processes import PUPIL_FOLDER
 from rcj_challenges.controllers.program import Program
+from rcj_challenges.controllers.scheduling import AS_EVERYBODY, Manners
 from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.traffic import Observation
 
@@ -156,6 +158,10 @@ def test_a_real_program_reads_the_same_as_ever(match: FakeMatch, beside: str) ->
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux has such a way of taking turns")
 @pytest.mark.parametrize("sandbox", ["auto", "off"])
 def test_a_program_gives_way_and_takes_its_turn_again(match: FakeMatch, sandbox: str) -> None:
+    here, ours = scheduling.processor_here(), os.sched_getaffinity(0)
+    assert here in ours
+    apart, room = Manners(gives_way=True, leaves=here), Manners(gives_way=True, leaves=None)
+    others = ours - {here} or ours
     team = match.team(READS_ITS_GPS)
     with match.crew(sandbox=sandbox) as crew:
         program = crew.add(SPEC, team, team.entry_for("Y1", "robot.py"))
@@ -164,11 +170,20 @@ def test_a_program_gives_way_and_takes_its_turn_again(match: FakeMatch, sandbox:
         process = program._process
         assert process is not None
         pid = process._pid_to_look_at()
-        for give_way, policy in ((True, os.SCHED_BATCH), (False, os.SCHED_OTHER), (True, os.SCHED_BATCH)):
-            program.give_way(give_way)
+        for manners, policy, where in (
+            (room, os.SCHED_BATCH, ours),
+            (apart, os.SCHED_BATCH, others),
+            (AS_EVERYBODY, os.SCHED_OTHER, ours),
+            (apart, os.SCHED_BATCH, others),
+        ):
+            program.behave(manners)
             assert os.sched_getscheduler(pid) == policy
+            assert os.sched_getaffinity(pid) == where
+            computed_s = program.computed_s()
             program.release(Observation(1, values_at(1), []))
             assert not isinstance(program.collect(), Fault)
+            assert program.computed_s() > computed_s > 0.0
         program.kill()
-        program.give_way(True)  # who is gone interrupts nobody
+        program.behave(room)  # who is gone interrupts nobody
+        assert program.computed_s() == 0.0
         crew.close()

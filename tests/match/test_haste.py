@@ -5,7 +5,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from rcj_challenges.controllers import tasks
+from rcj_challenges.controllers import scheduling, tasks
+from rcj_challenges.controllers.scheduling import AS_EVERYBODY, Manners
 from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.traffic import Request
 from rcj_challenges.match import haste
@@ -18,11 +19,15 @@ from rcj_challenges.scenario.load import load
 
 @pytest.fixture
 def computer(monkeypatch):
-    """A computer of two processors on which one thread runs, and ticks take a third of a millisecond."""
-    told = SimpleNamespace(now_s=0.0, tick_s=SOON_S / 3, running=1, looked=0)
+    """A computer of two processors on which one thread runs, on the second, and ticks take a third of a millisecond.
+
+    Programs keep a quarter of a processor busy.
+    """
+    told = SimpleNamespace(now_s=0.0, tick_s=SOON_S / 3, running=1, looked=0, here=1, busy=0.25, computed_s=0.0)
 
     def clock():
         told.now_s += told.tick_s
+        told.computed_s += told.busy * told.tick_s
         return told.now_s
 
     def running():
@@ -32,6 +37,8 @@ def computer(monkeypatch):
     monkeypatch.setattr(haste, "time", SimpleNamespace(perf_counter=clock))
     monkeypatch.setattr(tasks, "running", running)
     monkeypatch.setattr(tasks, "processors", lambda: 2)
+    monkeypatch.setattr(scheduling, "processor_here", lambda: told.here)
+    told.haste = Haste(lambda: told.computed_s)
     return told
 
 
@@ -40,40 +47,82 @@ def answers(of, ticks):
 
 
 def test_the_next_tick_is_soon_once_it_is_known_that_there_is_room(computer):
-    assert not any(answers(Haste(), 15))
+    assert not any(answers(computer.haste, 63))
     assert computer.looked == 0
 
 
-def test_one_tick_in_16_is_slept_through_so_that_nobody_of_ours_is_counted(computer):
-    of = Haste()
-    answers(of, 15)
+def test_one_tick_in_64_is_slept_through_so_that_nobody_of_ours_is_counted(computer):
+    of = computer.haste
+    answers(of, 63)
     for looked in range(1, 5):
-        assert answers(of, 16) == 15 * [True] + [False]
+        assert answers(of, 64) == 63 * [True] + [False]
         assert computer.looked == looked
 
 
 @pytest.mark.parametrize("running", [2, 7, 0])
 def test_beside_others_who_compute_nobody_stays_awake(computer, running):
-    of = Haste()
-    answers(of, 15)
+    of = computer.haste
+    answers(of, 63)
     computer.running = running  # 0: nobody tells
-    assert not any(answers(of, 16))
+    assert not any(answers(of, 64))
+    assert of.manners == AS_EVERYBODY
     computer.running = 1
-    assert answers(of, 15) == 15 * [True]
+    assert answers(of, 63) == 63 * [True]
 
 
 def test_where_ticks_take_long_nobody_stays_awake(computer):
-    of = Haste()
-    answers(of, 16)
+    of = computer.haste
+    answers(of, 64)
     computer.tick_s = 0.032
     assert not any(answers(of, 16))
     computer.tick_s = SOON_S / 2
     assert of.next_is_soon()
 
 
+def test_programs_that_compute_little_leave_the_match_its_processor(computer):
+    of = computer.haste
+    answers(of, 64)
+    assert of.manners == Manners(gives_way=True, leaves=None)  # it is not known yet how much they compute
+    answers(of, 64)
+    assert of.manners == Manners(gives_way=True, leaves=1)
+    computer.here = 0  # Linux has put it elsewhere
+    answers(of, 64)
+    assert of.manners == Manners(gives_way=True, leaves=0)
+
+
+def test_programs_that_compute_much_may_be_on_all_processors(computer):
+    of = computer.haste
+    answers(of, 128)
+    computer.busy = 0.8
+    answers(of, 64)
+    assert of.manners == Manners(gives_way=True, leaves=None)
+
+
+def test_where_ticks_take_long_programs_may_be_on_all_processors(computer):
+    of = computer.haste
+    answers(of, 128)
+    computer.tick_s, computer.busy = 0.032, 0.01
+    answers(of, 64)
+    assert of.manners == Manners(gives_way=True, leaves=None)
+
+
+def test_where_nobody_tells_on_which_processor_the_match_is_none_is_left_to_it(computer):
+    computer.here = None
+    answers(computer.haste, 128)
+    assert computer.haste.manners == Manners(gives_way=True, leaves=None)
+
+
+def test_manners_are_told_anew_only_when_they_change(computer):
+    of = computer.haste
+    answers(of, 128)
+    manners = of.manners
+    answers(of, 640)
+    assert of.manners is manners
+
+
 def test_where_nobody_knows_how_many_processors_there_are_nobody_stays_awake(computer, monkeypatch):
     monkeypatch.setattr(tasks, "processors", lambda: 0)
-    assert not any(answers(Haste(), 40))
+    assert not any(answers(Haste(lambda: 0.0), 200))
 
 
 @pytest.mark.skipif(not tasks.processors(), reason="only Linux tells it")
@@ -110,7 +159,7 @@ class Noted:
 
     def __init__(self, name, notes, ticks, fails_at=None):
         self.name, self.ticks, self.notes, self.fails_at = name, ticks, notes, fails_at
-        self.steps, self.gives_way = 0, []
+        self.steps, self.manners = 0, []
 
     def collect(self):
         self.steps += 1
@@ -121,8 +170,11 @@ class Noted:
     def release(self, observation):
         self.notes.append((self.name, observation.soon))
 
-    def give_way(self, give_way):
-        self.gives_way.append(give_way)
+    def behave(self, manners):
+        self.manners.append(manners)
+
+    def computed_s(self):
+        return float(self.steps)
 
     def overstepped(self, tick):
         return None
@@ -184,16 +236,25 @@ def test_where_the_next_tick_is_not_soon_all_sleep(told):
     assert not any(awake(told(4, soon=False)))
 
 
-def test_as_long_as_there_is_room_they_interrupt_nobody(monkeypatch, stage):
-    room = iter([False, False, True, True, True, False, False, True, True])
+def test_all_behave_as_is_wanted_of_them(monkeypatch, stage):
+    room, apart = Manners(gives_way=True, leaves=None), Manners(gives_way=True, leaves=1)
+    wanted = iter([AS_EVERYBODY, AS_EVERYBODY, room, room, apart, AS_EVERYBODY, AS_EVERYBODY, room, room])
 
     def next_is_soon(haste):
-        haste.is_room = next(room)
+        haste.manners = next(wanted)
         return False
 
     monkeypatch.setattr(Haste, "next_is_soon", next_is_soon)
     half, set_up, _ = stage(10, B1=(1, 5))
     HalfPlay(set_up, half, lambda *_: None, lambda _: None, lambda _: None).play()
     first, *others = set_up.drivers.values()
-    assert first.gives_way == [True]  # it fails at its fifth step
-    assert all(one.gives_way == [True, False, True] for one in others)
+    assert first.manners == [room]  # it fails at its fifth step
+    assert all(one.manners == [room, apart, AS_EVERYBODY, room] for one in others)
+
+
+def test_what_counts_is_how_long_all_compute_but_the_one_who_stays_awake(monkeypatch, stage):
+    told = []
+    monkeypatch.setattr(Haste, "next_is_soon", lambda haste: told.append(haste._computed_s_until_now()))
+    half, set_up, _ = stage(3, B1=(1, 3))
+    HalfPlay(set_up, half, lambda *_: None, lambda _: None, lambda _: None).play()
+    assert told == [5 * 1.0, 5 * 2.0]

@@ -28,8 +28,11 @@ class Away:
     def release(self, observation):
         pass
 
-    def give_way(self, give_way):
+    def behave(self, manners):
         pass
+
+    def computed_s(self):
+        return 0.0
 
     def overstepped(self, tick):
         self.looked_at.append(tick)

@@ -60,8 +60,12 @@ class Puppet:
         """Hear what its devices say; there must be a packet or a number for each."""
         assert len(observation.values) == self.spec.values
 
-    def give_way(self, give_way: bool) -> None:
+    def behave(self, manners: object) -> None:
         """Interrupt nobody."""
+
+    def computed_s(self) -> float:
+        """Say that it has computed nothing."""
+        return 0.0
 
     def overstepped(self, tick: int) -> Fault | None:
         """Say that it takes no more than it may."""
