@@ -70,6 +70,11 @@ COMMANDS = st.lists(
 )
 
 
+HOLDS_BEFORE, HOLDS_AFTER = {0: ("B1", "Y2"), 1: ()}, {2: ("B1", "B3"), 3: ()}
+PUTS, UNPREPARED = 4, 5
+"""What else happens in a tick, by a number; most have none of that."""
+
+
 @settings(max_examples=60, deadline=None)
 @given(ground=st.sampled_from(sorted(GROUNDS)), ticks=st.lists(st.tuples(COMMANDS, st.integers(0, 9)), max_size=25))
 def test_whatever_is_commanded_braked_and_placed_the_same_bits_are_played(ground, ticks):
@@ -77,17 +82,17 @@ def test_whatever_is_commanded_braked_and_placed_the_same_bits_are_played(ground
     reset(plain, prepared)
     for commands, what in ticks:
         for stage in (plain, prepared):
-            if what == 0:
-                stage.hold("B1", "Y2")
-            elif what == 1:
-                stage.hold()
-            elif what == 2:
+            if what in HOLDS_BEFORE:
+                stage.hold(*HOLDS_BEFORE[what])
+            elif what == PUTS:
                 stage.put("B2", 0.1, 0.02)
-        if what != 3:
+        if what != UNPREPARED:
             prepared.world.prepare()
         for stage in (plain, prepared):
             for robot, side, velocity_radps, position_rad in commands:
                 stage.world.set_wheel(stage.index(robot), side, velocity_radps, position_rad)
+            if what in HOLDS_AFTER:
+                stage.hold(*HOLDS_AFTER[what])
         assert played(prepared) == played(plain)
 
 
