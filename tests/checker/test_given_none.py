@@ -69,6 +69,7 @@ def test_a_device_that_is_there_was_not_given_none_for_another_that_is_missing(b
     assert behind("gps.getValues()\ngps = robot.getDevice('gps')\ngps = fix(gps)\n", ["led"]) is None
 
 
+@pytest.mark.nightly
 def test_programs_and_logs_without_end_are_looked_at_in_no_time(behind):
     program = "x.getValues()\n" + "x=" * 2_000_000 + "1\n"
     calls = ignored_calls("".join(f"Warning: get{n} is ignored and gives None\n" for n in range(3000)))

@@ -79,6 +79,7 @@ def test_a_program_that_would_be_ended_before_the_middle_of_a_half_does_not_play
     assert ended_s == pytest.approx(256, abs=10)
 
 
+@pytest.mark.nightly
 def test_of_several_robots_each_is_told_by_its_own_amount(much):
     """One would be ended soon, one late, one never."""
     lengths = '{"B1": 4000, "B2": 2500}.get(robot.getName(), 1)'

@@ -160,6 +160,7 @@ def test_a_check_that_the_system_ends_for_want_of_memory_is_no_verdict(team, mon
     assert "memory" in told.hindrance
 
 
+@pytest.mark.nightly
 def test_a_replay_for_which_there_is_no_room_is_no_warning_of_the_team(team, tmp_path, monkeypatch):
     options = replace(SHORT, replays=tmp_path)
     before = check_file(team(), MATCH, SHORT)
@@ -173,6 +174,7 @@ def test_a_replay_for_which_there_is_no_room_is_no_warning_of_the_team(team, tmp
     assert html_page(report(told), tmp_path).count("replay could not be written") == 2
 
 
+@pytest.mark.nightly
 def test_teams_of_the_same_file_name_get_their_own_pages(team, tmp_path):
     paths = [team(name="a/team.zip"), team(PLAYER + "# b\n", name="b/team.zip")]
     told = check_many(paths, ALONE, replace(SHORT, replays=tmp_path / "pages"), 2, lambda _: None)

@@ -240,6 +240,7 @@ def test_programs_that_use_what_lies_beside_them_are_not_taken_from_it(tmp_path:
 
 
 @pytest.mark.parametrize(("count", "ending"), [(250, ""), (250, "-b"), (1900, ""), (1900, "-b")])
+@pytest.mark.nightly
 def test_whether_long_programs_use_many_files_is_found_out_in_no_time(tmp_path: Path, count: int, ending: str) -> None:
     names = [f"f{number}{ending}" for number in range(count)]
     program = ALONE + "".join(f"# {name}\n" for name in names).encode() + b'"a b"\n' * 150_000
@@ -297,6 +298,7 @@ def test_an_ending_that_windows_hides_is_named(tmp_path: Path) -> None:
     assert "rcj_soccer_team_blue/rcj_soccer_team_blue.py" in mended(tmp_path)
 
 
+@pytest.mark.nightly
 def test_among_many_large_files_it_is_found_out_at_once(tmp_path: Path) -> None:
     """Every folder and every entry point is tried; what files import must not be looked up each time."""
     files = {

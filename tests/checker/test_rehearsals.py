@@ -163,6 +163,7 @@ def test_a_program_that_uses_what_came_after_2021_is_not_taken_for_one_of_2021(p
 
 
 @pytest.mark.parametrize("device", ["supervisor receiver", "team receiver", "gps"])
+@pytest.mark.nightly
 def test_a_program_for_later_robots_is_told_so_where_those_of_2021_play(pack, device):
     program = BEGIN + f"robot.getDevice({device!r}).enable(32)\n" + LOOP
     found = no_device(check_file(pack(program), load("match_2021", ONE_EACH), SHORT))

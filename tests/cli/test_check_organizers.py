@@ -42,6 +42,7 @@ def never(*_, **__):
     raise AssertionError("nothing was to be checked")
 
 
+@pytest.mark.nightly
 def test_what_lies_in_the_folder_and_was_not_looked_at_is_in_every_summary(team, tmp_path, capsys, monkeypatch):
     team("subs/a.zip")
     team("subs/b.zip")

@@ -105,6 +105,7 @@ def test_json_prints_the_result_and_nothing_else(tmp_path, team):
     assert json.loads((tmp_path / folder / "result.json").read_bytes()) == result
 
 
+@pytest.mark.nightly
 def test_who_plays_from_within_the_teams_folder_does_not_hand_the_records_of_earlier_runs_in(
     tmp_path, monkeypatch, capsys
 ):
@@ -128,6 +129,7 @@ def test_without_a_terminal_there_are_plain_lines_and_the_path_of_the_record(tmp
     assert (tmp_path / folder / "replay.html").is_file()
 
 
+@pytest.mark.nightly
 def test_in_a_terminal_that_a_debugged_program_has_too_nothing_is_written_over_what_it_prints(tmp_path, team):
     terminal = os.environ | {"FORCE_COLOR": "1", "TERM": "xterm-256color"}
     ends = [*short(team, "--no-replay"), *DUEL]

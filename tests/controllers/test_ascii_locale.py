@@ -73,6 +73,7 @@ def verdict(report: str) -> list[Any]:
 
 
 @given_as("archive", "folder")
+@pytest.mark.nightly
 def test_a_check_finds_the_same_as_where_names_are_in_unicode(tmp_path: Path, submission: str) -> None:
     here, there = (
         played(tmp_path, ["check", submission, "--json", *DUEL], env) for env in ({"PYTHONUTF8": "1"}, NARROW)
@@ -83,6 +84,7 @@ def test_a_check_finds_the_same_as_where_names_are_in_unicode(tmp_path: Path, su
 
 
 @given_as("folder", "archive")
+@pytest.mark.nightly
 def test_a_match_is_the_same_and_its_logs_name_files_as_the_team_knows_them(tmp_path: Path, submission: str) -> None:
     command = ["run", "match", "--blue", submission, "--yellow", submission, "--duration=0.3", "--halves=1", "--json"]
     command += [*DUEL, "--out", str(tmp_path / "Läufe")]
@@ -99,6 +101,7 @@ def test_a_match_is_the_same_and_its_logs_name_files_as_the_team_knows_them(tmp_
     assert all('File "rcj_soccer_team_blue/größe.py", line 2, in berechne' in log for log in logs)
 
 
+@pytest.mark.nightly
 def test_reports_and_replays_lie_where_they_are_asked_for(tmp_path: Path) -> None:
     team = tmp_path / "Größenwahn"
     (team / ENTRY).parent.mkdir(parents=True)

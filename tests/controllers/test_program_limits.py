@@ -42,6 +42,7 @@ def test_a_program_that_hangs_is_stopped_at_the_limit_and_its_log_shows_where(tm
     assert where[1].startswith("[step_timeout] Y1 at tick 2 (0.064 s): ")
 
 
+@pytest.mark.nightly
 def test_where_it_hangs_is_told_also_of_files_with_umlauts_below_a_users_folder_with_umlauts(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -188,6 +188,7 @@ threading.Thread(target=worker, daemon=True).start()
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the processor time of a process is not told finely enough")
+@pytest.mark.nightly
 def test_short_waits_beside_a_thread_that_waits_itself_do_not_use_up_the_half(tmp_path: Path) -> None:
     """Ten thousandths of a second in each of 700 steps would be seven seconds."""
     program = BESIDE + "while robot.step(32) != -1:\n    try: answers.get(timeout=0.01)\n    except queue.Empty: pass\n"

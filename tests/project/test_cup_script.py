@@ -115,6 +115,7 @@ def pretended_cup(folder: Path, *teams: str) -> dict[str, str]:
 
 
 @needs_flock
+@pytest.mark.nightly
 def test_whatever_files_are_called_every_match_is_played(tmp_path):
     teams = ["a", "b-c", "a-b", "c", "-rf", "Löwen 🦁 & Co", "two  [1]", "$(touch x)'", "x" * 200]
     environment = pretended_cup(tmp_path, *teams)
@@ -141,6 +142,7 @@ def test_where_nothing_can_be_written_the_cup_does_not_end_as_if_it_were_played(
 
 
 @needs_flock
+@pytest.mark.nightly
 def test_two_scripts_at_once_share_the_matches(tmp_path):
     environment = pretended_cup(tmp_path, "a", "b", "c", "d")
     scripts = [subprocess.Popen(["bash", "-c", the_script()], cwd=tmp_path, env=environment) for _ in range(2)]

@@ -224,6 +224,7 @@ def test_labels_find_room_side_by_side_in_a_picture_of_the_usual_size(things, so
     assert place_labels(labels, around) == placed
 
 
+@pytest.mark.nightly
 def test_the_drawing_is_the_same_in_every_process():
     program = (
         "import sys\n"

@@ -193,6 +193,7 @@ def pixels(condition: str) -> np.ndarray:
         ("pitch", 0.02, True),  # a line around a zone that is as wide as the field
     ],
 )
+@pytest.mark.nightly
 def test_no_distance_is_drawn_behind_the_walls(to, far_m, in_a_goal):
     # Nothing is ever there, so that nothing is measured there.
     changed = np.abs(pixels(NEAR % (to, f"at_most: {far_m}")) - pixels("")) > 8

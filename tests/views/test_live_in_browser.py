@@ -28,6 +28,7 @@ def test_a_spectator_sees_the_match_go_on_while_it_is_played_and_finds_no_wheel(
     assert page.evaluate("sessionStorage.length") == 0
 
 
+@pytest.mark.nightly
 def test_who_comes_late_gets_all_from_the_beginning_and_can_look_back(
     made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:

@@ -135,6 +135,7 @@ class Holding(Silent):
         return 0.1
 
 
+@pytest.mark.nightly
 def test_what_the_match_waits_for_its_steward_is_not_the_time_that_it_took(tmp_path: Path, team: Path) -> None:
     loaded = load("match", ["match.halves=2", "match.half_s=1.6", *DUEL])
     seats = tuple(loaded.scenario.entrants.values())
@@ -191,6 +192,7 @@ def status_of(port: int, path: str) -> int:
     return status
 
 
+@pytest.mark.nightly
 def test_live_for_so_long_ends_by_itself_and_the_record_is_as_usual(tmp_path: Path, team: Path) -> None:
     done = command(*short(team, "--live", "--speed", "max", "--live-for", "0"), cwd=tmp_path)
     assert done.returncode == 0, done.stderr

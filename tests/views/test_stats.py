@@ -460,6 +460,7 @@ IN_ONE_FOLDER = [HealthCheck.function_scoped_fixture]
 @settings(max_examples=25, deadline=None, suppress_health_check=IN_ONE_FOLDER)
 @example(name="trajectory.npz", damage=[(862, 127)])  # a signalling NaN in place of a position
 @DAMAGED
+@pytest.mark.nightly
 def test_whatever_is_damaged_figures_and_page_are_made_or_refused_with_a_message(
     name: str, damage: list, tmp_path_factory: pytest.TempPathFactory
 ) -> None:

@@ -261,6 +261,7 @@ def test_a_gate_that_moves_with_a_robot_is_drawn_where_the_robot_is(
 
 
 @pytest.mark.parametrize("script", ["", NO_WEBGL], ids=["3-D", "2-D"])
+@pytest.mark.nightly
 def test_names_of_zones_do_not_cover_each_other(show: Callable[..., Any], tmp_path: Path, script: str) -> None:
     # A goal and the penalty area before it, as in the match: on a laptop their names are wider than what lies between.
     goal = {"shape": "rect", "x_min_m": -0.2, "x_max_m": 0.2, "y_min_m": 0.745, "y_max_m": 0.849}
