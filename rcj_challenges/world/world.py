@@ -107,7 +107,7 @@ class World:
         placed again. An entity that is placed twice stands where the last placement put it.
 
         Raises:
-            RuntimeError: the next tick has been prepared.
+            RuntimeError: a part of the next tick is done already (`prepare`).
         """
         if self._is_begun and placements:
             message = "nothing can be placed between `World.prepare` and `World.step`"

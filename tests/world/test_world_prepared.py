@@ -58,6 +58,19 @@ def test_a_crowd_plays_the_same_bits(ground):
         assert played(prepared) == played(plain)
 
 
+def test_a_crowd_plays_the_same_bits_where_it_is_not_split_into_islands():
+    stages = plain, prepared = Stage(), Stage()
+    for stage in stages:
+        stage.world.model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_ISLAND
+    crowds = [Crowd(stage, seed=5, chasers=4) for stage in stages]
+    for _ in range(60):
+        prepared.world.prepare()
+        for crowd in crowds:
+            crowd.command()
+        assert played(prepared) == played(plain)
+    assert not plain.world.data.nisland
+
+
 SPEEDS = st.sampled_from([-10.0, -0.01, 0.0, 3.0, 10.0])
 COMMANDS = st.lists(
     st.tuples(
@@ -96,16 +109,32 @@ def test_whatever_is_commanded_braked_and_placed_the_same_bits_are_played(ground
         assert played(prepared) == played(plain)
 
 
-def test_less_is_left_to_do_than_a_whole_sub_step(monkeypatch):
+@pytest.fixture
+def whole(monkeypatch) -> list[None]:
+    """One for each sub-step that is made as a whole."""
+    made: list[None] = []
+    monkeypatch.setattr(mujoco, "mj_step", lambda *of, step=mujoco.mj_step: made.append(step(*of)))
+    return made
+
+
+def test_less_is_left_to_do_than_a_whole_sub_step(whole):
     _, prepared = twins("the match")
     reset(prepared)
-    whole: list[None] = []
-    monkeypatch.setattr(mujoco, "mj_step", lambda *of, step=mujoco.mj_step: whole.append(step(*of)))
     for speed in (10.0, -10.0, 5.0, 0.0, 1.0):
         prepared.world.prepare()
         prepared.drive("B1", speed, 5.0)
         prepared.play()
     assert len(whole) == 5 * 3
+
+
+def test_where_a_wheel_goes_to_an_angle_after_all_the_sub_step_is_made_as_a_whole(whole):
+    """It may be set on its angle at the beginning of the sub-step, and then it stands otherwise than it was prepared."""
+    _, prepared = twins("the match")
+    reset(prepared)
+    prepared.world.prepare()
+    prepared.world.set_wheel(0, "left", 10.0, 1.0)
+    prepared.play()
+    assert len(whole) == 4
 
 
 def test_to_prepare_twice_is_to_prepare_once():
