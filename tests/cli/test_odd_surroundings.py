@@ -69,7 +69,6 @@ def test_who_reads_only_the_beginning_changes_no_exit_code(tmp_path: Path, argum
 
 
 @POSIX
-@pytest.mark.nightly
 def test_a_match_counts_as_played_when_nobody_reads_its_result(tmp_path: Path, match: list[str]) -> None:
     done = in_shell('"$@" | true; exit ${PIPESTATUS[0]}', [*match, "--json", "--no-replay"], tmp_path)
     assert (done.returncode, done.stderr) == (0, "")
@@ -82,7 +81,6 @@ def test_wrong_input_is_wrong_input_also_where_it_cannot_be_told(tmp_path: Path)
 
 
 @POSIX
-@pytest.mark.nightly
 def test_a_folder_that_is_gone_is_no_fault_of_ours(tmp_path: Path, match: list[str]) -> None:
     place = tmp_path / "gone"
     place.mkdir()

@@ -15,7 +15,6 @@ from rcj_challenges.cli import author, says
 STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
 
 
-@pytest.mark.nightly
 def test_a_match_goes_on_when_nobody_reads_its_lines_any_more(tmp_path: Path) -> None:
     Path(tmp_path, "team.py").write_text(STAND, encoding="utf-8")
     teams = ["--blue", "team.py", "--yellow", "team.py"]

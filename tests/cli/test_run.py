@@ -129,7 +129,6 @@ def test_without_a_terminal_there_are_plain_lines_and_the_path_of_the_record(tmp
     assert (tmp_path / folder / "replay.html").is_file()
 
 
-@pytest.mark.nightly
 def test_in_a_terminal_that_a_debugged_program_has_too_nothing_is_written_over_what_it_prints(tmp_path, team):
     terminal = os.environ | {"FORCE_COLOR": "1", "TERM": "xterm-256color"}
     ends = [*short(team, "--no-replay"), *DUEL]

@@ -58,7 +58,6 @@ def test_a_full_disk_is_told_with_the_file_and_what_helps(tmp_path: Path, duel: 
 
 
 @POSIX
-@pytest.mark.nightly
 def test_a_record_that_somebody_deletes_meanwhile_is_no_fault_of_ours(tmp_path: Path, duel: list[str]) -> None:
     process = subprocess.Popen(
         [*COMMAND, "run", *duel, "--duration=20", "--quiet"], cwd=tmp_path, stderr=subprocess.PIPE, text=True

@@ -73,7 +73,6 @@ def verdict(report: str) -> list[Any]:
 
 
 @given_as("archive", "folder")
-@pytest.mark.nightly
 def test_a_check_finds_the_same_as_where_names_are_in_unicode(tmp_path: Path, submission: str) -> None:
     here, there = (
         played(tmp_path, ["check", submission, "--json", *DUEL], env) for env in ({"PYTHONUTF8": "1"}, NARROW)
@@ -84,7 +83,6 @@ def test_a_check_finds_the_same_as_where_names_are_in_unicode(tmp_path: Path, su
 
 
 @given_as("folder", "archive")
-@pytest.mark.nightly
 def test_a_match_is_the_same_and_its_logs_name_files_as_the_team_knows_them(tmp_path: Path, submission: str) -> None:
     command = ["run", "match", "--blue", submission, "--yellow", submission, "--duration=0.3", "--halves=1", "--json"]
     command += [*DUEL, "--out", str(tmp_path / "Läufe")]

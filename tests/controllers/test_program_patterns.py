@@ -293,7 +293,6 @@ def test_clock_and_calendar_show_simulated_time(match: FakeMatch) -> None:
     assert [r.missed_ticks for _, r in played.requests] == [0, 93]
 
 
-@pytest.mark.nightly
 def test_dice_fall_alike_for_one_seed_and_differently_for_robots_halves_and_seeds(match: FakeMatch) -> None:
     first = match.play("patterns/throws_dice", 2).said
     again = match.play("patterns/throws_dice", 2).said

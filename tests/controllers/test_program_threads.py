@@ -44,7 +44,9 @@ def test_a_thread_beside_the_one_that_steps_waits_for_the_time_of_the_match(matc
 def test_a_timer_fires_when_the_match_has_come_so_far(match: FakeMatch) -> None:
     start = "timer = threading.Timer(2.0, lambda: seen.append(robot.getTime()))\ntimer.daemon = True\ntimer.start()"
     (fired_s,) = numbers_of(match.play(BESIDE.format(wait="pass", start=start), 10 * SECOND))
-    assert 2.0 <= fired_s < 4.0
+    # Ten seconds of the match take a fraction of a second here: it would not fire in them if it really waited. Later
+    # where others take the processor: the match does not wait for this thread.
+    assert fired_s >= 2.0
 
 
 def test_waits_beside_a_standstill_pass_in_real_time(match: FakeMatch) -> None:

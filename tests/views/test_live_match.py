@@ -135,7 +135,6 @@ class Holding(Silent):
         return 0.1
 
 
-@pytest.mark.nightly
 def test_what_the_match_waits_for_its_steward_is_not_the_time_that_it_took(tmp_path: Path, team: Path) -> None:
     loaded = load("match", ["match.halves=2", "match.half_s=1.6", *DUEL])
     seats = tuple(loaded.scenario.entrants.values())

@@ -108,7 +108,6 @@ def test_without_a_recording_the_page_says_how_to_get_one(
     assert page.locator("input[name=rays]").is_disabled()
 
 
-@pytest.mark.nightly
 def test_each_step_of_a_paused_match_shows_the_readings_of_its_tick(
     match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:

@@ -187,7 +187,6 @@ def test_on_a_phone_the_sentences_of_a_match_are_whole(width_px: int, show: Call
     assert caption.bounding_box()["height"] <= floor + 1
 
 
-@pytest.mark.nightly
 def test_the_link_button_says_for_a_moment_that_it_has_copied_and_then_again_what_it_does(
     show: Callable[..., Any], run: Path
 ) -> None:
