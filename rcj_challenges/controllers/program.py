@@ -8,6 +8,7 @@ import os
 import re
 import tempfile
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -30,6 +31,7 @@ from rcj_challenges.facts.traffic import Observation, Request
 CLEAN_UP_S = 1.0
 """How long a program may go on after its ``step`` returned -1 (reference, section 3)."""
 
+LONG_S = 0.005  # a program that lets us wait longer than that computes, and others may as well
 _SLICE_S = 0.25  # how often a program that lets us wait is looked at
 _LOG_LOOKED_AT_EVERY = 16  # requests
 _FOLDER_LOOKED_AT_EVERY = 256  # ticks; walking through a folder takes 100 µs and more
@@ -151,11 +153,14 @@ class Program:
         """Return for how long its process has computed; 0 where nobody tells at once."""
         return 0.0 if self._process is None else self._process.computed_s()
 
-    def collect(self) -> Request | Fault:
+    def collect(self, if_long: Callable[[], None] | None = None) -> Request | Fault:
         """Wait until the program calls ``step``, or until its limit is reached or it fails.
 
         The first time, the limit is ``start_s`` since the launch; then it is ``step_s`` since this call, and
         ``half_s`` for what all calls together are charged (`Account`).
+
+        Args:
+            if_long: called once if it has not called ``step`` after `LONG_S`.
 
         Raises:
             HostError: it failed because the temporary folder is full, and no program has filled it.
@@ -164,8 +169,7 @@ class Program:
             return self.fault or self._fail("start", "the program was not started")
         began = time.perf_counter()
         try:
-            left_s = self.account.limit_s - self.account.waited_s
-            body = self._channel.receive(min(self._slice_s, left_s) if self._requests else 0.0)
+            body = self._in_first_slice(self._channel, if_long)
             if body is None:
                 body = self._wait(self._channel, began)
             answer = None if body is None else self._codec.decode(body, self._tick)
@@ -324,6 +328,17 @@ class Program:
             "layers": isolation.set_by_process(layers, portable=self._portable),
             "debug": assignment.debug,
         }
+
+    def _in_first_slice(self, channel: Channel, if_long: Callable[[], None] | None) -> bytes | None:
+        """Return the program's next message, None if it did not come before the program has to be looked at."""
+        left_s = self.account.limit_s - self.account.waited_s
+        slice_s = min(self._slice_s, left_s) if self._requests else 0.0
+        body = channel.receive(min(LONG_S, slice_s))
+        if body is not None:
+            return body
+        if if_long is not None:
+            if_long()
+        return channel.receive(slice_s - LONG_S) if slice_s > LONG_S else None
 
     def _wait(self, channel: Channel, began: float) -> bytes | None:
         """Return the program's next message, None if it took too long."""

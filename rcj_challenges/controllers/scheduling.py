@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 
 class Manners(NamedTuple):
-    """How programs behave towards the match. It makes a match faster, and changes nothing of what happens in it.
+    """How programs behave towards the match: so that it is faster, and nothing else is.
 
     Attributes:
         gives_way: a program that is woken interrupts nobody who computes. Else it interrupts the match in the middle of
@@ -35,16 +35,20 @@ def processor_here() -> int | None:
 
 
 def behave(pid: int, manners: Manners) -> None:
-    """Let a process behave like that from now on; one that is gone is none the worse for it.
+    """Let all threads of a process behave like that from now on; one that is gone is none the worse for it.
 
     It may be on the processors on which this thread may be, but for the one that it leaves, if there are others.
     """
     if sys.platform != "linux":
         return
+    policy = os.SCHED_BATCH if manners.gives_way else os.SCHED_OTHER
+    ours = os.sched_getaffinity(0)
+    where = ours - {manners.leaves} or ours
     with contextlib.suppress(OSError):
-        os.sched_setscheduler(pid, os.SCHED_BATCH if manners.gives_way else os.SCHED_OTHER, os.sched_param(0))
-        ours = os.sched_getaffinity(0)
-        os.sched_setaffinity(pid, ours - {manners.leaves} or ours)
+        for thread in os.listdir(f"/proc/{pid}/task"):  # noqa: PTH208 - a match waits
+            with contextlib.suppress(OSError):  # it has ended
+                os.sched_setscheduler(int(thread), policy, os.sched_param(0))
+                os.sched_setaffinity(int(thread), where)
 
 
 @functools.cache

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 class Driver(Protocol):
     """What drives one robot: a program in a process, or a stand-in in tests."""
 
-    def collect(self) -> Request | Fault:
-        """Wait for its next request, or learn that it failed."""
+    def collect(self, if_long: Callable[[], None] | None = None) -> Request | Fault:
+        """Wait for its next request, or learn that it failed. A wait that turns out to be long calls ``if_long``."""
 
     def collect_soon(self) -> Request | Fault | None:
         """Return the same if it is here, or comes at once; None: `collect` has to wait for it."""
@@ -121,6 +121,7 @@ class HalfPlay:
         while goes_on(self._stage.referee, verdict, self.tick, self._half):
             self._before_tick(self.tick + 1)
             verdict = self._one_tick(self.tick + 1)
+        self._behave(AS_EVERYBODY)  # what they do at the end they all do at once, and the match has nothing to do
         closing = self._stage.referee.finish()
         # A half that is over cannot be ended once more, the match can.
         ended = closing.ended if closing.ends_match else verdict.ended
@@ -186,20 +187,29 @@ class HalfPlay:
         rack, alive = self._stage.rack, self._alive
         due = [robot for robot in rack.specs if self._due.get(robot) == tick] if plays_on else []
         # The one that is released first finds its processor awake, and so do the others after it.
-        awake = due[0] if due and self._haste.next_is_soon() else None
-        if self._haste.manners is not self._manners:
-            self._manners = self._haste.manners
-            for driver in alive.values():
-                driver.behave(self._manners)
+        awake = due[0] if due and self._haste.next_is_soon(due[0]) else None
+        self._behave(self._haste.manners)
         for robot in rack.specs:
             rack.finish_sensing(robot)
             if robot in due:
                 alive[robot].release(rack.observe(robot, tick, soon=robot == awake))
         return due
 
-    def _computed_s(self) -> float:
-        """Return for how long all programs have computed but the first: that one is the one that stays awake."""
-        return sum(driver.computed_s() for driver in list(self._alive.values())[1:])
+    def _behave(self, manners: Manners) -> None:
+        """Let all programs behave like that from now on."""
+        if manners is not self._manners:
+            self._manners = manners
+            for driver in self._alive.values():
+                driver.behave(manners)
+
+    def _let_compute(self) -> None:
+        """Give programs all processors: one that computes for long shares none with the others, which may as well."""
+        self._haste.somebody_computes()
+        self._behave(self._haste.manners)
+
+    def _computed_s(self) -> dict[int, float]:
+        """Return for how long each program has computed."""
+        return {robot: driver.computed_s() for robot, driver in self._alive.items()}
 
     def _collect(self, due: list[int]) -> None:
         """Carry out what those who were released ask for, in their order."""
@@ -213,7 +223,7 @@ class HalfPlay:
             taken += 1
         waiting = due[taken:]
         # Sleeping until the last answers, we mostly find the others' answers ready: one sleep instead of six.
-        answers = [alive[robot].collect() for robot in reversed(waiting)]
+        answers = [alive[robot].collect(self._let_compute) for robot in reversed(waiting)]
         for robot in waiting:
             self._take(robot, answers.pop())
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from rcj_challenges.controllers import scheduling, tasks
 from rcj_challenges.controllers.scheduling import AS_EVERYBODY, Manners
@@ -25,7 +25,7 @@ _LOOKED_EVERY_TICKS = 64
 
 
 class Haste:
-    """Tells that of each tick. It only makes a match faster: no program can see it.
+    """Tells that of each tick. It only makes a match faster: the programs' results and limits do not depend on it.
 
     Only where a processor has nothing else to do: beside other matches, those that stay awake would hold everybody up.
 
@@ -33,21 +33,27 @@ class Haste:
         manners: of the programs from now on; another object only if they change.
     """
 
-    def __init__(self, computed_s: Callable[[], float]) -> None:
+    def __init__(self, computed_s: Callable[[], Mapping[int, float]]) -> None:
         """Begin.
 
         Args:
-            computed_s: tells for how long programs have computed, all together but for the one that may stay awake.
+            computed_s: tells for how long each program that plays has computed until now, by robot.
         """
         self._processors = tasks.processors()
         self._began_s = -math.inf
         self._ticks = 0
         self._computed_s_until_now = computed_s
-        self._looked_s = self._computed_s = math.nan
+        self._looked_s = math.nan
+        self._computed_s: Mapping[int, float] = {}
+        self._awake: set[int] = set()
         self.manners = AS_EVERYBODY
 
-    def next_is_soon(self) -> bool:
-        """Return whether the next tick is expected so soon. To be called once a tick, before programs are released."""
+    def next_is_soon(self, robot: int) -> bool:
+        """Return whether the next tick is expected so soon. To be called once a tick, before programs are released.
+
+        Args:
+            robot: whose program is going to wait for it awake.
+        """
         now_s = time.perf_counter()
         was_soon, self._began_s = now_s - self._began_s < SOON_S, now_s
         self._ticks += 1
@@ -55,7 +61,14 @@ class Haste:
         if phase == 0:
             self._look(now_s)
         # Before that is looked at, the one who was awake has to sleep: it would be counted.
-        return was_soon and self.manners.gives_way and phase != _LOOKED_EVERY_TICKS - 1
+        soon = was_soon and self.manners.gives_way and phase != _LOOKED_EVERY_TICKS - 1
+        if soon:
+            self._awake.add(robot)
+        return soon
+
+    def somebody_computes(self) -> None:
+        """Let all be on all processors until it is looked at again: the match waits for a program, and needs none."""
+        self.manners = AS_EVERYBODY
 
     def _look(self, now_s: float) -> None:
         """Find out whether there is room, and whether one processor is enough for the programs."""
@@ -66,8 +79,11 @@ class Haste:
 
     def _left_to_match(self, now_s: float) -> int | None:
         """Return the processor that programs leave to the match; None: none."""
-        computed_s = self._computed_s_until_now()
-        lasted_s, busy_s = now_s - self._looked_s, computed_s - self._computed_s
-        self._looked_s, self._computed_s = now_s, computed_s
+        before_s, self._computed_s = self._computed_s, self._computed_s_until_now()
+        lasted_s, self._looked_s = now_s - self._looked_s, now_s
+        # Those that were awake did nothing but wait, and of one that has failed meanwhile nobody knows.
+        counted = [robot for robot in self._computed_s if robot in before_s and robot not in self._awake]
+        busy_s = sum(self._computed_s[robot] - before_s[robot] for robot in counted)
+        self._awake.clear()
         hurries = lasted_s < _LOOKED_EVERY_TICKS * SOON_S
         return scheduling.processor_here() if hurries and busy_s < LITTLE * lasted_s else None

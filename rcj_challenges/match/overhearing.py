@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import codecs
 import io
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Protocol, Self
 
@@ -93,9 +93,9 @@ class _Overheard:
         """Look whether it takes more than it may."""
         return self._driver.overstepped(tick)
 
-    def collect(self) -> Request | Fault:
+    def collect(self, if_long: Callable[[], None] | None = None) -> Request | Fault:
         """Wait for its next request, or learn that it failed."""
-        return self._heard(self._driver.collect())
+        return self._heard(self._driver.collect(if_long))
 
     def collect_soon(self) -> Request | Fault | None:
         """Return its next request if it is here already."""

@@ -7,6 +7,7 @@ import sys
 import threading
 import time
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from fake_match import SPEC, FakeMatch, Played, values_at
@@ -155,21 +156,25 @@ def test_a_real_program_reads_the_same_as_ever(match: FakeMatch, beside: str) ->
     assert played.said == [str(tick) for tick in range(1, 61)]
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="only Linux has such a way of taking turns")
+TURNS_ON_LINUX = pytest.mark.skipif(sys.platform != "linux", reason="only Linux has such a way of taking turns")
+
+
+@TURNS_ON_LINUX
 @pytest.mark.parametrize("sandbox", ["auto", "off"])
 def test_a_program_gives_way_and_takes_its_turn_again(match: FakeMatch, sandbox: str) -> None:
     here, ours = scheduling.processor_here(), os.sched_getaffinity(0)
     assert here in ours
     apart, room = Manners(gives_way=True, leaves=here), Manners(gives_way=True, leaves=None)
     others = ours - {here} or ours
-    team = match.team(READS_ITS_GPS)
+    # One thread is there before it is told, one begins while it keeps to fewer processors.
+    team = match.team(WITH_A_THREAD + READS_ITS_GPS + "    " + WITH_A_THREAD.replace("\n", "\n    "))
     with match.crew(sandbox=sandbox) as crew:
         program = crew.add(SPEC, team, team.entry_for("Y1", "robot.py"))
         crew.launch()
         program.collect()
         process = program._process
         assert process is not None
-        pid = process._pid_to_look_at()
+        pid, threads = process._pid_to_look_at(), []
         for manners, policy, where in (
             (room, os.SCHED_BATCH, ours),
             (apart, os.SCHED_BATCH, others),
@@ -177,13 +182,55 @@ def test_a_program_gives_way_and_takes_its_turn_again(match: FakeMatch, sandbox:
             (apart, os.SCHED_BATCH, others),
         ):
             program.behave(manners)
-            assert os.sched_getscheduler(pid) == policy
-            assert os.sched_getaffinity(pid) == where
+            threads.append([int(thread.name) for thread in Path(f"/proc/{pid}/task").iterdir()])
+            assert {os.sched_getscheduler(thread) for thread in threads[-1]} == {policy}
+            assert all(os.sched_getaffinity(thread) == where for thread in threads[-1])
             computed_s = program.computed_s()
             program.release(Observation(1, values_at(1), []))
             assert not isinstance(program.collect(), Fault)
             assert program.computed_s() > computed_s > 0.0
+        assert len(threads[0]) < len(threads[-1])
         program.kill()
         program.behave(room)  # who is gone interrupts nobody
         assert program.computed_s() == 0.0
         crew.close()
+
+
+@TURNS_ON_LINUX
+def test_a_program_is_told_all_along_on_how_many_processors_it_may_be(match: FakeMatch) -> None:
+    ours, played = os.sched_getaffinity(0), Played()
+    team = match.team(
+        "import os\nfrom controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n"
+        "    print(sorted(os.sched_getaffinity(0)), os.sched_getaffinity(os.getpid()) == os.sched_getaffinity(0))\n"
+    )
+    with match.crew() as crew:
+        program = crew.add(SPEC, team, team.entry_for("Y1", "robot.py"))
+        crew.launch()
+        program.collect()
+        for leaves in (None, min(ours), max(ours)):
+            program.behave(Manners(gives_way=True, leaves=leaves))
+            program.release(Observation(1, values_at(1), []))
+            assert not isinstance(program.collect(), Fault)
+        crew.close()
+        played.log = program.new_output()
+    assert played.said == [f"{sorted(ours)} True"] * 3
+
+
+@pytest.mark.parametrize(("rounds", "is_long"), [(0, False), (2_000_000, True)])
+def test_a_wait_that_turns_out_long_is_told_of_once(
+    either_match: FakeMatch, rounds: int, is_long: bool
+) -> None:  # fmt: skip
+    team, told = either_match.team(READS_ITS_GPS + f"    for _ in range({rounds}): pass\n"), []
+    with either_match.crew() as crew:
+        program = crew.add(SPEC, team, team.entry_for("Y1", "robot.py"))
+        crew.launch()
+        program.collect()
+        waits = []
+        for tick in range(1, 8):
+            told.clear()
+            program.release(Observation(tick, values_at(tick), []))
+            assert not isinstance(program.collect(lambda: told.append("long")), Fault)
+            waits.append(len(told))
+        crew.close()
+    # A busy computer may hold up one that computes nothing, but hardly always.
+    assert set(waits) == {1} if is_long else min(waits) == 0

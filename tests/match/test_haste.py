@@ -16,18 +16,22 @@ from rcj_challenges.match.stage import build_stage
 from rcj_challenges.referee.script import half_of
 from rcj_challenges.scenario.load import load
 
+AWAKE = 0
+
 
 @pytest.fixture
 def computer(monkeypatch):
     """A computer of two processors on which one thread runs, on the second, and ticks take a third of a millisecond.
 
-    Programs keep a quarter of a processor busy.
+    Three programs play, of which one stays awake; the others keep a quarter of a processor busy.
     """
-    told = SimpleNamespace(now_s=0.0, tick_s=SOON_S / 3, running=1, looked=0, here=1, busy=0.25, computed_s=0.0)
+    told = SimpleNamespace(now_s=0.0, tick_s=SOON_S / 3, running=1, looked=0, here=1)
+    told.busy, told.computed_s = {AWAKE: 1.0, 1: 0.15, 2: 0.1}, {AWAKE: 0.0, 1: 3.0, 2: 4.0}
 
     def clock():
         told.now_s += told.tick_s
-        told.computed_s += told.busy * told.tick_s
+        for robot in told.computed_s:
+            told.computed_s[robot] += told.busy[robot] * told.tick_s
         return told.now_s
 
     def running():
@@ -38,12 +42,12 @@ def computer(monkeypatch):
     monkeypatch.setattr(tasks, "running", running)
     monkeypatch.setattr(tasks, "processors", lambda: 2)
     monkeypatch.setattr(scheduling, "processor_here", lambda: told.here)
-    told.haste = Haste(lambda: told.computed_s)
+    told.haste = Haste(lambda: dict(told.computed_s))
     return told
 
 
-def answers(of, ticks):
-    return [of.next_is_soon() for _ in range(ticks)]
+def answers(of, ticks, awake=AWAKE):
+    return [of.next_is_soon(awake) for _ in range(ticks)]
 
 
 def test_the_next_tick_is_soon_once_it_is_known_that_there_is_room(computer):
@@ -76,7 +80,7 @@ def test_where_ticks_take_long_nobody_stays_awake(computer):
     computer.tick_s = 0.032
     assert not any(answers(of, 16))
     computer.tick_s = SOON_S / 2
-    assert of.next_is_soon()
+    assert of.next_is_soon(AWAKE)
 
 
 def test_programs_that_compute_little_leave_the_match_its_processor(computer):
@@ -93,15 +97,51 @@ def test_programs_that_compute_little_leave_the_match_its_processor(computer):
 def test_programs_that_compute_much_may_be_on_all_processors(computer):
     of = computer.haste
     answers(of, 128)
-    computer.busy = 0.8
+    computer.busy[2] = 0.3
     answers(of, 64)
     assert of.manners == Manners(gives_way=True, leaves=None)
+
+
+def test_one_that_fails_has_not_given_back_what_it_computed(computer):
+    of = computer.haste
+    computer.busy[2] = 0.5
+    answers(of, 128)
+    del computer.computed_s[1]
+    answers(of, 64)
+    assert of.manners == Manners(gives_way=True, leaves=None)
+
+
+def test_all_count_who_had_to_sleep(computer):
+    of = computer.haste
+    answers(of, 128)
+    computer.tick_s, computer.busy[AWAKE] = SOON_S * 1.01, 0.3  # so nobody waits awake
+    answers(of, 30)
+    computer.tick_s = SOON_S / 3
+    computer.busy[1] = computer.busy[2] = 0.0
+    answers(of, 34)
+    assert of.manners == Manners(gives_way=True, leaves=1)  # it was awake for a part of the time
+    answers(of, 64, awake=1)
+    assert of.manners == Manners(gives_way=True, leaves=1)
+    computer.busy[AWAKE] = 0.5
+    answers(of, 64, awake=1)
+    assert of.manners == Manners(gives_way=True, leaves=None)
+
+
+def test_while_somebody_computes_all_may_be_on_all_processors(computer):
+    of = computer.haste
+    answers(of, 130)
+    assert of.manners.leaves == 1
+    of.somebody_computes()
+    assert not any(answers(of, 61))
+    assert of.manners == AS_EVERYBODY
+    answers(of, 1)
+    assert of.manners == Manners(gives_way=True, leaves=1)
 
 
 def test_where_ticks_take_long_programs_may_be_on_all_processors(computer):
     of = computer.haste
     answers(of, 128)
-    computer.tick_s, computer.busy = 0.032, 0.01
+    computer.tick_s, computer.busy = 0.032, dict.fromkeys(computer.busy, 0.01)
     answers(of, 64)
     assert of.manners == Manners(gives_way=True, leaves=None)
 
@@ -122,7 +162,7 @@ def test_manners_are_told_anew_only_when_they_change(computer):
 
 def test_where_nobody_knows_how_many_processors_there_are_nobody_stays_awake(computer, monkeypatch):
     monkeypatch.setattr(tasks, "processors", lambda: 0)
-    assert not any(answers(Haste(lambda: 0.0), 200))
+    assert not any(answers(Haste(dict), 200))
 
 
 @pytest.mark.skipif(not tasks.processors(), reason="only Linux tells it")
@@ -157,15 +197,19 @@ def test_a_container_keeps_no_more_processors_busy_than_it_is_granted(monkeypatc
 class Noted:
     """A program that asks for steps of so many ticks, and of which is noted who was told that the next one is soon."""
 
-    def __init__(self, name, notes, ticks, fails_at=None):
-        self.name, self.ticks, self.notes, self.fails_at = name, ticks, notes, fails_at
+    def __init__(self, name, notes, ticks, fails_at=None, computes_at=None):
+        self.name, self.ticks, self.notes = name, ticks, notes
+        self.fails_at, self.computes_at = fails_at, computes_at
         self.steps, self.manners = 0, []
 
-    def collect(self):
+    def collect(self, if_long=None):
+        if if_long is not None:
+            if_long()
         self.steps += 1
         return Fault(self.name, "crash", 0, 1, "made up") if self.steps == self.fails_at else Request(self.ticks)
 
-    collect_soon = collect
+    def collect_soon(self):
+        return None if self.steps == self.computes_at else self.collect()
 
     def release(self, observation):
         self.notes.append((self.name, observation.soon))
@@ -200,7 +244,7 @@ def told(monkeypatch, stage):
     """Return what plays some ticks: by tick, who was released, and whether it was told to stay awake."""
 
     def play(ticks, *, soon=True, **asks):
-        monkeypatch.setattr(Haste, "next_is_soon", lambda _: soon)
+        monkeypatch.setattr(Haste, "next_is_soon", lambda *_: soon)
         half, set_up, notes = stage(ticks, **asks)
         by_tick = []
 
@@ -240,7 +284,7 @@ def test_all_behave_as_is_wanted_of_them(monkeypatch, stage):
     room, apart = Manners(gives_way=True, leaves=None), Manners(gives_way=True, leaves=1)
     wanted = iter([AS_EVERYBODY, AS_EVERYBODY, room, room, apart, AS_EVERYBODY, AS_EVERYBODY, room, room])
 
-    def next_is_soon(haste):
+    def next_is_soon(haste, _):
         haste.manners = next(wanted)
         return False
 
@@ -249,12 +293,43 @@ def test_all_behave_as_is_wanted_of_them(monkeypatch, stage):
     HalfPlay(set_up, half, lambda *_: None, lambda _: None, lambda _: None).play()
     first, *others = set_up.drivers.values()
     assert first.manners == [room]  # it fails at its fifth step
-    assert all(one.manners == [room, apart, AS_EVERYBODY, room] for one in others)
+    # When the half is over they all clean up at once, and the match has nothing to do.
+    assert all(one.manners == [room, apart, AS_EVERYBODY, room, AS_EVERYBODY] for one in others)
 
 
-def test_what_counts_is_how_long_all_compute_but_the_one_who_stays_awake(monkeypatch, stage):
-    told = []
-    monkeypatch.setattr(Haste, "next_is_soon", lambda haste: told.append(haste._computed_s_until_now()))
-    half, set_up, _ = stage(3, B1=(1, 3))
+def test_one_that_computes_for_long_and_all_others_may_do_so_on_all_processors(monkeypatch, stage):
+    apart, notes = Manners(gives_way=True, leaves=1), []
+
+    def next_is_soon(haste, _):
+        haste.manners = apart if not notes else haste.manners
+        notes.append(haste.manners)
+        return False
+
+    monkeypatch.setattr(Haste, "next_is_soon", next_is_soon)
+    half, set_up, _ = stage(5, Y2=(1, None, 2))
     HalfPlay(set_up, half, lambda *_: None, lambda _: None, lambda _: None).play()
-    assert told == [5 * 1.0, 5 * 2.0]
+    assert notes == [apart, apart, AS_EVERYBODY, AS_EVERYBODY]
+    assert all(one.manners == [apart, AS_EVERYBODY] for one in set_up.drivers.values())
+
+
+def test_what_counts_is_how_long_each_has_computed_that_plays(monkeypatch, stage):
+    told = []
+    monkeypatch.setattr(Haste, "next_is_soon", lambda haste, _: told.append(haste._computed_s_until_now()))
+    half, set_up, _ = stage(4, B1=(1, 3))
+    HalfPlay(set_up, half, lambda *_: None, lambda _: None, lambda _: None).play()
+    assert told == [dict.fromkeys(range(6), 1.0), dict.fromkeys(range(6), 2.0), dict.fromkeys(range(1, 6), 3.0)]
+
+
+def test_the_match_prepares_the_next_tick_while_programs_think(monkeypatch, stage):
+    half, set_up, notes = stage(3)
+    order = []
+    real = set_up.world.prepare
+
+    def prepare():
+        order.append((len(notes), [one.steps for one in set_up.drivers.values()]))
+        real()
+
+    monkeypatch.setattr(set_up.world, "prepare", prepare)
+    HalfPlay(set_up, half, lambda *_: None, lambda _: None, lambda _: None).play()
+    # All have been released, and none of them has been asked for its answer.
+    assert order == [(6, [1] * 6), (12, [2] * 6), (12, [3] * 6)]

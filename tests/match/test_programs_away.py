@@ -20,7 +20,7 @@ class Away:
     def __init__(self, ticks):
         self.ticks, self.looked_at = ticks, []
 
-    def collect(self):
+    def collect(self, if_long=None):
         return Request(self.ticks)
 
     collect_soon = collect

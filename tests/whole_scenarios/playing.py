@@ -34,8 +34,9 @@ class Puppet:
         """Whose it is."""
         return self.spec.name
 
-    def collect(self) -> Request | Fault:
+    def collect(self, if_long: object = None) -> Request | Fault:
         """Return what it asks for next."""
+        del if_long
         self.requests += 1
         if self.requests > self.fails_at:
             self.fault = Fault(self.name, "crash", self.requests, 1, "made up")
