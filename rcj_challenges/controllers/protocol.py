@@ -95,11 +95,11 @@ class Codec:
 
     def encode(self, observation: Observation) -> bytes:
         """Return an observation as a frame."""
-        packets = observation.packets
-        flags = OVER if observation.over else SOON if observation.soon else 0
+        tick, values, packets, over, soon = observation
+        flags = OVER if over else SOON if soon else 0
         form = self._form
         if not packets:
-            return form.pack(form.size - 4, OBSERVATION, observation.tick, flags, self._values, 0, *observation.values)
+            return form.pack(form.size - 4, OBSERVATION, tick, flags, self._values, 0, *values)
         first = packets[0]
         if first is not self._first_packet:  # the referee says the very same for minutes, and before all others
             self._first_packet, self._first_bytes = first, _packed(first)
@@ -107,8 +107,7 @@ class Codec:
         if len(packets) > 1:
             tail += b"".join([_packed(packet) for packet in packets[1:]])
         length = form.size - 4 + len(tail)
-        head = form.pack(length, OBSERVATION, observation.tick, flags, self._values, len(packets), *observation.values)
-        return head + tail
+        return form.pack(length, OBSERVATION, tick, flags, self._values, len(packets), *values) + tail
 
     def decode(self, body: bytes, tick: int) -> Request | Ended:
         """Return what a program's message asks for.

@@ -62,17 +62,19 @@ class DeviceRack:
         """Carry out what a program asked for, now: it takes effect in the physics that follows."""
         if robot in self._silent:
             return
-        for device, channel in request.channels:
-            self._radio.set_channel(robot, device, channel)
-        for device, period_ticks in request.sampling:
-            self._set_period(robot, device, period_ticks)
-        for device, frequency_hz in request.frequencies:
-            self._senses[robot].set_frequency(device, frequency_hz)
+        _, _, motors, emissions, sampling, channels, frequencies = request
+        if channels or sampling or frequencies:  # hardly ever
+            for device, channel in channels:
+                self._radio.set_channel(robot, device, channel)
+            for device, period_ticks in sampling:
+                self._set_period(robot, device, period_ticks)
+            for device, frequency_hz in frequencies:
+                self._senses[robot].set_frequency(device, frequency_hz)
         drive = self._drives[robot]
-        for command in request.motors:
+        for command in motors:
             drive.command(command)
-        if not self._poses.robots[robot].parked:
-            for device, channel, data in request.emissions:
+        if emissions and not self._poses.robots[robot].parked:
+            for device, channel, data in emissions:
                 self._radio.send(robot, device, channel, data, self._tick)
 
     def silence(self, robot: int) -> None:

@@ -125,14 +125,16 @@ class Echoes:
 
     def read(self, sonars: Sequence[Sonar], values: list[float]) -> None:
         """Write the readings of some sonars of a robot into its numbers."""
-        rays, numbers_of, errors, full_from_m = self._rays, _RAY.unpack_from, self._errors, SONAR_NOISE_FULL_FROM_M
+        rays, numbers_of, errors = self._rays, _RAY.unpack_from, self._errors
+        full_from_m, mm_per_m = SONAR_NOISE_FULL_FROM_M, _MM_PER_M
         # Number by number: for a handful of them numpy's calls cost more than they save.
         for ray, first_byte, slot, range_m, heard_below in sonars:
             distance, dx, dy, dz, nx, ny, nz = numbers_of(rays, first_byte)
             # Cosine of the angle between ray and normal, -1 head on. Nothing hit: the normal is zero, not heard.
             facing = dx * nx + dy * ny + dz * nz
-            echo_m = distance if facing < heard_below and distance < range_m else range_m
-            if facing > 0:  # only a ray that begins inside a body pressed against the robot: an echo from no distance
-                echo_m = 0.0
-            noisy_m = echo_m if echo_m < full_from_m else full_from_m  # noqa: FURB136 - `min` takes twice as long
-            values[slot] = echo_m * (_MM_PER_M + noisy_m * errors[ray])
+            if facing < heard_below:
+                echo_m = distance if distance < range_m else range_m  # noqa: FURB136 - `min` takes twice as long
+            else:
+                # A ray leaves a body only if it begins in one that is pressed against the robot: echo from no distance.
+                echo_m = 0.0 if facing > 0 else range_m
+            values[slot] = echo_m * (mm_per_m + (echo_m if echo_m < full_from_m else full_from_m) * errors[ray])  # noqa: FURB136

@@ -245,9 +245,8 @@ class Lookout:
 
     def _left(self, substeps: list[list[Pose2]]) -> Sequence[int]:
         """Return the entities that left their cell in any sub-step: none, on most ticks."""
-        cells = self._cells
-        for poses in substeps:
-            for (x_low, x_high, y_low, y_high), (x, y, _) in zip(cells, poses, strict=True):
+        for (x_low, x_high, y_low, y_high), *way in zip(self._cells, *substeps, strict=True):
+            for x, y, _ in way:
                 if not (x_low < x < x_high and y_low < y < y_high):
                     return self._all_that_left(substeps)
         return ()

@@ -39,7 +39,7 @@ class Surroundings:
         self._qpos = one_by_one(data.qpos)
         self._bits = memoryview(model.geom_conaffinity)
         self._geoms = [(cube, *tables.wheels[robot]) for robot, cube in enumerate(tables.cubes)]
-        self._robots = list(enumerate(tables.qpos_at[: tables.robots]))
+        self._robots = [(robot, at, at + 1) for robot, at in enumerate(tables.qpos_at[: tables.robots])]
         self._near = [1] * len(self._robots)
         farthest_m = max((reach_m(model, data, geoms) for geoms in self._geoms), default=0.0)
         fixtures = [
@@ -53,10 +53,10 @@ class Surroundings:
         """Let the robots that are near enough collide with fixtures, and no others."""
         qpos, near, cells = self._qpos, self._near, self._cells
         rows, per_m, left_m, bottom_m = self._rows, self._per_m, self._left_m, self._bottom_m
-        for robot, at in self._robots:
+        for robot, x_at, y_at in self._robots:
             try:
                 # What is beyond the map is far from all fixtures, so any of its cells will do for it.
-                now = cells[int((qpos[at] - left_m) * per_m) * rows + int((qpos[at + 1] - bottom_m) * per_m)]
+                now = cells[int((qpos[x_at] - left_m) * per_m) * rows + int((qpos[y_at] - bottom_m) * per_m)]
             except (IndexError, ValueError, OverflowError):  # far beyond, or no number: MuJoCo finds out by itself
                 now = 1
             if now != near[robot]:

@@ -105,6 +105,10 @@ class Traction:
             (tables.qpos_at[robot], _COEFFICIENTS_PER_ROBOT * robot + _FIRST_TURNING, pair)
             for robot, pair in enumerate(zip(self._wheels[0::2], self._wheels[1::2], strict=True))
         ]
+        self._ways = [
+            (at, at + 1, at + ROBOT_YAW, turning, turning + 1, left.arm_m, right.arm_m)
+            for at, turning, (left, right) in self._robots
+        ]
         self._turning = [(at + ROBOT_YAW, self._coefficients.itemsize * turning) for at, turning, _ in self._robots]
         self._all = range(len(self._wheels))
         self._along_mps = [0.0] * len(self._wheels)
@@ -213,13 +217,13 @@ class Traction:
 
     def _look_along(self) -> None:
         """Find out how fast each wheel's place moves along its robot, by where the robot looked a sub-step ago."""
-        along_mps, qvel, coefficients, index = self._along_mps, self._qvel, self._coefficients, 0
-        for at, turning, (left, right) in self._robots:
-            forward_mps = coefficients[turning] * qvel[at] + coefficients[turning + 1] * qvel[at + 1]
-            spin = qvel[at + ROBOT_YAW]
-            along_mps[index] = forward_mps - left.arm_m * spin
-            along_mps[index + 1] = forward_mps - right.arm_m * spin
-            index += 2
+        qvel, coefficients = self._qvel, self._coefficients
+        along_mps: list[float] = []
+        for x_at, y_at, yaw_at, ahead, aside, left_arm_m, right_arm_m in self._ways:
+            forward_mps = coefficients[ahead] * qvel[x_at] + coefficients[aside] * qvel[y_at]
+            spin = qvel[yaw_at]
+            along_mps += forward_mps - left_arm_m * spin, forward_mps - right_arm_m * spin
+        self._along_mps = along_mps
 
     def _choose_grip(self, indices: Iterable[int]) -> None:
         """A wheel that pushes its robot on has less grip than one that slows or holds it, see `contact.grip_of`."""

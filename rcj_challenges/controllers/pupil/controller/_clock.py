@@ -42,7 +42,12 @@ _real_sleep = time.sleep
 
 
 class Clock:
-    """Simulated time of one program."""
+    """Simulated time of one program.
+
+    Attributes:
+        beside: what the clock of its other threads is ahead.
+        step_began: the program is inside ``step`` until the next tick begins.
+    """
 
     def __init__(self, tick_ns: int) -> None:
         self._tick_ns = tick_ns
@@ -53,6 +58,7 @@ class Clock:
         self._our_threads = _count()
         self._sleepers: list[tuple[float, LockType]] = []
         self.beside = Beside()
+        self.step_began = self.beside.step_began
 
     def count_our_threads(self) -> None:
         """Take note of the threads that there are: the program has started none of them."""
@@ -129,10 +135,6 @@ class Clock:
     def missed_ticks(self) -> int:
         """Return how many whole ticks passed since the last observation by sleeping and reading."""
         return self._since_ns // self._tick_ns
-
-    def step_began(self) -> None:
-        """The program is inside ``step`` until the next tick begins."""
-        self.beside.step_began()
 
     def tick_began(self, tick: int) -> None:
         """A new observation came: it is now the beginning of the time after ``tick``; the clock never runs back."""

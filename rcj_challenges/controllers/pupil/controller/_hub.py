@@ -47,6 +47,7 @@ EMITTED_BYTES = 1 << 15
 with the settings it is within the 64 KiB that a message may have beyond two of the largest packets."""
 
 _PACKET_OVERHEAD = 200
+_TRIMMED_EVERY_BYTES = 1 << 19  # that arrive: of thousands of ticks, if packets are small; counting them takes its time
 _TOLD_TIMES = 10
 """So often one complaint is told; then only the 100th, the 1000th: who errs in each step of a half does so 18750 times,
 and would not find what the program itself prints."""
@@ -55,22 +56,19 @@ _MOST_DEPTH, _REHEARSALS = 150, 60  # `check` plays 10 s, the 60th part of a hal
 
 
 class PacketQueue:
-    """The unread packets of one receiver, oldest first. Beyond its bound the oldest are dropped."""
+    """The unread packets of one receiver, oldest first."""
+
+    __slots__ = ("packets",)
 
     def __init__(self) -> None:
         self.packets: deque[Packet] = deque()
-        self._bytes = 0
 
-    def add(self, packet: Packet) -> None:
-        """Append a packet that arrived."""
-        self.packets.append(packet)
-        self._bytes += len(packet[0]) + _PACKET_OVERHEAD
-        while self._bytes > QUEUE_BYTES and len(self.packets) > 1:
-            self.drop()
-
-    def drop(self) -> None:
-        """Forget the oldest packet."""
-        self._bytes -= len(self.packets.popleft()[0]) + _PACKET_OVERHEAD
+    def trim(self) -> None:
+        """Forget the oldest packets beyond the bound; the newest always stays."""
+        packets = self.packets
+        too_many_bytes = sum([len(packet[0]) + _PACKET_OVERHEAD for packet in packets]) - QUEUE_BYTES
+        while too_many_bytes > 0 and len(packets) > 1:
+            too_many_bytes -= len(packets.popleft()[0]) + _PACKET_OVERHEAD
 
 
 class Samples:
@@ -150,6 +148,8 @@ class Hub:
         self._frequencies: dict[int, float] = {}
         self._emissions: list[Emission] = []
         self._emitted_bytes = 0
+        self._appends = {device: queue.packets.append for device, queue in self.queues.items()}
+        self._untrimmed_bytes = 0
         self._step_ms: float | None = None
         self._step_ticks = 0
         self._begun: bytes | None = None
@@ -258,8 +258,9 @@ class Hub:
         if packets:
             self._queue(frame, packets)
         self.tick = tick
-        for samples in self._followed.values():
-            samples.see(tick, numbers)
+        if self._followed:
+            for samples in self._followed.values():
+                samples.see(tick, numbers)
         self._clock.tick_began(tick)
         self._wire.next_is_soon = flags & SOON != 0
         if flags & OVER:
@@ -341,12 +342,17 @@ class Hub:
 
     def _queue(self, frame: bytes, count: int) -> None:
         """Append the packets of an observation to the queues of their receivers."""
-        at = self._form.size
+        at, appends, unpack, head_bytes = self._form.size, self._appends, PACKET.unpack_from, PACKET.size
         for _ in range(count):
-            device, size, strength, x, y, z = PACKET.unpack_from(frame, at)
-            begin = at + PACKET.size
+            device, size, strength, x, y, z = unpack(frame, at)
+            begin = at + head_bytes
             at = begin + size
-            self.queues[device].add((frame[begin:at], strength, x, y, z))
+            appends[device]((frame[begin:at], strength, x, y, z))
+        self._untrimmed_bytes += at
+        if self._untrimmed_bytes > _TRIMMED_EVERY_BYTES:
+            self._untrimmed_bytes = 0
+            for queue in self.queues.values():
+                queue.trim()
 
 
 def _layout(devices: list[dict[str, Any]]) -> tuple[str, dict[int, int]]:

@@ -63,8 +63,9 @@ class Receiver(Sensor):
 
     def nextPacket(self) -> None:
         """Forget the first packet; without one nothing happens."""
-        if self._rcj_queue.packets:
-            self._rcj_queue.drop()
+        packets = self._rcj_queue.packets
+        if packets:
+            packets.popleft()
 
     def getData(self) -> Any:
         """Return the first packet: bytes up to v2.1, text from v2.2.

@@ -77,7 +77,10 @@ class DistanceSensor(Sensor):
 
     def getValue(self) -> float:
         """Return the reading: 1000 per metre; NaN before the first sample."""
-        return self._rcj_numbers()[0]
+        if not self._rcj_period_ms and not self._rcj_warned:
+            self._rcj_warn()
+        reading: float = self._rcj_hub.numbers[self._rcj_place]  # no slice: there are four, and all are read every tick
+        return reading
 
     def getMinValue(self) -> float:
         """Return the smallest reading."""
