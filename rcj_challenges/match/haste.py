@@ -68,7 +68,8 @@ class Haste:
 
     def somebody_computes(self) -> None:
         """Let all be on all processors until it is looked at again: the match waits for a program, and needs none."""
-        self.manners = AS_EVERYBODY
+        if self.manners.leaves is not None:
+            self.manners = Manners(self.manners.gives_way, None)
 
     def _look(self, now_s: float) -> None:
         """Find out whether there is room, and whether one processor is enough for the programs."""
@@ -81,9 +82,9 @@ class Haste:
         """Return the processor that programs leave to the match; None: none."""
         before_s, self._computed_s = self._computed_s, self._computed_s_until_now()
         lasted_s, self._looked_s = now_s - self._looked_s, now_s
-        # Those that were awake did nothing but wait, and of one that has failed meanwhile nobody knows.
+        # Those that were awake did nothing but wait, and of one that has ended meanwhile nobody knows.
         counted = [robot for robot in self._computed_s if robot in before_s and robot not in self._awake]
-        busy_s = sum(self._computed_s[robot] - before_s[robot] for robot in counted)
+        busy_s = sum(max(0.0, self._computed_s[robot] - before_s[robot]) for robot in counted)
         self._awake.clear()
         hurries = lasted_s < _LOOKED_EVERY_TICKS * SOON_S
         return scheduling.processor_here() if hurries and busy_s < LITTLE * lasted_s else None

@@ -240,6 +240,27 @@ print(team.getQueueLength(), team.getBytes()[:2])
     assert played.said == ["16 b'14'"]
 
 
+def test_many_small_packets_that_are_never_popped_are_dropped_too(match: FakeMatch) -> None:
+    program = """
+import controller, sys
+hub = sys.modules["controller._hub"]
+hub.QUEUE_BYTES = 300_000
+robot = controller.Robot()
+team = robot.getDevice("team receiver")
+team.enable(32)
+most = 0
+while robot.step(32) != -1:
+    most = max(most, team.getQueueLength())
+print(most, team.getQueueLength(), team.getBytes())
+"""
+    # 5 of them are on the wire 195 bytes and more, and take 1005 bytes of a queue; trimmed in each 512 KiB that come.
+    played = match.play(program, 4000, lambda tick: [packet("team receiver", b"%d" % (tick % 10))] * 5)
+    most, left, first = played.said[0].split()
+    assert 1_400 < int(most) < 1_500 + 5 * 2_700
+    assert int(left) < int(most)
+    assert len(first) == len("b'1'")
+
+
 def test_properties_in_snake_case_do_what_the_methods_do(match: FakeMatch) -> None:
     played = match.play("patterns/uses_properties", 2, supervisor_every_tick)
     assert played.said == [

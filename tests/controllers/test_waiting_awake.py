@@ -130,7 +130,7 @@ gps.enable(32)
 while robot.step(32) != -1:
     print(int(gps.getValues()[0]))
 """
-WITH_A_THREAD = "import threading, time\nthreading.Thread(target=time.sleep, args=(1,)).start()\n"
+WITH_A_THREAD = "import threading, time\nthreading.Thread(target=time.sleep, args=(100,), daemon=True).start()\n"
 
 
 def told_that_all_is_soon(program: Program, ticks: int) -> list[Fault]:
@@ -232,5 +232,5 @@ def test_a_wait_that_turns_out_long_is_told_of_once(
             assert not isinstance(program.collect(lambda: told.append("long")), Fault)
             waits.append(len(told))
         crew.close()
-    # A busy computer may hold up one that computes nothing, but hardly always.
-    assert set(waits) == {1} if is_long else min(waits) == 0
+    # A busy computer may hold up one that computes nothing, or us while one computes, but hardly always.
+    assert max(waits) == 1 if is_long else min(waits) == 0

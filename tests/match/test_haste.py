@@ -102,11 +102,15 @@ def test_programs_that_compute_much_may_be_on_all_processors(computer):
     assert of.manners == Manners(gives_way=True, leaves=None)
 
 
-def test_one_that_fails_has_not_given_back_what_it_computed(computer):
+@pytest.mark.parametrize("is_known_to_have_failed", [True, False])
+def test_one_that_ends_has_not_given_back_what_it_computed(computer, is_known_to_have_failed):
     of = computer.haste
     computer.busy[2] = 0.5
     answers(of, 128)
-    del computer.computed_s[1]
+    if is_known_to_have_failed:
+        del computer.computed_s[1]
+    else:
+        computer.computed_s[1] = computer.busy[1] = 0.0
     answers(of, 64)
     assert of.manners == Manners(gives_way=True, leaves=None)
 
@@ -132,8 +136,11 @@ def test_while_somebody_computes_all_may_be_on_all_processors(computer):
     answers(of, 130)
     assert of.manners.leaves == 1
     of.somebody_computes()
-    assert not any(answers(of, 61))
-    assert of.manners == AS_EVERYBODY
+    assert answers(of, 61) == 60 * [True] + [False]
+    manners = of.manners
+    assert manners == Manners(gives_way=True, leaves=None)
+    of.somebody_computes()
+    assert of.manners is manners
     answers(of, 1)
     assert of.manners == Manners(gives_way=True, leaves=1)
 
@@ -298,7 +305,7 @@ def test_all_behave_as_is_wanted_of_them(monkeypatch, stage):
 
 
 def test_one_that_computes_for_long_and_all_others_may_do_so_on_all_processors(monkeypatch, stage):
-    apart, notes = Manners(gives_way=True, leaves=1), []
+    apart, room, notes = Manners(gives_way=True, leaves=1), Manners(gives_way=True, leaves=None), []
 
     def next_is_soon(haste, _):
         haste.manners = apart if not notes else haste.manners
@@ -308,8 +315,8 @@ def test_one_that_computes_for_long_and_all_others_may_do_so_on_all_processors(m
     monkeypatch.setattr(Haste, "next_is_soon", next_is_soon)
     half, set_up, _ = stage(5, Y2=(1, None, 2))
     HalfPlay(set_up, half, lambda *_: None, lambda _: None, lambda _: None).play()
-    assert notes == [apart, apart, AS_EVERYBODY, AS_EVERYBODY]
-    assert all(one.manners == [apart, AS_EVERYBODY] for one in set_up.drivers.values())
+    assert notes == [apart, apart, room, room]
+    assert all(one.manners == [apart, room, AS_EVERYBODY] for one in set_up.drivers.values())
 
 
 def test_what_counts_is_how_long_each_has_computed_that_plays(monkeypatch, stage):

@@ -37,7 +37,8 @@ Packet = tuple[bytes, float, float, float, float]
 """Payload, strength, and the direction's x, y, z in the robot's frame."""
 
 QUEUE_BYTES = 16 << 20
-"""What the unread packets of one receiver may take, about 80 000 small ones; honest programs leave up to 20 000."""
+"""What the unread packets of one receiver may take, about 80 000 small ones; honest programs leave up to 20 000. It is
+looked at now and then: meanwhile there may be some thousand small ones more."""
 
 MOST_EMISSIONS = 1_000
 """Packets that one step may send. At 115200 baud 460 of one byte are on the air in a tick."""
@@ -66,7 +67,8 @@ class PacketQueue:
     def trim(self) -> None:
         """Forget the oldest packets beyond the bound; the newest always stays."""
         packets = self.packets
-        too_many_bytes = sum([len(packet[0]) + _PACKET_OVERHEAD for packet in packets]) - QUEUE_BYTES
+        # Of a copy, which is made at once: meanwhile another thread may take packets out.
+        too_many_bytes = sum([len(packet[0]) + _PACKET_OVERHEAD for packet in packets.copy()]) - QUEUE_BYTES
         while too_many_bytes > 0 and len(packets) > 1:
             too_many_bytes -= len(packets.popleft()[0]) + _PACKET_OVERHEAD
 
