@@ -221,46 +221,6 @@ def test_prints_on_every_tick_reach_the_log_as_utf_8_whatever_they_hold(match: F
     assert played.said == [line] * 3
 
 
-def test_packets_that_are_never_popped_stay(match: FakeMatch) -> None:
-    assert match.play("patterns/never_pops", 50, supervisor_every_tick).said == ["49 False"]
-
-
-def test_a_queue_that_is_never_popped_drops_the_oldest_beyond_its_bound(match: FakeMatch) -> None:
-    program = """
-from controller import Robot
-robot = Robot()
-team = robot.getDevice("team receiver")
-team.enable(32)
-while robot.step(32) != -1:
-    pass
-print(team.getQueueLength(), team.getBytes()[:2])
-"""
-    played = match.play(program, 30, lambda tick: [packet("team receiver", b"%02d" % tick + bytes(999_998))])
-    # 16 MiB hold 16 packets of a megabyte.
-    assert played.said == ["16 b'14'"]
-
-
-def test_many_small_packets_that_are_never_popped_are_dropped_too(match: FakeMatch) -> None:
-    program = """
-import controller, sys
-hub = sys.modules["controller._hub"]
-hub.QUEUE_BYTES = 300_000
-robot = controller.Robot()
-team = robot.getDevice("team receiver")
-team.enable(32)
-most = 0
-while robot.step(32) != -1:
-    most = max(most, team.getQueueLength())
-print(most, team.getQueueLength(), team.getBytes())
-"""
-    # 5 of them are on the wire 195 bytes and more, and take 1005 bytes of a queue; trimmed in each 512 KiB that come.
-    played = match.play(program, 4000, lambda tick: [packet("team receiver", b"%d" % (tick % 10))] * 5)
-    most, left, first = played.said[0].split()
-    assert 1_400 < int(most) < 1_500 + 5 * 2_700
-    assert int(left) < int(most)
-    assert len(first) == len("b'1'")
-
-
 def test_properties_in_snake_case_do_what_the_methods_do(match: FakeMatch) -> None:
     played = match.play("patterns/uses_properties", 2, supervisor_every_tick)
     assert played.said == [

@@ -6,7 +6,6 @@ import json
 import math
 import struct
 import sys
-import threading
 from pathlib import Path
 
 import pytest
@@ -142,27 +141,6 @@ def test_a_program_is_told_exactly_what_was_observed(observation: Observation) -
         assert list(queue.packets) == [
             (p.data, p.strength, *p.direction) for p in observation.packets if p.device == device
         ]
-
-
-def test_a_queue_is_trimmed_while_another_thread_reads_it() -> None:
-    queue, ended, interval_s = _hub.PacketQueue(), threading.Event(), sys.getswitchinterval()
-
-    def read() -> None:
-        while not ended.is_set():
-            if queue.packets:
-                queue.packets.popleft()
-
-    reader = threading.Thread(target=read)
-    sys.setswitchinterval(1e-5)
-    try:
-        reader.start()
-        for _ in range(200):
-            queue.packets.extend([(b"1", 1.0, 1.0, 0.0, 0.0)] * 3_000)
-            queue.trim()
-    finally:
-        sys.setswitchinterval(interval_s)
-        ended.set()
-        reader.join()
 
 
 def test_of_all_settings_of_a_device_in_a_step_the_last_is_sent() -> None:
