@@ -28,7 +28,8 @@ _FIELDS = (
     mujoco.mjtRayDataField.mjRAYDATA_DIR,
     mujoco.mjtRayDataField.mjRAYDATA_NORMAL,
 )
-_RAY = Struct("7d")
+_NUMBERS = 7
+_RAY = Struct(f"{_NUMBERS}d")
 """Numbers of one rangefinder: distance, direction (3), the surface's normal (3)."""
 
 _SENSORS_ON = ~int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
@@ -74,9 +75,8 @@ def device_sites(scenario: Scenario, roster: Roster) -> Callable[[mujoco.MjSpec]
     return extend
 
 
-Sonar = tuple[int, int, int, float, float]
-"""One sonar: its ray, where the numbers of that begin in bytes, the slot of its own, its range in m, and the cosine of
-ray and normal below which it hears.
+Sonar = tuple[int, int, float, float]
+"""One sonar: its ray, the slot of its own, its range in m, and the cosine of ray and normal below which it hears.
 
 A plain tuple: Python takes twice as long to unpack a named one, and does so for two dozen at every tick.
 """
@@ -95,13 +95,13 @@ class Echoes:
         self._model: mujoco.MjModel = ground.model
         self._data: mujoco.MjData = ground.data
         first = int(self._model.sensor(_site_name(fitted[0])).adr[0])
-        self._rays = memoryview(self._data.sensordata[first:]).cast("B")
+        self._numbers = memoryview(self._data.sensordata[first : first + _NUMBERS * len(fitted)]).cast("B")
+        self._rays: list[tuple[float, ...]] = []
         shares = np.array([device.noise for device in devices])
         self._noise = Noise(half, [(one.robot_name, one.spec.name) for one in fitted], scale=_MM_PER_M * shares)
         self.sonars = {
             (one.robot, one.spec.index): (
                 ray,
-                _RAY.size * ray,
                 one.spec.slot,
                 device.range_m,
                 -max(_GRAZING, math.cos(device.lost_from_rad)),
@@ -121,15 +121,16 @@ class Echoes:
         mujoco.mj_sensorPos(self._model, self._data)
         self._mask.show()
         option.disableflags = flags
+        self._rays = list(_RAY.iter_unpack(self._numbers))
         self._errors = self._noise.numbers(tick)
 
     def read(self, sonars: Sequence[Sonar], values: list[float]) -> None:
         """Write the readings of some sonars of a robot into its numbers."""
-        rays, numbers_of, errors = self._rays, _RAY.unpack_from, self._errors
+        rays, errors = self._rays, self._errors
         full_from_m, mm_per_m = SONAR_NOISE_FULL_FROM_M, _MM_PER_M
         # Number by number: for a handful of them numpy's calls cost more than they save.
-        for ray, first_byte, slot, range_m, heard_below in sonars:
-            distance, dx, dy, dz, nx, ny, nz = numbers_of(rays, first_byte)
+        for ray, slot, range_m, heard_below in sonars:
+            distance, dx, dy, dz, nx, ny, nz = rays[ray]
             # Cosine of the angle between ray and normal, -1 head on. Nothing hit: the normal is zero, not heard.
             facing = dx * nx + dy * ny + dz * nz
             if facing < heard_below:

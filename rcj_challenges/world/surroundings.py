@@ -2,8 +2,9 @@
 
 MuJoCo first compares bounding spheres, and that of a side wall covers the whole field: it would look closely at every
 wheel and that wall in every sub-step, an eighth of `mj_step` (ADR 10). A robot that is too far away does not collide
-with fixtures at all. MuJoCo collides what stands where `qpos` says before each sub-step, and that is when the map is
-asked: this changes no bit of the result, however fast a robot is.
+with fixtures at all. MuJoCo collides what stands where `qpos` says before each sub-step, and that is when it is looked
+whether the robot has left the part of the map in which that was so: this changes no bit of the result, however fast a
+robot is.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from typing import Any
 
 import mujoco
 import numpy as np
+from numpy.typing import NDArray
 
 from rcj_challenges.world import contact
 from rcj_challenges.world.tables import Numbers, WorldTables, one_by_one
@@ -21,6 +23,15 @@ _ROUNDING_M = 0.001
 _CELL_M = 0.02
 _MOST_CELLS = 200
 """Along each side; a larger field has larger cells."""
+_MOST_ALIKE = 8
+"""Cells in each direction that are looked at together. In the middle of the field a robot stays among so many of them
+for a second."""
+
+Cells = NDArray[np.uint8]
+"""``[column][row]``"""
+Around = tuple[float, float, float, float]
+"""Lowest and highest x, lowest and highest y."""
+_NOWHERE: Around = (math.inf, -math.inf, math.inf, -math.inf)
 
 _FAR, _NEAR = contact.AMONG_SOLIDS, contact.AMONG_SOLIDS | contact.FIXED
 
@@ -39,8 +50,9 @@ class Surroundings:
         self._qpos = one_by_one(data.qpos)
         self._bits = memoryview(model.geom_conaffinity)
         self._geoms = [(cube, *tables.wheels[robot]) for robot, cube in enumerate(tables.cubes)]
-        self._robots = [(robot, at, at + 1) for robot, at in enumerate(tables.qpos_at[: tables.robots])]
-        self._near = [1] * len(self._robots)
+        self._near = [1] * tables.robots
+        # By robot: its index, where its x and y stand in `qpos`, and between which of them it is as near as it was.
+        self._robots = [(robot, at, at + 1, *_NOWHERE) for robot, at in enumerate(tables.qpos_at[: tables.robots])]
         farthest_m = max((reach_m(model, data, geoms) for geoms in self._geoms), default=0.0)
         fixtures = [
             geom
@@ -51,18 +63,33 @@ class Surroundings:
 
     def before_substep(self) -> None:
         """Let the robots that are near enough collide with fixtures, and no others."""
-        qpos, near, cells = self._qpos, self._near, self._cells
-        rows, per_m, left_m, bottom_m = self._rows, self._per_m, self._left_m, self._bottom_m
-        for robot, x_at, y_at in self._robots:
-            try:
-                # What is beyond the map is far from all fixtures, so any of its cells will do for it.
-                now = cells[int((qpos[x_at] - left_m) * per_m) * rows + int((qpos[y_at] - bottom_m) * per_m)]
-            except (IndexError, ValueError, OverflowError):  # far beyond, or no number: MuJoCo finds out by itself
-                now = 1
-            if now != near[robot]:
-                near[robot] = now
-                for geom in self._geoms[robot]:
-                    self._bits[geom] = _NEAR if now else _FAR
+        qpos = self._qpos
+        for robot, x_at, y_at, x_low, x_high, y_low, y_high in self._robots:
+            if not (x_low < qpos[x_at] < x_high and y_low < qpos[y_at] < y_high):
+                self._look(robot, x_at, y_at)
+
+    def _look(self, robot: int, x_at: int, y_at: int) -> None:
+        """Find out whether a robot is near, and how far around it that is so."""
+        near, around = self._found(self._qpos[x_at], self._qpos[y_at])
+        self._robots[robot] = (robot, x_at, y_at, *around)
+        if near != self._near[robot]:
+            self._near[robot] = near
+            for geom in self._geoms[robot]:
+                self._bits[geom] = _NEAR if near else _FAR
+
+    def _found(self, x_m: float, y_m: float) -> tuple[int, Around]:
+        """Return whether fixtures are near, and around which place that is so."""
+        try:
+            column, row = self._cell(x_m, y_m)
+        except (ValueError, OverflowError):  # no number: MuJoCo finds out by itself
+            return 1, _NOWHERE
+        if not (0 <= column < self._columns and 0 <= row < self._rows):  # too far away for MuJoCo to look closely
+            return 1, _NOWHERE
+        cell = column * self._rows + row
+        alike, cell_m = self._alike[cell], 1 / self._per_m
+        left_m, bottom_m = self._left_m + column * cell_m, self._bottom_m + row * cell_m
+        before_m, after_m = (alike - 1) * cell_m, alike * cell_m
+        return self._cells[cell], (left_m - before_m, left_m + after_m, bottom_m - before_m, bottom_m + after_m)
 
     def _draw(self, model: Any, fixtures: list[int], near_m: float) -> None:
         bounds = np.array([_bounds(model, geom) for geom in fixtures] or [(0.0, 0.0, 0.0, 0.0)])
@@ -72,9 +99,9 @@ class Surroundings:
         # A cell more on each side: numbers just below 0 are rounded up to it.
         self._left_m, self._bottom_m = left - near_m - cell_m, bottom - near_m - cell_m
         self._per_m = 1 / cell_m
-        columns = int((right + near_m - self._left_m) * self._per_m) + 2
+        self._columns = int((right + near_m - self._left_m) * self._per_m) + 2
         self._rows = int((top + near_m - self._bottom_m) * self._per_m) + 2
-        near = np.zeros((columns, self._rows), dtype=np.uint8)
+        near = np.zeros((self._columns, self._rows), dtype=np.uint8)
         for geom, (x_0, y_0, x_1, y_1) in zip(fixtures, bounds.tolist(), strict=True):
             first_x, first_y = self._cell(x_0 - near_m, y_0 - near_m)
             last_x, last_y = self._cell(x_1 + near_m, y_1 + near_m)
@@ -82,7 +109,7 @@ class Surroundings:
             y = self._bottom_m + (np.arange(first_y, last_y + 1) + 0.5) * cell_m
             close = _distances(model, geom, x[:, None], y[None, :]) < near_m
             near[first_x : last_x + 1, first_y : last_y + 1] |= close
-        self._cells = near.tobytes()
+        self._cells, self._alike = near.tobytes(), _alike(near).tobytes()
 
     def _cell(self, x_m: float, y_m: float) -> tuple[int, int]:
         return int((x_m - self._left_m) * self._per_m), int((y_m - self._bottom_m) * self._per_m)
@@ -92,6 +119,25 @@ def reach_m(model: Any, data: Any, geoms: tuple[int, ...]) -> float:
     """Return how far a robot's outline is at most from the centre of its cube."""
     centre = data.geom_xpos[geoms[0]]
     return float(max(np.linalg.norm(data.geom_xpos[geom] - centre) + model.geom_rbound[geom] for geom in geoms))
+
+
+def _alike(near: Cells) -> Cells:
+    """Return how many cells in each direction, itself included, are as near as each one is: 1 to `_MOST_ALIKE`."""
+    alike = np.zeros_like(near)
+    for value in (0, 1):
+        same = (near == value).astype(np.uint8)
+        for _ in range(_MOST_ALIKE):
+            alike += same
+            same = _without_edge(same)
+    return alike
+
+
+def _without_edge(same: Cells) -> Cells:
+    """Return those whose eight neighbours are among them; at the edge of the map some are missing."""
+    wide = np.pad(same, ((1, 1), (0, 0)))
+    same = wide[:-2] & same & wide[2:]
+    wide = np.pad(same, ((0, 0), (1, 1)))
+    return wide[:, :-2] & same & wide[:, 2:]
 
 
 def _footprint(model: Any, geom: int) -> tuple[Numbers, float, float, float]:

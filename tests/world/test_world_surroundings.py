@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rcj_challenges.world import contact
+from rcj_challenges.world.surroundings import Surroundings
 from tests.world.physics_stage import FULL, Crowd, Stage
 
 OBSTACLES = {
@@ -111,3 +112,23 @@ def test_whoever_can_touch_a_fixture_within_a_tick_is_looked_at(x, y, yaw):
     everything.drive("B1", FULL, FULL)
     assert everything.play() == [snapshot]
     assert everything.world.state_bytes() == stage.world.state_bytes()
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    st.floats(-1.2, 1.2),
+    st.floats(-1.2, 1.2),
+    st.lists(st.tuples(st.floats(-math.pi, math.pi), st.sampled_from([1e-4, 0.003, 0.02, 0.3])), max_size=60),
+)
+def test_where_a_robot_came_from_does_not_decide_whether_it_is_looked_at(x, y, steps):
+    """Also from beyond the field, and back."""
+    walks, appears = Stage(obstacles=OBSTACLES), Stage(obstacles=OBSTACLES)
+    as_compiled = appears.world.model.geom_conaffinity.copy()
+    for way, far in [(0.0, 0.0), *steps]:
+        x, y = x + far * math.cos(way), y + far * math.sin(way)
+        walks.put("B1", x, y)
+        walks.world._surroundings.before_substep()
+        appears.put("B1", x, y)
+        appears.world.model.geom_conaffinity[:] = as_compiled
+        Surroundings(appears.world.model, appears.world.data, appears.world.tables).before_substep()
+        assert collides_with_fixtures(walks, "B1") is collides_with_fixtures(appears, "B1"), (x, y)
