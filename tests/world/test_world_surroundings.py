@@ -114,7 +114,7 @@ def test_whoever_can_touch_a_fixture_within_a_tick_is_looked_at(x, y, yaw):
     assert everything.world.state_bytes() == stage.world.state_bytes()
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(
     st.floats(-1.2, 1.2),
     st.floats(-1.2, 1.2),
