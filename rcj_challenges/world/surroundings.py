@@ -24,8 +24,8 @@ _CELL_M = 0.02
 _MOST_CELLS = 200
 """Along each side; a larger field has larger cells."""
 _MOST_ALIKE = 8
-"""Cells in each direction that are looked at together. In the middle of the field a robot stays among so many of them
-for a second."""
+"""Cells in each direction that are looked at together: in the middle of the field a robot at full speed needs 0.8 s to
+leave them."""
 
 Cells = NDArray[np.uint8]
 """``[column][row]``"""
@@ -50,7 +50,6 @@ class Surroundings:
         self._qpos = one_by_one(data.qpos)
         self._bits = memoryview(model.geom_conaffinity)
         self._geoms = [(cube, *tables.wheels[robot]) for robot, cube in enumerate(tables.cubes)]
-        self._near = [1] * tables.robots
         # By robot: its index, where its x and y stand in `qpos`, and between which of them it is as near as it was.
         self._robots = [(robot, at, at + 1, *_NOWHERE) for robot, at in enumerate(tables.qpos_at[: tables.robots])]
         farthest_m = max((reach_m(model, data, geoms) for geoms in self._geoms), default=0.0)
@@ -72,10 +71,8 @@ class Surroundings:
         """Find out whether a robot is near, and how far around it that is so."""
         near, around = self._found(self._qpos[x_at], self._qpos[y_at])
         self._robots[robot] = (robot, x_at, y_at, *around)
-        if near != self._near[robot]:
-            self._near[robot] = near
-            for geom in self._geoms[robot]:
-                self._bits[geom] = _NEAR if near else _FAR
+        for geom in self._geoms[robot]:
+            self._bits[geom] = _NEAR if near else _FAR
 
     def _found(self, x_m: float, y_m: float) -> tuple[int, Around]:
         """Return whether fixtures are near, and around which place that is so."""
@@ -83,8 +80,8 @@ class Surroundings:
             column, row = self._cell(x_m, y_m)
         except (ValueError, OverflowError):  # no number: MuJoCo finds out by itself
             return 1, _NOWHERE
-        if not (0 <= column < self._columns and 0 <= row < self._rows):  # too far away for MuJoCo to look closely
-            return 1, _NOWHERE
+        if not (0 <= column < self._columns and 0 <= row < self._rows):  # the map goes on until all fixtures are far
+            return 0, _NOWHERE
         cell = column * self._rows + row
         alike, cell_m = self._alike[cell], 1 / self._per_m
         left_m, bottom_m = self._left_m + column * cell_m, self._bottom_m + row * cell_m
