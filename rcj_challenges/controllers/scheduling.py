@@ -17,14 +17,16 @@ class Manners(NamedTuple):
     Attributes:
         gives_way: a program that is woken interrupts nobody who computes. Else it interrupts the match in the middle of
             telling other programs, for Linux likes to wake it where it was told.
-        leaves: the processor that it leaves to the match, by its number; None: it may be on all of them.
+        leaves: the processor that it leaves to the match, by its number; None: it leaves none.
+        keeps_to: the only one on which it may be; None: it may be on all others.
     """
 
     gives_way: bool
-    leaves: int | None
+    leaves: int | None = None
+    keeps_to: int | None = None
 
 
-AS_EVERYBODY = Manners(gives_way=False, leaves=None)
+AS_EVERYBODY = Manners(gives_way=False)
 """How every process takes its turn."""
 
 
@@ -37,13 +39,15 @@ def processor_here() -> int | None:
 def behave(pid: int, manners: Manners) -> None:
     """Let all threads of a process behave like that from now on; one that is gone is none the worse for it.
 
-    It may be on the processors on which this thread may be, but for the one that it leaves, if there are others.
+    It may be on no processors but those on which this thread may be: of these on the one to which it keeps, or on all
+    but the one that it leaves, if there are others.
     """
     if sys.platform != "linux":
         return
     policy = os.SCHED_BATCH if manners.gives_way else os.SCHED_OTHER
     ours = os.sched_getaffinity(0)
-    where = ours - {manners.leaves} or ours
+    wanted = ours - {manners.leaves} if manners.keeps_to is None else ours & {manners.keeps_to}
+    where = wanted or ours
     with contextlib.suppress(OSError):
         for thread in os.listdir(f"/proc/{pid}/task"):  # noqa: PTH208 - a match waits
             with contextlib.suppress(OSError):  # it has ended

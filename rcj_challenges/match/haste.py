@@ -3,6 +3,10 @@
 While the match simulates a tick nobody else has anything to do, and the processor on which the programs were falls
 asleep. To wake it up takes as long as two programs think, and in a virtual machine a good part of that from the match
 itself. And where no processor is asleep Linux wakes programs on the one on which the match is (ADR 10).
+
+Where all processors are busy, with other matches perhaps, nobody stays awake. Then programs are best off where the
+match is, which wakes them: what they and it need again and again stays in the caches of one processor, and they take
+turns with the match instead of waiting for somebody else to make room.
 """
 
 from __future__ import annotations
@@ -13,6 +17,7 @@ from collections.abc import Callable, Mapping
 
 from rcj_challenges.controllers import scheduling, tasks
 from rcj_challenges.controllers.scheduling import AS_EVERYBODY, Manners
+from rcj_challenges.facts.timing import TICK_S
 
 SOON_S = 0.001
 """Ticks that take longer, because somebody computes or waits for the clock on the wall, are slept through."""
@@ -20,6 +25,13 @@ SOON_S = 0.001
 LITTLE = 0.4
 """Programs that keep less than this of one processor busy leave the match its own: there they would be done no sooner.
 (ADR 10 has what was measured; those that compute for longer are better off on all.)"""
+
+LESS_THAN_THE_MATCH = 0.5
+"""Programs that keep less than this of one processor busy keep to that of the match where no other is free: for one
+that computes for less than the match, a share of other processors would be no gain."""
+
+UNHURRIED_S = TICK_S / 2
+"""Where ticks take longer, because the match is watched or somebody computes, it does not matter who is where."""
 
 _LOOKED_EVERY_TICKS = 64
 
@@ -68,23 +80,27 @@ class Haste:
 
     def somebody_computes(self) -> None:
         """Let all be on all processors until it is looked at again: the match waits for a program, and needs none."""
-        if self.manners.leaves is not None:
-            self.manners = Manners(self.manners.gives_way, None)
+        if self.manners.leaves is not None or self.manners.keeps_to is not None:
+            self.manners = Manners(self.manners.gives_way)
 
     def _look(self, now_s: float) -> None:
         """Find out whether there is room, and whether one processor is enough for the programs."""
-        is_room = 0 < tasks.running() < self._processors
-        manners = Manners(is_room, self._left_to_match(now_s) if is_room else None)
+        running, busy, tick_s = tasks.running(), *self._measured(now_s)
+        manners = AS_EVERYBODY
+        if 0 < running < self._processors:
+            few = tick_s < SOON_S and busy < LITTLE
+            manners = Manners(gives_way=True, leaves=scheduling.processor_here() if few else None)
+        elif running and tick_s < UNHURRIED_S and busy < LESS_THAN_THE_MATCH:
+            manners = Manners(gives_way=False, keeps_to=scheduling.processor_here())
         if manners != self.manners:
             self.manners = manners
 
-    def _left_to_match(self, now_s: float) -> int | None:
-        """Return the processor that programs leave to the match; None: none."""
+    def _measured(self, now_s: float) -> tuple[float, float]:
+        """Return how busy programs have kept a processor since this was last asked, and how long a tick took in s."""
         before_s, self._computed_s = self._computed_s, self._computed_s_until_now()
         lasted_s, self._looked_s = now_s - self._looked_s, now_s
         # Those that were awake did nothing but wait, and of one that has ended meanwhile nobody knows.
         counted = [robot for robot in self._computed_s if robot in before_s and robot not in self._awake]
-        busy_s = sum(max(0.0, self._computed_s[robot] - before_s[robot]) for robot in counted)
+        computed_s = sum(max(0.0, self._computed_s[robot] - before_s[robot]) for robot in counted)
         self._awake.clear()
-        hurries = lasted_s < _LOOKED_EVERY_TICKS * SOON_S
-        return scheduling.processor_here() if hurries and busy_s < LITTLE * lasted_s else None
+        return computed_s / lasted_s, lasted_s / _LOOKED_EVERY_TICKS

@@ -164,7 +164,7 @@ TURNS_ON_LINUX = pytest.mark.skipif(sys.platform != "linux", reason="only Linux 
 def test_a_program_gives_way_and_takes_its_turn_again(match: FakeMatch, sandbox: str) -> None:
     here, ours = scheduling.processor_here(), os.sched_getaffinity(0)
     assert here in ours
-    apart, room = Manners(gives_way=True, leaves=here), Manners(gives_way=True, leaves=None)
+    apart, room, beside = Manners(gives_way=True, leaves=here), Manners(gives_way=True), Manners(False, keeps_to=here)
     others = ours - {here} or ours
     # One thread is there before it is told, one begins while it keeps to fewer processors.
     team = match.team(WITH_A_THREAD + READS_ITS_GPS + "    " + WITH_A_THREAD.replace("\n", "\n    "))
@@ -179,6 +179,8 @@ def test_a_program_gives_way_and_takes_its_turn_again(match: FakeMatch, sandbox:
             (room, os.SCHED_BATCH, ours),
             (apart, os.SCHED_BATCH, others),
             (AS_EVERYBODY, os.SCHED_OTHER, ours),
+            (beside, os.SCHED_OTHER, {here}),
+            (Manners(gives_way=False, keeps_to=max(ours) + 1), os.SCHED_OTHER, ours),  # none of ours
             (apart, os.SCHED_BATCH, others),
         ):
             program.behave(manners)
@@ -207,8 +209,8 @@ def test_a_program_is_told_all_along_on_how_many_processors_it_may_be(match: Fak
         program = crew.add(SPEC, team, team.entry_for("Y1", "robot.py"))
         crew.launch()
         program.collect()
-        for leaves in (None, min(ours), max(ours)):
-            program.behave(Manners(gives_way=True, leaves=leaves))
+        for manners in (AS_EVERYBODY, Manners(True, leaves=min(ours)), Manners(False, keeps_to=max(ours))):
+            program.behave(manners)
             program.release(Observation(1, values_at(1), []))
             assert not isinstance(program.collect(), Fault)
         crew.close()

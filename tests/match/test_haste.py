@@ -68,10 +68,57 @@ def test_beside_others_who_compute_nobody_stays_awake(computer, running):
     of = computer.haste
     answers(of, 63)
     computer.running = running  # 0: nobody tells
-    assert not any(answers(of, 64))
-    assert of.manners == AS_EVERYBODY
+    assert not any(answers(of, 128))
+    assert not of.manners.gives_way
     computer.running = 1
-    assert answers(of, 63) == 63 * [True]
+    answers(of, 1)
+    assert answers(of, 62) == 62 * [True]
+
+
+@pytest.mark.parametrize("running", [2, 7])
+def test_beside_others_who_compute_programs_keep_to_the_matchs_processor(computer, running):
+    of, computer.running, computer.busy[AWAKE] = computer.haste, running, 0.1
+    answers(of, 64)
+    assert of.manners == AS_EVERYBODY  # it is not known yet how much they compute
+    answers(of, 64)
+    assert of.manners == Manners(gives_way=False, keeps_to=1)
+    computer.here = 0  # Linux has put it elsewhere
+    answers(of, 64)
+    assert of.manners == Manners(gives_way=False, keeps_to=0)
+    computer.running = 1
+    answers(of, 64)
+    assert of.manners == Manners(gives_way=True, leaves=0)
+
+
+@pytest.mark.parametrize(("busy", "keeps_to"), [(0.48, 1), (0.52, None)])
+def test_beside_others_programs_that_compute_more_than_the_match_may_be_everywhere(computer, busy, keeps_to):
+    of, computer.running, computer.busy = computer.haste, 2, {AWAKE: 0.1, 1: 0.1, 2: busy - 0.2}
+    answers(of, 128)
+    assert of.manners == Manners(gives_way=False, keeps_to=keeps_to)
+
+
+@pytest.mark.parametrize(("tick_s", "keeps_to"), [(0.015, 1), (0.017, None), (0.032, None)])
+def test_beside_others_programs_of_a_match_that_is_watched_may_be_everywhere(computer, tick_s, keeps_to):
+    of, computer.running, computer.tick_s, computer.busy[AWAKE] = computer.haste, 2, tick_s, 0.1
+    answers(of, 128)
+    assert of.manners == Manners(gives_way=False, keeps_to=keeps_to)
+
+
+def test_where_nobody_tells_how_many_compute_programs_may_be_everywhere(computer):
+    of, computer.running, computer.busy[AWAKE] = computer.haste, 0, 0.1
+    answers(of, 128)
+    assert of.manners == AS_EVERYBODY
+
+
+def test_beside_others_too_one_that_computes_for_long_sets_all_free(computer):
+    of, computer.running, computer.busy[AWAKE] = computer.haste, 2, 0.1
+    answers(of, 130)
+    assert of.manners.keeps_to == 1
+    of.somebody_computes()
+    answers(of, 61)
+    assert of.manners == AS_EVERYBODY
+    answers(of, 1)
+    assert of.manners.keeps_to == 1
 
 
 def test_where_ticks_take_long_nobody_stays_awake(computer):
