@@ -58,7 +58,7 @@ class HalfClerk:
         """Take note of a judged tick, while the programs think about the next."""
         self._record.tick(snapshot, verdict, state, poses)
         tick = snapshot.tick
-        if tick == 0:
+        if tick <= 1:  # after tick 0 it is waited until all programs have started
             self._began_s = time.perf_counter()
         self._watcher.ticked(snapshot, verdict)
         for event in verdict.events:

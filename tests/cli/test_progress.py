@@ -53,6 +53,31 @@ def heard_at(tick, clock_ticks, later_ticks):
     return progress
 
 
+def test_how_long_programs_took_to_start_is_not_taken_for_the_pace_of_the_match(monkeypatch):
+    now = SimpleNamespace(s=0.0)
+    monkeypatch.setattr("rcj_challenges.match.clerk.time", SimpleNamespace(perf_counter=lambda: now.s))
+    listening, half = Listening(), replace(half_of(load("match").scenario), ticks=301)
+    clerk = HalfClerk(half, 0, Counting(101), Nothing(), listening, Nothing(), (), real_time=False)
+    for tick, took_s in ((0, 30.0), *((tick, 0.01) for tick in range(1, 101))):
+        clerk.ticked(SimpleNamespace(tick=tick), Nothing(), b"", b"")
+        now.s += took_s
+    (progress,) = listening.heard
+    assert progress.remaining_s == pytest.approx(2.0, rel=0.02)
+    assert progress.factor == pytest.approx(3.2, rel=0.02)
+
+
+def test_in_real_time_the_match_does_not_hurry_after_programs_that_were_slow_to_start(monkeypatch):
+    now, slept = SimpleNamespace(s=0.0), []
+    clock = SimpleNamespace(perf_counter=lambda: now.s, sleep=slept.append)
+    monkeypatch.setattr("rcj_challenges.match.clerk.time", clock)
+    half = half_of(load("match").scenario)
+    clerk = HalfClerk(half, 0, Counting(0), Nothing(), Listening(), Nothing(), (), real_time=True)
+    for tick, took_s in ((0, 5.0), (1, 0.002), (2, 0.002)):
+        clerk.ticked(SimpleNamespace(tick=tick), Nothing(), b"", b"")
+        now.s += took_s
+    assert slept == pytest.approx([0.032, 0.062])
+
+
 def test_while_the_clock_stops_the_time_to_wait_does_not_shrink_under_nothing():
     progress = heard_at(400, 200, later_ticks=0)
     assert (progress.tick, progress.clock_ticks) == (400, 200)
