@@ -30,17 +30,17 @@ _Sandbox = Annotated[
 ]
 
 
-_Blue = Annotated[str | None, typer.Option("--blue", metavar="PATH", help="Short for --team blue=PATH.")]
-_Yellow = Annotated[str | None, typer.Option("--yellow", metavar="PATH", help="Short for --team yellow=PATH.")]
+_Blue = Annotated[list[str] | None, typer.Option("--blue", metavar="PATH", help="Short for --team blue=PATH.")]
+_Yellow = Annotated[list[str] | None, typer.Option("--yellow", metavar="PATH", help="Short for --team yellow=PATH.")]
 _Duration = Annotated[
     float | None, typer.Option("--duration", metavar="S", help="Length of a half in simulated seconds.")
 ]
 _Halves = Annotated[int | None, typer.Option("--halves", help="How many halves.")]
 
 
-def _teams(given: list[str] | None, blue: str | None, yellow: str | None) -> list[str]:
+def _teams(given: list[str] | None, blue: list[str] | None, yellow: list[str] | None) -> list[str]:
     """Return who plays as ``ENTRANT=PATH``, the short options among them."""
-    short = (f"{seat}={path}" for seat, path in (("blue", blue), ("yellow", yellow)) if path is not None)
+    short = (f"{seat}={path}" for seat, paths in (("blue", blue), ("yellow", yellow)) for path in paths or ())
     return [*(given or ()), *short]
 
 

@@ -52,13 +52,7 @@ def run_scenario(options: RunOptions) -> int:
     Raises:
         RcjError: wrong input: the message says where and what is allowed.
     """
-    if options.open and options.live is None and not options.replay:
-        raise UsageError("--open opens the page of the match, and --no-replay leaves it out: give one of them")
-    if options.debug and options.json:
-        raise UsageError(
-            "--debug gives a program the terminal, and --json prints the result there and nothing else: "
-            "give one of them; result.json in the record has the same"
-        )
+    _refuse_contradictions(options)
     # MuJoCo would load a window system's library, 50 ms, and a match draws nothing.
     os.environ.setdefault("MUJOCO_GL", "disable")
     try:
@@ -94,6 +88,24 @@ def run_scenario(options: RunOptions) -> int:
         for team in plan.teams.values():
             team.close()
     return 0
+
+
+def _refuse_contradictions(options: RunOptions) -> None:
+    """Refuse options of which one undoes the other.
+
+    Raises:
+        UsageError: says which, and why they do not go together.
+    """
+    if options.open and options.live is None and not options.replay:
+        raise UsageError("--open opens the page of the match, and --no-replay leaves it out: give one of them")
+    if options.debug and options.json:
+        raise UsageError(
+            "--debug gives a program the terminal, and --json prints the result there and nothing else: "
+            "give one of them; result.json in the record has the same"
+        )
+    if len(options.debug) > 1:
+        robots = ", ".join(sorted(options.debug))
+        raise UsageError(f"--debug gives a program the terminal, and there is one: it can be given for one of {robots}")
 
 
 def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Watcher]:
@@ -180,7 +192,9 @@ def _tell_all(options: RunOptions, console: Console, plan: MatchPlan, outcome: P
 
     wanted = options.replay and _has_ticks(outcome)
     try:  # whatever comes of the advice and the page, the match is told
-        hints = advice_on(scenario, plan.teams, outcome.result["faults"], outcome.folder / LOGS)
+        # Who had the terminal and left the debugger knows what it is for.
+        faults = [fault for fault in outcome.result["faults"] if fault["robot"] not in options.debug]
+        hints = advice_on(scenario, plan.teams, faults, outcome.folder / LOGS)
         if wanted:
             from rcj_challenges.views.replay import write_replay
 

@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
-from typing import Literal
+from typing import Literal, NoReturn
 
 from rcj_challenges.controllers import zipped
 from rcj_challenges.controllers.disk_names import from_disk
@@ -116,7 +116,8 @@ def read_contents(path: Path) -> Contents:
         return _from_zip(path)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
-        raise TeamError(f"{told(path, MOST_PATH_SHOWN)}: cannot be read: {reason}") from error
+        where = getattr(error, "filename", None) or path  # a file or folder in it, perhaps
+        raise TeamError(f"{told(Path(where), MOST_PATH_SHOWN)}: cannot be read: {reason}") from error
 
 
 def refusal(path: Path, reasons: list[Trouble]) -> TeamError:
@@ -203,8 +204,15 @@ def _walk(folder: Path) -> Iterator[Path]:
     """Return all files, and the links to folders: those are not followed, for they may lead in a circle.
 
     Records of runs are left out: who works in the team's folder has them there.
+
+    Raises:
+        OSError: a folder cannot be read.
     """
-    for root, folders, names in os.walk(folder):
+
+    def refused(error: OSError) -> NoReturn:  # else it would pass for an empty folder
+        raise error
+
+    for root, folders, names in os.walk(folder, onerror=refused):
         if is_record(folders, names) and Path(root) != folder and not any(Path(root).rglob("*.py")):
             folders.clear()
             continue

@@ -151,6 +151,29 @@ def test_json_is_not_mixed_with_what_a_debugged_program_prints(tmp_path, monkeyp
     assert not (tmp_path / "runs").exists()
 
 
+def test_there_is_one_terminal_and_so_one_debugged_program(tmp_path, monkeypatch, capsys, team):
+    assert here(monkeypatch, tmp_path, *short(team, "--debug", "Y2", "--debug", "B1")) == 2
+    assert "one of B1, Y2" in capsys.readouterr().err
+    assert not (tmp_path / "runs").exists()
+
+
+def test_who_leaves_the_debugger_is_not_told_how_to_get_one(tmp_path):
+    program = "from controller import Robot\nrobot = Robot()\nrobot.step(32)\nbreakpoint()\nrobot.step(32)\n"
+    (tmp_path / "team.py").write_text(program, encoding="utf-8")
+    ends = ["run", "match", "--blue", "team.py", "--yellow", "team.py", "--duration", "1", "--halves", "1", *DUEL]
+    hints = []
+    for debug in ([], ["--debug", "B1"]):
+        said = command(*ends, "--quiet", "--no-replay", *debug, cwd=tmp_path).stdout
+        hints.append([line.partition(":")[0] for line in said.splitlines() if line.startswith("hint")])
+    assert hints == [["hint for B1, Y2"], ["hint for Y2"]]
+
+
+def test_a_seat_is_given_once_also_by_its_short_option(tmp_path, monkeypatch, capsys, team):
+    assert here(monkeypatch, tmp_path, *short(team, "--blue", str(team))) == 2
+    assert "'blue' is given twice" in capsys.readouterr().err
+    assert not (tmp_path / "runs").exists()
+
+
 def test_robots_whose_programs_fail_alike_are_told_in_one_line(tmp_path, monkeypatch, capsys):
     program = "from controller import Robot\nrobot = Robot()\nrobot.step(32)\nname = robot.getName()\n"
     (tmp_path / "team.py").write_text(program + "if name == 'Y2': robot.step(32)\n1 / 0\n", encoding="utf-8")

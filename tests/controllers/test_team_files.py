@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import errno
 import io
 import os
 import stat
 import sys
 import unicodedata
 import zipfile
+from collections.abc import Callable
 from pathlib import Path, PurePosixPath
+from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -272,6 +275,32 @@ def test_nothing_at_the_path_is_said_plainly(tmp_path: Path, monkeypatch: pytest
         assert refusal(tmp_path / 'my team" --blue x').endswith("file or folder; leave away the backslash at its end")
     (tmp_path / "empty").mkdir()
     assert "there are no files in it" in refusal(tmp_path / "empty")
+
+
+@pytest.mark.parametrize("unread", [".", "robots", "robots/robot1.py"])
+def test_what_in_a_folder_may_not_be_read_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, unread: str
+) -> None:
+    folder = tmp_path / "team"
+    (folder / "robots").mkdir(parents=True)
+    (folder / "robots" / "robot1.py").write_bytes(b"x")
+    (folder / "robot1.py").write_bytes(b"x")
+    where = str(folder / unread)
+
+    def refuses(what: Callable[..., Any]) -> Callable[..., Any]:
+        def asked(path: Any, *rest: Any, **named: Any) -> Any:
+            if str(path) == where:
+                raise PermissionError(errno.EACCES, "Permission denied", where)
+            return what(path, *rest, **named)
+
+        return asked
+
+    for holder, name in ((os, "scandir"), (Path, "read_bytes")):
+        monkeypatch.setattr(holder, name, refuses(getattr(holder, name)))
+    said = refusal(folder)
+    assert said.endswith("cannot be read: Permission denied")
+    assert Path(where).name in said
+    assert "no files" not in said
 
 
 @pytest.mark.parametrize(

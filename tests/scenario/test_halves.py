@@ -35,7 +35,7 @@ def test_each_half_has_its_length(match, lengths_s):
         (["match.halves=1"], (20,)),
         (["match.halves=3"], (20, 10, 10)),
         (["match.half_s=[3, 4]"], (3, 4)),
-        (["match.half_s=[3, 4, 5]"], (3, 4)),
+        (["match.half_s=[3, 4, 5]", "match.halves=3"], (3, 4, 5)),
     ],
 )
 def test_the_command_line_sets_them_all_or_their_number(overrides, lengths_s):
@@ -63,6 +63,22 @@ def test_the_command_line_sets_them_all_or_their_number(overrides, lengths_s):
 )
 def test_what_fits_no_half_is_refused(match, message):
     assert complaints(f"match: {match}\n") == [message]
+
+
+@pytest.mark.parametrize(
+    ("overrides", "message"),
+    [
+        (["match.half_s=[3, 4, 5]"], "3 lengths in half_s for 2 halves"),
+        (["match.half_s=[3]"], "1 length in half_s for 2 halves"),
+        (["match.half_s=[3, 4]", "match.halves=1"], "2 lengths in half_s for 1 half"),
+    ],
+)
+def test_lengths_of_the_command_line_are_as_many_as_halves(overrides, message):
+    with pytest.raises(ScenarioError) as refused:
+        scenario("match: {halves: 2, half_s: [20, 10]}\n", overrides)
+    (problem,) = refused.value.problems
+    assert (problem.file, problem.path) == (f"--set {overrides[0]}", "match.half_s")
+    assert problem.message == f"{message}; give each half its length, or one number for all"
 
 
 @pytest.mark.parametrize(("key", "own"), [("halves", "{halves: 3}"), ("half_s", "{half_s: [5, 6, 7]}")])

@@ -41,13 +41,14 @@ from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.visiting import Found, visit
 
 
-def check_sense(scenario: Scenario, *, half_is_set: bool) -> Iterator[Found]:
+def check_sense(scenario: Scenario, *, half_is_set: bool, lengths_are_set: bool = False) -> Iterator[Found]:
     """Yield contradictions.
 
     Args:
         scenario: the models.
         half_is_set: the number or length of the halves was changed on the command line: a shortened half does not
             make what would have come later a mistake.
+        lengths_are_set: their lengths were: then there must be as many as halves.
     """
     roster = Roster.of(scenario)
     longest_s = longest_half_s(scenario.match)
@@ -57,6 +58,8 @@ def check_sense(scenario: Scenario, *, half_is_set: bool) -> Iterator[Found]:
         yield from _comparison(model, path)
         yield from _quantifier(model, path, roster)
         yield from _times(model, path, scenario, longest_s, half_is_set=half_is_set)
+        if isinstance(model, Match) and (lengths_are_set or not half_is_set):
+            yield from _lengths(model, path, at_number=not lengths_are_set)
         yield from _draw(model, path)
         yield from _whose_way(model, path)
         if isinstance(model, Rule) and isinstance(model.phases, tuple) and "any" in model.phases:
@@ -240,6 +243,17 @@ def _quantifier(model: Strict, path: Path, roster: Roster) -> Iterator[Found]:
 # --- times ------------------------------------------------------------------------------------------------------------
 
 
+def _lengths(match: Match, path: Path, *, at_number: bool) -> Iterator[Found]:
+    """Tell of too few or too many lengths; it may be the number of halves that the file has, and its base the lengths.
+
+    (Where only the number is changed on the command line, that many are played; the last length goes for more.)
+    """
+    if isinstance(match.half_s, tuple) and len(match.half_s) != match.halves:
+        given, played = counted(len(match.half_s), "length"), counted(match.halves, "half", "halves")
+        message = f"{given} in half_s for {played}; give each half its length, or one number for all"
+        yield Found((*path, "half_s"), message, other=(*path, "halves") if at_number else ())
+
+
 def _times(model: Strict, path: Path, scenario: Scenario, longest_s: float, *, half_is_set: bool) -> Iterator[Found]:
     half_s = half_length_s(scenario.match, model.half) if isinstance(model, Expectation) else longest_s
     match model:
@@ -249,10 +263,6 @@ def _times(model: Strict, path: Path, scenario: Scenario, longest_s: float, *, h
             yield from _under_a_tick(model, path, "grace_s")
         case TimeReached(at_s=at_s) if at_s > half_s and not half_is_set:
             yield Found((*path, "at_s"), f"{at_s:g} s is never reached; a half lasts {half_s:g} s")
-        case Match(half_s=tuple(lengths)) if len(lengths) != model.halves and not half_is_set:
-            given, played = counted(len(lengths), "length"), counted(model.halves, "half", "halves")
-            message = f"{given} in half_s for {played}; give each half its length, or one number for all"
-            yield Found((*path, "half_s"), message, other=(*path, "halves"))
         case Expectation():
             yield from _script(model, path)
             stops = clock_may_stop(scenario)

@@ -29,12 +29,13 @@ def check(scenario: Scenario | None, tree: Entries, removed: Mapping[Path, Mark]
     if scenario is None:
         return problems[: 2 * MAX_FOUND]
     # Whoever shortens a half on the command line does not mean to rewrite the tests; a record holds such a half.
-    half_is_set = any(
-        mark_of(tree, ("match", key), at_key=True).file.startswith(("--set", RESOLVED)) for key in ("half_s", "halves")
-    )
+    written_in = {key: mark_of(tree, ("match", key), at_key=True).file for key in ("half_s", "halves")}
+    half_is_set = any(file.startswith(("--set", RESOLVED)) for file in written_in.values())
+    lengths_are_set = written_in["half_s"].startswith("--set")
     # What is out of all measure comes first and alone: nothing else can be told of it.
     found = tuple(check_magnitudes(scenario)) or (
-        *check_ground(scenario), *check_measured(scenario), *check_sense(scenario, half_is_set=half_is_set)
+        *check_ground(scenario), *check_measured(scenario),
+        *check_sense(scenario, half_is_set=half_is_set, lengths_are_set=lengths_are_set),
     )  # fmt: skip
     for path, message, at_key, other in found:
         if other and mark_of(tree, path).file != tree.mark.file == mark_of(tree, other).file:
