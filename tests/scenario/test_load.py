@@ -1,8 +1,10 @@
 """Loading a scenario: what comes out, and that it can be read again."""
 
 import copy
+import errno
 import json
 import random
+from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
@@ -194,3 +196,17 @@ def test_groups_of_groups_of_groups_are_resolved_once_each():
     layers = "".join(f"  g{n}: [h{n}, g{n + 1}]\n  h{n}: [g{n + 1}]\n" for n in range(60))
     found = load_text(HEAD + "groups:\n" + layers + "  g60: [B1, ball]\n")
     assert found.roster.groups["g0"] == ("B1", "ball")
+
+
+def test_a_scenario_in_a_folder_of_somebody_else_is_not_said_to_be_missing(tmp_path, monkeypatch):
+    theirs, real = tmp_path / "theirs" / "cup.yaml", Path.stat
+
+    def stat(path, **how):
+        if path == theirs:
+            raise PermissionError(errno.EACCES, "Permission denied", str(path))
+        return real(path, **how)
+
+    monkeypatch.setattr(Path, "stat", stat)
+    with pytest.raises(ScenarioError) as refused:
+        load(theirs)
+    assert [problem.message for problem in refused.value.problems] == ["cannot be read: Permission denied"]

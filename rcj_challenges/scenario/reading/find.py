@@ -29,6 +29,8 @@ def find_scenario(source: str | Path) -> Path:
         return _not_one_of_yours(shipped[str(source)])
     if exists:
         raise ScenarioError([Problem(str(source), 0, 0, "", "this is no file; expected a scenario in YAML")])
+    if kept_back := _why_kept_back(path):
+        raise ScenarioError([Problem(str(source)[:200], 0, 0, "", f"cannot be read: {kept_back}")])
     stem = PureWindowsPath(source).stem  # documents may have been read on Windows: both kinds of slashes count
     own = _own_files(path.parent)
     hints = [_own_alike(stem, own), nearest(stem, shipped)]
@@ -38,6 +40,17 @@ def find_scenario(source: str | Path) -> Path:
     known = f"{listing(names_in(scenarios_folder()))}; {more}"
     message = f"no such file, and no shipped scenario of that name; shipped are {known}{hint}"
     raise ScenarioError([Problem(str(source)[:200], 0, 0, "", message)])
+
+
+def _why_kept_back(path: Path) -> str:
+    """Return why nobody tells whether there is such a file: the folder may be another user's. Empty: it is told."""
+    try:
+        path.stat()
+    except PermissionError as error:
+        return error.strerror or "it is not permitted"
+    except (OSError, ValueError):
+        pass
+    return ""
 
 
 def _own_files(folder: Path) -> dict[str, Path]:
