@@ -97,6 +97,11 @@ def running() -> int:
     return 0
 
 
+def all_processors() -> int:
+    """Return how many processors the computer has, whoever may use them; 0 where nobody tells."""
+    return os.cpu_count() or 0
+
+
 def processors() -> int:
     """Return how many processors this process may keep busy; 0 where nobody tells.
 

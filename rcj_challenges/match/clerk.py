@@ -29,7 +29,7 @@ class HalfClerk:
         watcher: who is told.
         crew: whose output is shown.
         show_output: robots whose output is shown.
-        real_time: True: no tick is judged before the clock has come to it.
+        real_time: True: no tick is judged before the clock, which starts with the first one, has come to it.
     """
 
     def __init__(
@@ -84,14 +84,15 @@ class HalfClerk:
         spent_s = max(time.perf_counter() - self._began_s, 1e-9)
         clock_ticks = self._referee.clock_ticks
         ticks_left = half.ticks - clock_ticks + self._later_ticks
+        timed = max(tick - 1, 1)  # since the first one
         return Progress(
             half=half,
             tick=tick,
             clock_ticks=clock_ticks,
             scores=dict(self._referee.scores),
             phase=verdict.phase,
-            factor=tick * TICK_S / spent_s,
-            remaining_s=ticks_left * spent_s / tick,
+            factor=timed * TICK_S / spent_s if tick > 1 else 0.0,
+            remaining_s=ticks_left * spent_s / timed,
         )
 
     def _show_output(self) -> None:

@@ -26,10 +26,6 @@ LITTLE = 0.4
 """Programs that keep less than this of one processor busy leave the match its own: there they would be done no sooner.
 (ADR 10 has what was measured; those that compute for longer are better off on all.)"""
 
-LESS_THAN_THE_MATCH = 0.5
-"""Programs that keep less than this of one processor busy keep to that of the match where no other is free: for one
-that computes for less than the match, a share of other processors would be no gain."""
-
 UNHURRIED_S = TICK_S / 2
 """Where ticks take longer, because the match is watched or somebody computes, it does not matter who is where."""
 
@@ -51,11 +47,12 @@ class Haste:
         Args:
             computed_s: tells for how long each program that plays has computed until now, by robot.
         """
-        self._processors = tasks.processors()
+        self._processors, self._of_computer = tasks.processors(), tasks.all_processors()
+        self._was_full = False
         self._began_s = -math.inf
         self._ticks = 0
         self._computed_s_until_now = computed_s
-        self._looked_s = math.nan
+        self._looked_s, self._ours_s = math.nan, 0.0
         self._computed_s: Mapping[int, float] = {}
         self._awake: set[int] = set()
         self.manners = AS_EVERYBODY
@@ -85,22 +82,30 @@ class Haste:
 
     def _look(self, now_s: float) -> None:
         """Find out whether there is room, and whether one processor is enough for the programs."""
-        running, busy, tick_s = tasks.running(), *self._measured(now_s)
+        running, was_full = tasks.running(), self._was_full
+        busy, ours, tick_s = self._measured(now_s)
+        # All of them, not those that we are granted: others may be busy elsewhere on a large computer.
+        self._was_full = running >= self._of_computer > 0
         manners = AS_EVERYBODY
         if 0 < running < self._processors:
             few = tick_s < SOON_S and busy < LITTLE
             manners = Manners(gives_way=True, leaves=scheduling.processor_here() if few else None)
-        elif running and tick_s < UNHURRIED_S and busy < LESS_THAN_THE_MATCH:
+        elif self._was_full and was_full and tick_s < UNHURRIED_S and busy < ours:
+            # Of programs that compute for less than the match nobody would gain by a share of other processors.
             manners = Manners(gives_way=False, keeps_to=scheduling.processor_here())
         if manners != self.manners:
             self.manners = manners
 
-    def _measured(self, now_s: float) -> tuple[float, float]:
-        """Return how busy programs have kept a processor since this was last asked, and how long a tick took in s."""
+    def _measured(self, now_s: float) -> tuple[float, float, float]:
+        """Return of the time since this was last asked: how busy programs have kept a processor, and the match; a tick.
+
+        The first two are shares of one processor, the third is in s.
+        """
         before_s, self._computed_s = self._computed_s, self._computed_s_until_now()
+        ours_s, self._ours_s = self._ours_s, time.thread_time()
         lasted_s, self._looked_s = now_s - self._looked_s, now_s
         # Those that were awake did nothing but wait, and of one that has ended meanwhile nobody knows.
         counted = [robot for robot in self._computed_s if robot in before_s and robot not in self._awake]
         computed_s = sum(max(0.0, self._computed_s[robot] - before_s[robot]) for robot in counted)
         self._awake.clear()
-        return computed_s / lasted_s, lasted_s / _LOOKED_EVERY_TICKS
+        return computed_s / lasted_s, (self._ours_s - ours_s) / lasted_s, lasted_s / _LOOKED_EVERY_TICKS

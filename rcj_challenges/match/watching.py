@@ -20,7 +20,7 @@ class Progress:
         clock_ticks: those of them that count for its length; the clock stops in some phases.
         scores: by seat.
         phase: phase of the referee.
-        factor: simulated time over wall time, since the half began.
+        factor: simulated time over wall time, since the first tick of the half; 0 where nobody can tell yet.
         remaining_s: estimated wall time to the end of the match in s.
     """
 

@@ -62,8 +62,8 @@ def test_how_long_programs_took_to_start_is_not_taken_for_the_pace_of_the_match(
         clerk.ticked(SimpleNamespace(tick=tick), Nothing(), b"", b"")
         now.s += took_s
     (progress,) = listening.heard
-    assert progress.remaining_s == pytest.approx(2.0, rel=0.02)
-    assert progress.factor == pytest.approx(3.2, rel=0.02)
+    assert progress.remaining_s == pytest.approx(2.0)
+    assert progress.factor == pytest.approx(3.2)
 
 
 def test_in_real_time_the_match_does_not_hurry_after_programs_that_were_slow_to_start(monkeypatch):

@@ -25,11 +25,12 @@ def computer(monkeypatch):
 
     Three programs play, of which one stays awake; the others keep a quarter of a processor busy.
     """
-    told = SimpleNamespace(now_s=0.0, tick_s=SOON_S / 3, running=1, looked=0, here=1)
+    told = SimpleNamespace(now_s=0.0, tick_s=SOON_S / 3, running=1, looked=0, here=1, ours=0.5, ours_s=7.0)
     told.busy, told.computed_s = {AWAKE: 1.0, 1: 0.15, 2: 0.1}, {AWAKE: 0.0, 1: 3.0, 2: 4.0}
 
     def clock():
         told.now_s += told.tick_s
+        told.ours_s += told.ours * told.tick_s
         for robot in told.computed_s:
             told.computed_s[robot] += told.busy[robot] * told.tick_s
         return told.now_s
@@ -38,8 +39,9 @@ def computer(monkeypatch):
         told.looked += 1
         return told.running
 
-    monkeypatch.setattr(haste, "time", SimpleNamespace(perf_counter=clock))
+    monkeypatch.setattr(haste, "time", SimpleNamespace(perf_counter=clock, thread_time=lambda: told.ours_s))
     monkeypatch.setattr(tasks, "running", running)
+    monkeypatch.setattr(tasks, "all_processors", lambda: 2)
     monkeypatch.setattr(tasks, "processors", lambda: 2)
     monkeypatch.setattr(scheduling, "processor_here", lambda: told.here)
     told.haste = Haste(lambda: dict(told.computed_s))
@@ -68,7 +70,7 @@ def test_beside_others_who_compute_nobody_stays_awake(computer, running):
     of = computer.haste
     answers(of, 63)
     computer.running = running  # 0: nobody tells
-    assert not any(answers(of, 128))
+    assert not any(answers(of, 192))
     assert not of.manners.gives_way
     computer.running = 1
     answers(of, 1)
@@ -91,10 +93,31 @@ def test_beside_others_who_compute_programs_keep_to_the_matchs_processor(compute
 
 
 @pytest.mark.parametrize(("busy", "keeps_to"), [(0.48, 1), (0.52, None)])
-def test_beside_others_programs_that_compute_more_than_the_match_may_be_everywhere(computer, busy, keeps_to):
-    of, computer.running, computer.busy = computer.haste, 2, {AWAKE: 0.1, 1: 0.1, 2: busy - 0.2}
+@pytest.mark.parametrize("share", [1.0, 0.2])
+def test_beside_others_programs_that_compute_more_than_the_match_may_be_everywhere(computer, busy, keeps_to, share):
+    of, computer.running, computer.ours = computer.haste, 2, 0.5 * share  # of a processor that others want as well
+    computer.busy = {AWAKE: 0.1 * share, 1: 0.1 * share, 2: (busy - 0.2) * share}
     answers(of, 128)
     assert of.manners == Manners(gives_way=False, keeps_to=keeps_to)
+
+
+def test_who_is_granted_a_part_of_a_large_computer_does_not_take_it_for_full(computer, monkeypatch):
+    monkeypatch.setattr(tasks, "all_processors", lambda: 64)
+    computer.running, computer.busy[AWAKE] = 63, 0.1
+    of = Haste(lambda: dict(computer.computed_s))
+    assert not any(answers(of, 256))
+    assert of.manners == AS_EVERYBODY
+    computer.running = 64
+    answers(of, 128)
+    assert of.manners == Manners(gives_way=False, keeps_to=1)
+
+
+def test_one_look_alone_does_not_tell_that_no_processor_is_free(computer):
+    of, computer.busy[AWAKE] = computer.haste, 0.1
+    for running in (2, 1, 2, 1):
+        computer.running = running
+        answers(of, 64)
+        assert of.manners.keeps_to is None
 
 
 @pytest.mark.parametrize(("tick_s", "keeps_to"), [(0.015, 1), (0.017, None), (0.032, None)])
