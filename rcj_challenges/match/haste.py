@@ -35,7 +35,7 @@ _LOOKED_EVERY_TICKS = 64
 class Haste:
     """Tells that of each tick. It only makes a match faster: the programs' results and limits do not depend on it.
 
-    Only where a processor has nothing else to do: beside other matches, those that stay awake would hold everybody up.
+    One stays awake only where a processor has nothing else to do: beside other matches it would hold everybody up.
 
     Attributes:
         manners: of the programs from now on; another object only if they change.

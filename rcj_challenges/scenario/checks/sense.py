@@ -41,7 +41,7 @@ from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.visiting import Found, visit
 
 
-def check_sense(scenario: Scenario, *, half_is_set: bool, lengths_are_set: bool = False) -> Iterator[Found]:
+def check_sense(scenario: Scenario, *, half_is_set: bool, lengths_are_set: bool) -> Iterator[Found]:
     """Yield contradictions.
 
     Args:
