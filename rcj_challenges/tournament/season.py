@@ -1,0 +1,244 @@
+"""The state of a tournament as plain data: stages, fixtures, tables, brackets, places.
+
+It is a pure function of the tournament file, the teams, and the outcomes so far: the same three give the same state,
+in whichever order the matches were played. The runner plays the fixtures that have no outcome, the site renders the
+rest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+
+class Status(StrEnum):
+    """How far a stage is."""
+
+    WAITING = "waiting"
+    """The stages that it takes its teams from are not finished: it has no teams and no fixtures yet."""
+    RUNNING = "running"
+    FINISHED = "finished"
+
+
+class FixtureKind(StrEnum):
+    """What a fixture is for."""
+
+    MATCH = "match"
+    EXTRA_TIME = "extra_time"
+    TIE_SCENARIO = "tie_scenario"
+    CHALLENGE = "challenge"
+
+
+class Ruled(StrEnum):
+    """Where the score of an outcome comes from."""
+
+    PLAYED = "played"
+    FORFEIT = "forfeit"
+    CORRECTED = "corrected"
+    WITHDRAWN = "withdrawn"
+    ANNULLED = "annulled"
+    """It does not count: the scores are kept for display only."""
+
+
+@dataclass(frozen=True, slots=True)
+class Team:
+    """One team of a tournament.
+
+    Attributes:
+        id: as the tournament file names it; unique without regard to case, safe as a file name.
+        name: as shown: what the submission calls itself, or what the tournament file says.
+        pot: for drawing groups; 1 is the strongest, 0 if there are no pots.
+        withdrawn: whether it has left the tournament.
+    """
+
+    id: str
+    name: str
+    pot: int = 0
+    withdrawn: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Side:
+    """One side of a fixture.
+
+    Attributes:
+        seat: the entrant of the scenario that it plays as, in the first half.
+        teams: ids: one, or in a super team one for each robot number (1, 2, 3) of the seat.
+    """
+
+    seat: str
+    teams: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Fixture:
+    """One run of a scenario that the tournament asks for.
+
+    Attributes:
+        id: unique in the tournament and stable: ``groups/A/round2/ada-bee``; letters, digits, ``-``, ``_``, ``/``.
+        stage: name of its stage.
+        group: name of its group, of its challenge, or empty.
+        round: from 1, within its stage.
+        sides: two in a match, one in a challenge.
+        scenario: name or path as the tournament file has it.
+        overrides: ``PATH=VALUE`` each, applied to the scenario.
+        seed: of the match; derived from the tournament's seed and this id.
+        kind: what it is for.
+        tie: of a knock-out the pairing that it belongs to (``knock_out/quarter_finals/1``), else empty.
+        leg: from 1: which of the matches of its pairing.
+        title: for people: ``Group A, round 2``.
+    """
+
+    id: str
+    stage: str
+    group: str
+    round: int
+    sides: tuple[Side, ...]
+    scenario: str
+    overrides: tuple[str, ...]
+    seed: int
+    kind: FixtureKind = FixtureKind.MATCH
+    tie: str = ""
+    leg: int = 1
+    title: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What counts for one fixture.
+
+    Attributes:
+        scores: by side, in the order of the fixture's sides.
+        ruled: where they come from.
+        reason: of a ruling, in the words of the referee; empty if it was played.
+        values: of a challenge what the scenario ranks by, first criterion first; empty in a match.
+    """
+
+    scores: tuple[float, ...]
+    ruled: Ruled = Ruled.PLAYED
+    reason: str = ""
+    values: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One line of a table.
+
+    Attributes:
+        team: id; of a super team the ids joined with ``+``.
+        place: from 1; equal for teams that share one.
+        shared: whether others have the same place.
+        played, won, drawn, lost: matches.
+        goals, conceded: goals for and against.
+        points: by the tournament's rule.
+        by_lot: whether its place among equals was drawn from the seed.
+        values: of a challenge or a combined table what decides, under the table's ``columns``.
+    """
+
+    team: str
+    place: int
+    shared: bool = False
+    played: int = 0
+    won: int = 0
+    drawn: int = 0
+    lost: int = 0
+    goals: float = 0
+    conceded: float = 0
+    points: float = 0
+    by_lot: bool = False
+    values: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A ranking of the teams of a group, a Swiss stage, a challenge, or several challenges together.
+
+    Attributes:
+        name: of the group or challenge; empty if the stage has one table.
+        rows: best first.
+        columns: names of each row's ``values``; empty in a table of matches.
+        complete: whether all its fixtures have an outcome.
+    """
+
+    name: str
+    rows: tuple[Row, ...]
+    columns: tuple[str, ...] = ()
+    complete: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Tie:
+    """One pairing of a knock-out.
+
+    Attributes:
+        id: as in the fixtures' ``tie``.
+        round: name of its round: ``round_of_16``, ``quarter_finals``, ``semi_finals``, ``third_place``, ``final``.
+        number: from 1 within the round, from top to bottom of the bracket.
+        teams: the two ids; empty text for a place that is not decided yet.
+        sources: where each team comes from, for people: ``winner of quarter final 1``, ``A1``, ``bye``.
+        fixtures: ids, in the order they are played.
+        scores: sum of the legs, or matches won in a best-of; None while nothing is played.
+        winner: id, or empty.
+        decided_by: ``match``, ``extra_time``, ``tie_scenario``, ``lot``, ``bye``, ``forfeit``, or empty.
+    """
+
+    id: str
+    round: str
+    number: int
+    teams: tuple[str, str]
+    sources: tuple[str, str] = ("", "")
+    fixtures: tuple[str, ...] = ()
+    scores: tuple[float, float] | None = None
+    winner: str = ""
+    decided_by: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class StageState:
+    """One stage.
+
+    Attributes:
+        name: as in the file.
+        kind: ``round_robin``, ``swiss``, ``knock_out``, ``challenge``, ``super_team``.
+        title: for people.
+        status: how far it is.
+        teams: ids that take part; empty while it waits.
+        fixtures: all that are known so far (of a Swiss stage the rounds drawn so far), in playing order.
+        expected_matches: how many it will have in all, drawn matches not counted twice.
+        tables: groups, challenges; the last one of several challenges combines them.
+        ties: of a knock-out, round by round.
+        byes: of a Swiss stage (round, team).
+        places: the ranking of the whole stage as far as it is decided, best first; for leading into the next stage.
+    """
+
+    name: str
+    kind: str
+    title: str
+    status: Status
+    teams: tuple[str, ...] = ()
+    fixtures: tuple[Fixture, ...] = ()
+    expected_matches: int = 0
+    tables: tuple[Table, ...] = ()
+    ties: tuple[Tie, ...] = ()
+    byes: tuple[tuple[int, str], ...] = ()
+    places: tuple[Row, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class SeasonState:
+    """The whole tournament.
+
+    Attributes:
+        stages: in the order of the file.
+        teams: by id.
+        outcomes: by fixture id, withdrawn teams and rulings applied.
+    """
+
+    stages: tuple[StageState, ...]
+    teams: Mapping[str, Team]
+    outcomes: Mapping[str, Outcome] = field(default_factory=dict)
+
+    def open_fixtures(self) -> tuple[Fixture, ...]:
+        """Return the known fixtures that have no outcome yet, in playing order."""
+        return tuple(fixture for stage in self.stages for fixture in stage.fixtures if fixture.id not in self.outcomes)
