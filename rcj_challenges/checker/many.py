@@ -20,27 +20,57 @@ from rcj_challenges.checker.many_given import Called, called
 from rcj_challenges.checker.report import FileReport
 from rcj_challenges.controllers.team import TeamError
 from rcj_challenges.facts.errors import told_of
-from rcj_challenges.match.apart import Running, do_all, python
+from rcj_challenges.match.worker_pool import Attempt, python_command, run_all
 from rcj_challenges.scenario.load import Loaded, load_resolved
 from rcj_challenges.scenario.models.scenario import Limits
 
 _SLACK_S = 120.0
 _MOST_SHORT_MATCHES = 12
-_ATTEMPTS = 2
 _START = "import sys; sys.path.append(sys.argv[1]); from rcj_challenges.checker.many import work; work()"
 
 
 @dataclass(frozen=True)
-class _Worker:
-    """What a process of its own is told.
+class _Job:
+    """One submission to be checked.
 
     Attributes:
-        told: all but the path, as JSON.
-        patience_s: how long it may take; only a fault of ours takes longer.
+        path: of the submission.
+        called: its names.
+        message: what its process reads from standard input, without the path, as JSON.
+        max_s: how long its process may take; only a fault of ours takes longer.
     """
 
-    told: dict[str, Any]
-    patience_s: float
+    path: Path
+    called: Called
+    message: dict[str, Any]
+    max_s: float
+
+    def start(self) -> subprocess.Popen[bytes]:
+        command = python_command(_START)
+        return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+    def interrupt(self, process: subprocess.Popen[bytes]) -> None:
+        """Let a check end so that it can remove its files from the disk."""
+        if os.name == "posix":
+            process.send_signal(signal.SIGINT)
+        else:
+            process.terminate()
+
+    def read_outcome(self, process: subprocess.Popen[bytes]) -> Attempt[FileReport]:
+        message = json.dumps({**self.message, "path": str(self.path), "called": asdict(self.called)}).encode()
+        try:
+            out, err = process.communicate(message, self.max_s)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.communicate()
+            return Attempt(crashed_report(self.called, f"the check did not end within {self.max_s:.0f} s"))
+        report = _report(out)
+        if report is not None:
+            return Attempt(report)
+        return Attempt(_dead_report(self.called, process.returncode, err.decode("utf-8", "replace")), is_final=False)
+
+    def start_failed(self, error: OSError) -> FileReport:
+        return unchecked_report(self.called, f"no process could be started for it: {told_of(error)}")
 
 
 def check_many(
@@ -58,13 +88,10 @@ def check_many(
     Raises:
         KeyboardInterrupt: after the running checks have been ended.
     """
-    worker = _Worker(_told(loaded, options), _patience_s(loaded.scenario.limits, len(loaded.scenario.robots)))
-    running: Running[bytes] = Running(_interrupt)
-
-    def check(job: tuple[Path, Called]) -> FileReport:
-        return _check_apart(*job, worker, running)
-
-    return do_all(list(zip(paths, called(paths), strict=True)), check, running, jobs, on_done)
+    message = _message(loaded, options)
+    max_s = _patience_s(loaded.scenario.limits, len(loaded.scenario.robots))
+    named = zip(paths, called(paths), strict=True)
+    return run_all([_Job(path, name, message, max_s) for path, name in named], jobs, on_done)
 
 
 def work() -> None:
@@ -95,46 +122,6 @@ def _leave(*_: object) -> None:
     raise KeyboardInterrupt
 
 
-def _interrupt(process: subprocess.Popen[bytes]) -> None:
-    """Let a check end so that it can remove what it has on the disk."""
-    if os.name == "posix":
-        process.send_signal(signal.SIGINT)
-    else:
-        process.terminate()
-
-
-def _start() -> subprocess.Popen[bytes]:
-    return subprocess.Popen(
-        python(_START), stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE
-    )  # fmt: skip
-
-
-def _check_apart(path: Path, named: Called, worker: _Worker, running: Running[bytes]) -> FileReport:
-    """Check a submission in a process of its own; one that dies for a reason of its own is tried once more."""
-    told = json.dumps({**worker.told, "path": str(path), "called": asdict(named)}).encode()
-    report = unchecked_report(named, "the check was interrupted")
-    for _ in range(_ATTEMPTS):
-        try:
-            process = running.begin(_start)
-        except OSError as error:
-            return unchecked_report(named, f"no process could be started for it: {told_of(error)}")
-        if process is None:
-            break
-        try:
-            out, err = process.communicate(told, worker.patience_s)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.communicate()
-            return crashed_report(named, f"the check did not end within {worker.patience_s:.0f} s")
-        finally:
-            running.forget(process)
-        written = _report(out)
-        if written is not None:
-            return written
-        report = _dead_report(named, process.returncode, err.decode("utf-8", "replace"))
-    return report
-
-
 def _dead_report(named: Called, status: int, said: str) -> FileReport:
     """Return the report on a submission whose process died without one."""
     if os.name == "posix" and status == -signal.SIGKILL:  # nothing of ours does that here
@@ -152,10 +139,10 @@ def _report(out: bytes) -> FileReport | None:
         return None
 
 
-def _told(loaded: Loaded, options: CheckOptions) -> dict[str, Any]:
-    told = asdict(options)
-    told["replays"] = None if options.replays is None else str(options.replays.resolve())
-    return {"scenario": loaded.resolved, "options": told}
+def _message(loaded: Loaded, options: CheckOptions) -> dict[str, Any]:
+    fields = asdict(options)
+    fields["replays"] = None if options.replays is None else str(options.replays.resolve())
+    return {"scenario": loaded.resolved, "options": fields}
 
 
 def _patience_s(limits: Limits, robots: int) -> float:

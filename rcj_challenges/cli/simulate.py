@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
-    from rcj_challenges.match.many import Job, Outcome
+    from rcj_challenges.match.batch import Job, Outcome
     from rcj_challenges.scenario.load import Loaded
     from rcj_challenges.views.scoreboard import Criterion
 
@@ -62,7 +62,7 @@ def simulate(options: SimulateOptions) -> int:
         loaded, jobs = _prepared(options)
     except KeyboardInterrupt as error:
         raise KeyboardInterrupt("no match had begun, and nothing is recorded") from error
-    from rcj_challenges.match.many import play_many
+    from rcj_challenges.match.batch import play_many
     from rcj_challenges.views.scoreboard import console_for
 
     rank = loaded.scenario.result.rank
@@ -92,7 +92,7 @@ def _prepared(options: SimulateOptions) -> tuple[Loaded, list[Job]]:
     """
     from rcj_challenges.cli.outputs import refuse_devices
     from rcj_challenges.controllers.isolation import active_layers
-    from rcj_challenges.match.many import Job
+    from rcj_challenges.match.batch import Job
     from rcj_challenges.records.folder import make_out_folder
     from rcj_challenges.scenario.load import load
 

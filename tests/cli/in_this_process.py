@@ -15,7 +15,7 @@ from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.checker.many_given import called
 from rcj_challenges.checker.report import FileReport
 from rcj_challenges.cli.app import app
-from rcj_challenges.match.many import Job, Outcome
+from rcj_challenges.match.batch import Job, Outcome
 from rcj_challenges.scenario.load import Loaded
 
 

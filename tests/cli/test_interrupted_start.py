@@ -60,7 +60,7 @@ def test_while_a_match_is_prepared(tmp_path: Path, module: str, more: str) -> No
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize("module", ["rcj_challenges.match.many", "rcj_challenges.scenario.load"])
+@pytest.mark.parametrize("module", ["rcj_challenges.match.batch", "rcj_challenges.scenario.load"])
 def test_while_many_matches_are_prepared(tmp_path: Path, module: str) -> None:
     done = interrupted(tmp_path, module, "simulate", "match")
     assert (done.returncode, done.stdout) == (130, "")

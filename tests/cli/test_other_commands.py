@@ -11,8 +11,8 @@ import pytest
 
 from rcj_challenges.cli.app import app
 from rcj_challenges.facts.errors import RcjError
-from rcj_challenges.match import many
-from rcj_challenges.match.many import Job, Outcome
+from rcj_challenges.match import batch
+from rcj_challenges.match.batch import Job, Outcome
 from rcj_challenges.records.testing import write_made_up_run
 from rcj_challenges.views.replay.browse import address_of
 from tests.cli.in_this_process import played_one_after_the_other
@@ -139,14 +139,14 @@ def test_simulate_tells_wrong_input_once(tmp_path):
     ("given", "told"), [("shooter=team.py", "this scenario has blue, yellow"), ("blue=nowhere", "nowhere")]
 )
 def test_simulate_plays_nothing_if_a_team_is_not_there(tmp_path, monkeypatch, given, told):
-    monkeypatch.setattr(many, "play_many", lambda *_: pytest.fail("a match was begun"))
+    monkeypatch.setattr(batch, "play_many", lambda *_: pytest.fail("a match was begun"))
     with pytest.raises(RcjError, match=told):
         run("simulate", "match", "--seeds", "1..9", "--team", given, "--out", tmp_path / "runs")
 
 
 def test_simulate_has_the_short_options_of_run(monkeypatch):
     jobs = []
-    monkeypatch.setattr(many, "play_many", lambda given, *_: jobs.extend(given) or [outcome(1, 7)])
+    monkeypatch.setattr(batch, "play_many", lambda given, *_: jobs.extend(given) or [outcome(1, 7)])
     short = ("--blue", BALL_CHASER, "--yellow", BALL_CHASER, "--duration", "8", "--halves", "1")
     assert run("simulate", "match", "--seeds", "1", "--quiet", *short) == 0
     assert {f"blue={BALL_CHASER}", f"yellow={BALL_CHASER}", "match.half_s=8.0", "match.halves=1"} < set(
@@ -155,7 +155,7 @@ def test_simulate_has_the_short_options_of_run(monkeypatch):
 
 
 def test_simulate_isolates_programs_as_run_does(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr(many, "play_many", played_one_after_the_other)
+    monkeypatch.setattr(batch, "play_many", played_one_after_the_other)
     one_each = [
         f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)
     ]
@@ -167,7 +167,7 @@ def test_simulate_isolates_programs_as_run_does(tmp_path, capsys, monkeypatch):
 
 
 def test_simulate_plays_nothing_in_a_sandbox_that_there_is_not(tmp_path, monkeypatch):
-    monkeypatch.setattr(many, "play_many", lambda *_: pytest.fail("a match was begun"))
+    monkeypatch.setattr(batch, "play_many", lambda *_: pytest.fail("a match was begun"))
     with pytest.raises(RcjError, match="unknown sandbox 'loose'"):
         run("simulate", "match", "--seeds", "1..9", "--sandbox", "loose", "--out", tmp_path / "runs")
 
@@ -181,7 +181,7 @@ def outcome(seed, score=None, *, wrong_input=True):
 @pytest.mark.parametrize(("wrong_input", "code"), [(True, 2), (False, 3)], ids=["this computer's", "ours"])
 def test_what_simulate_has_played_is_told_also_if_the_disk_is_full_then(monkeypatch, capsys, wrong_input, code):
     outcomes = [outcome(1, 7), outcome(2, wrong_input=wrong_input), outcome(3, wrong_input=wrong_input)]
-    monkeypatch.setattr(many, "play_many", lambda *_: outcomes)
+    monkeypatch.setattr(batch, "play_many", lambda *_: outcomes)
     assert run("simulate", "match", "--seeds", "1..3", "--json") == code
     told = json.loads(capsys.readouterr().out)
     assert told["scores"] == [{"seed": 1, "blue": 7}]
@@ -200,13 +200,13 @@ def test_no_room_for_lines_of_progress_ends_no_matches(monkeypatch, capsys):
 
     monkeypatch.setattr(sys, "stderr", Full())
     outcomes = [outcome(1, 7), outcome(2, 5)]
-    monkeypatch.setattr(many, "play_many", lambda _, __, on_done: [on_done(one) or one for one in outcomes])
+    monkeypatch.setattr(batch, "play_many", lambda _, __, on_done: [on_done(one) or one for one in outcomes])
     assert run("simulate", "match", "--seeds", "1..2") == 0
     assert "2 matches" in capsys.readouterr().out
 
 
 def test_why_no_seed_could_be_played_is_in_the_json_too(monkeypatch, capsys):
-    monkeypatch.setattr(many, "play_many", lambda *_: [outcome(1), outcome(2)])
+    monkeypatch.setattr(batch, "play_many", lambda *_: [outcome(1), outcome(2)])
     with pytest.raises(RcjError, match="No space left"):
         run("simulate", "match", "--seeds", "1..2", "--json")
     told = json.loads(capsys.readouterr().out)

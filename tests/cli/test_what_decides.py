@@ -8,8 +8,8 @@ import pytest
 
 from rcj_challenges.cli.app import app
 from rcj_challenges.cli.simulate import rank_summary
-from rcj_challenges.match import many
-from rcj_challenges.match.many import Job, Outcome
+from rcj_challenges.match import batch
+from rcj_challenges.match.batch import Job, Outcome
 from rcj_challenges.scenario.models.scenario import Result
 from rcj_challenges.views.scoreboard import ranking_lines, score_line
 from tests.cli.in_this_process import played_one_after_the_other
@@ -112,7 +112,7 @@ def test_a_run_that_time_decides_ends_with_places_and_times(tmp_path, capsys):
 @pytest.fixture
 def in_this_process(monkeypatch):
     """Let ``simulate`` play its matches here, each of which else is a second for what has to be loaded."""
-    monkeypatch.setattr(many, "play_many", played_one_after_the_other)
+    monkeypatch.setattr(batch, "play_many", played_one_after_the_other)
 
 
 @pytest.mark.usefixtures("in_this_process")
@@ -162,7 +162,7 @@ def test_json_of_simulate_holds_what_was_compared(tmp_path, capsys, still):
 
 
 def test_the_plain_match_is_told_by_its_score(capsys, still, monkeypatch):
-    monkeypatch.setattr(many, "play_many", played_one_after_the_other)
+    monkeypatch.setattr(batch, "play_many", played_one_after_the_other)
     assert run("simulate", "match", "--seeds", "1", *still, "--json") == 0
     assert "ranking" not in json.loads(capsys.readouterr().out)
     assert run("simulate", "match", "--seeds", "1", *still, "--quiet") == 0
