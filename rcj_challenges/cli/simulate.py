@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from rcj_challenges.scenario.load import Loaded
     from rcj_challenges.views.scoreboard import Criterion
 
+_OF_RECORDS = ("folder", "inputs", "states", "digest")
 _MOST_SEEDS = 100_000
 _MOST_DIGITS = 100
 """Of a seed: many more than anybody types; Python reads numbers of some thousand."""
@@ -139,7 +140,7 @@ def summary(outcomes: Sequence[Outcome]) -> dict[str, Any]:
         "played": len(results),
         "failed": [{"seed": o.job.seed, "message": o.complaint[-2000:]} for o in outcomes if o.result is None],
         "scores": [{"seed": seed, **result["score"]} for seed, result in played],
-        "records": [{"seed": seed, "folder": result["folder"], "digest": result["digest"]} for seed, result in played],
+        "records": [{"seed": seed} | {key: result[key] for key in _OF_RECORDS} for seed, result in played],
         "spread": {entrant: _spread([result["score"][entrant] for result in results]) for entrant in entrants},
         "events": dict(Counter(event["event"] for result in results for event in result["events"]).most_common()),
         "faults": dict(

@@ -3,7 +3,7 @@
 All new errors have this form::
 
     error[unknown-zone]: unknown zone 'blue_gaol'
-      --> fast_shooter.yaml:41:18  rules.goal_in_blue.triggers[0].zone
+      --> challenge.yaml:41:18  rules.goal_in_blue.triggers[0].zone
     help: did you mean 'blue_goal'?
 """
 

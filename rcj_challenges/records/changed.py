@@ -8,6 +8,7 @@ from pathlib import Path
 
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SCENARIO
+from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.models.scenario import Scenario
 
@@ -42,7 +43,7 @@ def _what_is_wrong(scenario: Scenario) -> str | None:
     from rcj_challenges.scenario.load import load_resolved  # noqa: PLC0415 - with it comes YAML, which no page needs
 
     try:
-        load_resolved(scenario.model_dump(mode="json", by_alias=True))
+        load_resolved(dumped(scenario))
     except ScenarioError as refused:
         first = refused.problems[0]
         return f"{first.path}: {first.message}" if first.path else first.message

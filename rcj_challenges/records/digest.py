@@ -1,8 +1,12 @@
-"""The digest of a run: equal inputs give an equal digest on one kind of machine.
+"""The digests of a run: `inputs` of what was played, `states` of what happened, and one over both.
 
-SHA-256 over, each part behind a letter and its length so that no two runs share a stream of bytes: the resolved
-scenario, the seed, the hashes of the teams' programs; then per half its number, per tick the judged state (qpos, qvel
-as little-endian float64), and each event with its tick, without the time of day and without messages for people.
+``inputs`` hashes the scenario without values that are defaults, the seed, and the hashes of the programs' files. Keys
+of models are sorted; named mappings keep the order of the file, in which rules are judged. So neither a new optional
+key nor a moved field changes it.
+
+``states`` hashes for each half its number, for each tick the judged state (qpos, qvel as little-endian float64), and
+each event with its tick, without the time of day and without messages for people. Each part stands behind a letter and
+its length, so that no two runs share a stream of bytes.
 """
 
 from __future__ import annotations
@@ -11,32 +15,65 @@ import hashlib
 from collections.abc import Mapping
 from typing import Any
 
+from pydantic import BaseModel
+
 from rcj_challenges.facts.play import Event
 from rcj_challenges.records.lines import canonical
 from rcj_challenges.records.reflog import PROGRAM_FAULT
+from rcj_challenges.scenario.models.scenario import Scenario
 
-DIGEST_VERSION = 1
+_INPUTS_VERSION = 1
+_STATES_VERSION = 1
 _CHUNK_BYTES = 1 << 15
 _MESSAGES = {PROGRAM_FAULT: "detail"}
 
 
-class Digest:
-    """Builds the digest as a run goes on."""
+def inputs_digest(scenario: Scenario, seed: int, programs: Mapping[str, str]) -> str:
+    """Return the SHA-256 of what was played, as 64 hexadecimal digits.
 
-    def __init__(self, scenario: Mapping[str, Any], seed: int, programs: Mapping[str, str]) -> None:
-        """Begin with what decides a run.
+    Args:
+        scenario: resolved: presets, parameters and command line worked in.
+        seed: of the match.
+        programs: hash of the programs' files, by team.
+    """
+    parts = [f"rcj-challenges inputs {_INPUTS_VERSION}", given_values(scenario), seed, dict(sorted(programs.items()))]
+    return hashlib.sha256(canonical(parts)).hexdigest()
 
-        Args:
-            scenario: the resolved scenario as JSON-able data.
-            seed: of the match.
-            programs: hash of the programs' files, by team.
-        """
-        self._sha = hashlib.sha256(f"rcj-challenges digest {DIGEST_VERSION}\n".encode("ascii"))
+
+def given_values(value: Any) -> Any:
+    """Return a model as JSON-able data: without defaults, its keys sorted, whole numbers without a fraction."""
+    if isinstance(value, BaseModel):
+        given = {}
+        for name, field in type(value).model_fields.items():
+            inner = getattr(value, name)
+            if not field.exclude and not _is_same(inner, field.get_default(call_default_factory=True)):
+                given[field.alias or name] = given_values(inner)
+        return dict(sorted(given.items()))
+    if isinstance(value, Mapping):
+        return {key: given_values(inner) for key, inner in value.items()}
+    if isinstance(value, list | tuple):
+        return [given_values(inner) for inner in value]
+    return int(value) if isinstance(value, float) and value.is_integer() else value
+
+
+def _is_same(value: Any, default: Any) -> bool:
+    """Return whether a value is the default; to Python true is 1."""
+    return isinstance(value, bool) == isinstance(default, bool) and bool(value == default)
+
+
+def run_digest(inputs: str, states: str) -> str:
+    """Return the SHA-256 over both digests of a run."""
+    return hashlib.sha256(f"{inputs} {states}".encode("ascii")).hexdigest()
+
+
+class StatesDigest:
+    """Builds the digest of what happens as a run goes on."""
+
+    def __init__(self) -> None:
+        self._sha = hashlib.sha256(f"rcj-challenges states {_STATES_VERSION}\n".encode("ascii"))
         self._pending = bytearray()
         self._state_bytes = -1
         self._state_head = b""
-        for part in (scenario, seed, dict(programs)):
-            self._frame(b"I", canonical(part))
 
     def half(self, half: int) -> None:
         """A half begins."""

@@ -15,7 +15,7 @@ from rcj_challenges.facts.shown import shown
 from rcj_challenges.records.errors import RecordError
 
 RECORD_VERSION = 1
-"""Version of everything in the folder; a newer one is refused, an older one is upgraded when read."""
+"""Version of everything in the folder; another one is refused."""
 
 RESULT = "result.json"
 SCENARIO = "scenario.json"
@@ -32,6 +32,21 @@ _MOST_RUNS_A_SECOND = 10_000
 _WAIT_FOR_OTHERS_S = 2.0
 """Virus scanners and indexers look into what was just written for a few tenths of a second."""
 _ASK_AGAIN_S = 0.02
+
+
+def check_version(record: int, folder: Path) -> None:
+    """Refuse a record of another version.
+
+    Raises:
+        RecordError: the record is newer than this package, or from no version that there was.
+    """
+    if record > RECORD_VERSION:
+        raise RecordError(
+            f"{folder.name}: its record has version {record}, this package reads up to {RECORD_VERSION}: "
+            "it needs a newer rcj-challenges"
+        )
+    if record < RECORD_VERSION:
+        raise RecordError(f"{folder.name}: its record has version {record}, which no rcj-challenges has written")
 
 
 def utc_now() -> datetime:

@@ -14,9 +14,8 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from rcj_challenges.facts.amounts import Score
 from rcj_challenges.facts.errors import told_of
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.folder import RESULT
+from rcj_challenges.records.folder import RESULT, check_version
 from rcj_challenges.records.lines import parsed
-from rcj_challenges.records.upgrades import upgraded
 
 _PACKAGES = {"rcj_challenges": "rcj-challenges", "mujoco": "mujoco", "numpy": "numpy"}
 
@@ -120,7 +119,16 @@ class RunResult(_Part):
     halves: list[HalfResult] = _described("the halves that are over, and one that was broken off")
     events: list[EventResult] = _described("all events, in order")
     faults: list[FaultResult] = _described("programs that failed, in order")
-    digest: str = _described("SHA-256 over inputs, states and events; empty while the run is not complete")
+    inputs: str = Field(
+        default="",
+        description="SHA-256 of what was played: scenario without defaults, seed, programs; empty in older records",
+    )
+    states: str = Field(
+        default="",
+        description="SHA-256 of what happened: states of all ticks, and events; empty while the run is not complete, "
+        "and in older records",
+    )
+    digest: str = _described("SHA-256 over `inputs` and `states`; empty while the run is not complete")
     simulated_s: float = _described("simulated time of all halves in s", ge=0)
     wall_s: float = _described(
         "wall time that the match itself took in s: without what it waited before ticks for who steers a live view "
@@ -187,7 +195,7 @@ def read_result(folder: Path) -> RunResult:
         raise RecordError(f"{folder.name}: {RESULT} cannot be read: {told_of(error)}") from error
     record = data.get("record") if isinstance(data, dict) else None
     if type(record) is int:
-        data = upgraded("result", data, record, folder)
+        check_version(record, folder)
     try:
         return RunResult.model_validate(data)
     except ValidationError as error:

@@ -25,10 +25,10 @@ from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, s_from_ticks, ticks_f
 from rcj_challenges.records.changed import refusing_changes
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SCENARIO, TRAJECTORY, TRAJECTORY_PARTS
+from rcj_challenges.records.recorded_scenario import read_scenario
 from rcj_challenges.records.result import RunResult, read_result
 from rcj_challenges.records.track import row_dtype
 from rcj_challenges.records.trajectory import DAMAGE, HalfTrack, Notes, Trajectory, read_notes, read_parts
-from rcj_challenges.records.upgrades import read_scenario
 from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
@@ -69,7 +69,7 @@ def read_run(folder: Path) -> RunRecord:
         RecordError: there is nothing in the folder that could be shown.
     """
     result = read_result(folder)
-    scenario = read_scenario(folder, result.record)
+    scenario = read_scenario(folder)
     with refusing_changes(folder, scenario):
         halves, problems = read_halves(folder, scenario, result)
     return RunRecord(result, scenario, halves, problems)

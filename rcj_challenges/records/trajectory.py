@@ -19,11 +19,11 @@ import numpy.typing as npt
 
 from rcj_challenges.facts.play import Fault, HalfInfo, Placement, Snapshot
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.folder import TRAJECTORY, TRAJECTORY_PARTS
+from rcj_challenges.records.folder import TRAJECTORY, TRAJECTORY_PARTS, check_version
 from rcj_challenges.records.lines import parsed
+from rcj_challenges.records.recorded_scenario import read_scenario
 from rcj_challenges.records.result import read_result
 from rcj_challenges.records.track import part_paths, row_dtype
-from rcj_challenges.records.upgrades import read_scenario, upgraded
 from rcj_challenges.scenario.roster import Roster
 
 Array = npt.NDArray[Any]
@@ -160,7 +160,7 @@ class Trajectory:
             if "header" not in arrays:
                 raise _MisfitError(f"{path.name} has no header")
             header = parsed(arrays["header"].tobytes())
-            header = upgraded("header", header, header["record"], path.parent)
+            check_version(header["record"], path.parent)
             entities = len(header["entities"])
             halves = tuple(
                 _half(lambda field, half=half: arrays[f"half{half}_{field}"], entities, half)  # type: ignore[misc]
@@ -170,11 +170,11 @@ class Trajectory:
 
     @classmethod
     def _parts(cls, folder: Path) -> Self:
-        result = read_result(folder)
+        read_result(folder)  # refuses what is no record
         parts = folder / TRAJECTORY_PARTS
         if not parts.is_dir():
             raise RecordError(f"{folder.name}: the trajectory is missing")
-        roster = Roster.of(read_scenario(folder, result.record))
+        roster = Roster.of(read_scenario(folder))
         halves: list[HalfTrack] = []
         for half in sorted(int(path.stem.partition("-")[2]) for path in parts.glob("half-*.poses")):
             fields = read_parts(parts, half, len(roster.entities))

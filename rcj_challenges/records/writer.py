@@ -13,7 +13,7 @@ from typing import Any, Self
 from rcj_challenges.facts.amounts import Score, on_paper
 from rcj_challenges.facts.play import Fault, Firing, HalfInfo, Snapshot, Verdict
 from rcj_challenges.facts.timing import TICK_S
-from rcj_challenges.records.digest import Digest
+from rcj_challenges.records.digest import StatesDigest, inputs_digest, run_digest
 from rcj_challenges.records.folder import (
     LOGS,
     RECORD_VERSION,
@@ -100,7 +100,8 @@ class RecordWriter:
         self._header = header
         self._roster = Roster.of(header.scenario)
         scenario = dumped(header.scenario)
-        self._digest = Digest(scenario, header.seed, header.programs)
+        self._inputs = inputs_digest(header.scenario, header.seed, header.programs)
+        self._states = StatesDigest()
         self._track: TrackWriter | None = None
         self._half: HalfInfo | None = None
         self._phase: tuple[str, bool] | None = None
@@ -152,7 +153,7 @@ class RecordWriter:
         self._half = half
         self._phase, self._held = None, frozenset()
         self._scores |= {half.teams[seat]: points for seat, points in half.scores.items()}
-        self._digest.half(half.half)
+        self._states.half(half.half)
 
     def tick(self, snapshot: Snapshot, verdict: Verdict, state: bytes, poses: bytes = b"") -> None:
         """Record one judged tick.
@@ -166,7 +167,7 @@ class RecordWriter:
         track = self._track
         if track is None:
             raise ValueError("a tick outside of a half: call begin_half first")
-        self._digest.state(state)
+        self._states.state(state)
         track.append(snapshot, verdict.placements, poses)
         if verdict.firings or verdict.events or snapshot.faults:
             self._say(snapshot, verdict)
@@ -205,7 +206,9 @@ class RecordWriter:
             result: fields of `RunResult` that only the caller knows (``wall_s``, ``sandbox``, ``marks``, ``score``),
                 and ``complete: False`` with ``stopped`` for a run that was not played to its end.
         """
-        fields = {"complete": True, "digest": self._digest.hexdigest()} | dict(result or {})
+        states = self._states.hexdigest()
+        digests = {"states": states, "digest": run_digest(self._inputs, states)}
+        fields = {"complete": True} | digests | dict(result or {})
         self._reflog.close()
         self._referee_log.close()
         if self._track is not None and self._half is not None:
@@ -223,7 +226,8 @@ class RecordWriter:
             error: what stopped it.
             result: as for `finish`.
         """
-        return self.finish({"complete": False, "digest": "", "stopped": error.__name__} | dict(result or {}))
+        fields = {"complete": False, "states": "", "digest": "", "stopped": error.__name__}
+        return self.finish(fields | dict(result or {}))
 
     def __enter__(self) -> Self:
         return self
@@ -260,7 +264,7 @@ class RecordWriter:
         if events:
             write_all(self._reflog, bytearray(reflog_lines(events, timestamp(self._now()))))
         for event in events:
-            self._digest.event(event)
+            self._states.event(event)
         lines = [event_line(half.half, event) for event in events]
         self._events += lines
         told = [firing_line(half.half, firing) for firing in verdict.firings]
@@ -345,6 +349,8 @@ class RecordWriter:
             "halves": self._halves,
             "events": self._events,
             "faults": self._faults,
+            "inputs": self._inputs,
+            "states": "",
             "digest": "",
             "simulated_s": simulated_s,
             "wall_s": 0.0,

@@ -15,6 +15,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from rcj_challenges.scenario.checks.table import check
+from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.errors import Problem, ScenarioError
 from rcj_challenges.scenario.messages.explain import explain
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -40,7 +41,7 @@ class Loaded:
         name: short name for records and messages: the file's stem.
         path: the file it came from; None if it came from a record or a text.
         resolved: the whole scenario as JSON-able data with all defaults filled in, base files merged, params and
-            overrides applied; `load_resolved` reads it again. The digest is taken over it.
+            overrides applied; `load_resolved` reads it again. Records keep it.
         written: the merged tree with the place of each value in its file, for lint; None if there is no such place.
         bases: the files that it extends, the nearest first; presets are not among them.
         left_out: inherited tests that do not fit this scenario, by name, with what is wrong with each.
@@ -108,7 +109,7 @@ def load_resolved(resolved: Mapping[str, Any], name: str = "", overrides: Sequen
         _refuse_params(tree, overrides)
         apply_overrides(tree, overrides, merger)
     scenario = _checked(tree, merger)
-    return Loaded(scenario, Roster.of(scenario), name or scenario.id, None, _dumped(scenario))
+    return Loaded(scenario, Roster.of(scenario), name or scenario.id, None, dumped(scenario))
 
 
 def _refuse_params(tree: Entries, overrides: Sequence[str]) -> None:
@@ -150,7 +151,7 @@ def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None
     fill_in_devices(tree)
     scenario, left_out = _checked_but_inherited_tests(tree, merger, {part.shown for part in chain[:-1]})
     changes = merger.removed, merger.replaced, merger.repeated, merger.overridden
-    return Loaded(scenario, Roster.of(scenario), name, path, _dumped(scenario), tree, bases, left_out, *changes)
+    return Loaded(scenario, Roster.of(scenario), name, path, dumped(scenario), tree, bases, left_out, *changes)
 
 
 def _checked_but_inherited_tests(tree: Entries, merger: Merger, bases: set[str]) -> tuple[Scenario, dict[str, Problem]]:
@@ -191,7 +192,3 @@ def _checked(tree: Entries, merger: Merger) -> Scenario:
     if problems or scenario is None:
         raise ScenarioError(told_once(problems, merger.repeated))
     return scenario
-
-
-def _dumped(scenario: Scenario) -> dict[str, Any]:
-    return scenario.model_dump(mode="json", by_alias=True)

@@ -127,7 +127,7 @@ def test_simulate_plays_every_seed_and_tells_the_spread(tmp_path, capsys):
     assert [entry["seed"] for entry in told["records"]] == [1, 2]  # to show a team what a score of it came from
     for entry in told["records"]:
         result = json.loads((Path(entry["folder"]) / "result.json").read_text("utf-8"))
-        assert (result["seed"], result["digest"]) == (entry["seed"], entry["digest"])
+        assert all(result[key] == entry[key] for key in ("seed", "inputs", "states", "digest"))
 
 
 def test_simulate_tells_wrong_input_once(tmp_path):
@@ -173,7 +173,8 @@ def test_simulate_plays_nothing_in_a_sandbox_that_there_is_not(tmp_path, monkeyp
 
 
 def outcome(seed, score=None, *, wrong_input=True):
-    result = {"score": {"blue": score}, "events": [], "faults": [], "folder": f"runs/{seed}", "digest": "f3"}
+    result = {"score": {"blue": score}, "events": [], "faults": [], "folder": f"runs/{seed}"}
+    result |= {"inputs": "1", "states": "2", "digest": "3"}
     result = None if score is None else result
     return Outcome(Job(seed, ()), result, "" if score is not None else "No space left on device", wrong_input)
 

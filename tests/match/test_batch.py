@@ -33,7 +33,9 @@ def result(blue, yellow, *events):
         "events": [{"event": event} for event in events],
         "faults": [],
         "folder": f"runs/{blue}",
-        "digest": "a" * 64,
+        "inputs": "a" * 64,
+        "states": "b" * 64,
+        "digest": "c" * 64,
     }
 
 
@@ -43,7 +45,13 @@ def test_the_summary_tells_the_spread_by_entrant():
     assert told["spread"]["blue"] == {"least": 1, "median": 2, "mean": 3.0, "most": 6}
     assert told["events"] == {"GOAL": 3}
     assert told["played"] == 3
-    assert told["records"][2] == {"seed": 6, "folder": "runs/6", "digest": "a" * 64}
+    assert told["records"][2] == {
+        "seed": 6,
+        "folder": "runs/6",
+        "inputs": "a" * 64,
+        "states": "b" * 64,
+        "digest": "c" * 64,
+    }
 
 
 def test_a_match_whose_process_cannot_be_started_is_a_fault_of_the_computer(monkeypatch):

@@ -5,7 +5,6 @@ import pytest
 from rcj_challenges.facts.play import Event
 from rcj_challenges.referee.comparing import event_differences
 from rcj_challenges.referee.trials import try_expectation
-from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.scenario.models.scenario import Expectation, ExpectedEvent
 from tests.scenario.writing import complaints
@@ -137,10 +136,6 @@ class TestExpectEnded:
     def test_another_word_is_told_what_there_is(self):
         (said,) = complaints("expect: {it: {keyframes: [{at_s: 1}], lasts_s: 2, ended: game}}")
         assert said == "expect.it.ended: expected half, match or none, found 'game'"
-
-    def test_a_test_without_it_is_written_as_before(self):
-        scenario = load_text(f"{HEAD}expect: {{it: {{keyframes: [{{at_s: 1}}], lasts_s: 2}}}}").scenario
-        assert not {"ended", "tolerance_counters"} & dumped(scenario)["expect"]["it"].keys()
 
 
 class TestExpectToleranceCounters:

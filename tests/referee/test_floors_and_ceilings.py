@@ -94,17 +94,3 @@ class TestHowMuchIsCounted:
         alone = "{action: count, counter: own, entity: Y1, by: 2}, "
         play = played(stage, alone + "{action: count, counter: own, by: 2, keeps_at_most: 5}")
         assert play.referee.counters["own"] == {"B1": 4, "B2": 4, "Y1": 6, "Y2": 4}
-
-
-def test_who_sets_no_bounds_is_written_as_before(small):
-    actions = "{action: score, entrant: blue}, {action: count, counter: n}"
-    rule = "rules: {act: {triggers: [{trigger: half_started}], actions: [%s]}}"
-    plain = small(STATE % 0, rule % actions).model_dump(mode="json")["rules"]["act"]["actions"]
-    assert plain == [
-        {"action": "score", "entrant": "blue", "points": 1},
-        {"action": "count", "counter": "n", "entity": None, "by": None, "to": None},
-    ]
-    bounded = small(STATE % 0, rule % "{action: score, entrant: blue, keeps_at_most: 3}").model_dump(mode="json")
-    assert bounded["rules"]["act"]["actions"] == [
-        {"action": "score", "entrant": "blue", "points": 1, "keeps_at_most": 3}
-    ]

@@ -4,7 +4,6 @@ import pytest
 
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.referee.trials import try_expectation
-from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.load import load_text
 
 TAG = """
@@ -156,12 +155,3 @@ rules:
         play.touch("Y1", "ball", 50)
         play.play(60)
         assert ticks_of(play, "PUT") == [1]
-
-    def test_who_holds_nothing_is_written_as_before(self):
-        plain = self.FILE.replace(", every_s: 0.2", "").replace(", touch_lasts_s: 3", "") % ("", 2)
-        written = dumped(load_text(plain).scenario)
-        assert "every_s" not in written["rules"]["touched"]["triggers"][0]
-        (test,) = written["expect"].values()
-        assert "touch_lasts_s" not in test["keyframes"][0]
-        scenario = load_text(self.FILE % ("", 5)).scenario
-        assert type(scenario).model_validate(dumped(scenario)) == scenario

@@ -35,7 +35,7 @@ def test_the_resolved_scenario_is_json_and_reads_as_the_same(name):
 def test_the_resolved_scenario_holds_defaults_params_and_overrides_but_no_base():
     resolved = load("match", ["goal_pause_s=4"]).resolved
     assert resolved["phases"]["goal_pause"] == {
-        "lasts_s": 4.0, "next": "play", "waiting_for_kickoff": True, "clock": "runs",
+        "lasts_s": 4.0, "next": "play", "waiting_for_kickoff": True, "clock": "runs", "robots": None,
     }  # fmt: skip
     assert resolved["extends"] is None
     assert resolved["limits"]["step_s"] == 5.0

@@ -135,8 +135,3 @@ def test_where_a_spot_is_that_rules_set_is_not_known_from_the_file(at):
     still, moved = text % (PUT % at), text % f"{SET}, {PUT % at}"
     assert {"layout_without_room", "spot_off_the_field"} <= kinds(FAR + still)
     assert kinds(FAR + moved) & {"layout_without_room", "spot_off_the_field"} == set()
-
-
-def test_a_scenario_without_such_spots_is_dumped_as_before():
-    dumped = scenario(rules("{action: end}")).model_dump(mode="json")
-    assert dumped["spots"]["found"] == {"x_m": 0.0, "y_m": 0.2}

@@ -142,11 +142,3 @@ def test_robots_of_2021_have_no_emitter_unless_they_are_given_one():
     given = "robots: {Y3: {devices: {radio: {device: team_emitter}}}}\n"
     assert robots_that_speak(load_text(old).scenario) == []
     assert robots_that_speak(load_text(old + given).scenario) == ["Y3"]
-
-
-def test_a_test_without_messages_is_written_as_before():
-    block = "expect: {x: {keyframes: [{at_s: 1%s}], lasts_s: 2}}\n"
-    silent, telling = (load_text(HEAD + block % more).resolved["expect"]["x"]["keyframes"][0]
-                       for more in ("", ", tells: {Y1: [1, 2], Y2: 3, B1: hello}"))  # fmt: skip
-    assert "tells" not in silent
-    assert telling["tells"] == {"Y1": [1, 2], "Y2": 3, "B1": "hello"}

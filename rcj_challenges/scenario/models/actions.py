@@ -6,7 +6,6 @@ from pydantic import Field
 
 from rcj_challenges.scenario.models.base import (
     EventName,
-    Grown,
     Name,
     Names,
     Point,
@@ -36,13 +35,8 @@ class LastToucher(Strict):
     last_touch: Name = described(..., "what was touched: an entity, a fixed obstacle, or each")
 
 
-_BOUNDS = frozenset({"at_least", "at_most", "keeps_at_least", "keeps_at_most"})
-
-
-class Score(Grown):
+class Score(Strict):
     """Give points to an entrant."""
-
-    later_keys = _BOUNDS
 
     action: Literal["score"]
     entrant: Name | LastToucher = described(
@@ -67,10 +61,8 @@ class Score(Grown):
     )
 
 
-class Count(Grown):
+class Count(Strict):
     """Change a counter."""
-
-    later_keys = _BOUNDS
 
     action: Literal["count"]
     counter: Name = described(..., "the counter")
@@ -127,10 +119,8 @@ class TimerAction(Strict):
     )
 
 
-class SequenceAction(Grown):
+class SequenceAction(Strict):
     """Begin a sequence anew: the steps made so far are forgotten."""
-
-    later_keys = frozenset({"entity"})
 
     action: Literal["sequence"]
     sequence: Name = described(..., "the sequence")
@@ -138,14 +128,12 @@ class SequenceAction(Grown):
     do: Literal["reset"] = described("reset", "reset: it stands before its first step, or at it if the entity is in it")
 
 
-class SetSpot(Grown):
+class SetSpot(Strict):
     """Set a spot to where something is now, and so remember that place; each half begins with that of the file.
 
     What is off the field leaves it where it is, and so does a message that is no position. What is placed in the same
     tick is still where it was before.
     """
-
-    later_keys = frozenset({"mirror"})
 
     action: Literal["set_spot"]
     spot: Name = described(..., "the spot")

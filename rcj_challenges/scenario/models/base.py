@@ -12,10 +12,8 @@ from pydantic import (
     BeforeValidator,
     ConfigDict,
     Field,
-    SerializerFunctionWrapHandler,
     StringConstraints,
     ValidationInfo,
-    model_serializer,
 )
 from pydantic_core import PydanticCustomError, PydanticKnownError
 
@@ -34,21 +32,6 @@ class Strict(BaseModel):
 
     # Deferred: the whole file's validator is built once, not one more for each of its parts.
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False, defer_build=True)
-
-
-class Grown(Strict):
-    """A model that got keys later. What does not say them has the data, and so the digests, of the time before.
-
-    Attributes:
-        later_keys: those keys; None stands for left out.
-    """
-
-    later_keys: ClassVar[frozenset[str]]
-
-    @model_serializer(mode="wrap")
-    def _as_before(self, dump: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        data: dict[str, Any] = dump(self)
-        return {key: value for key, value in data.items() if value is not None or key not in self.later_keys}
 
 
 def described(default: Any, text: str, **bounds: Any) -> Any:

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 from pydantic import Field, StringConstraints
 
 from rcj_challenges.facts.messages import MOST_LETTERS
-from rcj_challenges.scenario.models.base import Grown, Name, Names, NotNegative, Point, Scalar, Strict, described
+from rcj_challenges.scenario.models.base import Name, Names, NotNegative, Point, Scalar, Strict, described
 from rcj_challenges.scenario.models.state import Bound, DrawValue
 
 SaidText = Annotated[
@@ -204,10 +204,8 @@ class SpotFree(_Condition):
     clearance_m: NotNegative = described(0.08, "free: no robot's or ball's centre within this, in m")
 
 
-class SequenceAt(_Condition, Grown):
+class SequenceAt(_Condition):
     """At which step a sequence stands."""
-
-    later_keys = frozenset({"entity", "of"})
 
     condition: Literal["sequence_at"]
     sequence: Name = described(..., "a sequence")

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.scenario.models.base import Colour, DurationS, Grown, Point, Positive, Strict, described
+from rcj_challenges.scenario.models.base import Colour, DurationS, Point, Positive, Strict, described
 
 
 class Match(Strict):
@@ -47,10 +47,8 @@ class FieldModel(Strict):
     goals: dict[str, Goal] = described({}, "goals by name")
 
 
-class Ball(Grown):
+class Ball(Strict):
     """A ball: a rolling sphere that sends infra-red to the robots' ball receivers."""
-
-    later_keys = frozenset({"slows_mps2"})
 
     start_m: Point = described((0.0, 0.0), "where it lies at the start of a half, [x, y] in m")
     radius_m: Positive = described(0.021, "radius in m", le=0.2)

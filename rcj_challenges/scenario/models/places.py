@@ -6,7 +6,6 @@ from pydantic import Discriminator, Field, Tag
 
 from rcj_challenges.scenario.models.base import (
     Colour,
-    Grown,
     Name,
     Names,
     NotNegative,
@@ -19,9 +18,7 @@ from rcj_challenges.scenario.models.base import (
 from rcj_challenges.scenario.models.state import CounterValue
 
 
-class _Zone(Grown):
-    later_keys = frozenset({"colour"})
-
+class _Zone(Strict):
     inverted: bool = described(False, "True: everything but this")
     drawn: bool = described(False, "True: its outline is a line on the field in pictures")
     colour: Colour | None = described(
@@ -247,10 +244,8 @@ class Kick(Strict):
     )
 
 
-class MayKick(Grown):
+class MayKick(Strict):
     """What may set a ball rolling. Where it does not, its data is that of the time before there were kicks."""
-
-    later_keys = frozenset({"kick"})
 
 
 # How something is put somewhere, whether a layout or a rule says so.

@@ -8,7 +8,6 @@ from rcj_challenges.scenario.models.actions import Action
 from rcj_challenges.scenario.models.base import (
     DurationS,
     EventName,
-    Grown,
     Name,
     One,
     Point,
@@ -76,10 +75,8 @@ class Rule(Strict):
                           max_length=500)  # fmt: skip
 
 
-class Broadcast(Grown):
+class Broadcast(Strict):
     """What programs are told beyond the official packet: after it, one JSON object a tick on the same channel."""
-
-    later_keys = frozenset({"only"})
 
     fields: dict[Name, Value] = described(..., "values by key, which all robots are told")
     only: dict[Name, dict[Name, Value]] | None = described(
@@ -143,10 +140,8 @@ class Limits(Strict):
     processes: int = described(32, "threads it may start", ge=1, le=1000)
 
 
-class Keyframe(Grown):
+class Keyframe(Strict):
     """A moment of a scripted play: where things are put by hand, what touches, whose program fails, who tells what."""
-
-    later_keys = frozenset({"touch_lasts_s", "tells"})
 
     at_s: float = described(..., "time in the half in s", ge=0, le=86_400)
     place: dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]] = described(
@@ -200,10 +195,8 @@ ToldNumbers = Annotated[tuple[float, ...], Field(strict=False, min_length=2, max
 """A position as programs are told it."""
 
 
-class Expectation(Grown):
+class Expectation(Strict):
     """A test inside the file: scripted poses and touches fed straight to the referee, and what must follow."""
-
-    later_keys = frozenset({"spots", "told", "held", "ranking", "ended", "tolerance_counters"})
 
     seed: int = described(1, "seed of the draws", ge=0)
     half: int = described(1, "which half is played; teams keep their seats' names in all", ge=1)

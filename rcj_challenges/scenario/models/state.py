@@ -4,13 +4,11 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag
 
-from rcj_challenges.scenario.models.base import DurationS, Grown, Name, Point, Scalar, Strict, described
+from rcj_challenges.scenario.models.base import DurationS, Name, Point, Scalar, Strict, described
 
 
-class Draw(Grown):
+class Draw(Strict):
     """What chance decides at the start of a half, and again on every ``draw`` action."""
-
-    later_keys = frozenset({"not_again"})
 
     values: tuple[Scalar, ...] = Field(
         ...,
@@ -30,14 +28,12 @@ class Draw(Grown):
     keep: Literal["half", "match"] = described("half", "match: the value lives on in the next half, undrawn")
 
 
-class Counter(Grown):
+class Counter(Strict):
     """A number that rules count up and down. Scores are readable like counters, under the entrant's name.
 
     Both are exact to 9 decimals, as on paper: three times 0.1 is 0.3. Neither grows beyond 1 000 000 000 000 000, nor
     falls under its negative: it stays there.
     """
-
-    later_keys = frozenset({"keep"})
 
     initial: float = described(0.0, "value at the start of a half; with keep: match at the start of the match")
     per: Name | None = described(
@@ -108,14 +104,13 @@ class AnyStep(Strict):
     any_of: tuple[Name, ...] = Field(..., strict=False, min_length=1, description="zones or gates")
 
 
-class Sequence(Grown):
+class Sequence(Strict):
     """Steps to be made in order: zones are entered, gates are crossed forward.
 
     It begins anew when it is complete (a cyclic one goes on), when the action `sequence` says so, and, unless it shall
     go on, when a rule puts its entity somewhere or takes it off the field.
     """
 
-    later_keys = frozenset({"entity", "per", "when_placed"})
     either = ("entity", "per")
 
     entity: Name | None = described(None, "whose way is followed: one robot, ball or movable obstacle")
@@ -142,10 +137,8 @@ class Sequence(Grown):
         return tuple(step.any_of if isinstance(step, AnyStep) else (step,) for step in self.steps)
 
 
-class Phase(Grown):
+class Phase(Strict):
     """A time in which only the rules that live in it run. ``play`` always exists."""
-
-    later_keys = frozenset({"robots"})
 
     lasts_s: Lasts | None = described(
         None,
@@ -276,10 +269,8 @@ class NumberDraw(DrawValue):
     draw: Name = described(..., "a draw of numbers")
 
 
-class NumberWord(WordValue, Grown):
+class NumberWord(WordValue):
     """A number of the match by its word; times count in whole seconds, rounded down, or with their fraction."""
-
-    later_keys = frozenset({"fraction"})
 
     word: Literal[
         "score", "halftime", "total_match_time_s", "time_s", "time_left_s", "measured", "limit"
@@ -290,10 +281,8 @@ class NumberWord(WordValue, Grown):
     )
 
 
-class NumberTimer(TimerValue, Grown):
+class NumberTimer(TimerValue):
     """How long a timer has run, in whole seconds, rounded down, or with its fraction."""
-
-    later_keys = frozenset({"fraction"})
 
     fraction: bool | None = described(
         None, "True: with its fraction, to the tick; left out: whole seconds, rounded down"

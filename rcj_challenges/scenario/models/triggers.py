@@ -7,7 +7,6 @@ from pydantic import Field
 from rcj_challenges.scenario.models.base import (
     DurationS,
     EventName,
-    Grown,
     Name,
     Names,
     NotNegative,
@@ -45,10 +44,8 @@ class PhaseEntered(Strict):
     from_: Name | None = Field(None, alias="from", description="only when it comes from this phase")
 
 
-class TimeReached(Grown):
+class TimeReached(Strict):
     """Fires when the clock of the half reaches a time, and again every so often if asked."""
-
-    later_keys = frozenset({"every_s"})
 
     trigger: Literal["time_reached"]
     at_s: DurationS = described(..., "time since the start of the half in s")
@@ -95,10 +92,8 @@ class Crosses(Strict):
     direction: Literal["forward", "backward", "either"] = described("either", "which way, seen from the gate")
 
 
-class Touches(Grown):
+class Touches(Strict):
     """Fires when two bodies come into contact that were not in the sub-step before."""
-
-    later_keys = frozenset({"every_s"})
 
     trigger: Literal["touches"]
     entity: Names = described(
@@ -163,33 +158,27 @@ class TipsOver(Strict):
     angle_rad: Positive = described(0.7854, "tilt of its vertical axis in rad", lt=3.1416)
 
 
-class SequenceCompleted(Grown):
+class SequenceCompleted(Strict):
     """Fires when the last step of a sequence is made."""
-
-    later_keys = frozenset({"entity"})
 
     trigger: Literal["sequence_completed"]
     sequence: Name = described(..., "the sequence")
     entity: Names | None = described(None, _WHOSE_SEQUENCE)
 
 
-class SequenceBroken(Grown):
+class SequenceBroken(Strict):
     """Fires when a wrong step is made in a sequence with ``wrong_step: break``: it begins anew.
 
     Before the first step, none is wrong; afterwards all are but the last reached and the next.
     """
-
-    later_keys = frozenset({"entity"})
 
     trigger: Literal["sequence_broken"]
     sequence: Name = described(..., "the sequence")
     entity: Names | None = described(None, _WHOSE_SEQUENCE)
 
 
-class OnEvent(Grown):
+class OnEvent(Strict):
     """Fires one tick after an event was emitted."""
-
-    later_keys = frozenset({"entity"})
 
     trigger: Literal["event"]
     event: EventName = described(..., "the event")

@@ -13,9 +13,9 @@ from rcj_challenges.facts.amounts import Score
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, RESULT
+from rcj_challenges.records.recorded_scenario import read_scenario
 from rcj_challenges.records.refereelog import points_so_far, read_referee_log
 from rcj_challenges.records.result import RunResult, read_result
-from rcj_challenges.records.upgrades import read_scenario
 from rcj_challenges.views.replay.page import write_replay
 
 
@@ -138,6 +138,6 @@ def _score(folder: Path, result: RunResult) -> Mapping[str, Score]:
     if result.complete:
         return result.score
     try:
-        return points_so_far(result, read_scenario(folder, result.record), read_referee_log(folder)[0])
+        return points_so_far(result, read_scenario(folder), read_referee_log(folder)[0])
     except (RecordError, OSError):
         return result.score

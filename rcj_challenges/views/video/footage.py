@@ -16,12 +16,11 @@ from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import SUBSTEP_S, SUBSTEPS_PER_TICK, TICK_S, s_from_ticks
 from rcj_challenges.records.changed import refusing_changes
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.folder import RECORD_VERSION
+from rcj_challenges.records.recorded_scenario import read_scenario
 from rcj_challenges.records.refereelog import damaged_lines
 from rcj_challenges.records.result import RunResult, read_result
 from rcj_challenges.records.salvage import read_halves
 from rcj_challenges.records.trajectory import HalfTrack
-from rcj_challenges.records.upgrades import read_scenario
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.naming import changes_sides, titles, told_apart
@@ -156,7 +155,7 @@ class Footage:
         """
         warnings: list[str] = []
         result = _read_result(folder, warnings)
-        scenario = read_scenario(folder, RECORD_VERSION if result is None else result.record)
+        scenario = read_scenario(folder)
         with refusing_changes(folder, scenario):
             return cls._of(folder, scenario, result, warnings)
 

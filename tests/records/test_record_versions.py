@@ -8,14 +8,13 @@ import numpy as np
 import pytest
 
 from rcj_challenges.records import folder as names
-from rcj_challenges.records import upgrades
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import RECORD_VERSION
+from rcj_challenges.records.recorded_scenario import read_scenario
 from rcj_challenges.records.result import read_result
 from rcj_challenges.records.salvage import read_run
 from rcj_challenges.records.sensors import read_sensors
 from rcj_challenges.records.trajectory import Trajectory
-from rcj_challenges.records.upgrades import OldRecordWarning, Upgrade, read_scenario
 from rcj_challenges.views.replay import write_replay
 from rcj_challenges.views.stats import run_stats
 
@@ -33,7 +32,6 @@ def test_a_record_of_each_version_is_kept() -> None:
     assert sorted(path.name for path in KEPT.glob("version-*")) == [
         f"version-{version}" for version in range(1, RECORD_VERSION + 1)
     ]
-    assert set(upgrades.UPGRADES) == set(range(1, RECORD_VERSION))
 
 
 def test_a_record_of_version_1_is_read_whole(old: Path) -> None:
@@ -91,27 +89,3 @@ def test_a_version_that_never_was_is_refused(old: Path) -> None:
     with_version(old, 0)
     with pytest.raises(RecordError, match="version 0, which no rcj-challenges has written"):
         read_result(old)
-
-
-def test_an_older_record_is_upgraded_step_by_step_with_a_warning(old: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The present version is made to be the third: the first called the title a name, the second lacked the seed."""
-    monkeypatch.setattr(names, "RECORD_VERSION", 3)
-    monkeypatch.setattr(upgrades, "RECORD_VERSION", 3)
-    chain = {
-        1: Upgrade(
-            result=lambda data: {**{k: v for k, v in data.items() if k != "name"}, "title": data["name"]},
-            scenario=lambda data: {**data, "title": "older"},
-            header=lambda data: {**data, "things": data["things"]},
-        ),
-        2: Upgrade(result=lambda data: {"seed": 4, **data}, scenario=lambda data: {**data, "title": "old"}),
-    }
-    monkeypatch.setattr(upgrades, "UPGRADES", chain)
-    result = json.loads((old / "result.json").read_text("utf-8"))
-    result["name"] = result.pop("title")
-    del result["seed"]
-    (old / "result.json").write_text(json.dumps(result), "utf-8")
-    with pytest.warns(OldRecordWarning, match="a record of version 1 is read as version 3"):
-        read = read_result(old)
-    assert (read.title, read.seed) == ("RoboCupJunior SoccerSim match", 4)
-    assert read_scenario(old, 1).title == "old"
-    assert Trajectory.open(old).halves[0].ticks == 94

@@ -1,0 +1,32 @@
+"""Reading the scenario of a record."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from rcj_challenges.facts.errors import told_of
+from rcj_challenges.records.errors import RecordError
+from rcj_challenges.records.folder import SCENARIO
+from rcj_challenges.records.lines import parsed
+from rcj_challenges.scenario.models.base import AS_RECORDED
+from rcj_challenges.scenario.models.scenario import Scenario
+
+
+def read_scenario(folder: Path) -> Scenario:
+    """Return the scenario as it was played.
+
+    Raises:
+        RecordError: it is missing, damaged, or no scenario.
+    """
+    try:
+        data = parsed((folder / SCENARIO).read_bytes())
+        if not isinstance(data, dict):
+            raise TypeError("no object")
+        return Scenario.model_validate_json(json.dumps(data), context=AS_RECORDED)
+    except FileNotFoundError:
+        raise RecordError(f"{folder.name}: {SCENARIO} is missing") from None
+    except OSError as error:
+        raise RecordError(f"{folder.name}: {SCENARIO} cannot be read: {told_of(error)}") from error
+    except (TypeError, ValueError, RecursionError) as error:
+        raise RecordError(f"{folder.name}: {SCENARIO} is damaged: it is not the scenario of a run") from error
