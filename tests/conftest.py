@@ -24,6 +24,16 @@ _OBJECTS_BETWEEN_COLLECTIONS = 50_000
 """As commands have it. With Python's own 700 the search for garbage takes a twentieth of the time of the tests."""
 
 
+_NIGHTLY_TIMEOUT_S = 1800
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Give nightly tests more time than the others, unless they say themselves how much they need."""
+    for item in items:
+        if item.get_closest_marker("nightly") and not item.get_closest_marker("timeout"):
+            item.add_marker(pytest.mark.timeout(_NIGHTLY_TIMEOUT_S))
+
+
 @pytest.hookimpl(wrapper=True)
 def pytest_collection(session: pytest.Session) -> Iterator[None]:
     """Let nobody look for garbage among what stays to the end: some hundred thousand objects, again and again.
