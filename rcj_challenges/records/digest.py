@@ -2,7 +2,8 @@
 
 ``inputs`` hashes the scenario without values that are defaults, the seed, and the hashes of the programs' files. Keys
 of models are sorted; named mappings keep the order of the file, in which rules are judged. So neither a new optional
-key nor a moved field changes it.
+key nor a moved field changes it. Params are left out: their values stand where they are used. There 15 and 15.0 are the
+same wherever a number is asked for, but not in a text, event or broadcast, where programs see the difference.
 
 ``states`` hashes for each half its number, for each tick the judged state (qpos, qvel as little-endian float64), and
 each event with its tick, without the time of day and without messages for people. Each part stands behind a letter and
@@ -36,12 +37,14 @@ def inputs_digest(scenario: Scenario, seed: int, programs: Mapping[str, str]) ->
         seed: of the match.
         programs: hash of the programs' files, by team.
     """
-    parts = [f"rcj-challenges inputs {_INPUTS_VERSION}", given_values(scenario), seed, dict(sorted(programs.items()))]
+    played = given_values(scenario)
+    played.pop("params", None)
+    parts = [f"rcj-challenges inputs {_INPUTS_VERSION}", played, seed, dict(sorted(programs.items()))]
     return hashlib.sha256(canonical(parts)).hexdigest()
 
 
 def given_values(value: Any) -> Any:
-    """Return a model as JSON-able data: without defaults, its keys sorted, whole numbers without a fraction."""
+    """Return a model as JSON-able data: without defaults, its keys sorted."""
     if isinstance(value, BaseModel):
         given = {}
         for name, field in type(value).model_fields.items():
@@ -53,7 +56,7 @@ def given_values(value: Any) -> Any:
         return {key: given_values(inner) for key, inner in value.items()}
     if isinstance(value, list | tuple):
         return [given_values(inner) for inner in value]
-    return int(value) if isinstance(value, float) and value.is_integer() else value
+    return value
 
 
 def _is_same(value: Any, default: Any) -> bool:

@@ -42,7 +42,7 @@ def test_the_same_run_has_the_same_digests_whenever_it_is_played(tmp_path: Path)
 
 def test_the_inputs_of_a_fixed_scenario_never_change_without_a_new_version() -> None:
     found = inputs_digest(small_scenario(), 7, PROGRAMS)
-    assert found == "6b190c98021345590c8b3ccfc7c39dcc6188802c5275eeb412c61abf6a8bb2c5"
+    assert found == "3b3cda6b2eb7573c58c5248e98416cbef49004065afb80a8930b28d2649c7741"
 
 
 @pytest.mark.parametrize(
@@ -61,9 +61,14 @@ def test_what_is_played_changes_the_inputs(change: dict, what: str) -> None:
 
 
 def test_a_whole_number_is_the_same_with_and_without_a_fraction() -> None:
-    params = "params: {x: 3}\n"
-    assert inputs(params, ("x=15",)) == inputs(params, ("x=15.0",)) == inputs("params: {x: 15}\n")
-    assert inputs(params, ("x=15",)) != inputs(params, ("x=15.5",))
+    text = "params: {x: 3}\nmatch: {half_s: {param: x}}\n"
+    assert inputs(text, ("x=15",)) == inputs(text, ("x=15.0",)) == inputs("match: {half_s: 15}\n")
+    assert inputs(text, ("x=15",)) != inputs(text, ("x=15.5",))
+
+
+def test_a_fraction_that_programs_are_told_is_not_the_same_as_none() -> None:
+    rule = "rules: {a: {triggers: [{trigger: half_started}], actions: [{action: emit, event: A, payload: {v: %s}}]}}\n"
+    assert inputs(rule % "15") != inputs(rule % "15.0")
 
 
 def test_a_value_that_is_the_default_is_the_same_as_none() -> None:
