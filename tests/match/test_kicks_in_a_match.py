@@ -6,7 +6,7 @@ import pytest
 
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.referee.engine import Referee
-from rcj_challenges.scenario.load import load, load_resolved
+from rcj_challenges.scenario.load import load_resolved
 from tests.judging_again import judged_again, reflog_of
 from tests.match.playing import Place
 
@@ -80,13 +80,3 @@ def test_it_asks_for_the_same_kicks_again(run):
 def test_notes_of_a_time_before_kicks_are_read_as_balls_that_lie_still(run):
     first = Trajectory.open(run.folder).halves[0].placements[0]
     assert {(one.vx_mps, one.vy_mps) for one in first} == {(0.0, 0.0)}
-
-
-def test_what_has_no_kick_is_written_as_before_there_were_any(run):
-    def keys(value):
-        if isinstance(value, dict):
-            return set(value).union(*map(keys, value.values()))
-        return set().union(*map(keys, value)) if isinstance(value, list) else set()
-
-    assert "kick" not in keys(load("match").resolved)
-    assert "kick" in keys(json.loads((run.folder / "scenario.json").read_text("utf-8")))

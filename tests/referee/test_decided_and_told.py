@@ -3,8 +3,7 @@
 import pytest
 
 from rcj_challenges.referee.trials import run_expectation
-from rcj_challenges.scenario.dump import dumped
-from tests.scenario.writing import complaints, loaded, scenario
+from tests.scenario.writing import complaints, loaded
 
 HIDING = """spots: {treasure: {x_m: 0, y_m: 0}, mark: {x_m: 0.1, y_m: 0}}
 draws: {way: {values: [left, right]}}
@@ -159,8 +158,3 @@ class TestExpectTold:
     def test_without_a_broadcast_nobody_is_told_anything(self):
         test = "expect: {it: {keyframes: [{at_s: 0.5}], lasts_s: 1, told: {Y1: {a: 1}}}}\n"
         assert complaints(test) == ["expect.it.told.Y1.a: the broadcast never tells 'Y1' a; it tells it nothing"]
-
-
-def test_a_file_without_them_is_dumped_as_before():
-    plain = scenario("expect: {it: {keyframes: [{at_s: 0.5}], lasts_s: 1}}\n")
-    assert not {"spots", "told"} & dumped(plain)["expect"]["it"].keys()

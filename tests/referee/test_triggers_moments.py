@@ -165,15 +165,6 @@ class TestATimeThatComesAgain:
         assert told(play) == [10, 20, 30, 40]
         assert [event.tick for event in play.events_named("OTHER")] == [20, 40]
 
-    def test_a_time_that_comes_once_is_written_as_before(self, small):
-        plain = small(emitting("{trigger: time_reached, at_s: 1}"))
-        again = small(emitting("{trigger: time_reached, at_s: 1, every_s: 2}"))
-        written = [one.model_dump(mode="json")["rules"]["told"]["triggers"][0] for one in (plain, again)]
-        assert written == [
-            {"trigger": "time_reached", "at_s": 1},
-            {"trigger": "time_reached", "at_s": 1, "every_s": 2},
-        ]
-
 
 class TestTriggerTimerExpired:
     def test_it_fires_when_a_started_timer_reaches_its_length(self, stage):
