@@ -176,6 +176,16 @@ def play_tests(
 
 
 @app.command()
+def explain(
+    code: Annotated[str | None, typer.Argument(help="A code, as in warning[each-never-named]; left out: all.")] = None,
+) -> None:
+    """Explain the code of an error or a warning: rcj-challenge explain each-never-named."""
+    from rcj_challenges.cli.explain import explain as explain_code
+
+    raise typer.Exit(explain_code(code))
+
+
+@app.command()
 def new(
     name: Annotated[str, typer.Argument(help="Name or path of the new scenario; .yaml may be left out.")],
     preset: Annotated[

@@ -12,7 +12,7 @@ from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.letters import READABLE
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.halves import half_lengths_s
-from rcj_challenges.scenario.lint.table import lint
+from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import Loaded, load
 
 
@@ -42,7 +42,7 @@ def validate_files(
             say("" if as_json else str(error), sys.stderr)
         else:
             findings = lint(loaded)
-            report |= {"summary": _summary(loaded), "findings": [finding.as_json() for finding in findings]}
+            report |= {"summary": _summary(loaded), "findings": [finding.to_json() for finding in findings]}
             code = max(code, 1 if strict and findings else 0)
             if not as_json:
                 warned = f"; {counted(len(findings), 'warning')}" if findings else ""

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import Any, Literal
 
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.facts.shown import shown
@@ -74,12 +74,14 @@ class Diagnostic:
         message: what is wrong, in one line.
         help: what to do about it, in one line; empty if there is nothing to say.
         where: the place; None if there is none.
+        severity: whether it stops the command.
     """
 
     code: str
     message: str
     help: str = ""
     where: InFile | InMatch | None = None
+    severity: Literal["error", "warning"] = "error"
 
     def __post_init__(self) -> None:
         """Refuse a code of another form.
@@ -91,7 +93,7 @@ class Diagnostic:
             raise ValueError(f"not a code: {self.code!r}")
 
     def __str__(self) -> str:
-        lines = [f"error[{self.code}]: {shown(self.message, _MAX_LETTERS)}"]
+        lines = [f"{self.severity}[{self.code}]: {shown(self.message, _MAX_LETTERS)}"]
         if self.where is not None:
             lines.append(f"  --> {shown(self.where, _MAX_LETTERS)}")
         if self.help:
@@ -99,7 +101,7 @@ class Diagnostic:
         return "\n".join(lines)
 
     def to_json(self) -> dict[str, Any]:
-        """Return the four fields as JSON-able data."""
+        """Return the fields as JSON-able data."""
         return asdict(self)
 
 

@@ -66,8 +66,8 @@ class TestValidate:
         done = call("validate", written(("    says: A goal.\n", "")))
         assert done.exit_code == 0
         assert "; 1 warning" in done.stdout
-        assert "it.yaml:9:15: warning: rules.goal.actions[0] (score): " in done.stderr
-        assert done.stderr.strip().endswith("[event_without_a_sentence]")
+        assert done.stderr.startswith("warning[missing-says]: ")
+        assert "it.yaml:9:15  rules.goal.actions[0] (score)\n" in done.stderr
 
     def test_strict_makes_a_warning_a_failure(self, written):
         warned = call("validate", "--strict", written(("    says: A goal.\n", "")))
@@ -86,7 +86,7 @@ class TestValidate:
         done = call("validate", "--json", silent, wrong)
         first, second = json.loads(done.stdout)["files"]
         assert (first["ok"], second["ok"]) == (True, False)
-        assert first["findings"][0]["kind"] == "event_without_a_sentence"
+        assert first["findings"][0]["code"] == "missing-says"
         assert second["problems"][0]["line"] == 8
 
     def test_all_that_is_shipped_is_strictly_in_order(self):

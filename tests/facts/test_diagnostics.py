@@ -49,7 +49,7 @@ def test_control_characters_of_strangers_are_printed_as_escapes_and_stay_in_the_
     assert hostile.to_json()["message"] == "name \x1b[2J"
 
 
-def test_a_diagnostic_is_data_with_four_fields():
+def test_a_diagnostic_is_data_with_the_same_fields():
     data = json.loads(json.dumps(UNKNOWN_ZONE.to_json()))
     assert data == {
         "code": "unknown-zone",

@@ -10,7 +10,7 @@ from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.referee.ranking import Tally, ranking
 from rcj_challenges.referee.script import ScriptedPlay, half_of
 from rcj_challenges.referee.trials import try_expectation
-from rcj_challenges.scenario.lint.table import lint
+from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import Loaded, load, load_text
 from rcj_challenges.scenario.resources import names_in, presets_folder
 

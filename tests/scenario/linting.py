@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from rcj_challenges.scenario.lint.table import Finding, lint
+from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load_text
 
 SOUND = """schema_version: 1
@@ -20,16 +21,16 @@ GOAL = """  goal:
 """
 
 
-def found_in(*sections: str, rules: str = "", halves: int | None = None) -> list[Finding]:
-    """Return what lint finds in a sound scenario with more sections and rules."""
+def lint_of(*sections: str, rules: str = "", halves: int | None = None) -> list[Diagnostic]:
+    """Return the warnings about a sound scenario with more sections and rules."""
     sound = SOUND if halves is None else SOUND.replace("half_s: 60", f"half_s: 60, halves: {halves}")
     text = sound + "".join(f"{section}\n" for section in sections) + "rules:\n" + GOAL + rules
     return lint(load_text(text, file="it.yaml"))
 
 
-def kinds(*sections: str, rules: str = "", halves: int | None = None) -> list[str]:
-    """Return the kinds of what lint finds."""
-    return [finding.kind for finding in found_in(*sections, rules=rules, halves=halves)]
+def codes(*sections: str, rules: str = "", halves: int | None = None) -> list[str]:
+    """Return the codes of these warnings."""
+    return [one.code for one in lint_of(*sections, rules=rules, halves=halves)]
 
 
 def rule(name: str, trigger: str, actions: str = "{action: emit, event: TOLD}", more: str = "") -> str:

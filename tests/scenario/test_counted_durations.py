@@ -2,14 +2,14 @@
 
 import pytest
 
-from rcj_challenges.scenario.lint.table import lint
+from rcj_challenges.scenario.lint.registry import lint
 from tests.scenario.writing import complaints, loaded, scenario
 
 COUNTERS = "counters: {n: {initial: 3}, own: {per: robots, initial: 3}}\n"
 
 
 def kinds(body):
-    return {suspect.kind for suspect in lint(loaded(COUNTERS + body))}
+    return {suspect.code for suspect in lint(loaded(COUNTERS + body))}
 
 
 @pytest.mark.parametrize("section", ["timers", "phases"])
@@ -65,15 +65,15 @@ def test_each_must_have_such_a_counter():
     ],
 )  # fmt: skip
 def test_nothing_is_suspected_that_the_counter_may_make_true(body):
-    suspicions = {"limit_longer_than_the_half", "rule_never_fires", "held_robot_makes_no_progress", "robots_never_free"}
+    suspicions = {"limit-too-long", "rule-never-fires", "held_robot_makes_no_progress", "robots_never_free"}
     assert not kinds(body) & suspicions
 
 
 def test_the_counter_is_read_there():
     counted = "rules: {r: {triggers: [{trigger: half_started}], actions: [{action: count, counter: n}]}}\n"
-    assert "counter_never_read" in kinds(counted)
+    assert "never-read" in kinds(counted)
     used = "timers: {a: {lasts_s: {counter: n}, starts: true}}\n"
     assert not any(
-        suspect.kind == "counter_never_read" and "'n'" in str(suspect)
+        suspect.code == "never-read" and "'n'" in str(suspect)
         for suspect in lint(loaded(COUNTERS + used + counted))
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rcj_challenges.scenario.lint.table import lint
+from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load, load_text
 
 HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: %s\nmatch: {half_s: 60}\n"

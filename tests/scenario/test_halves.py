@@ -7,7 +7,6 @@ from rcj_challenges.referee.trials import try_expectation
 from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.halves import half_length_s, half_lengths_s, longest_half_s
-from rcj_challenges.scenario.lint.table import lint
 from rcj_challenges.scenario.load import load
 from tests.scenario.writing import HEAD, complaints, loaded, rule, scenario
 
@@ -124,21 +123,3 @@ def test_a_test_is_no_longer_than_its_own_half():
     assert complaints("match: {halves: 2, half_s: [4, 2]}\n" + TOLD % 3) == [
         "expect.the_second_half.lasts_s: 3 s is longer than a half, 2 s"
     ]
-
-
-def test_a_time_or_a_limit_of_the_longest_half_is_reached():
-    at_8_s = rule("{trigger: time_reached, at_s: 8}", "{action: score, entrant: yellow}", "    says: So.\n")
-    told = lint(loaded("match: {halves: 2, half_s: [5, 9]}\n" + at_8_s))
-    assert [one.kind for one in told] == ["time_not_in_every_half"]
-    assert complaints("match: {halves: 2, half_s: [5, 7]}\n" + at_8_s) == [
-        "rules.r.triggers[0] (time_reached): 8 s is never reached; a half lasts 7 s"
-    ]
-    stays = rule(
-        "{trigger: stays_in, entity: ball, zone: pitch, limit_s: 8}",
-        "{action: score, entrant: yellow}",
-        "    says: So.\n",
-    )
-    kinds = [
-        [one.kind for one in lint(loaded(f"match: {{halves: 2, half_s: [5, {last}]}}\n" + stays))] for last in (9, 7)
-    ]
-    assert kinds == [[], ["limit_longer_than_the_half"]]

@@ -8,7 +8,7 @@ import pytest
 
 from rcj_challenges.cli.expect import run_tests
 from rcj_challenges.scenario.errors import ScenarioError
-from rcj_challenges.scenario.lint.table import lint
+from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load
 
 HEAD = "schema_version: 1\nid: mine\ntitle: Mine\n"
@@ -55,16 +55,16 @@ def test_inherited_tests_that_do_not_fit_are_left_out_and_the_others_stay(mine, 
     loaded = load(mine(change))
     assert list(loaded.scenario.expect) == ["a_ball_in_the_corner_counts"]
     assert list(loaded.left_out) == [REASON]
-    (finding,) = [one for one in lint(loaded) if one.kind == "inherited_test_left_out"]
-    assert REASON in finding.problem.message
-    assert "inherited: null" in finding.remedy
+    (finding,) = [one for one in lint(loaded) if one.code == "inherited-test-left-out"]
+    assert REASON in finding.message
+    assert "inherited: null" in finding.help
 
 
 def test_several_of_them_are_told_in_one_finding(mine):
     loaded = load(mine("zones: {corner: null}\nrules: {scored: null}\nballs: {ball: null}\nmatch: {half_s: 60}\n"))
     assert not loaded.scenario.expect
-    (finding,) = [one for one in lint(loaded) if one.kind == "inherited_test_left_out"]
-    assert "2 tests of" in finding.problem.message
+    (finding,) = [one for one in lint(loaded) if one.code == "inherited-test-left-out"]
+    assert "2 inherited tests" in finding.message
 
 
 def test_a_test_that_its_author_has_changed_is_no_inherited_one(mine):
@@ -80,7 +80,7 @@ def test_all_inherited_tests_are_removed_at_once_and_own_ones_stay(mine, text):
     loaded = load(mine(f"match: {{half_s: 60}}\nexpect: {{{text}}}\n"))
     assert list(loaded.scenario.expect) == ["mine"]
     assert not loaded.left_out
-    assert not [one for one in lint(loaded) if one.kind == "inherited_test_left_out"]
+    assert not [one for one in lint(loaded) if one.code == "inherited-test-left-out"]
 
 
 @pytest.mark.parametrize("section", ["rules", "expect"])
@@ -145,4 +145,4 @@ def test_two_a_side_from_the_shipped_match_needs_no_more_than_its_own_lines(tmp_
     loaded = load(path)
     assert list(loaded.scenario.robots) == ["B1", "B2", "Y1", "Y2"]
     assert loaded.left_out
-    assert {one.kind for one in lint(loaded)} == {"inherited_test_left_out", "text_names_what_is_gone"}
+    assert {one.code for one in lint(loaded)} == {"inherited-test-left-out"}

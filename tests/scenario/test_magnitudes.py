@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rcj_challenges.referee.script import ScriptedPlay
-from rcj_challenges.scenario.lint.table import lint
+from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.views.drawing.field import draw_scenario
 from rcj_challenges.world.world import World
 from tests.scenario.writing import complaints, loaded, rule

@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.scenario.lint.table import lint
+from rcj_challenges.scenario.lint.registry import lint
 from tests.scenario.writing import complaints, kinds, loaded, scenario
 
 SPOTS = "spots: {found: {x_m: 0, y_m: 0.2}, other_one: {x_m: 0.5, y_m: -0.5}}\ngroups: {both: [found, other_one]}\n"
@@ -96,42 +96,12 @@ def test_a_test_decides_a_place_on_a_line_of_one_point():
     assert "found" in complaint
 
 
-def test_a_spot_that_rules_set_and_nothing_reads_is_said():
-    (said,) = (one for one in found(rules(SET)) if one.startswith("spots.found"))
-    assert said.startswith("spots.found: spot 'found' is set and nothing asks where it is; put something there, ")
-
-
-@pytest.mark.parametrize(
-    "action",
-    [
-        "{action: place, entity: Y1, at: {spot: found}}",
-        "{action: place, entity: Y1, at: {nearest_free: both}}",
-        "{action: place, entity: Y1, at: {spot: drawn}}",
-        "{action: place, entity: Y1, at: start, facing: {towards: found}}",
-        "{action: score, entrant: yellow, points: {distance: [ball, found]}}",
-        "{action: set_spot, spot: other_one, to: found}, {action: place, entity: Y1, at: {spot: other_one}}",
-    ],
-)
-def test_one_that_something_reads_is_fine(action):
-    assert "spot_never_read" not in kinds(rules(SET, action, more="draws: {drawn: {values: [found, centre]}}\n"))
-
-
 def test_a_test_that_asks_for_it_is_no_use_of_it():
     test = "expect: {it: {keyframes: [{at_s: 0}], lasts_s: 1, poses: {found: [0, 0]}}}\n"
-    assert "spot_never_read" in kinds(rules(SET) + test)
+    assert "never-read" in kinds(rules(SET) + test)
 
 
 def test_a_spot_that_no_rule_sets_need_not_be_read():
-    assert kinds(rules("{action: end}")) & {"spot_never_read"} == set()
+    assert kinds(rules("{action: end}")) & {"never-read"} == set()
 
 
-FAR = "spots: {found: {x_m: 9, y_m: 9}}\n"
-PUT = "{action: place, entity: [Y1, ball], at: %s}"
-
-
-@pytest.mark.parametrize("at", ["{spot: found}", "{choice: [found]}", "{nearest_free: [found]}"])
-def test_where_a_spot_is_that_rules_set_is_not_known_from_the_file(at):
-    text = "rules:\n  r: {triggers: [{trigger: half_started}], actions: [%s]}\n"
-    still, moved = text % (PUT % at), text % f"{SET}, {PUT % at}"
-    assert {"layout_without_room", "spot_off_the_field"} <= kinds(FAR + still)
-    assert kinds(FAR + moved) & {"layout_without_room", "spot_off_the_field"} == set()

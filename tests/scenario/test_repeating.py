@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from rcj_challenges.referee.trials import try_expectation
 from rcj_challenges.scenario.errors import ScenarioError
-from rcj_challenges.scenario.lint.table import lint
+from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load, load_resolved, load_text
 from rcj_challenges.scenario.models.scenario import MAX_ROWS
 from tests.scenario.writing import HEAD, HEAD_LINES, complaints, loaded, scenario
@@ -301,32 +301,31 @@ class TestMistakes:
 
 
 class TestLint:
-    def test_what_is_found_for_all_names_is_told_once(self):
-        text = PAY + "counters: {n: {}}\n"
-        text = text.replace("actions: [", "actions: [{action: emit, event: PAID, payload: {who: {word: each_name}}}, ")
-        findings = [finding for finding in lint(loaded(text)) if finding.problem.path.startswith("rules")]
+    def test_warning_about_all_rules_of_a_repeated_one_is_reported_once(self):
+        text = PAY.replace("actions: [", "actions: [{action: emit, event: PAID}, ")
+        findings = [finding for finding in lint(loaded(text)) if finding.where.path.startswith("rules")]
         assert findings
-        assert len({(one.problem.line, one.problem.column, one.kind) for one in findings}) == len(findings)
-        assert all(one.problem.path.startswith("rules.pay.") for one in findings)
+        assert len({(one.where.line, one.where.column, one.code) for one in findings}) == len(findings)
+        assert all(one.where.path.startswith("rules.pay.") for one in findings)
 
     def test_a_blank_that_is_misspelt_is_told_what_was_meant(self):
         (finding,) = [
             one
             for one in lint(loaded(GOALS.replace("in the {zone}", "in the {zoen}")))
-            if one.kind == "placeholder_unknown"
+            if one.code == "unknown-placeholder"
         ]
-        assert finding.problem.path == "rules.goal.says"
-        assert finding.problem.message.endswith("did you mean 'zone'?")
-        assert "{limit}, {points}, {this}, {zone}, {others}, {worth}" in finding.remedy
+        assert finding.where.path == "rules.goal.says"
+        assert finding.message.endswith("did you mean 'zone'?")
+        assert finding.help.endswith("limit, points, this, zone, others, worth")
 
     def test_a_param_in_a_value_is_used(self):
         text = GOALS.replace("worth: 3", "worth: {param: goal_points}") + "params: {goal_points: 4}\n"
-        assert not [one for one in lint(loaded(text)) if one.kind == "param_never_used"]
+        assert not [one for one in lint(loaded(text)) if one.code == "never-used"]
 
 
 def test_the_same_scenario_by_hand_has_the_same_findings():
-    by_hand = [(one.kind, one.remedy) for one in lint(loaded(BY_HAND))]
-    assert {kind for kind, _ in by_hand} == {one.kind for one in lint(loaded(GOALS))}
+    by_hand = [(one.code, one.help) for one in lint(loaded(BY_HAND))]
+    assert {kind for kind, _ in by_hand} == {one.code for one in lint(loaded(GOALS))}
 
 
 def test_its_tests_are_run():

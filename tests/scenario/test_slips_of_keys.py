@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.scenario.linting import kinds
+from tests.scenario.linting import codes
 from tests.scenario.writing import complaints, loaded, rule
 
 CONDITION = "    conditions: [%s]\n"
@@ -250,4 +250,4 @@ def test_all_that_is_meant_is_taken():
         "result: {rank: [{counter: c, order: ascending}]}\n"
     )
     assert loaded(body + rule(action="{action: count, counter: c, entity: Y1, by: 3}", rest="    phases: any\n"))
-    assert kinds() == []
+    assert codes() == []

@@ -42,25 +42,8 @@ def test_what_has_no_way_is_refused(written, complaint):
     assert said == complaint
 
 
-def test_two_rules_of_different_ways_never_move_one_thing_at_once():
-    text = "rules:\n" + "".join(
-        f"  r{k}: {{triggers: [{{trigger: half_started}}], conditions: [{{condition: way, entity: Y1, {bound}}}], "
-        f"actions: [{{action: place, entity: ball, at: {{point: [0, 0.{k}]}}}}]}}\n"
-        for k, bound in enumerate(("at_least: 3", "at_most: 2"), start=1)
-    )
-    assert "two_rules_move_one_thing" not in kinds(text)
-    assert "two_rules_move_one_thing" in kinds(text.replace("at_most: 2", "at_most: 4"))
-
-
-def test_a_rule_that_waits_for_a_way_measures_seconds():
-    told = "{action: emit, event: FAR, payload: {way_m: {word: measured}}}"
-    assert "measured_in_another_unit" in kinds(rule(told, trigger=WAITS))
-    paid = "{action: score, entrant: yellow, points: {word: measured}}"
-    assert "measured_in_another_unit" in kinds(rule(paid, trigger=WAITS))
-
-
 def test_a_way_in_the_broadcast_and_a_counter_that_is_a_limit_are_read():
     budget = "counters: {budget: {initial: 2}}\nbroadcast: {fields: {way: {way: Y1}}}\n"
     written = rule(condition="{condition: way, entity: Y1, at_least: {counter: budget}}", more=budget)
-    assert "counter_never_read" not in kinds(written)
+    assert "never-read" not in kinds(written)
     assert scenario(written).broadcast.fields["way"].way == "Y1"

@@ -3,7 +3,7 @@
 import pytest
 
 from rcj_challenges.scenario.errors import ScenarioError
-from rcj_challenges.scenario.lint.table import lint
+from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load_text
 
 HEAD = "schema_version: 1\nid: a\ntitle: A\nextends: soccersim_v2\n"
@@ -33,7 +33,7 @@ def findings(body):
 
 def kinds(body):
     """Return the kinds of what lint finds."""
-    return {one.kind for one in lint(loaded(body))}
+    return {one.code for one in lint(loaded(body))}
 
 
 def problems_of(call, *arguments):

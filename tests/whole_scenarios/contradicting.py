@@ -7,13 +7,13 @@ from collections.abc import Iterator
 
 from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.referee.script import ScriptedPlay
-from rcj_challenges.scenario.lint.table import Finding
+from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.scenario.models.scenario import Scenario
 
-_NEVER_FIRES = frozenset({"rule_never_fires", "each_of_nobody"})
+_NEVER_FIRES = frozenset({"rule-never-fires", "each-of-none"})
 
 
-def contradictions(findings: list[Finding], scenario: Scenario, play: ScriptedPlay) -> Iterator[str]:
+def contradictions(findings: list[Diagnostic], scenario: Scenario, play: ScriptedPlay) -> Iterator[str]:
     """Yield the findings that a play has proved wrong.
 
     Args:
@@ -25,26 +25,22 @@ def contradictions(findings: list[Finding], scenario: Scenario, play: ScriptedPl
     phases, events = {phase for _, phase in play.phases}, {event.name for event in play.events}
     referee = play.referee
     for finding in findings:
-        section, _, rest = finding.problem.path.partition(".")
+        section, _, rest = finding.where.path.partition(".")
         name = re.split(r"[.\[ ]", rest)[0]
         wrong = False
-        match finding.kind:
+        match finding.code:
             case kind if kind in _NEVER_FIRES:
                 wrong = section == "rules" and name in fired and len(scenario.rules[name].triggers) == 1
-            case "phase_never_entered":
+            case "phase-never-entered":
                 wrong = section == "phases" and name in phases
-            case "phase_never_left":
-                wrong = section == "phases" and name in {phase for _, phase in play.phases[:-1]}
-            case "event_never_emitted":
-                told = re.search(r"'([A-Z][A-Z0-9_]*)'", finding.problem.message)
+            case "event-never-emitted":
+                told = re.search(r"'([A-Z][A-Z0-9_]*)'", finding.message)
                 wrong = told is not None and told[1] in events
-            case "counter_never_counted" if abs(scenario.counters[name].initial) <= 1e15:
-                wrong = section == "counters" and _all(referee.counters[name]) != {
-                    on_paper(scenario.counters[name].initial)
-                }
-            case "flag_never_set":
-                wrong = section == "flags" and _all(referee.flags[name]) != {scenario.flags[name].initial}
-            case "no_way_to_score":
+            case "never-written" if section == "counters" and abs(scenario.counters[name].initial) <= 1e15:
+                wrong = _all(referee.counters[name]) != {on_paper(scenario.counters[name].initial)}
+            case "never-written" if section == "flags":
+                wrong = _all(referee.flags[name]) != {scenario.flags[name].initial}
+            case "no-way-to-score":
                 wrong = any(referee.scores.values())
             case _:
                 pass

@@ -22,7 +22,7 @@ from rcj_challenges.scenario.errors import Problem, ScenarioError
 from rcj_challenges.scenario.floor import floor_parts
 from rcj_challenges.scenario.floor_shapes import zone_has_floor
 from rcj_challenges.scenario.json_schema import scenario_schema
-from rcj_challenges.scenario.lint.table import lint
+from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import Loaded, load, load_resolved, load_text
 from rcj_challenges.scenario.reading.yaml_strict import parse_text
 from rcj_challenges.scenario.tree import plain

@@ -1,4 +1,5 @@
-"""Lint: what is legal in a scenario and hardly meant; a file for each thing that is looked at, `table` lists them.
+"""Warnings about valid scenarios that are probably mistakes: a class per check, `registry` lists them.
 
-Belongs here: warnings of `rcj-challenge validate`. Does not belong here: what makes a scenario wrong (`checks`).
+Belongs here: the warnings of `rcj-challenge validate`. Does not belong here: errors (`checks`), and what only playing
+the scenario's tests can show (`rcj-challenge test` lists the rules that no test fires).
 """

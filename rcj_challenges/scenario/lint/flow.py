@@ -1,303 +1,320 @@
-"""Lint of how a match can go: phases, events, rules that never fire, points that nobody can get."""
+"""Checks of phases, events and rules: what never happens, what never stops, what happens to all instead of one."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rcj_challenges.scenario.beginnings import turns
+from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.errors import listing, nearest
-from rcj_challenges.scenario.lint.about import found_by
-from rcj_challenges.scenario.lint.suspect import Subject, Suspect, lives_in
-from rcj_challenges.scenario.models.actions import Emit, Score
-from rcj_challenges.scenario.models.base import Strict
-from rcj_challenges.scenario.models.scenario import Expectation, RankByScore, Rule
+from rcj_challenges.scenario.lint.base import LintRule, Suspicion
+from rcj_challenges.scenario.lint.context import LintContext, is_active_in
+from rcj_challenges.scenario.models.actions import Emit, End, Score, SetPhase
+from rcj_challenges.scenario.models.conditions import HalfIs
+from rcj_challenges.scenario.models.scenario import Expectation, RankByCounter, RankByScore, RankByTime, Rule
 from rcj_challenges.scenario.models.state import WordValue
-from rcj_challenges.scenario.models.triggers import (
-    HalfStarted,
-    Holds,
-    OnEvent,
-    PhaseEntered,
-    SequenceBroken,
-    Trigger,
-)
-from rcj_challenges.scenario.other import names_other
+from rcj_challenges.scenario.models.triggers import HalfStarted, OnEvent, PhaseEntered, SequenceBroken
 from rcj_challenges.scenario.tree import Path, node_at
 from rcj_challenges.scenario.visiting import visit
 
-_OF_EACH = frozenset({"robot_name", "entity_name", "each_name", "team_name", "entrant", "score"})
-"""Context words that speak of the entity for which a rule fires."""
-_IGNORED_BY_DEFAULT = frozenset(Expectation.model_fields["ignore"].default)
-_RANK_OTHERWISE = "rank by a counter in result:", "rank by a time or a counter in result:"
-"""For several entrants, for whom a half ends at the same time, and for one alone."""
 
+class PhaseNeverEntered(LintRule):
+    """A phase that no rule sets and no other phase leads to, or a rule that waits for a change that never comes."""
 
-def check_phases(subject: Subject) -> Iterator[Suspect]:
-    """A phase that is never entered; a rule or a trigger that waits for one."""
-    for name in subject.scenario.phases:
-        if name not in subject.reached:
-            yield Suspect(
-                "phase_never_entered",
-                ("phases", name),
-                f"phase '{name}' is never entered",
-                f"enter it by {{action: set_phase, phase: {name}}} in a rule that can fire, or by 'next' of a phase "
-                "that ends, or remove it",
-                at_key=True,
-            )
-    left = {turn.name: turn.phases for turn in turns(subject.scenario) if not turn.lives}
-    for name, rule in subject.scenario.rules.items():
-        if not subject.can_live(rule):
-            phases = listing(rule.phases)
-            yield Suspect(
-                "rule_never_fires",
-                ("rules", name),
-                f"it lives only in a phase that is never entered: {phases}",
-                "give it a phase that is entered, or phases: any",
-                at_key=True,
-            )
-        else:
-            yield from _waiting_for_phases(name, rule, subject)
-            if name in left:
-                yield _left_before(name, rule, sorted(left[name]))
-
-
-def _left_before(name: str, rule: Rule, entered: list[str]) -> Suspect:
-    """Return that another rule leaves the first phase before a rule has its turn as a half starts."""
-    index = next(index for index, trigger in enumerate(rule.triggers) if isinstance(trigger, HalfStarted))
-    return Suspect(
-        "rule_never_fires",
-        ("rules", name, "triggers", index),
-        f"as a half starts another rule enters {listing(entered)} before it, in which this rule does not live",
-        f"add '{entered[0]}' to its phases, or let it come first: it needs a lower priority",
+    code = "phase-never-entered"
+    message = "{what} is never entered{where}"
+    help = (
+        "enter it by {{action: set_phase, phase: {phase}}} in a rule that can fire, or by 'next' of a phase that ends"
     )
+    at_key = True
+
+    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
+        """Yield phases that cannot be reached, and triggers that wait for a transition that there is not."""
+        for name in ctx.scenario.phases:
+            if name not in ctx.reachable_phases:
+                yield self.at(("phases", name), what=f"phase '{name}'", where="", phase=name)
+        for name, rule in ctx.reachable_rules():
+            for index, trigger in enumerate(rule.triggers):
+                if not isinstance(trigger, PhaseEntered) or not is_active_in(rule, trigger.phase):
+                    continue
+                from_phases = {left for left, entered in ctx.transitions if entered == trigger.phase}
+                path: Path = ("rules", name, "triggers", index)
+                if trigger.from_ is not None and trigger.from_ not in from_phases:
+                    where = f" from '{trigger.from_}'"
+                    yield self.at((*path, "from"), what=f"'{trigger.phase}'", where=where, phase=trigger.phase)
+                elif trigger.from_ is None and not from_phases:
+                    where = " after the start of a half (half_started)"
+                    yield self.at((*path, "phase"), what=f"'{trigger.phase}'", where=where, phase=trigger.phase)
 
 
-def _waiting_for_phases(name: str, rule: Rule, subject: Subject) -> Iterator[Suspect]:
-    for index, trigger in enumerate(rule.triggers):
-        path: Path = ("rules", name, "triggers", index)
-        if isinstance(trigger, HalfStarted) and not lives_in(rule, subject.scenario.first_phase):
-            yield Suspect(
-                "rule_never_fires",
-                path,
-                f"a half starts in phase '{subject.scenario.first_phase}', in which this rule does not live",
-                f"add '{subject.scenario.first_phase}' to its phases",
-            )
-        if not isinstance(trigger, PhaseEntered):
-            continue
-        if not lives_in(rule, trigger.phase):
-            yield Suspect(
-                "rule_never_fires",
-                (*path, "phase"),
-                f"when '{trigger.phase}' is entered this rule does not live: it lives in {listing(rule.phases)}",
-                f"write phases: [{trigger.phase}], or phases: any",
-            )
-        elif trigger.from_ is not None and (trigger.from_, trigger.phase) not in subject.transitions:
-            yield Suspect(
-                "phase_never_entered",
-                (*path, "from"),
-                f"'{trigger.phase}' is never entered from '{trigger.from_}'",
-                "correct 'from', or leave it out",
-            )
-        elif trigger.from_ is None and trigger.phase not in {to for _, to in subject.transitions}:
-            yield Suspect(
-                "phase_never_entered",
-                (*path, "phase"),
-                f"'{trigger.phase}' is never entered after the start of a half",
-                "wait for half_started instead, or enter the phase by set_phase",
-            )
+class RuleNeverFires(LintRule):
+    """A rule that is inactive whenever its trigger comes: its phases are never entered, or are other ones."""
 
+    code = "rule-never-fires"
+    message = "{why}"
+    help = "write phases: [{phase}], or phases: any"
 
-def check_events(subject: Subject) -> Iterator[Suspect]:
-    """An event that is waited for and never emitted; one that is emitted without a sentence."""
-    emitted = {
-        action.event: None for _, rule in subject.standing() for action in rule.actions if isinstance(action, Emit)
-    }
-    for model, path in subject.models:
-        if isinstance(model, OnEvent) and model.event not in emitted:
-            hint = nearest(model.event, emitted)
-            yield Suspect(
-                "event_never_emitted",
-                (*path, "event"),
-                f"event '{model.event}' is waited for and never emitted{hint}",
-                "emit it in a rule that can fire, or correct its name",
-            )
-    yield from _events_of_tests(emitted, subject)
-    for name, rule in subject.scenario.rules.items():
-        if rule.says:
-            continue
-        for index, action in enumerate(rule.actions):
-            if isinstance(action, Emit | Score):
-                what = f"event '{action.event}'" if isinstance(action, Emit) else "a change of the score"
-                yield Suspect(
-                    "event_without_a_sentence",
-                    ("rules", name, "actions", index),
-                    f"{what} comes without a sentence: sheet, log and screen cannot say why",
-                    "add says: to the rule",
-                )
-                break
-
-
-def _events_of_tests(emitted: Mapping[str, None], subject: Subject) -> Iterator[Suspect]:
-    """Events that the author's own tests expect or leave out of the comparison, and that no rule emits."""
-    for name, test in subject.scenario.expect.items():
-        expected = [(("events", index, "event"), event.event) for index, event in enumerate(test.events or ())]
-        ignored = [(("ignore", index), event) for index, event in enumerate(test.ignore)]
-        for verb, keys, event in (
-            *(("expected", keys, event) for keys, event in expected),
-            # Whoever adds to the list that holds by default writes the whole of it.
-            *(("ignored", keys, event) for keys, event in ignored if event not in _IGNORED_BY_DEFAULT),
-        ):
-            path: Path = ("expect", name, *keys)
-            node = node_at(subject.tree, path)
-            if event in emitted or node is None or node.mark.file != subject.tree.mark.file:
+    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
+        """Yield rules that no phase lets fire."""
+        first = ctx.scenario.first_phase
+        for name, rule in ctx.scenario.rules.items():
+            if not ctx.is_reachable(rule):
+                why = f"the rule is active only in phases that are never entered: {listing(rule.phases)}"
+                yield self.at(("rules", name, "phases"), why=why, phase=first)
                 continue
-            yield Suspect(
-                "event_never_emitted",
-                path,
-                f"event '{event}' is {verb} and never emitted{nearest(event, emitted)}",
-                "correct its name, or emit it in a rule that can fire"
-                if verb == "expected"
-                else "correct its name, or leave it out",
-            )
+            for index, trigger in enumerate(rule.triggers):
+                path: Path = ("rules", name, "triggers", index)
+                if isinstance(trigger, HalfStarted) and not is_active_in(rule, first):
+                    why = f"a half starts in phase '{first}', in which this rule is inactive"
+                    yield self.at(path, why=why, phase=first)
+                if isinstance(trigger, PhaseEntered) and not is_active_in(rule, trigger.phase):
+                    why = f"when '{trigger.phase}' is entered this rule is inactive: its phases are "
+                    yield self.at((*path, "phase"), why=why + listing(rule.phases), phase=trigger.phase)
 
 
-def check_rules(subject: Subject) -> Iterator[Suspect]:
-    """Rules for each member of a group that has none, or that do not look at it; sequences that cannot break."""
-    for name, rule in subject.scenario.rules.items():
-        if rule.for_each is not None and not subject.roster.expand(rule.for_each):
-            yield Suspect(
-                "each_of_nobody",
-                ("rules", name, "for_each"),
-                f"'{rule.for_each}' has no members here: the rule never fires",
-                "put something on the field that is in it, or remove the rule",
-            )
-        if rule.for_each is not None and len(subject.roster.expand(rule.for_each)) > 1 and not _names_each(rule):
-            count = len(subject.roster.expand(rule.for_each))
-            yield Suspect(
-                "each_never_named",
-                ("rules", name, "for_each"),
-                f"the rule fires {count} times at once, once for each of '{rule.for_each}', and never names 'each'",
-                f"write {_key_of(rule, subject)}: each where it looks or acts, or leave for_each out",
-            )
-        for index, trigger in enumerate(rule.triggers):
-            sequence = subject.scenario.sequences[trigger.sequence] if isinstance(trigger, SequenceBroken) else None
-            if sequence is not None and sequence.wrong_step == "ignore":
-                yield Suspect(
-                    "sequence_never_breaks",
-                    ("rules", name, "triggers", index, "sequence"),
-                    "wrong steps are ignored by this sequence; it never breaks",
-                    "give it wrong_step: break",
-                )
+class EventNeverEmitted(LintRule):
+    """A rule or a test waits for an event that no rule emits: mostly a misspelt name."""
+
+    code = "event-never-emitted"
+    message = "event '{event}' is never emitted{hint}"
+    help = "correct its name, or emit it in a rule that can fire"
+
+    _DEFAULT_IGNORED = frozenset(Expectation.model_fields["ignore"].default)
+
+    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
+        """Yield triggers, and the author's own tests, with unknown events."""
+        emitted = {action.event: None for _, rule in ctx.reachable_rules() for action in _emits(rule)}
+        for path, event in (*self._awaited(ctx), *self._in_tests(ctx)):
+            if event not in emitted:
+                yield self.at(path, event=event, hint=nearest(event, emitted))
+
+    def _awaited(self, ctx: LintContext) -> Iterator[tuple[Path, str]]:
+        for model, path in ctx.models:
+            if isinstance(model, OnEvent):
+                yield (*path, "event"), model.event
+
+    def _in_tests(self, ctx: LintContext) -> Iterator[tuple[Path, str]]:
+        for name, test in ctx.scenario.expect.items():
+            for index, expected in enumerate(test.events or ()):
+                path: Path = ("expect", name, "events", index, "event")
+                if _is_own_value(ctx, path):
+                    yield path, expected.event
+            for index, event in enumerate(test.ignore):
+                path = ("expect", name, "ignore", index)
+                if event not in self._DEFAULT_IGNORED and _is_own_value(ctx, path):
+                    yield path, event
 
 
-def check_events_of_one(subject: Subject) -> Iterator[Suspect]:
-    """An event of one that every member of ``for_each`` hears: what it does, it does to all of them."""
-    emitters: dict[str, list[Rule]] = {}
-    for _, rule in subject.standing():
-        for action in rule.actions:
-            if isinstance(action, Emit):
-                emitters.setdefault(action.event, []).append(rule)
-    for name, rule in subject.standing():
-        if rule.for_each is None or _names_each(rule.conditions):
-            continue
-        members = subject.members("each", rule)
-        for index, trigger in enumerate(rule.triggers):
-            if not isinstance(trigger, OnEvent) or trigger.entity is not None or len(members) < 2:
+class MissingSays(LintRule):
+    """A rule that scores or emits an event without ``says``: sheet, log and replay cannot give a reason."""
+
+    code = "missing-says"
+    message = "{what} comes without a sentence"
+    help = "add says: to the rule; players read it in the sheet and in the replay"
+
+    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
+        """Yield the first action of each rule that needs a sentence."""
+        for name, rule in ctx.scenario.rules.items():
+            for index, action in enumerate(rule.actions):
+                if not rule.says and isinstance(action, Emit | Score):
+                    what = f"event '{action.event}'" if isinstance(action, Emit) else "a change of the score"
+                    yield self.at(("rules", name, "actions", index), what=what)
+                    break
+
+
+class EachOfNone(LintRule):
+    """``for_each`` over a group without members, such as ``obstacles`` where there are none."""
+
+    code = "each-of-none"
+    message = "'{group}' has no members here: the rule never fires"
+    help = "add something to the field that is in it, or remove the rule"
+
+    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
+        """Yield rules for each member of an empty group."""
+        for name, rule in ctx.scenario.rules.items():
+            if rule.for_each is not None and not ctx.roster.expand(rule.for_each):
+                yield self.at(("rules", name, "for_each"), group=rule.for_each)
+
+
+class EachNeverNamed(LintRule):
+    """``for_each`` without ``each``: whatever the rule does, it does once for every member at the same time."""
+
+    code = "each-never-named"
+    message = "the rule fires {count} times at once, once for each of '{group}', and never names 'each'"
+    help = "write entity: each where it looks or acts, or remove for_each"
+
+    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
+        """Yield rules with for_each that never look at its member."""
+        for name, rule in ctx.scenario.rules.items():
+            count = len(ctx.roster.expand(rule.for_each)) if rule.for_each is not None else 0
+            if count > 1 and not _names_each(rule):
+                yield self.at(("rules", name, "for_each"), group=rule.for_each, count=count)
+
+
+class EachNotInTrigger(LintRule):
+    """A rule for each of a group whose trigger waits for any of that group: it fires for all of them at once."""
+
+    code = "each-not-in-trigger"
+    message = "the trigger waits for any of '{group}', and the rule then fires for all {count} of them"
+    help = "write {key}: each, so that it fires for that one only; or remove for_each and name the group"
+
+    _KEYS = ("entity", "robot", "zone", "gate")
+
+    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
+        """Yield triggers that name the whole group, or events, of a rule whose actions are about each."""
+        for name, rule in ctx.reachable_rules():
+            each = ctx.members(EACH, rule) if rule.for_each is not None else frozenset()
+            if len(each) < 2 or _names_each(rule.conditions) or not _names_each(rule):
                 continue
-            sources = emitters.get(trigger.event, [])
-            if sources and all(_is_about_one_of(members, one, subject) for one in sources):
-                yield Suspect(
-                    "event_heard_by_each",
-                    ("rules", name, "triggers", index),
-                    f"'{trigger.event}' comes from one of '{rule.for_each}', and this rule fires for all "
-                    f"{len(members)} of them, whoever it was",
-                    "write entity: each, so that it fires for that one only, or leave for_each out and name them all",
-                )
+            for index, trigger in enumerate(rule.triggers):
+                path: Path = ("rules", name, "triggers", index)
+                for key in self._KEYS:
+                    names = getattr(trigger, key, None)
+                    if isinstance(names, str | tuple) and not _names_each(trigger) and ctx.members(names, rule) == each:
+                        yield self.at((*path, key), group=rule.for_each, count=len(each), key=key)
 
 
-def _is_about_one_of(members: frozenset[str], rule: Rule, subject: Subject) -> bool:
-    """Return whether the events of a rule are about one of these: it is for each of some, or each trigger finds one."""
-    things = {*subject.roster.things}
-    each = frozenset() if rule.for_each is None else subject.members("each", rule)
-    if each & members or each & things:
-        return bool(each & members)
-    found = [found_by(trigger, rule, subject) & members & things for trigger in rule.triggers]
-    return all(found) and len(frozenset().union(*found)) > 1
+class EventLoop(LintRule):
+    """Rules that trigger each other through events, without anything that stops them.
 
+    An event emitted in one tick is seen in the next. A rule that waits for its own event therefore fires in every tick
+    until the half ends.
+    """
 
-def check_any_for_each(subject: Subject) -> Iterator[Suspect]:
-    """A trigger that waits for any of the group over which its rule goes: the rule fires for all, whoever it was."""
-    for name, rule in subject.standing():
-        each = frozenset() if rule.for_each is None else subject.members("each", rule)
-        # Of a rule that never names `each`, `check_rules` says so.
-        if len(each) < 2 or _names_each(rule.conditions) or not _names_each(rule):
-            continue
-        for index, trigger in enumerate(rule.triggers):
-            key = None if _names_each(trigger) else _key_of_any(trigger, each, rule, subject)
-            if key is None:
+    code = "event-loop"
+    message = "rule '{rule}' triggers itself through event {event}{via}; it will fire every {ticks} ticks"
+    help = "add a condition, cooldown_s or max_executions, or wait for another event"
+    at_key = True
+
+    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
+        """Yield one rule of each loop."""
+        rules = {name: rule for name, rule in ctx.reachable_rules() if not _is_limited(rule)}
+        triggers = {name: self._listeners(rule, rules, ctx) for name, rule in rules.items()}
+        reported: set[str] = set()
+        for name, rule in rules.items():
+            loop = _shortest_loop(name, triggers)
+            if loop is None or reported & set(loop):
                 continue
-            yield Suspect(
-                "any_heard_by_each",
-                ("rules", name, "triggers", index, *(("condition",) if isinstance(trigger, Holds) else ()), key),
-                f"it waits for any of '{rule.for_each}', and fires for all {len(each)} of them, whoever it was",
-                f"write {key}: each, so that it fires for that one only, or leave for_each out and name them all",
+            reported.update(loop)
+            awaited = {trigger.event for trigger in rule.triggers if isinstance(trigger, OnEvent)}
+            event = next(action.event for action in _emits(rules[loop[-1]]) if action.event in awaited)
+            via = f" via {listing([repr(one) for one in loop[1:]])}" if len(loop) > 1 else ""
+            yield self.at(("rules", name), rule=name, event=event, via=via, ticks=len(loop))
+
+    @staticmethod
+    def _listeners(rule: Rule, rules: Mapping[str, Rule], ctx: LintContext) -> list[str]:
+        """Return the rules that every event of a rule triggers, in a phase in which both are active."""
+        emitted = {action.event for action in _emits(rule)}
+        return [
+            name
+            for name, other in rules.items()
+            if any(
+                isinstance(trigger, OnEvent) and trigger.event in emitted and trigger.entity is None
+                for trigger in other.triggers
             )
+            and any(is_active_in(rule, phase) and is_active_in(other, phase) for phase in ctx.reachable_phases)
+        ]
 
 
-_WHO = ("entity", "robot", "zone", "gate", "other")
-"""Under these keys a trigger says who or what it waits for."""
+class SequenceNeverBreaks(LintRule):
+    """``sequence_broken`` of a sequence that ignores wrong steps."""
+
+    code = "sequence-never-breaks"
+    message = "sequence '{sequence}' ignores wrong steps: it never breaks"
+    help = "give the sequence wrong_step: break"
+
+    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
+        """Yield triggers that never fire."""
+        for model, path in ctx.models:
+            if isinstance(model, SequenceBroken) and ctx.scenario.sequences[model.sequence].wrong_step == "ignore":
+                yield self.at((*path, "sequence"), sequence=model.sequence)
 
 
-def _key_of_any(trigger: Trigger, each: frozenset[str], rule: Rule, subject: Subject) -> str | None:
-    """Return under which key a trigger waits for any of those over which its rule goes; None: under none."""
-    part: Strict = trigger
-    if isinstance(trigger, Holds):
-        part = trigger.condition
-        if getattr(part, "of", None) != "any" or getattr(part, "negate", False):
-            return None  # true of all of them, or of none: it is about nobody in particular
-    for key in _WHO:
-        names = getattr(part, key, None)
-        # Who asks or does something about the other one has thought of both.
-        if key == "other" and names_other(rule, subject.scenario):
-            continue
-        if isinstance(names, str | tuple) and subject.members(names, rule) == each:
-            return key
+class NoWayToScore(LintRule):
+    """The score decides, and no rule that can fire gives points."""
+
+    code = "no-way-to-score"
+    message = "no rule that can fire gives points, and the score decides"
+    help = "add {{action: score, …}} to a rule, or rank by a counter or a time in result:"
+    at_key = True
+
+    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
+        """Yield the section of rules."""
+        by_score = isinstance(ctx.scenario.result.rank[0], RankByScore)
+        if by_score and not any(isinstance(one, Score) for _, rule in ctx.reachable_rules() for one in rule.actions):
+            yield self.at(("rules",))
+
+
+class CriterionAlwaysEqual(LintRule):
+    """``result`` ranks several entrants by what is one number for all of them."""
+
+    code = "criterion-always-equal"
+    message = "{what} is the same for every entrant"
+    help = "rank by a counter that is kept {{per: robots}}, or remove the criterion"
+
+    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
+        """Yield criteria that distinguish no entrants."""
+        if len(ctx.scenario.entrants) < 2:
+            return
+        for index, criterion in enumerate(ctx.scenario.result.rank):
+            if isinstance(criterion, RankByCounter) and ctx.scenario.counters[criterion.counter].per is None:
+                yield self.at(("result", "rank", index), what=f"counter '{criterion.counter}', which is not kept per,")
+            if isinstance(criterion, RankByTime) and not criterion.plus:
+                yield self.at(("result", "rank", index), what="the time at which a half ends")
+
+
+class HalfNeverPlayed(LintRule):
+    """A condition on a half beyond ``match.halves``."""
+
+    code = "half-never-played"
+    message = "the match has {halves} halves: the condition {holds} holds"
+    help = "correct the number of the half, or raise match.halves"
+
+    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
+        """Yield such conditions."""
+        halves = ctx.scenario.match.halves
+        for model, path in ctx.models:
+            if isinstance(model, HalfIs) and (model.equals or model.at_least or 1) > halves:
+                yield self.at(path, halves=halves, holds="always" if model.negate else "never")
+
+
+def _emits(rule: Rule) -> list[Emit]:
+    return [action for action in rule.actions if isinstance(action, Emit)]
+
+
+def _is_own_value(ctx: LintContext, path: Path) -> bool:
+    node = node_at(ctx.tree, path)
+    return node is not None and node.mark.file == ctx.tree.mark.file
+
+
+def _is_limited(rule: Rule) -> bool:
+    """Return whether something may keep a rule from firing again."""
+    limited = rule.conditions or rule.cooldown_s is not None or rule.max_executions is not None
+    return bool(limited) or any(isinstance(action, SetPhase | End) for action in rule.actions)
+
+
+def _shortest_loop(name: str, triggers: Mapping[str, list[str]]) -> list[str] | None:
+    """Return the shortest path from a rule back to itself, the rule first; None if there is none."""
+    paths, seen = [[name]], {name}
+    for path in paths:
+        for following in triggers[path[-1]]:
+            if following == name:
+                return path
+            if following not in seen:
+                seen.add(following)
+                paths.append([*path, following])
     return None
 
 
-def _key_of(rule: Rule, subject: Subject) -> str:
-    """Return under which key the members of ``for_each`` are named: of events all of them are called entity."""
-    if all(isinstance(trigger, OnEvent) for trigger in rule.triggers):
-        return "entity"
-    (first, *_), scenario = sorted(subject.members("each", rule)), subject.scenario
-    return "gate" if first in scenario.gates else "zone" if first in scenario.zones else "entity"
+_WORDS_OF_EACH = frozenset({"robot_name", "entity_name", "each_name", "team_name", "entrant", "score"})
 
 
 def _names_each(part: object) -> bool:
-    """Return whether a rule, or a part of one, names ``each`` or tells of it."""
+    """Return whether a rule, or a part of one, names ``each`` or prints its name."""
     for model, _ in visit(part):
-        if isinstance(model, WordValue) and model.word in _OF_EACH and model.of is None:
+        if isinstance(model, WordValue) and model.word in _WORDS_OF_EACH and model.of is None:
             return True
         for field in type(model).model_fields:
             value = getattr(model, field)
-            if value == "each" or (isinstance(value, tuple) and "each" in value):
+            if value == EACH or (isinstance(value, tuple) and EACH in value):
                 return True
     return False
-
-
-def check_scoring(subject: Subject) -> Iterator[Suspect]:
-    """No way to score, although scores decide."""
-    rank = subject.scenario.result.rank
-    if not isinstance(rank[0], RankByScore):
-        return
-    if any(isinstance(action, Score) for _, rule in subject.standing() for action in rule.actions):
-        return
-    others = any(not isinstance(criterion, RankByScore) for criterion in rank)
-    alone = len(subject.scenario.entrants) == 1
-    yield Suspect(
-        "no_way_to_score",
-        ("rules",),
-        "no rule that can fire gives points, and the score decides" + (" first" if others else ""),
-        "add {action: score, …} to a rule, or "
-        + ("leave 'score' out of result:, so that what follows it decides" if others else _RANK_OTHERWISE[alone]),
-        at_key=True,
-    )

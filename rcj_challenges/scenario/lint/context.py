@@ -1,4 +1,4 @@
-"""What lint looks at, and what it finds: shared by its checks."""
+"""What lint checks look at: the scenario, its names, where each is used, and which phases can be reached."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from rcj_challenges.scenario.errors import Problem
+from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.models.actions import Place, Remove, SetPhase
 from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
@@ -16,61 +17,56 @@ from rcj_challenges.scenario.models.state import CounterValue, DrawnDuration, Dr
 from rcj_challenges.scenario.other import meant_in
 from rcj_challenges.scenario.reading.merge import Repeated
 from rcj_challenges.scenario.references import REFERENCES, Field, Reference
-from rcj_challenges.scenario.roster import Roster, row_of
-from rcj_challenges.scenario.tree import Entries, Leaf, Mark, Path
+from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.tree import Entries, Path, file_of
 from rcj_challenges.scenario.visiting import visit
 
 
-class Suspect(NamedTuple):
-    """Something that is legal and hardly meant.
-
-    Attributes:
-        kind: the check's word for it.
-        path: where it is.
-        reason: why it is suspicious.
-        remedy: what to do.
-        at_key: whether the key is meant, not its value.
-    """
-
-    kind: str
-    path: Path
-    reason: str
-    remedy: str
-    at_key: bool = False
-
-
 class Use(NamedTuple):
-    """A place where something is named."""
+    """A place where something that is defined elsewhere is named."""
 
     model: type[Strict]
     path: Path
     name: str
     reference: Reference
 
+    @property
+    def is_on_field(self) -> bool:
+        """Whether it names an entity, a zone, a gate, a spot, or a group."""
+        return isinstance(self.reference, Field)
+
 
 @dataclass
-class Subject:
-    """A scenario under the lens.
+class LintContext:
+    """A scenario with what checks ask about it, computed once.
 
     Attributes:
         scenario: the models, all references checked.
         roster: names to indices.
         tree: the scenario as it was written.
         left_out: inherited tests that do not fit it, with what is wrong with each.
-        removed: where entries of a base were removed.
-        replaced: what params that are set anew were in the base.
         repeated: where each rule comes from that is one of a repeated one.
-        overridden: the entries of sections that the base has as well, by section and name.
+        overridden: the entries of sections that the base has too, by section and name.
     """
 
     scenario: Scenario
     roster: Roster
     tree: Entries
     left_out: Mapping[str, Problem] = field(default_factory=dict)
-    removed: Mapping[Path, Mark] = field(default_factory=dict)
-    replaced: Mapping[str, Leaf] = field(default_factory=dict)
     repeated: Mapping[str, Repeated] = field(default_factory=dict)
     overridden: AbstractSet[Path] = frozenset()
+
+    @classmethod
+    def of(cls, loaded: Loaded) -> LintContext:
+        """Return the context of a loaded scenario.
+
+        Raises:
+            ValueError: it was not loaded from a file or a text, so that nothing has a position.
+        """
+        if loaded.written is None:
+            message = "lint needs a scenario that was loaded from a file or a text"
+            raise ValueError(message)
+        return cls(loaded.scenario, loaded.roster, loaded.written, loaded.left_out, loaded.repeated, loaded.overridden)
 
     @cached_property
     def models(self) -> list[tuple[Strict, Path]]:
@@ -92,7 +88,7 @@ class Subject:
 
     @cached_property
     def transitions(self) -> frozenset[tuple[str, str]]:
-        """From which phase which other may be entered, as far as phases can be reached at all."""
+        """Pairs of phases of which the second may follow the first, as far as phases can be reached at all."""
         scenario = self.scenario
         edges: set[tuple[str, str]] = set()
         reached = {scenario.first_phase}
@@ -102,7 +98,7 @@ class Subject:
             model = scenario.phases.get(here)
             onward = [model.next] if model is not None and model.lasts_s is not None else []
             for rule in scenario.rules.values():
-                if lives_in(rule, here):
+                if is_active_in(rule, here):
                     onward += [action.phase for action in rule.actions if isinstance(action, SetPhase)]
             for phase in onward:
                 edges.add((here, phase))
@@ -112,40 +108,27 @@ class Subject:
         return frozenset(edges)
 
     @cached_property
-    def reached(self) -> frozenset[str]:
+    def reachable_phases(self) -> frozenset[str]:
         """The phases that can ever be entered."""
         return frozenset({self.scenario.first_phase, *(to for _, to in self.transitions)})
 
-    def can_live(self, rule: Rule) -> bool:
-        """Return whether a rule lives in a phase that can be entered."""
-        return any(lives_in(rule, phase) for phase in self.reached)
+    def is_reachable(self, rule: Rule) -> bool:
+        """Return whether a rule is active in a phase that can be entered."""
+        return any(is_active_in(rule, phase) for phase in self.reachable_phases)
 
-    def standing(self) -> Iterator[tuple[str, Rule]]:
+    def reachable_rules(self) -> Iterator[tuple[str, Rule]]:
         """Yield the rules that can fire as far as phases go."""
-        return ((name, rule) for name, rule in self.scenario.rules.items() if self.can_live(rule))
+        return ((name, rule) for name, rule in self.scenario.rules.items() if self.is_reachable(rule))
 
     def members(self, names: str | tuple[str, ...], rule: Rule) -> frozenset[str]:
-        """Return what names in a rule may stand for; ``each``, ``other`` and draws are any that they may ever be."""
+        """Return what names in a rule may stand for: of ``each``, ``other`` and draws all that they may ever be."""
         return meant_in(names, rule, self.roster)
 
-    def surely(self, names: str | tuple[str, ...], rule: Rule) -> frozenset[str]:
-        """Return the same without what only a draw's name may stand for."""
-        return self.members(tuple(name for name in row_of(names) if name not in self.roster.drawn), rule)
-
     def moved(self, rule: Rule) -> frozenset[str]:
-        """Return the entities that a rule may put elsewhere or take off."""
-        return self.put(rule) | self.taken_off(rule)
-
-    def taken_off(self, rule: Rule) -> frozenset[str]:
-        """Return the entities that a rule may take off the field."""
-        removals = (action for action in rule.actions if isinstance(action, Remove))
-        return frozenset(name for action in removals for name in self.members(action.entity, rule))
-
-    def put(self, rule: Rule) -> frozenset[str]:
-        """Return the entities that a rule may put elsewhere."""
+        """Return the entities that a rule may place or remove."""
         moved: set[str] = set()
         for action in rule.actions:
-            if isinstance(action, Place) and action.entity is not None:
+            if isinstance(action, Place | Remove) and action.entity is not None:
                 moved |= self.members(action.entity, rule)
             if isinstance(action, Place) and action.layout is not None:
                 for layout in layouts_of(action.layout, self.scenario):
@@ -153,30 +136,31 @@ class Subject:
                         moved |= self.members(placing.entity, rule)
         return frozenset(moved)
 
+    def is_own(self, section: str, name: str) -> bool:
+        """Return whether an entry of a section stands in the author's own file, not in a base."""
+        return file_of(self.tree, section, name) == self.tree.mark.file
+
 
 def layouts_of(layout: str | DrawValue, scenario: Scenario) -> tuple[str, ...]:
-    """Return the layouts that an action may place: the one that it names, or all that a draw may decide."""
+    """Return the layouts that an action may place: the one that it names, or all that a draw may select."""
     if isinstance(layout, str):
         return (layout,)
     draw = scenario.draws.get(layout.draw)
     return tuple(str(value) for value in draw.values) if draw is not None else ()
 
 
-def lives_in(rule: Rule, phase: str) -> bool:
-    """Return whether a rule lives in a phase."""
+def is_active_in(rule: Rule, phase: str) -> bool:
+    """Return whether a rule is active in a phase."""
     return rule.phases == "any" or phase in rule.phases
 
 
-def lengths_s(lasts_s: float | DrawnDuration | CounterValue, scenario: Scenario) -> tuple[float, ...]:
-    """Return how long something may last, in s: one duration, or all that a draw may decide.
-
-    Of a counter nobody knows: none.
-    """
+def longest_s(lasts_s: float | DrawnDuration | CounterValue, scenario: Scenario) -> float | None:
+    """Return how long something lasts at most, in s; None if a counter decides."""
     if isinstance(lasts_s, CounterValue):
-        return ()
+        return None
     if isinstance(lasts_s, DrawnDuration):
-        return tuple(float(value) for value in scenario.draws[lasts_s.draw].values)
-    return (lasts_s,)
+        return max(float(value) for value in scenario.draws[lasts_s.draw].values)
+    return lasts_s
 
 
 def _names(value: Any, reference: Reference) -> Iterator[str]:
@@ -187,8 +171,3 @@ def _names(value: Any, reference: Reference) -> Iterator[str]:
     elif isinstance(value, tuple):
         for part in value:
             yield from _names(part, reference)
-
-
-def on_field(use: Use) -> bool:
-    """Return whether a use names something on the field: an entity, a zone, a gate, a spot, or a group."""
-    return isinstance(use.reference, Field)

@@ -1,0 +1,53 @@
+"""The form of a check."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import ClassVar, NamedTuple
+
+from rcj_challenges.scenario.lint.context import LintContext
+from rcj_challenges.scenario.tree import Path
+
+
+class Suspicion(NamedTuple):
+    """One place that a check reports, before its position in the file is looked up.
+
+    Attributes:
+        code: of the check.
+        path: where it is.
+        message: why it is suspicious.
+        help: what to do.
+        at_key: whether the key is reported, not its value.
+    """
+
+    code: str
+    path: Path
+    message: str
+    help: str
+    at_key: bool
+
+
+class LintRule:
+    """A check. Its docstring is the page of its code; ``message`` and ``help`` are filled in where it reports.
+
+    Attributes:
+        code: stable over versions, lower case with hyphens.
+        message: what is suspicious, a template.
+        help: what to do, a template.
+        at_key: whether the key is reported, not its value.
+    """
+
+    code: ClassVar[str]
+    message: ClassVar[str]
+    help: ClassVar[str]
+    at_key: ClassVar[bool] = False
+
+    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
+        """Yield what is suspicious."""
+        raise NotImplementedError
+
+    def at(self, path: Path, *, help: str = "", **values: object) -> Suspicion:  # noqa: A002 - as it is printed
+        """Return a suspicion at a path, with the templates filled in; ``help`` replaces the check's own."""
+        return Suspicion(
+            self.code, path, self.message.format(**values), (help or self.help).format(**values), self.at_key
+        )
