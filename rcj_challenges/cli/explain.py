@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import sys
 from difflib import get_close_matches
 
 from rcj_challenges.cli.validate import say
@@ -15,8 +16,6 @@ def explain(code: str | None) -> int:
     Raises:
         DiagnosticError: there is no such code.
     """
-    import sys
-
     pages = code_pages()
     if code is None:
         width = max(map(len, pages))
@@ -37,6 +36,8 @@ def code_pages() -> dict[str, str]:
     """Return the page of each code: what it means, its message and its help."""
     from rcj_challenges.scenario.lint.registry import LINT_RULES
 
-    return {
-        rule.code: f"{inspect.getdoc(type(rule))}\n\nwarning: {rule.message}\nhelp: {rule.help}" for rule in LINT_RULES
-    }
+    pages = {}
+    for rule in LINT_RULES:
+        texts = f"warning: {rule.message}\nhelp: {rule.help}".replace("{{", "{").replace("}}", "}")
+        pages[rule.code] = f"{inspect.getdoc(type(rule))}\n\n{texts}"
+    return pages

@@ -8,7 +8,6 @@ from math import cos, hypot, pi, sin
 
 from rcj_challenges.scenario.floor import Corners
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
-from rcj_challenges.scenario.outlines import Part
 from rcj_challenges.scenario.polygons import Point, distance_to_segment_m, side
 
 _FAR_M = 100.0
@@ -58,16 +57,6 @@ def zone_corners(zone: Zone) -> Corners:
 def _ring(centre: Point, radius_m: float, count: int) -> Corners:
     turns = (2 * pi * i / count for i in range(count))
     return tuple((centre[0] + radius_m * cos(turn), centre[1] + radius_m * sin(turn)) for turn in turns)
-
-
-def corners_of(part: Part) -> Corners:
-    """Return the corners of a convex part of a body, counter-clockwise; of a round one a few of its points."""
-    return _ring(part.points[0], part.radius_m, _DISC_CORNERS) if part.radius_m else part.points
-
-
-def share_in(corners: Corners, window: Corners) -> float:
-    """Return which share of a convex polygon's area is in another one; both go counter-clockwise."""
-    return _area(_clipped(corners, window)) / _area(corners)
 
 
 def _clipped(subject: Corners, window: Corners) -> Corners:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from rcj_challenges.facts.messages import READS, is_said, message_text
+from rcj_challenges.facts.messages import READS, is_said
 from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.conditions import Message, Told
-from rcj_challenges.scenario.models.robots import SupervisorReceiverDevice, TeamEmitterDevice
+from rcj_challenges.scenario.models.robots import TeamEmitterDevice
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import DrawValue, ToldValue
 from rcj_challenges.scenario.models.triggers import Tells
@@ -35,11 +35,6 @@ def robots_that_speak(scenario: Scenario) -> list[str]:
     ]
 
 
-def has_channel(scenario: Scenario) -> bool:
-    """Return whether the referee has a channel at all: it hears on those on which it could speak to somebody."""
-    return any(isinstance(model, SupervisorReceiverDevice) for model, _ in visit((scenario.kits, scenario.robots)))
-
-
 def wanted(message: Message, scenario: Scenario) -> tuple[Scalar, ...] | None:
     """Return what a message must say, one of these; None: anything."""
     if isinstance(message.text, DrawValue):
@@ -56,9 +51,3 @@ def fits(said: Scalar, message: Message, scenario: Scenario) -> bool:
 def as_said(said: Scalar) -> str:
     """Return how a robot says a value."""
     return str(said).lower() if isinstance(said, bool) else str(said)
-
-
-def can_be_heard(said: Scalar) -> bool:
-    """Return whether a value can be what a message says: without odd blanks, and no number beyond all bounds."""
-    text = as_said(said)
-    return is_said(message_text(text.encode()), said)

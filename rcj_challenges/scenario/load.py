@@ -28,7 +28,7 @@ from rcj_challenges.scenario.reading.params import apply_overrides, resolve_para
 from rcj_challenges.scenario.reading.repeating import repeat_rules, told_once
 from rcj_challenges.scenario.resources import presets_folder
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.tree import RESOLVED, Entries, Leaf, Mark, Step, plain
+from rcj_challenges.scenario.tree import RESOLVED, Entries, Mark, Step, plain
 
 
 @dataclass(frozen=True)
@@ -45,8 +45,6 @@ class Loaded:
         written: the merged tree with the place of each value in its file, for lint; None if there is no such place.
         bases: the files that it extends, the nearest first; presets are not among them.
         left_out: inherited tests that do not fit this scenario, by name, with what is wrong with each.
-        removed: where entries of a base were removed, for lint.
-        replaced: what params that are set anew were in the base, for lint.
         repeated: where each rule comes from that is one of a repeated one, for lint.
         overridden: the entries of sections that a base has as well, by section and name, for lint.
     """
@@ -59,8 +57,6 @@ class Loaded:
     written: Entries | None = field(default=None, repr=False, compare=False)
     bases: tuple[Path, ...] = field(default=(), repr=False, compare=False)
     left_out: Mapping[str, Problem] = field(default_factory=dict, repr=False, compare=False)
-    removed: Mapping[tuple[Step, ...], Mark] = field(default_factory=dict, repr=False, compare=False)
-    replaced: Mapping[str, Leaf] = field(default_factory=dict, repr=False, compare=False)
     repeated: Mapping[str, Repeated] = field(default_factory=dict, repr=False, compare=False)
     overridden: AbstractSet[tuple[Step, ...]] = field(default=frozenset(), repr=False, compare=False)
 
@@ -150,7 +146,7 @@ def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None
     resolve_params(tree, merger)
     fill_in_devices(tree)
     scenario, left_out = _checked_but_inherited_tests(tree, merger, {part.shown for part in chain[:-1]})
-    changes = merger.removed, merger.replaced, merger.repeated, merger.overridden
+    changes = merger.repeated, merger.overridden
     return Loaded(scenario, Roster.of(scenario), name, path, dumped(scenario), tree, bases, left_out, *changes)
 
 

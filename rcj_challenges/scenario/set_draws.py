@@ -28,17 +28,6 @@ def set_from_the_start(scenario: Scenario) -> frozenset[str]:
     return frozenset(setting - drawn - (_asked_at_the_start(scenario) if setting else set()))
 
 
-def drawn_from_the_start(scenario: Scenario) -> frozenset[str]:
-    """Return the draws that rules draw anew as each half starts, before anything asked what was drawn first."""
-    drawing = {
-        action.draw
-        for name in starting_each_half(scenario)
-        for action in scenario.rules[name].actions
-        if isinstance(action, DrawAction) and action.as_ is None
-    }
-    return frozenset(drawing - (_asked_at_the_start(scenario) if drawing else set()))
-
-
 def _hears_the_start(rule: Rule) -> bool:
     return any(one.trigger == "half_started" for one in rule.triggers)
 

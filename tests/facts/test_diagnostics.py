@@ -52,6 +52,7 @@ def test_control_characters_of_strangers_are_printed_as_escapes_and_stay_in_the_
 def test_a_diagnostic_is_data_with_the_same_fields():
     data = json.loads(json.dumps(UNKNOWN_ZONE.to_json()))
     assert data == {
+        "severity": "error",
         "code": "unknown-zone",
         "message": "unknown zone 'blue_gaol'",
         "help": "did you mean 'blue_goal'?",

@@ -74,6 +74,5 @@ def test_the_counter_is_read_there():
     assert "never-read" in kinds(counted)
     used = "timers: {a: {lasts_s: {counter: n}, starts: true}}\n"
     assert not any(
-        suspect.code == "never-read" and "'n'" in str(suspect)
-        for suspect in lint(loaded(COUNTERS + used + counted))
+        suspect.code == "never-read" and "'n'" in str(suspect) for suspect in lint(loaded(COUNTERS + used + counted))
     )

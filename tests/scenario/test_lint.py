@@ -40,9 +40,7 @@ def test_warning_has_code_position_message_and_help():
 
 
 def test_warnings_come_in_the_order_of_the_file():
-    lines = [
-        one.where.line for one in lint_of("phases: {pause: {}}", "counters: {a: {}}", "draws: {b: {values: [1]}}")
-    ]
+    lines = [one.where.line for one in lint_of("phases: {pause: {}}", "counters: {a: {}}", "draws: {b: {values: [1]}}")]
     assert lines == sorted(lines)
     assert len(lines) == 3
 

@@ -103,5 +103,3 @@ def test_a_test_that_asks_for_it_is_no_use_of_it():
 
 def test_a_spot_that_no_rule_sets_need_not_be_read():
     assert kinds(rules("{action: end}")) & {"never-read"} == set()
-
-

@@ -302,7 +302,7 @@ class TestMistakes:
 
 class TestLint:
     def test_warning_about_all_rules_of_a_repeated_one_is_reported_once(self):
-        text = PAY.replace("actions: [", "actions: [{action: emit, event: PAID}, ")
+        text = PAY.replace("One point for {this}.", "{oops}")
         findings = [finding for finding in lint(loaded(text)) if finding.where.path.startswith("rules")]
         assert findings
         assert len({(one.where.line, one.where.column, one.code) for one in findings}) == len(findings)

@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterator
 
 from rcj_challenges.facts.amounts import on_paper
-from rcj_challenges.referee.script import ScriptedPlay
 from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.referee.script import ScriptedPlay
 from rcj_challenges.scenario.models.scenario import Scenario
 
 _NEVER_FIRES = frozenset({"rule-never-fires", "each-of-none"})

@@ -64,11 +64,18 @@ def lint(loaded: Loaded) -> list[Diagnostic]:
             problem = mark.problem(shown_path(tree, suspicion.path), suspicion.message + note)
             found.append((problem, suspicion.code, suspicion.help))
     # What holds for several rules that came of one repeated rule is reported once, of that one.
-    problems = alike((problem for problem, *_ in found), loaded.repeated)
-    unique = dict.fromkeys((problem, *rest) for problem, (_, *rest) in zip(problems, found, strict=True))
+    problems = alike((problem for problem, _, _ in found), loaded.repeated)
+    unique = {(problem, code, help_) for problem, (_, code, help_) in zip(problems, found, strict=True)}
     own = tree.mark.file
-    in_order = sorted(unique, key=lambda one: (one[0].file != own, one[0].file, one[0].line, one[0].column, one[1]))
     return [
-        Diagnostic(code, problem.message, help_, InFile(problem.file, problem.line or None, problem.column or None, problem.path), "warning")
-        for problem, code, help_ in in_order
+        Diagnostic(code, problem.message, help_, _place(problem), "warning")
+        for problem, code, help_ in sorted(unique, key=lambda one: _order(one[0], own) + one[1:])
     ]
+
+
+def _order(problem: Problem, own_file: str) -> tuple[bool, str, int, int, str]:
+    return problem.file != own_file, problem.file, problem.line, problem.column, problem.path
+
+
+def _place(problem: Problem) -> InFile:
+    return InFile(problem.file, problem.line or None, problem.column or None, problem.path)

@@ -55,14 +55,12 @@ class Merger:
     Attributes:
         problems: what was found.
         removed: where each entry was removed, by section and name path.
-        replaced: the value that a param had in the base, by its name.
         overridden: the entries of sections that the base has as well, by section and name.
         repeated: where each rule comes from that is one of a repeated one.
     """
 
     problems: list[Problem] = field(default_factory=list)
     removed: dict[Path, Mark] = field(default_factory=dict)
-    replaced: dict[str, Leaf] = field(default_factory=dict)
     overridden: set[Path] = field(default_factory=set)
     repeated: dict[str, Repeated] = field(default_factory=dict)
 
@@ -84,8 +82,6 @@ class Merger:
             self._null(base, key, node, key_mark, shape, path)
             return
         before = base.entries.get(key)
-        if path == ("params",) and isinstance(before, Leaf):
-            self.replaced[key] = before
         if len(path) == 1 and before is not None:
             self.overridden.add(here)
         if isinstance(node, Leaf):

@@ -1,0 +1,32 @@
+"""``explain``: each code has a page."""
+
+import pytest
+from typer.testing import CliRunner
+
+from rcj_challenges.cli.app import app
+from rcj_challenges.cli.explain import explain
+from rcj_challenges.facts.diagnostics import DiagnosticError
+
+
+def call(*arguments: str):
+    return CliRunner().invoke(app, arguments)
+
+
+def test_page_of_a_code_has_its_meaning_and_its_help():
+    done = call("explain", "event-loop")
+    assert done.exit_code == 0
+    assert done.stdout.startswith("event-loop\n\nRules that trigger each other")
+    assert "help: add a condition" in done.stdout
+
+
+def test_all_codes_are_listed():
+    done = call("explain")
+    assert "each-never-named " in done.stdout
+
+
+def test_unknown_code_names_the_nearest():
+    with pytest.raises(DiagnosticError) as caught:
+        explain("event-lop")
+    (diagnostic,) = caught.value.diagnostics
+    assert diagnostic.code == "unknown-code"
+    assert "'event-loop'" in diagnostic.help
