@@ -169,9 +169,8 @@ def check_reading(text: str, loaded: Loaded) -> None:
         if findings != list(map(str, lint(loaded))):
             raise BrokenPromiseError("lint says something else the second time", text)
         for one in findings:
-            if not re.match(r"\S+:\d+:\d+: warning: .+ \[[a-z_]+\]$", one) or _OURS.search(
-                re.sub(r"'[^']*'", "''", one)
-            ):
+            form = r"warning\[[a-z-]+\]: .+\n  --> \S+:\d+:\d+.*\nhelp: .+$"
+            if not re.match(form, one) or _OURS.search(re.sub(r"'[^']*'", "''", one)):
                 raise BrokenPromiseError(f"no readable finding: {one}", text)
     with promised("draw", text):
         check_drawing(text, loaded)
