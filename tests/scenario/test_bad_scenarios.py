@@ -1,4 +1,4 @@
-"""Every mistake an author would make has its message in a golden file beside it.
+"""Every mistake an author would make is in a table with its error.
 
 After a deliberate change of wording: ``UPDATE_EXPECTED=1 pytest tests/scenario/test_bad_scenarios.py``, then read the
 difference.
@@ -15,8 +15,8 @@ from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES
 
-FOLDER = Path(__file__).resolve().parent.parent / "bad_scenarios"
-BAD = sorted(path.name for path in FOLDER.glob("*.yaml"))
+TABLE = Path(__file__).with_name("bad_scenarios.yaml")
+BASES, MISTAKES = yaml.safe_load(TABLE.read_text(encoding="utf-8")).values()
 
 
 def complaint(path, overrides=()):
@@ -27,35 +27,55 @@ def complaint(path, overrides=()):
 
 def portable(text):
     """The wording of syntax errors is the parser's own; without libyaml PyYAML words them otherwise."""
-    return text if yaml.__with_libyaml__ else re.sub(r":\d+:\d+: not valid YAML.*", ": not valid YAML", text)
+    return text if yaml.__with_libyaml__ else re.sub(r"(^|:)\d+:\d+: not valid YAML.*", ": not valid YAML", text)
 
 
-@pytest.mark.parametrize("name", BAD)
-def test_a_wrong_scenario_is_refused_with_the_message_beside_it(name, monkeypatch):
-    monkeypatch.chdir(FOLDER)
-    golden = FOLDER / name.replace(".yaml", ".expected.txt")
-    found = complaint(name) + "\n"
+@pytest.fixture
+def error_of(tmp_path, monkeypatch):
+    """Return the error of a scenario that is written beside the bases, without its own file's name."""
+    (tmp_path / "bases").mkdir()
+    for name, text in BASES.items():
+        (tmp_path / "bases" / f"{name}.yaml").write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+
+    def error(text: str | bytes) -> str:
+        Path("it.yaml").write_bytes(text if isinstance(text, bytes) else text.encode("utf-8"))
+        return re.sub(r"^it\.yaml:", "", complaint("it.yaml"), flags=re.MULTILINE) + "\n"
+
+    return error
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_mistake_is_refused_with_the_error_beside_it(name, error_of):
+    found = error_of(MISTAKES[name]["scenario"])
     if os.environ.get("UPDATE_EXPECTED"):
-        golden.write_text(found, encoding="utf-8", newline="\n")
-    assert portable(found) == portable(golden.read_text(encoding="utf-8"))
+        update(name, found)
+        return
+    assert portable(found) == portable(MISTAKES[name]["errors"])
 
 
-def test_there_are_at_least_sixty_different_mistakes():
-    assert len(BAD) >= 60
-    goldens = {path.read_text(encoding="utf-8").partition(": ")[2] for path in FOLDER.glob("*.expected.txt")}
-    assert len(goldens) >= 0.9 * len(BAD)
+def update(name: str, found: str) -> None:
+    """Replace the errors of one mistake in the table."""
+    text = TABLE.read_text(encoding="utf-8")
+    block = "    errors: |\n" + "".join(f"      {line}\n" for line in found.splitlines())
+    entry = re.compile(rf"(^  {name}:\n    scenario: .*?)^    errors: .*?(?=^  \w+:\n|\Z)", re.MULTILINE | re.DOTALL)
+    TABLE.write_text(entry.sub(lambda match: match[1] + block, text, count=1), encoding="utf-8", newline="\n")
 
 
-def test_every_golden_file_has_its_scenario():
-    assert {path.name.replace(".expected.txt", ".yaml") for path in FOLDER.glob("*.expected.txt")} == set(BAD)
+def test_file_in_another_encoding_is_refused_at_its_byte(error_of):
+    assert error_of("id: a\ntitle: Schöner Schuß\n".encode("latin-1")) == (
+        "2:11: not UTF-8: byte 0xf6; save the file as UTF-8\n"
+    )
 
 
-@pytest.mark.parametrize("name", BAD)
-def test_every_line_names_the_file_and_says_something(name):
-    lines = (FOLDER / name.replace(".yaml", ".expected.txt")).read_text(encoding="utf-8").splitlines()
-    assert lines
-    for line in lines:
-        assert re.match(r"[\w/]+\.yaml:\d+:\d+: \S", line), line
+def test_mistakes_have_different_errors():
+    assert len({one["errors"].partition(": ")[2] for one in MISTAKES.values()}) >= 0.9 * len(MISTAKES)
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_every_line_of_an_error_has_a_position(name):
+    for line in MISTAKES[name]["errors"].splitlines():
+        assert re.match(r"([\w/]+\.yaml:)?\d+:\d+: \S", line), line
 
 
 def test_a_file_over_the_size_limit_is_refused_without_reading_it_all(tmp_path):
