@@ -1,7 +1,7 @@
-/* How fast a ball leaves a robot at full speed in the original's kind of engine (ADR 28).
+/* How fast a ball leaves a robot at full speed in the original's kind of engine (ADR 13).
  *
  * The original computes with the Open Dynamics Engine (ODE) in one step of 32 ms. This builds its robot, ball and floor
- * in ODE from the numbers that ADR 28 lists, and prints what can be compared: how they rest, how the robot starts,
+ * in ODE from the numbers that ADR 13 lists, and prints what can be compared: how they rest, how the robot starts,
  * and how fast the ball leaves a hit, for several places on the face and 32 moments within a step.
  *
  *     apt install gcc pkg-config libode-dev

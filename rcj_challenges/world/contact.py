@@ -66,7 +66,7 @@ class Softness:
 
 SOLIDS = Softness(restitution=0.5, stiffness_ps2=500.0, rigidity=0.99)
 """Robots and obstacles against each other and against walls, and robots against balls. Restitution 0.5: reference,
-section 2. A robot at full speed then sends a resting ball off at 0.253 to 0.261 m/s (ADR 28)."""
+section 2. A robot at full speed then sends a resting ball off at 0.253 to 0.261 m/s (ADR 13)."""
 
 BALL_ON_MOVING_FRICTION = 0.1
 """Highest friction between a ball and a robot or another ball. Not 1 as elsewhere: with 1 at the floor and 1 at the

@@ -72,7 +72,7 @@ def test_a_hit_at_full_speed_sends_a_resting_ball_off_at_26_cm_a_second(gap_mm):
     stage.drive("B1", FULL, FULL)
     stage.play(1.2)
     assert stage.velocity("ball")[0] == pytest.approx(0.24, rel=0.10)  # the reference's figure …
-    assert stage.velocity("ball")[0] == pytest.approx(0.258, abs=0.004)  # … and ours (ADR 28)
+    assert stage.velocity("ball")[0] == pytest.approx(0.258, abs=0.004)  # … and ours (ADR 13)
     assert stage.velocity("ball")[1] == pytest.approx(0.0, abs=0.01)
 
 
@@ -89,7 +89,7 @@ def test_a_hit_sends_the_ball_off_equally_fast_in_all_directions(gap_mm):
         vx, vy, _ = stage.velocity("ball")
         speeds.append(math.hypot(vx, vy))
         assert math.remainder(math.atan2(vy, vx) - yaw, math.tau) == pytest.approx(0, abs=0.002)
-    assert max(speeds) < 1.015 * min(speeds)  # 1.012 (ADR 28)
+    assert max(speeds) < 1.015 * min(speeds)  # 1.012 (ADR 13)
 
 
 def test_a_hit_with_the_side_of_a_wheel_moves_the_ball_too():
@@ -126,7 +126,7 @@ def share_given_back(stage: Stage, speed: float) -> float:
 def test_a_slow_ball_gets_back_half_of_its_speed_from_a_robot_that_stands():
     stage = ball_stage(0.0, 0.0)
     stage.put("B1", 0.1 + 0.0375, 0.0)
-    # A faster one gets back less, because the robot gives way (ADR 28).
+    # A faster one gets back less, because the robot gives way (ADR 13).
     assert share_given_back(stage, 0.1) == pytest.approx(0.5, abs=0.06)
 
 

@@ -74,7 +74,7 @@ def test_a_marble_bounces_off_a_thick_thing_and_is_not_pushed_into_the_floor(rad
             stage.play()
             vx, vy, _ = stage.velocity("ball")
             fastest = max(fastest, -(vx * ahead + vy * aside) / speed)
-            # One of 3 mm at 2 m/s on a robot is that deep in the floor for one tick, and comes out again (ADR 28).
+            # One of 3 mm at 2 m/s on a robot is that deep in the floor for one tick, and comes out again (ADR 13).
             deepest_m = -0.0003 if (what, speed, radius_m) == ("a robot", 2.0, 0.003) else 0.0
             assert stage.snapshot.heights[6] > deepest_m
         assert fastest > 0.25
