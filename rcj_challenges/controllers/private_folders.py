@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Self
 
 from rcj_challenges.controllers import scratch
+from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.facts.errors import HostError, told_of
 from rcj_challenges.facts.shown import shown
 
@@ -29,6 +30,7 @@ else:
 PREFIX = "rcj-match-"
 LOCK_FILE = "in-use"
 
+_VARIABLE = "TEMP" if sys.platform == "win32" else "TMPDIR"
 _ATTEMPTS = 100  # another match may take a folder for a left-over in the moment before it is locked
 # What a program may have put in the place of the file is neither followed nor waited for.
 _FLAGS = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
@@ -41,14 +43,32 @@ def temporary_trouble(error: BaseException, trouble: str = "cannot be used") -> 
         error: what the system said.
         trouble: what is wrong.
     """
-    try:
-        place = f" {shown(tempfile.gettempdir())}"
-    except OSError:  # what the system said names the folders that were tried
-        place = ""
-    variable = "TEMP" if sys.platform == "win32" else "TMPDIR"
+    place = _temporary_folder()
     return HostError(
-        f"the temporary folder{place} {trouble}: {told_of(error)}; make room there, or let {variable} name another"
+        f"the temporary folder{place} {trouble}: {told_of(error)}; make room there, or let {_VARIABLE} name another"
     )
+
+
+class DiskFullError(DiagnosticError, HostError):
+    """The disk of the temporary folder is full, and no program has filled it."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            Diagnostic(
+                "disk-full",
+                f"the disk of the temporary folder{_temporary_folder()} is full, although no program of the match has "
+                "written more than its share",
+                f"free some space there, or set {_VARIABLE} to a folder with more room, and run the command again",
+            )
+        )
+
+
+def _temporary_folder() -> str:
+    """Return a space and the path of the temporary folder; empty if there is none."""
+    try:
+        return f" {shown(tempfile.gettempdir())}"
+    except OSError:  # what the system said names the folders that were tried
+        return ""
 
 
 class PrivateFolders:

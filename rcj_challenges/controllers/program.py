@@ -19,7 +19,7 @@ from rcj_challenges.controllers.assignment import Assignment
 from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.log import ProgramLog
 from rcj_challenges.controllers.pipes import Channel, ChannelClosedError, FrameTooLongError, open_channel
-from rcj_challenges.controllers.private_folders import temporary_trouble
+from rcj_challenges.controllers.private_folders import DiskFullError
 from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hello_frame, most_frame_bytes, one_line
 from rcj_challenges.controllers.scheduling import Manners
 from rcj_challenges.facts.errors import HostError, RcjError, is_of_the_host, told_of
@@ -419,9 +419,7 @@ class Program:
         except OSError as error:
             greedy = [program.name for program in self._sharing.programs if program.end_if_greedy(self._tick)]
             if not greedy:
-                when = f"at tick {self._tick} ({s_from_ticks(self._tick):.3f} s)"
-                trouble = f"is full: the program of {self.name} could not write {when}"
-                raise temporary_trouble(error, trouble) from error
+                raise DiskFullError from error
             return greedy
         return []
 
