@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import contextlib
 import functools
+import math
 import os
 import py_compile
 import signal
@@ -90,6 +91,10 @@ class Process:
         """Return whether it is over."""
         return self._popen.poll() is not None
 
+    def has_lost_main_thread(self) -> bool:
+        """Return whether its main thread has ended and others run on (Linux); waits while the process may be ending."""
+        return tasks.has_lost_main_thread(self._pid_to_look_at()) and self.exit_status(_DUMP_S) is None
+
     def remember_program(self) -> None:
         """Find out for good which process is the program's. To be called when it has said something: it is there."""
         self._looked_at_pid = self._innermost_pid()
@@ -109,11 +114,15 @@ class Process:
     def nameless_bytes(self, output_fd: int, folder: Path, *, in_memory: bool) -> float:
         """Return what it holds in files that it has deleted and still uses; 0 where that cannot be told.
 
+        Infinite if it has lost its main thread: then the system does not show its open files.
+
         Args:
             output_fd: open here: the file of its output.
             folder: its private one.
             in_memory: whether those count that it only has in its memory.
         """
+        if self.has_lost_main_thread():
+            return math.inf
         return scratch.nameless_bytes(self._pid_to_look_at(), output_fd, folder, in_memory=in_memory)
 
     def computed_s(self) -> float:

@@ -45,7 +45,6 @@ _LAST_WORDS_S = 1.0  # a thread reads them where pipes cannot be polled
 _NO_ROOM = re.compile(rf"\[Errno ({errno.ENOSPC}|{getattr(errno, 'EDQUOT', errno.ENOSPC)})\]|\[WinError 112\]")
 """What errors of a full disk, or of a quota, have in their words in every language."""
 
-
 _TEAM = "controllers"
 """The folder of the team's files, by its name in Webots, where ``getProjectPath() + "/controllers/…"`` is a file."""
 
@@ -451,17 +450,18 @@ class Program:
         return "output_flood", f"the program printed more than {self._limits.output_mb:g} MB"
 
     def _holds_too_much(self, times: float, *, closely: bool) -> tuple[str, str] | None:
-        """Return whether too much is in its folder, or too many threads run. This takes its time."""
-        if self._assignment.debug:
+        """Return whether its folder holds too much, it runs too many threads or has lost its main thread. Slow."""
+        if self._assignment.debug or self._process is None:
             return None
-        limits = self._limits
         self._look_at_s = self.account.waited_s + _SLICE_S
+        if self._process.has_lost_main_thread():
+            return "exit", "the program's main thread ended while other threads ran on"
         written = self._writes_too_much(times, closely=closely)
         if written is not None:
             return written
         # Beside those that it may start it has its first one, and the one that watches over it.
-        if self._process is not None and self._process.threads() > times * limits.processes + 2:
-            return "memory", f"the program runs more than {limits.processes} threads"
+        if self._process.threads() > times * self._limits.processes + 2:
+            return "memory", f"the program runs more than {self._limits.processes} threads"
         return None
 
     def _writes_too_much(self, times: float = 1.0, *, closely: bool = True) -> tuple[str, str] | None:

@@ -24,6 +24,9 @@ _LONGEST_PATH = 512
 _ROOM_BYTES = 1_000_000
 """More than a program writes at once, than a page of some teams needs, and a replay of ten seconds."""
 
+_BLOCK_BYTES = 512
+"""Unit of ``st_blocks``. A deleted folder has size 0, but keeps the blocks of all names that were in it."""
+
 _DELETED = b" (deleted)"
 """How Linux tells of a file in a process's memory that it has no name any more."""
 
@@ -97,7 +100,9 @@ def _entry_bytes(entry: os.DirEntry[str]) -> int:
 
 
 def nameless_bytes(pid: int, output_fd: int, folder: Path, *, in_memory: bool = True) -> float:
-    """Return what a process holds in files that have no name any more (Linux; elsewhere 0).
+    """Return what a process holds in files and folders that have no name any more (Linux; elsewhere 0).
+
+    Its threads must share one table of open files, which the layer ``system_calls`` enforces.
 
     Infinite if there is one that it keeps only by having it in its memory: nobody tells how large that is.
 
@@ -114,9 +119,10 @@ def nameless_bytes(pid: int, output_fd: int, folder: Path, *, in_memory: bool = 
             for descriptor in descriptors:
                 with contextlib.suppress(OSError):
                     status = os.stat(descriptor.path)  # noqa: PTH116 - a number, not a path of ours
-                    if stat.S_ISREG(status.st_mode) and not status.st_nlink and _identity(status) not in known:
+                    if not status.st_nlink and _identity(status) not in known:
                         known.add(_identity(status))
-                        total += status.st_size
+                        is_file = stat.S_ISREG(status.st_mode)
+                        total += status.st_size if is_file else _BLOCK_BYTES * status.st_blocks
         if in_memory and _maps_another(pid, folder, {inode for _, inode in known}):
             return math.inf
     return total

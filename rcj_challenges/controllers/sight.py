@@ -24,7 +24,6 @@ _MORE_LIBRARIES = ("/gnu/store", "/etc/ld.so.cache")
 # time zones. Nothing of it tells of other processes.
 _SYSTEM = (
     "/proc/cpuinfo",
-    "/proc/meminfo",
     "/proc/sys/vm/overcommit_memory",
     "/sys/devices/system/cpu",
     "/usr/share/zoneinfo",

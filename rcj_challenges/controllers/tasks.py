@@ -29,6 +29,19 @@ def threads_of(pid: int) -> int:
         return 0
 
 
+def has_lost_main_thread(pid: int) -> bool:
+    """Return whether the main thread of a process has ended and others run on; False if that is unknown.
+
+    Then ``/proc/PID/fd`` is empty, whatever they have open. A process that is ending may look the same for a moment.
+    """
+    try:
+        with open(f"/proc/{pid}/task/{pid}/stat", "rb", buffering=0) as file:  # noqa: PTH123 - called while a match waits
+            state = file.read().rpartition(b")")[2].split()[0]
+    except (OSError, IndexError):
+        return False
+    return state == b"Z" and threads_of(pid) > 1
+
+
 @functools.cache
 def tasks_of_user() -> int:
     """Return how many threads all processes of this process's user had when this was first asked; 0: not known.

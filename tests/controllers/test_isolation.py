@@ -286,8 +286,12 @@ with open("data", "wb+") as file:
     file.flush()
     file.truncate(2048)
     fcntl.lockf(file, fcntl.LOCK_EX)
+    fcntl.flock(file, fcntl.LOCK_EX)
+    os.posix_fadvise(file.fileno(), 0, 0, os.POSIX_FADV_SEQUENTIAL)
+    assert os.preadv(file.fileno(), [bytearray(4)], 0) == 4
     mmap.mmap(file.fileno(), 2048)[0:4] = b"abcd"
 shutil.copy("data", "copy")
+assert open("copy", "rb").read() == open("data", "rb").read()
 os.chmod("copy", 0o600)
 with zipfile.ZipFile("z.zip", "w") as archive:
     archive.write("copy")
@@ -296,6 +300,7 @@ with tempfile.TemporaryDirectory() as folder:
     open(folder + "/x", "w").close()
 with sqlite3.connect("a.db") as database:
     database.execute("create table plays (name)")
+assert sqlite3.connect("a.db").execute("select count(*) from plays").fetchone() == (0,)
 read, write = os.pipe()
 os.write(write, b"x")
 assert select.select([read], [], [], 0)[0] == [read]

@@ -15,7 +15,9 @@ from rcj_challenges.controllers.pupil.controller._syscalls import CALLS, IN_PART
 
 PID = 4321
 EPERM = 0x00050000 | errno.EPERM
+INVALID = 0x00050000 | errno.EINVAL
 NO_SUCH_CALL = 0x00050000 | 38  # ENOSYS of Linux
+NO_ERROR = 0x00050000  # an error of number 0
 ALLOW = 0x7FFF0000
 MACHINES = sorted(_seccomp.MACHINES)
 FILTERS = {machine: _seccomp.filter_for(machine, PID) for machine in MACHINES}
@@ -23,12 +25,18 @@ FILTERS = {machine: _seccomp.filter_for(machine, PID) for machine in MACHINES}
 AF_INET, AF_UNIX, SOCK_STREAM, SOCK_DGRAM, SOCK_CLOEXEC = 2, 1, 1, 2, 0o2000000
 O_RDONLY, O_WRONLY, O_RDWR, O_TRUNC, O_CREAT, O_CLOEXEC = 0, 1, 2, 0o1000, 0o100, 0o2000000
 THREAD = 0x3D0F00  # the flags with which the C library starts a thread
+CLONE_FS, CLONE_FILES = 0x200, 0x400
 CLONE_NEWUSER, CLONE_NEWNET, SIGCHLD = 0x10000000, 0x40000000, 17
 REFUSED = {  # x86_64, aarch64
     "socket": (41, 198),
     "connect": (42, 203),
     "bind": (49, 200),
     "sendmsg": (46, 211),
+    "setsockopt": (54, 208),
+    "sendfile": (40, 71),
+    "splice": (275, 76),
+    "tee": (276, 77),
+    "vmsplice": (278, 75),
     "fork": (57, None),
     "vfork": (58, None),
     "execve": (59, 221),
@@ -73,6 +81,7 @@ REFUSED = {  # x86_64, aarch64
     "reboot": (169, 142),
     "mq_open": (240, 180),
     "shmat": (30, 196),
+    "cachestat": (451, 451),
 }
 
 
@@ -129,10 +138,34 @@ def test_is_refused(machine: str, name: str) -> None:
 
 
 @on_each_machine
-def test_permissions_stay_as_they_are_and_no_program_stumbles_over_that(machine: str) -> None:
+def test_permissions_locks_and_advice_have_no_effect_and_raise_no_error(machine: str) -> None:
     column = _seccomp.MACHINES[machine][0]
     answers = {judge(machine, numbers[column]) for numbers in PASSED_OVER.values() if numbers[column] is not None}
-    assert answers == {0x00050000}  # an error of number 0: none
+    assert answers == {NO_ERROR}
+    assert {in_part(machine, "fcntl", 0, lock) for lock in (6, 7, 37, 38)} == {NO_ERROR}  # F_SETLK, F_OFD_SETLK, …
+
+
+@on_each_machine
+def test_calls_that_reveal_other_programs_do_not_exist(machine: str) -> None:
+    column = _seccomp.MACHINES[machine][0]
+    for name in ("mincore", "preadv2", "pwritev2", "sysinfo", "statfs", "fstatfs"):
+        number = UNKNOWN[name][column]
+        assert number is not None
+        assert judge(machine, number) == NO_SUCH_CALL
+
+
+@on_each_machine
+def test_advice_on_memory_that_other_programs_can_measure_does_not_exist(machine: str) -> None:
+    assert {in_part(machine, "madvise", 0, 0, advice) for advice in (0, 4, 8, 14, 102)} == {ALLOW}
+    assert {in_part(machine, "madvise", 0, 0, advice) for advice in (12, 20, 21, 1000)} == {INVALID}
+
+
+@on_each_machine
+def test_all_threads_share_one_table_of_open_files(machine: str) -> None:
+    assert {in_part(machine, "close_range", 3, 9, flags) for flags in (0, 4)} == {ALLOW}
+    assert {in_part(machine, "close_range", 3, 9, flags) for flags in (2, 6, 1, 8)} == {EPERM}
+    assert in_part(machine, "clone", THREAD & ~CLONE_FILES) == EPERM
+    assert in_part(machine, "clone", THREAD & ~CLONE_FS) == EPERM
 
 
 @on_each_machine
@@ -193,7 +226,7 @@ def test_socket_pairs_are_connected_to_each_other_alone(machine: str) -> None:
 @pytest.mark.parametrize(
     ("name", "place", "allowed", "refused"),
     [
-        ("fcntl", 1, (0, 1, 2, 3, 4, 1030), (8, 10, 15, 1024, 1026)),
+        ("fcntl", 1, (0, 1, 2, 3, 4, 1030, 1032), (5, 8, 10, 15, 36, 1024, 1026, 1031)),
         ("ioctl", 1, (0x5401, 0x541B, 0x5421), (0x5412, 0x541C, 0x40086602, 0x40049409)),
         ("prctl", 0, (15, 16), (1, 4, 8, 22, 36, 55)),
     ],

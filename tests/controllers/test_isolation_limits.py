@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import math
 import os
+import subprocess
 import sys
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -11,7 +14,7 @@ import pytest
 from attempts import only, outcomes
 from fake_match import FakeMatch
 
-from rcj_challenges.controllers import isolation, sight, tasks
+from rcj_challenges.controllers import isolation, processes, sight, tasks
 from rcj_challenges.controllers.pupil.controller import _landlock, _seccomp
 from rcj_challenges.scenario.models.scenario import Limits
 
@@ -119,6 +122,31 @@ def test_the_user_keeps_room_for_threads_outside() -> None:
 def test_threads_are_counted() -> None:
     assert tasks.tasks_of_user() >= tasks.threads_of(os.getpid()) >= 1
     assert tasks.threads_of(2**22 + 1) == 0
+
+
+WITHOUT_MAIN_THREAD = """
+import ctypes, platform, threading
+threading.Thread(target=threading.Event().wait).start()
+exit = {"x86_64": 60, "aarch64": 93}[platform.machine()]
+ctypes.CDLL(None).syscall(ctypes.c_long(exit), ctypes.c_long(0))
+"""
+
+
+@needs_linux
+def test_open_files_of_a_process_without_main_thread_are_more_than_any_limit_allows(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(processes, "_DUMP_S", 0.1)
+    process = processes.Process(subprocess.Popen([sys.executable, "-c", WITHOUT_MAIN_THREAD]), None, own_session=False)
+    try:
+        give_up = time.perf_counter() + 30
+        while not process.has_lost_main_thread() and time.perf_counter() < give_up:
+            assert process.nameless_bytes(-1, tmp_path, in_memory=True) in (0, math.inf)
+        assert process.nameless_bytes(-1, tmp_path, in_memory=True) == math.inf
+    finally:
+        process.kill()
+    assert not process.has_lost_main_thread()
+    assert process.nameless_bytes(-1, tmp_path, in_memory=True) == 0
 
 
 @needs_linux

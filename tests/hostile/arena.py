@@ -135,6 +135,9 @@ def number_of(name):
             setuid=105,
             capset=126,
             mknod=133,
+            mincore=27,
+            madvise=28,
+            sysinfo=99,
         ),
         "aarch64": dict(
             ptrace=117,
@@ -174,6 +177,9 @@ def number_of(name):
             personality=92,
             setuid=146,
             capset=91,
+            mincore=232,
+            madvise=233,
+            sysinfo=179,
         ),
     }
     return table[platform.machine()].get(name, -1)

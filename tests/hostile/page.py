@@ -59,6 +59,12 @@ _TAIL = """\
 - **Time of the processor.** Threads of a program compute while others think: on a computer with few cores a match gets slower by
   it, never different. Limits of wall time are for hangs; give them room.
 - **The real clock** can be read past the simulated one, by ctypes. Nothing in a match depends on it.
+- **Talk between programs.** Two programs that want to exchange bits can do so, within a half and from one half to the next: by how
+  much they compute, by the time that reading a shared file takes, by process and file numbers that the whole system shares.
+  Rules and code review must forbid it.
+- **Memory of the system**: buffers of pipes and socket pairs (about 60 MB for each program at the usual sizes) do not count as its memory, nor do
+  its files if the temporary folder is in memory. [isolation.md](isolation.md#what-organizers-should-do) recommends a limit around the
+  whole tournament.
 - **The own team**: what a robot says on its team's radio is heard by its team mates, and what they do with it is their affair.
 - Without the layers `filesystem` and `system_calls` (macOS, Windows, old kernels) a program can read and write what the user who
   runs the match can, start processes and use the network. Run strangers' programs there only as a user who owns nothing.

@@ -1,21 +1,24 @@
 #: about = "protocol"
-#: tries = "to have the match keep what it is told: it answers in advance and reads nothing"
-#: holds = "what a program does not take is not kept for it"
+#: tries = "to make the match queue observations: it fills the pipe to itself, answers in advance and reads nothing"
+#: holds = "the match queues nothing for a program that does not read"
 #: platforms = ["linux"]
 #: tick = 10
 #: ends = "plays on"
-#: said = ["deaf"]
+#: said = ["full", "deaf"]
 
-import fcntl
+import os
 
 import arena
 from controller import _hub, _wire
 
 arena.drive(10)
 wire = _hub.connected()._wire
-
-
-fcntl.fcntl(wire._read_fd, 1031, 4096)  # F_SETPIPE_SZ: the smallest pipe there is
+other_end = os.open(f"/proc/self/fd/{wire._read_fd}", os.O_WRONLY | os.O_NONBLOCK)
+try:
+    while True:
+        os.write(other_end, bytes(4096))
+except BlockingIOError:
+    print("full")
 stop = [(0, 0.0, float("inf")), (1, 0.0, float("inf"))]
 for tick in range(10, 200):
     wire.send(_wire.motors_frame(tick, 1, 0, 0, stop))

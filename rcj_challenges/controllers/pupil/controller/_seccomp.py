@@ -27,6 +27,7 @@ _KEEP_SPEED = 4  # SECCOMP_FILTER_FLAG_SPEC_ALLOW: kernels before 5.16 slow filt
 
 ALLOW = 0x7FFF0000  # SECCOMP_RET_ALLOW
 REFUSE = 0x00050001  # SECCOMP_RET_ERRNO, EPERM
+INVALID = 0x00050016  # SECCOMP_RET_ERRNO, EINVAL
 NOT_THERE = 0x00050026  # SECCOMP_RET_ERRNO, ENOSYS
 PASS_OVER = 0x00050000  # SECCOMP_RET_ERRNO, no error
 
@@ -40,14 +41,21 @@ _FILTER_POINTER = Struct("@HP")  # struct sock_fprog
 Instruction = tuple[int, int, int, int]
 """Code, how many to skip if true, how many if false, operand."""
 
-_CLONE_THREAD = 0x00010000  # linux/sched.h
+_THREAD_FLAGS = 0x00010600  # linux/sched.h: CLONE_THREAD, CLONE_FS, CLONE_FILES
 _CLONE_NEW = 0x7E020080  # CLONE_NEW… of cgroup, uts, ipc, user, pid, net, mount, time
 _O_TRUNC, _O_ACCMODE = 0o1000, 0o3  # asm-generic/fcntl.h
 _TERMINAL_CONTROLS = (0x5401, 0x5402, 0x5403, 0x5404, 0x5413)  # TCGETS, TCSETS, TCSETSW, TCSETSF, TIOCGWINSZ
 _FILE_IOCTLS = (0x541B, 0x5421, 0x5450, 0x5451)  # FIONREAD, FIONBIO, FIONCLEX, FIOCLEX
-# F_DUPFD, F_GETFD, F_SETFD, F_GETFL, F_SETFL, three kinds of locks, three of open files, F_DUPFD_CLOEXEC, sizes of
-# pipes. Not F_SETOWN and F_SETSIG: they let the kernel send any signal to any process of the same user.
-_FILE_CONTROLS = (0, 1, 2, 3, 4, 5, 6, 7, 36, 37, 38, 1030, 1031, 1032)
+_CLOSE_RANGE_CLOEXEC = 4  # linux/close_range.h
+# F_DUPFD, F_GETFD, F_SETFD, F_GETFL, F_SETFL, F_DUPFD_CLOEXEC, F_GETPIPE_SZ. Not F_SETOWN and F_SETSIG: they let the
+# kernel send any signal to any process of the same user. Not F_SETPIPE_SZ: pipes are memory that no limit counts.
+_FILE_CONTROLS = (0, 1, 2, 3, 4, 1030, 1032)
+# F_SETLK, F_SETLKW, F_OFD_SETLK, F_OFD_SETLKW: without effect, like flock. F_GETLK and F_OFD_GETLK are refused: they
+# would show the locks of others.
+_LOCKS = (6, 7, 37, 38)
+# asm-generic/mman-common.h: NORMAL to DONTNEED, FREE, DONTFORK, DOFORK, HUGEPAGE to DODUMP, WIPEONFORK, KEEPONFORK,
+# POPULATE_…, GUARD_…. Not MERGEABLE, COLD and PAGEOUT: other programs can measure their effect on shared pages.
+_MEMORY_ADVICE = (0, 1, 2, 3, 4, 8, 10, 11, 14, 15, 16, 17, 18, 19, 22, 23, 102, 103)
 # PR_GET_DUMPABLE, PR_SET_NAME, PR_GET_NAME, PR_CAPBSET_READ, PR_GET_NO_NEW_PRIVS, PR_SET_VMA (names of memory).
 _PROCESS_CONTROLS = (3, 15, 16, 23, 39, 0x53564D41)
 _AF_UNIX, _SOCK_STREAM, _SOCK_TYPES = 1, 1, 0xF
@@ -114,12 +122,15 @@ def _conditions(pid: int) -> dict[str, list[Instruction]]:
     return {
         "open": _truncating(1),
         "openat": _truncating(2),
-        # New threads, but neither processes nor name spaces.
-        "clone": _masked(0, _CLONE_THREAD | _CLONE_NEW, (_CLONE_THREAD,)),
+        # Not CLOSE_RANGE_UNSHARE: all threads share one table of open files, so that one look at it shows everything.
+        "close_range": _one_of(2, (0, _CLOSE_RANGE_CLOEXEC)),
+        "madvise": _one_of(2, _MEMORY_ADVICE, INVALID),
+        # New threads that share their open files, but neither processes nor name spaces.
+        "clone": _masked(0, _THREAD_FLAGS | _CLONE_NEW, (_THREAD_FLAGS,)),
         "kill": _one_of(0, (pid,)),
         "tgkill": _one_of(0, (pid,)),
         "tkill": _one_of(0, (pid,)),  # its first thread has its number; musl aborts this way
-        "fcntl": _one_of(1, _FILE_CONTROLS),
+        "fcntl": [*_argument(1), *_compared(_LOCKS, PASS_OVER), *_compared(_FILE_CONTROLS, ALLOW), _answer(REFUSE)],
         # Not TIOCSTI, which types into a terminal, nor what changes attributes of files that can only be read.
         "ioctl": _one_of(1, _TERMINAL_CONTROLS + _FILE_IOCTLS),
         # Not PR_SET_PDEATHSIG, by which a program could outlive the match.
@@ -146,8 +157,8 @@ def _truncating(flags: int) -> list[Instruction]:
     ]
 
 
-def _one_of(argument: int, allowed: tuple[int, ...]) -> list[Instruction]:
-    return [*_argument(argument), *_compared(allowed, ALLOW), _answer(REFUSE)]
+def _one_of(argument: int, allowed: tuple[int, ...], otherwise: int = REFUSE) -> list[Instruction]:
+    return [*_argument(argument), *_compared(allowed, ALLOW), _answer(otherwise)]
 
 
 def _masked(argument: int, mask: int, allowed: tuple[int, ...]) -> list[Instruction]:

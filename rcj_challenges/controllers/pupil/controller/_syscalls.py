@@ -10,14 +10,14 @@ from __future__ import annotations
 # What is missing is missing on purpose. Not obvious are: chown, utime and setxattr in all forms, and truncate by
 # path: Landlock does not look at these (at truncate only since Linux 6.2) and would leave all files of this user in
 # reach (the same holds for chmod, see `PASSED_OVER`); memfd_create, message queues and shared memory of System V,
-# which hold memory that no limit counts; setpriority and sched_set…, which slow others down; sync, which waits for
-# everybody's files; fallocate, which fills a disk at once, with files that are said to be empty.
+# setsockopt (sizes of buffers), splice, tee and sendfile (pipes keep large blocks of a file's pages), which hold
+# memory that no limit counts; setpriority and sched_set…, which slow others down; sync, which waits for everybody's
+# files; fallocate, which fills a disk at once, with files that are said to be empty.
 CALLS: dict[str, tuple[int | None, int | None]] = {
     # files and folders: Landlock decides which
     "read": (0, 63),
     "write": (1, 64),
     "close": (3, 57),
-    "close_range": (436, 436),
     "lseek": (8, 62),
     "pread64": (17, 67),
     "pwrite64": (18, 68),
@@ -25,8 +25,6 @@ CALLS: dict[str, tuple[int | None, int | None]] = {
     "writev": (20, 66),
     "preadv": (295, 69),
     "pwritev": (296, 70),
-    "preadv2": (327, 286),
-    "pwritev2": (328, 287),
     "dup": (32, 23),
     "dup2": (33, None),
     "dup3": (292, 24),
@@ -38,8 +36,6 @@ CALLS: dict[str, tuple[int | None, int | None]] = {
     "lstat": (6, None),
     "newfstatat": (262, 79),
     "statx": (332, 291),
-    "statfs": (137, 43),
-    "fstatfs": (138, 44),
     "access": (21, None),
     "faccessat": (269, 48),
     "faccessat2": (439, 439),
@@ -66,13 +62,8 @@ CALLS: dict[str, tuple[int | None, int | None]] = {
     "ftruncate": (77, 46),
     "fsync": (74, 82),
     "fdatasync": (75, 83),
-    "fadvise64": (221, 223),
     "readahead": (187, 213),
-    "sendfile": (40, 71),
     "copy_file_range": (326, 285),
-    "splice": (275, 76),
-    "tee": (276, 77),
-    "flock": (73, 32),
     "getxattr": (191, 8),
     "lgetxattr": (192, 9),
     "fgetxattr": (193, 10),
@@ -104,10 +95,8 @@ CALLS: dict[str, tuple[int | None, int | None]] = {
     "munmap": (11, 215),
     "mprotect": (10, 226),
     "mremap": (25, 216),
-    "madvise": (28, 233),
     "brk": (12, 214),
     "msync": (26, 227),
-    "mincore": (27, 232),
     "mseal": (462, 462),
     "pkey_alloc": (330, 289),
     "pkey_free": (331, 290),
@@ -176,7 +165,6 @@ CALLS: dict[str, tuple[int | None, int | None]] = {
     "getsid": (124, 156),
     "capget": (125, 90),
     "uname": (63, 160),
-    "sysinfo": (99, 179),
     "getrusage": (98, 165),
     "getrlimit": (97, 163),
     "setrlimit": (160, 164),
@@ -187,7 +175,6 @@ CALLS: dict[str, tuple[int | None, int | None]] = {
     "recvfrom": (45, 207),
     "shutdown": (48, 210),
     "getsockopt": (55, 209),
-    "setsockopt": (54, 208),
     "getsockname": (51, 204),
     "getpeername": (52, 205),
 }
@@ -195,6 +182,8 @@ CALLS: dict[str, tuple[int | None, int | None]] = {
 IN_PART: dict[str, tuple[int | None, int | None]] = {
     "open": (2, None),
     "openat": (257, 56),
+    "close_range": (436, 436),
+    "madvise": (28, 233),
     "clone": (56, 220),
     "kill": (62, 129),
     "tgkill": (234, 131),
@@ -210,15 +199,25 @@ IN_PART: dict[str, tuple[int | None, int | None]] = {
 UNKNOWN: dict[str, tuple[int | None, int | None]] = {
     "clone3": (435, 435),
     "openat2": (437, 437),
+    "preadv2": (327, 286),
+    "pwritev2": (328, 287),
+    "mincore": (27, 232),
+    "statfs": (137, 43),
+    "fstatfs": (138, 44),
+    "sysinfo": (99, 179),
 }
-"""Answered as by a kernel that does not have them: their arguments are in memory, where no filter can look, and the C
-library then makes older calls that can be judged."""
+"""Answered as by a kernel that does not have them, so that libraries fall back. The arguments of the first two are in
+memory, where no filter can look: the C library then makes older calls that can be judged. The others reveal what other
+programs do: which pages of files they have read, and how much memory and disk space they use."""
 
 PASSED_OVER: dict[str, tuple[int | None, int | None]] = {
     "chmod": (90, None),
     "fchmod": (91, 52),
     "fchmodat": (268, 53),
     "fchmodat2": (452, 452),
+    "flock": (73, 32),
+    "fadvise64": (221, 223),
 }
-"""Answered as if done, and not done, as on a disk without permissions: ``shutil.copy`` ends with such a call. Not
-utime: ``Path.touch`` takes its success to mean that the file is there."""
+"""Answered as if done, and not done. Permissions: as on a disk without them, because ``shutil.copy`` ends with such a
+call; not utime: ``Path.touch`` takes its success to mean that the file is there. Locks: a file that can be written
+belongs to one program, and locks on shared files would carry messages; so would dropping the pages of such files."""
