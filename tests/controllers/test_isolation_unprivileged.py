@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -17,7 +18,9 @@ HERE = Path(__file__).parent
 IMPORTED_FROM = os.pathsep.join([str(HERE.parents[1]), str(Path(np.__file__).parents[1])])
 
 
-def run_as_nobody(python: str, folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+def run_as_nobody(
+    python: str, folder: Path, *arguments: str, timeout_s: float = 120
+) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [python, *arguments],
         user=NOBODY,
@@ -33,7 +36,7 @@ def run_as_nobody(python: str, folder: Path, *arguments: str) -> subprocess.Comp
         },
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=timeout_s,
         check=False,
     )
 
@@ -53,13 +56,35 @@ def python(tmp_path: Path) -> str:
     pytest.skip(f"there is no {version} here that a user without privileges may start and that finds the packages")
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="layers of Linux")
-@pytest.mark.skipif(sys.platform == "linux" and os.geteuid() != 0, reason="the other tests run without privileges here")
-def test_isolation_holds_for_a_user_without_privileges(python: str) -> None:
+@pytest.fixture
+def folder() -> Iterator[Path]:
+    """A temporary folder of that user; pytest keeps others out of its own."""
+    with tempfile.TemporaryDirectory() as made:
+        os.chown(made, NOBODY, NOBODY)
+        yield Path(made)
+
+
+needs_root = pytest.mark.skipif(
+    sys.platform != "linux" or os.geteuid() != 0, reason="layers of Linux; other tests run without privileges already"
+)
+SETTINGS = ["-n", "0", "-p", "no:cacheprovider", "-c", str(HERE.parents[1] / "pyproject.toml")]
+
+
+@needs_root
+def test_isolation_holds_for_a_user_without_privileges(python: str, folder: Path) -> None:
     chosen = [str(HERE / "test_isolation.py"), "-k", "not plays_the_same and not threaded"]
-    settings = ["-n", "0", "-p", "no:cacheprovider", "-c", str(HERE.parents[1] / "pyproject.toml")]
-    with tempfile.TemporaryDirectory() as folder:  # pytest keeps others out of its own
-        os.chown(folder, NOBODY, NOBODY)
-        ran = run_as_nobody(python, Path(folder), "-m", "pytest", *settings, *chosen)
+    ran = run_as_nobody(python, folder, "-m", "pytest", *SETTINGS, *chosen)
     assert ran.returncode == 0, ran.stdout + ran.stderr
     assert ran.stdout.count(".") > 80, ran.stdout
+
+
+@pytest.mark.nightly
+@needs_root
+def test_hostile_programs_are_held_for_a_user_without_privileges_with_and_without_bubblewrap(
+    python: str, folder: Path
+) -> None:
+    chosen = [str(HERE.parent / "hostile" / "test_programs.py"), "-k", "costs_its_own_robot or without_bubblewrap"]
+    all_ = ["-m", "nightly or not nightly"]
+    ran = run_as_nobody(python, folder, "-m", "pytest", *SETTINGS, *chosen, *all_, timeout_s=1500)
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+    assert ran.stdout.count(".") > 60, ran.stdout

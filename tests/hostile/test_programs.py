@@ -25,11 +25,15 @@ def names(batch: tuple[Entry, ...]) -> str:
 def cases(chosen: Iterable[Entry]) -> list[object]:
     """Return the batches of those that are telling, and for the night those of their variants."""
     entries_ = list(chosen)
-    nightly = batches(entry for entry in entries_ if entry.variant)
     return [
         *batches(entry for entry in entries_ if not entry.variant),
-        *(pytest.param(batch, marks=pytest.mark.nightly) for batch in nightly),
+        *nightly(entry for entry in entries_ if entry.variant),
     ]
+
+
+def nightly(chosen: Iterable[Entry]) -> list[object]:
+    """Return the batches of entries, all for the night."""
+    return [pytest.param(batch, marks=pytest.mark.nightly) for batch in batches(chosen)]
 
 
 def skipped(entry: Entry) -> object:
@@ -44,7 +48,11 @@ def test_a_hostile_program_costs_its_own_robot_and_nobody_else_anything(
 
 
 @pytest.mark.skipif("bubblewrap" not in isolation.active_layers("auto"), reason="it is the usual way here")
-@pytest.mark.parametrize("batch", cases(entry for entry in HERE if entry.layers), ids=names)
+@pytest.mark.parametrize(
+    "batch",
+    [*cases(entry for entry in HERE if entry.layers), *nightly(entry for entry in HERE if not entry.layers)],
+    ids=names,
+)
 def test_the_layers_of_the_kernel_hold_without_bubblewrap(
     batch: tuple[Entry, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
