@@ -49,6 +49,11 @@ def own_of_that_name(shipped: Path, folder: Path) -> Path | None:
     return None
 
 
+def tournaments_folder() -> Path:
+    """Return the folder of the shipped tournaments."""
+    return _data("tournaments", "tournaments")
+
+
 def teams_folder() -> Path:
     """Return the folder of the sample teams."""
     return _data("teams", "examples/teams")

@@ -50,12 +50,15 @@ class Team:
         name: as shown: what the submission calls itself, or what the tournament file says.
         pot: for drawing groups; 1 is the strongest, 0 if there are no pots.
         withdrawn: whether it has left the tournament.
+        last_rounds: of a team that has left: by stage, the last round for which it was drawn before (see
+            `SeasonState.last_rounds`). It takes part in no other stage, and in no later round.
     """
 
     id: str
     name: str
     pot: int = 0
     withdrawn: bool = False
+    last_rounds: Mapping[str, int] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -238,6 +241,16 @@ class SeasonState:
     stages: tuple[StageState, ...]
     teams: Mapping[str, Team]
     outcomes: Mapping[str, Outcome] = field(default_factory=dict)
+
+    def last_rounds(self, team: str) -> dict[str, int]:
+        """Return the last round for which a team has been drawn, by stage: what is to be noted when it withdraws."""
+        found: dict[str, int] = {}
+        for stage in self.stages:
+            if team in stage.teams:
+                rounds = [one.round for one in stage.fixtures if any(team in side.teams for side in one.sides)]
+                byes = [number for number, name in stage.byes if name == team]
+                found[stage.name] = max((0, *rounds, *byes))
+        return found
 
     def open_fixtures(self) -> tuple[Fixture, ...]:
         """Return the known fixtures that have no outcome yet, in playing order."""

@@ -1,0 +1,294 @@
+"""What is wrong with a tournament although each value is allowed: stages that cannot be played, places left open."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+from zoneinfo import ZoneInfo
+
+from rcj_challenges.scenario.errors import listing, nearest
+from rcj_challenges.scenario.tree import Entries, Step, in_names, mark_of
+from rcj_challenges.tournament.entries import TeamEntry
+from rcj_challenges.tournament.errors import Problem, problem_at
+from rcj_challenges.tournament.models import (
+    Challenge,
+    FromModel,
+    KnockOut,
+    MatchesModel,
+    RoundRobin,
+    SuperTeam,
+    Swiss,
+    Tournament,
+    place_range,
+)
+from rcj_challenges.tournament.scenarios import ScenarioInfo, ScenarioNames, ScenarioUse
+from rcj_challenges.tournament.season import Team
+from rcj_challenges.tournament.sizes import StageSize, cuts, stage_sizes
+
+
+def check(
+    tournament: Tournament,
+    entries: Mapping[str, TeamEntry],
+    scenarios: Mapping[ScenarioUse, ScenarioInfo],
+    tree: Entries,
+    folder: Path,
+) -> list[Problem]:
+    """Return what is wrong.
+
+    Args:
+        tournament: the file.
+        entries: its teams.
+        scenarios: what is known of the scenarios that could be loaded.
+        tree: the positions.
+        folder: where the file lies.
+    """
+    teams = {entry.id: Team(entry.id, entry.name or entry.id, entry.pot) for entry in entries.values()}
+    return list(_Checks(tournament, teams, scenarios, tree, ScenarioNames(tournament, folder)).problems())
+
+
+@dataclass
+class _Checks:
+    tournament: Tournament
+    teams: Mapping[str, Team]
+    scenarios: Mapping[ScenarioUse, ScenarioInfo]
+    tree: Entries
+    names: ScenarioNames
+
+    def problems(self) -> Iterator[Problem]:
+        yield from self._teams()
+        yield from self._tie_breaks()
+        yield from self._times()
+        yield from self._seats()
+        sources = list(self._sources())
+        yield from sources
+        if sources:  # nothing can be said of numbers of teams
+            return
+        sizes = stage_sizes(self.tournament, self.teams, self.scenarios, self.names)
+        for name, stage in self.tournament.stages.items():
+            yield from self._stage(name, stage, sizes)
+
+    def _at(self, path: tuple[Step, ...], code: str, message: str, help_: str = "") -> Problem:
+        return problem_at(mark_of(self.tree, path), code, message, help_, in_names(self.tree, path))
+
+    # --- the whole file -----------------------------------------------------------------------------------------------
+
+    def _teams(self) -> Iterator[Problem]:
+        if not self.tournament.teams and self.tournament.teams_folder is None:
+            yield self._at((), "missing-key", "no teams", "give 'teams' or 'teams_folder'")
+        elif len(self.teams) < 2:
+            where = ("teams",) if self.tournament.teams else ("teams_folder",)
+            yield self._at(where, "too-few-teams", f"{len(self.teams)} team(s); a tournament has at least two")
+
+    def _tie_breaks(self) -> Iterator[Problem]:
+        words = self.tournament.tie_breaks
+        for index, word in enumerate(words):
+            if word in words[:index]:
+                yield self._at(
+                    ("tie_breaks", index), "useless-tie-break", f"'{word}' is listed twice", "keep the first"
+                )
+            elif word == "lot" and index < len(words) - 1:
+                yield self._at(
+                    ("tie_breaks", index), "useless-tie-break", "after 'lot' nothing is level", "put 'lot' last"
+                )
+
+    def _times(self) -> Iterator[Problem]:
+        try:
+            ZoneInfo(self.tournament.time_zone)
+        except (KeyError, ValueError, OSError):
+            message = f"unknown time zone '{self.tournament.time_zone}'"
+            yield self._at(("time_zone",), "unknown-time-zone", message, "write it as Europe/Berlin or UTC")
+        for name, stage in self.tournament.stages.items():
+            single = isinstance(stage.release, str)
+            times = ((stage.release,) if isinstance(stage.release, str) else stage.release) or ()
+            before = None
+            for index, text in enumerate(times):
+                path = ("stages", name, "release", *(() if single else (index,)))
+                try:
+                    time = datetime.strptime(text, "%Y-%m-%d %H:%M")  # noqa: DTZ007 - compared among themselves only
+                except ValueError:
+                    yield self._at(path, "wrong-time", f"there is no time '{text}'", "write it as 2021-06-22 18:00")
+                    continue
+                if before is not None and time < before:
+                    yield self._at(path, "wrong-time", f"'{text}' is before the round before it", "order the times")
+                before = time
+
+    def _seats(self) -> Iterator[Problem]:
+        path: tuple[Step, ...]
+        for name, stage in self.tournament.stages.items():
+            if isinstance(stage, Challenge):
+                for key, one in stage.scenarios.items():
+                    path = ("stages", name, "scenarios", key, "scenario")
+                    yield from self._seat_count(path, self.names.use(one.scenario, one.set), {1})
+            elif isinstance(stage, MatchesModel):
+                use = self.names.of_matches(stage)
+                path = ("stages", name, "scenario") if stage.scenario is not None else ("stages", name)
+                yield from self._seat_count(path, use, {2})
+                info = self.scenarios.get(use)
+                if isinstance(stage, SuperTeam) and info is not None and len(set(info.seats.values())) > 1:
+                    message = f"the sides of scenario '{info.id}' have different numbers of robots"
+                    yield self._at(path, "wrong-seats", message, "super teams need sides of the same size")
+        tie = self.tournament.drawn.tie_scenario
+        if tie is not None:
+            path = ("drawn", "tie_scenario", "scenario")
+            yield from self._seat_count(path, self.names.use(tie.scenario, tie.set), {1, 2})
+
+    def _seat_count(self, path: tuple[Step, ...], use: ScenarioUse, wanted: set[int]) -> Iterator[Problem]:
+        info = self.scenarios.get(use)
+        if info is not None and len(info.seats) not in wanted:
+            need = " or ".join(map(str, sorted(wanted)))
+            message = f"scenario '{info.id}' has {len(info.seats)} seat(s) ({listing(info.seats)}); {need} needed here"
+            help_ = "matches are played by two, challenges by one"
+            yield self._at(path, "wrong-seats", message, help_)
+
+    # --- where teams come from ----------------------------------------------------------------------------------------
+
+    def _sources(self) -> Iterator[Problem]:
+        before: list[str] = []
+        for name, stage in self.tournament.stages.items():
+            yield from self._source(name, stage, before)
+            before.append(name)
+
+    def _source(self, name: str, stage: FromModel, before: list[str]) -> Iterator[Problem]:
+        path = ("stages", name)
+        if stage.from_ is None:
+            if stage.places is not None:
+                message = "'places' says nothing without 'from'"
+                yield self._at((*path, "places"), "no-source", message, "add 'from', or remove 'places'")
+            return
+        if stage.from_ not in before:
+            is_later = stage.from_ in self.tournament.stages
+            message = f"'{stage.from_}' is not played before '{name}'" if is_later else f"no stage '{stage.from_}'"
+            hint = nearest(stage.from_, before).removeprefix("; ")
+            help_ = f"{hint} earlier stages: {listing(before) or 'none'}".strip()
+            yield self._at((*path, "from"), "unreachable-stage", message, help_)
+            return
+        source = self.tournament.stages[stage.from_]
+        if isinstance(source, SuperTeam):
+            message = f"'{stage.from_}' ranks super teams, not teams"
+            yield self._at((*path, "from"), "unreachable-stage", message, "take the teams from another stage")
+        if isinstance(stage.places, str) and (numbers := place_range(stage.places, 0))[0] > numbers[1]:
+            message = f"places {stage.places} begin after their end"
+            yield self._at((*path, "places"), "wrong-places", message, f"write {numbers[1]}-{numbers[0]}")
+
+    # --- one stage ----------------------------------------------------------------------------------------------------
+
+    def _stage(self, name: str, stage: FromModel, sizes: Mapping[str, StageSize]) -> Iterator[Problem]:
+        path = ("stages", name)
+        size = sizes[name]
+        if stage.from_ is not None and stage.places is not None:
+            yield from self._places(path, stage, sizes[stage.from_])
+        least = 1 if isinstance(stage, Challenge) else 2
+        if size.teams < least and (stage.from_ is not None or len(self.teams) >= 2):
+            message = f"{size.teams} team(s) come into this stage, at least {least} needed"
+            yield self._at(path, "too-few-teams", message, "take more places, or remove the stage")
+            return
+        if isinstance(stage, RoundRobin):
+            yield from self._groups(path, stage, size)
+        elif isinstance(stage, Swiss):
+            yield from self._rounds(path, stage, size)
+        elif isinstance(stage, KnockOut):
+            yield from self._knock_out(path, stage, size)
+        elif isinstance(stage, SuperTeam):
+            yield from self._super_teams(path, stage, size)
+        yield from self._releases(path, stage, size)
+        yield from self._undecided(name, stage, sizes)
+
+    def _places(self, path: tuple[Step, ...], stage: FromModel, source: StageSize) -> Iterator[Problem]:
+        for group, count in source.tables.items():
+            _, last = place_range(stage.places, count)
+            if last > count:
+                where = f"group {group} of '{stage.from_}'" if group else f"'{stage.from_}'"
+                message = f"places {stage.places} of '{stage.from_}': {where} has {count} teams only"
+                help_ = "take fewer places, or add teams"
+                yield self._at((*path, "places"), "too-few-teams", message, help_)
+                return
+
+    def _groups(self, path: tuple[Step, ...], stage: RoundRobin, size: StageSize) -> Iterator[Problem]:
+        if isinstance(stage.groups, dict):
+            if stage.from_ is not None:
+                message = "the teams of the groups are listed, and taken from another stage"
+                help_ = "give the number of groups, or remove 'from'"
+                yield self._at((*path, "groups"), "listed-teams", message, help_)
+                return
+            yield from self._listed((*path, "groups"), stage.groups)
+            missing = [team for team in self.teams if all(team not in listed for listed in stage.groups.values())]
+            if missing:
+                message = f"in no group: {listing(missing)}"
+                yield self._at((*path, "groups"), "listed-teams", message, "put each team into one group")
+        elif min(size.tables.values()) < 2:
+            message = f"{size.teams} teams are too few for {stage.groups} groups"
+            yield self._at((*path, "groups"), "too-few-teams", message, "two teams a group are the least")
+
+    def _listed(self, path: tuple[Step, ...], lists: Mapping[str, tuple[str, ...]]) -> Iterator[Problem]:
+        seen: Counter[str] = Counter()
+        for name, listed in lists.items():
+            for index, team in enumerate(listed):
+                seen[team] += 1
+                if team not in self.teams:
+                    hint = nearest(team, self.teams).removeprefix("; ")
+                    yield self._at((*path, name, index), "unknown-team", f"no team '{team}'", hint)
+                elif seen[team] > 1:
+                    message = f"team '{team}' is listed twice"
+                    yield self._at((*path, name, index), "listed-teams", message, "keep it once")
+
+    def _rounds(self, path: tuple[Step, ...], stage: Swiss, size: StageSize) -> Iterator[Problem]:
+        most = -(-size.teams // 2)
+        if stage.rounds > most:
+            message = f"{stage.rounds} rounds are too many for {size.teams} teams"
+            help_ = f"at most {most}: with more, a round without a rematch may not exist; all meet in a round_robin"
+            yield self._at((*path, "rounds"), "too-many-rounds", message, help_)
+
+    def _knock_out(self, path: tuple[Step, ...], stage: KnockOut, size: StageSize) -> Iterator[Problem]:
+        if stage.legs > 1 and stage.best_of > 1:
+            message = "'legs' adds scores up, 'best_of' counts wins"
+            yield self._at((*path, "best_of"), "legs-and-best-of", message, "keep one of them")
+        if stage.third_place and size.teams < 4:
+            message = f"of {size.teams} teams no two lose a semi-final"
+            yield self._at((*path, "third_place"), "too-few-teams", message, "remove 'third_place'")
+
+    def _super_teams(self, path: tuple[Step, ...], stage: SuperTeam, size: StageSize) -> Iterator[Problem]:
+        info = self.scenarios.get(self.names.of_matches(stage))
+        if info is None:
+            return
+        side = min(info.seats.values(), default=1)
+        if stage.super_teams is None:
+            if size.teams <= side:
+                message = f"{size.teams} teams are too few for two super teams of {side}"
+                yield self._at(path, "too-few-teams", message, "add teams, or remove the stage")
+            return
+        yield from self._listed((*path, "super_teams"), stage.super_teams)
+        if len(stage.super_teams) < 2:
+            message = "one super team has no opponent"
+            yield self._at((*path, "super_teams"), "too-few-teams", message, "list at least two")
+        for name, listed in stage.super_teams.items():
+            if len(listed) != side:
+                message = f"super team '{name}' has {len(listed)} teams, a side of '{info.id}' has {side} robots"
+                yield self._at((*path, "super_teams", name), "listed-teams", message, "list one team for each robot")
+
+    def _releases(self, path: tuple[Step, ...], stage: FromModel, size: StageSize) -> Iterator[Problem]:
+        times = stage.release
+        if not isinstance(times, tuple) or len(times) in (1, size.rounds):
+            return
+        message = f"{len(times)} times of release for {size.rounds} rounds"
+        yield self._at((*path, "release"), "wrong-release", message, "give one time, or one for each round")
+
+    def _undecided(self, name: str, stage: FromModel, sizes: Mapping[str, StageSize]) -> Iterator[Problem]:
+        """Refuse places that can be shared where they decide who advances."""
+        if "lot" in self.tournament.tie_breaks or (isinstance(stage, RoundRobin | Swiss) and stage.play_off):
+            return
+        open_cuts = cuts(self.tournament, name, sizes)
+        if isinstance(stage, KnockOut):
+            has_third = stage.third_place and sizes[name].teams >= 4
+            decided = {1, 2, 3} if has_third else {1, 2}
+            open_cuts -= decided | {1 << power for power in range(16)}
+        if not open_cuts:
+            return
+        after = ", ".join(map(str, sorted(open_cuts)))
+        taker = next(one for one, other in self.tournament.stages.items() if other.from_ == name and other.places)
+        can_play_off = isinstance(stage, RoundRobin | Swiss)
+        help_ = f"{f'set play_off: true in {name!r}, or ' if can_play_off else ''}add lot at the end of tie_breaks"
+        message = f"places after place {after} of '{name}' may be shared, and they decide who advances"
+        yield self._at(("stages", taker, "places"), "undecided-places", message, help_)

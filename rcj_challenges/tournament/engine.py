@@ -1,0 +1,118 @@
+"""The engine: from tournament, teams and outcomes to the state of all stages."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from rcj_challenges.tournament.formats.challenge import challenge
+from rcj_challenges.tournament.formats.context import Entrant, StageContext
+from rcj_challenges.tournament.formats.knock_out import knock_out
+from rcj_challenges.tournament.formats.round_robin import round_robin
+from rcj_challenges.tournament.formats.super_team import super_team
+from rcj_challenges.tournament.formats.swiss import swiss
+from rcj_challenges.tournament.load import LoadedTournament
+from rcj_challenges.tournament.models import Challenge, FromModel, KnockOut, RoundRobin, Stage, Swiss, place_range
+from rcj_challenges.tournament.scenarios import ScenarioNames
+from rcj_challenges.tournament.season import Outcome, Row, SeasonState, StageState, Status, Team
+from rcj_challenges.tournament.seeds import lot
+from rcj_challenges.tournament.sizes import StageSize, cuts, stage_sizes
+
+
+class Season:
+    """A tournament with its teams; pure: the same outcomes give the same state, in whichever order they came.
+
+    Args:
+        loaded: the tournament.
+        teams: by id, with the names that are shown; those of the file by default.
+    """
+
+    def __init__(self, loaded: LoadedTournament, teams: Mapping[str, Team] | None = None) -> None:
+        self.loaded = loaded
+        self.teams = dict(loaded.teams() if teams is None else teams)
+        self._tournament = loaded.tournament
+        self._names = ScenarioNames(loaded.tournament, loaded.path.parent)
+        self._sizes = stage_sizes(loaded.tournament, self.teams, loaded.scenarios, self._names)
+        self._cuts = {name: cuts(loaded.tournament, name, self._sizes) for name in loaded.tournament.stages}
+        self._cache: dict[Any, Any] = {}
+
+    def state(self, outcomes: Mapping[str, Outcome]) -> SeasonState:
+        """Return the state after these outcomes, by fixture; those of fixtures that do not exist are left out."""
+        counted = dict(outcomes)
+        states: dict[str, StageState] = {}
+        for name, stage in self._tournament.stages.items():
+            entrants = self._entrants(name, stage, states)
+            context = StageContext(
+                name=name,
+                tournament=self._tournament,
+                names=self._names,
+                scenarios=self.loaded.scenarios,
+                teams=self.teams,
+                outcomes=counted,
+                cuts=self._cuts[name],
+                cache=self._cache,
+            )
+            states[name] = self._state(context, stage, entrants)
+        known = (fixture.id for state in states.values() for fixture in state.fixtures)
+        kept = {fixture: counted[fixture] for fixture in known if fixture in counted}
+        return SeasonState(tuple(states.values()), self.teams, kept)
+
+    def _state(self, context: StageContext, stage: Stage, entrants: list[Entrant] | None) -> StageState:
+        if entrants is None:
+            return self._waiting(context, stage)
+        if isinstance(stage, RoundRobin):
+            return round_robin(context, stage, entrants)
+        if isinstance(stage, Swiss):
+            return swiss(context, stage, entrants)
+        if isinstance(stage, KnockOut):
+            return knock_out(context, stage, entrants)
+        if isinstance(stage, Challenge):
+            return challenge(context, stage, entrants)
+        return super_team(context, stage, entrants)
+
+    def _waiting(self, context: StageContext, stage: Stage) -> StageState:
+        size = self._sizes[context.name]
+        if isinstance(stage, KnockOut):
+            return knock_out(context, stage, [Entrant("", *origin) for origin in self._origins(stage)])
+        title = context.title(stage)
+        return StageState(context.name, stage.stage, title, Status.WAITING, expected_matches=size.matches)
+
+    def _entrants(self, name: str, stage: FromModel, states: Mapping[str, StageState]) -> list[Entrant] | None:
+        """Return who takes part in a stage; None if that is not decided yet."""
+        here = [team for team, one in self.teams.items() if not one.withdrawn or name in one.last_rounds]
+        if stage.from_ is None:
+            return [Entrant(team) for team in here]
+        source = states[stage.from_]
+        if source.status is not Status.FINISHED:
+            return None
+        found = []
+        for group, rows in _rankings(source):
+            # Who has left in between makes room for the next.
+            staying = [row for row in rows if row.team in set(here)]
+            ranked = sorted(staying, key=lambda row: (row.place, lot(self._tournament.seed, f"{name}/order", row.team)))
+            first, last = place_range(stage.places, len(ranked))
+            found += [
+                Entrant(ranked[place - 1].team, place, group, _origin(stage.from_, group, place))
+                for place in range(first, min(last, len(ranked)) + 1)
+            ]
+        return sorted(found, key=lambda one: one.place)
+
+    def _origins(self, stage: FromModel) -> list[tuple[int, str, str]]:
+        source: StageSize = self._sizes[stage.from_ or ""]
+        found = []
+        for group, size in source.tables.items():
+            first, last = place_range(stage.places, size)
+            places = range(first, min(last, size) + 1)
+            found += [(place, group, _origin(stage.from_ or "", group, place)) for place in places]
+        return sorted(found, key=lambda one: one[0])
+
+
+def _rankings(source: StageState) -> list[tuple[str, Sequence[Row]]]:
+    """Return the rankings that others take places from: one for each group, else the stage's."""
+    if source.kind == "round_robin":
+        return [(found.name, found.rows) for found in source.tables]
+    return [("", source.places)]
+
+
+def _origin(source: str, group: str, place: int) -> str:
+    return f"{group}{place}" if group else f"place {place} of {source}"

@@ -1,0 +1,188 @@
+"""Challenges: each team plays scenarios alone, over the same seeds as all others."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import groupby
+from statistics import median
+from typing import Any
+
+from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.tournament.formats.context import Entrant, StageContext, humanized
+from rcj_challenges.tournament.models import Challenge
+from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo
+from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Row, Ruled, StageState, Status, Table
+
+TOTAL = "total"
+"""Name of the table that combines several challenges."""
+
+
+def challenge(context: StageContext, stage: Challenge, entrants: Sequence[Entrant]) -> StageState:
+    """Return the state of a stage of challenges."""
+    teams = tuple(entrant.team for entrant in entrants)
+    key = ("challenge", context.name, teams)
+    if key not in context.cache:
+        context.cache[key] = {
+            name: _fixtures(context, stage, name, teams, number) for number, name in enumerate(stage.scenarios, 1)
+        }
+    by_name: dict[str, list[Fixture]] = context.cache[key]
+    fixtures = tuple(fixture for own in by_name.values() for fixture in own)
+    gone = _settle_withdrawn(context, fixtures)
+    counted = [team for team in teams if team not in gone]
+    tables = [_table(context, stage, name, counted, own) for name, own in by_name.items()]
+    if len(tables) > 1:
+        tables.append(_total(context, stage, counted, tables))
+    is_finished = context.are_decided(fixtures)
+    return StageState(
+        name=context.name,
+        kind=stage.stage,
+        title=context.title(stage),
+        status=Status.FINISHED if is_finished else Status.RUNNING,
+        teams=teams,
+        fixtures=fixtures,
+        expected_matches=len(fixtures),
+        tables=tuple(tables),
+        places=tables[-1].rows if is_finished else (),
+    )
+
+
+def _fixtures(context: StageContext, stage: Challenge, name: str, teams: Sequence[str], number: int) -> list[Fixture]:
+    one = stage.scenarios[name]
+    use = context.names.use(one.scenario, one.set)
+    return [
+        context.fixture(
+            f"{name}/seed{turn}/{team}",
+            use,
+            ((team,),),
+            number,
+            f"{humanized(name)}, run {turn}" if stage.seeds > 1 else humanized(name),
+            kind=FixtureKind.CHALLENGE,
+            group=name,
+            leg=turn,
+            seed_path=f"{name}/seed{turn}",  # the same for all teams
+        )
+        for turn in range(1, stage.seeds + 1)
+        for team in teams
+    ]
+
+
+def _settle_withdrawn(context: StageContext, fixtures: Sequence[Fixture]) -> set[str]:
+    """Annul the open runs of teams that have left, and return those teams; who has played all of them stays."""
+    gone = set()
+    for fixture in fixtures:
+        team = fixture.sides[0].teams[0]
+        if fixture.id not in context.outcomes and context.has_left(team):
+            context.annul(fixture)
+            gone.add(team)
+    return gone
+
+
+def _table(context: StageContext, stage: Challenge, name: str, teams: Sequence[str], fixtures: list[Fixture]) -> Table:
+    info = _info(context, stage, name)
+    runs: dict[str, list[Outcome]] = {team: [] for team in teams}
+    for fixture in fixtures:
+        team, outcome = fixture.sides[0].teams[0], context.outcomes.get(fixture.id)
+        if team in runs and outcome is not None and outcome.ruled is not Ruled.ANNULLED:
+            runs[team].append(outcome)
+    values = {team: _counted(stage, info, own) for team, own in runs.items()}
+    keys = {team: (not runs[team], info.sort_key(Outcome((), values=values[team]))) for team in teams}
+    columns = tuple(criterion.name for criterion in info.criteria)
+    rows = _rows(context, name, keys, complete=context.are_decided(fixtures))
+    return Table(
+        name,
+        tuple(
+            Row(
+                row.team,
+                row.place,
+                shared=row.shared,
+                by_lot=row.by_lot,
+                played=len(runs[row.team]),
+                values=values[row.team],
+            )
+            for row in rows
+        ),
+        columns,
+        context.are_decided(fixtures),
+    )
+
+
+def _info(context: StageContext, stage: Challenge, name: str) -> ScenarioInfo:
+    one = stage.scenarios[name]
+    return context.scenarios[context.names.use(one.scenario, one.set)]
+
+
+def _counted(stage: Challenge, info: ScenarioInfo, runs: Sequence[Outcome]) -> tuple[float, ...]:
+    """Return what counts of a team's runs, for each criterion."""
+    if not runs:
+        return ()
+    if stage.rank_by == "best":
+        best = min(runs, key=info.sort_key)
+        return best.values or best.scores
+    together = median if stage.rank_by == "median" else sum
+    return tuple(on_paper(together(column)) for column in zip(*(run.values or run.scores for run in runs), strict=True))
+
+
+def _total(context: StageContext, stage: Challenge, teams: Sequence[str], tables: Sequence[Table]) -> Table:
+    columns = tuple(found.name for found in tables)
+    points: dict[str, list[float]] = {team: [] for team in teams}
+    for found in tables:
+        info = _info(context, stage, found.name)
+        given = _place_points(stage, found) if stage.combine == "places" else _shares(info.criteria[0], found)
+        for team in teams:
+            points[team].append(given[team])
+    totals = {team: on_paper(sum(own)) for team, own in points.items()}
+    is_complete = all(found.complete for found in tables)
+    rows = _rows(context, TOTAL, {team: -total for team, total in totals.items()}, complete=is_complete)
+    return Table(
+        TOTAL,
+        tuple(
+            Row(
+                row.team,
+                row.place,
+                shared=row.shared,
+                by_lot=row.by_lot,
+                points=totals[row.team],
+                values=tuple(points[row.team]),
+            )
+            for row in rows
+        ),
+        columns,
+        is_complete,
+    )
+
+
+def _place_points(stage: Challenge, found: Table) -> dict[str, float]:
+    """Return points by place; teams that share a place get those of that place, teams without a run none."""
+    listed = stage.place_points or tuple(range(len(found.rows), 0, -1))
+    return {
+        row.team: float(listed[row.place - 1]) if row.played and row.place <= len(listed) else 0.0 for row in found.rows
+    }
+
+
+def _shares(criterion: Criterion, found: Table) -> dict[str, float]:
+    """Return 100 for the best value of the first criterion, and to others their share of it; nothing below 0."""
+    values = {row.team: row.values[0] for row in found.rows if row.values}
+    best = (max if criterion.is_more_better else min)(values.values(), default=0.0)
+    shares = dict.fromkeys((row.team for row in found.rows), 0.0)
+    for team, value in values.items():
+        part, whole = (value, best) if criterion.is_more_better else (best, value)
+        if value == best and best >= 0 and not (criterion.is_more_better and best == 0):
+            shares[team] = 100.0
+        elif whole > 0:
+            shares[team] = on_paper(round(100 * max(0.0, part / whole), 6))
+    return shares
+
+
+def _rows(context: StageContext, use: str, keys: Mapping[str, Any], *, complete: bool) -> list[Row]:
+    """Return teams with their places by key, the smallest first; those with equal keys share a place, or draw lots."""
+    rows: list[Row] = []
+    rules = context.rules(use)
+    has_lot = complete and "lot" in rules.tie_breaks
+    for _, part in groupby(sorted(keys, key=keys.__getitem__), key=keys.__getitem__):
+        level = list(part)
+        is_by_lot = has_lot and len(level) > 1
+        start = len(rows) + 1
+        for index, team in enumerate(sorted(level, key=rules.lot) if is_by_lot else level):
+            place = start + index if is_by_lot else start
+            rows.append(Row(team, place, shared=len(level) > 1 and not is_by_lot, by_lot=is_by_lot))
+    return rows

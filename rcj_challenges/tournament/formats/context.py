@@ -1,0 +1,177 @@
+"""What the kinds of stages share: who plays, how fixtures are made, which outcomes count."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from rcj_challenges.tournament.models import LostBy, MatchesModel, StageModel, Tournament
+from rcj_challenges.tournament.scenarios import ScenarioInfo, ScenarioNames, ScenarioUse
+from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled, Side, Team
+from rcj_challenges.tournament.seeds import derived_seed, lot
+from rcj_challenges.tournament.standings import Match, TableRules
+
+
+@dataclass(frozen=True, slots=True)
+class Entrant:
+    """A team that has come into a stage.
+
+    Attributes:
+        team: id; empty if it is not known yet.
+        place: in the table that it comes from, from 1; 0: it comes from none.
+        group: the table's name.
+        origin: for people: ``A1``; empty if it comes from no stage.
+    """
+
+    team: str
+    place: int = 0
+    group: str = ""
+    origin: str = ""
+
+
+@dataclass
+class StageContext:
+    """One stage in the middle of being computed.
+
+    Attributes:
+        name: of the stage.
+        tournament: the file.
+        names: finds scenarios.
+        scenarios: what is known of them.
+        teams: all of the tournament, by id.
+        outcomes: by fixture; what the withdrawal of teams brings is added.
+        cuts: the last places of each table that others are kept apart from: between place 2 and 3 stands 2.
+        cache: of what does not depend on outcomes, kept from one state to the next.
+    """
+
+    name: str
+    tournament: Tournament
+    names: ScenarioNames
+    scenarios: Mapping[ScenarioUse, ScenarioInfo]
+    teams: Mapping[str, Team]
+    outcomes: dict[str, Outcome]
+    cuts: frozenset[int] = frozenset()
+    cache: dict[Any, Any] = field(default_factory=dict)
+
+    def title(self, stage: StageModel) -> str:
+        """Return what the stage is called."""
+        return stage.title or humanized(self.name)
+
+    def rules(self, use: str = "", *, with_lot: bool = False) -> TableRules:
+        """Return how a table of this stage is ranked.
+
+        Args:
+            use: name of the table, for its lots.
+            with_lot: whether lots are drawn even if the file does not list them.
+        """
+        points, words = self.tournament.points, self.tournament.tie_breaks
+        if with_lot and "lot" not in words:
+            words = (*words, "lot")
+        return TableRules(points.win, points.draw, points.loss, words, lambda team: self.lot(use, team))
+
+    def lot(self, use: str, team: str) -> bytes:
+        """Return a team's lot in this stage; the smallest wins."""
+        return lot(self.tournament.seed, f"{self.name}/{use}/lot", team)
+
+    def stays(self, team: str, round_: int = 1) -> bool:
+        """Return whether a team takes part in a round: it has not left before that round was drawn."""
+        one = self.teams[team]
+        return not one.withdrawn or one.last_rounds.get(self.name, -1) >= round_
+
+    def has_left(self, team: str) -> bool:
+        """Return whether a team has left the tournament."""
+        return team in self.teams and self.teams[team].withdrawn
+
+    def match(
+        self,
+        path: str,
+        stage: MatchesModel,
+        teams: tuple[str, str],
+        round_: int,
+        title: str,
+        group: str = "",
+        *,
+        sides: tuple[tuple[str, ...], tuple[str, ...]] | None = None,
+    ) -> Fixture:
+        """Return the fixture of a match.
+
+        Args:
+            path: where in the stage: ``A/round1``.
+            stage: the stage's model.
+            teams: the one that begins on the scenario's first seat, and the other.
+            round_: from 1.
+            title: for people.
+            group: name of the group.
+            sides: the teams of each side; left out: one each.
+        """
+        use = self.names.of_matches(stage)
+        return self.fixture(
+            f"{path}/{teams[0]}-{teams[1]}", use, sides or ((teams[0],), (teams[1],)), round_, title, group=group
+        )
+
+    def fixture(
+        self,
+        path: str,
+        use: ScenarioUse,
+        sides: Sequence[tuple[str, ...]],
+        round_: int,
+        title: str,
+        *,
+        kind: FixtureKind = FixtureKind.MATCH,
+        group: str = "",
+        tie: str = "",
+        leg: int = 1,
+        seed_path: str = "",
+    ) -> Fixture:
+        """Return a fixture of this stage; its sides take the scenario's seats in order."""
+        seats = tuple(self.scenarios[use].seats)
+        name = f"{self.name}/{path}"
+        return Fixture(
+            id=name,
+            stage=self.name,
+            group=group,
+            round=round_,
+            sides=tuple(Side(seat, teams) for seat, teams in zip(seats, sides, strict=True)),
+            scenario=use.source,
+            overrides=use.overrides,
+            seed=derived_seed(self.tournament.seed, f"{self.name}/{seed_path}" if seed_path else name),
+            kind=kind,
+            tie=tie,
+            leg=leg,
+            title=title,
+        )
+
+    def result(self, fixture: Fixture) -> Match | None:
+        """Return the match of a fixture if it counts; None if it has no outcome, or was annulled."""
+        outcome = self.outcomes.get(fixture.id)
+        if outcome is None or outcome.ruled is Ruled.ANNULLED:
+            return None
+        first, second = fixture.sides
+        return Match(("+".join(first.teams), "+".join(second.teams)), (outcome.scores[0], outcome.scores[1]))
+
+    def annul(self, fixture: Fixture) -> None:
+        """Let a fixture not count, because a team has left."""
+        played = self.outcomes.get(fixture.id)
+        scores = played.scores if played is not None else (0.0, 0.0)
+        self.outcomes[fixture.id] = Outcome(scores, Ruled.ANNULLED, "withdrawn")
+
+    def lose(self, fixture: Fixture) -> None:
+        """Let a team that has left lose a fixture that was not played; if both have left, it does not count."""
+        rule = self.tournament.withdrawn
+        left = [self.has_left(side.teams[0]) for side in fixture.sides]
+        if all(left) or not isinstance(rule, LostBy):
+            self.annul(fixture)
+            return
+        scores = rule.lost if left[0] else rule.lost[::-1]
+        self.outcomes[fixture.id] = Outcome(tuple(map(float, scores)), Ruled.WITHDRAWN, "withdrawn")
+
+    def are_decided(self, fixtures: Sequence[Fixture]) -> bool:
+        """Return whether all of them have an outcome."""
+        return all(fixture.id in self.outcomes for fixture in fixtures)
+
+
+def humanized(name: str) -> str:
+    """Return a name of the file as people write it: ``round_of_16`` becomes ``Round of 16``."""
+    text = name.replace("_", " ")
+    return text[:1].upper() + text[1:]

@@ -1,0 +1,222 @@
+"""Knock-out: a bracket, whose loser is out in each tie."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+
+from rcj_challenges.tournament.formats.context import Entrant, StageContext, humanized
+from rcj_challenges.tournament.formats.groups import by_pot
+from rcj_challenges.tournament.formats.tie import TieFormat, play_tie
+from rcj_challenges.tournament.models import KnockOut
+from rcj_challenges.tournament.season import Fixture, FixtureKind, Row, StageState, Status, Tie
+from rcj_challenges.tournament.standings import tally
+
+_NAMES = {1: "final", 2: "semi_finals", 4: "quarter_finals"}
+_SINGULAR = {
+    "final": "final",
+    "semi_finals": "semi-final",
+    "quarter_finals": "quarter-final",
+    "third_place": "third place",
+}
+
+
+def knock_out(context: StageContext, stage: KnockOut, entrants: Sequence[Entrant]) -> StageState:
+    """Return the state of a knock-out; of entrants that are not known yet the bracket with where they come from."""
+    bracket = _Bracket(context, stage, seeded(context, stage, entrants))
+    bracket.play()
+    is_known = all(entrant.team for entrant in entrants)
+    is_finished = is_known and all(tie.winner for tie in bracket.ties)
+    return StageState(
+        name=context.name,
+        kind=stage.stage,
+        title=context.title(stage),
+        status=(Status.FINISHED if is_finished else Status.RUNNING) if is_known else Status.WAITING,
+        teams=tuple(entrant.team for entrant in entrants) if is_known else (),
+        fixtures=tuple(bracket.fixtures),
+        expected_matches=match_count(len(entrants), stage),
+        ties=tuple(bracket.ties),
+        places=bracket.places() if is_finished else (),
+    )
+
+
+def match_count(count: int, stage: KnockOut) -> int:
+    """Return the number of matches of a knock-out of so many teams; of a best-of those played in any case."""
+    ties = max(0, count - 1) + (1 if stage.third_place and count >= 4 else 0)
+    return ties * max(stage.legs, stage.best_of // 2 + 1)
+
+
+def round_count(count: int) -> int:
+    """Return the number of rounds for so many teams."""
+    return max(0, count - 1).bit_length()
+
+
+def seeded(context: StageContext, stage: KnockOut, entrants: Sequence[Entrant]) -> list[Entrant]:
+    """Return the entrants in the order of their seeds, the best first."""
+    use = f"{context.name}/seeding"
+    if stage.seeding == "drawn" or stage.from_ is None:
+        teams = {entrant.team: entrant for entrant in entrants}
+        if "" in teams:
+            return [replace(entrant, origin="drawn") for entrant in entrants]
+        if stage.seeding == "by_place":
+            return sorted(entrants, key=lambda one: context.teams[one.team].pot or 1000)
+        same = {team: replace(context.teams[team], pot=0) for team in teams}
+        return [teams[team] for team in by_pot(list(teams), same, context.tournament.seed, use)]
+    return list(entrants)
+
+
+def fold(size: int) -> list[int]:
+    """Return the seeds, from 0, from top to bottom of a bracket: the best two can meet in the final only."""
+    order = [0]
+    while len(order) < size:
+        total = 2 * len(order)
+        order = [seed for one in order for seed in (one, total - 1 - one)]
+    return order
+
+
+def first_round(entrants: Sequence[Entrant]) -> list[tuple[Entrant | None, Entrant | None]]:
+    """Return the pairs of the first round from top to bottom; None is a bye.
+
+    Two that come from one group do not meet there if another one with the same place can stand in.
+    """
+    size = 1 << round_count(len(entrants))
+    seeds: list[Entrant | None] = [*entrants, *[None] * (size - len(entrants))]
+    for low in range(size // 2, len(entrants)):
+        high = size - 1 - low
+        if not _same_group(seeds[high], seeds[low]):
+            continue
+        for other in range(size // 2, len(entrants)):
+            one, two = seeds[low], seeds[other]
+            is_better = not _same_group(seeds[high], two) and not _same_group(seeds[size - 1 - other], one)
+            if one is not None and two is not None and one.place == two.place and is_better:
+                seeds[low], seeds[other] = two, one
+                break
+    order = fold(size)
+    return [(seeds[order[i]], seeds[order[i + 1]]) for i in range(0, size, 2)]
+
+
+def _same_group(one: Entrant | None, other: Entrant | None) -> bool:
+    return one is not None and other is not None and bool(one.group) and one.group == other.group
+
+
+@dataclass
+class _Bracket:
+    context: StageContext
+    stage: KnockOut
+    entrants: Sequence[Entrant]
+    ties: list[Tie] = field(default_factory=list)
+    fixtures: list[Fixture] = field(default_factory=list)
+
+    def play(self) -> None:
+        """Fill the ties, round by round."""
+        if len(self.entrants) < 2:
+            return
+        pairs = first_round(self.entrants)
+        entries = [(_team(one), _team(two), _source(one), _source(two)) for one, two in pairs]
+        round_ = 1
+        while True:
+            name = _round_name(len(entries))
+            if name == "final" and self.stage.third_place and len(self.entrants) >= 4:
+                self._third_place(round_)
+            done = [self._tie(name, number, entry, round_) for number, entry in enumerate(entries, 1)]
+            if len(done) == 1:
+                return
+            entries = [
+                (one.winner, two.winner, _winner_of(one), _winner_of(two))
+                for one, two in zip(done[::2], done[1::2], strict=True)
+            ]
+            round_ += 1
+
+    def places(self) -> tuple[Row, ...]:
+        """Return the ranking: who lost in the same round shares a place, unless a lot is listed."""
+        left = [entrant.team for entrant in self.entrants]
+        levels: list[list[str]] = []
+        has_third = any(tie.round == "third_place" for tie in self.ties)
+        for tie in reversed([tie for tie in self.ties if tie.round in ("final", "third_place")]):
+            levels += [[tie.winner], [_loser(tie)]]
+        for name in dict.fromkeys(tie.round for tie in reversed(self.ties)):
+            if name in ("final", "third_place") or (name == "semi_finals" and has_third):
+                continue
+            losers = {_loser(tie) for tie in self.ties if tie.round == name} - {""}
+            levels.append([team for team in left if team in losers])
+        return tuple(self._rows([level for level in levels if level]))
+
+    def _rows(self, levels: list[list[str]]) -> Iterator[Row]:
+        rules = self.context.rules("places")
+        counted = [one for one in self.fixtures if one.kind is not FixtureKind.TIE_SCENARIO]
+        matches = [match for one in counted if (match := self.context.result(one)) is not None]
+        tallies = tally([team for level in levels for team in level], matches, rules)
+        place = 1
+        for level in levels:
+            is_by_lot = len(level) > 1 and "lot" in rules.tie_breaks
+            for index, team in enumerate(sorted(level, key=rules.lot) if is_by_lot else level):
+                own = tallies[team]
+                yield Row(
+                    team,
+                    place + index if is_by_lot else place,
+                    shared=len(level) > 1 and not is_by_lot,
+                    played=own.played,
+                    won=own.won,
+                    drawn=own.drawn,
+                    lost=own.lost,
+                    goals=own.goals,
+                    conceded=own.conceded,
+                    by_lot=is_by_lot,
+                )
+            place += len(level)
+
+    def _third_place(self, round_: int) -> None:
+        one, two = [tie for tie in self.ties if tie.round == "semi_finals"]
+        sources = tuple(f"loser of {_title(tie.round, tie.number)}" for tie in (one, two))
+        # Of three teams one had a bye: it has no loser.
+        self._tie("third_place", 1, (_loser(one), _loser(two), sources[0], sources[1]), round_)
+
+    def _tie(self, name: str, number: int, entry: tuple[str, str, str, str], round_: int) -> Tie:
+        one, two, *sources = entry
+        path = f"{name}/{number}"
+        tie = Tie(f"{self.context.name}/{path}", name, number, (one, two), (sources[0], sources[1]))
+        if "bye" in sources:
+            tie = replace(tie, winner=one or two, decided_by="bye" if one or two else "")
+        elif one and two:
+            title = f"{self.context.title(self.stage)}, {_title(name, number)}"
+            # Who stands above begins on the first seat in every other round.
+            pair = (one, two) if round_ % 2 else (two, one)
+            form = TieFormat(self.stage.legs, self.stage.best_of)
+            result = play_tie(self.context, self.stage, path, pair, round_, title, form)
+            self.fixtures += result.fixtures
+            scores = result.scores if pair == (one, two) or result.scores is None else result.scores[::-1]
+            tie = replace(
+                tie,
+                fixtures=tuple(fixture.id for fixture in result.fixtures),
+                scores=scores,
+                winner=result.winner,
+                decided_by=result.decided_by,
+            )
+        self.ties.append(tie)
+        return tie
+
+
+def _round_name(ties: int) -> str:
+    return _NAMES.get(ties, f"round_of_{2 * ties}")
+
+
+def _title(name: str, number: int) -> str:
+    if name in ("final", "third_place"):
+        return "match for third place" if name == "third_place" else "final"
+    return f"{_SINGULAR.get(name, humanized(name).lower())} {number}"
+
+
+def _winner_of(tie: Tie) -> str:
+    return f"winner of {_title(tie.round, tie.number)}" if tie.decided_by != "bye" else tie.sources[tie.teams[0] == ""]
+
+
+def _loser(tie: Tie) -> str:
+    return (tie.teams[1] if tie.winner == tie.teams[0] else tie.teams[0]) if tie.winner else ""
+
+
+def _team(entrant: Entrant | None) -> str:
+    return entrant.team if entrant is not None else ""
+
+
+def _source(entrant: Entrant | None) -> str:
+    return entrant.origin if entrant is not None else "bye"

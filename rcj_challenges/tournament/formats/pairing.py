@@ -1,0 +1,94 @@
+"""Pairing one round of a Swiss stage."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Player:
+    """A team before a round.
+
+    Attributes:
+        team: id.
+        points: so far.
+        balance: matches begun on the first seat minus those begun on the second.
+        met: opponents so far.
+        had_bye: whether it had a bye.
+    """
+
+    team: str
+    points: float
+    balance: int
+    met: Collection[str]
+    had_bye: bool
+
+
+def pair(players: Sequence[Player], round_: int) -> tuple[list[tuple[str, str]], str]:
+    """Return who meets whom, the first on the first seat, and who has a bye (empty: nobody).
+
+    Neighbours in the table are paired; then pairs exchange partners as long as that makes the round better. What
+    counts, first things first: no rematch and no second bye, seats that differ by two at most, equal points, equal
+    seats, neighbours. As long as each has met less than half of the others, two pairs of which one is a rematch can
+    always be exchanged for a better one: such rounds have none.
+
+    Args:
+        players: in the order of the table.
+        round_: from 1.
+    """
+    size = len(players) + len(players) % 2
+    costs = [[_cost(players, one, other) for other in range(size)] for one in range(size)]
+    pairs = [(one, one + 1) for one in range(0, size, 2)]
+    while _exchange(pairs, costs):
+        pass
+    found, bye = [], ""
+    for number, (one, other) in enumerate(sorted(pairs)):
+        if other == len(players):
+            bye = players[one].team
+            continue
+        first, second = players[one], players[other]
+        is_turned = first.balance > second.balance or (first.balance == second.balance and (number + round_) % 2 == 0)
+        found.append((second.team, first.team) if is_turned else (first.team, second.team))
+    return found, bye
+
+
+def _exchange(pairs: list[tuple[int, int]], costs: list[list[int]]) -> bool:
+    """Let pairs exchange partners where that costs less; return whether any did."""
+    has_changed = False
+    for i in range(len(pairs)):
+        for j in range(i + 1, len(pairs)):
+            (a, b), (c, d) = pairs[i], pairs[j]
+            now = costs[a][b] + costs[c][d]
+            one, other = costs[a][c] + costs[b][d], costs[a][d] + costs[b][c]
+            if min(one, other) < now:
+                changed = [(a, c), (b, d)] if one <= other else [(a, d), (b, c)]
+                pairs[i], pairs[j] = ((min(pair), max(pair)) for pair in changed)
+                has_changed = True
+    return has_changed
+
+
+def _cost(players: Sequence[Player], one: int, other: int) -> int:
+    """Return what it costs to pair two; the one behind the last is the bye."""
+    one, other = min(one, other), max(one, other)
+    if one == other:
+        return 0
+    first = players[one]
+    seats: tuple[int, ...] = ()
+    if other == len(players):
+        is_again, points = first.had_bye, first.points - players[-1].points
+    else:
+        second = players[other]
+        low, high = sorted((first.balance, second.balance))
+        seats = (abs(low + 1), abs(high - 1))
+        is_again, points = second.team in first.met, first.points - second.points
+    uneven = sum(max(0, seat - 1) for seat in seats)
+    very_uneven = sum(max(0, seat - 2) for seat in seats)
+    # Each weight is larger than all that two pairs can cost by what comes after it.
+    return (
+        is_again * 10**24
+        + very_uneven * 10**20
+        + round(100 * points * points) * 10**11
+        + uneven * 10**8
+        + (other - one) ** 2
+    )

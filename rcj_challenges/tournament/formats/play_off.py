@@ -1,0 +1,81 @@
+"""Play-offs: teams that share a place which decides who advances play each other for it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from rcj_challenges.tournament.formats.circle import pairings
+from rcj_challenges.tournament.formats.context import StageContext, humanized
+from rcj_challenges.tournament.formats.tie import TieFormat, play_tie
+from rcj_challenges.tournament.models import RoundRobin, Swiss
+from rcj_challenges.tournament.season import Fixture, Row, Table
+from rcj_challenges.tournament.standings import table
+
+
+def play_offs(
+    context: StageContext, stage: RoundRobin | Swiss, found: Table, round_: int
+) -> tuple[Table, list[Fixture]]:
+    """Return a complete table with the play-offs that it needs, and their fixtures.
+
+    Two teams play one tie; more play each other once, and what is level after that is decided by lot.
+
+    Args:
+        context: the stage.
+        stage: its model.
+        found: the table without play-offs.
+        round_: number of the first round of the play-offs.
+    """
+    rows = list(found.rows)
+    fixtures: list[Fixture] = []
+    is_complete = True
+    start = 0
+    while start < len(rows):
+        level = [row for row in rows if row.place == rows[start].place]
+        end = start + len(level)
+        if len(level) > 1 and any(start < cut < end for cut in context.cuts):
+            ranked, more = _play(context, stage, found.name, level, round_)
+            fixtures += more
+            is_complete = is_complete and ranked is not None
+            rows[start:end] = ranked or level
+        start = end
+    return replace(found, rows=tuple(rows), complete=is_complete), fixtures
+
+
+def _play(
+    context: StageContext, stage: RoundRobin | Swiss, group: str, level: Sequence[Row], round_: int
+) -> tuple[list[Row] | None, list[Fixture]]:
+    """Return the rows of level teams in their new order, None if they still play, and the fixtures."""
+    teams = [row.team for row in level]
+    place = level[0].place
+    path = f"{group}/play_off{place}" if group else f"play_off{place}"
+    title = f"{f'Group {humanized(group)}, play-off' if group else 'Play-off'} for place {place}"
+    if len(teams) == 2:
+        tie = play_tie(context, stage, path, (teams[0], teams[1]), round_, title, TieFormat(), group)
+        order = {team: 0 if team == tie.winner else 1 for team in teams} if tie.winner else {}
+        by_lot = set(teams) if tie.decided_by == "lot" else set()
+        fixtures = tie.fixtures
+    else:
+        fixtures = []
+        for number, pairs in enumerate(pairings(len(teams))):
+            for one, other in pairs:
+                where = f"{path}/round{number + 1}"
+                pair = (teams[one], teams[other])
+                fixture = context.match(where, stage, pair, round_ + number, title, group)
+                if context.has_left(pair[0]) or context.has_left(pair[1]):
+                    context.lose(fixture)
+                fixtures.append(fixture)
+        order, by_lot = {}, set()
+        if context.are_decided(fixtures):
+            matches = [match for one in fixtures if (match := context.result(one)) is not None]
+            rules = context.rules(path, with_lot=True)
+            ranked = table(group, teams, matches, rules, complete=True).rows
+            order = {row.team: row.place - 1 for row in ranked}
+            by_lot = {row.team for row in ranked if row.by_lot}
+    if not order:
+        return None, fixtures
+    rows = [
+        replace(row, place=place + order[row.team], shared=False, by_lot=row.team in by_lot)
+        for row in sorted(level, key=lambda row: order[row.team])
+    ]
+    return rows, fixtures

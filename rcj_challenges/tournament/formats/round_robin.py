@@ -1,0 +1,78 @@
+"""Round robin: all teams of a group meet each other once or twice."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rcj_challenges.tournament.formats.circle import pairings
+from rcj_challenges.tournament.formats.context import Entrant, StageContext, humanized
+from rcj_challenges.tournament.formats.groups import groups_of
+from rcj_challenges.tournament.formats.play_off import play_offs
+from rcj_challenges.tournament.models import LostBy, RoundRobin
+from rcj_challenges.tournament.season import Fixture, StageState, Status, Table
+from rcj_challenges.tournament.standings import table
+
+
+def round_robin(context: StageContext, stage: RoundRobin, entrants: Sequence[Entrant]) -> StageState:
+    """Return the state of a round robin."""
+    teams = tuple(entrant.team for entrant in entrants)
+    key = ("round_robin", context.name, teams)
+    if key not in context.cache:
+        groups = groups_of(stage, teams, context.teams, context.tournament.seed, f"{context.name}/groups")
+        context.cache[key] = groups, {name: _fixtures(context, stage, name, own) for name, own in groups.items()}
+    groups, by_group = context.cache[key]
+    for fixtures in by_group.values():
+        _settle_withdrawn(context, fixtures)
+    tables: list[Table] = []
+    play_off_fixtures: list[Fixture] = []
+    for name, fixtures in by_group.items():
+        matches = [match for fixture in fixtures if (match := context.result(fixture)) is not None]
+        is_complete = context.are_decided(fixtures)
+        found = table(name, groups[name], matches, context.rules(name), complete=is_complete)
+        if stage.play_off and is_complete:
+            found, more = play_offs(context, stage, found, max((one.round for one in fixtures), default=0) + 1)
+            play_off_fixtures += more
+        tables.append(found)
+    fixtures = tuple(sorted((one for own in by_group.values() for one in own), key=lambda one: one.round))
+    is_finished = all(found.complete for found in tables)
+    return StageState(
+        name=context.name,
+        kind=stage.stage,
+        title=context.title(stage),
+        status=Status.FINISHED if is_finished else Status.RUNNING,
+        teams=teams,
+        fixtures=(*fixtures, *play_off_fixtures),
+        expected_matches=len(fixtures),
+        tables=tuple(tables),
+        places=tuple(sorted((row for found in tables for row in found.rows), key=lambda row: row.place))
+        if is_finished
+        else (),
+    )
+
+
+def _fixtures(context: StageContext, stage: RoundRobin, group: str, teams: Sequence[str]) -> list[Fixture]:
+    found = []
+    where = f"Group {humanized(group)}, " if group else ""
+    for number, pairs in enumerate(pairings(len(teams), stage.legs), 1):
+        path = f"{group}/round{number}" if group else f"round{number}"
+        title = f"{where}round {number}"
+        for one, other in pairs:
+            pair = teams[one], teams[other]
+            found.append(context.match(path, stage, pair, number, title[:1].upper() + title[1:], group))
+    return found
+
+
+def _settle_withdrawn(context: StageContext, fixtures: Sequence[Fixture]) -> None:
+    """Give the matches of teams that have left their outcome; those of a team that has played all of its own stand."""
+    teams = dict.fromkeys(side.teams[0] for fixture in fixtures for side in fixture.sides)
+    left = [team for team in teams if context.has_left(team)]
+    if not left:
+        return
+    own = {team: [one for one in fixtures if any(team in side.teams for side in one.sides)] for team in left}
+    unfinished = [team for team in left if any(one.id not in context.outcomes for one in own[team])]
+    for team in unfinished:
+        for fixture in own[team]:
+            if not isinstance(context.tournament.withdrawn, LostBy):
+                context.annul(fixture)
+            elif fixture.id not in context.outcomes:
+                context.lose(fixture)

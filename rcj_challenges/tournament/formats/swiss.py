@@ -1,0 +1,106 @@
+"""Swiss: in each round teams with equal points meet, and no two meet twice."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from rcj_challenges.tournament.formats.context import Entrant, StageContext
+from rcj_challenges.tournament.formats.groups import by_pot
+from rcj_challenges.tournament.formats.pairing import Player, pair
+from rcj_challenges.tournament.formats.play_off import play_offs
+from rcj_challenges.tournament.models import LostBy, Swiss
+from rcj_challenges.tournament.season import Fixture, StageState, Status, Table
+from rcj_challenges.tournament.standings import Match, table
+
+
+def swiss(context: StageContext, stage: Swiss, entrants: Sequence[Entrant]) -> StageState:
+    """Return the state of a Swiss stage: rounds are drawn one by one, as soon as the one before is over."""
+    teams = tuple(entrant.team for entrant in entrants)
+    course = _Course(context, stage, by_pot(teams, context.teams, context.tournament.seed, f"{context.name}/order"))
+    is_complete = course.play()
+    found = course.table(complete=is_complete)
+    more: list[Fixture] = []
+    if stage.play_off and is_complete:
+        found, more = play_offs(context, stage, found, stage.rounds + 1)
+    return StageState(
+        name=context.name,
+        kind=stage.stage,
+        title=context.title(stage),
+        status=Status.FINISHED if found.complete else Status.RUNNING,
+        teams=teams,
+        fixtures=(*course.fixtures, *more),
+        expected_matches=stage.rounds * (len(teams) // 2),
+        tables=(found,),
+        byes=tuple(course.byes),
+        places=found.rows if found.complete else (),
+    )
+
+
+@dataclass
+class _Course:
+    """The rounds of a Swiss stage, one after another."""
+
+    context: StageContext
+    stage: Swiss
+    order: list[str]
+    fixtures: list[Fixture] = field(default_factory=list)
+    byes: list[tuple[int, str]] = field(default_factory=list)
+    points: dict[str, float] = field(default_factory=lambda: defaultdict(float))
+
+    def play(self) -> bool:
+        """Draw as many rounds as can be; return whether all are over."""
+        for number in range(1, self.stage.rounds + 1):
+            drawn, bye = self._draw(number)
+            if bye:
+                self.byes.append((number, bye))
+                self.points[bye] += self.context.tournament.points.win
+            fixtures = [
+                self.context.match(f"round{number}", self.stage, teams, number, f"Round {number}") for teams in drawn
+            ]
+            self.fixtures += fixtures
+            self._settle_withdrawn(fixtures)
+            if not self.context.are_decided(fixtures):
+                return False
+        return True
+
+    def table(self, *, complete: bool) -> Table:
+        """Return the table of what has been played."""
+        return table("", self.order, self._matches(), self.context.rules(), complete=complete, extra_points=self.points)
+
+    def _matches(self) -> list[Match]:
+        return [match for one in self.fixtures if (match := self.context.result(one)) is not None]
+
+    def _draw(self, number: int) -> tuple[list[tuple[str, str]], str]:
+        rows = self.table(complete=False).rows
+        present = [row for row in rows if self.context.stays(row.team, number)]
+        drawn_before = tuple(fixture.id for fixture in self.fixtures)
+        key = ("swiss", self.context.name, tuple((row.team, row.points) for row in present), drawn_before)
+        if key not in self.context.cache:
+            self.context.cache[key] = pair([self._player(row.team, row.points) for row in present], number)
+        drawn: tuple[list[tuple[str, str]], str] = self.context.cache[key]
+        return drawn
+
+    def _player(self, team: str, points: float) -> Player:
+        met, balance = set(), 0
+        for fixture in self.fixtures:
+            (first,), (second,) = (side.teams for side in fixture.sides)
+            if team == first:
+                met.add(second)
+                balance += 1
+            elif team == second:
+                met.add(first)
+                balance -= 1
+        return Player(team, points, balance, met, any(name == team for _, name in self.byes))
+
+    def _settle_withdrawn(self, fixtures: Sequence[Fixture]) -> None:
+        """Decide the open matches of teams that have left; if they do not count, the opponent has a bye."""
+        for fixture in fixtures:
+            teams = [side.teams[0] for side in fixture.sides]
+            left = [self.context.has_left(team) for team in teams]
+            if fixture.id in self.context.outcomes or not any(left):
+                continue
+            self.context.lose(fixture)
+            if not isinstance(self.context.tournament.withdrawn, LostBy) and not all(left):
+                self.points[teams[left[0]]] += self.context.tournament.points.win

@@ -1,0 +1,219 @@
+"""One pairing of which one team must win: legs, best of several, extra time, a tie scenario, a lot."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from rcj_challenges.tournament.formats.context import StageContext
+from rcj_challenges.tournament.models import MatchesModel
+from rcj_challenges.tournament.scenarios import ScenarioUse
+from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled
+
+
+@dataclass(frozen=True, slots=True)
+class TieFormat:
+    """How a tie is played.
+
+    Attributes:
+        legs: matches whose scores are added up.
+        best_of: matches of which most must be won; 1: the legs decide.
+    """
+
+    legs: int = 1
+    best_of: int = 1
+
+
+@dataclass
+class TieResult:
+    """How far a tie is.
+
+    Attributes:
+        fixtures: that are known, in playing order.
+        scores: sum of the legs, with extra time; or matches won.
+        winner: id, or empty.
+        decided_by: as in `season.Tie`.
+    """
+
+    fixtures: list[Fixture] = field(default_factory=list)
+    scores: tuple[float, float] | None = None
+    winner: str = ""
+    decided_by: str = ""
+
+
+def play_tie(
+    context: StageContext,
+    stage: MatchesModel,
+    path: str,
+    teams: tuple[str, str],
+    round_: int,
+    title: str,
+    form: TieFormat,
+    group: str = "",
+) -> TieResult:
+    """Return how far a tie is.
+
+    Args:
+        context: the stage.
+        stage: its model.
+        path: of the tie within the stage.
+        teams: the first one begins on the first seat.
+        round_: of its fixtures.
+        title: of its fixtures.
+        form: how it is played.
+        group: of its fixtures.
+    """
+    tie = _Tie(context, stage, path, teams, round_, title, group)
+    return tie.by_forfeit(tie.best_of(form.best_of) if form.best_of > 1 else tie.legs(form.legs))
+
+
+@dataclass
+class _Tie:
+    context: StageContext
+    stage: MatchesModel
+    path: str
+    teams: tuple[str, str]
+    round_: int
+    title: str
+    group: str
+
+    def legs(self, count: int) -> TieResult:
+        fixtures = [self._match("leg", number, count) for number in range(1, count + 1)]
+        outcomes = [found for one in fixtures if (found := self.context.outcomes.get(one.id)) is not None]
+        result = TieResult(fixtures, self._sum(fixtures))
+        if len(outcomes) == count and result.scores is not None:
+            return self._decided(result, outcomes) or self._extra_time(result, changed=count % 2 == 1)
+        return result
+
+    def best_of(self, count: int) -> TieResult:
+        needed = count // 2 + 1
+        result = TieResult()
+        wins = [0, 0]
+        number = 0
+        while number < count and max(wins) < needed:
+            # As many as are played in any case may run at the same time.
+            certain = min(needed - max(wins), count - number)
+            fixtures = [self._match("match", number + more, count) for more in range(1, certain + 1)]
+            result.fixtures += fixtures
+            if not self.context.are_decided(fixtures):
+                return TieResult(result.fixtures, self._wins(result.fixtures))
+            wins = [int(one) for one in self._wins(result.fixtures) or (0, 0)]
+            number += certain
+        result.scores = (wins[0], wins[1])
+        outcomes = [self.context.outcomes[one.id] for one in result.fixtures]
+        return self._decided(result, outcomes) or self._extra_time(result, changed=False, counts_wins=True)
+
+    def by_forfeit(self, result: TieResult) -> TieResult:
+        """Let the opponent of a team that has left advance, if the tie is not decided yet."""
+        left = [self.context.has_left(team) for team in self.teams]
+        if result.winner or not any(left):
+            return result
+        played = [one for one in result.fixtures if one.id in self.context.outcomes]
+        return TieResult(played, result.scores, self.teams[1 if left[0] and not left[1] else 0], "forfeit")
+
+    def _match(self, word: str, number: int, count: int) -> Fixture:
+        pair = self.teams if number % 2 else self.teams[::-1]
+        title = f"{self.title}, {word} {number}" if count > 1 else self.title
+        return self.context.fixture(
+            f"{self.path}/{word}{number}/{pair[0]}-{pair[1]}",
+            self.context.names.of_matches(self.stage),
+            ((pair[0],), (pair[1],)),
+            self.round_,
+            title,
+            group=self.group,
+            tie=f"{self.context.name}/{self.path}",
+            leg=number,
+        )
+
+    def _scores(self, fixture: Fixture) -> tuple[float, float]:
+        """Return the scores of a fixture in the order of the tie's teams; an annulled one is 0:0."""
+        outcome = self.context.outcomes.get(fixture.id)
+        if outcome is None or outcome.ruled is Ruled.ANNULLED:
+            return (0, 0)
+        first, second = outcome.scores
+        return (first, second) if fixture.sides[0].teams[0] == self.teams[0] else (second, first)
+
+    def _sum(self, fixtures: list[Fixture]) -> tuple[float, float] | None:
+        scores = [self._scores(one) for one in fixtures if one.id in self.context.outcomes]
+        return (sum(one for one, _ in scores), sum(other for _, other in scores)) if scores else None
+
+    def _wins(self, fixtures: list[Fixture]) -> tuple[float, float] | None:
+        scores = [self._scores(one) for one in fixtures if one.id in self.context.outcomes]
+        won = (sum(one > other for one, other in scores), sum(other > one for one, other in scores))
+        return won if scores else None
+
+    def _decided(self, result: TieResult, outcomes: list[Outcome], by: str = "match") -> TieResult | None:
+        """Return the result with its winner if the scores tell the teams apart."""
+        if result.scores is None or result.scores[0] == result.scores[1]:
+            return None
+        result.winner = self.teams[result.scores[1] > result.scores[0]]
+        is_forfeit = any(one.ruled in (Ruled.FORFEIT, Ruled.WITHDRAWN) for one in outcomes)
+        result.decided_by = "forfeit" if is_forfeit else by
+        return result
+
+    def _extra_time(self, result: TieResult, *, changed: bool, counts_wins: bool = False) -> TieResult:
+        """Go on with extra time, if the file has it."""
+        if self.context.tournament.drawn.extra_time is None:
+            return self._tie_scenario(result)
+        pair = self.teams[::-1] if changed else self.teams
+        fixture = self.context.fixture(
+            f"{self.path}/extra_time/{pair[0]}-{pair[1]}",
+            self.context.names.of_extra_time(self.stage),
+            ((pair[0],), (pair[1],)),
+            self.round_,
+            f"{self.title}, extra time",
+            kind=FixtureKind.EXTRA_TIME,
+            group=self.group,
+            tie=f"{self.context.name}/{self.path}",
+            leg=len(result.fixtures) + 1,
+        )
+        result.fixtures.append(fixture)
+        outcome = self.context.outcomes.get(fixture.id)
+        if outcome is None:
+            return result
+        one, other = self._scores(fixture)
+        if counts_wins:
+            one, other = one > other, other > one
+        before = result.scores or (0, 0)
+        result.scores = (before[0] + one, before[1] + other)
+        return self._decided(result, [outcome], "extra_time") or self._tie_scenario(result)
+
+    def _tie_scenario(self, result: TieResult) -> TieResult:
+        """Go on with the tie scenario, if the file has one; then with a lot."""
+        tie = self.context.tournament.drawn.tie_scenario
+        if tie is not None:
+            use = self.context.names.use(tie.scenario, tie.set)
+            is_alone = len(self.context.scenarios[use].seats) == 1
+            sides = [((team,),) for team in self.teams] if is_alone else [tuple((team,) for team in self.teams)]
+            fixtures = [
+                self.context.fixture(
+                    f"{self.path}/tie_scenario/{'-'.join(side[0] for side in one)}",
+                    use,
+                    one,
+                    self.round_,
+                    f"{self.title}, tie scenario",
+                    kind=FixtureKind.TIE_SCENARIO,
+                    group=self.group,
+                    tie=f"{self.context.name}/{self.path}",
+                    leg=len(result.fixtures) + 1,
+                    seed_path=f"{self.path}/tie_scenario",
+                )
+                for one in sides
+            ]
+            result.fixtures += fixtures
+            if not self.context.are_decided(fixtures):
+                return result
+            if winner := self._best(fixtures, is_alone=is_alone):
+                result.winner, result.decided_by = winner, "tie_scenario"
+                return result
+        result.winner = min(self.teams, key=lambda team: self.context.lot(self.path, team))
+        result.decided_by = "lot"
+        return result
+
+    def _best(self, fixtures: list[Fixture], *, is_alone: bool) -> str:
+        """Return who was better in the tie scenario; empty if nothing tells the teams apart."""
+        if not is_alone:
+            one, other = self._scores(fixtures[0])
+            return "" if one == other else self.teams[other > one]
+        info = self.context.scenarios[ScenarioUse(fixtures[0].scenario, fixtures[0].overrides)]
+        keys = [info.sort_key(self.context.outcomes[one.id]) for one in fixtures]
+        return "" if keys[0] == keys[1] else self.teams[keys[1] < keys[0]]

@@ -1,0 +1,243 @@
+"""The tournament file as models: teams, points and tie-breaks, stages in the order in which they are played.
+
+The description of each key is its reference: editors show it, and the documentation is written from it.
+"""
+
+from typing import Annotated, Literal
+
+from pydantic import Field, StringConstraints
+
+from rcj_challenges.scenario.models.base import Name, One, Scalar, Strict, described
+
+TeamId = Annotated[
+    str,
+    StringConstraints(pattern=r"^[A-Za-z0-9_]+$", max_length=40),
+    Field(description="a team's id: letters, digits and _, unique without regard to case"),
+]
+Time = Annotated[
+    str,
+    StringConstraints(pattern=r"^\d{4}-\d{2}-\d{2} \d{2}:\d{2}$"),
+    Field(description="a date and time in the tournament's time zone: 2021-06-22 18:00"),
+]
+PlaceRange = Annotated[
+    str,
+    StringConstraints(pattern=r"^[1-9]\d{0,3}-[1-9]\d{0,3}$"),
+    Field(description="first and last place: 1-2"),
+]
+Place = Annotated[int, Field(ge=1, le=9999, description="one place")]
+Settings = dict[str, Scalar]
+TieBreak = Literal["points", "head_to_head", "goal_difference", "goals", "wins", "lot"]
+Records = Literal["full", "replay", "result"]
+
+
+class TeamModel(Strict):
+    """One team: where its submission is, and what it is called."""
+
+    path: str | None = described(None, "its ZIP or folder, relative to this file; left out: the one in teams_folder")
+    sample: str | None = described(None, "instead of a submission: a sample team that comes with the package, by name")
+    name: str | None = described(None, "as shown; left out: what the submission calls itself", max_length=64)
+    pot: int = described(0, "for drawing groups: 1 for the strongest teams; 0: in none of the pots", ge=0, le=64)
+
+
+class Points(Strict):
+    """Points for a match."""
+
+    win: float = described(3.0, "for a win, also for a bye in a Swiss stage")
+    draw: float = described(1.0, "for a draw")
+    loss: float = described(0.0, "for a loss")
+
+
+class LostBy(Strict):
+    """The score of the matches that a withdrawn team does not play."""
+
+    lost: Annotated[tuple[int, int], Field(strict=False)] = described(
+        ..., "goals of the withdrawn team and of its opponent: [0, 3]"
+    )
+
+
+class TieScenario(Strict):
+    """The scenario that decides a tie after extra time.
+
+    With one seat, each of the two teams plays it once, with the same seed; with two seats they play it together.
+    """
+
+    scenario: str = described(..., "a file, relative to this one, or the name of a shipped scenario")
+    set: Settings = described({}, "settings of that scenario: path -> value")
+
+
+class DrawnMatches(Strict):
+    """What decides a knock-out tie that is level, in this order; a lot is the last resort."""
+
+    extra_time: Settings | None = described(
+        None,
+        "settings for an extra match that starts at 0:0, such as {match.half_s: 300}; the team that wins it advances",
+    )
+    tie_scenario: TieScenario | None = described(None, "then a scenario")
+
+
+class StageModel(Strict):
+    """What all stages have."""
+
+    title: str = described("", "as shown; left out: made of the stage's name", max_length=120)
+    release: Time | Annotated[tuple[Time, ...], Field(strict=False, min_length=1)] | None = described(
+        None, "when `publish` shows it: one time, or a list with one for each round; left out: as soon as it is played"
+    )
+    minutes_between: float = described(
+        0.0, "matches of a round are released one by one, so many minutes apart; 0: all together", ge=0, le=10_080
+    )
+    records: Records | None = described(None, "what is kept of its matches; left out: as for the whole tournament")
+
+
+class FromModel(StageModel):
+    """What stages have that may take their teams from an earlier one."""
+
+    from_: Name | None = Field(
+        None, alias="from", description="the earlier stage from which its teams come; left out: all teams take part"
+    )
+    places: Place | PlaceRange | None = described(
+        None, "which places of that stage, of each of its groups if it has some: 1 or 1-2; left out: all"
+    )
+
+
+class MatchesModel(FromModel):
+    """What stages of matches have."""
+
+    scenario: str | None = described(None, "left out: the tournament's")
+    set: Settings = described(
+        {}, "settings for this stage; they are added to the tournament's, unless the stage has a scenario of its own"
+    )
+
+
+class RoundRobin(MatchesModel):
+    """All teams of a group meet each other."""
+
+    stage: Literal["round_robin"]
+    groups: (
+        Annotated[int, Field(ge=1, le=64)]
+        | dict[Name, Annotated[tuple[TeamId, ...], Field(strict=False, min_length=2)]]
+    ) = described(1, "how many groups are drawn, evenly from each pot; or the teams by group: {A: [ada, bee], B: […]}")
+    legs: Literal[1, 2] = described(1, "how often two teams meet; 2: home and away, with the sides changed")
+    play_off: bool = described(
+        False, "whether teams that share a place which decides who advances play each other for it; after that, a lot"
+    )
+
+
+class Swiss(MatchesModel):
+    """In each round, teams with equal points meet; no two meet twice. With an odd number of teams, one has a bye."""
+
+    stage: Literal["swiss"]
+    rounds: int = described(..., "number of rounds; at most half the number of teams, rounded up", ge=1, le=64)
+    play_off: bool = described(
+        False, "whether teams that share a place which decides who advances play each other for it; after that, a lot"
+    )
+
+
+class KnockOut(MatchesModel):
+    """The loser of each tie is out. If the number of teams is not a power of two, the best seeds have a bye."""
+
+    stage: Literal["knock_out"]
+    seeding: Literal["by_place", "drawn"] = described(
+        "by_place",
+        "by_place: the best meet the last, and teams of one group meet late; without 'from' the order of the teams "
+        "counts, those of the first pot first. drawn: by lot",
+    )
+    third_place: bool = described(False, "whether the losers of the semi-finals play for third place")
+    legs: Literal[1, 2] = described(1, "matches of a tie whose scores are added up; 2: with the sides changed")
+    best_of: Literal[1, 3, 5, 7] = described(1, "matches of a tie of which most must be won; drawn ones count for none")
+
+
+class ChallengeScenario(Strict):
+    """One challenge."""
+
+    scenario: str = described(..., "a file, relative to this one, or the name of a shipped scenario; it has one seat")
+    set: Settings = described({}, "settings of that scenario: path -> value")
+
+
+class Challenge(FromModel):
+    """Each team plays scenarios alone, with the same seeds as all others."""
+
+    stage: Literal["challenge"]
+    scenarios: dict[Name, ChallengeScenario] = described(..., "the challenges by name", min_length=1, max_length=64)
+    seeds: int = described(1, "how often each team plays each of them, each time with another seed", ge=1, le=1000)
+    rank_by: Literal["sum", "median", "best"] = described(
+        "sum", "what counts of the runs of a team: the sum or the median of each criterion, or its best run"
+    )
+    combine: Literal["places", "share"] = described(
+        "places",
+        "how several challenges give one table. places: points by place; share: 100 points for the best value, others "
+        "their share of it",
+    )
+    place_points: Annotated[tuple[float, ...], Field(strict=False)] = described(
+        (), "points for the first place, the second, …; left out: the number of teams for the first, 1 for the last"
+    )
+
+
+class SuperTeam(MatchesModel):
+    """Each robot of a side is driven by the program of another team; all super teams meet each other."""
+
+    stage: Literal["super_team"]
+    super_teams: dict[Name, Annotated[tuple[TeamId, ...], Field(strict=False, min_length=1)]] | None = described(
+        None, "the teams of each super team, in the order of the side's robots; left out: drawn"
+    )
+    legs: Literal[1, 2] = described(1, "how often two super teams meet; 2: with the sides changed")
+
+
+Stage = Annotated[RoundRobin | Swiss | KnockOut | Challenge | SuperTeam, Field(discriminator="stage")]
+
+
+class Tournament(Strict):
+    """A tournament: its teams, its stages, and what decides."""
+
+    tournament_version: One = described(..., "version of this format: 1")
+    title: str = described(..., "what people call it", min_length=1, max_length=120)
+    description: str = described("", "for the site", max_length=4000)
+    seed: int | Annotated[str, StringConstraints(min_length=1, max_length=200)] = described(
+        ..., "a number or a text from which all that chance decides is drawn: groups, pairings, lots, each match"
+    )
+    teams_folder: str | None = described(
+        None, "a folder, relative to this file, of which each ZIP and each folder is a team; its name is the team's id"
+    )
+    teams: dict[TeamId, TeamModel] = described(
+        {}, "teams by id; with teams_folder only those of which something is to be said", max_length=1024
+    )
+    scenario: str = described(
+        "match", "what is played: a file, relative to this one, or the name of a shipped scenario"
+    )
+    set: Settings = described({}, "settings of the scenario: path -> value, as with --set: {match.half_s: 300}")
+    points: Points = described(Points(), "points for a match")
+    tie_breaks: Annotated[tuple[TieBreak, ...], Field(strict=False, min_length=1)] = described(
+        ("points", "goal_difference", "goals", "head_to_head"),
+        "what ranks a table, first criterion first. head_to_head: a table of the matches of those that are level. What "
+        "stays level shares its place, unless the last word is lot",
+    )
+    drawn: DrawnMatches = described(DrawnMatches(), "what decides a knock-out tie that is level")
+    withdrawn: Literal["annulled"] | LostBy = described(
+        "annulled",
+        "what happens if a team leaves in the middle. annulled: in a round robin that it has not finished none of its "
+        "matches count; {lost: [0, 3]}: those that it has not played are lost. In a Swiss stage what it played counts; "
+        "in a knock-out its opponent advances",
+    )
+    records: Records = described(
+        "replay",
+        "what is kept of each match: full: the whole record, with sensors; replay: what the replay page needs; result: "
+        "the result only. What is dropped is made again by `tournament rerun`",
+    )
+    time_zone: str = described("UTC", "of all times in this file: Europe/Berlin", max_length=64)
+    stages: dict[Name, Stage] = described(
+        ..., "the stages by name, in the order of playing", min_length=1, max_length=64
+    )
+
+
+def place_range(places: int | str | None, size: int) -> tuple[int, int]:
+    """Return the first and the last place that a stage takes from a table of ``size`` teams.
+
+    Args:
+        places: as in the file.
+        size: number of teams of the table.
+    """
+    if places is None:
+        return 1, size
+    if isinstance(places, int):
+        return places, places
+    first, last = map(int, places.split("-"))
+    return first, last

@@ -1,0 +1,124 @@
+"""Which scenarios a tournament plays, with which settings, and what it needs to know of them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import inf
+from pathlib import Path
+
+from rcj_challenges.scenario.models.base import Scalar
+from rcj_challenges.scenario.resources import shipped_scenarios
+from rcj_challenges.tournament.models import Challenge, KnockOut, MatchesModel, RoundRobin, Swiss, Tournament
+from rcj_challenges.tournament.season import Outcome, Ruled
+
+
+@dataclass(frozen=True, slots=True)
+class ScenarioUse:
+    """A scenario with settings.
+
+    Attributes:
+        source: name of a shipped scenario, or a path.
+        overrides: ``PATH=VALUE`` each.
+    """
+
+    source: str
+    overrides: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Criterion:
+    """One of the criteria by which a scenario ranks.
+
+    Attributes:
+        name: ``score``, ``time``, or the name of a counter.
+        is_more_better: whether a larger value is better.
+    """
+
+    name: str
+    is_more_better: bool
+
+
+@dataclass(frozen=True, slots=True)
+class ScenarioInfo:
+    """What a tournament needs to know of a scenario.
+
+    Attributes:
+        id: short name.
+        title: for people.
+        seats: number of robots by seat, in the scenario's order.
+        criteria: by which it ranks, the first one first.
+        duration_s: simulated time of all halves.
+    """
+
+    id: str
+    title: str
+    seats: Mapping[str, int]
+    criteria: tuple[Criterion, ...]
+    duration_s: float
+
+    def sort_key(self, outcome: Outcome) -> tuple[float, ...]:
+        """Return a key for what one team achieved alone, the smallest for the best; what was annulled is the worst."""
+        if outcome.ruled is Ruled.ANNULLED:
+            return (inf,)
+        values = outcome.values or outcome.scores
+        return tuple(-one if rank.is_more_better else one for one, rank in zip(values, self.criteria, strict=False))
+
+
+class ScenarioNames:
+    """Finds the scenarios that a tournament file names."""
+
+    def __init__(self, tournament: Tournament, folder: Path) -> None:
+        self._tournament = tournament
+        self._folder = folder
+
+    def of_matches(self, stage: MatchesModel) -> ScenarioUse:
+        """Return what is played in a stage of matches."""
+        if stage.scenario is not None:
+            return self.use(stage.scenario, stage.set)
+        return self.use(self._tournament.scenario, {**self._tournament.set, **stage.set})
+
+    def of_extra_time(self, stage: MatchesModel) -> ScenarioUse:
+        """Return what is played as extra time; the file must have some."""
+        played = self.of_matches(stage)
+        return ScenarioUse(played.source, (*played.overrides, *_overrides(self._tournament.drawn.extra_time or {})))
+
+    def use(self, source: str, settings: Mapping[str, Scalar]) -> ScenarioUse:
+        """Return a scenario with settings as the rest of the package takes them."""
+        file = self._folder / source
+        found = source if source in shipped_scenarios() and not file.is_file() else str(file)
+        return ScenarioUse(found, _overrides(settings))
+
+
+def scenario_uses(tournament: Tournament, folder: Path) -> dict[ScenarioUse, tuple[str, ...]]:
+    """Return all scenarios that a tournament plays, each with where the file names it.
+
+    Args:
+        tournament: the file.
+        folder: where it lies.
+    """
+    names = ScenarioNames(tournament, folder)
+    found: dict[ScenarioUse, tuple[str, ...]] = {}
+    for name, stage in tournament.stages.items():
+        if isinstance(stage, Challenge):
+            for key, one in stage.scenarios.items():
+                found.setdefault(names.use(one.scenario, one.set), ("stages", name, "scenarios", key, "scenario"))
+            continue
+        where = ("stages", name) if stage.scenario is not None or stage.set else ("scenario",)
+        found.setdefault(names.of_matches(stage), where)
+        if may_need_deciding(stage):
+            if tournament.drawn.extra_time is not None:
+                found.setdefault(names.of_extra_time(stage), ("drawn", "extra_time"))
+            if (tie := tournament.drawn.tie_scenario) is not None:
+                found.setdefault(names.use(tie.scenario, tie.set), ("drawn", "tie_scenario", "scenario"))
+    return found
+
+
+def may_need_deciding(stage: MatchesModel) -> bool:
+    """Return whether a stage has ties of which one team must win."""
+    return isinstance(stage, KnockOut) or (isinstance(stage, RoundRobin | Swiss) and stage.play_off)
+
+
+def _overrides(settings: Mapping[str, Scalar]) -> tuple[str, ...]:
+    return tuple(f"{path}={json.dumps(value, ensure_ascii=False)}" for path, value in settings.items())
