@@ -9,10 +9,11 @@ from datetime import datetime
 from pathlib import Path
 from zoneinfo import ZoneInfo
 
+from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.tree import Entries, Step, in_names, mark_of
 from rcj_challenges.tournament.entries import TeamEntry
-from rcj_challenges.tournament.errors import Problem, problem_at
+from rcj_challenges.tournament.errors import problem_at
 from rcj_challenges.tournament.models import (
     Challenge,
     FromModel,
@@ -35,7 +36,7 @@ def check(
     scenarios: Mapping[ScenarioUse, ScenarioInfo],
     tree: Entries,
     folder: Path,
-) -> list[Problem]:
+) -> list[Diagnostic]:
     """Return what is wrong.
 
     Args:
@@ -57,7 +58,7 @@ class _Checks:
     tree: Entries
     names: ScenarioNames
 
-    def problems(self) -> Iterator[Problem]:
+    def problems(self) -> Iterator[Diagnostic]:
         yield from self._teams()
         yield from self._tie_breaks()
         yield from self._times()
@@ -70,19 +71,19 @@ class _Checks:
         for name, stage in self.tournament.stages.items():
             yield from self._stage(name, stage, sizes)
 
-    def _at(self, path: tuple[Step, ...], code: str, message: str, help_: str = "") -> Problem:
+    def _at(self, path: tuple[Step, ...], code: str, message: str, help_: str = "") -> Diagnostic:
         return problem_at(mark_of(self.tree, path), code, message, help_, in_names(self.tree, path))
 
     # --- the whole file -----------------------------------------------------------------------------------------------
 
-    def _teams(self) -> Iterator[Problem]:
+    def _teams(self) -> Iterator[Diagnostic]:
         if not self.tournament.teams and self.tournament.teams_folder is None:
             yield self._at((), "missing-key", "no teams", "give 'teams' or 'teams_folder'")
         elif len(self.teams) < 2:
             where = ("teams",) if self.tournament.teams else ("teams_folder",)
             yield self._at(where, "too-few-teams", f"{len(self.teams)} team(s); a tournament has at least two")
 
-    def _tie_breaks(self) -> Iterator[Problem]:
+    def _tie_breaks(self) -> Iterator[Diagnostic]:
         words = self.tournament.tie_breaks
         for index, word in enumerate(words):
             if word in words[:index]:
@@ -94,7 +95,7 @@ class _Checks:
                     ("tie_breaks", index), "useless-tie-break", "after 'lot' nothing is level", "put 'lot' last"
                 )
 
-    def _times(self) -> Iterator[Problem]:
+    def _times(self) -> Iterator[Diagnostic]:
         try:
             ZoneInfo(self.tournament.time_zone)
         except (KeyError, ValueError, OSError):
@@ -115,7 +116,7 @@ class _Checks:
                     yield self._at(path, "wrong-time", f"'{text}' is before the round before it", "order the times")
                 before = time
 
-    def _seats(self) -> Iterator[Problem]:
+    def _seats(self) -> Iterator[Diagnostic]:
         path: tuple[Step, ...]
         for name, stage in self.tournament.stages.items():
             if isinstance(stage, Challenge):
@@ -135,7 +136,7 @@ class _Checks:
             path = ("drawn", "tie_scenario", "scenario")
             yield from self._seat_count(path, self.names.use(tie.scenario, tie.set), {1, 2})
 
-    def _seat_count(self, path: tuple[Step, ...], use: ScenarioUse, wanted: set[int]) -> Iterator[Problem]:
+    def _seat_count(self, path: tuple[Step, ...], use: ScenarioUse, wanted: set[int]) -> Iterator[Diagnostic]:
         info = self.scenarios.get(use)
         if info is not None and len(info.seats) not in wanted:
             need = " or ".join(map(str, sorted(wanted)))
@@ -145,13 +146,13 @@ class _Checks:
 
     # --- where teams come from ----------------------------------------------------------------------------------------
 
-    def _sources(self) -> Iterator[Problem]:
+    def _sources(self) -> Iterator[Diagnostic]:
         before: list[str] = []
         for name, stage in self.tournament.stages.items():
             yield from self._source(name, stage, before)
             before.append(name)
 
-    def _source(self, name: str, stage: FromModel, before: list[str]) -> Iterator[Problem]:
+    def _source(self, name: str, stage: FromModel, before: list[str]) -> Iterator[Diagnostic]:
         path = ("stages", name)
         if stage.from_ is None:
             if stage.places is not None:
@@ -175,7 +176,7 @@ class _Checks:
 
     # --- one stage ----------------------------------------------------------------------------------------------------
 
-    def _stage(self, name: str, stage: FromModel, sizes: Mapping[str, StageSize]) -> Iterator[Problem]:
+    def _stage(self, name: str, stage: FromModel, sizes: Mapping[str, StageSize]) -> Iterator[Diagnostic]:
         path = ("stages", name)
         size = sizes[name]
         if stage.from_ is not None and stage.places is not None:
@@ -196,7 +197,7 @@ class _Checks:
         yield from self._releases(path, stage, size)
         yield from self._undecided(name, stage, sizes)
 
-    def _places(self, path: tuple[Step, ...], stage: FromModel, source: StageSize) -> Iterator[Problem]:
+    def _places(self, path: tuple[Step, ...], stage: FromModel, source: StageSize) -> Iterator[Diagnostic]:
         for group, count in source.tables.items():
             _, last = place_range(stage.places, count)
             if last > count:
@@ -206,7 +207,7 @@ class _Checks:
                 yield self._at((*path, "places"), "too-few-teams", message, help_)
                 return
 
-    def _groups(self, path: tuple[Step, ...], stage: RoundRobin, size: StageSize) -> Iterator[Problem]:
+    def _groups(self, path: tuple[Step, ...], stage: RoundRobin, size: StageSize) -> Iterator[Diagnostic]:
         if isinstance(stage.groups, dict):
             if stage.from_ is not None:
                 message = "the teams of the groups are listed, and taken from another stage"
@@ -222,7 +223,7 @@ class _Checks:
             message = f"{size.teams} teams are too few for {stage.groups} groups"
             yield self._at((*path, "groups"), "too-few-teams", message, "two teams a group are the least")
 
-    def _listed(self, path: tuple[Step, ...], lists: Mapping[str, tuple[str, ...]]) -> Iterator[Problem]:
+    def _listed(self, path: tuple[Step, ...], lists: Mapping[str, tuple[str, ...]]) -> Iterator[Diagnostic]:
         seen: Counter[str] = Counter()
         for name, listed in lists.items():
             for index, team in enumerate(listed):
@@ -234,14 +235,14 @@ class _Checks:
                     message = f"team '{team}' is listed twice"
                     yield self._at((*path, name, index), "listed-teams", message, "keep it once")
 
-    def _rounds(self, path: tuple[Step, ...], stage: Swiss, size: StageSize) -> Iterator[Problem]:
+    def _rounds(self, path: tuple[Step, ...], stage: Swiss, size: StageSize) -> Iterator[Diagnostic]:
         most = -(-size.teams // 2)
         if stage.rounds > most:
             message = f"{stage.rounds} rounds are too many for {size.teams} teams"
             help_ = f"at most {most}: with more, a round without a rematch may not exist; all meet in a round_robin"
             yield self._at((*path, "rounds"), "too-many-rounds", message, help_)
 
-    def _knock_out(self, path: tuple[Step, ...], stage: KnockOut, size: StageSize) -> Iterator[Problem]:
+    def _knock_out(self, path: tuple[Step, ...], stage: KnockOut, size: StageSize) -> Iterator[Diagnostic]:
         if stage.legs > 1 and stage.best_of > 1:
             message = "'legs' adds scores up, 'best_of' counts wins"
             yield self._at((*path, "best_of"), "legs-and-best-of", message, "keep one of them")
@@ -249,7 +250,7 @@ class _Checks:
             message = f"of {size.teams} teams no two lose a semi-final"
             yield self._at((*path, "third_place"), "too-few-teams", message, "remove 'third_place'")
 
-    def _super_teams(self, path: tuple[Step, ...], stage: SuperTeam, size: StageSize) -> Iterator[Problem]:
+    def _super_teams(self, path: tuple[Step, ...], stage: SuperTeam, size: StageSize) -> Iterator[Diagnostic]:
         info = self.scenarios.get(self.names.of_matches(stage))
         if info is None:
             return
@@ -268,14 +269,14 @@ class _Checks:
                 message = f"super team '{name}' has {len(listed)} teams, a side of '{info.id}' has {side} robots"
                 yield self._at((*path, "super_teams", name), "listed-teams", message, "list one team for each robot")
 
-    def _releases(self, path: tuple[Step, ...], stage: FromModel, size: StageSize) -> Iterator[Problem]:
+    def _releases(self, path: tuple[Step, ...], stage: FromModel, size: StageSize) -> Iterator[Diagnostic]:
         times = stage.release
         if not isinstance(times, tuple) or len(times) in (1, size.rounds):
             return
         message = f"{len(times)} times of release for {size.rounds} rounds"
         yield self._at((*path, "release"), "wrong-release", message, "give one time, or one for each round")
 
-    def _undecided(self, name: str, stage: FromModel, sizes: Mapping[str, StageSize]) -> Iterator[Problem]:
+    def _undecided(self, name: str, stage: FromModel, sizes: Mapping[str, StageSize]) -> Iterator[Diagnostic]:
         """Refuse places that can be shared where they decide who advances."""
         if "lot" in self.tournament.tie_breaks or (isinstance(stage, RoundRobin | Swiss) and stage.play_off):
             return

@@ -48,6 +48,7 @@ class Season:
                 names=self._names,
                 scenarios=self.loaded.scenarios,
                 teams=self.teams,
+                entries=self.loaded.entries,
                 outcomes=counted,
                 cuts=self._cuts[name],
                 cache=self._cache,

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from hashlib import sha256
 from pathlib import Path
 
+from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.facts.errors import told_of
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.resources import teams_folder
 from rcj_challenges.scenario.tree import Entries, mark_of
-from rcj_challenges.tournament.errors import Problem, problem_at
-from rcj_challenges.tournament.models import TeamModel, Tournament
+from rcj_challenges.tournament.errors import problem_at
+from rcj_challenges.tournament.models import Challenge, TeamModel, Tournament
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,33 +27,137 @@ class TeamEntry:
         source: its ZIP or folder.
         name: as the file says; None: what the submission calls itself.
         pot: for drawing groups; 0: none.
+        is_sample: whether it is a sample team.
+        challenges: by stage and challenge the submission for it, where that is another one; None: it takes no part.
     """
 
     id: str
     source: Path
     name: str | None = None
     pot: int = 0
+    is_sample: bool = False
+    challenges: Mapping[tuple[str, str], Path | None] = field(default_factory=dict)
+
+    def submission(self, stage: str = "", challenge: str = "") -> Path | None:
+        """Return the submission for a challenge of a stage, or for the matches; None: it takes no part in it."""
+        return self.challenges.get((stage, challenge), self.source)
 
 
-def list_teams(tournament: Tournament, folder: Path, tree: Entries) -> tuple[dict[str, TeamEntry], list[Problem]]:
-    """Return the teams by id, in the order of the file, then of the folder, and what is wrong with them.
+class TeamLists:
+    """Reads the teams of a tournament file.
 
     Args:
         tournament: the file.
         folder: where it lies.
         tree: its positions.
+
+    Attributes:
+        problems: what was wrong.
     """
-    problems: list[Problem] = []
-    submitted = _submitted(tournament, folder, tree, problems)
-    entries = {}
-    for key, model in tournament.teams.items():
-        source = _source(key, model, folder, submitted, tree, problems)
-        if source is not None:
-            entries[key] = TeamEntry(key, source, model.name, model.pot)
-    for key, source in submitted.items():
-        entries.setdefault(key, TeamEntry(key, source))
-    problems += _same_ids(entries, tree)
-    return entries, problems
+
+    def __init__(self, tournament: Tournament, folder: Path, tree: Entries) -> None:
+        self.problems: list[Diagnostic] = []
+        self._tournament = tournament
+        self._folder = folder
+        self._tree = tree
+
+    def entries(self) -> dict[str, TeamEntry]:
+        """Return the teams by id, in the order of the file, then of the folder."""
+        submitted = self._submitted(("teams_folder",), self._tournament.teams_folder)
+        entries = {}
+        for key, model in self._tournament.teams.items():
+            source = self._source(key, model, submitted)
+            if source is not None:
+                entries[key] = TeamEntry(key, source, model.name, model.pot, model.sample is not None)
+        for key, source in submitted.items():
+            entries.setdefault(key, TeamEntry(key, source))
+        self._refuse_same_ids(entries)
+        return entries
+
+    def with_challenges(
+        self, entries: Mapping[str, TeamEntry], samples: Mapping[tuple[str, str], Path | None]
+    ) -> dict[str, TeamEntry]:
+        """Return the teams with their submissions for challenges.
+
+        Args:
+            entries: the teams.
+            samples: by stage and challenge the sample team for it, None if there is none.
+        """
+        found: dict[str, dict[tuple[str, str], Path | None]] = {team: {} for team in entries}
+        for name, stage in self._tournament.stages.items():
+            for key, one in stage.scenarios.items() if isinstance(stage, Challenge) else ():
+                where = ("stages", name, "scenarios", key, "teams_folder")
+                submitted = self._submitted(where, one.teams_folder)
+                self._refuse_strangers(where, submitted, entries)
+                for team, entry in entries.items():
+                    if entry.is_sample and team not in submitted:
+                        found[team][name, key] = samples.get((name, key)) or entry.source
+                    elif one.teams_folder is not None:
+                        found[team][name, key] = submitted.get(team)
+        return {team: replace(entry, challenges=found[team]) for team, entry in entries.items()}
+
+    def _add(self, path: tuple[str, ...], code: str, message: str, help_: str, *, at_key: bool = False) -> None:
+        mark = mark_of(self._tree, path, at_key=at_key)
+        self.problems.append(problem_at(mark, code, message, help_, ".".join(path)))
+
+    def _submitted(self, where: tuple[str, ...], name: str | None) -> dict[str, Path]:
+        """Return the submissions of a folder by team id."""
+        found: dict[str, Path] = {}
+        try:
+            paths = sorted((self._folder / name).iterdir()) if name is not None else []
+        except OSError as error:
+            message = f"the folder '{name}' cannot be read: {told_of(error)}"
+            self._add(where, "teams-folder", message, "create it, and put each team's ZIP into it")
+            return {}
+        for path in paths:
+            is_folder = path.is_dir()
+            if path.name.startswith(".") or not (is_folder or path.suffix.lower() == ".zip"):
+                continue
+            key = id_of(path.name if is_folder else path.stem)
+            twin = next((other for other in found if other.casefold() == key.casefold()), None)
+            if twin is not None:
+                message = f"'{found[twin].name}' and '{path.name}' give the same team id '{twin}'"
+                self._add(where, "same-team-id", message, "rename one of them, or remove it")
+            found.setdefault(key if twin is None else twin, path)
+        return found
+
+    def _source(self, key: str, model: TeamModel, submitted: Mapping[str, Path]) -> Path | None:
+        code, message, help_ = "no-submission", f"team '{key}' has no submission", ""
+        if model.path is not None and model.sample is not None:
+            code, message, help_ = "two-sources", "both 'path' and 'sample' are given", "keep one of them"
+        elif model.path is not None:
+            if (self._folder / model.path).exists():
+                return self._folder / model.path
+            message, help_ = f"no submission at '{model.path}'", "paths are relative to the tournament file"
+        elif model.sample is not None:
+            samples = sorted(one.name for one in teams_folder().iterdir() if one.is_dir())
+            if model.sample in samples:
+                return teams_folder() / model.sample
+            code, message = "unknown-sample", f"no sample team '{model.sample}'"
+            help_ = f"{_did_you_mean(model.sample, samples)}Sample teams: {listing(samples, 30)}"
+        elif key in submitted:
+            return submitted[key]
+        else:
+            help_ = f"{_did_you_mean(key, submitted)}Give 'path' or 'sample', or put its ZIP into teams_folder"
+        self._add(("teams", key), code, message, help_, at_key=True)
+        return None
+
+    def _refuse_same_ids(self, entries: Mapping[str, TeamEntry]) -> None:
+        first: dict[str, str] = {}
+        for key in entries:
+            twin = first.setdefault(key.casefold(), key)
+            if twin != key:
+                message = f"the team ids '{twin}' and '{key}' differ by case only"
+                self._add(("teams", key), "same-team-id", message, "give one of them another id", at_key=True)
+
+    def _refuse_strangers(
+        self, where: tuple[str, ...], submitted: Mapping[str, Path], entries: Mapping[str, TeamEntry]
+    ) -> None:
+        for key, path in submitted.items():
+            if key not in entries:
+                message = f"'{path.name}' is of no team of this tournament"
+                help_ = f"{_did_you_mean(key, entries)}Name it after its team's id, or remove it"
+                self._add(where, "unknown-team", message, help_)
 
 
 def id_of(file_name: str) -> str:
@@ -62,63 +168,6 @@ def id_of(file_name: str) -> str:
     return found or f"team_{sha256(file_name.encode('utf-8', 'surrogatepass')).hexdigest()[:6]}"
 
 
-def _submitted(tournament: Tournament, folder: Path, tree: Entries, problems: list[Problem]) -> dict[str, Path]:
-    if tournament.teams_folder is None:
-        return {}
-    mark = mark_of(tree, ("teams_folder",))
-    found: dict[str, Path] = {}
-    try:
-        paths = sorted((folder / tournament.teams_folder).iterdir())
-    except OSError as error:
-        message = f"the folder '{tournament.teams_folder}' cannot be read: {error.strerror}"
-        problems.append(problem_at(mark, "teams-folder", message, "create it, and put each team's ZIP into it"))
-        return {}
-    for path in paths:
-        is_folder = path.is_dir()
-        if path.name.startswith(".") or not (is_folder or path.suffix.lower() == ".zip"):
-            continue
-        key = id_of(path.name if is_folder else path.stem)
-        twin = next((other for other in found if other.casefold() == key.casefold()), None)
-        if twin is None:
-            found[key] = path
-        else:
-            message = f"'{found[twin].name}' and '{path.name}' give the same team id '{twin}'"
-            problems.append(problem_at(mark, "same-team-id", message, "rename one of them, or remove it"))
-    return found
-
-
-def _source(
-    key: str, model: TeamModel, folder: Path, submitted: dict[str, Path], tree: Entries, problems: list[Problem]
-) -> Path | None:
-    mark, path = mark_of(tree, ("teams", key), at_key=True), f"teams.{key}"
-    if model.path is not None and model.sample is not None:
-        problems.append(problem_at(mark, "two-sources", "both 'path' and 'sample' are given", "keep one", path))
-    elif model.path is not None:
-        if (folder / model.path).exists():
-            return folder / model.path
-        message = f"no submission at '{model.path}'"
-        problems.append(problem_at(mark, "no-submission", message, "paths are relative to this file", path))
-    elif model.sample is not None:
-        samples = sorted(one.name for one in teams_folder().iterdir() if one.is_dir())
-        if model.sample in samples:
-            return teams_folder() / model.sample
-        hint = nearest(model.sample, samples).removeprefix("; ")
-        help_ = f"{hint} sample teams: {listing(samples, 30)}".strip()
-        problems.append(problem_at(mark, "unknown-sample", f"no sample team '{model.sample}'", help_, path))
-    elif key in submitted:
-        return submitted[key]
-    else:
-        hint = nearest(key, submitted).removeprefix("; ")
-        help_ = hint or "give 'path' or 'sample', or put its ZIP into teams_folder"
-        problems.append(problem_at(mark, "no-submission", f"team '{key}' has no submission", help_, path))
-    return None
-
-
-def _same_ids(entries: dict[str, TeamEntry], tree: Entries) -> Iterator[Problem]:
-    first: dict[str, str] = {}
-    for key in entries:
-        twin = first.setdefault(key.casefold(), key)
-        if twin != key:
-            mark = mark_of(tree, ("teams", key), at_key=True)
-            message = f"the team ids '{twin}' and '{key}' differ by case only"
-            yield problem_at(mark, "same-team-id", message, "give one of them another id", f"teams.{key}")
+def _did_you_mean(word: str, known: Iterable[str]) -> str:
+    hint = nearest(word, known)
+    return f"{hint.removeprefix('; ')} " if hint else ""

@@ -8,17 +8,18 @@ from typing import Any, get_args
 
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
+from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.messages.wording import expected, refusal
 from rcj_challenges.scenario.shape import Shape, bare, chosen, fields, is_model, is_union, shape_at, step_into, tags
-from rcj_challenges.scenario.tree import Entries, Leaf, Node, Path, child, in_names, mark_of, node_at, plain
-from rcj_challenges.tournament.errors import Problem, problem_at
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, child, in_names, mark_of, node_at, plain
+from rcj_challenges.tournament.errors import problem_at
 
 _KEY = "[key]"
 """What pydantic appends to the place of a mapping's entry if its key is wrong."""
 
 
-def explain(error: ValidationError, root: Entries, shape: Shape) -> list[Problem]:
+def explain(error: ValidationError, root: Entries, shape: Shape) -> list[Diagnostic]:
     """Return what pydantic refused as problems, each at its place.
 
     Args:
@@ -55,7 +56,8 @@ def _located(error: ValidationError, root: Entries, shape: Shape, base: Path) ->
         node = node_at(root, mistake.path)
         member = chosen(mistake.shape, node) if node is not None and _is_plain_union(mistake.shape) else None
         if member is None:
-            yield mistake
+            if not _counts_wrong_entries(mistake, node):
+                yield mistake
             continue
         config = None if is_model(bare(member).kind) else ConfigDict(strict=True, allow_inf_nan=False)
         adapter: TypeAdapter[Any] = TypeAdapter(member, config=config)
@@ -82,18 +84,28 @@ def _walk(details: Any, root: Entries, shape: Shape, base: Path) -> _Mistake:
     return _Mistake(str(details["type"]), details, path, shape, is_of_key)
 
 
+def _counts_wrong_entries(mistake: _Mistake, node: Node | None) -> bool:
+    """Return whether a list is called too short only because entries in it are wrong: those are reported."""
+    least = mistake.details.get("ctx", {}).get("min_length", 0)
+    return mistake.kind == "too_short" and isinstance(node, Items) and len(node.items) >= least
+
+
 def _is_plain_union(shape: Shape) -> bool:
     kind, discriminator = bare(shape)
     return is_union(kind) and discriminator is None
 
 
-def _problem(mistake: _Mistake, root: Entries, whole: Shape) -> Problem:
+def _problem(mistake: _Mistake, root: Entries, whole: Shape) -> Diagnostic:
     above, key = mistake.path[:-1], str(mistake.path[-1]) if mistake.path else ""
     node = node_at(root, mistake.path)
+    if mistake.kind in ("extra_forbidden", "missing") and mistake.path and isinstance(mistake.path[-1], int):
+        shape = shape_at(whole, root, above)  # a list of a fixed length
+        said = expected(shape, node_at(root, above))
+        return problem_at(mark_of(root, above), "wrong-value", said, _description(shape), in_names(root, above))
     if mistake.kind == "extra_forbidden":
         allowed = list(_model_fields(root, whole, above))
         mark = mark_of(root, mistake.path, at_key=True)
-        help_ = _did_you_mean(key, allowed) + f"keys here: {listing(allowed, 40)}"
+        help_ = f"{_did_you_mean(key, allowed)}Keys here: {listing(allowed, 40)}"
         return problem_at(mark, "unknown-key", f"unknown key '{key[:64]}'", help_, in_names(root, above))
     if mistake.kind == "missing":
         about = _sentence_about(root, whole, above, key)
@@ -123,7 +135,7 @@ def _of_value(mistake: _Mistake, node: Node | None, key: str) -> tuple[str, str,
 
 
 def _of_kind(discriminator: str, words: list[str], tag: Node | None) -> tuple[str, str, str]:
-    known = f"one of {listing(words, 40)}"
+    known = f"There are {listing(words, 40)}"
     if not isinstance(tag, Leaf) or tag.value is None:
         return "missing-key", f"'{discriminator}' is missing", known
     written = str(tag.value)

@@ -8,21 +8,23 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
+from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.facts.errors import told_of
+from rcj_challenges.match.samples import sample_team
 from rcj_challenges.scenario.errors import ScenarioError, listing, nearest
 from rcj_challenges.scenario.halves import half_lengths_s
-from rcj_challenges.scenario.load import load
+from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
 from rcj_challenges.scenario.reading.yaml_strict import parse_bytes
 from rcj_challenges.scenario.resources import names_in, shipped_scenarios, tournaments_folder
-from rcj_challenges.scenario.tree import Entries, Mark, mark_of, plain
+from rcj_challenges.scenario.tree import Entries, Mark, Node, in_names, mark_of, plain
 from rcj_challenges.tournament.checks import check
-from rcj_challenges.tournament.entries import TeamEntry, list_teams
-from rcj_challenges.tournament.errors import Problem, TournamentFileError, problem_at
+from rcj_challenges.tournament.entries import TeamEntry, TeamLists
+from rcj_challenges.tournament.errors import TournamentFileError, problem_at
 from rcj_challenges.tournament.explain import explain
-from rcj_challenges.tournament.models import Tournament
-from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, ScenarioUse, scenario_uses
-from rcj_challenges.tournament.season import Team
+from rcj_challenges.tournament.models import Challenge, Tournament
+from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, ScenarioNames, ScenarioUse, scenario_uses
+from rcj_challenges.tournament.season import Fixture, Team
 
 
 @dataclass(frozen=True)
@@ -47,6 +49,15 @@ class LoadedTournament:
         """Return the teams as the file names them; a submission's own name is not known here."""
         return {entry.id: Team(entry.id, entry.name or entry.id, entry.pot) for entry in self.entries.values()}
 
+    def submission(self, fixture: Fixture, team: str) -> Path:
+        """Return the ZIP or folder with which a team plays a fixture: that of a challenge may be another one."""
+        entry = self.entries[team]
+        return entry.submission(fixture.stage, fixture.group) or entry.source
+
+    def records(self, stage: str) -> str:
+        """Return what is kept of the matches of a stage: ``full``, ``replay`` or ``result``."""
+        return self.tournament.stages[stage].records or self.tournament.records
+
 
 def load_tournament(source: str | Path) -> LoadedTournament:
     """Load a tournament.
@@ -58,21 +69,35 @@ def load_tournament(source: str | Path) -> LoadedTournament:
         TournamentFileError: everything that is wrong with it.
     """
     path = find_tournament(source)
-    shown = str(source) if path == Path(source) else path.name
-    tree = read_tree(path, shown)
-    tournament = _validated(tree)
-    entries, problems = list_teams(tournament, path.parent, tree)
-    scenarios: dict[ScenarioUse, ScenarioInfo] = {}
-    for use, where in scenario_uses(tournament, path.parent).items():
+    return load_tree(read_tree(path, str(source) if path == Path(source) else path.name), path)
+
+
+def load_tree(tree: Node, path: Path) -> LoadedTournament:
+    """Load a tournament from the tree of its file.
+
+    Raises:
+        TournamentFileError: everything that is wrong with it.
+    """
+    tournament, tree = _validated(tree)
+    folder = path.parent
+    lists = TeamLists(tournament, folder, tree)
+    scenarios: dict[ScenarioUse, Loaded] = {}
+    problems: list[Diagnostic] = []
+    for use, where in scenario_uses(tournament, folder).items():
         try:
-            scenarios[use] = _info(load(use.source, use.overrides).scenario)
+            scenarios[use] = load(use.source, use.overrides)
         except ScenarioError as error:
             mark = mark_of(tree, where)
-            problems += [_of_scenario(mark, ".".join(map(str, where)), str(one)) for one in error.problems]
-    problems += check(tournament, entries, scenarios, tree, path.parent)
+            problems += [_of_scenario(mark, in_names(tree, where), one.message, str(one)) for one in error.problems]
+    entries = lists.entries()
+    has_samples = any(entry.is_sample for entry in entries.values())
+    entries = lists.with_challenges(entries, _samples(tournament, folder, scenarios) if has_samples else {})
+    infos = {use: _info(loaded.scenario) for use, loaded in scenarios.items()}
+    problems += lists.problems
+    problems += check(tournament, entries, infos, tree, folder)
     if problems:
         raise TournamentFileError(problems)
-    return LoadedTournament(tournament, path.stem, path, entries, scenarios)
+    return LoadedTournament(tournament, path.stem, path, entries, infos)
 
 
 def find_tournament(source: str | Path) -> Path:
@@ -91,55 +116,61 @@ def find_tournament(source: str | Path) -> Path:
     if str(source) in shipped:
         return tournaments_folder() / f"{source}.yaml"
     hint = nearest(str(source), shipped).removeprefix("; ")
-    help_ = f"{hint} " if hint else ""
-    raise TournamentFileError(
-        [
-            Problem(
-                "no-such-file",
-                "no such file, and no shipped tournament of that name",
-                f"{help_}shipped are {listing(shipped)}",
-                str(source)[:200],
-            )
-        ]
-    )
+    help_ = f"{hint} Shipped are {listing(shipped)}".strip()
+    message = "no such file, and no shipped tournament of that name"
+    raise TournamentFileError([problem_at(Mark(str(source)[:200]), "no-such-file", message, help_)])
 
 
-def read_tree(path: Path, shown: str) -> Entries:
+def read_tree(path: Path, shown: str) -> Node:
     """Return a file's tree.
 
     Raises:
         TournamentFileError: it cannot be read, or is not strict YAML.
     """
     try:
-        data = path.read_bytes()
+        return parse_bytes(path.read_bytes(), shown)
     except OSError as error:
-        raise TournamentFileError([Problem("unreadable-file", told_of(error), "", shown)]) from None
-    try:
-        tree = parse_bytes(data, shown)
+        raise TournamentFileError([problem_at(Mark(shown), "unreadable-file", told_of(error))]) from None
     except ScenarioError as error:
-        problems = [Problem("invalid-yaml", one.message, "", one.file, one.line, one.column) for one in error.problems]
-        raise TournamentFileError(problems) from None
-    if not isinstance(tree, Entries):
-        message = "a tournament file is a mapping with 'tournament_version', 'title', 'seed', 'stages', …"
-        raise TournamentFileError([problem_at(tree.mark, "wrong-value", message)])
-    return tree
+        marks = [(Mark(one.file, one.line, one.column), one.message) for one in error.problems]
+        raise TournamentFileError(problem_at(mark, "invalid-yaml", said) for mark, said in marks) from None
 
 
-def is_tournament(tree: object) -> bool:
+def is_tournament(tree: Node) -> bool:
     """Return whether a file's tree is a tournament, and not a scenario."""
     return isinstance(tree, Entries) and "tournament_version" in tree.entries
 
 
-def _validated(tree: Entries) -> Tournament:
+def _validated(tree: Node) -> tuple[Tournament, Entries]:
+    if not isinstance(tree, Entries):
+        message = "a tournament file is a mapping with 'tournament_version', 'title', 'seed', 'stages', …"
+        raise TournamentFileError([problem_at(tree.mark, "wrong-value", message)])
     try:
-        return Tournament.model_validate(plain(tree))
+        return Tournament.model_validate(plain(tree)), tree
     except ValidationError as error:
         raise TournamentFileError(explain(error, tree, Tournament)) from None
 
 
-def _of_scenario(mark: Mark, path: str, said: str) -> Problem:
-    help_ = f"shipped scenarios: {listing(shipped_scenarios(), 20)}" if "no such file" in said else ""
-    return problem_at(mark, "scenario", said.partition("; shipped are ")[0], help_, path)
+def _samples(
+    tournament: Tournament, folder: Path, scenarios: Mapping[ScenarioUse, Loaded]
+) -> dict[tuple[str, str], Path | None]:
+    """Return the sample team for each challenge."""
+    names = ScenarioNames(tournament, folder)
+    found: dict[tuple[str, str], Path | None] = {}
+    for name, stage in tournament.stages.items():
+        for key, one in stage.scenarios.items() if isinstance(stage, Challenge) else ():
+            loaded = scenarios.get(names.use(one.scenario, one.set))
+            if loaded is not None:
+                bases = [load(base).scenario for base in loaded.bases]
+                found[name, key] = sample_team(loaded.scenario, next(iter(loaded.scenario.entrants)), bases)
+    return found
+
+
+def _of_scenario(mark: Mark, path: str, message: str, whole: str) -> Diagnostic:
+    if "no such file" in message:
+        message = "no such file, and no shipped scenario of that name"
+        return problem_at(mark, "unknown-scenario", message, f"Shipped are {listing(shipped_scenarios(), 20)}", path)
+    return problem_at(mark, "wrong-scenario", f"the scenario cannot be used: {whole}", "", path)
 
 
 def _info(scenario: Scenario) -> ScenarioInfo:

@@ -151,6 +151,11 @@ class ChallengeScenario(Strict):
 
     scenario: str = described(..., "a file, relative to this one, or the name of a shipped scenario; it has one seat")
     set: Settings = described({}, "settings of that scenario: path -> value")
+    teams_folder: str | None = described(
+        None,
+        "a folder, relative to this file, of the submissions for this challenge, named like the teams; a team that is "
+        "not in it does not take part. Left out: as for the matches; sample teams: the sample team of the challenge",
+    )
 
 
 class Challenge(FromModel):

@@ -72,6 +72,8 @@ class ScenarioNames:
     def __init__(self, tournament: Tournament, folder: Path) -> None:
         self._tournament = tournament
         self._folder = folder
+        self._shipped = shipped_scenarios()
+        self._found: dict[str, str] = {}
 
     def of_matches(self, stage: MatchesModel) -> ScenarioUse:
         """Return what is played in a stage of matches."""
@@ -86,8 +88,11 @@ class ScenarioNames:
 
     def use(self, source: str, settings: Mapping[str, Scalar]) -> ScenarioUse:
         """Return a scenario with settings as the rest of the package takes them."""
-        file = self._folder / source
-        found = source if source in shipped_scenarios() and not file.is_file() else str(file)
+        found = self._found.get(source)
+        if found is None:
+            file = self._folder / source
+            is_shipped = source in self._shipped and not file.is_file()
+            found = self._found[source] = source if is_shipped else str(file)
         return ScenarioUse(found, _overrides(settings))
 
 

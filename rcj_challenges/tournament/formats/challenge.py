@@ -63,6 +63,7 @@ def _fixtures(context: StageContext, stage: Challenge, name: str, teams: Sequenc
         )
         for turn in range(1, stage.seeds + 1)
         for team in teams
+        if context.takes_part(team, name)
     ]
 
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from rcj_challenges.tournament.entries import TeamEntry
 from rcj_challenges.tournament.models import LostBy, MatchesModel, StageModel, Tournament
 from rcj_challenges.tournament.scenarios import ScenarioInfo, ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled, Side, Team
@@ -40,6 +41,7 @@ class StageContext:
         names: finds scenarios.
         scenarios: what is known of them.
         teams: all of the tournament, by id.
+        entries: where their submissions are, by id.
         outcomes: by fixture; what the withdrawal of teams brings is added.
         cuts: the last places of each table that others are kept apart from: between place 2 and 3 stands 2.
         cache: of what does not depend on outcomes, kept from one state to the next.
@@ -50,6 +52,7 @@ class StageContext:
     names: ScenarioNames
     scenarios: Mapping[ScenarioUse, ScenarioInfo]
     teams: Mapping[str, Team]
+    entries: Mapping[str, TeamEntry]
     outcomes: dict[str, Outcome]
     cuts: frozenset[int] = frozenset()
     cache: dict[Any, Any] = field(default_factory=dict)
@@ -78,6 +81,10 @@ class StageContext:
         """Return whether a team takes part in a round: it has not left before that round was drawn."""
         one = self.teams[team]
         return not one.withdrawn or one.last_rounds.get(self.name, -1) >= round_
+
+    def takes_part(self, team: str, challenge: str) -> bool:
+        """Return whether a team has a submission for a challenge of this stage."""
+        return self.entries[team].submission(self.name, challenge) is not None
 
     def has_left(self, team: str) -> bool:
         """Return whether a team has left the tournament."""
