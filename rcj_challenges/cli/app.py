@@ -148,12 +148,14 @@ def run(
 
 @app.command()
 def validate(
-    files: Annotated[list[str], typer.Argument(metavar="FILE...", help="Scenario files, or names of shipped ones.")],
+    files: Annotated[
+        list[str], typer.Argument(metavar="FILE...", help="Scenario and tournament files, or names of shipped ones.")
+    ],
     set_: _Set = None,
     strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 if there is a warning; for CI.")] = False,
     json_: Annotated[bool, typer.Option("--json", help="Print the verdicts as JSON and nothing else.")] = False,
 ) -> None:
-    """Check scenario files; every mistake is named with file, line and column, and what is suspicious as a warning."""
+    """Check scenario and tournament files; each mistake is named with file, line and column, doubts as a warning."""
     from rcj_challenges.cli.validate import validate_files
 
     raise typer.Exit(validate_files(files, set_ or [], strict=strict, as_json=json_))
@@ -205,12 +207,13 @@ def schema(
         Path | None,
         typer.Option("--out", metavar="FILE", help="Where to write it; left out: schemas/scenario.schema.json."),
     ] = None,
-    check: Annotated[bool, typer.Option("--check", help="Write nothing; exit 1 if the shipped one is stale.")] = False,
+    tournament: Annotated[bool, typer.Option("--tournament", help="The schema of tournament files instead.")] = False,
+    check: Annotated[bool, typer.Option("--check", help="Write nothing; exit 1 if a shipped one is stale.")] = False,
 ) -> None:
-    """Write the JSON schema of scenario files, for completion in editors."""
+    """Write the JSON schema of scenario files or of tournament files, for completion in editors."""
     from rcj_challenges.cli.schema import check_schema, write_schema
 
-    raise typer.Exit(check_schema() if check else write_schema(out))
+    raise typer.Exit(check_schema() if check else write_schema(out, of_tournament=tournament))
 
 
 _Scenario = Annotated[str, typer.Argument(help="A scenario file, or the name of a shipped one.")]

@@ -1,4 +1,4 @@
-"""``rcj-challenge schema``: the JSON schema of scenario files."""
+"""``rcj-challenge schema``: the JSON schemas of scenario files and of tournament files."""
 
 from __future__ import annotations
 
@@ -7,19 +7,21 @@ from pathlib import Path
 
 from rcj_challenges.cli.outputs import refuse_devices
 from rcj_challenges.facts.errors import RcjError, advised
-from rcj_challenges.scenario.json_schema import FILE, schema_is_fresh, schema_text
+from rcj_challenges.scenario import json_schema as of_scenarios
 from rcj_challenges.scenario.resources import schemas_folder
+from rcj_challenges.tournament import json_schema as of_tournaments
 
 
 class SchemaFileError(RcjError):
     """The schema cannot be written where it was asked for."""
 
 
-def write_schema(out: Path | None) -> int:
-    """Write the schema and print where.
+def write_schema(out: Path | None, *, of_tournament: bool = False) -> int:
+    """Write a schema and print where.
 
     Args:
-        out: the file; left out: ``schemas/scenario.schema.json`` below the current directory.
+        out: the file; left out: the one that is shipped, in ``schemas/`` below the current directory.
+        of_tournament: write that of tournament files, not of scenario files.
 
     Returns:
         0.
@@ -29,10 +31,11 @@ def write_schema(out: Path | None) -> int:
         OutputNameError: it is the name of a device.
     """
     refuse_devices(out=out)
-    file = Path("schemas") / FILE if out is None else out
+    schema = of_tournaments if of_tournament else of_scenarios
+    file = Path("schemas") / schema.FILE if out is None else out
     try:
         file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(schema_text(), encoding="utf-8", newline="\n")
+        file.write_text(schema.schema_text(), encoding="utf-8", newline="\n")
     except OSError as error:
         raise SchemaFileError(f"{file}: cannot be written: {advised(error)}") from error
     sys.stdout.write(f"{file}\n")
@@ -40,9 +43,14 @@ def write_schema(out: Path | None) -> int:
 
 
 def check_schema() -> int:
-    """Say whether the shipped schema is what the models say: 0 if so, else 1."""
-    if schema_is_fresh():
-        sys.stdout.write(f"{FILE} is fresh\n")
-        return 0
-    sys.stderr.write(f"{schemas_folder().name}/{FILE} is stale: write it anew with `rcj-challenge schema`\n")
-    return 1
+    """Print whether the shipped schemas are what the models say: 0 if so, else 1."""
+    code = 0
+    for schema, command in ((of_scenarios, "schema"), (of_tournaments, "schema --tournament")):
+        if schema.schema_is_fresh():
+            sys.stdout.write(f"{schema.FILE} is fresh\n")
+        else:
+            sys.stderr.write(
+                f"{schemas_folder().name}/{schema.FILE} is stale: write it with `rcj-challenge {command}`\n"
+            )
+            code = 1
+    return code

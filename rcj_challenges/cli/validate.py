@@ -1,4 +1,4 @@
-"""``rcj-challenge validate``: says of each file that it is in order, or everything that is wrong with it."""
+"""``rcj-challenge validate``: prints of each file that it is in order, or everything that is wrong with it."""
 
 from __future__ import annotations
 
@@ -9,21 +9,23 @@ from typing import Any
 
 from rcj_challenges.cli.says import say_json, say_no_more
 from rcj_challenges.facts.amounts import counted
+from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError, InFile
 from rcj_challenges.facts.letters import READABLE
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import Loaded, load
+from rcj_challenges.tournament.recognize import is_tournament
 
 
 def validate_files(
     paths: Sequence[str], overrides: Sequence[str], *, strict: bool = False, as_json: bool = False
 ) -> int:
-    """Check scenario files; print a line for each that is in order, its lint, and each problem of the others.
+    """Check scenario and tournament files; print a line for each that is in order, its lint, and all other problems.
 
     Args:
-        paths: files, or names of shipped scenarios.
-        overrides: ``PATH=VALUE`` each, applied to every file.
+        paths: files, or names of shipped scenarios and tournaments.
+        overrides: ``PATH=VALUE`` each, applied to every scenario.
         strict: whether findings of lint are a negative verdict.
         as_json: print one JSON object instead, with a list of files.
 
@@ -34,26 +36,66 @@ def validate_files(
     reports: list[dict[str, Any]] = []
     for path in paths:
         report: dict[str, Any] = {"file": path, "ok": True, "problems": [], "findings": []}
-        try:
-            loaded = load(path, overrides)
-        except ScenarioError as error:
-            report |= {"ok": False, "problems": [asdict(problem) for problem in error.problems]}
-            code = ScenarioError.exit_code
-            say("" if as_json else str(error), sys.stderr)
+        if is_tournament(path):
+            found, one = _of_tournament(path, overrides, as_json=as_json)
         else:
-            findings = lint(loaded)
-            report |= {"summary": _summary(loaded), "findings": [finding.to_json() for finding in findings]}
-            code = max(code, 1 if strict and findings else 0)
-            if not as_json:
-                warned = f"; {counted(len(findings), 'warning')}" if findings else ""
-                verdict = "no" if strict and findings else "ok"
-                say(f"{verdict}  {path}: {_summary(loaded)}{warned}", sys.stdout)
-                for finding in findings:
-                    say(str(finding), sys.stderr)
-        reports.append(report)
+            found, one = _of_scenario(path, overrides, strict=strict, as_json=as_json)
+        code = max(code, one)
+        reports.append(report | found)
     if as_json:
         say_json({"files": reports})
     return code
+
+
+def _of_scenario(path: str, overrides: Sequence[str], *, strict: bool, as_json: bool) -> tuple[dict[str, Any], int]:
+    """Print the verdict on a scenario file; return its part of the report and the exit code."""
+    try:
+        loaded = load(path, overrides)
+    except ScenarioError as error:
+        say("" if as_json else str(error), sys.stderr)
+        return {"ok": False, "problems": [asdict(problem) for problem in error.problems]}, error.exit_code
+    findings = lint(loaded)
+    if not as_json:
+        warned = f"; {counted(len(findings), 'warning')}" if findings else ""
+        verdict = "no" if strict and findings else "ok"
+        say(f"{verdict}  {path}: {_summary(loaded)}{warned}", sys.stdout)
+        for finding in findings:
+            say(str(finding), sys.stderr)
+    report = {"summary": _summary(loaded), "findings": [finding.to_json() for finding in findings]}
+    return report, 1 if strict and findings else 0
+
+
+def _of_tournament(path: str, overrides: Sequence[str], *, as_json: bool) -> tuple[dict[str, Any], int]:
+    """Print the verdict on a tournament file; return its part of the report and the exit code."""
+    from rcj_challenges.tournament.engine import Season
+    from rcj_challenges.tournament.load import load_tournament
+
+    try:
+        if overrides:
+            message = "--set changes scenarios, and this is a tournament"
+            raise DiagnosticError(
+                Diagnostic("set-on-tournament", message, "write it under 'set' in the file", InFile(path))
+            )
+        loaded = load_tournament(path)
+    except DiagnosticError as error:
+        say("" if as_json else str(error), sys.stderr)
+        return {"ok": False, "problems": [_flat(one) for one in error.diagnostics]}, error.exit_code
+    stages = Season(loaded).state({}).stages
+    counts = (
+        counted(len(loaded.entries), "team"),
+        counted(len(stages), "stage"),
+        counted(sum(stage.expected_matches for stage in stages), "match", "matches"),
+    )
+    summary = f"{loaded.tournament.title} ({', '.join(counts)})"
+    say("" if as_json else f"ok  {path}: {summary}", sys.stdout)
+    return {"summary": summary}, 0
+
+
+def _flat(diagnostic: Diagnostic) -> dict[str, Any]:
+    """Return a problem with the keys that those of scenarios have, and its code and help."""
+    where = diagnostic.where if isinstance(diagnostic.where, InFile) else InFile("")
+    place = {"file": where.file, "line": where.line or 0, "column": where.column or 0, "path": where.path}
+    return {**place, "message": diagnostic.message, "code": diagnostic.code, "help": diagnostic.help}
 
 
 def _summary(loaded: Loaded) -> str:

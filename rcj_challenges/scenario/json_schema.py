@@ -54,7 +54,7 @@ _WITHOUT_PARAM = frozenset({"extends", "params"})
 
 def scenario_schema() -> _Json:
     """Return the JSON schema (draft 2020-12) of a scenario file."""
-    writer = _Writer()
+    writer = SchemaWriter()
     properties = writer.properties(Scenario, partial=True)
     for section in _WITHOUT_PARAM:
         described = {"description": properties[section]["description"]}
@@ -92,11 +92,16 @@ def sentence_of(model: type[BaseModel]) -> str:
     return " ".join((inspect.getdoc(model) or "").partition("\n\n")[0].split()).replace("``", "`")
 
 
-class _Writer:
-    """Writes shapes as schemas and collects the definitions that they refer to."""
+class SchemaWriter:
+    """Writes shapes as schemas and collects the definitions that they refer to.
 
-    def __init__(self) -> None:
+    Args:
+        with_params: whether ``{param: NAME}`` may stand for a single value.
+    """
+
+    def __init__(self, *, with_params: bool = True) -> None:
         self.definitions: dict[str, _Json] = {}
+        self._with_params = with_params
 
     def properties(self, model: type[BaseModel], *, partial: bool) -> _Json:
         """Return the schemas of a model's fields."""
@@ -111,7 +116,7 @@ class _Writer:
         if "$ref" not in schema:
             schema = _bounded(schema, keywords([info], shape))
         is_word = "const" in schema
-        if is_word and not (info.is_required() and isinstance(schema["const"], str)):
+        if self._with_params and is_word and not (info.is_required() and isinstance(schema["const"], str)):
             schema = _or_param(schema)  # of a word that tells forms apart `_of_any_form` says so
         description = info.description or (sentence_of(model) if is_word else "")
         described = {"description": description} if description else {}
@@ -132,7 +137,9 @@ class _Writer:
             return self._with_param(shape, partial=partial)
         if shared not in self.definitions:
             self.definitions[shared] = self._with_param(shape, partial=False)
-            if shape == Point:  # a repeated rule may have a list of two numbers beside each of its names
+            if (
+                shape == Point and self._with_params
+            ):  # a repeated rule may have a list of two numbers beside each of its names
                 self.definitions[shared] = _or_param(self.definitions[shared])
         return {"$ref": f"#/$defs/{shared}"}
 
@@ -142,6 +149,8 @@ class _Writer:
 
     def _with_param(self, shape: Shape, *, partial: bool) -> _Json:
         plain = self._plain(shape, partial=partial)
+        if not self._with_params:
+            return plain
         options = plain.get("anyOf", [plain])
         # A word alone tells one form of a mapping from the others; beside other things it is a value like any.
         scalar = any(_is_scalar(option) or ("const" in option and len(options) > 1) for option in options)
@@ -153,7 +162,7 @@ class _Writer:
         described = {"description": text} if (text := _description(extras)) else {}
         if is_union(kind):
             options = [self._plain(member, partial=partial) for member in members(shape)]
-            if isinstance(discriminator, str):
+            if isinstance(discriminator, str) and self._with_params:
                 options.append(_of_any_form(discriminator))
             word = "oneOf" if isinstance(discriminator, str) and not partial else "anyOf"
             return {**described, word: _flat(options)}

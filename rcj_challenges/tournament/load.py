@@ -136,11 +136,6 @@ def read_tree(path: Path, shown: str) -> Node:
         raise TournamentFileError(problem_at(mark, "invalid-yaml", said) for mark, said in marks) from None
 
 
-def is_tournament(tree: Node) -> bool:
-    """Return whether a file's tree is a tournament, and not a scenario."""
-    return isinstance(tree, Entries) and "tournament_version" in tree.entries
-
-
 def _validated(tree: Node) -> tuple[Tournament, Entries]:
     if not isinstance(tree, Entries):
         message = "a tournament file is a mapping with 'tournament_version', 'title', 'seed', 'stages', …"

@@ -116,7 +116,7 @@ class RoundRobin(MatchesModel):
         Annotated[int, Field(ge=1, le=64)]
         | dict[Name, Annotated[tuple[TeamId, ...], Field(strict=False, min_length=2)]]
     ) = described(1, "how many groups are drawn, evenly from each pot; or the teams by group: {A: [ada, bee], B: […]}")
-    legs: Literal[1, 2] = described(1, "how often two teams meet; 2: home and away, with the sides changed")
+    legs: int = described(1, "how often two teams meet; 2: home and away, with the sides changed", ge=1, le=2)
     play_off: bool = described(
         False, "whether teams that share a place which decides who advances play each other for it; after that, a lot"
     )
@@ -142,7 +142,7 @@ class KnockOut(MatchesModel):
         "counts, those of the first pot first. drawn: by lot",
     )
     third_place: bool = described(False, "whether the losers of the semi-finals play for third place")
-    legs: Literal[1, 2] = described(1, "matches of a tie whose scores are added up; 2: with the sides changed")
+    legs: int = described(1, "matches of a tie whose scores are added up; 2: with the sides changed", ge=1, le=2)
     best_of: Literal[1, 3, 5, 7] = described(1, "matches of a tie of which most must be won; drawn ones count for none")
 
 
@@ -184,7 +184,7 @@ class SuperTeam(MatchesModel):
     super_teams: dict[Name, Annotated[tuple[TeamId, ...], Field(strict=False, min_length=1)]] | None = described(
         None, "the teams of each super team, in the order of the side's robots; left out: drawn"
     )
-    legs: Literal[1, 2] = described(1, "how often two super teams meet; 2: with the sides changed")
+    legs: int = described(1, "how often two super teams meet; 2: with the sides changed", ge=1, le=2)
 
 
 Stage = Annotated[RoundRobin | Swiss | KnockOut | Challenge | SuperTeam, Field(discriminator="stage")]
