@@ -131,6 +131,7 @@ class _Ranking:
     rules: TableRules
     tallies: Mapping[str, Tally]
     by_lot: set[str] = field(default_factory=set)
+    _by_team: dict[str, list[Match]] = field(default_factory=dict)
 
     def levels(self, teams: list[str], words: Sequence[str]) -> list[list[str]]:
         """Return teams best first; those that nothing tells apart are in one list."""
@@ -158,8 +159,11 @@ class _Ranking:
         return {team: -getattr(tallies[team], attribute) for team in teams}
 
     def _head_to_head(self, teams: list[str]) -> dict[str, Any]:
+        if not self._by_team:
+            for match in self.matches:
+                self._by_team.setdefault(match.teams[0], []).append(match)
         among = set(teams)
-        matches = [match for match in self.matches if among.issuperset(match.teams)]
+        matches = [match for team in teams for match in self._by_team.get(team, ()) if match.teams[1] in among]
         met = {frozenset(match.teams) for match in matches}
         own = tally(teams, matches, self.rules)
         if len(met) < len(teams) * (len(teams) - 1) // 2:  # in a Swiss stage not all have met: no fair comparison

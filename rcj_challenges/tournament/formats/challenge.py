@@ -88,7 +88,9 @@ def _table(context: StageContext, stage: Challenge, name: str, teams: Sequence[s
     values = {team: _counted(stage, info, own) for team, own in runs.items()}
     keys = {team: (not runs[team], info.sort_key(Outcome((), values=values[team]))) for team in teams}
     columns = tuple(criterion.name for criterion in info.criteria)
-    rows = _rows(context, name, keys, complete=context.are_decided(fixtures))
+    # A lot decides the ranking of the stage; in one of several challenges it would decide points.
+    may_draw = context.are_decided(fixtures) and len(stage.scenarios) == 1
+    rows = _rows(context, name, keys, may_draw=may_draw)
     return Table(
         name,
         tuple(
@@ -133,7 +135,7 @@ def _total(context: StageContext, stage: Challenge, teams: Sequence[str], tables
             points[team].append(given[team])
     totals = {team: on_paper(sum(own)) for team, own in points.items()}
     is_complete = all(found.complete for found in tables)
-    rows = _rows(context, TOTAL, {team: -total for team, total in totals.items()}, complete=is_complete)
+    rows = _rows(context, TOTAL, {team: -total for team, total in totals.items()}, may_draw=is_complete)
     return Table(
         TOTAL,
         tuple(
@@ -174,11 +176,11 @@ def _shares(criterion: Criterion, found: Table) -> dict[str, float]:
     return shares
 
 
-def _rows(context: StageContext, use: str, keys: Mapping[str, Any], *, complete: bool) -> list[Row]:
+def _rows(context: StageContext, use: str, keys: Mapping[str, Any], *, may_draw: bool) -> list[Row]:
     """Return teams with their places by key, the smallest first; those with equal keys share a place, or draw lots."""
     rows: list[Row] = []
     rules = context.rules(use)
-    has_lot = complete and "lot" in rules.tie_breaks
+    has_lot = may_draw and "lot" in rules.tie_breaks
     for _, part in groupby(sorted(keys, key=keys.__getitem__), key=keys.__getitem__):
         level = list(part)
         is_by_lot = has_lot and len(level) > 1

@@ -130,7 +130,7 @@ class _Bracket:
     def places(self) -> tuple[Row, ...]:
         """Return the ranking: who lost in the same round shares a place, unless a lot is listed."""
         left = [entrant.team for entrant in self.entrants]
-        levels: list[list[str]] = []
+        levels: list[list[str]] = [] if self.ties else [left]  # all others have left the tournament
         has_third = any(tie.round == "third_place" for tie in self.ties)
         for tie in reversed([tie for tie in self.ties if tie.round in ("final", "third_place")]):
             levels += [[tie.winner], [_loser(tie)]]

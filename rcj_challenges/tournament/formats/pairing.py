@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 
@@ -38,7 +38,7 @@ def pair(players: Sequence[Player], round_: int) -> tuple[list[tuple[str, str]],
         round_: from 1.
     """
     size = len(players) + len(players) % 2
-    costs = [[_cost(players, one, other) for other in range(size)] for one in range(size)]
+    costs = {(one, other): _cost(players, one, other) for other in range(size) for one in range(other)}
     pairs = [(one, one + 1) for one in range(0, size, 2)]
     while _exchange(pairs, costs):
         pass
@@ -53,37 +53,37 @@ def pair(players: Sequence[Player], round_: int) -> tuple[list[tuple[str, str]],
     return found, bye
 
 
-def _exchange(pairs: list[tuple[int, int]], costs: list[list[int]]) -> bool:
+def _exchange(pairs: list[tuple[int, int]], costs: Mapping[tuple[int, int], int]) -> bool:
     """Let pairs exchange partners where that costs less; return whether any did."""
     has_changed = False
     for i in range(len(pairs)):
         for j in range(i + 1, len(pairs)):
             (a, b), (c, d) = pairs[i], pairs[j]
-            now = costs[a][b] + costs[c][d]
-            one, other = costs[a][c] + costs[b][d], costs[a][d] + costs[b][c]
-            if min(one, other) < now:
-                changed = [(a, c), (b, d)] if one <= other else [(a, d), (b, c)]
-                pairs[i], pairs[j] = ((min(pair), max(pair)) for pair in changed)
+            straight, crossed = (_ordered(a, c), _ordered(b, d)), (_ordered(a, d), _ordered(b, c))
+            best = min(straight, crossed, key=lambda two: costs[two[0]] + costs[two[1]])
+            if costs[best[0]] + costs[best[1]] < costs[pairs[i]] + costs[pairs[j]]:
+                pairs[i], pairs[j] = best
                 has_changed = True
     return has_changed
 
 
+def _ordered(one: int, other: int) -> tuple[int, int]:
+    return (one, other) if one < other else (other, one)
+
+
 def _cost(players: Sequence[Player], one: int, other: int) -> int:
-    """Return what it costs to pair two; the one behind the last is the bye."""
-    one, other = min(one, other), max(one, other)
-    if one == other:
-        return 0
+    """Return what it costs to pair two, of which ``one`` stands above; the one behind the last is the bye."""
     first = players[one]
-    seats: tuple[int, ...] = ()
+    uneven = very_uneven = 0
     if other == len(players):
         is_again, points = first.had_bye, first.points - players[-1].points
     else:
         second = players[other]
-        low, high = sorted((first.balance, second.balance))
-        seats = (abs(low + 1), abs(high - 1))
         is_again, points = second.team in first.met, first.points - second.points
-    uneven = sum(max(0, seat - 1) for seat in seats)
-    very_uneven = sum(max(0, seat - 2) for seat in seats)
+        # Who was less often on the first seat begins there.
+        least, most = min(first.balance, second.balance) + 1, max(first.balance, second.balance) - 1
+        uneven = max(0, abs(least) - 1) + max(0, abs(most) - 1)
+        very_uneven = max(0, abs(least) - 2) + max(0, abs(most) - 2)
     # Each weight is larger than all that two pairs can cost by what comes after it.
     return (
         is_again * 10**24

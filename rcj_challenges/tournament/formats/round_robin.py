@@ -14,21 +14,21 @@ from rcj_challenges.tournament.standings import table
 
 
 def round_robin(context: StageContext, stage: RoundRobin, entrants: Sequence[Entrant]) -> StageState:
-    """Return the state of a round robin."""
+    """Return the state of a round robin; teams whose matches are all annulled are not in its table."""
     teams = tuple(entrant.team for entrant in entrants)
     key = ("round_robin", context.name, teams)
     if key not in context.cache:
         groups = groups_of(stage, teams, context.teams, context.tournament.seed, f"{context.name}/groups")
         context.cache[key] = groups, {name: _fixtures(context, stage, name, own) for name, own in groups.items()}
     groups, by_group = context.cache[key]
-    for fixtures in by_group.values():
-        _settle_withdrawn(context, fixtures)
+    annulled = {team for fixtures in by_group.values() for team in _settle_withdrawn(context, fixtures)}
     tables: list[Table] = []
     play_off_fixtures: list[Fixture] = []
     for name, fixtures in by_group.items():
         matches = [match for fixture in fixtures if (match := context.result(fixture)) is not None]
         is_complete = context.are_decided(fixtures)
-        found = table(name, groups[name], matches, context.rules(name), complete=is_complete)
+        ranked = [team for team in groups[name] if team not in annulled]
+        found = table(name, ranked, matches, context.rules(name), complete=is_complete)
         if stage.play_off and is_complete:
             found, more = play_offs(context, stage, found, max((one.round for one in fixtures), default=0) + 1)
             play_off_fixtures += more
@@ -62,17 +62,22 @@ def _fixtures(context: StageContext, stage: RoundRobin, group: str, teams: Seque
     return found
 
 
-def _settle_withdrawn(context: StageContext, fixtures: Sequence[Fixture]) -> None:
-    """Give the matches of teams that have left their outcome; those of a team that has played all of its own stand."""
+def _settle_withdrawn(context: StageContext, fixtures: Sequence[Fixture]) -> list[str]:
+    """Give the matches of teams that have left their outcome, and return the teams of which none counts.
+
+    What a team has played stands if it has played all of its own.
+    """
     teams = dict.fromkeys(side.teams[0] for fixture in fixtures for side in fixture.sides)
     left = [team for team in teams if context.has_left(team)]
     if not left:
-        return
+        return []
     own = {team: [one for one in fixtures if any(team in side.teams for side in one.sides)] for team in left}
     unfinished = [team for team in left if any(one.id not in context.outcomes for one in own[team])]
+    are_lost = isinstance(context.tournament.withdrawn, LostBy)
     for team in unfinished:
         for fixture in own[team]:
-            if not isinstance(context.tournament.withdrawn, LostBy):
+            if not are_lost:
                 context.annul(fixture)
             elif fixture.id not in context.outcomes:
                 context.lose(fixture)
+    return [] if are_lost else unfinished

@@ -48,38 +48,37 @@ class _Course:
     fixtures: list[Fixture] = field(default_factory=list)
     byes: list[tuple[int, str]] = field(default_factory=list)
     points: dict[str, float] = field(default_factory=lambda: defaultdict(float))
+    matches: list[Match] = field(default_factory=list)
 
     def play(self) -> bool:
         """Draw as many rounds as can be; return whether all are over."""
         for number in range(1, self.stage.rounds + 1):
-            drawn, bye = self._draw(number)
+            fixtures, bye = self._draw(number)
             if bye:
                 self.byes.append((number, bye))
                 self.points[bye] += self.context.tournament.points.win
-            fixtures = [
-                self.context.match(f"round{number}", self.stage, teams, number, f"Round {number}") for teams in drawn
-            ]
             self.fixtures += fixtures
             self._settle_withdrawn(fixtures)
+            self.matches += [match for one in fixtures if (match := self.context.result(one)) is not None]
             if not self.context.are_decided(fixtures):
                 return False
         return True
 
     def table(self, *, complete: bool) -> Table:
         """Return the table of what has been played."""
-        return table("", self.order, self._matches(), self.context.rules(), complete=complete, extra_points=self.points)
+        return table("", self.order, self.matches, self.context.rules(), complete=complete, extra_points=self.points)
 
-    def _matches(self) -> list[Match]:
-        return [match for one in self.fixtures if (match := self.context.result(one)) is not None]
-
-    def _draw(self, number: int) -> tuple[list[tuple[str, str]], str]:
+    def _draw(self, number: int) -> tuple[list[Fixture], str]:
         rows = self.table(complete=False).rows
         present = [row for row in rows if self.context.stays(row.team, number)]
         drawn_before = tuple(fixture.id for fixture in self.fixtures)
         key = ("swiss", self.context.name, tuple((row.team, row.points) for row in present), drawn_before)
         if key not in self.context.cache:
-            self.context.cache[key] = pair([self._player(row.team, row.points) for row in present], number)
-        drawn: tuple[list[tuple[str, str]], str] = self.context.cache[key]
+            pairs, bye = pair([self._player(row.team, row.points) for row in present], number)
+            path, title = f"round{number}", f"Round {number}"
+            fixtures = [self.context.match(path, self.stage, teams, number, title) for teams in pairs]
+            self.context.cache[key] = fixtures, bye
+        drawn: tuple[list[Fixture], str] = self.context.cache[key]
         return drawn
 
     def _player(self, team: str, points: float) -> Player:

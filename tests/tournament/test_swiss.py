@@ -1,0 +1,104 @@
+"""Swiss stages: who is paired with whom, and which table decides it."""
+
+from collections import Counter
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.tournament.seasons import by_chance, by_strength, names, order, play, season, stage, teams_of
+
+SWISS = "  swiss: {{stage: swiss, rounds: {}}}\n"
+
+
+@st.composite
+def fields_of_teams(draw):
+    """Draw a number of teams, a number of rounds that they allow, and a seed for the scores."""
+    teams = draw(st.integers(2, 64))
+    return teams, draw(st.integers(1, min(9, -(-teams // 2)))), draw(st.integers(0, 10**6))
+
+
+@settings(max_examples=40, deadline=None)
+@given(fields_of_teams())
+def test_swiss_has_no_rematch_no_second_bye_and_even_sides(drawn):
+    count, rounds, seed = drawn
+    swiss = play(season(SWISS.format(rounds), names(count)), by_chance(seed)).stages[0]
+    by_round = {number: [one for one in swiss.fixtures if one.round == number] for number in range(1, rounds + 1)}
+    byes = dict(swiss.byes)
+    for number, fixtures in by_round.items():
+        present = [team for one in fixtures for team in teams_of(one)] + ([byes[number]] if number in byes else [])
+        assert sorted(present) == names(count)
+    met = [frozenset(teams_of(one)) for one in swiss.fixtures]
+    assert len(met) == len(set(met)) == rounds * (count // 2) == swiss.expected_matches
+    assert len(byes) == (rounds if count % 2 else 0)
+    assert max(Counter(byes.values()).values(), default=0) <= 1
+    assert max(map(abs, balances(swiss.fixtures).values())) <= 2
+
+
+def balances(fixtures):
+    found = Counter()
+    for one in fixtures:
+        first, second = teams_of(one)
+        found[first] += 1
+        found[second] -= 1
+    return found
+
+
+@pytest.mark.parametrize("count", [4, 7, 16, 33, 64])
+def test_largest_allowed_number_of_rounds_needs_no_rematch(count):
+    rounds = -(-count // 2)
+    swiss = play(season(SWISS.format(rounds), names(count)), by_strength).stages[0]
+    met = [frozenset(teams_of(one)) for one in swiss.fixtures]
+    assert len(met) == len(set(met)) == rounds * (count // 2)
+    assert max(Counter(team for _, team in swiss.byes).values(), default=0) <= 1
+
+
+def test_teams_with_equal_points_meet():
+    swiss = play(season(SWISS.format(3), names(8)), by_strength).stages[0]
+    points = Counter()
+    for number in (1, 2, 3):
+        for one in (fixture for fixture in swiss.fixtures if fixture.round == number):
+            winner, loser = sorted(teams_of(one))
+            assert points[winner] == points[loser]
+        for one in (fixture for fixture in swiss.fixtures if fixture.round == number):
+            points[min(teams_of(one))] += 3
+    assert order(swiss.places)[0] == "t01"
+
+
+def test_a_bye_counts_as_a_win_without_goals():
+    swiss = play(season(SWISS.format(2), names(3)), by_strength).stages[0]
+    for row in swiss.tables[0].rows:
+        byes = sum(team == row.team for _, team in swiss.byes)
+        assert (row.played, row.points) == (2 - byes, 3 * (row.won + byes))
+
+
+def test_next_round_is_drawn_when_the_last_match_of_a_round_is_over():
+    one = season(SWISS.format(2), names(6))
+    outcomes = {fixture.id: by_strength(fixture) for fixture in one.state({}).open_fixtures()}
+    *most, last = outcomes
+    assert [fixture.id for fixture in one.state({key: outcomes[key] for key in most}).open_fixtures()] == [last]
+    assert {fixture.round for fixture in one.state(outcomes).open_fixtures()} == {2}
+
+
+def test_state_does_not_depend_on_the_order_of_outcomes_nor_on_states_before():
+    one = season(SWISS.format(4), names(9))
+    last = play(one, by_chance(3))
+    backwards = dict(reversed(last.outcomes.items()))
+    assert season(SWISS.format(4), names(9)).state(backwards) == one.state(last.outcomes) == last
+
+
+def test_first_round_is_drawn_from_the_seed():
+    def first(seed):
+        one = season(SWISS.format(1), names(16))
+        tournament = one.loaded.tournament.model_copy(update={"seed": seed})
+        object.__setattr__(one.loaded, "tournament", tournament)
+        return [teams_of(fixture) for fixture in type(one)(one.loaded).state({}).open_fixtures()]
+
+    assert first(1) == first(1) != first(2)
+
+
+def test_swiss_places_lead_into_a_knock_out():
+    stages = SWISS.format(3) + "  final: {stage: knock_out, from: swiss, places: 1-2}\n"
+    state = play(season(stages, names(6)), by_strength)
+    assert stage(state, "final").teams == tuple(order(stage(state, "swiss").places)[:2])
+    assert stage(state, "final").ties[0].winner == "t01"
