@@ -36,6 +36,8 @@ def check(
     scenarios: Mapping[ScenarioUse, ScenarioInfo],
     tree: Entries,
     folder: Path,
+    *,
+    are_teams_known: bool,
 ) -> list[Diagnostic]:
     """Return what is wrong.
 
@@ -45,9 +47,11 @@ def check(
         scenarios: what is known of the scenarios that could be loaded.
         tree: the positions.
         folder: where the file lies.
+        are_teams_known: whether all teams could be read; if not, their number is not looked at.
     """
     teams = {entry.id: Team(entry.id, entry.name or entry.id, entry.pot) for entry in entries.values()}
-    return list(_Checks(tournament, teams, scenarios, tree, ScenarioNames(tournament, folder)).problems())
+    names = ScenarioNames(tournament, folder)
+    return list(_Checks(tournament, teams, scenarios, tree, names, are_teams_known).problems())
 
 
 @dataclass
@@ -57,15 +61,15 @@ class _Checks:
     scenarios: Mapping[ScenarioUse, ScenarioInfo]
     tree: Entries
     names: ScenarioNames
+    are_teams_known: bool
 
     def problems(self) -> Iterator[Diagnostic]:
-        yield from self._teams()
         yield from self._tie_breaks()
         yield from self._times()
         yield from self._seats()
-        sources = list(self._sources())
-        yield from sources
-        if sources:  # nothing can be said of numbers of teams
+        before = [*self._teams(), *self._sources()]
+        yield from before
+        if before or not self.are_teams_known:  # the numbers of teams mean nothing
             return
         sizes = stage_sizes(self.tournament, self.teams, self.scenarios, self.names)
         for name, stage in self.tournament.stages.items():
@@ -79,7 +83,7 @@ class _Checks:
     def _teams(self) -> Iterator[Diagnostic]:
         if not self.tournament.teams and self.tournament.teams_folder is None:
             yield self._at((), "missing-key", "no teams", "give 'teams' or 'teams_folder'")
-        elif len(self.teams) < 2:
+        elif self.are_teams_known and len(self.teams) < 2:
             where = ("teams",) if self.tournament.teams else ("teams_folder",)
             yield self._at(where, "too-few-teams", f"{len(self.teams)} team(s); a tournament has at least two")
 
@@ -182,7 +186,7 @@ class _Checks:
         if stage.from_ is not None and stage.places is not None:
             yield from self._places(path, stage, sizes[stage.from_])
         least = 1 if isinstance(stage, Challenge) else 2
-        if size.teams < least and (stage.from_ is not None or len(self.teams) >= 2):
+        if size.teams < least:
             message = f"{size.teams} team(s) come into this stage, at least {least} needed"
             yield self._at(path, "too-few-teams", message, "take more places, or remove the stage")
             return

@@ -94,7 +94,7 @@ def load_tree(tree: Node, path: Path) -> LoadedTournament:
     entries = lists.with_challenges(entries, _samples(tournament, folder, scenarios) if has_samples else {})
     infos = {use: _info(loaded.scenario) for use, loaded in scenarios.items()}
     problems += lists.problems
-    problems += check(tournament, entries, infos, tree, folder)
+    problems += check(tournament, entries, infos, tree, folder, are_teams_known=not lists.problems)
     if problems:
         raise TournamentFileError(problems)
     return LoadedTournament(tournament, path.stem, path, entries, infos)

@@ -1,5 +1,6 @@
 """``rcj-challenge validate``."""
 
+import json
 import re
 import subprocess
 import sys
@@ -74,3 +75,51 @@ def test_a_terminal_without_unicode_still_gets_the_message(tmp_path):
     assert done.returncode == 2
     assert b"is no name" in done.stderr
     assert b"Traceback" not in done.stderr
+
+
+TOURNAMENT = "tournament_version: 1\ntitle: Cup\nseed: 1\nteams: {a: {sample: ball_chaser}, b: {sample: ball_chaser}}\n"
+
+
+def test_tournament_files_are_recognized_among_scenarios(tmp_path, capsys):
+    good = write(tmp_path, "cup.yaml", TOURNAMENT + "stages: {final: {stage: knock_out}}\n")
+    assert validate_files([good, "cup", "match"], []) == 0
+    out, err = capsys.readouterr()
+    assert err == ""
+    lines = out.splitlines()
+    assert lines[0] == f"ok  {good}: Cup (2 teams, 1 stage, 1 match)"
+    assert [line.split(":")[0] for line in lines[1:]] == ["ok  cup", "ok  match"]
+
+
+def test_mistakes_of_tournament_files_have_a_code_a_place_and_help(tmp_path, capsys):
+    bad = write(tmp_path, "bad.yaml", TOURNAMENT + "stages: {final: {stage: knockout}}\n")
+    assert validate_files([bad], []) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    code, place, hint = err.splitlines()
+    assert code.startswith("error[unknown-stage]: ")
+    assert place.strip() == f"--> {bad}:5:25  stages.final"
+    assert hint.startswith("help: did you mean 'knock_out'?")
+
+
+def test_json_of_tournament_files_has_the_keys_of_scenarios_with_code_and_help(tmp_path, capsys):
+    bad = write(tmp_path, "bad.yaml", TOURNAMENT + "stages: {final: {stage: knockout}}\n")
+    assert validate_files([bad, "cup"], [], as_json=True) == 2
+    first, second = json.loads(capsys.readouterr().out)["files"]
+    assert not first["ok"]
+    (problem,) = first["problems"]
+    assert (problem["file"], problem["line"], problem["column"], problem["path"]) == (bad, 5, 25, "stages.final")
+    assert (problem["code"], bool(problem["message"]), bool(problem["help"])) == ("unknown-stage", True, True)
+    assert (second["ok"], second["problems"], second["findings"]) == (True, [], [])
+
+
+def test_settings_from_the_command_line_are_refused_for_tournaments(capsys):
+    assert validate_files(["cup"], ["match.half_s=5"]) == 2
+    assert "error[set-on-tournament]" in capsys.readouterr().err
+
+
+def test_validating_a_tournament_loads_neither_physics_nor_store(tmp_path):
+    code = (
+        "import sys; from rcj_challenges.cli.validate import validate_files; validate_files(['cup'], []); "
+        "sys.exit(any(name in sys.modules for name in ('mujoco', 'numpy', 'sqlalchemy', 'jinja2')))"
+    )
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, check=False).returncode == 0
