@@ -235,7 +235,7 @@ def test_a_file_that_does_not_exist_is_refused_with_the_shipped_ones():
     [("tournament_version: 1\ntitle: [\n", "invalid-yaml"), ("- 1\n", "wrong-value"), ("", "invalid-yaml")],
 )
 def test_a_file_that_is_no_mapping_in_yaml_is_refused(text, code, tmp_path):
-    (tmp_path / "t.yaml").write_text(text)
+    (tmp_path / "t.yaml").write_text(text, encoding="utf-8")
     with pytest.raises(TournamentFileError) as caught:
         load_tournament(tmp_path / "t.yaml")
     assert [one.code for one in caught.value.diagnostics] == [code]
