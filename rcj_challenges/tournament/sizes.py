@@ -53,13 +53,12 @@ def stage_sizes(
         names: finds them.
     """
     sizes: dict[str, StageSize] = {}
-    present = [team for team, one in teams.items() if not one.withdrawn]
     for name, stage in tournament.stages.items():
         source = sizes.get(stage.from_ or "")
+        present = [team for team, one in teams.items() if not one.withdrawn or name in one.last_rounds]
         count = len(present) if source is None else taken_places(stage, source)
         if isinstance(stage, RoundRobin) and source is None:
-            pots = {team: teams[team] for team in present}
-            groups = groups_of(stage, present, pots, tournament.seed, f"{name}/groups")
+            groups = groups_of(stage, present, teams, tournament.seed, f"{name}/groups")
             tables = {group: len(own) for group, own in groups.items()}
         elif isinstance(stage, RoundRobin):
             tables = _even_groups(stage, count)
