@@ -1,6 +1,7 @@
 """The state of a season as a whole: it depends on the outcomes only, and never forgets what was played."""
 
 import random
+import time
 
 import pytest
 from hypothesis import given, settings
@@ -99,3 +100,28 @@ def test_a_later_correction_changes_who_advances_and_the_old_final_is_no_fixture
     assert stage(again, "k").teams == ("t03", "t01")
     assert final not in again.outcomes
     assert len(again.open_fixtures()) == 1
+
+
+def processor_s(work):
+    """Return how much processor time a call takes: other processes do not count."""
+    before = time.process_time()
+    work()
+    return time.process_time() - before
+
+
+def test_nine_rounds_of_64_teams_are_paired_in_two_seconds():
+    one = season("  s: {stage: swiss, rounds: 9}\n", names(64))
+    assert processor_s(lambda: play(one, by_chance(1))) < 2
+
+
+def test_ten_thousand_matches_are_planned_in_five_seconds():
+    one = season("  g: {stage: round_robin}\n", [f"t{number}" for number in range(142)])
+    assert processor_s(lambda: one.state({})) < 5
+    assert len(one.state({}).open_fixtures()) == 10_011
+
+
+def test_state_after_500_matches_takes_a_twentieth_of_a_second():
+    one = season("  g: {stage: round_robin, groups: 16, legs: 2}\n  k: {stage: knock_out, from: g}\n", names(96))
+    outcomes = play(one, by_chance(1)).outcomes
+    assert len(outcomes) > 500
+    assert min(processor_s(lambda: one.state(outcomes)) for _ in range(5)) < 0.05

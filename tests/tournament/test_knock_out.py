@@ -95,6 +95,15 @@ def test_teams_of_one_group_do_not_meet_in_the_first_round(groups, places):
     assert all(one[0] != other[0] for one, other in first)
 
 
+def test_teams_of_one_group_are_kept_apart_by_exchanging_teams_with_the_same_place():
+    stages = "  groups: {stage: round_robin, groups: 5}\n  cup: {stage: knock_out, from: groups, places: 1-3}\n"
+    waiting = stage(season(stages, names(15)).state({}), "cup")
+    opponent = {one: other for tie in waiting.ties[:8] for one, other in (tie.sources, tie.sources[::-1])}
+    # By its seed, the second of group A would meet the third of group A.
+    assert opponent["A2"][1] == "3"
+    assert (opponent["C2"], opponent["B2"], opponent["A1"]) == ("D2", "E2", "bye")
+
+
 def test_pots_seed_a_knock_out_without_a_stage_before():
     teams = {"t01": 2, "t02": 0, "t03": 1, "t04": 1}
     ties = season(CUP.format(""), teams).state({}).stages[0].ties
@@ -194,6 +203,14 @@ def test_best_of_three_plays_the_third_match_only_if_it_is_needed():
 def test_drawn_matches_of_a_best_of_three_lead_to_a_lot():
     tie, fixtures = tie_of_two(drawn, ", best_of: 3")
     assert (tie.scores, tie.decided_by, len(fixtures)) == ((0, 0), "lot", 3)
+
+
+def test_extra_time_of_a_best_of_three_counts_as_one_win():
+    def outcome(fixture):
+        return Outcome((5.0, 2.0)) if fixture.kind is FixtureKind.EXTRA_TIME else drawn(fixture)
+
+    tie, _ = tie_of_two(outcome, ", best_of: 3", "drawn: {extra_time: {match.half_s: 60}}\n")
+    assert (tie.scores, tie.winner, tie.decided_by) == ((1, 0), "t01", "extra_time")
 
 
 def test_a_forfeit_is_named_as_what_decided():

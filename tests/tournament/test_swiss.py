@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from rcj_challenges.tournament.formats.pairing import Player, pair
 from tests.tournament.seasons import by_chance, by_strength, names, order, play, season, stage, teams_of
 
 SWISS = "  swiss: {{stage: swiss, rounds: {}}}\n"
@@ -102,3 +103,30 @@ def test_swiss_places_lead_into_a_knock_out():
     state = play(season(stages, names(6)), by_strength)
     assert stage(state, "final").teams == tuple(order(stage(state, "swiss").places)[:2])
     assert stage(state, "final").ties[0].winner == "t01"
+
+
+# --- pairing one round -------------------------------------------------------------------------------------------------
+
+
+def paired(*players):
+    """Return who is paired; each player is its points, and how often more it was on the first seat than on the second."""
+    found, _ = pair([Player(str(i), points, balance, set(), False) for i, (points, balance) in enumerate(players)], 1)
+    return sorted("".join(sorted(teams)) for teams in found), found
+
+
+def test_of_teams_with_equal_points_those_meet_that_want_other_seats():
+    pairs, seated = paired((3, 1), (3, 1), (3, -1), (3, -1))
+    assert pairs == ["02", "13"]
+    assert {first for first, _ in seated} == {"2", "3"}
+
+
+def test_equal_points_come_before_equal_seats():
+    assert paired((3, 1), (3, 1), (0, -1), (0, -1))[0] == ["01", "23"]
+
+
+def test_seats_that_differ_by_more_than_two_come_before_equal_points():
+    assert paired((3, 2), (3, 2), (0, -2), (0, -2))[0] == ["02", "13"]
+
+
+def test_of_all_equal_pairings_that_of_the_nearest_in_the_table_is_taken():
+    assert paired((3, 1), (3, 1), (3, 1), (3, -1), (3, -1), (3, -1))[0] == ["03", "14", "25"]
