@@ -86,6 +86,14 @@ def test_a_waiting_knock_out_shows_where_its_teams_come_from():
     assert {tie.teams for tie in waiting.ties} == {("", "")}
 
 
+def test_a_waiting_knock_out_names_who_has_a_bye():
+    stages = "  s: {stage: swiss, rounds: 2}\n  cup: {stage: knock_out, from: s, places: 1-3}\n"
+    first, second, final = stage(season(stages, names(4)).state({}), "cup").ties
+    assert first.sources == ("place 1 of s", "bye")
+    assert second.sources == ("place 2 of s", "place 3 of s")
+    assert final.sources == ("place 1 of s", "winner of semi-final 2")
+
+
 @pytest.mark.parametrize(("groups", "places"), [(2, "1-2"), (3, "1-2"), (4, "1-2"), (3, "1-3"), (4, "1-4"), (6, "1-2")])
 def test_teams_of_one_group_do_not_meet_in_the_first_round(groups, places):
     stages = f"  groups: {{stage: round_robin, groups: {groups}}}\n  cup: {{stage: knock_out, from: groups, places: {places}}}\n"

@@ -113,3 +113,16 @@ def test_last_rounds_are_those_for_which_a_team_was_drawn():
     outcomes = {fixture.id: by_strength(fixture) for fixture in one.state({}).open_fixtures()}
     assert one.state(outcomes).last_rounds("t01") == {"swiss": 2}
     assert play(one).last_rounds("t01") == {"swiss": 2, "cup": 1}
+
+
+def test_a_play_off_that_was_played_stands_when_one_of_its_teams_leaves():
+    stages = "  league: {stage: round_robin, play_off: true}\n  final: {stage: knock_out, from: league, places: 1-2}\n"
+    head = "tie_breaks: [points]\n"
+
+    def outcome(fixture):
+        return by_strength(fixture) if "play_off" in fixture.id else Outcome((0.0, 0.0))
+
+    before = play(season(stages, names(3), head), outcome)
+    after = season(stages, names(3), head, {"t01": before.last_rounds("t01")}).state(before.outcomes)
+    assert stage(after, "final").teams == stage(before, "final").teams == ("t01", "t02")
+    assert after.outcomes == before.outcomes

@@ -160,13 +160,18 @@ class StageContext:
     def annul(self, fixture: Fixture) -> None:
         """Let a fixture not count, because a team has left."""
         played = self.outcomes.get(fixture.id)
-        scores = played.scores if played is not None else (0.0, 0.0)
+        scores = played.scores if played is not None else (0.0,) * len(fixture.sides)
         self.outcomes[fixture.id] = Outcome(scores, Ruled.ANNULLED, "withdrawn")
 
-    def lose(self, fixture: Fixture) -> None:
-        """Let a team that has left lose a fixture that was not played; if both have left, it does not count."""
-        rule = self.tournament.withdrawn
+    def lose_if_left(self, fixture: Fixture) -> None:
+        """Let a team that has left lose a match that it has not played, if the file says so; else annul it.
+
+        A match of two teams that have left is annulled in any case.
+        """
         left = [self.has_left(side.teams[0]) for side in fixture.sides]
+        if fixture.id in self.outcomes or not any(left):
+            return
+        rule = self.tournament.withdrawn
         if all(left) or not isinstance(rule, LostBy):
             self.annul(fixture)
             return

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from math import inf
 
 from rcj_challenges.tournament.formats.context import Entrant, StageContext, humanized
-from rcj_challenges.tournament.formats.groups import by_pot
 from rcj_challenges.tournament.formats.tie import TieFormat, play_tie
 from rcj_challenges.tournament.models import KnockOut
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Row, StageState, Status, Tie
+from rcj_challenges.tournament.seeds import shuffled
 from rcj_challenges.tournament.standings import tally
 
 _NAMES = {1: "final", 2: "semi_finals", 4: "quarter_finals"}
@@ -53,15 +54,14 @@ def round_count(count: int) -> int:
 
 def seeded(context: StageContext, stage: KnockOut, entrants: Sequence[Entrant]) -> list[Entrant]:
     """Return the entrants in the order of their seeds, the best first."""
-    use = f"{context.name}/seeding"
-    if stage.seeding == "drawn" or stage.from_ is None:
-        teams = {entrant.team: entrant for entrant in entrants}
-        if "" in teams:
+    if stage.seeding == "drawn":
+        by_team = {entrant.team: entrant for entrant in entrants}
+        if "" in by_team:
             return [replace(entrant, origin="drawn") for entrant in entrants]
-        if stage.seeding == "by_place":
-            return sorted(entrants, key=lambda one: context.teams[one.team].pot or 1000)
-        same = {team: replace(context.teams[team], pot=0) for team in teams}
-        return [teams[team] for team in by_pot(list(teams), same, context.tournament.seed, use)]
+        order = shuffled(context.tournament.seed, f"{context.name}/seeding", list(by_team))
+        return [by_team[team] for team in order]
+    if stage.from_ is None:
+        return sorted(entrants, key=lambda one: context.teams[one.team].pot or inf)
     return list(entrants)
 
 
@@ -168,7 +168,6 @@ class _Bracket:
     def _third_place(self, round_: int) -> None:
         one, two = [tie for tie in self.ties if tie.round == "semi_finals"]
         sources = tuple(f"loser of {_title(tie.round, tie.number)}" for tie in (one, two))
-        # Of three teams one had a bye: it has no loser.
         self._tie("third_place", 1, (_loser(one), _loser(two), sources[0], sources[1]), round_)
 
     def _tie(self, name: str, number: int, entry: tuple[str, str, str, str], round_: int) -> Tie:
@@ -207,7 +206,10 @@ def _title(name: str, number: int) -> str:
 
 
 def _winner_of(tie: Tie) -> str:
-    return f"winner of {_title(tie.round, tie.number)}" if tie.decided_by != "bye" else tie.sources[tie.teams[0] == ""]
+    one, other = tie.sources
+    if "bye" in (one, other):
+        return other if one == "bye" else one
+    return f"winner of {_title(tie.round, tie.number)}"
 
 
 def _loser(tie: Tie) -> str:

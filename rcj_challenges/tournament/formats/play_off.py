@@ -62,8 +62,7 @@ def _play(
                 where = f"{path}/round{number + 1}"
                 pair = (teams[one], teams[other])
                 fixture = context.match(where, stage, pair, round_ + number, title, group)
-                if context.has_left(pair[0]) or context.has_left(pair[1]):
-                    context.lose(fixture)
+                context.lose_if_left(fixture)
                 fixtures.append(fixture)
         order, by_lot = {}, set()
         if context.are_decided(fixtures):

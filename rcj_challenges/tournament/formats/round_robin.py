@@ -76,8 +76,8 @@ def _settle_withdrawn(context: StageContext, fixtures: Sequence[Fixture]) -> lis
     are_lost = isinstance(context.tournament.withdrawn, LostBy)
     for team in unfinished:
         for fixture in own[team]:
-            if not are_lost:
+            if are_lost:
+                context.lose_if_left(fixture)
+            else:
                 context.annul(fixture)
-            elif fixture.id not in context.outcomes:
-                context.lose(fixture)
     return [] if are_lost else unfinished

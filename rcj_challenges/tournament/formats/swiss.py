@@ -98,8 +98,7 @@ class _Course:
         for fixture in fixtures:
             teams = [side.teams[0] for side in fixture.sides]
             left = [self.context.has_left(team) for team in teams]
-            if fixture.id in self.context.outcomes or not any(left):
-                continue
-            self.context.lose(fixture)
-            if not isinstance(self.context.tournament.withdrawn, LostBy) and not all(left):
+            was_played = fixture.id in self.context.outcomes
+            self.context.lose_if_left(fixture)
+            if sum(left) == 1 and not was_played and not isinstance(self.context.tournament.withdrawn, LostBy):
                 self.points[teams[left[0]]] += self.context.tournament.points.win
