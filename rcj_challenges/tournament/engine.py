@@ -16,7 +16,7 @@ from rcj_challenges.tournament.models import Challenge, FromModel, KnockOut, Rou
 from rcj_challenges.tournament.scenarios import ScenarioNames
 from rcj_challenges.tournament.season import Outcome, Row, SeasonState, StageState, Status, Team
 from rcj_challenges.tournament.seeds import lot
-from rcj_challenges.tournament.sizes import StageSize, cuts, stage_sizes
+from rcj_challenges.tournament.sizes import cuts, stage_sizes
 
 
 class Season:
@@ -74,38 +74,39 @@ class Season:
     def _waiting(self, context: StageContext, stage: Stage) -> StageState:
         size = self._sizes[context.name]
         if isinstance(stage, KnockOut):
-            return knock_out(context, stage, [Entrant("", *origin) for origin in self._origins(stage)])
+            return knock_out(context, stage, self._unknown_entrants(stage))
         title = context.title(stage)
         return StageState(context.name, stage.stage, title, Status.WAITING, expected_matches=size.matches)
 
     def _entrants(self, name: str, stage: FromModel, states: Mapping[str, StageState]) -> list[Entrant] | None:
-        """Return who takes part in a stage; None if that is not decided yet."""
-        here = [team for team, one in self.teams.items() if not one.withdrawn or name in one.last_rounds]
+        """Return the teams of a stage; None if they are not decided yet."""
+        here = {team: one for team, one in self.teams.items() if not one.withdrawn or name in one.last_rounds}
         if stage.from_ is None:
-            return [Entrant(team) for team in here]
+            return [Entrant(team, one.pot) for team, one in here.items()]
         source = states[stage.from_]
         if source.status is not Status.FINISHED:
             return None
         found = []
         for group, rows in _rankings(source):
-            # Who has left in between makes room for the next.
-            staying = [row for row in rows if row.team in set(here)]
+            # A team that has left in between makes room for the next one.
+            staying = [row for row in rows if row.team in here]
             ranked = sorted(staying, key=lambda row: (row.place, lot(self._tournament.seed, f"{name}/order", row.team)))
             first, last = place_range(stage.places, len(ranked))
             found += [
-                Entrant(ranked[place - 1].team, place, group, _origin(stage.from_, group, place))
+                Entrant(ranked[place - 1].team, place, place, group, _origin(stage.from_, group, place))
                 for place in range(first, min(last, len(ranked)) + 1)
             ]
         return sorted(found, key=lambda one: one.place)
 
-    def _origins(self, stage: FromModel) -> list[tuple[int, str, str]]:
-        source: StageSize = self._sizes[stage.from_ or ""]
+    def _unknown_entrants(self, stage: FromModel) -> list[Entrant]:
+        """Return where the teams of a waiting stage will come from."""
+        name = stage.from_ or ""
         found = []
-        for group, size in source.tables.items():
+        for group, size in self._sizes[name].tables.items():
             first, last = place_range(stage.places, size)
             places = range(first, min(last, size) + 1)
-            found += [(place, group, _origin(stage.from_ or "", group, place)) for place in places]
-        return sorted(found, key=lambda one: one[0])
+            found += [Entrant("", place, place, group, _origin(name, group, place)) for place in places]
+        return sorted(found, key=lambda one: one.place)
 
 
 def _rankings(source: StageState) -> list[tuple[str, Sequence[Row]]]:

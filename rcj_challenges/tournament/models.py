@@ -115,7 +115,11 @@ class RoundRobin(MatchesModel):
     groups: (
         Annotated[int, Field(ge=1, le=64)]
         | dict[Name, Annotated[tuple[TeamId, ...], Field(strict=False, min_length=2)]]
-    ) = described(1, "how many groups are drawn, evenly from each pot; or the teams by group: {A: [ada, bee], B: […]}")
+    ) = described(
+        1,
+        "how many groups are drawn, evenly from each pot, or with 'from' from each place; or the teams by group: "
+        "{A: [ada, bee], B: […]}",
+    )
     legs: int = described(1, "how often two teams meet; 2: home and away, with the sides changed", ge=1, le=2)
     play_off: bool = described(
         False, "whether teams that share a place which decides who advances play each other for it; after that, a lot"
@@ -197,7 +201,9 @@ class Tournament(Strict):
     title: str = described(..., "what people call it", min_length=1, max_length=120)
     description: str = described("", "for the site", max_length=4000)
     seed: int | Annotated[str, StringConstraints(min_length=1, max_length=200)] = described(
-        ..., "a number or a text from which all that chance decides is drawn: groups, pairings, lots, each match"
+        ...,
+        "a number or a text from which all that chance decides is drawn: groups, pairings, lots, matches. Its hash is "
+        "published before, so take a text that cannot be guessed",
     )
     teams_folder: str | None = described(
         None, "a folder, relative to this file, of which each ZIP and each folder is a team; its name is the team's id"

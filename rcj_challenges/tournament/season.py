@@ -84,7 +84,7 @@ class Fixture:
         group: name of its group, of its challenge, or empty.
         round: from 1, within its stage.
         sides: two in a match, one in a challenge.
-        scenario: name or path as the tournament file has it.
+        scenario: name of a shipped scenario, or the path of its file.
         overrides: ``PATH=VALUE`` each, applied to the scenario.
         seed: of the match; derived from the tournament's seed and this id.
         kind: what it is for.
@@ -206,7 +206,7 @@ class StageState:
         kind: ``round_robin``, ``swiss``, ``knock_out``, ``challenge``, ``super_team``.
         title: for people.
         status: how far it is.
-        teams: ids that take part; empty while it waits.
+        teams: ids that take part, of super teams their members; empty while it waits.
         fixtures: all that are known so far (of a Swiss stage the rounds drawn so far), in playing order.
         expected_matches: how many it will have in all, drawn matches not counted twice.
         tables: groups, challenges; the last one of several challenges combines them.

@@ -13,7 +13,7 @@ def derived_seed(seed: int | str, use: str) -> int:
 
 
 def lot(seed: int | str, use: str, name: str) -> bytes:
-    """Return a lot; the smallest wins. It does not depend on who else draws."""
+    """Return a lot; the smallest wins. It does not depend on the other teams."""
     return _digest(seed, f"{use}/{name}")
 
 

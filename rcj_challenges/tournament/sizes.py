@@ -58,7 +58,8 @@ def stage_sizes(
         present = [team for team, one in teams.items() if not one.withdrawn or name in one.last_rounds]
         count = len(present) if source is None else taken_places(stage, source)
         if isinstance(stage, RoundRobin) and source is None:
-            groups = groups_of(stage, present, teams, tournament.seed, f"{name}/groups")
+            pots = {team: teams[team].pot for team in present}
+            groups = groups_of(stage, pots, tournament.seed, f"{name}/groups")
             tables = {group: len(own) for group, own in groups.items()}
         elif isinstance(stage, RoundRobin):
             tables = _even_groups(stage, count)

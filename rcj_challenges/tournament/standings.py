@@ -142,7 +142,7 @@ class _Ranking:
         parts = [list(part) for _, part in groupby(sorted(teams, key=keys.__getitem__), key=keys.__getitem__)]
         if word == "lot":
             self.by_lot.update(teams)
-        # Some are told apart: those still level are compared again by the matches among themselves only.
+        # Some are separated: those still level are compared again, by the matches among themselves only.
         following = words if word == "head_to_head" and len(parts) > 1 else rest
         return [level for part in parts for level in self.levels(part, following)]
 

@@ -92,3 +92,10 @@ def test_an_outcome_of_a_fixture_that_does_not_exist_is_left_out():
     one = season("  league: {stage: round_robin}\n", names(2))
     fixture = one.state({}).open_fixtures()[0]
     assert one.state({"league/round1/x-y": by_strength(fixture)}).outcomes == {}
+
+
+def test_groups_of_a_later_stage_are_drawn_evenly_from_each_place():
+    stages = "  first: {stage: round_robin, groups: 4}\n  second: {stage: round_robin, groups: 2, from: first, places: 1-2}\n"
+    state = play(season(stages, names(12)), by_strength)
+    best = {order(table.rows)[0] for table in stage(state, "first").tables}
+    assert [len(best & set(order(table.rows))) for table in stage(state, "second").tables] == [2, 2]

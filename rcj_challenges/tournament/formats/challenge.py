@@ -68,7 +68,7 @@ def _fixtures(context: StageContext, stage: Challenge, name: str, teams: Sequenc
 
 
 def _settle_withdrawn(context: StageContext, fixtures: Sequence[Fixture]) -> set[str]:
-    """Annul the open runs of teams that have left, and return those teams; who has played all of them stays."""
+    """Annul the open runs of teams that have left, and return those teams; a team that has played all of them stays."""
     gone = set()
     for fixture in fixtures:
         team = fixture.sides[0].teams[0]

@@ -1,10 +1,10 @@
-"""The circle method: who meets whom in each round of a round robin."""
+"""The circle method: the pairings of each round of a round robin."""
 
 from __future__ import annotations
 
 
 def pairings(count: int, legs: int = 1) -> list[list[tuple[int, int]]]:
-    """Return who meets whom in each round, by index; the first of a pair begins on the first seat.
+    """Return the pairs of each round, by index; the first of a pair begins on the first seat.
 
     The circle method: one stays, all others move on. No team is on one seat more than once more than on the other.
 

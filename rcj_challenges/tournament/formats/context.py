@@ -20,12 +20,14 @@ class Entrant:
 
     Attributes:
         team: id; empty if it is not known yet.
+        pot: from which it is drawn, 0 for none; of one that comes from another stage its place there.
         place: in the table that it comes from, from 1; 0: it comes from none.
         group: the table's name.
         origin: for people: ``A1``; empty if it comes from no stage.
     """
 
     team: str
+    pot: int = 0
     place: int = 0
     group: str = ""
     origin: str = ""

@@ -2,45 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from string import ascii_uppercase
 
 from rcj_challenges.tournament.models import RoundRobin
-from rcj_challenges.tournament.season import Team
 from rcj_challenges.tournament.seeds import shuffled
 
 
-def groups_of(
-    stage: RoundRobin, teams: Sequence[str], pots: Mapping[str, Team], seed: int | str, use: str
-) -> dict[str, tuple[str, ...]]:
+def groups_of(stage: RoundRobin, pots: Mapping[str, int], seed: int | str, use: str) -> dict[str, tuple[str, ...]]:
     """Return the teams of each group; one group has an empty name.
 
     Args:
         stage: the stage.
-        teams: ids of those that take part.
-        pots: the teams by id.
+        pots: of the teams that take part, by id; 0: none.
         seed: the tournament's.
         use: name of the draw.
     """
     if isinstance(stage.groups, dict):
-        present = set(teams)
-        return {name: tuple(team for team in listed if team in present) for name, listed in stage.groups.items()}
+        return {name: tuple(team for team in listed if team in pots) for name, listed in stage.groups.items()}
     if stage.groups == 1:
-        return {"": tuple(teams)}
+        return {"": tuple(pots)}
     dealt: list[list[str]] = [[] for _ in range(stage.groups)]
     # Dealt on from pot to pot: groups differ by one team at most, and so does each pot among them.
-    for index, team in enumerate(by_pot(teams, pots, seed, use)):
+    for index, team in enumerate(by_pot(pots, seed, use)):
         dealt[index % stage.groups].append(team)
     return dict(zip(group_names(stage.groups), map(tuple, dealt), strict=True))
 
 
-def by_pot(teams: Sequence[str], pots: Mapping[str, Team], seed: int | str, use: str) -> list[str]:
+def by_pot(pots: Mapping[str, int], seed: int | str, use: str) -> list[str]:
     """Return teams pot by pot, in each in the order of a draw; those in none of them come last."""
-    numbers = sorted({pots[team].pot for team in teams}, key=lambda pot: (pot == 0, pot))
+    numbers = sorted(set(pots.values()), key=lambda pot: (pot == 0, pot))
     return [
-        team
-        for pot in numbers
-        for team in shuffled(seed, f"{use}/pot{pot}", [one for one in teams if pots[one].pot == pot])
+        team for pot in numbers for team in shuffled(seed, f"{use}/pot{pot}", [one for one in pots if pots[one] == pot])
     ]
 
 

@@ -61,7 +61,7 @@ def seeded(context: StageContext, stage: KnockOut, entrants: Sequence[Entrant]) 
         order = shuffled(context.tournament.seed, f"{context.name}/seeding", list(by_team))
         return [by_team[team] for team in order]
     if stage.from_ is None:
-        return sorted(entrants, key=lambda one: context.teams[one.team].pot or inf)
+        return sorted(entrants, key=lambda one: one.pot or inf)
     return list(entrants)
 
 
@@ -128,7 +128,7 @@ class _Bracket:
             round_ += 1
 
     def places(self) -> tuple[Row, ...]:
-        """Return the ranking: who lost in the same round shares a place, unless a lot is listed."""
+        """Return the ranking: losers of the same round share a place, unless a lot is listed."""
         left = [entrant.team for entrant in self.entrants]
         levels: list[list[str]] = [] if self.ties else [left]  # all others have left the tournament
         has_third = any(tie.round == "third_place" for tie in self.ties)
@@ -178,7 +178,7 @@ class _Bracket:
             tie = replace(tie, winner=one or two, decided_by="bye" if one or two else "")
         elif one and two:
             title = f"{self.context.title(self.stage)}, {_title(name, number)}"
-            # Who stands above begins on the first seat in every other round.
+            # The team above begins on the first seat in every other round.
             pair = (one, two) if round_ % 2 else (two, one)
             form = TieFormat(self.stage.legs, self.stage.best_of)
             result = play_tie(self.context, self.stage, path, pair, round_, title, form)

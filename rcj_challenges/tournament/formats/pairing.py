@@ -26,7 +26,7 @@ class Player:
 
 
 def pair(players: Sequence[Player], round_: int) -> tuple[list[tuple[str, str]], str]:
-    """Return who meets whom, the first on the first seat, and who has a bye (empty: nobody).
+    """Return the pairs, the first team of each on the first seat, and the team with a bye (empty: none).
 
     Neighbours in the table are paired; then pairs exchange partners as long as that makes the round better. What
     counts, first things first: no rematch and no second bye, seats that differ by two at most, equal points, equal
@@ -80,7 +80,7 @@ def _cost(players: Sequence[Player], one: int, other: int) -> int:
     else:
         second = players[other]
         is_again, points = second.team in first.met, first.points - second.points
-        # Who was less often on the first seat begins there.
+        # The team that was less often on the first seat begins there.
         least, most = min(first.balance, second.balance) + 1, max(first.balance, second.balance) - 1
         uneven = max(0, abs(least) - 1) + max(0, abs(most) - 1)
         very_uneven = max(0, abs(least) - 2) + max(0, abs(most) - 2)

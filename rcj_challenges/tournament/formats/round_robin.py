@@ -18,7 +18,8 @@ def round_robin(context: StageContext, stage: RoundRobin, entrants: Sequence[Ent
     teams = tuple(entrant.team for entrant in entrants)
     key = ("round_robin", context.name, teams)
     if key not in context.cache:
-        groups = groups_of(stage, teams, context.teams, context.tournament.seed, f"{context.name}/groups")
+        pots = {entrant.team: entrant.pot for entrant in entrants}
+        groups = groups_of(stage, pots, context.tournament.seed, f"{context.name}/groups")
         context.cache[key] = groups, {name: _fixtures(context, stage, name, own) for name, own in groups.items()}
     groups, by_group = context.cache[key]
     annulled = {team for fixtures in by_group.values() for team in _settle_withdrawn(context, fixtures)}

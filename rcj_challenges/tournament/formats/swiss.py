@@ -18,7 +18,8 @@ from rcj_challenges.tournament.standings import Match, table
 def swiss(context: StageContext, stage: Swiss, entrants: Sequence[Entrant]) -> StageState:
     """Return the state of a Swiss stage: rounds are drawn one by one, as soon as the one before is over."""
     teams = tuple(entrant.team for entrant in entrants)
-    course = _Course(context, stage, by_pot(teams, context.teams, context.tournament.seed, f"{context.name}/order"))
+    pots = {entrant.team: entrant.pot for entrant in entrants}
+    course = _Course(context, stage, by_pot(pots, context.tournament.seed, f"{context.name}/order"))
     is_complete = course.play()
     found = course.table(complete=is_complete)
     more: list[Fixture] = []

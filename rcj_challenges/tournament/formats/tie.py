@@ -210,7 +210,7 @@ class _Tie:
         return result
 
     def _best(self, fixtures: list[Fixture], *, is_alone: bool) -> str:
-        """Return who was better in the tie scenario; empty if nothing tells the teams apart."""
+        """Return the team that was better in the tie scenario; empty if they are level."""
         if not is_alone:
             one, other = self._scores(fixtures[0])
             return "" if one == other else self.teams[other > one]
