@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import unicodedata
 from collections.abc import Iterable, Mapping
@@ -69,8 +70,10 @@ class TeamLists:
             source = self._source(key, model, submitted)
             if source is not None:
                 entries[key] = TeamEntry(key, source, model.name, model.pot, model.sample is not None)
+        named = {entry.source for entry in entries.values()}
         for key, source in submitted.items():
-            entries.setdefault(key, TeamEntry(key, source))
+            if source not in named:
+                entries.setdefault(key, TeamEntry(key, source))
         self._refuse_same_ids(entries)
         return entries
 
@@ -105,7 +108,7 @@ class TeamLists:
         found: dict[str, Path] = {}
         try:
             paths = sorted((self._folder / name).iterdir()) if name is not None else []
-        except OSError as error:
+        except (OSError, ValueError) as error:
             message = f"the folder '{name}' cannot be read: {told_of(error)}"
             self._add(where, "teams-folder", message, "create it, and put each team's ZIP into it")
             return {}
@@ -126,7 +129,7 @@ class TeamLists:
         if model.path is not None and model.sample is not None:
             code, message, help_ = "two-sources", "both 'path' and 'sample' are given", "keep one of them"
         elif model.path is not None:
-            if (self._folder / model.path).exists():
+            if os.path.exists(self._folder / model.path):  # noqa: PTH110 - that of pathlib raises for odd names
                 return self._folder / model.path
             message, help_ = f"no submission at '{model.path}'", "paths are relative to the tournament file"
         elif model.sample is not None:

@@ -33,7 +33,9 @@ Records = Literal["full", "replay", "result"]
 class TeamModel(Strict):
     """One team: where its submission is, and what it is called."""
 
-    path: str | None = described(None, "its ZIP or folder, relative to this file; left out: the one in teams_folder")
+    path: str | None = described(
+        None, "its ZIP or folder, relative to this file; left out: the one in teams_folder", min_length=1
+    )
     sample: str | None = described(None, "instead of a submission: a sample team that comes with the package, by name")
     name: str | None = described(None, "as shown; left out: what the submission calls itself", max_length=64)
     pot: int = described(0, "for drawing groups: 1 for the strongest teams; 0: in none of the pots", ge=0, le=64)
@@ -159,6 +161,7 @@ class ChallengeScenario(Strict):
         None,
         "a folder, relative to this file, of the submissions for this challenge, named like the teams; a team that is "
         "not in it does not take part. Left out: as for the matches; sample teams: the sample team of the challenge",
+        min_length=1,
     )
 
 
@@ -206,7 +209,9 @@ class Tournament(Strict):
         "published before, so take a text that cannot be guessed",
     )
     teams_folder: str | None = described(
-        None, "a folder, relative to this file, of which each ZIP and each folder is a team; its name is the team's id"
+        None,
+        "a folder, relative to this file, of which each ZIP and each folder is a team; its name is the team's id",
+        min_length=1,
     )
     teams: dict[TeamId, TeamModel] = described(
         {}, "teams by id; with teams_folder only those of which something is to be said", max_length=1024

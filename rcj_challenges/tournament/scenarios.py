@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import inf
@@ -91,7 +92,7 @@ class ScenarioNames:
         found = self._found.get(source)
         if found is None:
             file = self._folder / source
-            is_shipped = source in self._shipped and not file.is_file()
+            is_shipped = source in self._shipped and not os.path.isfile(file)  # noqa: PTH113 - pathlib's raises
             found = self._found[source] = source if is_shipped else str(file)
         return ScenarioUse(found, _overrides(settings))
 

@@ -176,6 +176,29 @@ def test_each_zip_and_each_folder_is_a_team_and_other_files_are_not(tmp_path):
     assert (one.teams()["cat"].name, one.teams()["cat"].pot, one.teams()["ada"].name) == ("The Cats", 1, "ada")
 
 
+def test_a_submission_that_a_team_names_is_not_also_a_team_of_its_own(tmp_path):
+    for name in ("ada_new", "bee"):
+        (tmp_path / "in" / name).mkdir(parents=True)
+    one = loaded(HEAD + "teams_folder: in\nteams: {ada: {path: in/ada_new}}\n" + LEAGUE, tmp_path)
+    assert list(one.entries) == ["ada", "bee"]
+
+
+@pytest.mark.parametrize("path", ['"\\0"', "x" * 5000, '""', "🤖", "a: b"])
+@pytest.mark.parametrize(
+    "key",
+    [
+        "teams_folder: {}\n",
+        "scenario: {}\n",
+        "teams: {{a: {{path: {}}}, b: {{sample: keeper}}, c: {{sample: keeper}}}}\n",
+    ],
+)
+def test_paths_that_no_system_can_open_are_refused_without_a_traceback(key, path, tmp_path):
+    text = HEAD + (TEAMS if "teams:" not in key else "") + key.format(path) + LEAGUE
+    (tmp_path / "t.yaml").write_text(text, encoding="utf-8")
+    with pytest.raises(TournamentFileError):
+        load_tournament(tmp_path / "t.yaml")
+
+
 def test_submissions_whose_names_differ_by_case_only_are_refused(tmp_path):
     for name in ("ada.zip", "ADA"):
         (tmp_path / "in" / name).mkdir(parents=True)
