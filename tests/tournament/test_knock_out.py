@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from rcj_challenges.tournament.formats.knock_out import fold
 from rcj_challenges.tournament.season import FixtureKind, Outcome, Ruled
-from tests.tournament.seasons import alone, by_chance, by_strength, names, order, play, season, stage, teams_of
+from tests.tournament.seasons import FOLDER, alone, by_chance, by_strength, names, order, play, season, stage, teams_of
 
 CUP = "  cup: {{stage: knock_out{}}}\n"
 
@@ -159,7 +159,7 @@ def test_a_tie_scenario_for_two_comes_after_extra_time():
     head = "drawn: {extra_time: {match.half_s: 60}, tie_scenario: {scenario: golden_goal, set: {a: 1}}}\n"
     tie, fixtures = tie_of_two(outcome, head=head)
     assert [one.kind.value for one in fixtures] == ["match", "extra_time", "tie_scenario"]
-    assert (fixtures[2].scenario, fixtures[2].overrides) == ("here/golden_goal", ("a=1",))
+    assert (fixtures[2].scenario, fixtures[2].overrides) == (str(FOLDER / "golden_goal"), ("a=1",))
     assert (tie.scores, tie.winner, tie.decided_by) == ((2, 2), "t02", "tie_scenario")
 
 

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rcj_challenges.tournament.formats.circle import pairings
-from tests.tournament.seasons import by_strength, names, order, play, season, stage
+from tests.tournament.seasons import FOLDER, by_strength, names, order, play, season, stage
 
 
 @settings(max_examples=63, deadline=None)
@@ -56,7 +56,7 @@ def test_settings_of_a_stage_are_added_to_those_of_the_tournament():
     state = season(stages, names(2), "set: {match.half_s: 10, title: x}\n").state({})
     first, second = state.open_fixtures()
     assert (first.scenario, first.overrides) == ("match", ("match.half_s=5", 'title="x"'))
-    assert (second.scenario, second.overrides) == ("here/other.yaml", ())
+    assert (second.scenario, second.overrides) == (str(FOLDER / "other.yaml"), ())
 
 
 @settings(max_examples=40, deadline=None)
