@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -18,8 +17,8 @@ if TYPE_CHECKING:
 
     from rcj_challenges.views.video.footage import Footage
 
-_SLOWEST, _FASTEST = 0.05, 100.0
-_MOST_FPS = 240
+MIN_SPEED, MAX_SPEED = 0.05, 100.0
+MAX_FPS = 240
 
 _Run = Annotated[
     Path | None, typer.Argument(help="A record's folder or the beginning of its name; left out: the newest.")
@@ -31,168 +30,101 @@ _Size = Annotated[str, typer.Option("--size", metavar="WxH", help="Pixels: 1280x
 _Camera = Annotated[
     str, typer.Option("--camera", metavar="NAME", help="field, top, side, follow-ball or behind:ROBOT, as behind:Y1.")
 ]
-_Renderer = Annotated[
-    str, typer.Option("--renderer", metavar="auto|top|3d", help="3-D by MuJoCo, or from above without a GPU library.")
-]
 _Runs = Annotated[Path, typer.Option("--runs", metavar="DIR", help="Where the records are.")]
-
-
-@dataclass(frozen=True)
-class VideoOptions:
-    """What ``video`` was asked for, as it was written."""
-
-    run: Path | None
-    runs: Path
-    out: Path | None
-    from_: str | None
-    to: str | None
-    half: int | None
-    size: str
-    fps: float
-    camera: str
-    renderer: str
-    speed: float
-    highlights: bool
-    quiet: bool
-
-
-@dataclass(frozen=True)
-class SnapshotOptions:
-    """What ``snapshot`` was asked for, as it was written."""
-
-    run: Path | None
-    runs: Path
-    out: Path | None
-    at: str
-    half: int | None
-    size: str
-    camera: str
-    renderer: str
 
 
 def register(app: typer.Typer) -> None:
     """Add both commands to the command line."""
-
-    @app.command()
-    def video(
-        run: _Run = None,
-        out: Annotated[
-            Path | None, typer.Option("--out", "-o", metavar="FILE", help=".mp4; left out: video.mp4 in the record.")
-        ] = None,
-        from_: Annotated[
-            str | None, typer.Option("--from", metavar="TIME", help="Where it begins: 113.9 or 1:53.9.")
-        ] = None,
-        to: Annotated[str | None, typer.Option("--to", metavar="TIME", help="Where it ends.")] = None,
-        half: _Half = None,
-        size: _Size = "1280x720",
-        fps: Annotated[float, typer.Option("--fps", metavar="N", help="Pictures in a second of video.")] = 30.0,
-        camera: _Camera = "field",
-        renderer: _Renderer = "auto",
-        speed: Annotated[
-            float, typer.Option("--speed", metavar="X", help="4: four times as fast; 0.25: slow motion.")
-        ] = 1.0,
-        highlights: Annotated[
-            bool, typer.Option("--highlights", help="Only the 6 s before each change of the score, and 1 s after.")
-        ] = False,
-        runs: _Runs = Path("runs"),
-        quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress bar, no notes.")] = False,
-    ) -> None:
-        """Make an MP4 of a record, with scoreboard and captions."""
-        raise typer.Exit(
-            make_video(
-                VideoOptions(run, runs, out, from_, to, half, size, fps, camera, renderer, speed, highlights, quiet)
-            )
-        )
-
-    @app.command()
-    def snapshot(
-        at: Annotated[str, typer.Option("--at", metavar="TIME", help="Which moment: 113.9 or 1:53.9.")],
-        run: _Run = None,
-        out: Annotated[
-            Path | None, typer.Option("--out", "-o", metavar="FILE", help=".png; left out: into the record.")
-        ] = None,
-        half: _Half = None,
-        size: _Size = "1280x720",
-        camera: _Camera = "field",
-        renderer: _Renderer = "auto",
-        runs: _Runs = Path("runs"),
-    ) -> None:
-        """Make a picture of one moment of a record."""
-        raise typer.Exit(make_snapshot(SnapshotOptions(run, runs, out, at, half, size, camera, renderer)))
+    app.command()(video)
+    app.command()(snapshot)
 
 
-def make_video(options: VideoOptions) -> int:
-    """Make the MP4, print where it is; returns the exit code.
-
-    Raises:
-        RcjError: wrong input, a record that cannot be shown, or a missing extra.
-    """
+def video(
+    run: _Run = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", "-o", metavar="FILE", help=".mp4; left out: video.mp4 in the record.")
+    ] = None,
+    from_: Annotated[
+        str | None, typer.Option("--from", metavar="TIME", help="Where it begins: 113.9 or 1:53.9.")
+    ] = None,
+    to: Annotated[str | None, typer.Option("--to", metavar="TIME", help="Where it ends.")] = None,
+    half: _Half = None,
+    size: _Size = "1280x720",
+    fps: Annotated[float, typer.Option("--fps", metavar="N", help="Pictures in a second of video.")] = 30.0,
+    camera: _Camera = "field",
+    speed: Annotated[
+        float, typer.Option("--speed", metavar="X", help="4: four times as fast; 0.25: slow motion.")
+    ] = 1.0,
+    highlights: Annotated[
+        bool, typer.Option("--highlights", help="Only the 6 s before each change of the score, and 1 s after.")
+    ] = False,
+    runs: _Runs = Path("runs"),
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress bar, no notes.")] = False,
+) -> None:
+    """Make an MP4 of a record, with scoreboard and captions."""
     from rcj_challenges.cli.outputs import refuse_devices
-    from rcj_challenges.views.video.errors import FilmInterruptedError, need_extra
+    from rcj_challenges.views.video.errors import VideoInterruptedError, require_packages
 
-    refuse_devices(out=options.out)
-    need_extra("av", "PIL")
+    refuse_devices(out=out)
+    require_packages("av", "PIL")
     from rcj_challenges.views.scoreboard import console_for
-    from rcj_challenges.views.video.make import Look, size_from, studio, write_video
-    from rcj_challenges.views.video.timeline import frame_count, highlights, seconds_from, stretch
+    from rcj_challenges.views.video import clips, make
 
-    size = size_from(options.size, even=True)
-    fps = _fps(options.fps)
-    _check_speed(options.speed)
-    start, stop = (None if text is None else seconds_from(text) for text in (options.from_, options.to))
+    size_px, rate = make.parse_size(size, even=True), _fps(fps)
+    _check_speed(speed)
+    start_s, stop_s = (None if text is None else clips.parse_seconds(text) for text in (from_, to))
+    folder, footage = _footage(run, runs)
+    shown = clips.clips_between(footage, start_s, stop_s, half)
+    if highlights:
+        shown = clips.highlights(footage, shown)
+    path = _out(out, folder / ("highlights.mp4" if highlights else "video.mp4"))
     console = console_for(to_stderr=True)
-    folder, footage = _footage(options.run, options.runs)
-    clips = stretch(footage, start, stop, options.half)
-    if options.highlights:
-        clips = highlights(footage, clips)
-    out = _out(options.out, folder / ("highlights.mp4" if options.highlights else "video.mp4"))
-    look = Look(size=size, camera=options.camera, renderer=options.renderer)
-    with studio(footage, look) as made_in:
-        _say(console, [*footage.warnings, *made_in.says], quiet=options.quiet)
-        total = frame_count(clips, float(fps), options.speed)
+    with make.opened_renderer(footage, size_px, camera) as draw:
+        _print(console, footage.warnings, quiet=quiet)
+        total = clips.frame_count(shown, float(rate), speed)
         begin = time.perf_counter()
         try:
-            with _progress(console, total, shown=not options.quiet) as progress:
-                write_video(made_in, clips, out, size=size, fps=fps, speed=options.speed, progress=progress)
-        except FilmInterruptedError as error:
-            sys.stderr.write(f"interrupted: the first {error.frames / float(fps):.1f} s are kept in {error.kept}\n")
-            return 130
+            with _progress(console, total, shown=not quiet) as progress:
+                make.write_video(draw, footage, shown, path, size=size_px, fps=rate, speed=speed, progress=progress)
+        except VideoInterruptedError as error:
+            sys.stderr.write(f"interrupted: the first {error.frames / float(rate):.1f} s are kept in {error.kept}\n")
+            raise typer.Exit(130) from None
         took_s = time.perf_counter() - begin
-        _say(console, [made_in.unwritten()], quiet=options.quiet)
-    _say(
-        console,
-        [f"{total / float(fps):.1f} s of video, {total} pictures, {total / took_s:.0f} a second"],
-        quiet=options.quiet,
-    )
-    sys.stdout.write(f"{out}\n")
-    return 0
+    summary = f"{total / float(rate):.1f} s of video, {total} pictures, {total / took_s:.0f} a second"
+    _print(console, [summary], quiet=quiet)
+    sys.stdout.write(f"{path}\n")
+    raise typer.Exit
 
 
-def make_snapshot(options: SnapshotOptions) -> int:
-    """Make the picture, print where it is; returns the exit code.
-
-    Raises:
-        RcjError: wrong input, a record that cannot be shown, or a missing extra.
-    """
+def snapshot(
+    at: Annotated[str, typer.Option("--at", metavar="TIME", help="Which moment: 113.9 or 1:53.9.")],
+    run: _Run = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", "-o", metavar="FILE", help=".png; left out: into the record.")
+    ] = None,
+    half: _Half = None,
+    size: _Size = "1280x720",
+    camera: _Camera = "field",
+    runs: _Runs = Path("runs"),
+) -> None:
+    """Make a picture of one moment of a record."""
     from rcj_challenges.cli.outputs import refuse_devices
-    from rcj_challenges.views.video.errors import need_extra
+    from rcj_challenges.views.video.errors import require_packages
 
-    refuse_devices(out=options.out)
-    need_extra("PIL")
+    refuse_devices(out=out)
+    require_packages("PIL")
     from rcj_challenges.views.scoreboard import console_for
-    from rcj_challenges.views.video.make import Look, size_from, studio, write_snapshot
-    from rcj_challenges.views.video.timeline import moment_at, seconds_from
+    from rcj_challenges.views.video import clips, make
 
-    size, at_s = size_from(options.size, even=False), seconds_from(options.at)
-    folder, footage = _footage(options.run, options.runs)
-    moment = moment_at(footage, at_s, options.half)
-    name = f"snapshot-half{moment.half.info.half}-{moment.t_s:.3f}s.png"
-    out = _out(options.out, folder / name)
-    with studio(footage, Look(size, options.camera, options.renderer, shadows=True)) as made_in:
-        write_snapshot(made_in, moment, out)
-        _say(console_for(to_stderr=True), [*footage.warnings, *made_in.says, made_in.unwritten()])
-    sys.stdout.write(f"{out}\n")
-    return 0
+    size_px, at_s = make.parse_size(size, even=False), clips.parse_seconds(at)
+    folder, footage = _footage(run, runs)
+    moment = clips.moment_at(footage, at_s, half)
+    path = _out(out, folder / f"snapshot-half{moment.half.info.half}-{moment.t_s:.3f}s.png")
+    _print(console_for(to_stderr=True), footage.warnings)
+    with make.opened_renderer(footage, size_px, camera, fine=True) as draw:
+        make.write_snapshot(draw, moment, path)
+    sys.stdout.write(f"{path}\n")
+    raise typer.Exit
 
 
 def _footage(run: Path | None, runs: Path) -> tuple[Path, Footage]:
@@ -207,33 +139,33 @@ def _out(wanted: Path | None, default: Path) -> Path:
     """Return where the file goes.
 
     Raises:
-        VideoError: it is a folder, lies in none, or its name says that it is something else.
+        VideoError: it is a folder, its folder is missing, or its name has another ending.
     """
     from rcj_challenges.views.video.errors import VideoError
 
     out = wanted or default
     if out.is_dir():
-        raise VideoError(f"--out {out} is a folder: give a file, such as {out / default.name}")
+        raise VideoError("bad-out", f"--out {out} is a folder", f"give a file, such as {out / default.name}")
     if out.suffix.lower() != default.suffix:
-        raise VideoError(f"--out {out}: only {default.suffix} can be written; its name must end in {default.suffix}")
+        raise VideoError("bad-out", f"--out {out}: the name must end in {default.suffix}")
     if not out.parent.is_dir():
-        raise VideoError(f"--out {out}: there is no folder {out.parent}")
+        raise VideoError("bad-out", f"--out {out}: there is no folder {out.parent}")
     return out
 
 
 def _fps(fps: float) -> Fraction:
     from rcj_challenges.views.video.errors import VideoError
 
-    if not 1 <= fps <= _MOST_FPS:
-        raise VideoError(f"--fps {fps:g}: a second of video has 1 to {_MOST_FPS} pictures")
+    if not 1 <= fps <= MAX_FPS:
+        raise VideoError("bad-fps", f"--fps {fps:g}: a second of video has 1 to {MAX_FPS} pictures")
     return Fraction(str(fps)).limit_denominator(1001)
 
 
 def _check_speed(speed: float) -> None:
     from rcj_challenges.views.video.errors import VideoError
 
-    if not _SLOWEST <= speed <= _FASTEST:
-        raise VideoError(f"--speed {speed:g}: it must be {_SLOWEST:g} (slow motion) to {_FASTEST:g}")
+    if not MIN_SPEED <= speed <= MAX_SPEED:
+        raise VideoError("bad-speed", f"--speed {speed:g}: it must be {MIN_SPEED:g} (slow motion) to {MAX_SPEED:g}")
 
 
 @contextmanager
@@ -262,7 +194,7 @@ def _progress(console: Console, total: int, *, shown: bool) -> Iterator[Callable
         yield show
 
 
-def _say(console: Console, sentences: list[str], *, quiet: bool = False) -> None:
+def _print(console: Console, sentences: Sequence[str], *, quiet: bool = False) -> None:
     for sentence in sentences:
-        if sentence and not quiet:
+        if not quiet:
             console.print(sentence, markup=False, highlight=False, soft_wrap=True)

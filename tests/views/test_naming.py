@@ -38,7 +38,7 @@ def test_replay_live_page_and_pictures_tell_them_apart(tmp_path: Path) -> None:
     assert all(f'"title":"Hanse ({seat} first)"' in text.replace(": ", ":") for seat in TWICE)
     footage = Footage.open(folder)
     assert list(footage.titles.values()) == ["Hanse (blue first)", "Hanse (yellow first)"]
-    letters = [[footage.letter_of(half, team) for team in TWICE] for half in footage.halves]
+    letters = [[footage.seat_of(half, team)["letter"] for team in TWICE] for half in footage.halves]
     assert letters == [["B", "Y"], ["Y", "B"]]
     facts = live_facts(load("match").scenario, TWICE, 1)
     assert [team["title"] for team in facts["teams"]] == ["Hanse (blue first)", "Hanse (yellow first)"]

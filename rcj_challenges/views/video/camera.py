@@ -1,20 +1,41 @@
-"""From where the field is looked at."""
+"""From where the field is seen."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
+from itertools import product
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.views.video.clips import Moment
 from rcj_challenges.views.video.errors import VideoError
-from rcj_challenges.views.video.footage import Footage, HalfFootage
+from rcj_challenges.views.video.footage import Footage
 
-KINDS = ("field", "top", "side", "follow-ball")
-CALM_S = 0.8
-"""A camera that follows something looks at where it is on average over this long: it glides, also over a jump."""
+FOV_DEG = 32.0
+"""Vertical field of view."""
+_STILL = ("field", "top", "side")
+_ELEVATION_DEG = {"field": -52.0, "top": -90.0, "side": -20.0, "behind": -24.0, "follow-ball": -40.0}
+_DISTANCE_M = {"behind": 0.95, "follow-ball": 1.5}
+_SMOOTHING_S = 0.8
+"""A camera that follows something looks at its average position over this time, so that it glides over jumps."""
+_LOOK_AHEAD_M = 0.22
+"""A camera behind a robot looks at a point in front of it."""
+_MARGIN = 0.97
+"""Part of the picture that a still camera fills with the field."""
+
+
+class View(NamedTuple):
+    """MuJoCo's free camera: the point it looks at, its distance from there, and its angles."""
+
+    look_at_m: tuple[float, float, float]
+    distance_m: float
+    azimuth_deg: float
+    elevation_deg: float
 
 
 @dataclass(frozen=True)
@@ -22,58 +43,99 @@ class Camera:
     """A camera.
 
     Attributes:
-        kind: ``field`` (all of it, from a raised seat; from above where nothing is solid), ``top``, ``side``,
-            ``behind`` or ``follow-ball``.
-        entity: index of the robot or ball that is followed, -1: none.
+        kind: ``field`` (all of it, from a raised seat), ``top``, ``side``, ``behind`` or ``follow-ball``.
+        entity: index of the robot or ball that is followed; -1 for still cameras.
     """
 
     kind: str
-    entity: int
+    entity: int = -1
 
     @classmethod
-    def named(cls, name: str, roster: Roster) -> Camera:
-        """Return the camera that a name means.
+    def parse(cls, name: str, roster: Roster) -> Camera:
+        """Return the camera with a name, such as ``top`` or ``behind:Y1``.
 
         Raises:
-            VideoError: there is no such camera, robot or ball; the message lists what there is.
+            VideoError: there is no such camera, robot or ball.
         """
         kind, colon, robot = name.partition(":")
         robots = roster.entities[: roster.robots]
         if kind == "behind" and colon:
             if robot not in robots:
-                raise VideoError(
-                    f"--camera {name[:60]}: there is no robot {robot[:40]!r}{_near(robot, robots)}; "
-                    f"robots are {', '.join(robots)}"
-                )
+                raise _unknown("unknown-robot", f"--camera {name[:60]}: no robot {robot[:40]!r}", robot, robots)
             return cls("behind", roster.entities.index(robot))
-        if name not in KINDS:
-            listed = ", ".join((*KINDS, f"behind:{robots[0]}" if robots else "behind:ROBOT"))
-            raise VideoError(f"--camera {name[:60]!r} is unknown{_near(name, (*KINDS, 'behind:'))}; there are {listed}")
         if name == "follow-ball":
             if not roster.balls:
-                raise VideoError("--camera follow-ball: this scenario has no ball")
+                raise VideoError("no-ball", "--camera follow-ball: this scenario has no ball")
             return cls(name, roster.robots)
-        return cls(name, -1)
+        if name not in _STILL:
+            cameras = (*_STILL, "follow-ball", *(f"behind:{robot}" for robot in robots))
+            raise _unknown("unknown-camera", f"--camera {name[:60]!r} is unknown", name, cameras)
+        return cls(name)
 
-    def target(self, half: HalfFootage, t_s: float) -> tuple[float, float]:
-        """Return the point of the field that it looks at: the middle, or near what it follows."""
+    def view(self, footage: Footage, moment: Moment, aspect: float) -> View:
+        """Return from where a moment is seen, in a picture of a shape (width by height)."""
+        corners, upright = _field_corners(footage, aspect)
+        azimuth_deg, elevation_deg = 90.0 if upright else 0.0, _ELEVATION_DEG[self.kind]
         if self.entity < 0:
-            return (0.0, 0.0)
-        x_m, y_m = half.mean_place(self.entity, t_s, CALM_S)
-        return (0.0, 0.0) if np.isnan(x_m) else (x_m, y_m)
+            return _fitted(corners, azimuth_deg, elevation_deg, aspect)
+        x_m, y_m, yaw_rad = moment.half.smoothed(self.entity, moment.t_s, _SMOOTHING_S)
+        if math.isnan(x_m):
+            x_m = y_m = 0.0
+        elif self.kind == "behind":
+            yaw_rad += math.pi if footage.things["entities"][self.entity]["front"] < 0 else 0.0
+            x_m, y_m = x_m + _LOOK_AHEAD_M * math.cos(yaw_rad), y_m + _LOOK_AHEAD_M * math.sin(yaw_rad)
+            azimuth_deg = math.degrees(yaw_rad)
+        return View((x_m, y_m, 0.03), _DISTANCE_M[self.kind], azimuth_deg, elevation_deg)
 
 
-def ends_of_field(footage: Footage) -> tuple[float, float]:
-    """Return how far walls and goals reach from the middle along x and y, in m."""
-    field: Mapping[str, float] = footage.things["field"]
-    deepest = max((goal["depth_m"] for goal in footage.things["field"]["goals"]), default=0.0)
-    return field["width_m"] / 2 + WALL_M, field["length_m"] / 2 + deepest + WALL_M
+def axes(view: View) -> tuple[Any, Any, Any]:
+    """Return the unit vectors forward, right and up of a view. Source: MuJoCo's `mjv_cameraFrame`."""
+    a, e = math.radians(view.azimuth_deg), math.radians(view.elevation_deg)
+    forward = np.array([math.cos(e) * math.cos(a), math.cos(e) * math.sin(a), math.sin(e)])
+    right = np.array([math.sin(a), -math.cos(a), 0.0])
+    return forward, right, np.cross(right, forward)
 
 
-WALL_M = 0.012
-"""How thick walls are drawn, outside of their inner faces."""
+def pixel_at(point_m: Sequence[float], view: View, size: tuple[int, int]) -> tuple[float, float] | None:
+    """Return where a point is in a picture of a view; None if it is behind the camera."""
+    forward, right, up = axes(view)
+    ray = np.array(point_m) - np.array(view.look_at_m) + view.distance_m * forward
+    depth_m = float(ray @ forward)
+    if depth_m <= 0.05:
+        return None
+    px_per_m = size[1] / 2 / math.tan(math.radians(FOV_DEG) / 2) / depth_m
+    return size[0] / 2 + float(ray @ right) * px_per_m, size[1] / 2 - float(ray @ up) * px_per_m
 
 
-def _near(name: str, names: tuple[str, ...]) -> str:
-    near = get_close_matches(name, names, 1)
-    return f"; did you mean {near[0]!r}?" if near else ""
+def _field_corners(footage: Footage, aspect: float) -> tuple[Any, bool]:
+    """Return the corners of the box around field, goals and walls, and whether the field stands upright."""
+    field = footage.things["field"]
+    depth_m = max((goal["depth_m"] for goal in field["goals"]), default=0.0)
+    x_m, y_m = field["width_m"] / 2 + 0.02, field["length_m"] / 2 + depth_m + 0.02
+    corners = np.array(list(product((-x_m, x_m), (-y_m, y_m), (0.0, field["wall_height_m"]))))
+    return corners, (aspect >= 1) != (y_m >= x_m)
+
+
+def _fitted(corners: Any, azimuth_deg: float, elevation_deg: float, aspect: float) -> View:
+    """Return the nearest view in which all corners are in the picture.
+
+    A corner with the coordinates u (along an axis of the picture) and z (forward) is seen from the distance d, aimed at
+    a, if abs(u - a) <= t * (d + z), where t is the tangent of half the field of view. The smallest d and its a follow.
+    """
+    forward, right, up = axes(View((0, 0, 0), 0, azimuth_deg, elevation_deg))
+    depths_m = corners @ forward
+    tan_up = math.tan(math.radians(FOV_DEG) / 2) * _MARGIN
+    distance_m, look_at_m = 0.0, np.zeros(3)
+    for axis, tangent in ((right, tan_up * aspect), (up, tan_up)):
+        low_m = float((corners @ axis - tangent * depths_m).max())
+        high_m = float((corners @ axis + tangent * depths_m).min())
+        distance_m = max(distance_m, (low_m - high_m) / (2 * tangent))
+        look_at_m += axis * (low_m + high_m) / 2
+    x_m, y_m, z_m = look_at_m.tolist()
+    return View((x_m, y_m, z_m), distance_m, azimuth_deg, elevation_deg)
+
+
+def _unknown(code: str, message: str, name: str, known: Sequence[str]) -> VideoError:
+    near = get_close_matches(name, known, 1)
+    guess = f"did you mean {near[0]!r}? " if near else ""
+    return VideoError(code, message, f"{guess}There are: {', '.join(known)}")

@@ -11,18 +11,16 @@ GRASS: tuple[Rgb, Rgb] = ((46, 128, 86), (41, 119, 79))
 LINE: Rgb = (232, 240, 236)
 GATE: Rgb = (255, 107, 178)
 WALL: Rgb = (148, 163, 184)
-WHEEL: Rgb = (24, 27, 32)
-EDGE: Rgb = (22, 28, 36)
+DARK: Rgb = (22, 28, 36)
 WHITE: Rgb = (255, 255, 255)
-BOARD: Rgb = (17, 24, 39)
-FAINT: Rgb = (156, 168, 186)
+BAR: Rgb = (17, 24, 39)
+MUTED: Rgb = (156, 168, 186)
 FAULT: Rgb = (220, 38, 38)
-CALL: Rgb = (148, 163, 184)
 _GREY: Rgb = (134, 142, 150)
 
 
 def rgb(colour: str) -> Rgb:
-    """Return a CSS colour name or ``#rrggbb`` as numbers; grey for a name that nobody knows."""
+    """Return a CSS colour as numbers; grey for a name that Pillow does not know."""
     try:
         found = ImageColor.getrgb(colour)
     except ValueError:
@@ -30,12 +28,6 @@ def rgb(colour: str) -> Rgb:
     return (found[0], found[1], found[2])
 
 
-def mixed(colour: Rgb, other: Rgb, share: float) -> Rgb:
-    """Return a colour with a share of another one in it."""
-    r, g, b = (round(a + (c - a) * share) for a, c in zip(colour, other, strict=True))
-    return (r, g, b)
-
-
 def text_on(colour: Rgb) -> Rgb:
-    """Return black or white, whichever can be read on a colour (luma of ITU-R BT.601)."""
-    return EDGE if 0.299 * colour[0] + 0.587 * colour[1] + 0.114 * colour[2] > 140 else WHITE
+    """Return black or white, whichever is readable on a colour (luma of ITU-R BT.601)."""
+    return DARK if 0.299 * colour[0] + 0.587 * colour[1] + 0.114 * colour[2] > 140 else WHITE

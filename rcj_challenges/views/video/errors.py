@@ -1,23 +1,28 @@
-"""What can be wrong with a wish for a video or a picture."""
+"""Errors of ``video`` and ``snapshot``."""
 
 from __future__ import annotations
 
 from importlib.util import find_spec
 from pathlib import Path
 
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.facts.errors import advised
 
 
-class VideoError(RcjError):
-    """A video or picture that cannot be made as asked for: the message says what is possible."""
+class VideoError(DiagnosticError):
+    """A video or picture that cannot be made as requested."""
+
+    def __init__(self, code: str, message: str, help_: str = "") -> None:
+        super().__init__(Diagnostic(code, message, help_))
 
 
-class VideoExtraMissingError(VideoError):
-    """The optional packages are not installed."""
+class VideoInterruptedError(KeyboardInterrupt):
+    """Ctrl-C while a video was written.
 
-
-class FilmInterruptedError(KeyboardInterrupt):
-    """Ctrl-C while a video was made; what was made until then is kept."""
+    Attributes:
+        kept: the file with the frames written so far.
+        frames: how many frames it has.
+    """
 
     def __init__(self, kept: Path, frames: int) -> None:
         super().__init__(f"{frames} frames are kept in {kept}")
@@ -25,19 +30,21 @@ class FilmInterruptedError(KeyboardInterrupt):
         self.frames = frames
 
 
-_PACKAGES = {"PIL": "pillow"}
+def cannot_write(path: Path, error: OSError) -> VideoError:
+    """Return the error about a file that cannot be written."""
+    return VideoError("cannot-write", f"{path}: {advised(error)}", "write it elsewhere with --out FILE")
 
 
-def need_extra(*packages: str) -> None:
-    """Check that optional packages are there, before any work is done.
+def require_packages(*packages: str) -> None:
+    """Check that optional packages are installed, before any work is done.
 
     Raises:
-        VideoExtraMissingError: one is not installed; the message says how to get it and what works without.
+        VideoError: one is missing.
     """
-    missing = [_PACKAGES.get(package, package) for package in packages if find_spec(package) is None]
+    missing = [package for package in packages if find_spec(package) is None]
     if missing:
-        raise VideoExtraMissingError(
-            f"videos and pictures need optional packages (missing: {', '.join(missing)}): "
-            'pip install "rcj-challenges[video]". '
-            "Without them: rcj-challenge view RUN shows the match in a browser, rcj-challenge replay RUN writes it"
+        raise VideoError(
+            "missing-extra",
+            f"videos and pictures need optional packages (missing: {', '.join(missing)})",
+            'pip install "rcj-challenges[video]"; or watch it in a browser: rcj-challenge view RUN',
         )

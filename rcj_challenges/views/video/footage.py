@@ -1,10 +1,11 @@
-"""A recorded run as far as it can be shown: poses at any moment, score, events, and what is missing."""
+"""A recorded run: poses at any time, score, events, and what is missing."""
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_right
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -33,7 +34,7 @@ Poses = npt.NDArray[np.float64]
 """``[entity] -> x, y, yaw, z``: metres and radians; NaN for what is not on the field."""
 
 _DAMAGE = (KeyError, TypeError, ValueError, AttributeError)
-"""What damaged lines of the referee's log raise in who tells the story."""
+"""What reading damaged lines of the referee's log raises."""
 
 
 @dataclass(frozen=True)
@@ -41,11 +42,11 @@ class HalfFootage:
     """One half.
 
     Attributes:
-        info: its facts.
-        ticks: how many ticks of it were recorded.
+        info: number, teams and scores at its start.
+        ticks: how many were recorded.
         samples: ``[1 + 4 T, E, 3]``, x, y, yaw every 8 ms from tick 0 on.
         heights: ``[1 + T, E]``, z of the centres at each tick.
-        jumps: by tick, the entities that were put elsewhere after it.
+        jumps: by tick, the entities that the referee moved after it.
     """
 
     info: HalfInfo
@@ -56,7 +57,7 @@ class HalfFootage:
 
     @classmethod
     def of(cls, track: HalfTrack) -> HalfFootage:
-        """Return what of a half is needed here."""
+        """Convert a recorded half."""
         entities = track.substeps.shape[2]
         poses, heights = _start(track)
         return cls(
@@ -73,7 +74,7 @@ class HalfFootage:
 
     @property
     def length_s(self) -> float:
-        """How long it was recorded, in s of the match."""
+        """Recorded length in s of the match."""
         return s_from_ticks(self.ticks)
 
     def tick_at(self, t_s: float) -> int:
@@ -81,9 +82,9 @@ class HalfFootage:
         return min(int(round(t_s / TICK_S, 6)), self.ticks)
 
     def poses(self, t_s: float) -> Poses:
-        """Return where everything is at a time of the half.
+        """Return all poses at a time of the half.
 
-        Between two samples of the trajectory (8 ms) poses are interpolated; what is put elsewhere jumps.
+        Between two samples of the trajectory (8 ms) poses are interpolated; what the referee moves jumps.
         """
         last = len(self.samples) - 1
         exact = min(max(round(t_s / SUBSTEP_S, 6), 0.0), float(last))
@@ -104,24 +105,17 @@ class HalfFootage:
         found[away] = np.nan
         return found
 
-    def mean_place(self, entity: int, t_s: float, window_s: float) -> tuple[float, float]:
-        """Return the mean place of an entity around a time, for a camera that follows it calmly; NaN if it is away."""
+    def smoothed(self, entity: int, t_s: float, window_s: float) -> tuple[float, float, float]:
+        """Return x, y, yaw of an entity, averaged around a time, for a calm camera; NaN while it is off the field."""
         first, last = ((t_s + way * window_s / 2) / SUBSTEP_S for way in (-1, 1))
         rows = np.clip(np.linspace(first, last, 15).round().astype(int), 0, len(self.samples) - 1)
-        places = self.samples[rows, entity, :2].astype(np.float64)
+        poses = self.samples[rows, entity].astype(np.float64)
         with np.errstate(invalid="ignore"):
-            here = np.abs(places).max(axis=1) < PARKED_BEYOND_M
-        if not here.any():
-            return (np.nan, np.nan)
-        x_m, y_m = places[here].mean(axis=0).tolist()
-        return (x_m, y_m)
-
-    def mean_yaw(self, entity: int, t_s: float, window_s: float) -> float:
-        """Return the mean direction of an entity around a time in rad."""
-        first, last = ((t_s + way * window_s / 2) / SUBSTEP_S for way in (-1, 1))
-        rows = np.clip(np.linspace(first, last, 15).round().astype(int), 0, len(self.samples) - 1)
-        yaws = np.nan_to_num(self.samples[rows, entity, 2].astype(np.float64), posinf=0.0, neginf=0.0)
-        return float(np.arctan2(np.sin(yaws).mean(), np.cos(yaws).mean()))
+            poses = poses[np.abs(poses).max(axis=1) < PARKED_BEYOND_M]
+        if not len(poses):
+            return (math.nan, math.nan, math.nan)
+        yaw_rad = math.atan2(np.sin(poses[:, 2]).mean(), np.cos(poses[:, 2]).mean())
+        return (float(poses[:, 0].mean()), float(poses[:, 1].mean()), yaw_rad)
 
 
 @dataclass(frozen=True)
@@ -130,10 +124,10 @@ class Footage:
 
     Attributes:
         scenario, roster: what was played.
-        things: what of it can be seen, as the replay page has it.
+        things: what of it is visible, as on the replay page.
         halves: those with at least one tick.
         story: events and score.
-        titles: by team, what it is called.
+        titles: display name of each team.
         warnings: what is missing or damaged, a sentence each.
     """
 
@@ -144,39 +138,33 @@ class Footage:
     story: Story
     titles: Mapping[str, str]
     warnings: tuple[str, ...] = ()
-    _events: dict[int, list[dict[str, Any]]] = field(default_factory=dict)
 
     @classmethod
     def open(cls, folder: Path) -> Footage:
         """Read a run: finished, still going on, killed, or with damaged parts.
 
         Raises:
-            RecordError: what is left is not enough for a picture: scenario or trajectory cannot be read.
+            RecordError: scenario or trajectory cannot be read, so that there is nothing to show.
         """
         warnings: list[str] = []
-        result = _read_result(folder, warnings)
+        result = None
+        try:
+            result = read_result(folder)
+        except RecordError as error:
+            warnings.append(f"{error}; names are taken from the trajectory")
         scenario = read_scenario(folder)
         with refusing_changes(folder, scenario):
-            return cls._of(folder, scenario, result, warnings)
-
-    @classmethod
-    def _of(cls, folder: Path, scenario: Scenario, result: RunResult | None, warnings: list[str]) -> Footage:
-        tracks, problems = read_halves(folder, scenario, result, standing=False)
-        warnings += problems
-        story = _tell(folder, scenario, tracks, result, warnings)
-        events: dict[int, list[dict[str, Any]]] = {}
-        for event in story.events:
-            events.setdefault(event["half"], []).append(event)
-        return cls(
-            scenario=scenario,
-            roster=Roster.of(scenario),
-            things=visible_things(scenario),
-            halves=tuple(HalfFootage.of(track) for track in tracks),
-            story=story,
-            titles=_titles(scenario, result, tracks[0].info),
-            warnings=tuple(warnings),
-            _events=events,
-        )
+            tracks, problems = read_halves(folder, scenario, result, standing=False)
+            warnings += problems
+            return cls(
+                scenario=scenario,
+                roster=Roster.of(scenario),
+                things=visible_things(scenario),
+                halves=tuple(HalfFootage.of(track) for track in tracks),
+                story=_story(folder, scenario, tracks, result, warnings),
+                titles=_titles(scenario, result, tracks[0].info),
+                warnings=tuple(warnings),
+            )
 
     def half(self, number: int) -> HalfFootage:
         """Return a half by its number (from 1)."""
@@ -184,12 +172,10 @@ class Footage:
 
     def scores(self, half: HalfFootage, t_s: float) -> dict[str, Score]:
         """Return the points by team at a time of a half."""
-        info, tick = half.info, half.tick_at(t_s)
-        standing = {info.teams[seat]: points for seat, points in info.scores.items()}
-        for at, points in self.story.score_changes.get(info.half, ()):
-            if at <= tick:
-                standing = points
-        return {team: standing.get(team, 0) for team in self.titles}
+        info = half.info
+        start = {info.teams[seat]: points for seat, points in info.scores.items()}
+        points = _latest(self.story.score_changes.get(info.half, ()), half.tick_at(t_s), start)
+        return {team: points.get(team, 0) for team in self.titles}
 
     @property
     def shows_score(self) -> bool:
@@ -197,38 +183,33 @@ class Footage:
         return shows_score(self.scenario)
 
     def counted(self, half: HalfFootage, t_s: float) -> tuple[str, ...]:
-        """Return what counts in the ranking beside the score at a time of a half, a line for each team."""
-        tick, values = half.tick_at(t_s), {}
-        for at, counted in self.story.counted.get(half.info.half, ()):
-            if at <= tick:
-                values = counted
+        """Return the counters that the ranking compares at a time of a half, a line for each team."""
+        values = _latest(self.story.counted.get(half.info.half, ()), half.tick_at(t_s), {})
         lines = {team: counted_line(self.scenario, own) for team, own in values.items()}
         if len(lines) == 1:
             return tuple(lines.values())
         return tuple(f"{self.titles[team]}: {line}" for team, line in lines.items() if team in self.titles)
 
-    def events(self, half: int) -> list[dict[str, Any]]:
-        """Return the events of a half in order, as the replay page tells them."""
-        return self._events.get(half, [])
+    def recent_events(self, half: HalfFootage, t_s: float, for_s: float, limit: int) -> list[dict[str, Any]]:
+        """Return the newest events within ``for_s`` before a time of a half, the oldest first."""
+        events = [event for event in self.story.events if event["half"] == half.info.half]
+        stop = bisect_right(events, half.tick_at(t_s), key=lambda event: event["tick"])
+        return [event for event in events[max(0, stop - limit) : stop] if t_s - event["tick"] * TICK_S < for_s]
 
-    def recent_events(self, half: HalfFootage, t_s: float, for_s: float, most: int) -> list[dict[str, Any]]:
-        """Return the newest events that happened within ``for_s`` before a time of a half, the oldest first."""
-        events, tick = self.events(half.info.half), half.tick_at(t_s)
-        stop = bisect_right(events, tick, key=lambda event: event["tick"])
-        recent = [event for event in events[max(0, stop - most) : stop] if t_s - event["tick"] * TICK_S < for_s]
-        return recent[-most:]
+    def scoring_event(self, half: int, tick: int) -> str:
+        """Return the name of the event that changed the score at a tick, such as ``Goal``."""
+        events = (event for event in self.story.events if (event["half"], event["tick"]) == (half, tick))
+        return next((str(event["name"]).replace("_", " ").capitalize() for event in events if event["scored"]), "Score")
 
-    def colour_of(self, half: HalfFootage, team: str) -> str:
-        """Return the CSS colour that a team plays in during a half."""
-        return str(self._seat_of(half, team).get("colour", "grey"))
-
-    def letter_of(self, half: HalfFootage, team: str) -> str:
-        """Return what the labels of a team's robots begin with during a half; empty where that tells nothing."""
-        return str(self._seat_of(half, team).get("letter", ""))
-
-    def _seat_of(self, half: HalfFootage, team: str) -> dict[str, Any]:
+    def seat_of(self, half: HalfFootage, team: str) -> dict[str, Any]:
+        """Return colour and letter of the seat from which a team plays a half, as on the replay page."""
         seat = next((seat for seat, playing in half.info.teams.items() if playing == team), None)
-        return next((found for found in self.things["seats"] if found["name"] == seat), {})
+        return next((one for one in self.things["seats"] if one["name"] == seat), {"colour": "grey", "letter": ""})
+
+
+def _latest(changes: Iterable[Sequence[Any]], tick: int, start: dict[str, Any]) -> dict[str, Any]:
+    """Return the last of ``[tick, values]`` that is not after a tick."""
+    return next((values for at, values in reversed(list(changes)) if at <= tick), start)
 
 
 def _start(track: HalfTrack) -> tuple[npt.NDArray[np.float32], npt.NDArray[np.float32]]:
@@ -241,15 +222,7 @@ def _start(track: HalfTrack) -> tuple[npt.NDArray[np.float32], npt.NDArray[np.fl
     return poses, np.array(track.start.heights, np.float32)
 
 
-def _read_result(folder: Path, warnings: list[str]) -> RunResult | None:
-    try:
-        return read_result(folder)
-    except RecordError as error:
-        warnings.append(f"{error}; names are those that the trajectory knows")
-        return None
-
-
-def _tell(
+def _story(
     folder: Path, scenario: Scenario, tracks: Sequence[HalfTrack], result: RunResult | None, warnings: list[str]
 ) -> Story:
     try:

@@ -6,180 +6,104 @@ import io
 import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
-from typing import Protocol
 
 from PIL import Image
 
-from rcj_challenges.facts.errors import advised
 from rcj_challenges.records.folder import replaced
 from rcj_challenges.views.sentences import plain
-from rcj_challenges.views.video import gl_probe
-from rcj_challenges.views.video.board import Board
 from rcj_challenges.views.video.camera import Camera
-from rcj_challenges.views.video.errors import VideoError
+from rcj_challenges.views.video.clips import Clip, Moment, frame_count, moments
+from rcj_challenges.views.video.colours import OUTSIDE
+from rcj_challenges.views.video.errors import VideoError, cannot_write
 from rcj_challenges.views.video.footage import Footage
-from rcj_challenges.views.video.lettering import Lettering
-from rcj_challenges.views.video.timeline import Clip, Moment, frame_count, moments
-from rcj_challenges.views.video.topdown import TopDown
+from rcj_challenges.views.video.opengl import choose_backend
+from rcj_challenges.views.video.overlay import Overlay
 
-RENDERERS = ("auto", "top", "3d")
-SMALLEST_PX, LARGEST_PX = 160, 4096
+MIN_PX, MAX_PX = 160, 4096
 _NAMED_SIZES = {"480p": (854, 480), "720p": (1280, 720), "1080p": (1920, 1080), "2160p": (3840, 2160)}
-_FROM_ABOVE = ("field", "top", "follow-ball")
-"""Cameras that need no third dimension."""
+
+Draw = Callable[[Moment], Image.Image]
+"""Returns the picture of a moment."""
 
 
-class Stage(Protocol):
-    """Draws moments."""
-
-    name: str
-
-    def picture(self, moment: Moment) -> Image.Image:
-        """Return the picture of a moment, without the board; it is drawn over by the next."""
-
-    def close(self) -> None:
-        """Give back what it holds."""
-
-
-@dataclass(frozen=True)
-class Look:
-    """How a run is shown.
-
-    Attributes:
-        size: width and height in pixels.
-        camera: its name: field, top, side, follow-ball or behind:ROBOT.
-        renderer: ``auto``, ``top`` or ``3d``.
-        shadows: whether things throw shadows in 3-D; slow without a real GPU.
-    """
-
-    size: tuple[int, int] = (1280, 720)
-    camera: str = "field"
-    renderer: str = "auto"
-    shadows: bool = False
-
-
-def size_from(text: str, *, even: bool) -> tuple[int, int]:
-    """Return the pixels that ``1280x720`` or ``720p`` means.
+def parse_size(text: str, *, even: bool) -> tuple[int, int]:
+    """Parse ``1280x720`` or ``720p`` as pixels.
 
     Args:
         text: what the user wrote.
-        even: whether width and height must be even, as MP4's colours need it.
+        even: whether width and height must be even, as in an MP4.
 
     Raises:
-        VideoError: it is no size, or one that nobody can look at.
+        VideoError: it is not a size, or one that is too small, too large or odd.
     """
-    found = re.fullmatch(r"(\d{1,6})x(\d{1,6})", text.strip().lower(), re.ASCII)
-    if text.strip().lower() in _NAMED_SIZES:
-        return _NAMED_SIZES[text.strip().lower()]
-    if found is None:
-        raise VideoError(f"--size {text[:40]!r}: write WIDTHxHEIGHT, as 1280x720, or one of {', '.join(_NAMED_SIZES)}")
-    size = (int(found[1]), int(found[2]))
-    if not all(SMALLEST_PX <= pixels <= LARGEST_PX for pixels in size):
-        raise VideoError(f"--size {text[:40]}: width and height must be {SMALLEST_PX} to {LARGEST_PX} pixels")
+    name = text.strip().lower()
+    if name in _NAMED_SIZES:
+        return _NAMED_SIZES[name]
+    match = re.fullmatch(r"(\d{1,6})x(\d{1,6})", name, re.ASCII)
+    if match is None:
+        known = ", ".join(_NAMED_SIZES)
+        raise VideoError("bad-size", f"--size {text[:40]!r}", f"write WIDTHxHEIGHT, such as 1280x720, or {known}")
+    size = (int(match[1]), int(match[2]))
+    if not all(MIN_PX <= pixels <= MAX_PX for pixels in size):
+        raise VideoError("bad-size", f"--size {text[:40]}: width and height must be {MIN_PX} to {MAX_PX} pixels")
     if even and (size[0] % 2 or size[1] % 2):
         near = f"{size[0] + size[0] % 2}x{size[1] + size[1] % 2}"
-        raise VideoError(f"--size {text[:40]}: an MP4 needs an even width and height; try {near}")
+        raise VideoError("bad-size", f"--size {text[:40]}: an MP4 needs an even width and height", f"try {near}")
     return size
 
 
-class Studio:
-    """Everything that is needed to draw a run in one way.
-
-    Attributes:
-        says: sentences for the user: with what it is drawn, and why not otherwise.
-        lettering: what writes; its ``boxes`` are characters that no font has.
-    """
-
-    def __init__(self, footage: Footage, look: Look) -> None:
-        """Choose how it is drawn.
-
-        Raises:
-            VideoError: the camera is unknown, or what was asked for cannot be drawn here.
-        """
-        if look.renderer not in RENDERERS:
-            raise VideoError(f"--renderer {look.renderer[:40]!r} is unknown: there are {', '.join(RENDERERS)}")
-        self.footage = footage
-        self.says: list[str] = []
-        self.lettering = Lettering()
-        self._board = Board(footage, look.size, self.lettering)
-        self._stage = self._choose(look, Camera.named(look.camera, footage.roster))
-
-    def frame(self, moment: Moment) -> Image.Image:
-        """Return the whole picture of a moment; it is drawn over by the next."""
-        picture = self._stage.picture(moment)
-        self._board.write(picture, moment)
-        return picture
-
-    def close(self) -> None:
-        """Give back what drawing held."""
-        self._stage.close()
-
-    def unwritten(self) -> str:
-        """Return the sentence about characters that no font has, or nothing."""
-        boxes = "".join(self.lettering.boxes)
-        if not boxes:
-            return ""
-        return (
-            f"no font on this computer has {plain(boxes, 20)!r}: boxes stand there. "
-            "Install one that has them, such as Noto Sans (docs/video.md)"
-        )
-
-    def _choose(self, look: Look, camera: Camera) -> Stage:
-        top = self._board.height
-        flat = look.renderer == "top"
-        if flat and camera.kind not in _FROM_ABOVE:
-            raise VideoError(
-                f"--camera {look.camera} needs 3-D: with --renderer top there are {', '.join(_FROM_ABOVE)}"
-            )
-        reason = None if flat else gl_probe.why_not_solid()
-        if reason is None and not flat:
-            from rcj_challenges.views.video.solid import Solid  # noqa: PLC0415 - loads MuJoCo, after the backend is set
-
-            self.says.append(f"drawn in 3-D by MuJoCo ({gl_probe.backend_name()})")
-            return Solid(self.footage, look.size, top, camera, self.lettering, shadows=look.shadows)
-        if look.renderer == "3d":
-            raise VideoError(f"{reason}. Without it: --renderer top draws from above")
-        self.says.append("drawn from above by Pillow" + (f", not in 3-D: {reason}" if reason else ""))
-        if camera.kind not in _FROM_ABOVE:
-            followed = ", following it" if camera.entity >= 0 else ""
-            self.says.append(f"--camera {look.camera} needs 3-D: it is shown from above{followed}")
-        return TopDown(self.footage, look.size, top, camera, self.lettering)
-
-
 @contextmanager
-def studio(footage: Footage, look: Look) -> Iterator[Studio]:
-    """Open a studio and close it.
+def opened_renderer(footage: Footage, size: tuple[int, int], camera: str, *, fine: bool = False) -> Iterator[Draw]:
+    """Open what draws moments, with scoreboard and captions.
+
+    Args:
+        footage: what is shown.
+        size: of the whole picture, in pixels.
+        camera: its name, such as ``field`` or ``behind:Y1``.
+        fine: whether things cast shadows and edges are smooth; takes several times as long.
 
     Raises:
-        VideoError: the camera is unknown, or what was asked for cannot be drawn here.
+        VideoError: the camera is unknown, or this computer has no OpenGL.
     """
-    opened = Studio(footage, look)
+    chosen = Camera.parse(camera, footage.roster)
+    choose_backend()
+    from rcj_challenges.views.video.renderer import SceneRenderer  # noqa: PLC0415 - loads MuJoCo, which reads MUJOCO_GL
+
+    overlay = Overlay(footage, size)
+    renderer = SceneRenderer(footage, (size[0], size[1] - overlay.height), chosen, fine=fine)
+
+    def draw(moment: Moment) -> Image.Image:
+        frame = Image.new("RGB", size, OUTSIDE)
+        frame.paste(renderer.draw(moment), (0, overlay.height))
+        overlay.write(frame, moment)
+        return frame
+
     try:
-        yield opened
+        yield draw
     finally:
-        opened.close()
+        renderer.close()
 
 
-def write_snapshot(made_in: Studio, moment: Moment, path: Path) -> None:
+def write_snapshot(draw: Draw, moment: Moment, path: Path) -> None:
     """Write the picture of a moment as PNG.
 
     Raises:
         VideoError: it cannot be written.
     """
-    file = io.BytesIO()
-    made_in.frame(moment).save(file, "PNG", optimize=True)
+    png = io.BytesIO()
+    draw(moment).save(png, "PNG")
     try:
-        with replaced(path) as target:
-            target.write(file.getvalue())
+        with replaced(path) as file:
+            file.write(png.getvalue())
     except OSError as error:
-        raise VideoError(f"{path}: cannot be written: {advised(error)}") from error
+        raise cannot_write(path, error) from error
 
 
 def write_video(
-    made_in: Studio,
+    draw: Draw,
+    footage: Footage,
     clips: list[Clip],
     path: Path,
     *,
@@ -188,27 +112,29 @@ def write_video(
     speed: float,
     progress: Callable[[int, int], None] | None = None,
 ) -> int:
-    """Write clips as one MP4. Returns the number of frames.
+    """Write clips as one MP4, see `mp4.Mp4Writer`. Returns the number of frames.
 
     Args:
-        made_in: what draws.
-        clips: what is shown, in order.
-        path: of the file; it is whole or not there (see `rcj_challenges.views.video.film.Film`).
-        size: width and height in pixels, as the studio's.
-        fps: frames for each second of video.
-        speed: seconds of the match in each second of video.
-        progress: told (frames done, frames in all) after each frame.
+        draw: draws moments.
+        footage: what is shown.
+        clips: parts of it, in order.
+        path: of the file.
+        size: width and height in pixels of what ``draw`` returns.
+        fps: frames in a second of video.
+        speed: seconds of the match in a second of video.
+        progress: called with (frames done, frames in total) after each frame.
 
     Raises:
-        VideoError: it cannot be written.
+        VideoError: the file cannot be written.
+        VideoInterruptedError: Ctrl-C; what was written is kept.
     """
-    from rcj_challenges.views.video.film import Film  # noqa: PLC0415 - a picture needs no av
+    from rcj_challenges.views.video.mp4 import Mp4Writer  # noqa: PLC0415 - a snapshot needs no av
 
     total = frame_count(clips, float(fps), speed)
-    names = " - ".join(plain(title, 60) for title in made_in.footage.titles.values())
-    with Film(path, size, fps, f"{names}: {plain(made_in.footage.scenario.title, 100)}") as film:
-        for done, moment in enumerate(moments(made_in.footage, clips, float(fps), speed), 1):
-            film.add(made_in.frame(moment))
+    names = " - ".join(plain(title, 60) for title in footage.titles.values())
+    with Mp4Writer(path, size, fps, f"{names}: {plain(footage.scenario.title, 100)}") as video:
+        for done, moment in enumerate(moments(footage, clips, float(fps), speed), 1):
+            video.add(draw(moment))
             if progress is not None:
                 progress(done, total)
     return total
