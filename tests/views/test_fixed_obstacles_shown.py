@@ -5,7 +5,7 @@ import pytest
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.views.drawing import draw_scenario
 from tests.views.sheets import sentence
-from tests.views.test_drawing_reaches import CIRCLE, NEAR, SMALL
+from tests.views.test_drawing_distances import CIRCLE, NEAR, SMALL
 
 POLES = (
     "obstacles: {p1: {shape: cylinder, centre_m: [0.5, 0], radius_m: 0.02}, "
@@ -57,5 +57,5 @@ def test_a_distance_from_them_is_drawn_around_their_centre():
     assert [words for *_, words in CIRCLE.findall(drawn("poles"))] == ["0.1 m from p1", "0.1 m from p2"]
 
 
-def test_a_distance_from_a_wall_is_a_line_around_it():
+def test_a_distance_from_a_wall_is_a_band_around_it():
     assert "<title>0.1 m from fence</title>" in drawn("fence")

@@ -26,7 +26,7 @@ from rcj_challenges.views.sheet import sheet_markdown
 from rcj_challenges.views.sheet.phrases import degrees, number, seconds
 from scripts.write_reference import read_examples
 
-pytestmark = pytest.mark.usefixtures("without_drawing", "without_labels")
+pytestmark = pytest.mark.usefixtures("without_drawing")
 
 _OF_TESTS = (models.Expectation, models.ExpectedEvent, models.Given, models.Keyframe)
 """What stands below `expect` is about the rules' tests, not about the challenge."""
@@ -271,12 +271,6 @@ def _telling(leaf: Leaf, *, drawn: bool) -> tuple[bool, list[Any]]:
             if not isinstance(value, str):
                 break
     return False, tried
-
-
-@pytest.fixture
-def without_labels(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Leave out of drawings the names beside things, for which it takes long to find room; the legend is there."""
-    monkeypatch.setattr("rcj_challenges.views.drawing.paper.place_labels", lambda *_: [])
 
 
 @pytest.mark.parametrize("field", FIELDS)

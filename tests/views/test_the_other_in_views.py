@@ -103,13 +103,11 @@ def test_the_picture_names_who_may_be_put_somewhere_as_the_trigger_does(rule, wh
     assert "(0.1, 0.2)" in draw_scenario(one.scenario, one.roster)
 
 
-def test_a_place_beside_it_is_drawn_nowhere_for_nobody_knows_where_it_is():
-    actions = (
-        "[{action: remove, entity: other}, {action: place, entity: ball, at: {relative_to: other, offset_m: [0.1, 0]}}]"
-    )
-    rule = f"triggers: [{{trigger: touches, entity: ball, other: robots}}], actions: {actions}"
+def test_the_legend_names_who_may_be_the_other_beside_which_something_is_put():
+    action = "{action: place, entity: ball, at: {relative_to: other, offset_m: [0.1, 0]}}"
+    rule = f"triggers: [{{trigger: touches, entity: ball, other: [Y1, B1]}}], actions: [{action}]"
     one = load_text(f"{HEAD}rules: {{it: {{{rule}}}}}\n")
-    assert placement_areas(one.scenario, one.roster) == {}
+    assert [area.words() for area in placement_areas(one.scenario, one.roster)] == ["(0.1, 0) from Y1 or B1"]
 
 
 @pytest.mark.parametrize(

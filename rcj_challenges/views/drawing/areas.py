@@ -1,17 +1,22 @@
-"""Where rules put things by chance or at a point, and where they roll balls to: each place once, with all of them."""
+"""Where rules and layouts put things, set spots, or roll balls to: each place once, with what is put there."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import product
+from typing import NamedTuple
 
+from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.models.actions import Place, Remove, SetSpot
+from rcj_challenges.scenario.models.base import Names
 from rcj_challenges.scenario.models.places import (
     At,
     AtPoint,
     AtSpot,
     Choice,
     FurthestFree,
+    Mirror,
     NearestFree,
     OnLine,
     Placing,
@@ -19,180 +24,200 @@ from rcj_challenges.scenario.models.places import (
     Start,
     UniformIn,
 )
-from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.models.state import ToldValue
+from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.models.state import DrawValue, ToldValue
+from rcj_challenges.scenario.other import written_others
 from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.roster import Roster, row_of
-from rcj_challenges.views.drawing.beside import layouts_of, listed_names, places_beside
-from rcj_challenges.views.drawing.flips import AS_WRITTEN, Flip, flipped, flips_of
-from rcj_challenges.views.drawing.labels import Point
-from rcj_challenges.views.drawing.shapes import home, point_words
+from rcj_challenges.views.drawing.shapes import Point, home, point_words
+
+Flip = tuple[bool, bool]
+"""Whether x becomes -x, and whether y becomes -y."""
+AS_WRITTEN: Flip = (False, False)
+
+
+class Beside(NamedTuple):
+    """A place beside something that moves: it has no place in the drawing, only its numbers in the legend."""
+
+    anchor: str
+    offset_m: Point
+    turns: bool
 
 
 @dataclass(frozen=True)
 class Area:
-    """A place of the field that is no spot and no start.
+    """A place that is neither a spot nor a start.
 
     Attributes:
-        at: the name of a zone or a line, every point of which is equally likely, or a point.
+        at: the name of a zone or a line, all points of which are equally likely, a point, or a place beside something.
         noise_m: half width of the noise around it, in x and y.
-        flip: for a zone, how it is mirrored. (Lines and points are mirrored themselves.)
+        flip: how a zone is mirrored. (Lines and points are mirrored themselves.)
         aim: whether things are not put there, but roll there from where they are put.
     """
 
-    at: str | OnLine | Point
-    noise_m: Point
+    at: str | OnLine | Point | Beside
+    noise_m: Point = (0.0, 0.0)
     flip: Flip = AS_WRITTEN
     aim: bool = False
 
     def words(self) -> str:
         """Return where it is: ``(0, 0.1)``, ``(-0.3, 0) to (0.3, 0)``, ``in garden``, ``rolls towards (0, 0.1)``."""
-        where = self._where()
+        where = self._where() + (f", ± {self.noise_m[0]:g}, {self.noise_m[1]:g}" if any(self.noise_m) else "")
         return f"rolls towards {where.removeprefix('in ')}" if self.aim else where
 
     def _where(self) -> str:
-        noise = f", ± {self.noise_m[0]:g}, {self.noise_m[1]:g}" if any(self.noise_m) else ""
         if isinstance(self.at, str):
-            turned = [f"{axis} becomes -{axis}" for axis, turns in zip("xy", self.flip, strict=True) if turns]
-            mirrored = f", mirrored ({' and '.join(turned)})" if turned else ""
-            return f"in {self.at}{mirrored}{noise}"
+            mirrored = " and ".join(
+                f"{axis} becomes -{axis}" for axis, turns in zip("xy", self.flip, strict=True) if turns
+            )
+            return f"in {self.at}" + (f", mirrored ({mirrored})" if mirrored else "")
         if isinstance(self.at, OnLine):
-            return " to ".join(map(point_words, self.at.on_line)) + noise
-        return point_words(self.at) + noise
+            return " to ".join(map(point_words, self.at.on_line))
+        if isinstance(self.at, Beside):
+            turning = ", in its own frame" if self.at.turns else ""
+            return f"{point_words(self.at.offset_m)} from {self.at.anchor}{turning}"
+        return point_words(self.at)
 
 
 def placement_areas(scenario: Scenario, roster: Roster) -> dict[Area, list[str]]:
-    """Return the places where layouts and rules put things or set spots, with the names of these, as written.
-
-    What a flag mirrors has both places.
-    """
+    """Return the places where layouts and rules put things or set spots, with the names of these, as written."""
     found: dict[Area, list[str]] = {}
-    for names, at, noise_m, flip, aim in _placings(scenario):
-        marked = aim or flip != AS_WRITTEN or any(noise_m)
-        for place, own in _areas(scenario, roster, at, names, marked=marked):
-            around_m = noise_m if aim else _with_noise_of_start(scenario, at, own, noise_m)
-            who = found.setdefault(_area(place, around_m, flip, aim=aim), [])
-            who.extend(name for name in own if name not in who)
-    for names, at_m, noise_m, aim in places_beside(scenario, roster):
-        who = found.setdefault(Area(at_m, noise_m, aim=aim), [])
-        who.extend(name for name in names if name not in who)
+    for put in _puts(scenario):
+        for area, names in _areas(scenario, roster, put):
+            everything = found.setdefault(area, [])
+            everything.extend(name for name in names if name not in everything)
     return found
 
 
-def _with_noise_of_start(scenario: Scenario, at: At | None, names: tuple[str, ...], noise_m: Point) -> Point:
-    """Return the noise around a start: that of the placement, and around it that of the start itself."""
-    robot = scenario.robots.get(names[0]) if _is_start(at) else None
-    own_m = (0.0, 0.0) if robot is None else robot.start.noise_m
-    return noise_m[0] + own_m[0], noise_m[1] + own_m[1]
+def flipped(point: Point, flip: Flip) -> Point:
+    """Return a point mirrored."""
+    # Adding 0 turns -0 into 0.
+    return (-point[0] + 0.0 if flip[0] else point[0], -point[1] + 0.0 if flip[1] else point[1])
 
 
-def _is_start(at: At | None) -> bool:
-    return at == "start" or isinstance(at, Start)
+def layouts_of(scenario: Scenario, action: Place) -> list[str]:
+    """Return the layouts that an action may place."""
+    if isinstance(action.layout, DrawValue):
+        return [str(value) for value in scenario.draws[action.layout.draw].values]
+    return [] if action.layout is None else [action.layout]
 
 
-def _area(place: str | OnLine | Point, noise_m: Point, flip: Flip, *, aim: bool) -> Area:
-    if isinstance(place, str):
-        return Area(place, noise_m, flip, aim=aim)
-    if isinstance(place, OnLine):
-        start, end = (flipped(point, flip) for point in place.on_line)
-        return Area(OnLine(on_line=(start, end)), noise_m, aim=aim)
-    return Area(flipped(place, flip), noise_m, aim=aim)
+class _Put(NamedTuple):
+    """What is put where, with noise, mirrored; ``aim``: it only rolls there."""
+
+    names: tuple[str, ...]
+    at: At | None
+    noise_m: Point = (0.0, 0.0)
+    flip: Flip = AS_WRITTEN
+    aim: bool = False
+    rule: Rule | None = None
+
+    @property
+    def is_marked(self) -> bool:
+        """Whether spots and starts, which are drawn anyway, have to be marked as places too."""
+        return self.aim or self.flip != AS_WRITTEN or any(self.noise_m)
 
 
-_Put = tuple[tuple[str, ...], At | None, Point, Flip, bool]
-"""What is put where, with what noise, how it is mirrored, and whether it only rolls there."""
-
-
-def _placings(scenario: Scenario) -> Iterator[_Put]:
-    """Yield what is put where by every rule and layout, and where it rolls to from there."""
-    places = [(rule, action) for rule in scenario.rules.values() for action in rule.actions]
+def _puts(scenario: Scenario) -> Iterator[_Put]:
+    actions = [(rule, action) for rule in scenario.rules.values() for action in rule.actions]
     for name, layout in scenario.placements.items():
         mirrors = [
-            action.mirror for _, action in places if isinstance(action, Place) and name in layouts_of(scenario, action)
-        ]
-        # What no rule puts is nowhere.
-        for placing in layout:
-            for flip in flips_of(placing, mirrors):
-                yield from _puts(placing, listed_names(placing.entity), flip)
-    for rule, action in places:
+            action.mirror for _, action in actions if isinstance(action, Place) and name in layouts_of(scenario, action)
+        ]  # empty for a layout that no rule places
+        for placing, mirror in product(layout, mirrors):
+            for flip in _flips(placing.mirror, mirror):
+                yield from _put_and_kick(placing, _names(placing.entity, None), flip, None)
+    for rule, action in actions:
         if isinstance(action, Place) and action.entity is not None:
-            for flip in flips_of(action, [None]):
-                yield from _puts(action, listed_names(action.entity, rule), flip)
+            for flip in _flips(action.mirror):
+                yield from _put_and_kick(action, _names(action.entity, rule), flip, rule)
         elif isinstance(action, Remove) and action.for_s is not None:
-            yield listed_names(action.entity, rule), action.back_at, (0.0, 0.0), AS_WRITTEN, False
+            yield _Put(_names(action.entity, rule), action.back_at, rule=rule)
         elif isinstance(action, SetSpot) and not isinstance(action.to, str | ToldValue):
-            # What is set to where something is has no place of its own.
             at = AtPoint(point=action.to) if isinstance(action.to, tuple) else action.to
-            for flip in flips_of(action, [None]):
-                yield (action.spot,), at, (0.0, 0.0), flip, False
+            for flip in _flips(action.mirror):
+                yield _Put((action.spot,), at, flip=flip, rule=rule)
 
 
-def _puts(placing: Placing | Place, names: tuple[str, ...], flip: Flip) -> Iterator[_Put]:
-    yield names, placing.at, placing.noise_m, flip, False
+def _put_and_kick(placing: Placing | Place, names: tuple[str, ...], flip: Flip, rule: Rule | None) -> Iterator[_Put]:
+    yield _Put(names, placing.at, placing.noise_m, flip, rule=rule)
     if placing.kick is not None:
-        yield names, placing.kick.towards, (0.0, 0.0), flip, True
+        yield _Put(names, placing.kick.towards, flip=flip, aim=True, rule=rule)
 
 
-def _areas(
-    scenario: Scenario, roster: Roster, at: At | None, names: tuple[str, ...], *, marked: bool
-) -> Iterator[tuple[str | OnLine | Point, tuple[str, ...]]]:
-    """Yield the places that a word of ``at`` stands for, not yet mirrored, with what is put there.
-
-    Args:
-        scenario: the scenario.
-        roster: its roster.
-        at: the word.
-        names: what is put there.
-        marked: whether spots and starts, which are drawn anyway, are marked too: where mirrored, with noise, as an aim.
-    """
-    if isinstance(at, OnLine):
-        yield at, names
-    elif isinstance(at, UniformIn):
-        yield from ((zone, names) for zone in roster.expand(at.uniform_in) if zone in scenario.zones)
-    elif isinstance(at, AtPoint):
-        yield at.point, names
-    elif _is_start(at):
-        things = {**scenario.robots, **scenario.balls, **scenario.obstacles}
-        own = [name for name in roster.expand(names) if name in things] if marked else []
-        yield from ((home(scenario, name), (name,)) for name in own)
-    elif at is not None:
-        yield from ((point, names) for point in _points(scenario, roster, at, marked=marked))
+def _flips(*mirrors: Mirror | None) -> list[Flip]:
+    """Return all ways in which mirrors, one applied after the other, may mirror a place."""
+    ways: list[list[Flip]] = []
+    for mirror in mirrors:
+        flip = AS_WRITTEN if mirror is None else (mirror.axis in ("x", "both"), mirror.axis in ("y", "both"))
+        ways.append([flip] if mirror is None or mirror.when is None else [AS_WRITTEN, flip])
+    return sorted({(sum(x for x, _ in way) % 2 == 1, sum(y for _, y in way) % 2 == 1) for way in product(*ways)})
 
 
-def _points(scenario: Scenario, roster: Roster, at: At, *, marked: bool) -> Iterator[Point]:
-    """Yield the points that a word of ``at`` chooses from."""
-    if isinstance(at, RelativeTo):
-        dx, dy = at.offset_m
-        if marked or any(at.offset_m):
-            yield from ((x + dx, y + dy) for x, y in _spots(scenario, roster, at.relative_to))
-        return
-    for option in _options(at):
-        if not isinstance(option, str):
-            yield option
-        elif marked:
-            yield from _spots(scenario, roster, option)
+def _names(names: Names, rule: Rule | None) -> tuple[str, ...]:
+    """Return names as a row, with what a rule goes over for ``each``, and what it finds touched for ``other``."""
+    bound = {} if rule is None else {EACH: (rule.for_each or "",), OTHER: written_others(rule)}
+    return tuple(one for name in row_of(names) for one in bound.get(name, (name,)))
 
 
-def _options(at: At) -> tuple[str | Point, ...]:
-    """Return what is chosen from: points, spots, groups of spots, and draws that decide among spots."""
+def _areas(scenario: Scenario, roster: Roster, put: _Put) -> Iterator[tuple[Area, tuple[str, ...]]]:
+    """Yield the places that a placement may choose from, with what is put there."""
+    names, at, noise_m, flip, aim, rule = put
     match at:
-        case Choice():
-            return at.choice
-        case AtSpot():
-            return (at.spot,)
-        case NearestFree():
-            return row_of(at.nearest_free)
-        case FurthestFree():
-            return row_of(at.furthest_free)
-    return ()
+        case OnLine(on_line=(start, end)):
+            yield Area(OnLine(on_line=(flipped(start, flip), flipped(end, flip))), noise_m, aim=aim), names
+        case UniformIn():
+            zones = (zone for zone in roster.expand(at.uniform_in) if zone in scenario.zones)
+            yield from ((Area(zone, noise_m, flip, aim), names) for zone in zones)
+        case "start" | Start():
+            yield from _starts(scenario, roster, put)
+        case RelativeTo(relative_to=anchor) if not all(one in scenario.spots for one in roster.may_be(anchor)):
+            if any(at.offset_m) or anchor not in names:
+                offset_m = at.offset_m if at.turns else flipped(at.offset_m, flip)
+                anchors = " or ".join(_names(anchor, rule))
+                yield Area(Beside(anchors, offset_m, at.turns), noise_m, aim=aim), names
+        case _:
+            yield from (
+                (Area(flipped(point, flip), noise_m, aim=aim), names) for point in _points(scenario, roster, put)
+            )
+
+
+def _points(scenario: Scenario, roster: Roster, put: _Put) -> list[Point]:
+    """Return the points that a placement may choose from, not yet mirrored; without spots as they are drawn anyway."""
+    match put.at:
+        case RelativeTo(relative_to=anchor, offset_m=(dx, dy)):
+            spots = _spots(scenario, roster, anchor) if put.is_marked or dx or dy else []
+            return [(x + dx, y + dy) for x, y in spots]
+        case AtPoint(point=point):
+            return [point]
+        case (
+            AtSpot(spot=options)
+            | Choice(choice=options)
+            | NearestFree(nearest_free=options)
+            | FurthestFree(furthest_free=options)
+        ):
+            pass
+        case _:
+            return []
+    points: list[Point] = []
+    for option in options if isinstance(options, tuple) else (options,):
+        if not isinstance(option, str):
+            points.append(option)
+        elif put.is_marked:
+            points += _spots(scenario, roster, option)
+    return points
+
+
+def _starts(scenario: Scenario, roster: Roster, put: _Put) -> Iterator[tuple[Area, tuple[str, ...]]]:
+    """Yield the start of each thing; noise of the placement adds to the noise of the start itself."""
+    for name in roster.expand(put.names) if put.is_marked else ():
+        if name in scenario.robots or name in scenario.balls or name in scenario.obstacles:
+            own_m = scenario.robots[name].start.noise_m if name in scenario.robots and not put.aim else (0.0, 0.0)
+            noise_m = (put.noise_m[0] + own_m[0], put.noise_m[1] + own_m[1])
+            yield Area(flipped(home(scenario, name), put.flip), noise_m, aim=put.aim), (name,)
 
 
 def _spots(scenario: Scenario, roster: Roster, name: str) -> list[Point]:
-    """Return the points of a spot, of a group of spots, or of all spots that a draw can decide.
-
-    Of an entity, and of a spot that rules set, nobody knows where it is.
-    """
-    draw = None if name in scenario.spots else scenario.draws.get(name)
-    spots = roster.expand(name) if draw is None else tuple(map(str, draw.values))
+    """Return the points of a spot, a group, or a draw among spots, without those that rules set."""
     fixed = fixed_spots(scenario)
-    return [(fixed[one].x_m, fixed[one].y_m) for one in spots if one in fixed]
+    return [(fixed[one].x_m, fixed[one].y_m) for one in roster.may_be(name) if one in fixed]

@@ -1,35 +1,70 @@
-"""A sheet of SVG paper in field coordinates, with labels that keep out of each other's way."""
+"""An SVG picture in field coordinates, with numbered markers and a legend."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+import re
+from collections.abc import Iterator, Sequence
 from html import escape
-from itertools import pairwise
+from textwrap import wrap
+from typing import NamedTuple
 
-from rcj_challenges.views.drawing.labels import (
-    CHARACTER_PX,
-    LABEL_PX,
-    Box,
-    Label,
-    Placed,
-    Point,
-    Surroundings,
-    place_labels,
+from rcj_challenges.views.drawing.shapes import Box, Point
+
+MARKER_PX = 18.0
+"""Height of a marker."""
+_DIGIT_PX = 7.0
+_LEADER_FROM_PX = 20.0
+"""A marker that stands further than this from its place gets a line that leads there."""
+_RINGS_PX = (20.0, 32.0, 46.0, 62.0, 80.0)
+_DIRECTIONS = 12
+_LEGEND_PX = 420.0
+_LINE_PX = 18.0
+_CHARACTERS = 54
+"""Of a line of the legend: it holds them in wide fonts too."""
+_TITLE_CHARACTERS = 40
+_POINT = re.compile(r"\([-\d.]+, [-\d.]+\)")
+_NO_BREAK = "\N{NO-BREAK SPACE}"
+_STYLE = (
+    "text{font-family:system-ui,-apple-system,'Segoe UI',sans-serif;fill:#1f2937}"
+    ".number{font-size:13px;font-weight:700;fill:#ffffff;text-anchor:middle}.number.dark{fill:#161c24}"
+    ".marker rect{stroke:#ffffff}.leader{stroke:#495057}"
+    ".axis{font-size:11px;fill:#6b7280}.title{font-size:17px;font-weight:700}.head{font-size:14px;font-weight:700}"
+    ".entry{font-size:13px}"
 )
 
-_FRAME_PX = 2.0
-_BASELINE_PX = 3.5
-"""How far below the middle of a line of text its letters stand."""
 
-_THIN_LINE = 0.8
-"""What it costs a label to cover a pixel of a line, in pixels that it rather stands off."""
+class Marker(NamedTuple):
+    """A numbered marker.
+
+    Attributes:
+        at_px: the place that it marks.
+        offset_px: from there to where it stands if there is room.
+        number: what is written in it.
+        name: of what it marks.
+        colour: its ground, dark enough for white digits.
+    """
+
+    at_px: Point
+    offset_px: Point
+    number: str
+    name: str
+    colour: str
+
+
+class Entry(NamedTuple):
+    """A line of the legend: a text, and the marker that it explains, if there is one."""
+
+    text: str
+    number: str = ""
+    colour: str = ""
 
 
 class Paper:
     """Collects SVG elements. Coordinates are the field's: metres, x to the right, y up.
 
     Args:
-        bounds: smallest x, smallest y, largest x, largest y of what is shown, in m.
+        bounds: what is shown.
         px_per_m: scale.
     """
 
@@ -39,97 +74,79 @@ class Paper:
         self.width_px = (bounds[2] - bounds[0]) * px_per_m
         self.height_px = (bounds[3] - bounds[1]) * px_per_m
         self._elements: list[str] = []
-        self._leaders_at: int | None = None
-        self._labels: list[Label] = []
-        self._around = Surroundings(
-            (_FRAME_PX, _FRAME_PX, self.width_px - _FRAME_PX, self.height_px - _FRAME_PX), [], []
-        )
+        self._markers: list[Marker] = []
+        self._bodies: list[tuple[Point, float]] = []
+        self._leaders_at = 0
+        self._numbers = 0
 
     def px(self, point: Point) -> Point:
         """Return the place of a point of the field on the paper, in pixels."""
         return (point[0] - self.bounds[0]) * self.scale, (self.bounds[3] - point[1]) * self.scale
 
-    def polygon(self, points: Sequence[Point], style: str, title: str = "", *, in_the_way: float = _THIN_LINE) -> None:
-        """Draw a closed polygon; ``in_the_way`` is what it costs a label to cover a pixel of its outline."""
-        if points:
-            self._add("path", f'd="{self.outline(points)}" {style}', title)
-            self._keep_off([*points, points[0]], in_the_way)
-
-    def path(self, description: str, style: str, title: str = "") -> None:
-        """Draw a path whose description is already in pixels."""
-        self._add("path", f'd="{description}" {style}', title)
-
-    def clip(self, name: str, outlines: Sequence[Sequence[Point]]) -> None:
-        """Name an area, so that what is drawn with ``clip-path="url(#name)"`` shows only in there."""
-        area = " ".join(map(self.outline, outlines))
-        self._elements.append(f'<clipPath id="{name}"><path d="{area}"/></clipPath>')
-
     def outline(self, points: Sequence[Point]) -> str:
         """Return the path description of a closed polygon."""
         return "M" + " L".join(f"{x:.1f} {y:.1f}" for x, y in map(self.px, points)) + " Z"
 
-    def stretch(self, points: Sequence[Point]) -> str:
-        """Return the path description of a line that is not closed."""
-        return "M" + " L".join(f"{x:.1f} {y:.1f}" for x, y in map(self.px, points))
+    def polygon(self, points: Sequence[Point], style: str, title: str = "") -> None:
+        """Draw a closed polygon."""
+        if points:
+            self.path(self.outline(points), style, title)
+
+    def path(self, description: str, style: str, title: str = "") -> None:
+        """Draw a path whose description is already in pixels."""
+        self._add("path", f'd="{description}" {style}', title)
 
     def circle(self, centre: Point, radius_m: float, style: str, title: str = "") -> None:
         """Draw a circle."""
         x, y = self.px(centre)
         self._add("circle", f'cx="{x:.1f}" cy="{y:.1f}" r="{radius_m * self.scale:.1f}" {style}', title)
 
-    def line(self, start: Point, end: Point, style: str, title: str = "", *, in_the_way: float = _THIN_LINE) -> None:
-        """Draw a straight line; ``in_the_way`` is what it costs a label to cover a pixel of it."""
+    def line(self, start: Point, end: Point, style: str, title: str = "") -> None:
+        """Draw a straight line."""
         (x1, y1), (x2, y2) = self.px(start), self.px(end)
         self._add("line", f'x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}" {style}', title)
-        self._keep_off([start, end], in_the_way)
 
-    def reserve(self, centre: Point, radius_m: float) -> None:
-        """Keep labels off a place."""
-        x, y = self.px(centre)
-        r = radius_m * self.scale
-        self._around.solids.append((x - r, y - r, x + r, y + r))
-
-    def body(self, outline: Sequence[Point]) -> None:
-        """Keep labels off a thing, but for one whose area it is."""
-        self._around.bodies.append(tuple(map(self.px, outline)))
-
-    def label(
-        self, at: Point, text: str, *, reach_m: float = 0.0, area: Sequence[Point] = (), colour: str = ""
-    ) -> None:
-        """Ask for a label; where it goes is decided at the end.
-
-        Args:
-            at: what it names, in m.
-            text: what is written.
-            reach_m: how far what it names reaches around ``at``.
-            area: the outline of what it names, if that is an area in which the label may stand.
-            colour: of the text; left out: that of all texts.
-        """
-        reach = reach_m * self.scale
-        self._labels.append(Label(text, self.px(at), (reach, reach), tuple(map(self.px, area)), colour))
-
-    def leaders_here(self) -> None:
-        """Draw the lines that lead to what labels name below all that is drawn from here on."""
-        self._leaders_at = len(self._elements)
+    def clip(self, name: str, outlines: Sequence[Sequence[Point]]) -> None:
+        """Name an area, so that elements with ``clip-path="url(#name)"`` show only in there."""
+        area = " ".join(map(self.outline, outlines))
+        self._elements.append(f'<clipPath id="{name}"><path d="{area}"/></clipPath>')
 
     def text_px(self, x: float, y: float, text: str, css: str) -> None:
         """Write text at a place in pixels."""
         self._elements.append(f'<text x="{x:.1f}" y="{y:.1f}" class="{css}">{escape(text)}</text>')
 
-    def note_px(self, x: float, y: float, text: str, css: str) -> None:
-        """Write text at a place in pixels of the drawing, and keep labels off it."""
-        self.text_px(x, y, text, css)
-        self._around.solids.append((x, y - LABEL_PX, x + len(text) * CHARACTER_PX, y + _BASELINE_PX))
+    def keep_free(self, centre: Point, radius_m: float) -> None:
+        """Let no marker cover a robot or a ball."""
+        self._bodies.append((self.px(centre), radius_m * self.scale))
 
-    def svg(self, *, title: str, style: str, extra_width_px: float = 0.0, height_px: float = 0.0) -> str:
-        """Return the whole picture."""
-        self._settle_labels()
-        width, height = self.width_px + extra_width_px, max(self.height_px, height_px)
+    def leaders_here(self) -> None:
+        """Draw the lines from markers to their places below everything that is drawn from here on."""
+        self._leaders_at = len(self._elements)
+
+    def new_number(self) -> str:
+        """Return the next number for markers."""
+        self._numbers += 1
+        return str(self._numbers)
+
+    def mark(self, at: Point, number: str, name: str, colour: str, *, offset_px: Point = (0.0, 0.0)) -> None:
+        """Add a marker; where it stands is decided when all are known."""
+        self._markers.append(Marker(self.px(at), offset_px, number, name, colour))
+
+    def svg(self, title: str, sections: Sequence[tuple[str, Sequence[Entry]]]) -> str:
+        """Return the whole picture, with a legend on its right.
+
+        Args:
+            title: of the picture and the legend.
+            sections: headings of the legend with their entries; sections without entries are left out.
+        """
+        self._draw_markers()
+        height = max(self.height_px, self._draw_legend(title, sections))
+        width, label = self.width_px + _LEGEND_PX, escape(f"{title}: field", quote=True)
         body = "\n".join(self._elements)
         return (
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" width="{width:.0f}" '
-            f'height="{height:.0f}" role="img" aria-label="{escape(title, quote=True)}">\n'
-            f"<title>{escape(title)}</title>\n<style>{style}</style>\n"
+            f'height="{height:.0f}" role="img" aria-label="{label}">\n'
+            f"<title>{label}</title>\n<style>{_STYLE}</style>\n"
             f'<rect width="100%" height="100%" fill="#ffffff"/>\n{body}\n</svg>\n'
         )
 
@@ -137,32 +154,69 @@ class Paper:
         inside = f"<title>{escape(title)}</title>" if title else ""
         self._elements.append(f"<{tag} {attributes}>{inside}</{tag}>")
 
-    def _keep_off(self, points: Sequence[Point], weight: float) -> None:
-        corners = [self.px(point) for point in points]
-        if weight:
-            self._around.lines.extend((side, weight) for side in pairwise(corners))
+    def _draw_markers(self) -> None:
+        """Draw each marker at its place, or at the nearest one around it that is free."""
+        placed: list[tuple[Point, float]] = []
+        for marker in self._markers:
+            half_px = _half_width_px(marker.number)
+            candidates = [self._inside(place) for place in _places(marker)]
+            x, y = next((at for at in candidates if self._is_free(at, half_px, placed)), candidates[0])
+            placed.append(((x, y), half_px))
+            if math.dist((x, y), self._inside(marker.at_px)) > _LEADER_FROM_PX:
+                x2, y2 = self._inside(marker.at_px)
+                leader = f'<line class="leader" x1="{x:.1f}" y1="{y:.1f}" x2="{x2:.1f}" y2="{y2:.1f}"/>'
+                self._elements.insert(self._leaders_at, leader)
+        for marker, ((x, y), _) in zip(self._markers, placed, strict=True):
+            self._draw_marker(x, y, marker.number, marker.colour, marker.name)
 
-    def _settle_labels(self) -> None:
-        """Write each label where it is least in the way, and draw the lines that lead from labels to things."""
-        placed = place_labels(self._labels, self._around)
-        at = len(self._elements) if self._leaders_at is None else self._leaders_at
-        self._elements[at:at] = [line for one in placed for line in _leader(one)]
-        self._elements.extend(map(_text, placed))
-        self._labels.clear()
+    def _is_free(self, at: Point, half_px: float, placed: Sequence[tuple[Point, float]]) -> bool:
+        x, y = at
+        return all(
+            abs(x - px) > half_px + other_px or abs(y - py) > MARKER_PX for (px, py), other_px in placed
+        ) and all(math.dist(at, centre) > radius_px + MARKER_PX / 2 for centre, radius_px in self._bodies)
+
+    def _inside(self, place: Point) -> Point:
+        """Return the nearest place at which a marker is inside the picture."""
+        x, y = place
+        return min(max(x, MARKER_PX), self.width_px - MARKER_PX), min(max(y, MARKER_PX), self.height_px - MARKER_PX)
+
+    def _draw_marker(self, x: float, y: float, number: str, colour: str, name: str) -> None:
+        half_px, height = _half_width_px(number), MARKER_PX
+        self._elements.append(
+            f'<g class="marker"><title>{escape(name)}</title><rect x="{x - half_px:.1f}" y="{y - height / 2:.1f}" '
+            f'width="{2 * half_px:.1f}" height="{height:.0f}" rx="{height / 2:.0f}" fill="{colour}"/>'
+            f'<text x="{x:.1f}" y="{y + 4.5:.1f}" class="number">{number}</text></g>'
+        )
+
+    def _draw_legend(self, title: str, sections: Sequence[tuple[str, Sequence[Entry]]]) -> float:
+        """Draw the legend; returns its height in pixels."""
+        x, y = self.width_px + 8, 10.0
+        for line in wrap(title, _TITLE_CHARACTERS):
+            y += 1.3 * _LINE_PX
+            self.text_px(x, y, line, "title")
+        for head, entries in sections:
+            if entries:
+                y += 1.6 * _LINE_PX
+                self.text_px(x, y, head, "head")
+            for entry in entries:
+                if entry.number:
+                    self._draw_marker(x + 14, y + _LINE_PX - 4.5, entry.number, entry.colour, "")
+                text = _POINT.sub(lambda point: point[0].replace(" ", _NO_BREAK), entry.text)
+                for line in wrap(text, _CHARACTERS):
+                    y += _LINE_PX
+                    self.text_px(x + 32, y, line.replace(_NO_BREAK, " "), "entry")
+        return y + 2 * _LINE_PX
 
 
-def _leader(placed: Placed) -> list[str]:
-    if placed.leader is None:
-        return []
-    (x1, y1), (x2, y2) = placed.leader
-    line = f'<line class="leader" x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}"/>'
-    return [line, f'<circle class="end" cx="{x2:.1f}" cy="{y2:.1f}" r="1.5"/>']
+def _half_width_px(number: str) -> float:
+    return max(MARKER_PX, 6 + _DIGIT_PX * len(number) + 4) / 2
 
 
-def _text(placed: Placed) -> str:
-    label = placed.label
-    colour = f' style="fill:{label.colour}"' if label.colour else ""
-    return (
-        f'<text x="{placed.x:.1f}" y="{placed.y + _BASELINE_PX:.1f}" text-anchor="middle" class="label"{colour}>'
-        f"{escape(label.text)}</text>"
-    )
+def _places(marker: Marker) -> Iterator[Point]:
+    """Yield where a marker may stand, the best place first."""
+    (x, y), (dx, dy) = marker.at_px, marker.offset_px
+    yield x + dx, y + dy
+    for ring_px in _RINGS_PX:
+        for step in range(_DIRECTIONS):
+            turn = math.tau * step / _DIRECTIONS
+            yield x + ring_px * math.cos(turn), y + ring_px * math.sin(turn)

@@ -1,4 +1,4 @@
-"""Zones as polygons, cut to what is on the paper; where things are at the start; points in words."""
+"""Zones as polygons that end at the paper, start positions, and points as text."""
 
 from __future__ import annotations
 
@@ -8,26 +8,29 @@ from rcj_challenges.scenario.models.field import FieldModel, Goal, Wall
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.starting import start_pose
-from rcj_challenges.views.drawing.labels import Box, Point
 
-_NOTHING_M2 = 1e-6  # an area that nobody sees: a square millimetre
+Point = tuple[float, float]
+Box = tuple[float, float, float, float]
+"""Left, bottom, right and top, in m."""
+
+_NOTHING_M2 = 1e-6  # too small to see: a square millimetre
 FORWARD_M = 0.05
 
 
 def zone_outline(zone: Zone, bounds: Box) -> list[Point]:
-    """Return a zone's outline in m (``inverted`` not regarded), cut at the bounds; empty if it lies beyond them."""
+    """Return a zone's outline in m without regard to ``inverted``, clipped at bounds; empty if it is outside."""
     left, bottom, right, top = bounds
-    outline = whole_outline(zone, bounds)
+    outline = _whole_outline(zone, bounds)
     for through, normal in (((left, 0), (1, 0)), ((right, 0), (-1, 0)), ((0, bottom), (0, 1)), ((0, top), (0, -1))):
         outline = _beyond(outline, through, normal)
     return outline
 
 
 def shown_outline(zone: Zone, field: FieldModel, paper: Box) -> list[Point]:
-    """Return what is drawn of a zone's outline (``inverted`` not regarded); empty if it lies beside the paper.
+    """Return the part of a zone's outline that is drawn, without regard to ``inverted``; empty if there is none.
 
-    A zone with an open side ends where the floor does: it would cover the goals and all that is around the field. Only
-    one that begins behind the floor ends where the goals do.
+    A zone with an open side ends at the walls, because it would cover the goals and everything around the field. If it
+    begins behind the floor, it ends where the goals do.
     """
     if not _is_open(zone):
         return zone_outline(zone, paper)
@@ -37,9 +40,9 @@ def shown_outline(zone: Zone, field: FieldModel, paper: Box) -> list[Point]:
 
 
 def inverted_outlines(zone: Zone, field: FieldModel, paper: Box) -> tuple[list[Point], list[Point]]:
-    """Return what is drawn of all but a zone: an outline, and the hole in it.
+    """Return how an inverted zone is drawn: an outline, and the hole in it.
 
-    That is the floor, or the whole paper if all of the floor is in the hole.
+    The outline is the floor, or the whole paper if all of the floor is in the hole.
     """
     floor, hole = floor_of(field), floor_outline(zone, field)
     if _area_m2(hole) < _area_m2(floor) - _NOTHING_M2:
@@ -84,7 +87,7 @@ def _area_m2(outline: list[Point]) -> float:
     return abs(doubled) / 2
 
 
-def whole_outline(zone: Zone, bounds: Box) -> list[Point]:
+def _whole_outline(zone: Zone, bounds: Box) -> list[Point]:
     """Return a zone's outline as far as it reaches; open sides end at the bounds."""
     left, bottom, right, top = bounds
     if isinstance(zone, RectZone):
@@ -145,7 +148,7 @@ def turned(points: list[Point], at: Point, yaw_rad: float) -> list[Point]:
 
 
 def forward_mark(start: Point, end: Point, length_m: float = FORWARD_M) -> tuple[Point, Point]:
-    """Return both ends of a gate's short mark, which points forward: of who drives so the first post is on the left."""
+    """Return both ends of a gate's forward mark: when driving forward, the first post is on the left."""
     x, y = (start[0] + end[0]) / 2, (start[1] + end[1]) / 2
     share = length_m / (math.dist(start, end) or 1.0)
     return (x, y), (x - share * (end[1] - start[1]), y + share * (end[0] - start[0]))

@@ -25,7 +25,7 @@ from rcj_challenges.scenario.models.scenario import (
 from rcj_challenges.scenario.models.state import CounterValue, Draw, Phase, Sequence, Timer
 from rcj_challenges.scenario.models.triggers import NoProgress
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.views.drawing.beside import layouts_of
+from rcj_challenges.views.drawing.areas import layouts_of
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table, as_html, as_markdown
 from rcj_challenges.views.sheet.deeds import placing_words, points_words, receiver_words
 from rcj_challenges.views.sheet.ground import field_blocks

@@ -17,6 +17,7 @@ from rcj_challenges.views.video.text import line_height_px, text_mask, text_widt
 CAPTION_S = 3.0
 """How long a caption is shown, in s of the video: time to read one line."""
 MAX_CAPTIONS = 3
+MAX_KEPT_CAPTIONS = 64
 
 
 def bar_height_px(size: tuple[int, int]) -> int:
@@ -45,9 +46,13 @@ class Overlay:
         events = self._footage.recent_events(half, t_s, CAPTION_S * moment.speed, MAX_CAPTIONS)
         for event in reversed(events):
             if id(event) not in self._captions:
+                if len(self._captions) > MAX_KEPT_CAPTIONS:
+                    self._captions.clear()
                 self._captions[id(event)] = self._draw_caption(event)
             caption = self._captions[id(event)]
             bottom -= caption.height
+            if bottom < self.height:
+                break
             frame.paste(caption, ((frame.width - caption.width) // 2, bottom), caption)
             bottom -= self._gap // 3
         top = self.height + self._gap
@@ -106,7 +111,7 @@ class Overlay:
         """Return an event as a box; points gained fill it with the team's colour, others mark its edge."""
         scored = event["kind"] in ("goal", "loss")
         colour = rgb(str(event["colour"] or "#f59f00")) if scored else FAULT if event["kind"] == "fault" else WALL
-        head = " ".join(filter(None, (str(event["name"]).replace("_", " "), f"  {event['standing']}".rstrip())))
+        head = f"{event['name']}   {event['standing']}".replace("_", " ").rstrip()
         text = " · ".join(filter(None, (str(event["about"]), str(event["told"]))))
         size_px = max(9, round(self.height * (0.46 if scored else 0.4)))
         ground = colour if event["kind"] == "goal" else BAR

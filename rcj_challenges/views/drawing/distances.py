@@ -1,4 +1,4 @@
-"""Distances that rules measure from what stands still: dotted lines in the drawing, numbers in its legend."""
+"""Distances that rules measure from things that do not move."""
 
 from __future__ import annotations
 
@@ -13,12 +13,11 @@ from rcj_challenges.scenario.models.state import Bound, CounterValue
 from rcj_challenges.scenario.models.triggers import Displaced
 from rcj_challenges.scenario.roster import Roster, row_of, written_for
 from rcj_challenges.scenario.visiting import visit
-from rcj_challenges.views.drawing.labels import Point
-from rcj_challenges.views.drawing.shapes import point_words
+from rcj_challenges.views.drawing.shapes import Point, point_words
 
 
-class Reach(NamedTuple):
-    """A circle around a spot or a point, or a line around a zone or a gate.
+class MeasuredDistance(NamedTuple):
+    """A circle around a spot or a point, or the surroundings of a zone, a gate or a wall.
 
     Attributes:
         radius_m: the distance that a rule compares with, in m.
@@ -39,16 +38,15 @@ class Reach(NamedTuple):
         return f"{self.radius_m:g}{unit} from {self.name or point_words(self.centre_m or (0.0, 0.0))}{counted}"
 
 
-def reaches(scenario: Scenario, roster: Roster) -> list[Reach]:
-    """Return what rules measure from what stands still, each once, in the order of the rules.
+def measured_distances(scenario: Scenario, roster: Roster) -> list[MeasuredDistance]:
+    """Return the distances that rules measure from things that do not move, each once, in the order of the rules.
 
-    What is measured from something that moves has no place of its own and is left out. Of a counter it is the initial
-    value, which changes with the file as any number does.
+    Of a counter it is the initial value.
     """
-    return list(dict.fromkeys(reach for rule in scenario.rules.values() for reach in _of_rule(rule, scenario, roster)))
+    return list(dict.fromkeys(found for rule in scenario.rules.values() for found in _of_rule(rule, scenario, roster)))
 
 
-def _of_rule(rule: Rule, scenario: Scenario, roster: Roster) -> Iterator[Reach]:
+def _of_rule(rule: Rule, scenario: Scenario, roster: Roster) -> Iterator[MeasuredDistance]:
     for model, _ in visit(rule):
         if isinstance(model, Distance):
             bounds = [
@@ -58,12 +56,12 @@ def _of_rule(rule: Rule, scenario: Scenario, roster: Roster) -> Iterator[Reach]:
                 if radius_m > 0
             ]
             for name, centre in _places(model.to, rule, scenario, roster):
-                yield from (Reach(radius_m, name, centre, counter) for radius_m, counter in bounds)
+                yield from (MeasuredDistance(radius_m, name, centre, counter) for radius_m, counter in bounds)
         elif isinstance(model, SpotFree) and model.clearance_m > 0:
             for name, centre in (place for one in row_of(model.spot) for place in _places(one, rule, scenario, roster)):
-                yield Reach(model.clearance_m, name, centre)
+                yield MeasuredDistance(model.clearance_m, name, centre)
         elif isinstance(model, Displaced) and not isinstance(model.from_, str) and model.axis == "distance":
-            yield Reach(model.distance_m, "", model.from_)
+            yield MeasuredDistance(model.distance_m, "", model.from_)
 
 
 def _at_first(bound: Bound | None, scenario: Scenario) -> Iterator[tuple[float, str]]:
