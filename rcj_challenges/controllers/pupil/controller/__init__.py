@@ -1,7 +1,7 @@
 """The module that robot programs import: ``from controller import Robot``.
 
-Names follow the Webots Python interface: methods in camelCase, and properties in snake_case. Each class has a module of
-its own too, as in R2023a (``controller.gps``); they are read only by programs that import them.
+Names follow the Webots Python interface: methods in camelCase, and properties in snake_case. Each class can be imported
+from a module of its own too, as in R2023a (``controller.gps``).
 """
 
 from __future__ import annotations
@@ -79,6 +79,39 @@ _SELDOM_IMPORTED = {
     "Node": "node",
     "Supervisor": "supervisor",
 }
+
+_SECOND_CLASSES = {"camera": "CameraRecognitionObject", "display": "ImageRef", "mouse": "MouseState"}
+
+
+class _ClassModules:
+    """Finds and loads ``controller.distance_sensor`` and the like, which have no files: a module for each class."""
+
+    @staticmethod
+    def find_spec(name: str, *_more: object) -> Any:
+        """Find the module of a class; the import system calls this after its own finders."""
+        package, _, module = name.rpartition(".")
+        is_known = package == __name__ and _class_of(module) in __all__
+        return type(__spec__)(name, _ClassModules) if is_known else None  # type: ignore[arg-type]
+
+    @staticmethod
+    def create_module(spec: object) -> None:
+        """Let the import system make the module."""
+
+    @staticmethod
+    def exec_module(module: Any) -> None:
+        """Put the class into its module, and a second one where Webots has two."""
+        short = module.__name__.rpartition(".")[2]
+        names = [name for name in (_class_of(short), _SECOND_CLASSES.get(short)) if name]
+        package = sys.modules[__name__]
+        vars(module).update({name: getattr(package, name) for name in names}, __all__=names)
+
+
+def _class_of(module: str) -> str:
+    """Return ``DistanceSensor`` for ``distance_sensor``, ``GPS`` for ``gps``."""
+    return module.upper() if module in ("gps", "led") else "".join(part.capitalize() for part in module.split("_"))
+
+
+sys.meta_path.append(_ClassModules)
 
 
 def __getattr__(name: str) -> Any:

@@ -11,85 +11,10 @@ class Absent:
         raise NotImplementedError(f"there is no {kinds[kinds.index(Absent) - 1].__name__} on these robots")
 
 
-class Accelerometer(Absent):
-    """Measures acceleration."""
+_NAMES = (
+    *("Accelerometer", "Altimeter", "Brake", "Camera", "CameraRecognitionObject", "Connector", "Display"),
+    *("ImageRef", "Gyro", "InertialUnit", "LED", "LightSensor", "Motion", "Pen"),
+    *("Radar", "RadarTarget", "RangeFinder", "Skin", "Speaker", "TouchSensor", "VacuumGripper"),
+)
 
-
-class Altimeter(Absent):
-    """Measures height."""
-
-
-class Brake(Absent):
-    """Slows a joint down."""
-
-
-class Camera(Absent):
-    """Takes pictures."""
-
-
-class CameraRecognitionObject(Absent):
-    """What a camera recognizes."""
-
-
-class Connector(Absent):
-    """Holds on to others."""
-
-
-class Display(Absent):
-    """Shows pictures."""
-
-
-class ImageRef(Absent):
-    """A picture of a display."""
-
-
-class Gyro(Absent):
-    """Measures turning."""
-
-
-class InertialUnit(Absent):
-    """Measures attitude."""
-
-
-class LED(Absent):
-    """Shines."""
-
-
-class LightSensor(Absent):
-    """Measures light."""
-
-
-class Motion(Absent):
-    """A motion from a file."""
-
-
-class Pen(Absent):
-    """Draws on the floor."""
-
-
-class Radar(Absent):
-    """Sees targets by radio."""
-
-
-class RadarTarget(Absent):
-    """What a radar sees."""
-
-
-class RangeFinder(Absent):
-    """Takes pictures of distances."""
-
-
-class Skin(Absent):
-    """Moves a skin."""
-
-
-class Speaker(Absent):
-    """Speaks and plays sounds."""
-
-
-class TouchSensor(Absent):
-    """Feels bumps."""
-
-
-class VacuumGripper(Absent):
-    """Holds by suction."""
+globals().update({name: type(name, (Absent,), {"__module__": __name__}) for name in _NAMES})

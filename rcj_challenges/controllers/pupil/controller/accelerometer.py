@@ -1,5 +1,0 @@
-"""``controller.accelerometer`` of R2023a."""
-
-from ._absent import Accelerometer
-
-__all__ = ["Accelerometer"]

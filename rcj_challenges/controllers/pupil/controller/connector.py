@@ -1,5 +1,0 @@
-"""``controller.connector`` of R2023a."""
-
-from ._absent import Connector
-
-__all__ = ["Connector"]

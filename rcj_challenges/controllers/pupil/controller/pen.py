@@ -1,5 +1,0 @@
-"""``controller.pen`` of R2023a."""
-
-from ._absent import Pen
-
-__all__ = ["Pen"]

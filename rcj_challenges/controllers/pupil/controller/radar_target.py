@@ -1,5 +1,0 @@
-"""``controller.radar_target`` of R2023a."""
-
-from ._absent import RadarTarget
-
-__all__ = ["RadarTarget"]

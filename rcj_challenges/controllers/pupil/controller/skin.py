@@ -1,5 +1,0 @@
-"""``controller.skin`` of R2023a."""
-
-from ._absent import Skin
-
-__all__ = ["Skin"]

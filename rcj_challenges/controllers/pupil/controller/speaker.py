@@ -1,5 +1,0 @@
-"""``controller.speaker`` of R2023a."""
-
-from ._absent import Speaker
-
-__all__ = ["Speaker"]

@@ -1,5 +1,0 @@
-"""``controller.vacuum_gripper`` of R2023a."""
-
-from ._absent import VacuumGripper
-
-__all__ = ["VacuumGripper"]
