@@ -133,7 +133,7 @@ class Body:
 
     def _read_wheels(self):
         wheels = (self.left_wheel.getValue(), self.right_wheel.getValue())
-        if self._old_wheels is not None:
+        if self._old_wheels is not None and self._old_place is not None:
             turned = [new - old for new, old in zip(wheels, self._old_wheels)]
             self.rolled = WHEEL_RADIUS * sum(turned) / 2
             self.moved = math.dist(self.place, self._old_place)

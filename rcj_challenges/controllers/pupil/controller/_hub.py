@@ -157,6 +157,8 @@ class Hub:
         self._begun: bytes | None = None
         self._begun_ms: float = -1.0
         self._ending = False
+        self._next_search = 2
+        self._reported: set[str] = set()
 
     def time_s(self) -> float:
         """Return simulated seconds at the latest observation."""
@@ -260,6 +262,8 @@ class Hub:
         if packets:
             self._queue(frame, packets)
         self.tick = tick
+        if tick >= self._next_search:
+            self._report_unknown_attributes()
         if self._followed:
             for samples in self._followed.values():
                 samples.see(tick, numbers)
@@ -268,6 +272,24 @@ class Hub:
         if flags & OVER:
             self.over = True
             self._tell_of_depth()
+
+    def _report_unknown_attributes(self) -> None:
+        """Warn, once for each, of values set to an attribute that a device lacks and that is nearly one of its names.
+
+        Searched for at tick 2, 8, 32 and so on: to notice each assignment would slow down every one.
+        """
+        self._next_search = 4 * max(self._next_search, self.tick)
+        for device in self.devices.values():
+            unknown = [name for name in vars(device) if not name.startswith("_") and not hasattr(type(device), name)]
+            for name in unknown:
+                from difflib import get_close_matches  # noqa: PLC0415 - only for a slip: each import costs every program
+
+                known = [one for one in dir(type(device)) if not one.startswith("_")]
+                near = get_close_matches(name, known, 1, 0.8)
+                if near and name not in self._reported:
+                    self._reported.add(name)
+                    what = f"{device.name!r} has no attribute {name!r}: to set it does nothing"
+                    complain(f"Warning: {what}; did you mean {near[0]!r}?")
 
     def _tell_of_depth(self) -> None:
         """Tell of a function that goes on by calling itself: in a rehearsal of some seconds nothing else shows it."""

@@ -144,6 +144,9 @@ class Sensor(Device):
 
         Raises:
             TypeError: no number was given.
+
+        Example:
+            ``gps.enable(32)`` once at the start.
         """
         given = samplingPeriod if sampling_period is None else sampling_period
         period_ms = number(given, f"{self._rcj_name!r}: enable takes a number of ms, such as 32")

@@ -50,7 +50,10 @@ class Lidar(Sensor):
     def getRangeImage(self, data_type: str = "list") -> Any:
         """Return the ranges in m: ``inf`` beyond the range, 0.0 where the head has not been yet.
 
-        ``data_type="buffer"`` gives them as a bytearray of float32.
+        Index 0 looks forward, the index grows clockwise by 1°. ``data_type="buffer"`` gives a bytearray of float32.
+
+        Example:
+            ``ahead_m = lidar.getRangeImage()[0]``
         """
         ranges = self._rcj_numbers()
         return bytearray(Struct(f"<{len(ranges)}f").pack(*ranges)) if data_type == "buffer" else list(ranges)

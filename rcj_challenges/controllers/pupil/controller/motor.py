@@ -35,10 +35,13 @@ class Motor(Device):
         self._rcj_warned_of_speed = False
 
     def setPosition(self, position: float) -> None:
-        """Turn to an angle in rad and hold it; ``inf`` turns for ever, at the velocity set.
+        """Turn to an angle in rad and hold it; ``inf`` lets the wheel turn without end, at the velocity set.
 
         Raises:
             TypeError: no number was given.
+
+        Example:
+            ``motor.setPosition(float("inf"))`` once at the start, before ``setVelocity``.
         """
         asked = float(number(position, f"{self._rcj_name!r}: setPosition takes a number of rad, such as float('inf')"))
         if math.isnan(asked):
@@ -47,10 +50,13 @@ class Motor(Device):
         self._rcj_command(self._rcj_velocity, math.inf if math.isinf(asked) else asked)
 
     def setVelocity(self, velocity: float) -> None:
-        """Set the velocity in rad/s; beyond the maximum it is clamped.
+        """Set the velocity in rad/s; beyond the maximum (10 rad/s) it is clamped. Positive drives forward.
 
         Raises:
             TypeError: no number was given.
+
+        Example:
+            ``left.setVelocity(5.0)``; left faster than right turns the robot counter-clockwise.
         """
         try:
             asked = float(velocity)
@@ -129,9 +135,10 @@ class Motor(Device):
         return 0.0
 
     def setAcceleration(self, acceleration: float) -> None:
-        """Let the velocity change, up and down, by at most so many rad/s in a second; -1: at once, as at first.
+        """Limit the change of the velocity to so many rad/s²; -1: no limit. It does not apply to ``setPosition``.
 
-        A motor that goes to an angle does so without regard to it.
+        Example:
+            ``motor.setAcceleration(20.0)`` reaches 10 rad/s after half a second.
         """
         asked = float(number(acceleration, f"{self._rcj_name!r}: setAcceleration takes a number of rad/s²"))
         if math.isnan(asked):
@@ -214,6 +221,9 @@ class Motor(Device):
     min_position = ReadOnly(getMinPosition)
     max_position = ReadOnly(getMaxPosition)
     acceleration = property(getAcceleration, setAcceleration)
+    target_acceleration = property(getAcceleration, setAcceleration)
+    torque = property(getTorqueFeedback, setTorque)
+    force = property(getTorqueFeedback, setTorque)
     available_torque = property(getAvailableTorque, setAvailableTorque)
     max_torque = ReadOnly(getMaxTorque)
     torque_feedback = ReadOnly(getTorqueFeedback)

@@ -58,7 +58,11 @@ class Receiver(Sensor):
         self._rcj_queue = self._rcj_hub.queues[self._rcj_index]
 
     def getQueueLength(self) -> int:
-        """Return how many packets wait."""
+        """Return how many packets wait.
+
+        Example:
+            ``while receiver.getQueueLength(): … receiver.nextPacket()``
+        """
         return len(self._rcj_queue.packets)
 
     def nextPacket(self) -> None:
@@ -68,10 +72,13 @@ class Receiver(Sensor):
             packets.popleft()
 
     def getData(self) -> Any:
-        """Return the first packet: bytes up to v2.1, text from v2.2.
+        """Return the first packet: bytes up to messages v2.1, text from v2.2.
 
         Raises:
             RuntimeError: the queue is empty.
+
+        Example:
+            ``waiting = struct.unpack("?", receiver.getData())[0]``
         """
         data = self._rcj_first("getData")[0]
         return _text(data) if self._rcj_returns_text else data
@@ -124,14 +131,21 @@ class Receiver(Sensor):
         return len(self._rcj_queue.packets[0][0]) if self._rcj_queue.packets else -1
 
     def getSignalStrength(self) -> float:
-        """Return 1 / r² of the first packet, r in m; NaN without one."""
+        """Return 1 / r² of the first packet, r the distance to its emitter in m; NaN without one.
+
+        Example:
+            ``distance_m = receiver.getSignalStrength() ** -0.5``
+        """
         return self._rcj_queue.packets[0][1] if self._rcj_queue.packets else math.nan
 
     def getEmitterDirection(self) -> list[float]:
-        """Return the unit vector to the emitter of the first packet: x forward, y left, z up.
+        """Return the unit vector to the emitter of the first packet, in the robot's frame: x forward, y left, z up.
 
         Raises:
             RuntimeError: the queue is empty.
+
+        Example:
+            ``angle_rad = math.atan2(direction[1], direction[0])``, 0 straight ahead, positive to the left.
         """
         return list(self._rcj_first("getEmitterDirection")[2:])
 
@@ -227,7 +241,10 @@ class Emitter(Device):
         self._rcj_told_of: set[str] = set()
 
     def send(self, message: str | bytes | bytearray | memoryview | Sequence[float], size: int | None = None) -> int:
-        """Send bytes, text (as UTF-8) or a list of floats (as doubles), on the channel that is set now.
+        """Send bytes, text (as UTF-8) or a list of floats (as doubles) to the robots of the own team.
+
+        Example:
+            ``emitter.send(json.dumps({"ball": True}))``
 
         Returns:
             1, or 0 if it is empty or too large, which is told once.

@@ -85,11 +85,15 @@ class Robot:
     def step(self, time_step: float | None = None, timeStep: float | None = None, duration: float | None = None) -> int:
         """Let ``time_step`` ms pass, rounded up to whole ticks of 32 ms. Returns 0, or -1 when the match is over.
 
-        ``timeStep`` and ``duration`` are its names of other years; Python calls slower what has keyword-only arguments.
+        ``timeStep`` and ``duration`` are its names of other years.
 
         Raises:
             TypeError: no number was given.
+
+        Example:
+            ``while robot.step(32) != -1:``
         """
+        # Not keyword-only: Python calls slower what has such arguments.
         hub = self._rcj_hub
         if time_step is None:
             time_step = hub.duration_ms(timeStep, duration)
@@ -108,11 +112,19 @@ class Robot:
         return Robot.EVENT_NO_EVENT
 
     def getName(self) -> str:
-        """Return the robot's name: colour and number, ``Y1``."""
+        """Return the robot's name: colour (``B`` or ``Y``) and number.
+
+        Example:
+            ``robot.getName()[0] == "Y"`` in a robot of the yellow team.
+        """
         return str(self._rcj_hub.spec["name"])
 
     def getTime(self) -> float:
-        """Return simulated seconds since the half began."""
+        """Return simulated seconds since the half began.
+
+        Example:
+            ``robot.getTime()`` is 0.32 after ten steps of 32 ms.
+        """
         return self._rcj_hub.time_s()
 
     def getBasicTimeStep(self) -> float:
@@ -120,7 +132,11 @@ class Robot:
         return float(self._rcj_hub.spec["basic_step_ms"])
 
     def getDevice(self, name: str) -> Any:
-        """Return the device of that name; None, and a message, if the robot has none."""
+        """Return the device of that name; None, and a message, if the robot has none.
+
+        Example:
+            ``gps = robot.getDevice("gps")``
+        """
         return self._rcj_hub.devices.get(name) or device_of(self._rcj_hub, name, "Device")
 
     def getDeviceByIndex(self, index: int) -> Device | None:

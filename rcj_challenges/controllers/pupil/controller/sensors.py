@@ -22,7 +22,13 @@ class GPS(Sensor):
             self._rcj_hub.follow(self._rcj_index)
 
     def getValues(self) -> list[float]:
-        """Return [x, y, z] of the robot's centre in m; NaN before the first sample."""
+        """Return [x, y, z] of the robot's centre in m, in the frame of the field; NaN before the first sample.
+
+        x runs along the short side, y towards the blue goal, z up; the origin is the centre of the field.
+
+        Example:
+            ``x, y, _ = gps.getValues()``
+        """
         return list(self._rcj_numbers())
 
     def getSpeedVector(self) -> list[float]:
@@ -58,7 +64,13 @@ class Compass(Sensor):
     """Where north is, seen from the robot."""
 
     def getValues(self) -> list[float]:
-        """Return the direction of north (the world's +y axis) in the robot's frame; NaN before the first sample."""
+        """Return the direction of north (the field's +y axis) in the robot's frame; NaN before the first sample.
+
+        For a heading of ψ rad, counter-clockwise from +x, it is [sin ψ, cos ψ, 0].
+
+        Example:
+            ``heading_rad = math.atan2(compass.getValues()[0], compass.getValues()[1])``
+        """
         return list(self._rcj_numbers())
 
     def getLookupTable(self) -> list[float]:
@@ -76,7 +88,11 @@ class DistanceSensor(Sensor):
     GENERIC, INFRA_RED, SONAR, LASER = range(4)
 
     def getValue(self) -> float:
-        """Return the reading: 1000 per metre; NaN before the first sample."""
+        """Return the reading: 1000 per m, at most about 1000; NaN before the first sample.
+
+        Example:
+            ``front.getValue() < 100`` means: something is nearer than 10 cm.
+        """
         if not self._rcj_period_ms and not self._rcj_warned:
             self._rcj_warn()
         reading: float = self._rcj_hub.numbers[self._rcj_place]  # no slice: there are four, and all are read every tick
@@ -116,7 +132,11 @@ class PositionSensor(Sensor):
     ROTATIONAL, LINEAR = 0, 1
 
     def getValue(self) -> float:
-        """Return the wheel's angle in rad; NaN before the first sample."""
+        """Return the wheel's angle in rad since the start; NaN before the first sample.
+
+        Example:
+            ``distance_m = sensor.getValue() * 0.02``, the wheel's radius.
+        """
         return self._rcj_numbers()[0]
 
     def getType(self) -> int:
