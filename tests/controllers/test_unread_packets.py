@@ -9,7 +9,7 @@ from fake_match import FakeMatch, packet, supervisor_every_tick
 
 from rcj_challenges.controllers.processes import PUPIL_FOLDER
 
-sys.path.append(str(PUPIL_FOLDER))
+sys.path.insert(0, str(PUPIL_FOLDER))  # before the package of the same name that editors read
 from controller import _hub  # type: ignore[import-not-found]  # the program's end, as programs import it
 
 
