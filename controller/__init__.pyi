@@ -275,27 +275,21 @@ class Robot:
         """Return the VacuumGripper of that name, after a line of deprecation; None, and a message, if there is none."""
 
 class Accelerometer:
-    """Measures acceleration."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Altimeter:
-    """Measures height."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Brake:
-    """Slows a joint down."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Camera:
-    """Takes pictures."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class CameraRecognitionObject:
-    """What a camera recognizes."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Connector:
-    """Holds on to others."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class ContactPoint:
@@ -303,7 +297,6 @@ class ContactPoint:
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Display:
-    """Shows pictures."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Emitter(Device):
@@ -363,15 +356,12 @@ class Field:
     MF_NODE: int
 
 class Gyro:
-    """Measures turning."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class ImageRef:
-    """A picture of a display."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class InertialUnit:
-    """Measures attitude."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Joystick:
@@ -437,15 +427,12 @@ class Keyboard:
     key: int
 
 class LED:
-    """Shines."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class LightSensor:
-    """Measures light."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Motion:
-    """A motion from a file."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Motor(Device):
@@ -656,19 +643,15 @@ class Node:
     RADIO: int
 
 class Pen:
-    """Draws on the floor."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Radar:
-    """Sees targets by radio."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class RadarTarget:
-    """What a radar sees."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class RangeFinder:
-    """Takes pictures of distances."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Sensor(Device):
@@ -693,11 +676,9 @@ class Sensor(Device):
     sampling_period: int
 
 class Skin:
-    """Moves a skin."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Speaker:
-    """Speaks and plays sounds."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Supervisor(Robot):
@@ -707,11 +688,9 @@ class Supervisor(Robot):
     SIMULATION_MODE_FAST: int
 
 class TouchSensor:
-    """Feels bumps."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class VacuumGripper:
-    """Holds by suction."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Compass(Sensor):

@@ -1,7 +1,7 @@
 """The module that robot programs import: ``from controller import Robot``.
 
-Names follow the Webots Python interface: methods in camelCase, and properties in snake_case. Each class can be imported
-from a module of its own too, as in R2023a (``controller.gps``).
+Names follow the Webots Python interface: methods in camelCase, and properties in snake_case. Each class can be
+imported from a module of its own too, as in R2023a (``controller.gps``).
 """
 
 from __future__ import annotations
