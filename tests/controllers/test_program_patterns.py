@@ -248,6 +248,19 @@ def test_from_v2_2_on_get_data_returns_text(match: FakeMatch) -> None:
     assert played.said == ["""str {'waiting_for_kickoff': False} b'{"waiting_for_kickoff": false}'"""]
 
 
+@pytest.mark.parametrize("getdata_returns", ["bytes", "text"])
+def test_text_of_a_packet_includes_its_zero_bytes(match: FakeMatch, getdata_returns: str) -> None:
+    def air(tick: int) -> list:
+        return [packet("team receiver", struct.pack("<i", 2))] if tick == 1 else []
+
+    spec = robot_spec(getdata_returns=getdata_returns)
+    played = match.play("patterns/packs_numbers_as_text", 2, air, spec=spec)
+    data = "bytes 2" if getdata_returns == "bytes" else "str 2"
+    assert played.fault is None
+    assert played.said == ["str 2", "str 2", data, data]
+    assert played.sent()[0] == struct.pack("<i", 1)
+
+
 def test_imports_work_by_name_and_only_what_robots_lack_is_refused_on_use(match: FakeMatch) -> None:
     played = match.play("patterns/imports_a_lot", 2)
     assert played.fault is None

@@ -76,12 +76,13 @@ class Receiver(Sensor):
 
         Raises:
             RuntimeError: the queue is empty.
+            UnicodeDecodeError: it is returned as text and is not UTF-8.
 
         Example:
             ``waiting = struct.unpack("?", receiver.getData())[0]``
         """
         data = self._rcj_first("getData")[0]
-        return _text(data) if self._rcj_returns_text else data
+        return data.decode() if self._rcj_returns_text else data
 
     def getBytes(self) -> bytes:
         """Return the first packet as bytes.
@@ -92,13 +93,13 @@ class Receiver(Sensor):
         return self._rcj_first("getBytes")[0]
 
     def getString(self) -> str:
-        """Return the first packet as text, up to its first zero byte.
+        """Return the whole first packet as text, zero bytes included, as Webots R2023b does.
 
         Raises:
             RuntimeError: the queue is empty.
             UnicodeDecodeError: it is not UTF-8.
         """
-        return _text(self._rcj_first("getString")[0])
+        return self._rcj_first("getString")[0].decode()
 
     def getFloats(self) -> list[float]:
         """Return the first packet as a list of doubles.
@@ -335,10 +336,6 @@ def _cut(data: bytes, size: Any, emitter: str) -> bytes:
     except TypeError:
         text = "send takes one message, and then how many of its bytes to send"
         raise TypeError(f"{emitter!r}: {text}; {told(size)} was given as this number.") from None
-
-
-def _text(data: bytes) -> str:
-    return data.split(b"\0", 1)[0].decode()
 
 
 def _tuned(spec: dict[str, Any], current: int, given: float) -> int:
