@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import stat
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -47,6 +48,36 @@ def check_version(record: int, folder: Path) -> None:
         )
     if record < RECORD_VERSION:
         raise RecordError(f"{folder.name}: its record has version {record}, which no rcj-challenges has written")
+
+
+def open_file(path: Path) -> BinaryIO:
+    """Open a file of a record for reading.
+
+    Records come from strangers: a named pipe in place of a file would block for ever, a device might never end.
+
+    Raises:
+        RecordError: it is a pipe or a device.
+        OSError: it is missing, a folder, or cannot be read.
+    """
+    file = open(path, "rb", opener=_open_without_waiting)  # noqa: PTH123, SIM115 - returned; only this takes an opener
+    if stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+        return file
+    file.close()
+    raise RecordError(f"{shown(path.parent.name)}: {shown(path.name)} is a pipe or a device, not a file")
+
+
+def read_file(path: Path) -> bytes:
+    """Return the contents of a file of a record.
+
+    Raises:
+        RecordError, OSError: as for `open_file`.
+    """
+    with open_file(path) as file:
+        return file.read()
+
+
+def _open_without_waiting(name: str, flags: int) -> int:
+    return os.open(name, flags | getattr(os, "O_NONBLOCK", 0))  # Windows has no pipes among its files
 
 
 def utc_now() -> datetime:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from rcj_challenges.facts.errors import told_of
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.folder import SCENARIO
+from rcj_challenges.records.folder import SCENARIO, read_file
 from rcj_challenges.records.lines import parsed
 from rcj_challenges.scenario.models.base import AS_RECORDED
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -20,7 +20,7 @@ def read_scenario(folder: Path) -> Scenario:
         RecordError: it is missing, damaged, or no scenario.
     """
     try:
-        data = parsed((folder / SCENARIO).read_bytes())
+        data = parsed(read_file(folder / SCENARIO))
         if not isinstance(data, dict):
             raise TypeError("no object")
         return Scenario.model_validate_json(json.dumps(data), context=AS_RECORDED)

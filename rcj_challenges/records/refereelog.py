@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from rcj_challenges.facts.amounts import Score, counted, on_paper
-from rcj_challenges.records.folder import REFEREE_LOG
+from rcj_challenges.records.folder import REFEREE_LOG, read_file
 from rcj_challenges.records.lines import parsed
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -26,11 +26,15 @@ _NEEDED: dict[str, dict[str, type]] = {
 
 
 def read_referee_log(folder: Path) -> tuple[list[dict[str, Any]], int]:
-    """Return the lines that can be read, in order, and how many cannot; a log that is not there has none."""
+    """Return the lines that can be read, in order, and how many cannot; a log that is not there has none.
+
+    Raises:
+        RecordError: it is no file.
+    """
     path = folder / REFEREE_LOG
     lines: list[dict[str, Any]] = []
     unreadable = 0
-    for text in path.read_bytes().splitlines() if path.exists() else ():
+    for text in read_file(path).splitlines() if path.exists() else ():
         line = _line(text)
         if line is None:
             unreadable += 1

@@ -14,7 +14,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from rcj_challenges.facts.amounts import Score
 from rcj_challenges.facts.errors import told_of
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.folder import RESULT, check_version
+from rcj_challenges.records.folder import RESULT, check_version, read_file
 from rcj_challenges.records.lines import parsed
 
 _PACKAGES = {"rcj_challenges": "rcj-challenges", "mujoco": "mujoco", "numpy": "numpy"}
@@ -188,7 +188,7 @@ def read_result(folder: Path) -> RunResult:
     """
     path = folder / RESULT
     try:
-        data = parsed(path.read_bytes())
+        data = parsed(read_file(path))
     except FileNotFoundError:
         raise RecordError(f"{folder.name}: no record of a run ({RESULT} is missing)") from None
     except (OSError, ValueError) as error:

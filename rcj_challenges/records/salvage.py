@@ -24,7 +24,7 @@ from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, s_from_ticks, ticks_from_s
 from rcj_challenges.records.changed import refusing_changes
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.folder import SCENARIO, TRAJECTORY, TRAJECTORY_PARTS
+from rcj_challenges.records.folder import SCENARIO, TRAJECTORY, TRAJECTORY_PARTS, read_file
 from rcj_challenges.records.recorded_scenario import read_scenario
 from rcj_challenges.records.result import RunResult, read_result
 from rcj_challenges.records.track import row_dtype
@@ -158,7 +158,7 @@ def _salvaged(
     numbers = range(1, scenario.match.halves + 1)
     path = folder / TRAJECTORY
     try:
-        arrays = _arrays(path.read_bytes()) if path.exists() else _loose(folder, numbers, len(roster.entities))
+        arrays = _arrays(read_file(path)) if path.exists() else _loose(folder, numbers, len(roster.entities))
     except OSError as error:
         raise RecordError(f"{folder.name}: {TRAJECTORY} cannot be read: {told_of(error)}") from error
     tracks = [_track(arrays, half, scenario, result, len(roster.entities)) for half in numbers]

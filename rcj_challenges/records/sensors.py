@@ -24,7 +24,7 @@ import numpy.typing as npt
 
 from rcj_challenges.facts.traffic import DeviceSpec, MotorCommand, Observation, RobotSpec
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.folder import RECORD_VERSION, SENSORS
+from rcj_challenges.records.folder import RECORD_VERSION, SENSORS, read_file
 from rcj_challenges.records.lines import json_line, parsed
 from rcj_challenges.records.track import write_all
 
@@ -326,7 +326,7 @@ def read_sensors(folder: Path) -> dict[int, SensorHalf]:
 
 
 def _read(path: Path) -> SensorHalf:
-    data = path.read_bytes()
+    data = read_file(path)
     end = data.index(b"\n")
     head = parsed(data[:end])
     if head["record"] > RECORD_VERSION:

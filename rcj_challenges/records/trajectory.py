@@ -5,6 +5,7 @@ The referee can be run on what `HalfTrack.snapshots` yields: it gives back the v
 
 from __future__ import annotations
 
+import os
 import tokenize
 import warnings
 import zipfile
@@ -19,7 +20,7 @@ import numpy.typing as npt
 
 from rcj_challenges.facts.play import Fault, HalfInfo, Placement, Snapshot
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.folder import TRAJECTORY, TRAJECTORY_PARTS, check_version
+from rcj_challenges.records.folder import TRAJECTORY, TRAJECTORY_PARTS, check_version, open_file, read_file
 from rcj_challenges.records.lines import parsed
 from rcj_challenges.records.recorded_scenario import read_scenario
 from rcj_challenges.records.result import read_result
@@ -155,7 +156,7 @@ class Trajectory:
     @classmethod
     def _packed(cls, path: Path) -> Self:
         # Opened here, because numpy leaves a file open that it refuses. It takes a damaged header for an old one.
-        with warnings.catch_warnings(), path.open("rb") as file, np.load(file, allow_pickle=False) as arrays:
+        with warnings.catch_warnings(), open_file(path) as file, np.load(file, allow_pickle=False) as arrays:
             warnings.simplefilter("ignore", UserWarning)
             if "header" not in arrays:
                 raise _MisfitError(f"{path.name} has no header")
@@ -208,12 +209,14 @@ def read_parts(parts: Path, half: int, entities: int) -> dict[str, Array]:
     """
     poses, touches, notes = part_paths(parts, half)
     dtype = row_dtype(entities)
-    rows = np.fromfile(poses, dtype, poses.stat().st_size // dtype.itemsize)
+    with open_file(poses) as file:
+        rows = np.fromfile(file, dtype, os.fstat(file.fileno()).st_size // dtype.itemsize)
     fields = {name: np.ascontiguousarray(rows[name]) for name in dtype.names or ()}
     pairs = int(fields["touch_counts"].sum(dtype=np.int64))
-    things = np.fromfile(touches, "<u2", 2 * pairs)
+    with open_file(touches) as file:
+        things = np.fromfile(file, "<u2", 2 * pairs)
     fields["touch_pairs"] = things[: len(things) // 2 * 2].reshape(-1, 2)
-    text = notes.read_bytes()
+    text = read_file(notes)
     fields["notes"] = np.frombuffer(text[: text.rfind(b"\n") + 1], np.uint8)
     return fields
 

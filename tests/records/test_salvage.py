@@ -181,14 +181,14 @@ def test_a_trajectory_that_is_no_file_is_told_by_its_name(good: Path, tmp_path: 
 def test_a_file_that_cannot_be_read_is_not_taken_for_damaged(
     good: Path, monkeypatch: pytest.MonkeyPatch, name: str
 ) -> None:
-    read = Path.read_bytes
+    opened = os.open
 
-    def refuses(path: Path) -> bytes:
-        if path.name == name:
+    def refuses(path: str | Path, *arguments: int, **more: int) -> int:
+        if Path(path).name == name:
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(path))
-        return read(path)
+        return opened(path, *arguments, **more)
 
-    monkeypatch.setattr(Path, "read_bytes", refuses)
+    monkeypatch.setattr(os, "open", refuses)
     with pytest.raises(RecordError) as raised:
         read_run(good)
     assert str(raised.value) == f"{good.name}: {name} cannot be read: Permission denied"
