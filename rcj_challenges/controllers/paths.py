@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterable, Iterator
 from pathlib import PurePosixPath
 
 from rcj_challenges.controllers.troubles import Trouble, told
+from rcj_challenges.facts.file_names import is_device_of_windows
 
 MOST_PATH_LETTERS = 160
 """Windows takes 260 letters for a whole path; the private folder of a program needs up to 100 of them."""
@@ -19,8 +20,6 @@ _IGNORED_FOLDERS = frozenset(
 )
 _IGNORED_FILES = frozenset({".DS_Store", "Thumbs.db", "desktop.ini", "Icon\r"})
 
-# Names of devices on Windows, with any ending: "aux.py" cannot be a file there.
-_RESERVED = re.compile(r"(con|prn|aux|nul|com[0-9¹²³]|lpt[0-9¹²³])(\..*)?", re.IGNORECASE | re.DOTALL)
 _DRIVE = re.compile(r"[A-Za-z]:")
 _FORBIDDEN = frozenset('<>:"|?*')
 
@@ -136,7 +135,7 @@ def _letter_troubles(path: PurePosixPath, shown: str) -> Iterator[tuple[str, str
     for part in path.parts:
         if part == "..":
             continue
-        if _RESERVED.fullmatch(part):
+        if is_device_of_windows(part):
             yield "archive.name_reserved", f"'{shown}' is the name of a device on Windows"
         if part != part.rstrip(". "):
             yield "archive.name_ending", f"'{shown}' ends in a dot or a space, which Windows leaves away"
@@ -160,7 +159,7 @@ def clean(name: str) -> PurePosixPath | None:
 def _clean_part(part: str) -> str:
     letters = ("_" if _odd(letter) else letter for letter in part)
     cleaned = "".join(letters).rstrip(". ") or "_"
-    if _RESERVED.fullmatch(cleaned):
+    if is_device_of_windows(cleaned):
         cleaned = f"_{cleaned}"
     suffix = PurePosixPath(cleaned).suffix[:20]
     if len(cleaned) > MOST_PART_BYTES:
