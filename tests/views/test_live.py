@@ -159,6 +159,19 @@ def test_no_other_file_is_served(path: str, ask: Ask) -> None:
     assert b"passwd" not in body
 
 
+@pytest.mark.parametrize("address", ["http://[::1", "http://[", "http://x]/", "http://[x]/?from=0"])
+@pytest.mark.parametrize("method", ["GET", "HEAD", "POST", "PUT"])
+def test_malformed_address_is_answered_without_a_traceback(
+    method: str, address: str, ask: Ask, show: LiveShow, capfd: pytest.CaptureFixture[str]
+) -> None:
+    request = f"{method} {address} HTTP/1.1\r\nHost: 127.0.0.1:{show.port}\r\nContent-Length: 0\r\n\r\n"
+    with socket.create_connection(("127.0.0.1", show.port), timeout=10) as connection:
+        connection.sendall(request.encode("latin-1"))
+        assert connection.recv(12) == b"HTTP/1.1 400"
+    assert ask()[0] == 200
+    assert capfd.readouterr() == ("", "")
+
+
 @pytest.mark.parametrize(
     ("method", "path"), [("POST", "/"), ("GET", "/steer"), ("PUT", "/"), ("DELETE", "/feed"), ("POST", "/feed")]
 )
@@ -265,7 +278,7 @@ def test_what_is_no_order_is_said_and_changes_nothing(order: bytes, why: str, sh
     assert show.pace.state == before
 
 
-@pytest.mark.parametrize("length", ["1025", "999999999999", "-1", "x"])
+@pytest.mark.parametrize("length", ["1025", "999999999999", "9" * 5000, "-1", "x"])
 def test_a_long_order_is_not_read(length: str, show: LiveShow, ask: Ask) -> None:
     assert ask("POST", "/steer", None, Authorization=f"Bearer {_token(show)}", Content_Length=length)[0] == 413
 

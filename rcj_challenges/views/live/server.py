@@ -31,6 +31,7 @@ _TIMEOUT_S = 20.0
 """A spectator that takes nothing, or asks nothing, for so long is let go; the page comes back by itself."""
 _STILL_HERE_S = 5.0
 _LONGEST_ORDER = 1_024
+_MOST_DIGITS = 12
 _MOST_TAKEN_IN = 65_536
 _LINGERS_S = 1.0
 _REFUSED_WITHIN_S = 0.2
@@ -175,7 +176,11 @@ class _Handler(BaseHTTPRequestHandler):
         """Return the path, if it exists and may be asked for in this way; else answer and return None."""
         server = self.server
         origin, site = self.headers.get("Origin"), self.headers.get("Sec-Fetch-Site", "none")
-        path = urlsplit(self.path).path
+        try:
+            path = urlsplit(self.path).path
+        except ValueError:  # such as "http://[::1"
+            self._refuse(400, "this address cannot be read")
+            return None
         if self.headers.get("Host", "").lower() not in server.hosts or len(self.headers.get_all("Host", [])) != 1:
             # A name that merely resolves to this machine would let another site's script read and steer.
             self._refuse(403, f"ask for http://{HOST}:{server.port}/")
@@ -202,7 +207,7 @@ class _Handler(BaseHTTPRequestHandler):
         stage = self.server.stage
         asked = parse_qs(urlsplit(self.path).query)
         start = asked.get("from", ["0"])[0]
-        if not (start.isascii() and start.isdigit() and len(start) <= 12):
+        if not (start.isascii() and start.isdigit() and len(start) <= _MOST_DIGITS):
             return self._refuse(400, "from: a number of bytes")
         if asked.get("match", [""])[0] != stage.match:
             return self._refuse(409, "another match is played here now")
@@ -232,7 +237,8 @@ class _Handler(BaseHTTPRequestHandler):
         if not self._may_steer():
             return self._refuse(403, "only who started the match may steer it: use the address with the token")
         length = self.headers.get("Content-Length", "")
-        if not (length.isascii() and length.isdigit()) or int(length) > _LONGEST_ORDER:
+        # Of more digits than these Python makes no number.
+        if not (length.isascii() and length.isdigit() and len(length) <= _MOST_DIGITS) or int(length) > _LONGEST_ORDER:
             return self._refuse(413, f"an order of at most {_LONGEST_ORDER} bytes")
         try:
             carry_out(self.server.stage.pace, json.loads(self.rfile.read(int(length))))
