@@ -254,12 +254,13 @@ def _usage_error(error: BaseException) -> int | None:
 def _complain(message: str) -> None:
     from rcj_challenges.cli.says import say_no_more
     from rcj_challenges.facts.letters import READABLE
+    from rcj_challenges.facts.shown import shown_whole
 
     for stream in (sys.stdout, sys.stderr):
         reconfigure = getattr(stream, "reconfigure", None)
         if reconfigure is not None:
             reconfigure(errors=READABLE)
     try:
-        print(message, file=sys.stderr, flush=True)  # noqa: T201 - this is the terminal
+        print(shown_whole(message), file=sys.stderr, flush=True)  # noqa: T201 - this is the terminal
     except OSError:  # a full disk, or nobody there: the exit code still tells
         say_no_more(sys.stderr)

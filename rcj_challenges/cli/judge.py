@@ -194,14 +194,14 @@ def _as_json(judged: _Judged) -> dict[str, Any]:
 
 def _lines(judged: _Judged, options: JudgeOptions) -> Iterator[str]:
     """Yield what people read of a judgement: scores, then each event that differs."""
+    from rcj_challenges.facts.shown import shown
     from rcj_challenges.views.naming import changes_sides
     from rcj_challenges.views.scoreboard import ranking_lines, score_line
-    from rcj_challenges.views.sentences import plain
 
     result, judgement, scenario = judged.result, judged.judgement, judged.scenario
     names = {team: entrant.name for team, entrant in result.entrants.items()}
     swap = changes_sides(scenario)
-    yield plain(judged.folder.name)
+    yield shown(judged.folder.name)
     yield f"  recorded: {score_line(names, judged.score, sides_change=swap)}" + (
         "" if result.complete else "  (not complete)"
     )
@@ -223,13 +223,14 @@ def _lines(judged: _Judged, options: JudgeOptions) -> Iterator[str]:
 
 
 def _line(one: Difference) -> str:
+    from rcj_challenges.facts.shown import shown
     from rcj_challenges.facts.timing import s_from_ticks
-    from rcj_challenges.views.sentences import clock, plain
+    from rcj_challenges.views.sentences import clock
 
-    told = f"  half {one.half} {clock(s_from_ticks(one.tick)):>7}  {plain(one.event, 60)}: "
+    told = f"  half {one.half} {clock(s_from_ticks(one.tick)):>7}  {shown(one.event, 60)}: "
     if one.before is None or one.after is None:
         which = "only now" if one.before is None else "only in the record"
-        payload = ", ".join(f"{key} {plain(value)}" for key, value in (one.after or one.before or {}).items())
+        payload = ", ".join(f"{key} {shown(value)}" for key, value in (one.after or one.before or {}).items())
         return told + which + (f" ({payload})" if payload else "")
     keys = [key for key in one.before | one.after if one.before.get(key) != one.after.get(key)]
-    return told + ", ".join(f"{key} {plain(one.before.get(key))} -> {plain(one.after.get(key))}" for key in keys)
+    return told + ", ".join(f"{key} {shown(one.before.get(key))} -> {shown(one.after.get(key))}" for key in keys)

@@ -293,12 +293,12 @@ def _summary(
 
 def _told_faults(faults: Sequence[dict[str, Any]]) -> list[str]:
     """Return one line for robots that failed alike at the same tick, whichever half it was: mostly all six do."""
-    from rcj_challenges.views.sentences import plain
+    from rcj_challenges.facts.shown import shown
 
     alike: dict[tuple[str, int, str], dict[str, None]] = {}
     for fault in faults:
         alike.setdefault((fault["kind"], fault["tick"], fault["detail"]), {})[fault["robot"]] = None
     return [
-        f"program fault: {', '.join(robots)} {kind} at tick {tick}: {plain(detail)} (logs/{next(iter(robots))}.log)"
+        f"program fault: {', '.join(robots)} {kind} at tick {tick}: {shown(detail)} (logs/{next(iter(robots))}.log)"
         for (kind, tick, detail), robots in alike.items()
     ]

@@ -11,6 +11,7 @@ from rcj_challenges.cli.says import say_json, say_no_more
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError, InFile
 from rcj_challenges.facts.letters import READABLE
+from rcj_challenges.facts.shown import shown_whole
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.lint.registry import lint
@@ -117,13 +118,13 @@ def _summary(loaded: Loaded) -> str:
 
 
 def say(text: str, stream: object) -> None:
-    """Print a line; of a text that is empty nothing. Who reads no more of it changes nothing about the exit code."""
+    """Print harmless lines; nothing if there are none. A reader who leaves changes nothing about the exit code."""
     if not text:
         return
     # A terminal that cannot show a character must not hide the whole message.
     write = getattr(stream, "write")  # noqa: B009 - sys.stdout may be replaced by anything that writes
     encoding = getattr(stream, "encoding", None) or "utf-8"
     try:
-        write(text.encode(encoding, READABLE).decode(encoding) + "\n")
+        write(shown_whole(text).encode(encoding, READABLE).decode(encoding) + "\n")
     except BrokenPipeError:
         say_no_more(stream)

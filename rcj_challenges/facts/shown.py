@@ -49,6 +49,11 @@ def shown_block(text: str, most_lines: int = MOST_BLOCK_LINES) -> str:
     return "\n".join(shown(line, MOST_BLOCK_LETTERS) for line in lines)
 
 
+def shown_whole(text: str) -> str:
+    """Return a whole text, each line of it harmless: what is printed or drawn of a scenario, or says what is wrong."""
+    return "\n".join(map(_spelled, text.split("\n")))
+
+
 def _spelled(text: str) -> str:
     letters: list[str] = []
     marks = 0

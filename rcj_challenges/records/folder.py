@@ -59,7 +59,7 @@ def open_file(path: Path) -> BinaryIO:
         RecordError: it is a pipe or a device.
         OSError: it is missing, a folder, or cannot be read.
     """
-    file = open(path, "rb", opener=_open_without_waiting)  # noqa: PTH123, SIM115 - returned; only this takes an opener
+    file = open(path, "rb", opener=_open_without_waiting)  # noqa: SIM115 - returned
     if stat.S_ISREG(os.fstat(file.fileno()).st_mode):
         return file
     file.close()

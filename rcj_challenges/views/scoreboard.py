@@ -5,23 +5,25 @@ from __future__ import annotations
 import contextlib
 import sys
 from collections import deque
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from rich.console import Console, Group
+from rich.console import Console, ConsoleOptions, Group, RenderableType
 from rich.live import Live
 from rich.progress_bar import ProgressBar
+from rich.segment import Segment
 from rich.table import Table
 from rich.text import Text
 
 from rcj_challenges.facts.letters import READABLE
 from rcj_challenges.facts.measures import measure_words, measured_words, number_words
 from rcj_challenges.facts.play import Event, Fault, HalfInfo
+from rcj_challenges.facts.shown import shown, shown_whole
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks
 from rcj_challenges.match.watching import Progress, Silent, Watcher
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime
 from rcj_challenges.views.naming import told_apart
-from rcj_challenges.views.sentences import clock, event_line, fault_line, plain
+from rcj_challenges.views.sentences import clock, event_line, fault_line
 
 Criterion = RankByScore | RankByTime | RankByCounter
 
@@ -46,11 +48,11 @@ def watcher_for(console: Console, title: str, *, quiet: bool, shared: bool) -> W
 
 def score_line(names: Mapping[str, str], scores: Mapping[str, int | float], *, sides_change: bool = False) -> str:
     """Return ``Hanse 2 : 1 Alster`` for two seats, ``Hanse 21`` for one; arguments as of `told_apart`."""
-    shown = _shown(names, sides_change=sides_change)
+    titles = _titles(names, sides_change=sides_change)
     if len(scores) == 2:
         (first, first_score), (second, second_score) = scores.items()
-        return f"{shown[first]} {number_words(first_score)} : {number_words(second_score)} {shown[second]}"
-    return ", ".join(f"{shown[seat]} {number_words(score)}" for seat, score in scores.items())
+        return f"{titles[first]} {number_words(first_score)} : {number_words(second_score)} {titles[second]}"
+    return ", ".join(f"{titles[seat]} {number_words(score)}" for seat, score in scores.items())
 
 
 def score_so_far(half: HalfInfo, scores: Mapping[str, int | float]) -> str:
@@ -67,12 +69,12 @@ def score_so_far(half: HalfInfo, scores: Mapping[str, int | float]) -> str:
 
 
 def _seats(half: HalfInfo) -> str:
-    return ", ".join(f"{seat}: {plain(name, 32)}" for seat, name in half.team_names.items())
+    return ", ".join(f"{seat}: {shown(name, 32)}" for seat, name in half.team_names.items())
 
 
-def _shown(names: Mapping[str, str], *, sides_change: bool) -> dict[str, str]:
+def _titles(names: Mapping[str, str], *, sides_change: bool) -> dict[str, str]:
     """Return the names by seat as a line may show them."""
-    return told_apart({seat: plain(name, 32) for seat, name in names.items()}, sides_change=sides_change)
+    return told_apart({seat: shown(name, 32) for seat, name in names.items()}, sides_change=sides_change)
 
 
 def decided_by_score_alone(rank: Sequence[Criterion]) -> bool:
@@ -122,8 +124,8 @@ def ranking_lines(
         ranking: as in ``result.json``.
         sides_change: as of `told_apart`.
     """
-    shown = _shown(names, sides_change=sides_change)
-    rows = ranking_rows(rank, shown, ranking)
+    titles = _titles(names, sides_change=sides_change)
+    rows = ranking_rows(rank, titles, ranking)
     return [f"place {place}: {team}, {values}" for place, team, values in rows]
 
 
@@ -165,7 +167,7 @@ class PrintedLines(Silent):
     def printed(self, robot: str, text: str) -> None:
         """Show what a program printed."""
         for line in text.splitlines():
-            self._say(f"{robot} | {plain(line, 2000)}")
+            self._say(f"{robot} | {shown(line.expandtabs(4), 2000)}")
 
     def _say(self, line: str) -> None:
         if self.trouble is None:
@@ -238,7 +240,7 @@ class Scoreboard(Silent):
     def printed(self, robot: str, text: str) -> None:
         """Show what a program printed, above the board."""
         for line in text.splitlines():
-            self._console.print(f"{robot} | {plain(line, 2000)}", markup=False, highlight=False)
+            self._console.print(f"{robot} | {shown(line.expandtabs(4), 2000)}", markup=False, highlight=False)
 
     def finished(self, result: dict[str, Any]) -> None:
         """Take the board down."""
@@ -263,7 +265,15 @@ class Scoreboard(Silent):
 
 
 class PatientConsole(Console):
-    """A console that falls silent when its reader has seen enough (``| head``): a match goes on to its end."""
+    """A console that falls silent when its reader has seen enough (``| head``): a match goes on to its end.
+
+    Whatever it prints may hold text of strangers, so characters that would steer the terminal become visible.
+    """
+
+    def render(self, renderable: RenderableType, options: ConsoleOptions | None = None) -> Iterable[Segment]:
+        """Return what is printed, in pieces."""
+        for piece in super().render(renderable, options):
+            yield piece if piece.is_control else piece._replace(text=shown_whole(piece.text))
 
     def on_broken_pipe(self) -> None:
         """Say nothing more. Rich would end the command, with exit status 1."""

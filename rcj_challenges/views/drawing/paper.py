@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Sequence
-from html import escape
 from textwrap import wrap
 from typing import NamedTuple
 
@@ -32,6 +31,7 @@ _STYLE = (
     ".axis{font-size:11px;fill:#6b7280}.title{font-size:17px;font-weight:700}.head{font-size:14px;font-weight:700}"
     ".entry{font-size:13px}"
 )
+from rcj_challenges.views.markup import escaped
 
 
 class Marker(NamedTuple):
@@ -113,7 +113,7 @@ class Paper:
 
     def text_px(self, x: float, y: float, text: str, css: str) -> None:
         """Write text at a place in pixels."""
-        self._elements.append(f'<text x="{x:.1f}" y="{y:.1f}" class="{css}">{escape(text)}</text>')
+        self._elements.append(f'<text x="{x:.1f}" y="{y:.1f}" class="{css}">{escaped(text)}</text>')
 
     def keep_free(self, centre: Point, radius_m: float) -> None:
         """Let no marker cover a robot or a ball."""
@@ -141,7 +141,7 @@ class Paper:
         """
         self._draw_markers()
         height = max(self.height_px, self._draw_legend(title, sections))
-        width, label = self.width_px + _LEGEND_PX, escape(f"{title}: field", quote=True)
+        width, label = self.width_px + _LEGEND_PX, escaped(f"{title}: field")
         body = "\n".join(self._elements)
         return (
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" width="{width:.0f}" '
@@ -151,7 +151,7 @@ class Paper:
         )
 
     def _add(self, tag: str, attributes: str, title: str) -> None:
-        inside = f"<title>{escape(title)}</title>" if title else ""
+        inside = f"<title>{escaped(title)}</title>" if title else ""
         self._elements.append(f"<{tag} {attributes}>{inside}</{tag}>")
 
     def _draw_markers(self) -> None:
@@ -183,7 +183,7 @@ class Paper:
     def _draw_marker(self, x: float, y: float, number: str, colour: str, name: str) -> None:
         half_px, height = _half_width_px(number), MARKER_PX
         self._elements.append(
-            f'<g class="marker"><title>{escape(name)}</title><rect x="{x - half_px:.1f}" y="{y - height / 2:.1f}" '
+            f'<g class="marker"><title>{escaped(name)}</title><rect x="{x - half_px:.1f}" y="{y - height / 2:.1f}" '
             f'width="{2 * half_px:.1f}" height="{height:.0f}" rx="{height / 2:.0f}" fill="{colour}"/>'
             f'<text x="{x:.1f}" y="{y + 4.5:.1f}" class="number">{number}</text></g>'
         )

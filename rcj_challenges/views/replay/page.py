@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import hashlib
-import html
 import json
 from collections.abc import Collection, Mapping
 from importlib.resources import files
@@ -22,6 +21,7 @@ from rcj_challenges.records.salvage import RunRecord, read_run
 from rcj_challenges.records.sensors import DAMAGE, read_sensors
 from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.views.markup import escaped
 from rcj_challenges.views.naming import titles
 from rcj_challenges.views.replay.packing import (
     HEIGHT_M,
@@ -215,7 +215,7 @@ def page_text(
     script = _script([(viewer / f"{name}.js").read_text("utf-8") for name in scripts])
     parts = {
         "CSP": _policy(script, style) + ("; connect-src 'self'" if live else ""),
-        "TITLE": html.escape(_title(facts)),
+        "TITLE": escaped(_title(facts)),
         "STYLE": style,
         "FACTS": inert_json(facts),
         "HALVES": "\n".join(

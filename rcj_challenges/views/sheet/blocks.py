@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from html import escape
+
+from rcj_challenges.facts.shown import shown_whole
+from rcj_challenges.views.markup import escaped
 
 
 @dataclass(frozen=True)
@@ -88,7 +90,7 @@ def as_html(title: str, blocks: Iterable[Block]) -> str:
         '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n"
-        f"<title>{escape(title)}</title>\n<style>{_CSS}</style>\n</head>\n<body>\n{body}\n</body>\n</html>\n"
+        f"<title>{escaped(title)}</title>\n<style>{_CSS}</style>\n</head>\n<body>\n{body}\n</body>\n</html>\n"
     )
 
 
@@ -108,17 +110,17 @@ def _markdown(block: Block) -> str:
 
 
 def _plain(text: str) -> str:
-    return " ".join(text.split()).translate(_MARKDOWN_MARKS)
+    return shown_whole(" ".join(text.split())).translate(_MARKDOWN_MARKS)
 
 
 def _html(block: Block) -> str:
     if isinstance(block, Heading):
-        return f"<h{block.level}>{escape(block.text)}</h{block.level}>"
+        return f"<h{block.level}>{escaped(block.text)}</h{block.level}>"
     if isinstance(block, Paragraph):
-        return f"<p>{escape(block.text)}</p>"
+        return f"<p>{escaped(block.text)}</p>"
     if isinstance(block, Items):
         tag = "ol" if block.numbered else "ul"
-        return f"<{tag}>" + "".join(f"<li>{escape(entry)}</li>" for entry in block.entries) + f"</{tag}>"
+        return f"<{tag}>" + "".join(f"<li>{escaped(entry)}</li>" for entry in block.entries) + f"</{tag}>"
     if isinstance(block, Table):
         rows = "".join(_row("td", row) for row in block.rows)
         words = ' class="words"' if block.ends_in_words else ""
@@ -128,4 +130,4 @@ def _html(block: Block) -> str:
 
 
 def _row(tag: str, cells: Sequence[str]) -> str:
-    return "<tr>" + "".join(f"<{tag}>{escape(cell)}</{tag}>" for cell in cells) + "</tr>"
+    return "<tr>" + "".join(f"<{tag}>{escaped(cell)}</{tag}>" for cell in cells) + "</tr>"

@@ -379,12 +379,8 @@ HOSTILE: dict[str, Case] = {
     "name_reserved_on_windows": Case(
         lambda: member_with(name="notes/aux.txt"), "archive.name_reserved", says="device on Windows", repair=True
     ),
-    "console_of_windows": Case(
-        lambda: member_with(name="CONIN$"), "archive.name_reserved", says="device on Windows", repair=True
-    ),
-    "console_of_windows_with_an_ending": Case(
-        lambda: member_with(name="notes/conout$.txt"), "archive.name_reserved", repair=True
-    ),
+    "console_of_windows": Case(lambda: member_with(name="CONIN$"), "archive.name_reserved", repair=True),
+    "console_of_windows_in_a_folder": Case(lambda: member_with(name="x/conout$.y"), "archive.name_reserved", repair=True),
     "program_name_reserved_on_windows": Case(lambda: member_with(name="con.py"), "archive.name_reserved"),
     "name_ends_in_a_dot": Case(lambda: member_with(name="notes."), "archive.name_ending", repair=True),
     "name_ends_in_a_space": Case(lambda: member_with(name="notes /a.txt"), "archive.name_ending", repair=True),
