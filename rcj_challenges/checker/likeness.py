@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from difflib import SequenceMatcher
 from functools import cached_property
 from pathlib import PurePosixPath
+
+from rcj_challenges.facts.likeness import likeness_of
 
 BLANK = b" \t\r\n\f\v\xef\xbb\xbf"
 """What an empty file may consist of."""
@@ -38,7 +39,7 @@ def alike(name: str, wanted: str) -> bool:
         return False
     if min(len(one), len(other)) >= _LEAST_LETTERS and (one in other or other in one):
         return True
-    return SequenceMatcher(None, one, other).ratio() >= _LEAST_LIKENESS
+    return likeness_of(one, other) >= _LEAST_LIKENESS
 
 
 def same_number(name: str, wanted: str) -> bool:

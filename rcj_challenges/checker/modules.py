@@ -11,6 +11,8 @@ import importlib.util
 import sys
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
+from itertools import islice
 from pathlib import PurePosixPath
 
 from rcj_challenges.checker.mains import HIDDEN_ENDING
@@ -33,6 +35,8 @@ _TOP = PurePosixPath()
 _ALL_PROGRAMS = "controllers"
 """What the folder is called that holds all of a team's programs, as in the original: `Robot.getProjectPath`."""
 COMPILED = frozenset({".so", ".pyd"})
+_MAX_OF_A_NAME = 20
+"""Modules of one name that are looked at, where a program may find them in any folder."""
 
 
 @dataclass(frozen=True)
@@ -67,6 +71,17 @@ class Library:
         )
         self.places = tuple(dict.fromkeys(places))
         self._is_everywhere = is_everywhere
+        self._found: dict[str, list[Module]] = {}
+
+    @cached_property
+    def _places_with(self) -> Mapping[str, list[PurePosixPath]]:
+        """By name, the places in which something is called so, in order: there may be a thousand places."""
+        rank = {place: number for number, place in enumerate(self.places)}
+        named: dict[str, set[PurePosixPath]] = {}
+        for path in (*self._files, *self._folders, *self._compiled):
+            if path.parent in rank:
+                named.setdefault(path.name.partition(".")[0], set()).add(path.parent)
+        return {name: sorted(places, key=rank.__getitem__) for name, places in named.items()}
 
     def everywhere(self) -> Library:
         """Return the library of a program that changes ``sys.path``: all folders, the usual ones first."""
@@ -74,7 +89,10 @@ class Library:
 
     def tops(self, name: str) -> list[Module]:
         """Return what ``import name`` can find in the submission, before Python's own are asked: the first counts."""
-        return [module for place in self.places if (module := self.inside(place, name, namespace=False))]
+        if name not in self._found:
+            found = (self.inside(place, name, namespace=False) for place in self._places_with.get(name, ()))
+            self._found[name] = list(islice(filter(None, found), _MAX_OF_A_NAME))
+        return list(self._found[name])
 
     def has(self, module: Module, parts: Sequence[str]) -> bool:
         """Return whether there are all of ``module.part.part``."""
@@ -87,7 +105,8 @@ class Library:
 
     def top_namespace(self, name: str) -> Module | None:
         """Return the folder without ``__init__.py`` that ``import name`` finds when nothing else is of that name."""
-        found = next((Module(place / name, None) for place in self.places if place / name in self._folders), None)
+        places = self._places_with.get(name, ())
+        found = next((Module(place / name, None) for place in places if place / name in self._folders), None)
         return Module(_TOP, None) if found is None and name == _ALL_PROGRAMS and self._is_everywhere else found
 
     def inside(self, folder: PurePosixPath, name: str, *, namespace: bool = True) -> Module | None:

@@ -3,15 +3,18 @@
 A program of its own (``python -I reader.py``), standard library only: source that makes Python's parser eat all memory
 or crash takes this process with it and nothing else. Nothing of what is read is ever run.
 
-On standard input: one line of JSON, ``[[name, size], …]``, then the contents one after the other. On standard output:
-one line of JSON for each file, in order, as soon as it is known.
+On standard input: one line of JSON, ``{"files": [[name, size], …], "max_imports": n}``, then the contents one after the
+other. On standard output: one line of JSON for each file, in order, as soon as it is known.
 """
 
 from __future__ import annotations
 
 import ast
+import codecs
 import contextlib
+import gc
 import json
+import re
 import sys
 import warnings
 from collections.abc import Iterable, Iterator, Sequence
@@ -32,8 +35,20 @@ _MAY_NOT_BE_RUN = (
     *(*_FUNCTIONS, ast.Lambda, ast.If, ast.While, ast.For, ast.match_case, ast.IfExp, ast.BoolOp),
     *(ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp),
 )
-_MOST_IMPORTS = 2_000  # of one file; no program has so many
 _MOST_WORDS = 500
+
+_CODING = re.compile(rb"[ \t\f]*#.*?coding[:=][ \t]*([-_.a-zA-Z0-9]+)")
+_BLANK_OR_COMMENT = re.compile(rb"[ \t\f]*(?:#|$)")
+_LINE_END = re.compile(rb"\r\n?|\n")
+# Those that decode in time proportional to the length, as they are called by `codecs`: punycode and idna do not.
+_ENCODINGS = re.compile(
+    r"utf-8(-sig)?|ascii|iso8859-\d+|cp\d+|koi8-[rtu]|mac-\w+|gbk|gb2312|gb18030|big5(hkscs)?|shift_jis\w*|euc_\w+"
+    r"|iso2022_\w+|hz|johab|tis-620|kz1048|ptcp154|hp-roman8"
+)
+
+
+_LEAVES = frozenset({ast.Name, ast.Constant, ast.Load, ast.Store, ast.Del, ast.Pass, ast.Break, ast.Continue})
+"""What most of a file consists of, with nothing inside."""
 
 
 class _Spot(NamedTuple):
@@ -53,38 +68,42 @@ class _Spot(NamedTuple):
 def main() -> None:
     """Read all files and say what is in them."""
     limit_itself()
+    gc.disable()  # trees have no cycles, and looking for some doubles the time
     warnings.simplefilter("ignore")  # a strange escape in a string is no reason to complain here
     source = sys.stdin.buffer
-    for name, size in json.loads(source.readline()):
-        said = json.dumps(read_source(source.read(size), name))
-        sys.stdout.write(said + "\n")
+    asked = json.loads(source.readline())
+    left = asked["max_imports"]
+    for name, size in asked["files"]:
+        said = read_source(source.read(size), name, left)
+        left -= sum(map(amount_of, said.get("imports", ())))
+        sys.stdout.write(json.dumps(said) + "\n")
         sys.stdout.flush()
 
 
-def read_source(source: bytes, name: str) -> dict[str, Any]:
+def amount_of(found: dict[str, Any]) -> int:
+    """Return what an import counts for: the module and each name that is taken from it."""
+    return 1 + len(found["names"])
+
+
+def read_source(source: bytes, name: str, max_imports: int = sys.maxsize) -> dict[str, Any]:
     """Return ``{"error": …}`` or ``{"imports": […], "moves_path": …, "empty": …}`` of a file.
 
     Args:
         source: the file as it is.
         name: how error messages call it.
+        max_imports: modules and names that it may import.
     """
-    try:
-        compile(source, name, "exec", dont_inherit=True)
-    except SyntaxError as error:
-        return {"error": _place(error)}
-    except RecursionError:
-        return {"error": {"kind": "depth", "said": "", "line": 0, "column": 0}}
-    except MemoryError:
-        return {"error": {"kind": "depth", "said": "", "line": 0, "column": 0}}
-    except (ValueError, OverflowError) as error:  # null bytes, before Python 3.12
-        return {"error": {"kind": "ValueError", "said": str(error)[:_MOST_WORDS], "line": 0, "column": 0}}
+    wrong = _wrong(source, name)
+    if wrong is not None:
+        return {"error": wrong}
     try:
         tree = compile(source, name, "exec", ast.PyCF_ONLY_AST, dont_inherit=True)
         imports = []
         for found in _imports(tree):
+            max_imports -= amount_of(found)
+            if max_imports < 0:
+                return {"error": {"kind": "imports", "said": "", "line": found["line"], "column": found["column"]}}
             imports.append(found)
-            if len(imports) >= _MOST_IMPORTS:
-                break
         return {
             "imports": imports,
             "moves_path": _moves_path(tree),
@@ -93,6 +112,37 @@ def read_source(source: bytes, name: str) -> dict[str, Any]:
     except (RecursionError, MemoryError):
         # It can be run, only its tree is too much: then its imports are not known.
         return {"imports": [], "moves_path": True, "empty": False}
+
+
+def _wrong(source: bytes, name: str) -> dict[str, Any] | None:
+    """Return why a file is no Python; None if it is."""
+    line, encoding = _odd_encoding(source)
+    if encoding:
+        return {"kind": "odd_encoding", "said": encoding, "line": line, "column": 0}
+    try:
+        compile(source, name, "exec", dont_inherit=True)
+    except SyntaxError as error:
+        return _place(error)
+    except (RecursionError, MemoryError):
+        return {"kind": "depth", "said": "", "line": 0, "column": 0}
+    except (ValueError, OverflowError) as error:  # null bytes, before Python 3.12
+        return {"kind": "ValueError", "said": str(error)[:_MOST_WORDS], "line": 0, "column": 0}
+    return None
+
+
+def _odd_encoding(source: bytes) -> tuple[int, str]:
+    """Return the line and name of an encoding that is not read; 0 and nothing if the file is in another one."""
+    first, *rest = _LINE_END.split(source, 2)
+    lines = [first, *rest[:1]] if _BLANK_OR_COMMENT.match(first) else [first]
+    for number, line in enumerate(lines, 1):
+        named = _CODING.match(line.removeprefix(codecs.BOM_UTF8))
+        if named is not None:
+            name = named[1].decode("ascii")
+            with contextlib.suppress(LookupError):  # then Python says that there is none
+                if not _ENCODINGS.fullmatch(codecs.lookup(name).name):
+                    return number, name[:_MOST_WORDS]
+            break
+    return 0, ""
 
 
 def _place(error: SyntaxError) -> dict[str, Any]:
@@ -160,7 +210,8 @@ def _tried(spot: _Spot, node: ast.Try | ast.TryStar) -> list[_Spot]:
 
 
 def _each(spot: _Spot, nodes: Iterable[ast.AST], *, certain: bool) -> list[_Spot]:
-    return [spot._replace(node=node, certain=spot.certain and certain) for node in nodes]
+    guarded, certain = spot.guarded, spot.certain and certain
+    return [_Spot(node, guarded, certain) for node in nodes if type(node) not in _LEAVES]
 
 
 def _one_after_the_other(spot: _Spot, nodes: Sequence[ast.AST]) -> list[_Spot]:

@@ -5,19 +5,24 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-MOST_BYTES = 2_000_000
-"""A longer Python file is not looked into: to read 2 MB of source takes Python seconds."""
+MOST_BYTES = 80_000
+"""A longer Python file is not looked into: for some the time that Python takes grows with the square of the length,
+such as calls with thousands of named arguments or f-strings with thousands of braces."""
+MAX_ALL_BYTES = 240_000
+"""Of the Python files of a submission together, equal ones counted once: those beyond are not looked into."""
+MAX_IMPORTS = 5_000
+"""Modules and names that the files together may import; those beyond are not looked into."""
 
 _READER = Path(__file__).with_name("reader.py")
 PATIENCE_S = 20.0
-"""For so long an answer about files that are read together is waited for."""
+"""For so long an answer about files that are read together is waited for: the last resort beside the bounds above."""
 _MOST_ROUNDS = 8
-"""So often the files that are left are begun with: thousands of a library are read also where it is slow."""
+"""So often the files that are left are begun with, after one that ends the process that reads them."""
 
 
 @dataclass(frozen=True)
@@ -50,8 +55,8 @@ class Source:
         imports: in order.
         moves_path: it uses ``sys.path``, so modules may be found in places that only the program knows.
         empty: there is nothing in it but comments.
-        wrong: why it is no Python: the kind of error, ``depth``, ``crash``, ``slow``, ``large`` or ``unread``; empty if
-            it is.
+        wrong: why it is no Python: the kind of error, ``depth``, ``crash``, ``slow``, ``odd_encoding``, ``large``,
+            ``imports`` or ``unread``; empty if it is.
         said: Python's own words about that.
         line, column: where; 0 if that is not known.
     """
@@ -65,22 +70,31 @@ class Source:
     column: int = 0
 
 
-def read_sources(files: Mapping[PurePosixPath, bytes]) -> dict[PurePosixPath, Source]:
+def read_sources(
+    files: Mapping[PurePosixPath, bytes], first: Collection[PurePosixPath] = ()
+) -> dict[PurePosixPath, Source]:
     """Return what is in each of the Python files, whatever they are.
 
     Args:
         files: contents by path; only the ``.py`` files are looked at.
+        first: those that matter most, in case that not all are looked into.
     """
     found: dict[PurePosixPath, Source] = {}
-    left = []
-    for path, content in files.items():
-        if path.suffix == ".py":
-            if len(content) > MOST_BYTES:
-                found[path] = Source(wrong="large", moves_path=True)
-            else:
-                left.append(path)
+    alike: dict[bytes, list[PurePosixPath]] = {}
+    for path in sorted((path for path in files if path.suffix == ".py"), key=lambda path: path not in first):
+        alike.setdefault(files[path], []).append(path)
+    left: list[PurePosixPath] = []
+    room = MAX_ALL_BYTES
+    for content, (path, *_) in alike.items():
+        if len(content) > min(room, MOST_BYTES):
+            found[path] = Source(wrong="large" if len(content) > MOST_BYTES else "unread", moves_path=True)
+        else:
+            left.append(path)
+            room -= len(content)
+    imports_left = MAX_IMPORTS
     for _ in range(_MOST_ROUNDS):
-        answers, ended = _ask(left, files)
+        answers, ended = _ask(left, files, imports_left)
+        imports_left -= sum(1 + len(one.names) for answer in answers for one in answer.imports)
         found |= dict(zip(left, answers, strict=False))
         left = left[len(answers) :]
         # Of many files any may be in hand when patience ends: one is slow if it alone took all of it.
@@ -89,15 +103,22 @@ def read_sources(files: Mapping[PurePosixPath, bytes]) -> dict[PurePosixPath, So
         if not left:
             break
     found |= dict.fromkeys(left, Source(wrong="unread", moves_path=True))
+    found |= {path: found[first_one] for first_one, *others in alike.values() for path in others}
     return {path: found[path] for path in files if path in found}
 
 
-def _ask(paths: Sequence[PurePosixPath], files: Mapping[PurePosixPath, bytes]) -> tuple[list[Source], str]:
+def _ask(
+    paths: Sequence[PurePosixPath], files: Mapping[PurePosixPath, bytes], max_imports: int
+) -> tuple[list[Source], str]:
     """Return what the reader says of the files until it ends, and why it did if it was too early."""
     if not paths:
         return [], ""
     index = [(path.name.encode("utf-8", "replace").decode(), len(files[path])) for path in paths]
-    told = json.dumps(index).encode() + b"\n" + b"".join(files[path] for path in paths)
+    told = (
+        json.dumps({"files": index, "max_imports": max_imports}).encode()
+        + b"\n"
+        + b"".join(files[path] for path in paths)
+    )
     command = [sys.executable, "-I", "-S", "-B", "-X", "utf8", str(_READER)]
     ended = "crash"
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
@@ -117,6 +138,9 @@ def _ask(paths: Sequence[PurePosixPath], files: Mapping[PurePosixPath, bytes]) -
 def _source(said: dict[str, Any]) -> Source:
     error = said.get("error")
     if error is not None:
-        return Source(wrong=error["kind"], said=error["said"], line=error["line"], column=error["column"])
+        kind = error["kind"]
+        return Source(
+            moves_path=kind == "imports", wrong=kind, said=error["said"], line=error["line"], column=error["column"]
+        )
     imports = tuple(Import(**{**one, "names": tuple(one["names"])}) for one in said["imports"])
     return Source(imports, said["moves_path"], said["empty"])

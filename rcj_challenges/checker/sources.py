@@ -6,7 +6,6 @@ import platform
 import re
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import replace
-from difflib import get_close_matches
 from enum import Enum
 from pathlib import PurePosixPath
 
@@ -27,10 +26,11 @@ from rcj_challenges.checker.preloaded import never_read
 from rcj_challenges.checker.reading import Import, Source, read_sources
 from rcj_challenges.checker.unreadable import PYTHON, what_is_wrong
 from rcj_challenges.controllers.team import Team
+from rcj_challenges.facts.likeness import nearest_name
 from rcj_challenges.facts.shown import shown
 
 _MOST_FINDINGS = 40
-_MOST_LOOKED_FOR = 100  # of modules that are nowhere: to look through thousands of files for each would take hours
+_MOST_LOOKED_FOR = 30  # of modules that are nowhere: to look through thousands of files for each would take hours
 
 Unit = tuple[PurePosixPath, int]
 """A file that a program runs, and in how many packages it lies then: relative imports lead as far up, no further."""
@@ -56,8 +56,8 @@ def check_sources(team: Team, sandbox: str = "auto") -> Stage:
     """
     stage = Stage("sources")
     files = dict(team.files)
-    sources = read_sources(files)
     entries = {PurePosixPath(entry) for entry in team.entries.values()}
+    sources = read_sources(files, entries)
     used: dict[PurePosixPath, bool] = {}
     found: dict[Finding, None] = {}
     unread: dict[PurePosixPath, str] = {}
@@ -106,6 +106,7 @@ class _Walk:
         todo: dict[_Weight, list[Unit]] = {weight: [] for weight in _Weight}
         todo[_Weight.FATAL].append((entry, 0))
         seen: set[Unit] = set()
+        led: dict[tuple[PurePosixPath, Import], list[Unit]] = {}
         # The gravest first: a file that is imported in several ways counts as it does in the gravest of them.
         while (weight := next((weight for weight in _Weight if todo[weight]), None)) is not None:
             unit = todo[weight].pop()
@@ -116,12 +117,26 @@ class _Walk:
             self.used.setdefault(file, weight)
             for wanted in self._sources[file].imports:
                 counted = _counted(wanted, weight)
-                todo[_weight(counted)] += self._lead(unit, counted)
+                todo[_weight(counted)] += self._lead(unit, counted, led)
 
-    def _lead(self, unit: Unit, wanted: Import) -> list[Unit]:
-        """Return what an import runs; what is wrong with it becomes a finding."""
-        if wanted.level:
-            return self._relative(unit, wanted)
+    def _lead(self, unit: Unit, wanted: Import, led: dict[tuple[PurePosixPath, Import], list[Unit]]) -> list[Unit]:
+        """Return what an import runs; what is wrong with it becomes a finding.
+
+        Args:
+            unit: the file that imports.
+            wanted: what.
+            led: where imports lead that were followed before, for files that lie in no package: one that is run again,
+                in other packages, runs the same files.
+        """
+        file, depth = unit
+        if wanted.level > depth:
+            return self._outside(unit, wanted)
+        if (file, wanted) not in led:
+            led[file, wanted] = self._relative(file, wanted) if wanted.level else self._absolute(unit, wanted)
+        inside = depth - wanted.level if wanted.level else 0
+        return [(run, inside + packages) for run, packages in led[file, wanted]]
+
+    def _absolute(self, unit: Unit, wanted: Import) -> list[Unit]:
         first, *rest = wanted.module.split(".")
         if first in (*INSTALLED[2:], "__main__"):  # there before any file is looked for
             return []
@@ -133,7 +148,7 @@ class _Walk:
         if module is None:
             self._say(unit, wanted, *self._missing(first, rest))
             return []
-        return self._through(unit, wanted, module, rest, first, 0)
+        return self._through(unit, wanted, module, rest, first)
 
     def _top(self, name: str, parts: list[str]) -> Module | None:
         """Return the module that an import begins with.
@@ -150,23 +165,21 @@ class _Walk:
                 return folder
         return found[0] if found else None
 
-    def _relative(self, unit: Unit, wanted: Import) -> list[Unit]:
-        file, depth = unit
-        if wanted.level > depth:
-            written = "." * wanted.level + shown(wanted.module)
-            message = f'"from {written} import …" does not work here: this file is not inside a package'
-            self._say(unit, wanted, "relative_import", message, "write it without the dots")
-            return []
+    def _outside(self, unit: Unit, wanted: Import) -> list[Unit]:
+        written = "." * wanted.level + shown(wanted.module)
+        message = f'"from {written} import …" does not work here: this file is not inside a package'
+        self._say(unit, wanted, "relative_import", message, "write it without the dots")
+        return []
+
+    def _relative(self, file: PurePosixPath, wanted: Import) -> list[Unit]:
         folder = file.parent
         for _ in range(wanted.level - 1):
             folder = folder.parent
         parts = wanted.module.split(".") if wanted.module else []
         package = Module(folder, None)
-        return self._through(unit, wanted, package, parts, folder.name, depth - wanted.level)
+        return self._through((file, wanted.level), wanted, package, parts, folder.name)
 
-    def _through(
-        self, unit: Unit, wanted: Import, module: Module, parts: list[str], name: str, outside: int
-    ) -> list[Unit]:
+    def _through(self, unit: Unit, wanted: Import, module: Module, parts: list[str], name: str) -> list[Unit]:
         """Walk down ``module.parts``, then to the names that are modules themselves; return all files that are run.
 
         Args:
@@ -175,10 +188,12 @@ class _Walk:
             module: the module already found.
             parts: names still to find, one in the other.
             name: what ``module`` is called, for messages.
-            outside: in how many packages ``module`` lies.
+
+        Returns:
+            The files, each with the number of packages that it lies in more than ``module``.
         """
         run: list[Unit] = []
-        depth = outside
+        depth = 0
         for part in ["", *parts]:
             if part:
                 inner = self._library.inside(module.folder, part) if module.folder is not None else None
@@ -248,10 +263,10 @@ class _Walk:
         hidden = self._usual.hidden(name)
         if hidden is not None:
             return f"call {shown(hidden)} {shown(name)}.py: Windows hides the last ending"
-        near = get_close_matches(name, [*names, *INSTALLED], 1, 0.75)
+        near = nearest_name(name, [*INSTALLED, *names], 0.75)
         # Of robot1, robot2 and robot3 none is another one misspelled: that file was forgotten.
-        if near and re.findall(r"\d+", near[0]) == re.findall(r"\d+", name):
-            return f'did you mean "{shown(near[0])}"?'
+        if near is not None and re.findall(r"\d+", near) == re.findall(r"\d+", name):
+            return f'did you mean "{shown(near)}"?'
         if inside:
             folder = f"the folder {shown(name)} (with {shown('/'.join(inside))}.py in it)"
             return f"put {folder} beside the program or the program's folder, or do without it"
@@ -331,7 +346,7 @@ _CONDITIONAL = "conditional_"
 _ONLY_IF_REACHED = "; that ends the program only if it is reached"
 _RUNNING_TELLS = "; only running the programs can tell whether that ends one"
 _IN_A_MATCH = "in a match there are only Python's own library, numpy and scipy"
-_NOT_LOOKED_INTO = ("large", "unread")
+_NOT_LOOKED_INTO = ("large", "too_many_imports", "unread")
 
 
 def _empty(sources: Mapping[PurePosixPath, Source], entries: set[PurePosixPath]) -> Iterable[Finding]:

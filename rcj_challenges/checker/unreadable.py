@@ -5,7 +5,7 @@ from __future__ import annotations
 import platform
 import re
 
-from rcj_challenges.checker.reading import MOST_BYTES, Source
+from rcj_challenges.checker.reading import MAX_IMPORTS, MOST_BYTES, Source
 from rcj_challenges.facts.shown import shown
 
 PYTHON = f"Python {platform.python_version()}"
@@ -47,8 +47,13 @@ _WITHOUT_WORDS = {
     "slow": ("too_slow", "Python takes far too long to read the file", "split it, or put data into a file of its own"),
     "large": (
         "large",
-        f"more than {MOST_BYTES / 1e6:g} MB of Python: not looked into",
+        f"more than {MOST_BYTES / 1000:g} kB of Python: not looked into",
         "put large data into a file that is no program",
+    ),
+    "imports": (
+        "too_many_imports",
+        f"with this file the programs import more than {MAX_IMPORTS} modules and names: it is not looked into",
+        "leave out what is not needed",
     ),
     "unread": ("unread", "not looked into: those before it are too much for Python", "leave out what is not needed"),
 }
@@ -64,6 +69,8 @@ def what_is_wrong(source: Source, content: bytes) -> tuple[str, str, str]:
     if source.wrong in _WITHOUT_WORDS:
         return _WITHOUT_WORDS[source.wrong]
     said = shown(source.said)
+    if source.wrong == "odd_encoding":
+        return "odd_encoding", f"the file says that it is written in {said}, which no editor writes", _SAVE_AS_UTF8
     if "null bytes" in said:
         return "null_bytes", "there are zero bytes in the file: it is no text", _SAVE_AS_UTF8
     if any(words in said for words in ("codec can't decode", "encoding", "Non-UTF-8")):

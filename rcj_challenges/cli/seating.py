@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.likeness import nearest_name
 
 if TYPE_CHECKING:
     from rcj_challenges.controllers.team import Team
@@ -132,6 +132,6 @@ def assignments(given: list[str], seats: Mapping[str, Any], option: str) -> dict
 def known(name: str, names: Mapping[str, Any] | frozenset[str], kind: str) -> None:
     """Raise a `UsageError` with the names that there are, if this is none of them."""
     if name not in names:
-        nearest = get_close_matches(name, names, 1)
-        hint = f"; did you mean {nearest[0]!r}?" if nearest else ""
+        nearest = nearest_name(name, names)
+        hint = "" if nearest is None else f"; did you mean {nearest!r}?"
         raise UsageError(f"unknown {kind} {name!r}: this scenario has {', '.join(sorted(names))}{hint}")

@@ -36,6 +36,10 @@ MOST_RATIO = 100
 FREE_UNPACKED_BYTES = 10_000_000
 """Up to this size the ratio does not matter: a small picture of one colour is no bomb."""
 MOST_FILES = 5_000
+MAX_FOLDERS = 1_000
+"""A large library has a hundred; every look at the files costs as much as there are folders above them."""
+MAX_DEPTH = 12
+"""Folders in one another; libraries have five."""
 
 _KINDS = (
     (0, b"Rar!\x1a\x07", "a RAR archive"),
@@ -114,6 +118,8 @@ def read_contents(path: Path) -> Contents:
         if path.suffix.casefold() == ".py":
             return _from_program(path)
         return _from_zip(path)
+    except _OvergrownError as error:
+        return _unreadable("folder", error.trouble)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
         where = getattr(error, "filename", None) or path  # a file or folder in it, perhaps
@@ -136,6 +142,40 @@ def _from_program(path: Path) -> Contents:
 def _too_large(size: int) -> Trouble:
     message = f"{size / 1e6:.1f} MB is more than the {MOST_PACKED_BYTES // 1_000_000} MB allowed"
     return Trouble("archive.too_large", "failure", message, "leave out what the programs do not need")
+
+
+class _OvergrownError(Exception):
+    """A submission has too many folders, or too deep ones."""
+
+    def __init__(self, trouble: Trouble) -> None:
+        super().__init__(trouble)
+        self.trouble = trouble
+
+
+class _Folders:
+    """The folders of a submission, counted as they are met."""
+
+    def __init__(self) -> None:
+        self._known: set[PurePosixPath] = set()
+
+    def add(self, folder: PurePosixPath) -> None:
+        """Count a folder and those above it.
+
+        Raises:
+            _OvergrownError: it lies too deep, or there are too many.
+        """
+        if folder in self._known:
+            return
+        if len(folder.parts) > MAX_DEPTH:
+            message = f"{told(folder)} lies too deep: at most {MAX_DEPTH} folders may lie in one another"
+            raise _OvergrownError(Trouble("archive.too_deep", "failure", message, _FEWER_FOLDERS))
+        self._known.update((folder, *folder.parents))
+        if len(self._known) > MAX_FOLDERS:
+            message = f"there are more than {MAX_FOLDERS} folders"
+            raise _OvergrownError(Trouble("archive.too_many_folders", "failure", message, _FEWER_FOLDERS))
+
+
+_FEWER_FOLDERS = "leave out what the programs do not need"
 
 
 def _no_files() -> Trouble:
@@ -207,7 +247,9 @@ def _walk(folder: Path) -> Iterator[Path]:
 
     Raises:
         OSError: a folder cannot be read.
+        _OvergrownError: there are too many, or they lie too deep.
     """
+    counted = _Folders()
 
     def refused(error: OSError) -> NoReturn:  # else it would pass for an empty folder
         raise error
@@ -216,6 +258,7 @@ def _walk(folder: Path) -> Iterator[Path]:
         if is_record(folders, names) and Path(root) != folder and not any(Path(root).rglob("*.py")):
             folders.clear()
             continue
+        counted.add(PurePosixPath(Path(root).relative_to(folder).as_posix()))
         folders[:] = sorted(name for name in folders if not ignored_folder(name))
         yield from (Path(root, name) for name in sorted(names))
         yield from (link for name in folders if (link := Path(root, name)).is_symlink())
@@ -260,7 +303,13 @@ class _ZipReading:
             self._troubles.add(error.trouble)
             return _unreadable("zip", *self._troubles)
         self._tell_leftovers([entry for entry in entries if ignored(path_of(entry.name).parts)])
-        used = self._without_records([entry for entry in entries if not ignored(path_of(entry.name).parts)])
+        used = [entry for entry in entries if not ignored(path_of(entry.name).parts)]
+        try:
+            self._count_folders(used)
+        except _OvergrownError as error:
+            self._troubles.add(error.trouble)
+            return _unreadable("zip", *self._troubles)
+        used = self._without_records(used)
         self._tell_guessed([entry for entry in used if entry.guessed])
         self._read_all([entry for entry in used if not entry.is_folder])
         self._tell_folders([entry for entry in used if entry.is_folder])
@@ -270,6 +319,18 @@ class _ZipReading:
             self._troubles.add(_no_files())
         files = dict(sorted(self._files.items()))
         return Contents("zip", files, tuple(self._troubles), self._complete, self._unsafe)
+
+    def _count_folders(self, entries: list[zipped.Entry]) -> None:
+        """Refuse archives with too many folders; entries with too long names are refused one by one.
+
+        Raises:
+            _OvergrownError: there are too many, or they lie too deep.
+        """
+        folders = _Folders()
+        for entry in entries:
+            if len(entry.name) <= MOST_PATH_LETTERS:
+                path = path_of(entry.name)
+                folders.add(path if entry.is_folder else path.parent)
 
     def _refuse(self, code: str, message: str, remedy: str, where: str = "", *, repair: bool = False) -> None:
         self._troubles.add(Trouble(code, "failure", message, remedy, where, repair))

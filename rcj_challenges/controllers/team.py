@@ -6,7 +6,6 @@ import hashlib
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from difflib import get_close_matches
 from pathlib import Path, PurePath, PurePosixPath
 from types import MappingProxyType
 from typing import Self
@@ -24,6 +23,7 @@ from rcj_challenges.controllers.team_name import (
 )
 from rcj_challenges.controllers.troubles import MOST_PATH_SHOWN, told
 from rcj_challenges.facts.errors import is_of_the_host, told_of
+from rcj_challenges.facts.likeness import MAX_COMPARED, nearest_name
 from rcj_challenges.scenario.models.robots import Entrant, EntryPoints
 
 __all__ = ["MOST_NAME_LETTERS", "Opening", "Team", "TeamError", "alternatives", "look_into", "open_team", "safe_name"]
@@ -34,7 +34,6 @@ _LOGO_STEMS = frozenset({"logo", "teamlogo", "logoteam"})
 _PICTURE_ENDINGS = frozenset({".png", ".jpg", ".jpeg", ".gif", ".bmp", ".webp", ""})
 _MOST_TOP_FOLDERS = 3
 _SHOWN_FILES = 12
-_MOST_COMPARED = 200  # among more files nobody can say which was meant
 _LEAST_LIKENESS = 0.75
 
 
@@ -348,7 +347,7 @@ def missing_programs(
         for entries in wanted
     )
     present = [str(path) for path in files]
-    python = ([name for name in present if name.endswith(".py")] or present)[:_MOST_COMPARED]
+    python = ([name for name in present if name.endswith(".py")] or present)[:MAX_COMPARED]
     found = ", ".join(map(told, python[:_SHOWN_FILES])) + (", …" if len(python) > _SHOWN_FILES else "")
     message = f"no program for {looked_for}; found: {found or 'nothing'}"
     meant = [name for name in python if PurePosixPath(name) not in not_meant]
@@ -363,11 +362,11 @@ def _nearest(entry: str, names: list[str]) -> str | None:
     wanted = PurePosixPath(entry).name
     names = [name for name in names if _numbers(PurePosixPath(name).stem) == _numbers(PurePosixPath(entry).stem)]
     by_file_name = {PurePosixPath(name).name: name for name in reversed(names)}
-    found = get_close_matches(entry, names, 1, _LEAST_LIKENESS)
-    if found:
-        return found[0]
-    close = get_close_matches(wanted, by_file_name, 1, _LEAST_LIKENESS)
-    return by_file_name[close[0]] if close else None
+    found = nearest_name(entry, names, _LEAST_LIKENESS)
+    if found is not None:
+        return found
+    close = nearest_name(wanted, by_file_name, _LEAST_LIKENESS)
+    return None if close is None else by_file_name[close]
 
 
 def _numbers(name: str) -> list[str]:

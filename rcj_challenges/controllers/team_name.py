@@ -5,11 +5,11 @@ from __future__ import annotations
 import codecs
 import unicodedata
 from dataclasses import dataclass, replace
-from difflib import SequenceMatcher
 from pathlib import PurePosixPath
 
 from rcj_challenges.controllers.archive import Files
 from rcj_challenges.controllers.troubles import Trouble, told
+from rcj_challenges.facts.likeness import likeness_of
 
 MOST_NAME_LETTERS = 32
 """A team's name has at most 32 characters (reference, section 7)."""
@@ -121,7 +121,7 @@ def may_be_name_file(path: PurePosixPath) -> bool:
 
 def _near_stem(path: PurePosixPath) -> bool:
     stem = "".join(letter for letter in path.stem.casefold() if letter.isalnum())
-    return stem in _NEAR_STEMS or SequenceMatcher(None, stem, "teamname").ratio() >= _LEAST_LIKENESS
+    return stem in _NEAR_STEMS or likeness_of(stem, "teamname") >= _LEAST_LIKENESS
 
 
 def _decoded(content: bytes) -> tuple[str, tuple[Trouble, ...]]:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from difflib import get_close_matches
 from itertools import islice
 
 from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.likeness import MAX_COMPARED, nearest_name
 
 _SHOWN = 100
 """More problems than a reader works through; a broken file of 1 MB could bring tens of thousands."""
@@ -18,9 +18,6 @@ MAX_FOUND = 300
 
 _LONGEST = 64
 """How much of a name is shown: as long as one may be."""
-
-_COMPARED = 300
-"""How many known names are compared with a misspelt one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +77,7 @@ def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str:
     by_folded: dict[str, str] = {}
     written = set(word.casefold().split("_"))
     may_turn = [words for words in _CONTRARY if written & words]
-    for name in islice(known, _COMPARED):
+    for name in islice(known, MAX_COMPARED):
         if not may_turn or not _is_contrary(written, name, may_turn):
             by_folded.setdefault(name.casefold(), name)
     if word.casefold() in by_folded:  # it differs in upper and lower case, or is known elsewhere
@@ -88,9 +85,8 @@ def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str:
     for folded, name in by_folded.items():
         if folded.startswith(f"{word.casefold()}_"):  # the unit was forgotten
             return f"; did you mean {name!r}?"
-    # A long word would make the comparison slow, and is no typing mistake.
-    found = get_close_matches(word.casefold()[:100], by_folded, 1, likeness)
-    return f"; did you mean {by_folded[found[0]]!r}?" if found else ""
+    found = nearest_name(word.casefold(), by_folded, likeness)
+    return "" if found is None else f"; did you mean {by_folded[found]!r}?"
 
 
 def in_plain_letters(name: str) -> str:

@@ -16,7 +16,7 @@ def sources_read_here(monkeypatch):
     it takes strange sources with it and nothing else is tested where they are.
     """
 
-    def ask(paths, files):
+    def ask(paths, files, max_imports):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             said = [json.dumps(reader.read_source(files[path], path.name)) for path in paths]

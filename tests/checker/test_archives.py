@@ -25,6 +25,7 @@ from tests.hostile.archives import pictures
 from tests.hostile.archives.building import Member, pack, with_folders
 from tests.hostile.archives.case import Case
 from tests.hostile.archives.cases import ALL, FINE, IMPORTS, SEEN, built
+from tests.hostile.archives.large import SOURCES
 from tests.hostile.archives.making import ENTRY, NAME, OF_2021, PROGRAM, SOUND, named, plain
 
 loaded = cache(load)
@@ -78,7 +79,7 @@ def test_the_check_and_a_match_agree_whether_an_archive_can_be_used(tmp_path: Pa
         assert (inspection.digest, inspection.display_name) == (team.digest, team.name)
 
 
-@pytest.mark.parametrize("case", (SEEN | IMPORTS).values(), ids=SEEN | IMPORTS)
+@pytest.mark.parametrize("case", (SEEN | IMPORTS | SOURCES).values(), ids=SEEN | IMPORTS | SOURCES)
 def test_the_whole_check_names_each_defect_of_real_submissions(tmp_path: Path, case: Case) -> None:
     path = tmp_path / "team.zip"
     path.write_bytes(case.build())
@@ -366,7 +367,7 @@ def test_the_page_for_teams_lists_every_message_with_its_level_and_whether_it_is
     )
     listed = {code: (level, fix == "yes") for code, level, fix in rows}
     cases: dict[str, tuple[str, bool]] = {}
-    for case in (ALL | IMPORTS).values():
+    for case in (ALL | IMPORTS | SOURCES).values():
         cases[case.code] = (case.level, case.repair or cases.get(case.code, ("", False))[1])
     assert len(rows) == len(listed)
     assert {code: listed.get(code) for code in cases} == cases

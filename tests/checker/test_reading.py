@@ -28,6 +28,8 @@ def test_who_stops_waiting_for_the_reader_leaves_none_behind(monkeypatch: pytest
             pytest.fail("this file was to be read for longer")
 
     monkeypatch.setattr(subprocess, "Popen", Interrupted)
+    monkeypatch.setattr(reading, "MOST_BYTES", len(SLOW))
+    monkeypatch.setattr(reading, "MAX_ALL_BYTES", len(SLOW))
     with pytest.raises(KeyboardInterrupt):
         reading.read_sources({NAME: SLOW.encode()})
     (process,) = started
@@ -50,12 +52,12 @@ def test_a_reader_whose_check_was_killed_comes_to_its_end_by_itself() -> None:
 def _reading(names: list[str], in_a_round: int, monkeypatch: pytest.MonkeyPatch) -> dict[str, str]:
     """Return what is wrong with files of which so many are read before patience ends; of a hard one nothing is."""
 
-    def ask(paths: list[PurePosixPath], _files: object) -> tuple[list[reading.Source], str]:
+    def ask(paths: list[PurePosixPath], _files: object, _max_imports: int) -> tuple[list[reading.Source], str]:
         done = [path.name.startswith("hard") for path in paths[:in_a_round]]
         return [reading.Source()] * (done.index(True) if True in done else len(done)), "slow"
 
     monkeypatch.setattr(reading, "_ask", ask)
-    found = reading.read_sources({PurePosixPath(f"{name}.py"): b"" for name in names})
+    found = reading.read_sources({PurePosixPath(f"{name}.py"): name.encode() for name in names})
     assert [path.stem for path in found] == names
     return {path.stem: source.wrong for path, source in found.items() if source.wrong}
 
@@ -76,3 +78,46 @@ def test_of_what_nobody_came_to_no_fault_is_told(monkeypatch: pytest.MonkeyPatch
     wrong = _reading(names, 1, monkeypatch)
     assert wrong["hard_0"] == "slow"
     assert wrong["robot"] == "unread"
+
+
+def test_files_beyond_the_bound_are_not_read_and_equal_ones_count_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(reading, "MOST_BYTES", 100)
+    monkeypatch.setattr(reading, "MAX_ALL_BYTES", 200)
+    names = {"a": "x", "b": "y", "c": "y", "d": "z", "e": "xx", "robot": "w"}
+    files = {PurePosixPath(f"{name}.py"): f"{letter} = 1".encode().ljust(90) for name, letter in names.items()}
+    files[PurePosixPath("e.py")] = b"#" * 101
+    found = reading.read_sources(files, [PurePosixPath("robot.py")])
+    wrong = {path.stem: source.wrong for path, source in found.items()}
+    assert wrong == {"a": "", "b": "unread", "c": "unread", "d": "unread", "e": "large", "robot": ""}
+
+
+def test_imports_beyond_the_bound_are_not_read(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(reading, "MAX_IMPORTS", 6)
+    sources = {"a": b"import x, y", "b": b"from x import y, z", "c": b"import x, z", "d": b"import y"}
+    found = reading.read_sources({PurePosixPath(f"{name}.py"): source for name, source in sources.items()})
+    assert {path.stem: source.wrong for path, source in found.items()} == {"a": "", "b": "", "c": "imports", "d": ""}
+
+
+@pytest.mark.parametrize(
+    "encoding", ["utf-8", "latin-1", "cp1252", "iso-8859-15", "koi8-r", "gbk", "shift_jis", "euc-kr"]
+)
+def test_files_in_usual_encodings_are_read(encoding: str) -> None:
+    assert reader.read_source(f"# coding: {encoding}\nimport a\n".encode(), "robot.py")["imports"]
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        b"# coding: punycode\n",
+        b"\xef\xbb\xbf# coding: punycode\n",
+        b"\n# vim: set fileencoding=IDNA :\n",
+        b"#\r# coding: punycode\r",
+        b"# coding: unicode_escape\n",
+    ],
+)
+def test_files_in_odd_encodings_are_not_decoded(source: bytes) -> None:
+    assert reader.read_source(source + b"a" * 70_000, "robot.py")["error"]["kind"] == "odd_encoding"
+
+
+def test_words_about_encodings_below_the_second_line_mean_nothing() -> None:
+    assert "imports" in reader.read_source(b"import a\n# coding: punycode\n", "robot.py")

@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
 
 from rcj_challenges.checker.advice.crash_lines import OF_NONE, set_in, used_none
 from rcj_challenges.checker.others import looks_like, others_that_fit
 from rcj_challenges.controllers.team import Team
+from rcj_challenges.facts.likeness import nearest_name
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.robots import Device
@@ -161,9 +161,9 @@ class InsteadOf:
         if name in self._theirs:
             meant = self._scenarios_of_their_years()
             return meant + _in_place(self._scenario, robot, self._theirs[name], has)
-        near = get_close_matches(name.casefold(), has.split(", "), 1)
-        if near:
-            return f'did you mean "{shown(near[0])}"?'
+        near = nearest_name(name.casefold(), has.split(", "))
+        if near is not None:
+            return f'did you mean "{shown(near)}"?'
         others = others_that_fit(self._team.files, self._scenario, self._are_of)
         return (f"{looks_like(others)}; " if others else "") + _all_of(has)
 

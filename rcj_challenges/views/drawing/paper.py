@@ -9,6 +9,7 @@ from textwrap import wrap
 from typing import NamedTuple
 
 from rcj_challenges.views.drawing.shapes import Box, Point
+from rcj_challenges.views.markup import escaped
 
 MARKER_PX = 18.0
 """Height of a marker."""
@@ -31,7 +32,6 @@ _STYLE = (
     ".axis{font-size:11px;fill:#6b7280}.title{font-size:17px;font-weight:700}.head{font-size:14px;font-weight:700}"
     ".entry{font-size:13px}"
 )
-from rcj_challenges.views.markup import escaped
 
 
 class Marker(NamedTuple):

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
 from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from rcj_challenges.facts.likeness import nearest_name
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.video.clips import Moment
 from rcj_challenges.views.video.errors import VideoError
@@ -136,6 +136,6 @@ def _fitted(corners: Any, azimuth_deg: float, elevation_deg: float, aspect: floa
 
 
 def _unknown(code: str, message: str, name: str, known: Sequence[str]) -> VideoError:
-    near = get_close_matches(name, known, 1)
-    guess = f"did you mean {near[0]!r}? " if near else ""
+    near = nearest_name(name, known)
+    guess = "" if near is None else f"did you mean {near!r}? "
     return VideoError(code, message, f"{guess}There are: {', '.join(known)}")

@@ -26,8 +26,8 @@ from tests.hostile.archives.building import (
     pack,
     with_folders,
 )
-
 from tests.hostile.archives.case import Case
+from tests.hostile.archives.large import LARGE
 from tests.hostile.archives.making import (
     ENTRY,
     PROGRAM,
@@ -488,7 +488,7 @@ FINE: dict[str, Callable[[], bytes]] = {
 }
 """Archives without a flaw."""
 
-ALL = SEEN | HOSTILE
+ALL = SEEN | HOSTILE | LARGE
 
 
 @cache
