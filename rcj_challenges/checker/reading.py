@@ -10,10 +10,10 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-MOST_BYTES = 80_000
+MOST_BYTES = 64_000
 """A longer Python file is not looked into: for some the time that Python takes grows with the square of the length,
 such as calls with thousands of named arguments or f-strings with thousands of braces."""
-MAX_ALL_BYTES = 240_000
+MAX_ALL_BYTES = 192_000
 """Of the Python files of a submission together, equal ones counted once: those beyond are not looked into."""
 MAX_IMPORTS = 5_000
 """Modules and names that the files together may import; those beyond are not looked into."""

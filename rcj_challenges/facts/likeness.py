@@ -9,10 +9,10 @@ from collections.abc import Iterable
 from difflib import SequenceMatcher, get_close_matches
 from itertools import islice
 
-MAX_COMPARED = 200
+MAX_COMPARED = 150
 """Known names that a misspelt one is compared with; among more nobody can say which was meant."""
 
-MAX_LETTERS = 50
+MAX_LETTERS = 32
 """Letters of a name that are compared; what differs only behind them is no typing mistake."""
 
 

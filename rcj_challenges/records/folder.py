@@ -11,6 +11,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import BinaryIO
 
+from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.facts.errors import is_held, told_of
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.records.errors import RecordError
@@ -63,7 +64,8 @@ def open_file(path: Path) -> BinaryIO:
     if stat.S_ISREG(os.fstat(file.fileno()).st_mode):
         return file
     file.close()
-    raise RecordError(f"{shown(path.parent.name)}: {shown(path.name)} is a pipe or a device, not a file")
+    message = f"{path.parent.name}: {path.name} is a pipe or a device, not a file"
+    raise RecordError(str(Diagnostic("record-not-a-file", message, "copy the whole record again")))
 
 
 def read_file(path: Path) -> bytes:

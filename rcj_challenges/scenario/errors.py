@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import islice
+from typing import Self
 
+from rcj_challenges.facts.diagnostics import Diagnostic, InFile
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.facts.likeness import MAX_COMPARED, nearest_name
 
@@ -61,6 +63,29 @@ class ScenarioError(RcjError):
             lines.append(f"… and {len(self.problems) - _SHOWN} more")
         return "\n".join(lines)
 
+
+class TooLargeError(ScenarioError):
+    """A scenario has more of something than is read; ``str()`` has the form of `Diagnostic`.
+
+    Attributes:
+        diagnostic: what there is too much of.
+    """
+
+    def __init__(self, diagnostic: Diagnostic, problem: Problem) -> None:
+        self.diagnostic = diagnostic
+        super().__init__([problem])
+
+    @classmethod
+    def at(cls, file: str, line: int, column: int, message: str) -> Self:
+        """Return the error at a place; without a line it is about the whole file."""
+        diagnostic = Diagnostic("scenario-too-large", message, _SMALLER, InFile(file, line or None, column or None))
+        return cls(diagnostic, Problem(file, line, column, "", message))
+
+    def _text(self) -> str:
+        return str(self.diagnostic)
+
+
+_SMALLER = "leave out what the challenge does not need; repeat_for and groups say the same of several things at once"
 
 _CONTRARY = (frozenset({"any", "all", "none"}), frozenset({"min", "most"}), frozenset({"max", "least"}))
 """Parts of words that turn their meaning over: who writes one does not mean a word with another of them."""

@@ -28,7 +28,7 @@ from rcj_challenges.scenario.reading.params import apply_overrides, resolve_para
 from rcj_challenges.scenario.reading.repeating import repeat_rules, told_once
 from rcj_challenges.scenario.resources import presets_folder
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.tree import RESOLVED, Entries, Mark, Step, plain
+from rcj_challenges.scenario.tree import RESOLVED, Entries, Mark, Step, check_size, plain
 
 
 @dataclass(frozen=True)
@@ -174,6 +174,7 @@ def _checked(tree: Entries, merger: Merger) -> Scenario:
     Raises:
         ScenarioError: all that was and is wrong; of problems at one place the first kind only.
     """
+    check_size(tree)
     problems = list(merger.problems)
     scenario: Scenario | None = None
     try:

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from rcj_challenges.scenario.errors import Problem, cut
+from rcj_challenges.scenario.errors import Problem, TooLargeError, cut
 
 RESOLVED = "resolved scenario"
 """In place of a file: the scenario of a record."""
@@ -80,6 +80,48 @@ class Entries:
 
 
 Node = Leaf | Items | Entries
+
+
+MAX_KEYS = 256
+"""Entries of one mapping; the sections of the shipped scenarios have up to 30."""
+MAX_ITEMS = 512
+"""Entries of one list."""
+MAX_VALUES = 10_000
+"""Values in one file, lists and mappings among them; the largest shipped scenario has 1400."""
+MAX_MERGED_VALUES = 20_000
+"""Values of a scenario with its bases, or of one in a record, which has all defaults written out."""
+
+
+def check_amount(node: Items | Entries) -> None:
+    """Refuse a list or mapping with more entries than any scenario needs.
+
+    Raises:
+        TooLargeError: it has more.
+    """
+    if isinstance(node, Entries) and len(node.entries) > MAX_KEYS:
+        raise too_large(node.mark, f"a mapping with more than {MAX_KEYS} entries")
+    if isinstance(node, Items) and len(node.items) > MAX_ITEMS:
+        raise too_large(node.mark, f"a list with more than {MAX_ITEMS} entries")
+
+
+def check_size(root: Node) -> None:
+    """Refuse a finished tree that is larger than any scenario needs: checks and lint would take minutes.
+
+    Raises:
+        TooLargeError: it is larger.
+    """
+    left = [root]
+    for count, node in enumerate(left, 1):
+        if count > MAX_MERGED_VALUES:
+            raise too_large(root.mark, f"more than {MAX_MERGED_VALUES} values, with those of its bases")
+        if not isinstance(node, Leaf):
+            check_amount(node)
+            left += node.entries.values() if isinstance(node, Entries) else node.items
+
+
+def too_large(mark: Mark, what: str) -> TooLargeError:
+    """Return the error at a place."""
+    return TooLargeError.at(mark.file, mark.line, mark.column, what)
 
 
 def plain(node: Node) -> Any:

@@ -269,14 +269,14 @@ class TestMistakes:
             "[{trigger: enters, entity: ball, zone: in_play}]", "\n" + many
         )
         (complaint,) = complaints(text.replace("entrant: {param: this}", "entrant: blue"))
-        assert complaint == "rules.pay: too much is repeated: written out it would be more than 50000 single values"
+        assert complaint == "rules.pay: too much is repeated: written out it would be more than 20000 single values"
 
     def test_a_list_that_stands_in_many_places_counts_in_each(self):
         triggers = ", ".join(["{trigger: enters, entity: {param: others}, zone: in_play}"] * 100)
         body = f"triggers: [{triggers}]\n    actions: [{{action: end}}]\n"
-        rule = f"rules:\n  r:\n    repeat_for: {{a: {{others: [{', '.join(['ball'] * 1000)}]}}}}\n    {body}"
+        rule = f"rules:\n  r:\n    repeat_for: {{a: {{others: [{', '.join(['ball'] * 500)}]}}}}\n    {body}"
         assert complaints(rule) == [
-            "rules.r: too much is repeated: written out it would be more than 50000 single values"
+            "rules.r: too much is repeated: written out it would be more than 20000 single values"
         ]
 
     def test_there_is_a_bound_for_the_values_beside_a_name(self):

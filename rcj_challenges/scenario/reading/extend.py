@@ -13,7 +13,7 @@ from typing import Any
 from rcj_challenges import __version__
 from rcj_challenges.scenario.errors import Problem, ScenarioError, listing, nearest
 from rcj_challenges.scenario.models.scenario import SCHEMA_VERSION
-from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, parse_bytes, parse_text
+from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, parse_bytes, parse_text, refuse_size
 from rcj_challenges.scenario.resources import (
     names_in,
     own_of_that_name,
@@ -56,9 +56,7 @@ class Source:
                 size = max(len(data), os.fstat(file.fileno()).st_size)
         except OSError as error:
             raise ScenarioError([Problem(shown, 0, 0, "", f"cannot be read: {error.strerror or error}")]) from None
-        if size > MAX_BYTES:
-            message = f"{size} bytes are too much for a scenario; at most {MAX_BYTES} are read"
-            raise ScenarioError([Problem(shown, 0, 0, "", message)])
+        refuse_size(size, shown)
         return cls(_mapping(parse_bytes(data, shown), shown), shown, path)
 
     @classmethod

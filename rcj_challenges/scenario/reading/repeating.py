@@ -23,7 +23,7 @@ from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path,
 RULES, REPEAT_FOR = "rules", "repeat_for"
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _LONGEST = 64
-_MOST_VALUES = 50_000
+_MOST_VALUES = 20_000
 """How many single values all that is repeated may come to: a file of 1 MB that repeats nothing has about as many."""
 _FORMS = "a list of names, [yellow, blue], or a mapping of values by name, {yellow: {zone: blue_goal}, …}"
 

@@ -16,8 +16,8 @@ from typing import Any
 
 import yaml
 
-from rcj_challenges.scenario.errors import Problem, ScenarioError
-from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node
+from rcj_challenges.scenario.errors import Problem, ScenarioError, TooLargeError
+from rcj_challenges.scenario.tree import MAX_VALUES, Entries, Items, Leaf, Mark, Node, check_amount, too_large
 
 MAX_BYTES = 1_000_000
 """A scenario of a whole tournament is under 50 kB; ten times the largest sensible file is still read in a second."""
@@ -78,7 +78,7 @@ def parse_bytes(data: bytes, file: str) -> Node:
     Raises:
         ScenarioError: it is too large, not UTF-8, or not strict YAML; all that can be told at once.
     """
-    _refuse_size(len(data), file)
+    refuse_size(len(data), file)
     try:
         text = data.decode("utf-8")
     except UnicodeDecodeError as error:
@@ -103,7 +103,7 @@ def parse_text(text: str, file: str, loader: Any = None) -> Node:
         ScenarioError: it is not strict YAML; all that can be told at once.
     """
     text = text.removeprefix("\ufeff")
-    _refuse_size(len(text), file)
+    refuse_size(len(text), file)
     bad = _UNPRINTABLE.search(text)
     if bad is not None:
         before = text[: bad.start()].replace("\r\n", "\n").replace("\r", "\n")
@@ -137,10 +137,14 @@ def parse_value(text: str, file: str) -> Node:
     return parse_text(json.dumps(text.strip(), ensure_ascii=False) if text.lstrip().startswith("#") else text, file)
 
 
-def _refuse_size(size: int, file: str) -> None:
+def refuse_size(size: int, file: str) -> None:
+    """Refuse a file or text of too many bytes.
+
+    Raises:
+        TooLargeError: it is larger than `MAX_BYTES`.
+    """
     if size > MAX_BYTES:
-        message = f"{size} bytes are too much for a scenario; at most {MAX_BYTES} are read"
-        raise ScenarioError([Problem(file, 0, 0, "", message)])
+        raise TooLargeError.at(file, 0, 0, f"the scenario has {size} bytes; at most {MAX_BYTES} are read")
 
 
 def _syntax_problem(error: yaml.MarkedYAMLError, file: str) -> Problem:
@@ -193,6 +197,7 @@ class _Builder:
     problems: list[Problem] = field(default_factory=list)
     stack: list[_Open] = field(default_factory=list)
     documents: int = 0
+    values: int = 0
 
     def take(self, event: yaml.Event) -> None:
         mark = self._mark(event)
@@ -268,15 +273,20 @@ class _Builder:
             top.skipped = False
 
     def _place(self, node: Node) -> None:
+        self.values += 1
+        if self.values > MAX_VALUES:
+            raise too_large(node.mark, f"more than {MAX_VALUES} values in this file")
         if not self.stack:
             self.root = node
             return
         top = self.stack[-1]
         if isinstance(top.node, Items):
             top.node.items.append(node)
+            check_amount(top.node)
             return
         if not top.skipped and top.key is not None and top.key_mark is not None:
             top.node.put(top.key, node, top.key_mark)
+            check_amount(top.node)
         top.key = top.key_mark = None
 
     def _resolve(self, text: str, mark: Mark) -> str | int | float | bool | None:
