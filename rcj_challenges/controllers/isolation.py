@@ -41,7 +41,7 @@ EXTRA_LAYERS: dict[str, str] = {
 _ALWAYS = ("clean_environment", "private_folder", "ends_with_parent")
 _OPEN_FILES = 256
 _CROWD = 16  # programs beside this one whose threads the limit for the whole user has to leave room for
-_PROGRAMS_WAITED_FOR = 8  # a program may compute while the match waits for others: at most so many
+_HALVES_OF_CPU_TIME = 2  # of ``half_s``: once in its steps, once beside them
 
 _NOT_HERE = {
     "win32": "Windows has nothing that a program without installation could use",
@@ -168,12 +168,12 @@ def _user_tasks(limits: Limits) -> int:
 def processor_s(limits: Limits) -> int:
     """Return the processor time that a program may use in a half, in s.
 
-    Where the scenario does not say: the last resort against threads that compute for ever. A program with one thread
-    cannot come near, for the match would have waited too long for it or for others before.
+    The default leaves what it may use until its first step and in its steps, and as much again outside them, where
+    only its own threads compute.
     """
     if limits.processor_s is not None:
         return math.ceil(limits.processor_s)
-    return math.ceil(limits.start_s + _PROGRAMS_WAITED_FOR * limits.half_s)
+    return math.ceil(limits.start_s + _HALVES_OF_CPU_TIME * limits.half_s)
 
 
 def megabytes(amount: float) -> int:

@@ -11,6 +11,7 @@ import select
 import sys
 import threading
 import time
+from collections.abc import Sequence
 from typing import Protocol
 
 from rcj_challenges.controllers.protocol import LENGTH
@@ -168,6 +169,12 @@ class PolledPipes:
             self._looks_left_out = _LOOKS_LEFT_OUT
         return body
 
+    def register(self, poll: select.poll) -> None:
+        """Let somebody else's ``poll`` return when a frame may be here, or when the pipe takes what is not sent yet."""
+        poll.register(self._read_fd, select.POLLIN)
+        if self._unsent:
+            poll.register(self._write_fd, select.POLLOUT)
+
     def _wait(self, timeout_s: float) -> bytes | None:
         began = time.perf_counter()
         deadline = began + timeout_s
@@ -220,6 +227,10 @@ _QUEUED_FRAMES = 8
 
 _FLOOD_PAUSE_S = 0.005
 _CLOSING_S = 1.0
+
+
+_arrived = threading.Event()
+"""Something has arrived at one of the `ThreadedPipes`."""
 
 
 class ThreadedPipes:
@@ -285,17 +296,21 @@ class ThreadedPipes:
             except OSError:
                 chunk = b""
             if not chunk or self._closing:
-                self._arrived.put(ChannelClosedError())
+                self._put(ChannelClosedError())
                 return
             self._buffer.add(chunk)
             try:
                 while (body := self._buffer.next()) is not None:
-                    self._arrived.put(body)
+                    self._put(body)
                     while self._arrived.qsize() > _QUEUED_FRAMES and not self._closing:
                         time.sleep(_FLOOD_PAUSE_S)
             except FrameTooLongError as error:
-                self._arrived.put(error)
+                self._put(error)
                 return
+
+    def _put(self, arrived: bytes | Exception) -> None:
+        self._arrived.put(arrived)
+        _arrived.set()
 
     def _write_all(self) -> None:
         while (frame := self._to_send.get()) is not None:
@@ -319,3 +334,16 @@ def open_channel(read_fd: int, write_fd: int, limit_bytes: int, *, portable: boo
     if portable is None:
         portable = sys.platform == "win32" or not hasattr(select, "poll")
     return ThreadedPipes(read_fd, write_fd, limit_bytes) if portable else PolledPipes(read_fd, write_fd, limit_bytes)
+
+
+def wait_for_any(channels: Sequence[Channel], timeout_s: float) -> None:
+    """Wait until a frame may be at one of the channels, at most ``timeout_s``. It may return for nothing."""
+    polled = [channel for channel in channels if isinstance(channel, PolledPipes)]
+    if len(polled) < len(channels):
+        _arrived.wait(timeout_s)
+        _arrived.clear()
+        return
+    poll = select.poll()
+    for channel in polled:
+        channel.register(poll)
+    poll.poll(timeout_s * 1000)

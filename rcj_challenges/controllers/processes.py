@@ -20,8 +20,8 @@ from pathlib import Path
 from typing import Any
 
 from rcj_challenges.controllers import addresses, bubblewrap, scheduling, scratch, tasks
-from rcj_challenges.controllers.account import Usage
 from rcj_challenges.controllers.scheduling import Manners
+from rcj_challenges.controllers.time_budget import ProcessTimes
 
 if sys.platform == "win32":
     import msvcrt
@@ -32,6 +32,7 @@ PUPIL_FOLDER = Path(__file__).parent / "pupil"
 _START = "import sys; sys.path.insert(0, sys.argv[4]); from controller._boot import main; main()"
 _DUMP_S = 1.0
 _STATUS_OF_SIGNALS, _MOST_SIGNALS = 128, 64  # one that starts others tells an end by signal n as 128 + n
+_NEARLY = 0.9  # of the CPU time that is allowed: it is looked at now and then only
 _EXCEPTIONS_FROM, _NEGATIVE_FROM = 0xC0000000, 0xFFFF0000  # Windows: it tells exit(-1) as 0xffffffff
 
 NEEDS_LIFELINE = sys.platform != "linux"
@@ -103,13 +104,31 @@ class Process:
         """Return how many threads it has; 0 where that cannot be told."""
         return tasks.threads_of(self._pid_to_look_at()) if sys.platform == "linux" else 0
 
-    def usage(self) -> Usage | None:
-        """Return what it did until now; None where that cannot be told."""
+    def times(self) -> ProcessTimes | None:
+        """Return what the kernel counted for it until now; None if that is unknown."""
         if sys.platform == "win32":
             with contextlib.suppress(OSError):
-                return Usage(self._job.computed_s(), None)
+                return ProcessTimes(self._job.computed_s(), None)
             return None
-        return tasks.usage_of(self._pid_to_look_at())
+        return tasks.process_times(self._pid_to_look_at())
+
+    def is_runnable(self, thread: int) -> bool:
+        """Return whether one of its threads runs or waits for a processor at this moment (Linux)."""
+        return tasks.is_runnable(self._pid_to_look_at(), thread)
+
+    def suspend(self) -> None:
+        """Stop all its threads until `resume` (POSIX)."""
+        self._signal("SIGSTOP")
+
+    def resume(self) -> None:
+        """Let its threads go on."""
+        self._signal("SIGCONT")
+
+    def _signal(self, name: str) -> None:
+        number = getattr(signal, name, None)
+        if number is not None and not self.has_ended():
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(self._innermost_pid(), number)
 
     def nameless_bytes(self, output_fd: int, folder: Path, *, in_memory: bool) -> float:
         """Return what it holds in files that it has deleted and still uses; 0 where that cannot be told.
@@ -297,6 +316,19 @@ def site_folders() -> list[str]:
 def is_crash(status: int) -> bool:
     """Return whether an exit status means that the system ended the process (a signal; an exception on Windows)."""
     return status < 0 or status >= _EXCEPTIONS_FROM
+
+
+def is_cpu_limit(status: int, cpu_s: float, limit_s: float) -> bool:
+    """Return whether the kernel ended a process for its CPU time: by SIGXCPU, and by SIGKILL if it ignored that.
+
+    Args:
+        status: its exit status.
+        cpu_s: the CPU time that it was last seen to have used.
+        limit_s: what it was allowed.
+    """
+    return told(status).startswith("the signal SIGXCPU") or (
+        told(status) == "the signal SIGKILL" and cpu_s > _NEARLY * limit_s
+    )
 
 
 def told(status: int) -> str:

@@ -9,19 +9,20 @@ import re
 import tempfile
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.controllers import isolation, processes, scratch, tasks
-from rcj_challenges.controllers.account import Account, Usage
+from rcj_challenges.controllers import isolation, processes, scratch
 from rcj_challenges.controllers.assignment import Assignment
 from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.log import ProgramLog
-from rcj_challenges.controllers.pipes import Channel, ChannelClosedError, FrameTooLongError, open_channel
+from rcj_challenges.controllers.pipes import ChannelClosedError, FrameTooLongError, open_channel
 from rcj_challenges.controllers.private_folders import DiskFullError
 from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hello_frame, most_frame_bytes, one_line
 from rcj_challenges.controllers.scheduling import Manners
+from rcj_challenges.controllers.sharing import Sharing
+from rcj_challenges.controllers.time_budget import MEASURED_AFTER_S, TimeBudget, TimeLimits
+from rcj_challenges.controllers.timed_channel import TimedChannel, WaitBudget, wait_together
 from rcj_challenges.facts.errors import HostError, RcjError, is_of_the_host, told_of
 from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.streams import stream_seed
@@ -31,8 +32,12 @@ from rcj_challenges.facts.traffic import Observation, Request
 CLEAN_UP_S = 1.0
 """How long a program may go on after its ``step`` returned -1 (reference, section 3)."""
 
-LONG_S = 0.005  # a program that lets us wait longer than that computes, and others may as well
+BACKGROUND_S = 20.0
+"""A program that used more CPU time than that outside its intervals is suspended there from then on (POSIX): else the
+threads of one team could keep all processors from the match until ``processor_s`` ends them."""
+
 _SLICE_S = 0.25  # how often a program that lets us wait is looked at
+_LOOKS_PER_STEP_LIMIT = 8
 _LOG_LOOKED_AT_EVERY = 16  # requests
 _FOLDER_LOOKED_AT_EVERY = 256  # ticks; walking through a folder takes 100 µs and more
 _MEMORY_LOOKED_AT_EVERY = 1024  # ticks; so does reading what a process has in its memory
@@ -49,28 +54,12 @@ _TEAM = "controllers"
 """The folder of the team's files, by its name in Webots, where ``getProjectPath() + "/controllers/…"`` is a file."""
 
 
-@dataclass(frozen=True)
-class Sharing:
-    """How the programs of a half share the temporary folder.
-
-    Attributes:
-        place: in it, where each has its private folder.
-        share_bytes: whoever has written more than this has filled it, when it is full.
-        programs: all of them.
-    """
-
-    place: Path
-    share_bytes: float
-    programs: tuple[Program, ...]
-
-
 class Program:
     """A team's program in a process of its own. After its first `Fault` it is gone until the next half.
 
     Attributes:
         fault: how it failed; None while it has not.
-        account: what it is charged for since its first ``step``.
-        started_s: wall time from its launch until its first ``step`` was taken note of, in s; 0: it never was.
+        budget: what time it is charged.
     """
 
     def __init__(self, assignment: Assignment) -> None:
@@ -79,26 +68,26 @@ class Program:
         message_bytes = isolation.message_bytes(self._limits)
         self._codec = Codec(assignment.spec, message_bytes)
         self._frame_limit = most_frame_bytes(message_bytes)
-        self._step_s = math.inf if assignment.debug else self._limits.step_s
-        half_s = math.inf if assignment.debug else self._limits.half_s
-        self.account = Account(half_s, self._usage, tasks.held_up_here_s)
-        self._slice_s = min(_SLICE_S, self._step_s)
+        limits = TimeLimits(self._limits.start_s, self._limits.step_s, self._limits.half_s)
+        self.budget = TimeBudget(
+            TimeLimits(math.inf, math.inf, math.inf) if assignment.debug else limits,
+            lambda: None if self._process is None else self._process.times(),
+            lambda thread: self._process is not None and self._process.is_runnable(thread),
+        )
         self._output_limit = isolation.output_bytes(self._limits) + _OUTPUT_SLACK_BYTES
         self._scratch_limit = isolation.megabytes(self._limits.scratch_mb) + assignment.team.size_bytes()
         self._portable = processes.NEEDS_LIFELINE if assignment.portable is None else assignment.portable
-        self._sharing = Sharing(Path(), math.inf, ())
+        self._sharing = Sharing(Path(), math.inf, (), WaitBudget(math.inf))
         self._folder: Path | None = None
         self._log: ProgramLog | None = None
         self._look_at_s, self._look_at_tick = _SLICE_S, 0
         self._process: processes.Process | None = None
-        self._channel: Channel | None = None
+        self._channel: TimedChannel | None = None
         self._lifeline_fd: int | None = None
         self._tick = 0
         self._requests = 0
-        self._launched_at = 0.0
-        self._is_over = False
+        self._is_over = self._is_suspended = False
         self.fault: Fault | None = None
-        self.started_s = 0.0
 
     @property
     def name(self) -> str:
@@ -127,7 +116,6 @@ class Program:
         self._sharing, place = sharing, sharing.place
         self._log = ProgramLog(self._assignment.log_path, self._output_limit, place)
         self._say(f"--- half {self._assignment.half}: {self._assignment.entry} ---\n")
-        self._launched_at = time.perf_counter()
         try:
             self._start(layers, self._log.fd, place)
         except (OSError, ValueError, RcjError) as error:
@@ -141,7 +129,9 @@ class Program:
         """Let the program's ``step`` return with this. Does not wait."""
         self._tick = observation.tick
         if self._channel is not None:
-            self._channel.send(self._codec.encode(observation))
+            self._channel.release(self._codec.encode(observation))
+            if self._is_suspended and self._process is not None:
+                self._process.resume()
 
     def behave(self, manners: Manners) -> None:
         """Let its process share the processors with the match like that from now on."""
@@ -153,37 +143,30 @@ class Program:
         return 0.0 if self._process is None else self._process.computed_s()
 
     def collect(self, if_long: Callable[[], None] | None = None) -> Request | Fault:
-        """Wait until the program calls ``step``, or until its limit is reached or it fails.
+        """Wait until the program calls ``step``, or until it reaches a limit of time or fails.
 
-        The first time, the limit is ``start_s`` since the launch; then it is ``step_s`` since this call, and
-        ``half_s`` for what all calls together are charged (`Account`).
+        Until the first time it may be charged ``start_s``, then ``step_s`` for each step and ``half_s`` for all of them
+        (`TimeBudget`).
 
         Args:
-            if_long: called once if it has not called ``step`` after `LONG_S`.
+            if_long: called once if it has not called ``step`` after `MEASURED_AFTER_S`.
 
         Raises:
-            HostError: it failed because the temporary folder is full, and no program has filled it.
+            HostError: it failed because the temporary folder is full, and no program has filled it; or this computer is
+                too busy for the match.
         """
-        if self._channel is None:
+        channel = self._channel
+        if channel is None:
             return self.fault or self._fail("start", "the program was not started")
-        began = time.perf_counter()
         try:
-            body = self._in_first_slice(self._channel, if_long)
+            body = channel.receive(MEASURED_AFTER_S if self._requests else 0.0)
             if body is None:
-                body = self._wait(self._channel, began)
-            answer = None if body is None else self._codec.decode(body, self._tick)
+                if if_long is not None:
+                    if_long()
+                body = self._wait(channel)
+            return self._too_slow() if body is None else self._accepted(self._codec.decode(body, self._tick))
         except (ChannelClosedError, FrameTooLongError, ProtocolError) as error:
             return self._broken(error)
-        if answer is None:
-            return self._too_slow()
-        if self._requests:
-            self._has_waited(began)
-        else:
-            self.started_s = time.perf_counter() - self._launched_at
-            if self._process is not None:
-                self._process.remember_program()
-            self.account.begin()
-        return self._accepted(answer)
 
     def collect_soon(self) -> Request | Fault | None:
         """Return what `collect` would if it is here, or comes at once; None: `collect` has to wait for it."""
@@ -191,21 +174,21 @@ class Program:
         if channel is None or not self._requests:
             return None
         try:
-            body = channel.receive_now()
-            if body is None:
-                began = time.perf_counter()
-                body = channel.receive_soon()
-                self._has_waited(began)
+            body = channel.receive_soon()
             return None if body is None else self._accepted(self._codec.decode(body, self._tick))
         except (ChannelClosedError, FrameTooLongError, ProtocolError) as error:
             return self._broken(error)
 
-    def _has_waited(self, began: float) -> None:
-        """Note a wait that began then. Beyond what a step may take it was the match that stood still (Ctrl-Z)."""
-        self.account.wait_was(min(time.perf_counter() - began, self._step_s))
+    def awaited_channel(self) -> TimedChannel | None:
+        """Return its channel if it was released and has not answered."""
+        return self._channel if self._channel is not None and self._channel.is_awaited else None
 
     def _accepted(self, answer: Request | Ended) -> Request | Fault:
         """Take an answer that has arrived."""
+        if self.budget.exceeded is not None:
+            return self._too_slow()
+        if not self._requests and self._process is not None:
+            self._process.remember_program()
         self._requests += 1
         if isinstance(answer, Ended):
             return self._ended(answer.kind, answer.detail, answer.traceback)
@@ -216,10 +199,20 @@ class Program:
             trespass = self._trespass(closely=closely)
         elif self._requests % _LOG_LOOKED_AT_EVERY == 0:
             trespass = self._prints_too_much()
+            self.budget.settle()
         # Since its folder was looked through it may have had time to write much.
-        if trespass is None and self.account.waited_s >= self._look_at_s:
+        if trespass is None and self.budget.waited_s >= self._look_at_s:
             trespass = self._trespass(_TOO_MUCH_TO_WAIT)
-        return answer if trespass is None else self._fail(*trespass)
+        if trespass is not None:
+            return self._fail(*trespass)
+        self._suspend_if_busy()
+        return answer
+
+    def _suspend_if_busy(self) -> None:
+        """Suspend it until its release if it has computed too much where nobody waited for it."""
+        if self.budget.background_s > BACKGROUND_S and self._process is not None and not self._assignment.debug:
+            self._is_suspended = True
+            self._process.suspend()
 
     def overstepped(self, tick: int) -> Fault | None:
         """Look whether it takes more than it may while nobody waits for it; end it then.
@@ -229,6 +222,8 @@ class Program:
         """
         if self.fault is not None:  # found out when another one had no room
             return self.fault
+        self.budget.settle()
+        self._suspend_if_busy()
         trespass = self._trespass()
         if trespass is None:
             return None
@@ -247,7 +242,7 @@ class Program:
         """Tell the program that the match is over: its ``step`` returns -1, then it may clean up until `close`."""
         if self._channel is not None and not self._is_over:
             self._is_over = True
-            self.account.close()
+            self.budget.close()
             self.release(observation)
 
     def has_ended(self) -> bool:
@@ -261,7 +256,7 @@ class Program:
 
     def kill(self) -> None:
         """End it, with all that it started. Can be called at any time, and again."""
-        self.account.close()
+        self.budget.close()
         process, self._process = self._process, None
         if process is not None:
             process.kill()
@@ -309,8 +304,9 @@ class Program:
             prefix=isolation.prefix(layers, folder),
         )
         self._lifeline_fd = ends.lifeline_fd
-        self._channel = open_channel(ends.read_fd, ends.write_fd, self._frame_limit, portable=assignment.portable)
-        self._channel.send(hello_frame(assignment.spec, self._setup(root, layers)))
+        channel = open_channel(ends.read_fd, ends.write_fd, self._frame_limit, portable=assignment.portable)
+        channel.send(hello_frame(assignment.spec, self._setup(root, layers)))
+        self._channel = TimedChannel(channel, self.budget)
 
     def _setup(self, root: Path, layers: tuple[str, ...]) -> dict[str, Any]:
         """Return what the process needs to know beyond the robot."""
@@ -328,54 +324,41 @@ class Program:
             "debug": assignment.debug,
         }
 
-    def _in_first_slice(self, channel: Channel, if_long: Callable[[], None] | None) -> bytes | None:
-        """Return the program's next message, None if it did not come before the program has to be looked at."""
-        left_s = self.account.limit_s - self.account.waited_s
-        slice_s = min(self._slice_s, left_s) if self._requests else 0.0
-        body = channel.receive(min(LONG_S, slice_s))
-        if body is not None:
-            return body
-        if if_long is not None:
-            if_long()
-        return channel.receive(slice_s - LONG_S) if slice_s > LONG_S else None
-
-    def _wait(self, channel: Channel, began: float) -> bytes | None:
-        """Return the program's next message, None if it took too long."""
-        while True:
-            waiting_s = time.perf_counter() - began
-            left_s = self._patience_s(began) - waiting_s
-            if left_s <= 0 and self._requests and waiting_s < self._step_s and self.account.may_go_on(waiting_s):
-                continue
-            if left_s <= 0 or self._trespass(_TOO_MUCH_TO_WAIT) is not None:
+    def _wait(self, channel: TimedChannel) -> bytes | None:
+        """Return the program's next message, None if it reached a limit. All other programs are charged meanwhile."""
+        longest_s = min(_SLICE_S, self._limits.step_s / _LOOKS_PER_STEP_LIMIT)
+        slice_s = min(MEASURED_AFTER_S, longest_s)
+        channel.look()
+        while (body := channel.receive(0.0)) is None:
+            if self.budget.exceeded is not None:
+                return None
+            if self.budget.waited_s >= self._look_at_s and self._trespass(_TOO_MUCH_TO_WAIT) is not None:
                 return None
             # What it started may hold its pipes open after it ended. Its last words may still be on their way.
-            ended = self.has_ended()
-            body = channel.receive(min(left_s, _LAST_WORDS_S if ended else _SLICE_S))
-            if body is not None:
+            if self.has_ended():
+                body = channel.receive(_LAST_WORDS_S)
+                if body is None:
+                    raise ChannelClosedError
                 return body
-            if ended:
-                raise ChannelClosedError
-
-    def _patience_s(self, began: float) -> float:
-        """Return how long the wait that began then may last in all."""
-        if not self._requests:
-            return math.inf if self._assignment.debug else self._launched_at + self._limits.start_s - began
-        return min(self._step_s, self.account.limit_s - self.account.waited_s)
+            awaited = [other for program in self._sharing.programs if (other := program.awaited_channel()) is not None]
+            wait_together(awaited, slice_s, self._sharing.wait_budget)
+            slice_s = min(2 * slice_s, longest_s)
+        return body
 
     def _too_slow(self) -> Fault:
         limits = self._limits
         trespass = self._trespass()
         if trespass is not None:
             return self._fail(*trespass)
-        if not self._requests:
-            kind, detail = "start_timeout", f"the program did not call step within {limits.start_s:g} s of its start"
-        elif self.account.limit_s - self.account.waited_s < limits.step_s:
-            kind, detail = "half_timeout", f"the program let the match wait for {limits.half_s:g} s in all"
-        else:
-            kind, detail = "step_timeout", f"the program did not call step for {limits.step_s:g} s"
+        kind = self.budget.exceeded or "step_timeout"
+        detail = {
+            "start_timeout": f"the program used more than {limits.start_s:g} s until its first step",
+            "step_timeout": f"the program used more than {limits.step_s:g} s for one step",
+            "half_timeout": f"the program used more than {limits.half_s:g} s for all its steps",
+        }[kind]
         if self._process is not None:
             self._process.say_where_it_is(self._lifeline_fd)
-        return self._fail(kind, detail)
+        return self._fail(kind, detail, timed=True)
 
     def _gone(self) -> Fault:
         """Tell why there is nobody at the other end."""
@@ -383,10 +366,11 @@ class Program:
         if status is None:
             return self._fail("protocol", "the program closed its connection to the match")
         if processes.is_crash(status):
-            return self._ended("crash", f"the program was ended by {processes.told(status)}")
+            timed = processes.is_cpu_limit(status, self.budget.cpu_s, isolation.processor_s(self._limits))
+            return self._ended("crash", f"the program was ended by {processes.told(status)}", timed=timed)
         return self._ended("exit", f"the program ended itself (exit status {status})")
 
-    def _ended(self, kind: str, detail: str, traceback: str = "") -> Fault:
+    def _ended(self, kind: str, detail: str, traceback: str = "", *, timed: bool = False) -> Fault:
         """Tell how a program ended, or what made it end: at the system's limit for files a flood ends in a crash.
 
         Its threads do not count: how many of them have ended by now is another thing in each run.
@@ -399,7 +383,7 @@ class Program:
             if self.fault is not None:
                 return self.fault
             detail += f"; the temporary folder was full of what {', '.join(greedy)} had written" if greedy else ""
-        return self._fail(kind, detail, traceback)
+        return self._fail(kind, detail, traceback, timed=timed)
 
     def _end_greedy(self) -> list[str]:
         """End the programs that have filled the temporary folder, if that is as full as this one says.
@@ -453,7 +437,7 @@ class Program:
         """Return whether its folder holds too much, it runs too many threads or has lost its main thread. Slow."""
         if self._assignment.debug or self._process is None:
             return None
-        self._look_at_s = self.account.waited_s + _SLICE_S
+        self._look_at_s = self.budget.waited_s + _SLICE_S
         if self._process.has_lost_main_thread():
             return "exit", "the program's main thread ended while other threads ran on"
         written = self._writes_too_much(times, closely=closely)
@@ -477,15 +461,12 @@ class Program:
             nameless = self._process.nameless_bytes(self._output_fd(), folder, in_memory=closely)
         return scratch.has_more_than(folder, limit_bytes - nameless)
 
-    def _usage(self) -> Usage | None:
-        return None if self._process is None else self._process.usage()
-
     def _output_fd(self) -> int:
         return -1 if self._log is None else self._log.fd
 
-    def _fail(self, kind: str, detail: str, traceback: str = "") -> Fault:
+    def _fail(self, kind: str, detail: str, traceback: str = "", *, timed: bool = False) -> Fault:
         self.kill()
-        self.fault = Fault(self.name, kind, self._tick, self._assignment.half, detail, traceback)
+        self.fault = Fault(self.name, kind, self._tick, self._assignment.half, detail, traceback, timed)
         at = f"tick {self._tick} ({s_from_ticks(self._tick):.3f} s)"
         where = self._log.take_dump(self._folder / _TEAM) if self._log is not None and self._folder is not None else ""
         told = f"It was here, the innermost call first:\n{where}" if where else traceback

@@ -10,7 +10,7 @@ import sys
 import time
 from pathlib import Path
 
-from rcj_challenges.controllers.account import Usage
+from rcj_challenges.controllers.time_budget import ProcessTimes, ThreadTimes
 
 _GRANTS = (
     ("/sys/fs/cgroup/cpu.max",),
@@ -57,14 +57,17 @@ def tasks_of_user() -> int:
     return total
 
 
-def usage_of(pid: int) -> Usage | None:
-    """Return what a process did until now; None where that cannot be told (Windows: its job object tells)."""
+def process_times(pid: int) -> ProcessTimes | None:
+    """Return what the kernel counted for a process until now; None if that is unknown (Windows: the job object knows).
+
+    A thread's numbers lag behind by up to 10 ms while it computes; those of a thread that waits are exact.
+    """
     try:
         if sys.platform == "linux":
-            return Usage(time.clock_gettime(_processor_clock(pid)), _held_up_s(pid))
+            return ProcessTimes(time.clock_gettime(_processor_clock(pid)), _thread_times(pid))
         if sys.platform != "win32":
             told = subprocess.run(["ps", "-o", "time=", "-p", str(pid)], capture_output=True, text=True, check=True)
-            return Usage(seconds_of(told.stdout), None)
+            return ProcessTimes(seconds_of(told.stdout), None)
     except (OSError, ValueError, subprocess.SubprocessError):
         pass
     return None
@@ -83,15 +86,23 @@ def _processor_clock(pid: int) -> int:
     return ~pid << 3 | 2
 
 
-def _held_up_s(pid: int) -> float | None:
-    """Return for how long the threads of a process were ready to compute and had no processor; None: not told."""
-    computed_ns = held_up_ns = 0
-    for thread in os.scandir(f"/proc/{pid}/task"):
-        with contextlib.suppress(FileNotFoundError, ProcessLookupError), open(f"{thread.path}/schedstat", "rb") as file:  # noqa: PTH123
-            computed, held_up, _ = file.read().split()
-            computed_ns += int(computed)
-            held_up_ns += int(held_up)
-    return held_up_ns / 1e9 if computed_ns or held_up_ns else None  # a kernel that does not count says nought
+def _thread_times(pid: int) -> dict[int, ThreadTimes] | None:
+    """Return what the kernel counted for each thread; None if it does not count."""
+    times = {}
+    for thread in os.listdir(f"/proc/{pid}/task"):  # noqa: PTH208 - a match waits
+        with contextlib.suppress(FileNotFoundError, ProcessLookupError):
+            path = f"/proc/{pid}/task/{thread}/schedstat"
+            with open(path, "rb", buffering=0) as file:  # noqa: PTH123 - a match waits
+                running_ns, ready_ns, runs = map(int, file.read().split())
+            times[int(thread)] = ThreadTimes(running_ns / 1e9, ready_ns / 1e9, runs)
+    return times if any(thread.runs for thread in times.values()) else None  # else all numbers are 0
+
+
+def is_runnable(pid: int, thread: int) -> bool:
+    """Return whether a thread runs or waits for a processor at this moment (Linux)."""
+    with contextlib.suppress(OSError, IndexError), open(f"/proc/{pid}/task/{thread}/stat", "rb", buffering=0) as file:  # noqa: PTH123
+        return file.read().rpartition(b")")[2].split()[0] == b"R"
+    return False
 
 
 def held_up_here_s() -> float:

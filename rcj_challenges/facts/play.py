@@ -29,6 +29,7 @@ class Fault:
         half: 1-based.
         detail: one line for the team, deterministic (no times of day, no addresses).
         traceback: the program's own traceback where there is one.
+        timed: whether a limit of time was reached. Such a fault may differ from run to run.
     """
 
     robot: str
@@ -37,6 +38,7 @@ class Fault:
     half: int
     detail: str
     traceback: str = ""
+    timed: bool = False
 
 
 class Snapshot(NamedTuple):

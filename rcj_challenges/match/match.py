@@ -237,6 +237,5 @@ class _MatchPlay:
 
 
 def _waits(program: Program) -> Waits:
-    return Waits(
-        program.name, program.requests, program.started_s, program.account.charged_s, program.account.slowest_s
-    )
+    budget = program.budget
+    return Waits(program.name, program.requests, budget.started_s, budget.charged_s, budget.slowest_s)

@@ -35,14 +35,14 @@ class Progress:
 
 @dataclass(frozen=True, slots=True)
 class Waits:
-    """How long a half waited for one program: wall time, so it differs from run to run.
+    """What time one program was charged in a half (`TimeBudget`); it differs from run to run.
 
     Attributes:
         robot: whose program.
         steps: how many times it called ``step``.
-        started_s: from its launch to its first ``step`` in s; 0: it never came to that.
-        waited_s: for all its later steps together in s, as it is charged: without the time in which others held it up.
-        slowest_s: for the slowest of them in s.
+        started_s: until its first ``step``, in s; 0: it never came to that.
+        waited_s: for all its later steps together, in s.
+        slowest_s: for the slowest of them, in s.
     """
 
     robot: str

@@ -15,7 +15,8 @@ PROGRAM_FAULT = "PROGRAM_FAULT"
 
 def fault_event(fault: Fault, tick: int) -> Event:
     """Return the event that tells of a program's failure; ``tick`` is the one at which the referee heard of it."""
-    return Event(tick, PROGRAM_FAULT, {"robot_name": fault.robot, "kind": fault.kind, "detail": fault.detail})
+    payload = {"robot_name": fault.robot, "kind": fault.kind, "detail": fault.detail}
+    return Event(tick, PROGRAM_FAULT, payload | ({"timed": True} if fault.timed else {}))
 
 
 def events_of(snapshot: Snapshot, verdict: Verdict) -> tuple[Event, ...]:

@@ -80,6 +80,7 @@ class FaultResult(_Part):
     kind: str = _described("crash, exit, start, start_timeout, step_timeout, half_timeout, memory, protocol, …")
     detail: str = _described("one line for the team")
     traceback: str = _described("the program's own traceback, where there is one")
+    timed: bool = _described("whether it reached a limit of time, which may differ from run to run", default=False)
 
 
 class HintResult(_Part):

@@ -312,6 +312,7 @@ class RecordWriter:
             "kind": fault.kind,
             "detail": fault.detail,
             "traceback": fault.traceback,
+            "timed": fault.timed,
         }
 
     def _trajectory_header(self) -> dict[str, Any]:

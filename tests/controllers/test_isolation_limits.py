@@ -63,7 +63,7 @@ def test_memory_descriptors_and_privileges_are_limited(tmp_path: Path) -> None:
         # Root may still read what root may read (Python may be in a folder of root's), and nothing more.
         "privileges": str(1 << 2) if is_root else "0",
         "new ones": "['1']",
-        "processor time": "100",
+        "processor time": "40",
     }
 
 
@@ -72,13 +72,13 @@ def test_a_program_that_uses_up_its_processor_time_is_ended(tmp_path: Path, monk
     monkeypatch.setattr(isolation, "processor_s", lambda _: 1)
     fault = FakeMatch(tmp_path).play("from controller import Robot\nRobot().step(32)" + IN_A_LOOP, 2).fault
     assert fault is not None
-    assert (fault.kind, fault.tick) == ("crash", 1)
+    assert (fault.kind, fault.tick, fault.timed) == ("crash", 1, True)
     assert fault.detail == "the program was ended by the signal SIGXCPU: it used more processor time than it may"
 
 
-def test_no_program_with_one_thread_comes_near_the_limit_of_processor_time() -> None:
-    limits = Limits()
-    assert isolation.processor_s(limits) > limits.start_s + 6 * limits.half_s
+def test_the_limit_of_cpu_time_leaves_as_much_outside_the_steps_as_in_them() -> None:
+    limits = Limits(start_s=30, half_s=120)
+    assert isolation.processor_s(limits) == 30 + 2 * 120
     assert isolation.processor_s(limits.model_copy(update={"processor_s": 2.5})) == 3
 
 

@@ -25,7 +25,7 @@ def test_a_program_that_never_steps_is_stopped_at_its_start(either_match: FakeMa
     either_match.limits = either_match.limits.model_copy(update={"start_s": 0.7})
     fault = fault_of(either_match, "faults/never_steps")
     assert (fault.kind, fault.tick) == ("start_timeout", 0)
-    assert fault.detail == "the program did not call step within 0.7 s of its start"
+    assert fault.detail == "the program used more than 0.7 s until its first step"
 
 
 def test_a_program_that_hangs_is_stopped_at_the_limit_and_its_log_shows_where(tmp_path: Path) -> None:
@@ -34,7 +34,7 @@ def test_a_program_that_hangs_is_stopped_at_the_limit_and_its_log_shows_where(tm
     played = match.play("faults/hangs_in_play", 10)
     assert played.fault is not None
     assert (played.fault.kind, played.fault.tick) == ("step_timeout", 2)
-    assert played.fault.detail == "the program did not call step for 0.4 s"
+    assert played.fault.detail == "the program used more than 0.4 s for one step"
     assert time.perf_counter() - began < 60  # it would hang for ever
     assert "now it hangs" in played.log
     where = played.log.split("It was here, the innermost call first:\n")[1].splitlines()
@@ -114,7 +114,7 @@ def test_where_no_signal_can_ask_for_it_a_watch_tells_where_a_program_hangs(
 def test_a_program_that_is_slow_on_every_step_is_stopped_by_the_sum(tmp_path: Path) -> None:
     fault = fault_of(FakeMatch(tmp_path, half_s=0.3), "faults/slow_on_every_step", 1000)
     assert fault.kind == "half_timeout"
-    assert fault.detail == "the program let the match wait for 0.3 s in all"
+    assert fault.detail == "the program used more than 0.3 s for all its steps"
     assert 1 <= fault.tick <= 20  # 5, and more where other programs take the processor: that time is not charged
 
 

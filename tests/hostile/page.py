@@ -19,9 +19,9 @@ _TITLES = {
 }
 _PLATFORM_NAMES = {"linux": "Linux", "darwin": "macOS", "win32": "Windows"}
 _ENDS = {
-    "start_timeout": "stopped at the wall limit of the start",
-    "step_timeout": "stopped at the wall limit of a step",
-    "half_timeout": "stopped at the sum of all waits",
+    "start_timeout": "stopped at the time limit of the start",
+    "step_timeout": "stopped at the time limit of a step",
+    "half_timeout": "stopped at the time limit of a half",
     "output_flood": "stopped for what it wrote",
     "memory": "ended for lack of memory",
     "crash": "crash",

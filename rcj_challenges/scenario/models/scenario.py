@@ -125,13 +125,11 @@ class Result(Strict):
 class Limits(Strict):
     """What a program may use. One that exceeds a limit is killed and its wheels stop; nobody else is disturbed."""
 
-    start_s: WallTimeS = described(30.0, "wall time from launch to its first step, in s")
-    step_s: WallTimeS = described(5.0, "wall time that is waited for one step, in s")
-    half_s: WallTimeS = described(
-        120.0, "wall time that is waited for it in a whole half, without that in which others had the processors, in s"
-    )
+    start_s: WallTimeS = described(30.0, "CPU and idle time from its launch to its first step, in s")
+    step_s: WallTimeS = described(5.0, "CPU and idle time in one step, in s")
+    half_s: WallTimeS = described(120.0, "CPU and idle time in all steps of a half, in s")
     processor_s: float | None = described(
-        None, "processor time in a half, in s, start included; left out: start_s and 8 times half_s", gt=0, le=86_400
+        None, "CPU time in a half, in s, also outside its steps; default: start_s + 2 * half_s", gt=0, le=86_400
     )
     memory_mb: int = described(1024, "memory in MB", ge=64, le=65_536)
     output_mb: float = described(32.0, "what it may print in a half, in MB", gt=0, le=1024)

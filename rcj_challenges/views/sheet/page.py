@@ -388,12 +388,12 @@ def _submission(scenario: Scenario, _nouns: Nouns) -> Iterator[Block]:
 
 
 def _limit_words(limits: Limits) -> str:
-    """Return what a program may use; the last resort against threads that compute for ever is named if it was set."""
+    """Return what a program may use; the limit of CPU time is named if it was set."""
     computing = f"{seconds(limits.processor_s)} of processor time in a half, " if limits.processor_s is not None else ""
     threads = f"{counted(limits.processes, 'thread')} beside its first one"
     return (
         f"Limits: {seconds(limits.start_s)} to the first step, {seconds(limits.step_s)} for a step "
-        f"and {seconds(limits.half_s)} in all in a half (only the waiting for that program counts), {computing}"
+        f"and {seconds(limits.half_s)} in all in a half (its own CPU time and idle time), {computing}"
         f"{limits.memory_mb} MB of memory, {number(limits.output_mb)} MB of output, "
         f"{number(limits.scratch_mb)} MB of files in its own folder and {threads}. "
         "A program that exceeds one stops for the rest of the half."

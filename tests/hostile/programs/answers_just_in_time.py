@@ -1,10 +1,10 @@
 #: about = "time"
-#: tries = "to use up the wall limit of a step almost wholly, on every step"
-#: holds = "the sum of all waits in a half"
+#: tries = "to use up the time limit of a step almost wholly, on every step"
+#: holds = "the time limit of a half"
 #: tick = 10
 #: ends = "half_timeout"
 #: limits = {half_s = 1.0}
-#: cause = "let the match wait for 1 s in all"
+#: cause = "more than 1 s for all its steps"
 
 import threading
 

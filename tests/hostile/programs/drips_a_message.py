@@ -1,9 +1,9 @@
 #: about = "protocol"
 #: tries = "to keep the match busy with a message that comes byte by byte"
-#: holds = "the wall limit of a step counts for the whole message"
+#: holds = "the time limit of a step counts for the whole message"
 #: tick = 10
 #: ends = "step_timeout at 10"
-#: cause = "did not call step"
+#: cause = "more than 0.5 s for one step"
 #: variant = true
 
 import os

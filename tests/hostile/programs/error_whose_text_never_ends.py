@@ -1,6 +1,6 @@
 #: about = "time"
 #: tries = "to hang the report of its own error: its __str__ loops"
-#: holds = "the wall limit of a step"
+#: holds = "the time limit of a step"
 #: tick = 10
 #: ends = "step_timeout at 10"
 

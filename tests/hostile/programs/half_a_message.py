@@ -1,9 +1,9 @@
 #: about = "protocol"
 #: tries = "to keep the match waiting for the second half of a message"
-#: holds = "the wall limit of a step"
+#: holds = "the time limit of a step"
 #: tick = 10
 #: ends = "step_timeout at 10"
-#: cause = "did not call step"
+#: cause = "more than 0.5 s for one step"
 
 import os
 

@@ -1,9 +1,9 @@
 #: about = "time"
 #: tries = "to loop for ever between two steps"
-#: holds = "the wall limit of a step; its log shows where it hung"
+#: holds = "the time limit of a step; its log shows where it hung"
 #: tick = 10
 #: ends = "step_timeout at 10"
-#: cause = "did not call step for 0.5 s"
+#: cause = "more than 0.5 s for one step"
 #: said = ["innermost call first", "in hang"]
 
 import arena

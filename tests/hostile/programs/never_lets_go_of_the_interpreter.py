@@ -1,6 +1,6 @@
 #: about = "time"
 #: tries = "one single operation that takes minutes, during which no Python handler can run"
-#: holds = "the wall limit of a step; signals end it from outside"
+#: holds = "the time limit of a step; signals end it from outside"
 #: tick = 10
 #: ends = "step_timeout at 10"
 

@@ -1,6 +1,6 @@
 #: about = "time"
 #: tries = "a regular expression that takes longer than the world exists"
-#: holds = "the wall limit of a step"
+#: holds = "the time limit of a step"
 #: tick = 10
 #: ends = "step_timeout at 10"
 #: variant = true

@@ -1,6 +1,6 @@
 #: about = "time"
 #: tries = "to stop itself with SIGSTOP, so that no handler of it can run"
-#: holds = "the wall limit of a step, then SIGKILL"
+#: holds = "the time limit of a step, then SIGKILL"
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "step_timeout at 10"

@@ -1,6 +1,6 @@
 #: about = "module"
 #: tries = "to stop inside of step, with a trace function that never returns"
-#: holds = "the wall limit of a step"
+#: holds = "the time limit of a step"
 #: tick = 10
 #: ends = "step_timeout at 10"
 #: variant = true
