@@ -18,7 +18,7 @@ _REMEDIES = {
     "exit": "call robot.step(32) in a loop until it returns -1; a program that ends leaves its robot standing",
     "start_timeout": "call robot.step(32) sooner: is there a loop before it, or something that takes long to load?",
     "step_timeout": "look for a loop that never calls robot.step(32), at the place below if one is named",
-    "half_timeout": "do less in each step: over a half the program may only let the match wait that long in all",
+    "half_timeout": "do less in each step: the program may only compute and wait for that long in a whole half",
     "memory": "keep less, start fewer threads: is there a list that grows in every step?",
     "output_flood": "print less, and write fewer files",
     "protocol": "leave the channel to the match alone: let the controller module do the talking",

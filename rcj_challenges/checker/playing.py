@@ -211,7 +211,7 @@ def _slow(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
         mean_ms = 1000 * limits.half_s / half_ticks
         if whole_s > _SLOW_SHARE * limits.half_s and half_ticks:
             message = (
-                f"{side}lets the match wait {wait.waited_s:.1f} s in {match.simulated_s:.0f} s of play, "
+                f"{side}uses {wait.waited_s:.1f} s in {match.simulated_s:.0f} s of play, "
                 f"that is {whole_s:.0f} s in a half; {limits.half_s:g} s are allowed"
             )
             level: Level = "failure" if whole_s > _TOO_SLOW_SHARE * limits.half_s else "warning"

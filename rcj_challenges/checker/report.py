@@ -49,7 +49,7 @@ class StageReport(_Part):
 
 
 class RobotReport(_Part):
-    """How one robot of the team did in a short match. Times are wall time and differ from run to run."""
+    """How one robot of the team did in a short match. Times are CPU and idle time and differ from run to run."""
 
     robot: str = _described("its name")
     path_m: float = _described("length of its way in m", ge=0)
@@ -57,10 +57,10 @@ class RobotReport(_Part):
     ball_touches: int = _described("sub-steps of 8 ms in which it touched a ball", ge=0)
     steps: int = _described("how many times its program called step", ge=0)
     start_s: float = _described(
-        "from the launch of its program to its first step, in s; 0: it never came to that", ge=0
+        "CPU and idle time from the launch of its program to its first step, in s; 0: it never came to that", ge=0
     )
-    step_mean_ms: float = _described("how long the match waited for a step, on average, in ms", ge=0)
-    step_slowest_ms: float = _described("the longest of these waits in ms", ge=0)
+    step_mean_ms: float = _described("CPU and idle time of a step, on average, in ms", ge=0)
+    step_slowest_ms: float = _described("CPU and idle time of the slowest step, in ms", ge=0)
     fault: str = _described("how it failed: crash, exit, step_timeout …; empty if it did not")
     output: str = _described("what its program printed, if that was asked for")
 

@@ -159,7 +159,7 @@ class Program:
         if channel is None:
             return self.fault or self._fail("start", "the program was not started")
         try:
-            body = channel.receive(MEASURED_AFTER_S if self._requests else 0.0)
+            body = channel.receive_before_measuring()
             if body is None:
                 if if_long is not None:
                     if_long()

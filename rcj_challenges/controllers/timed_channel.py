@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from rcj_challenges.controllers import pipes, tasks
 from rcj_challenges.controllers.pipes import Channel, ChannelClosedError, FrameTooLongError
-from rcj_challenges.controllers.time_budget import TimeBudget
+from rcj_challenges.controllers.time_budget import MEASURED_AFTER_S, TimeBudget
 from rcj_challenges.facts.errors import HostError
 
 
@@ -25,12 +25,14 @@ class TimedChannel:
         self.is_awaited = True
         self._arrived: bytes | ChannelClosedError | FrameTooLongError | None = None
         self._held_up_s: float | None = None  # the match itself, at the last look of this interval
-        budget.released(time.perf_counter())
+        self._released_s = time.perf_counter()
+        budget.released(self._released_s)
 
     def release(self, frame: bytes) -> None:
         """Send a frame, and charge the time until the answer."""
         self.is_awaited, self._held_up_s = True, None
-        self.budget.released(time.perf_counter())
+        self._released_s = time.perf_counter()
+        self.budget.released(self._released_s)
         self.channel.send(frame)
 
     def receive_soon(self) -> bytes | None:
@@ -39,6 +41,10 @@ class TimedChannel:
             body = self.channel.receive_now()
             return self._answered(self.channel.receive_soon() if body is None else body)
         return self._taken()
+
+    def receive_before_measuring(self) -> bytes | None:
+        """Return the answer, None if it does not arrive until the interval has to be measured."""
+        return self.receive(max(0.0, self._released_s + MEASURED_AFTER_S - time.perf_counter()))
 
     def receive(self, timeout_s: float) -> bytes | None:
         """Return the answer, None if it does not arrive in time. See `Channel` for the errors."""

@@ -27,9 +27,7 @@ def test_who_takes_half_of_what_a_half_allows_is_warned_and_who_takes_twice_as_m
 
 def test_it_is_told_in_seconds_of_a_half_and_as_what_is_left_for_each_tick():
     (found,) = told(0.9)
-    assert found.message == (
-        "blue: lets the match wait 0.9 s in 12 s of play, that is 45 s in a half; 60 s are allowed"
-    )
+    assert found.message == ("blue: uses 0.9 s in 12 s of play, that is 45 s in a half; 60 s are allowed")
     assert found.remedy == "do less in each step: 3.2 ms for each tick of 32 ms is the limit in the long run"
 
 

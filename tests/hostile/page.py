@@ -57,7 +57,8 @@ _TAIL = """\
 ## What is not held
 
 - **Time of the processor.** Threads of a program compute while others think: on a computer with few cores a match gets slower by
-  it, never different. Limits of wall time are for hangs; give them room.
+  it, never different. One hostile team costs at most 10 minutes a half, whatever it does
+  ([isolation.md](isolation.md#time)).
 - **The real clock** can be read past the simulated one, by ctypes. Nothing in a match depends on it.
 - **Talk between programs.** Two programs that want to exchange bits can do so, within a half and from one half to the next: by how
   much they compute, by the time that reading a shared file takes, by process and file numbers that the whole system shares.

@@ -71,7 +71,7 @@ def test_all_limits_are_told():
     ) in usual
     assert "processor time" not in usual
     text = sheet("limits: {processor_s: 90, scratch_mb: 2.5, processes: 1, message_kb: 0.25}\n")
-    assert "(only the waiting for that program counts), 90 s of processor time in a half, 1024 MB" in text
+    assert "(its own CPU time and idle time), 90 s of processor time in a half, 1024 MB" in text
     assert "2.5 MB of files in its own folder and 1 thread beside its first one." in text
     assert "A radio packet of more than 0.25 kB is not sent." in text
 

@@ -8,12 +8,12 @@
 #: platforms = ["linux"]
 
 import ctypes
-import os
 import threading
 
 import arena
 
-EVERY_NS = 5_000_000
+EVERY_NS = 10_000_000
+CLOCK, TIMER_ABSTIME = 1, 1
 
 
 class Moment(ctypes.Structure):
@@ -21,17 +21,17 @@ class Moment(ctypes.Structure):
 
 
 def wake_together():
-    moment = Moment()
+    libc, moment = arena.libc(), Moment()
+    here = ctypes.byref(moment)
     while True:
-        arena.libc().clock_gettime(1, ctypes.byref(moment))
+        libc.clock_gettime(CLOCK, here)
         now_ns = moment.s * 10**9 + moment.ns
         moment.s, moment.ns = divmod((now_ns // EVERY_NS + 1) * EVERY_NS, 10**9)
-        arena.libc().clock_nanosleep(1, 1, ctypes.byref(moment), None)
+        libc.clock_nanosleep(CLOCK, TIMER_ABSTIME, here, None)
 
 
 arena.drive(10)
-os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
-for _ in range(30):
+for _ in range(31):
     threading.Thread(target=wake_together, daemon=True).start()
 while arena.robot.step(32) != -1:
     arena.libc().usleep(100_000)
