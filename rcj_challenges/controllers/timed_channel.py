@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from rcj_challenges.controllers import pipes, tasks
 from rcj_challenges.controllers.pipes import Channel, ChannelClosedError, FrameTooLongError
 from rcj_challenges.controllers.time_budget import MEASURED_AFTER_S, TimeBudget
+from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.facts.errors import HostError
 
 
@@ -105,10 +106,11 @@ class WaitBudget:
         """
         self._left_s -= wall_s
         if self._left_s < 0:
-            raise HostError(
-                f"this computer is too busy: the match waited {self._limit_s:.0f} s for programs in this half, and "
-                "none of them reached a limit of its own; run fewer programs beside it, and play the match again"
+            message = (
+                f"the match waited {self._limit_s:.0f} s for programs, but none reached a limit of its own"
             )
+            help_ = "this computer is too busy: run fewer programs beside the match, and play it again"
+            raise HostError(str(Diagnostic("host-too-busy", message, help_)))
 
 
 def wait_together(channels: Sequence[TimedChannel], timeout_s: float, wait_budget: WaitBudget) -> None:
