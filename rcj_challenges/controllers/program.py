@@ -159,7 +159,7 @@ class Program:
         if channel is None:
             return self.fault or self._fail("start", "the program was not started")
         try:
-            body = channel.receive_before_measuring()
+            body = channel.receive_before_measuring() if self._requests else None
             if body is None:
                 if if_long is not None:
                     if_long()
@@ -205,12 +205,13 @@ class Program:
             trespass = self._trespass(_TOO_MUCH_TO_WAIT)
         if trespass is not None:
             return self._fail(*trespass)
-        self._suspend_if_busy()
+        if self.budget.background_s > BACKGROUND_S:
+            self._suspend()
         return answer
 
-    def _suspend_if_busy(self) -> None:
-        """Suspend it until its release if it has computed too much where nobody waited for it."""
-        if self.budget.background_s > BACKGROUND_S and self._process is not None and not self._assignment.debug:
+    def _suspend(self) -> None:
+        """Suspend it until its release."""
+        if self._process is not None and not self._assignment.debug:
             self._is_suspended = True
             self._process.suspend()
 
@@ -223,7 +224,8 @@ class Program:
         if self.fault is not None:  # found out when another one had no room
             return self.fault
         self.budget.settle()
-        self._suspend_if_busy()
+        if self.budget.background_s > BACKGROUND_S:
+            self._suspend()
         trespass = self._trespass()
         if trespass is None:
             return None

@@ -7,12 +7,13 @@ An interval lasts from a program's release to its answer (the first one from its
 
 So a program pays for computing and for real waits, and a busy computer changes nothing. All numbers come from the
 kernel, which a program cannot make lie. Reading them costs more than most programs compute, so an interval is measured
-only from `MEASURED_AFTER_S` on. Until then it is charged the CPU time that was used since the last reading, at most the
-wall time of these intervals.
+only from `MEASURED_AFTER_S` on. Until then it is charged the CPU time that was used since the last reading, at most
+`MEASURED_AFTER_S` for each interval.
 """
 
 from __future__ import annotations
 
+import math
 import sys
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
@@ -66,9 +67,10 @@ class TimeBudget:
         exceeded: the limit that was reached, as the kind of a fault; None: none was.
         started_s: what it was charged until its first step, in s.
         charged_s: what it was charged in its later steps, in s; exact after `close`.
-        slowest_s: the most that it was charged in one of them, in s.
+        slowest_s: the most that it was charged in one of them, in s; 0 if no answer had to be waited for.
+        quick_answers: how many answers were here at once since the last reading; counted by whoever takes them.
         background_s: CPU time that it used outside its intervals, in s.
-        waited_s: wall time of all intervals, in s, the present one up to the last look.
+        waited_s: wall time in which it was waited for, in s, up to the last look.
     """
 
     def __init__(
@@ -88,7 +90,8 @@ class TimeBudget:
         self._has_started = self._is_closed = False
         self._looked_s = 0.0
         self._last = ProcessTimes(0.0, {})
-        self._unmeasured_s = self._before_s = 0.0
+        self._unmeasured_s = 0.0
+        self.quick_answers = 0
         self._measured: _Measurement | None = None
         self.exceeded: str | None = None
         self.started_s = self.charged_s = self.slowest_s = self.background_s = self.waited_s = 0.0
@@ -98,19 +101,11 @@ class TimeBudget:
         """CPU time that the process was last seen to have used, in s."""
         return (self._last if self._measured is None else self._measured.last).cpu_s
 
-    def released(self, now_s: float) -> None:
-        """Begin an interval: the program was launched, or its ``step`` is about to return.
-
-        Args:
-            now_s: of ``time.perf_counter``, as everywhere here.
-        """
-        self._looked_s = now_s
-
     def answered(self, now_s: float, lost_s: float = 0.0) -> None:
-        """End the interval: the program has answered.
+        """End an interval that is measured, or the first one: the program has answered.
 
         Args:
-            now_s: when that was noticed.
+            now_s: when that was noticed, of ``time.perf_counter``.
             lost_s: of the time since the last look, what the match itself stood still or waited for a processor.
         """
         if self._is_closed:
@@ -119,20 +114,19 @@ class TimeBudget:
             self._look(now_s, lost_s)
             self._end_measurement()
         else:
-            self._end_unmeasured(now_s)
+            self.quick_answers += 1
         if not self._has_started:
             self.settle()
             self._has_started = True
             self.started_s, self.charged_s, self.slowest_s = self.charged_s, 0.0, 0.0
 
-    def _end_unmeasured(self, now_s: float) -> None:
-        wall_s = now_s - self._looked_s
-        if self._last.threads is None:
-            wall_s = min(wall_s, MEASURED_AFTER_S)  # beyond that it was the match that stood still
+    def answered_within(self, wall_s: float) -> None:
+        """End an interval that was waited for but not measured."""
+        wall_s = min(wall_s, MEASURED_AFTER_S)  # beyond that it was the match that stood still
         self.waited_s += wall_s
         self._unmeasured_s += wall_s
-        self.slowest_s = max(self.slowest_s, min(wall_s, MEASURED_AFTER_S))
-        if self.charged_s + self._unmeasured_s >= self._limits.half_s or self._unmeasured_s >= _QUIET_S:
+        self.slowest_s = max(self.slowest_s, wall_s)
+        if self._unmeasured_s >= _QUIET_S:
             self.settle()
 
     def look(self, now_s: float, lost_s: float = 0.0) -> None:
@@ -151,12 +145,14 @@ class TimeBudget:
             return
         now = self._read()
         wall_s, self._unmeasured_s = self._unmeasured_s, 0.0
+        most_s = wall_s + MEASURED_AFTER_S * self.quick_answers if self._has_started else math.inf
+        self.quick_answers = 0
         if now is None or now.cpu_s < self._last.cpu_s:  # it has ended, and another process was asked
             self.charged_s += wall_s
         else:
             cpu_s = now.cpu_s - self._last.cpu_s
-            self.charged_s += min(wall_s, cpu_s)
-            self.background_s += max(0.0, cpu_s - wall_s)
+            self.charged_s += min(most_s, cpu_s)
+            self.background_s += max(0.0, cpu_s - most_s)
             if now.threads is None:
                 self.charged_s += self._quiet.idle_s(wall_s, cpu_s)
             self._last = now
@@ -170,15 +166,15 @@ class TimeBudget:
         self._is_closed = True
 
     def _look(self, now_s: float, lost_s: float) -> None:
-        wall_s = max(0.0, now_s - self._looked_s - lost_s)
-        self._looked_s = now_s
-        self.waited_s += wall_s
+        since_s, self._looked_s = self._looked_s, now_s
         if self._measured is None:
-            self._unmeasured_s += wall_s
-            self._before_s = min(wall_s, MEASURED_AFTER_S)
+            self.waited_s += MEASURED_AFTER_S
+            self._unmeasured_s += MEASURED_AFTER_S
             self.settle()
             self._measured = _Measurement(self._last, self._quiet)
         else:
+            wall_s = max(0.0, now_s - since_s - lost_s)
+            self.waited_s += wall_s
             self._measured.add(wall_s, self._read())
 
     def _end_measurement(self) -> None:
@@ -186,7 +182,7 @@ class TimeBudget:
         assert measured is not None  # noqa: S101 - only called while one is measured
         self.exceeded = self._over()
         self.charged_s += measured.charge_s
-        self.slowest_s = max(self.slowest_s, self._before_s + measured.charge_s)
+        self.slowest_s = max(self.slowest_s, MEASURED_AFTER_S + measured.charge_s)
         self._last, self._measured = measured.last, None
 
     def _over(self) -> str | None:
@@ -196,7 +192,7 @@ class TimeBudget:
             return self.exceeded
         if not self._has_started:
             return "start_timeout" if self.charged_s + charge_s >= limits.start_s else None
-        if self._measured is not None and self._before_s + charge_s >= limits.step_s:
+        if self._measured is not None and MEASURED_AFTER_S + charge_s >= limits.step_s:
             return "step_timeout"
         return "half_timeout" if self.charged_s + charge_s >= limits.half_s else None
 

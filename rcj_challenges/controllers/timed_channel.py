@@ -27,29 +27,44 @@ class TimedChannel:
         self._arrived: bytes | ChannelClosedError | FrameTooLongError | None = None
         self._held_up_s: float | None = None  # the match itself, at the last look of this interval
         self._released_s = time.perf_counter()
-        budget.released(self._released_s)
 
     def release(self, frame: bytes) -> None:
         """Send a frame, and charge the time until the answer."""
-        self.is_awaited, self._held_up_s = True, None
+        self.is_awaited = True
         self._released_s = time.perf_counter()
-        self.budget.released(self._released_s)
         self.channel.send(frame)
 
     def receive_soon(self) -> bytes | None:
         """Return the answer if it is here, or arrives at once; else None. See `Channel` for the errors."""
-        if self._arrived is None:
-            body = self.channel.receive_now()
-            return self._answered(self.channel.receive_soon() if body is None else body)
-        return self._taken()
+        if self._arrived is not None:
+            return self._taken()
+        body = self.channel.receive_now()
+        if body is None:
+            body = self.channel.receive_soon()
+        if body is not None:
+            self.is_awaited = False
+            self.budget.quick_answers += 1
+        return body
 
     def receive_before_measuring(self) -> bytes | None:
         """Return the answer, None if it does not arrive until the interval has to be measured."""
-        return self.receive(max(0.0, self._released_s + MEASURED_AFTER_S - time.perf_counter()))
+        if self._arrived is not None:
+            return self._taken()
+        body = self.channel.receive(max(0.0, self._released_s + MEASURED_AFTER_S - time.perf_counter()))
+        if body is not None:
+            self.is_awaited = False
+            self.budget.answered_within(time.perf_counter() - self._released_s)
+        return body
 
     def receive(self, timeout_s: float) -> bytes | None:
         """Return the answer, None if it does not arrive in time. See `Channel` for the errors."""
-        return self._answered(self.channel.receive(timeout_s)) if self._arrived is None else self._taken()
+        if self._arrived is not None:
+            return self._taken()
+        body = self.channel.receive(timeout_s)
+        if body is not None:
+            self.is_awaited, self._held_up_s = False, None
+            self.budget.answered(time.perf_counter())
+        return body
 
     def look(self, overslept_s: float = 0.0) -> None:
         """Charge the time since the last look, and note an answer or an error: `receive` returns or raises it.
@@ -68,19 +83,13 @@ class TimedChannel:
         if self._arrived is None:
             self.budget.look(now_s, lost_s)
         else:
-            self.is_awaited = False
+            self.is_awaited, self._held_up_s = False, None
             self.budget.answered(now_s, lost_s)
 
     def close(self) -> None:
         """Give the pipes back."""
         self.is_awaited = False
         self.channel.close()
-
-    def _answered(self, body: bytes | None) -> bytes | None:
-        if body is not None:
-            self.is_awaited = False
-            self.budget.answered(time.perf_counter())
-        return body
 
     def _taken(self) -> bytes | None:
         arrived, self._arrived = self._arrived, None
@@ -106,9 +115,7 @@ class WaitBudget:
         """
         self._left_s -= wall_s
         if self._left_s < 0:
-            message = (
-                f"the match waited {self._limit_s:.0f} s for programs, but none reached a limit of its own"
-            )
+            message = f"the match waited {self._limit_s:.0f} s for programs, but none reached a limit of its own"
             help_ = "this computer is too busy: run fewer programs beside the match, and play it again"
             raise HostError(str(Diagnostic("host-too-busy", message, help_)))
 

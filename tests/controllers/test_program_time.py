@@ -48,13 +48,9 @@ def busy_computer(processes: int) -> Iterator[None]:
 @needs_linux
 def test_a_step_that_computes_is_within_its_limit_on_a_busy_computer(tmp_path: Path) -> None:
     program = f"{COMPUTES}{ROBOT}compute(150)\n{STEPS}"
-    match = FakeMatch(tmp_path, step_s=1.0)
-    with busy_computer(6):
-        began_s = time.perf_counter()
-        played = match.play(program, 3)
-        took_s = time.perf_counter() - began_s
-    assert took_s > match.limits.step_s, "the computer was not busy enough"
-    assert played.fault is None
+    match = FakeMatch(tmp_path, step_s=0.6)
+    with busy_computer(8):
+        assert match.play(program, 3).fault is None
 
 
 @needs_linux
