@@ -69,9 +69,13 @@ class TimedChannel:
     def look(self, overslept_s: float = 0.0) -> None:
         """Charge the time since the last look, and note an answer or an error: `receive` returns or raises it.
 
+        Without an awaited answer there is nothing to charge, and what was noted before stays.
+
         Args:
             overslept_s: for how much longer than it wanted the match has just waited: it was stopped (Ctrl-Z).
         """
+        if not self.is_awaited:
+            return
         now_s, held_up_s = time.perf_counter(), tasks.held_up_here_s()
         # If the match stood still, or had no processor, the answer may have been here for long.
         lost_s = 0.0 if self._held_up_s is None else max(0.0, overslept_s, held_up_s - self._held_up_s)

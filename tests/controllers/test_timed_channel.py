@@ -1,0 +1,44 @@
+"""An answer that arrives while the match waits for another program is kept until it is asked for."""
+
+from __future__ import annotations
+
+import pytest
+
+from rcj_challenges.controllers.pipes import ChannelClosedError
+from rcj_challenges.controllers.time_budget import ProcessTimes, TimeBudget, TimeLimits
+from rcj_challenges.controllers.timed_channel import TimedChannel
+
+
+class FrameQueue:
+    """A channel on which frames, or the end, have arrived already."""
+
+    def __init__(self, *frames: bytes | Exception) -> None:
+        self.frames = list(frames)
+
+    def receive(self, _timeout_s: float) -> bytes | None:
+        if not self.frames:
+            return None
+        frame = self.frames.pop(0)
+        if isinstance(frame, Exception):
+            raise frame
+        return frame
+
+
+def timed(*frames: bytes | Exception) -> TimedChannel:
+    budget = TimeBudget(TimeLimits(30, 5, 120), lambda: ProcessTimes(0.0, {}), lambda _thread: False)
+    return TimedChannel(FrameQueue(*frames), budget)  # type: ignore[arg-type]
+
+
+def test_answer_that_another_wait_noted_survives_further_looks() -> None:
+    channel = timed(b"hello")
+    channel.look()  # while another program is waited for
+    channel.look()  # as its own wait begins
+    assert channel.receive(0.0) == b"hello"
+
+
+def test_end_that_another_wait_noted_survives_further_looks() -> None:
+    channel = timed(ChannelClosedError())
+    channel.look()
+    channel.look()
+    with pytest.raises(ChannelClosedError):
+        channel.receive(0.0)
