@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from pathlib import Path
 
+    from rcj_challenges.controllers.super_team import SuperTeam
     from rcj_challenges.controllers.team import Team
     from rcj_challenges.scenario.models.scenario import Scenario
 
@@ -16,7 +17,7 @@ _BEGINNING = 100_000  # letters
 
 
 def advice_on(
-    scenario: Scenario, teams: Mapping[str, Team], faults: Sequence[Mapping[str, Any]], logs: Path
+    scenario: Scenario, teams: Mapping[str, Team | SuperTeam], faults: Sequence[Mapping[str, Any]], logs: Path
 ) -> list[dict[str, Any]]:
     """Return what to do about faults, where that shows, as in `HintResult`, and write it into the robots' logs.
 
@@ -33,9 +34,10 @@ def advice_on(
         return []
     from rcj_challenges.checker.advice.hints import hint_at_once, on_none
 
+    numbers = {robot: number for seat in scenario.entrants.values() for number, robot in enumerate(seat.robots)}
     robots: dict[str, dict[str, None]] = {}
     for fault in ended:
-        team = teams[fault["team"]]
+        team = teams[fault["team"]].driving(numbers[fault["robot"]])
         hint = hint_at_once(scenario, team, fault)
         hint = hint or on_none(scenario, team, fault, _beginning(logs, fault["robot"]))
         if hint is not None:

@@ -86,6 +86,10 @@ class Team:
             raise TeamError(f"{self.source}: opened for {', '.join(self._entries)}, not for {robot}")
         return self._entries[robot]
 
+    def driving(self, number: int) -> Team:
+        """Return the team that drives a robot of its side, as a `SuperTeam` does: this one drives all of them."""
+        return self
+
     def unpack(self, folder: Path) -> None:
         """Write a copy of the team's files into an existing empty folder.
 

@@ -11,6 +11,7 @@ from typing import Any
 from rcj_challenges.controllers.crew import Crew, CrewPlan
 from rcj_challenges.controllers.isolation import active_layers
 from rcj_challenges.controllers.program import Program
+from rcj_challenges.controllers.super_team import SuperTeam
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.devices.fitting import fit, robot_specs
 from rcj_challenges.facts.errors import interruption_behind, told_of
@@ -25,6 +26,7 @@ from rcj_challenges.match.overhearing import Overhearing
 from rcj_challenges.match.watching import Silent, Waits, Watcher
 from rcj_challenges.records.errors import UnwritableError
 from rcj_challenges.records.logos import logo_of
+from rcj_challenges.records.result import MemberResult
 from rcj_challenges.records.writer import RecordWriter, RunHeader
 from rcj_challenges.scenario.halves import half_length_s, half_lengths_s
 from rcj_challenges.scenario.load import Loaded
@@ -37,11 +39,12 @@ class MatchPlan:
 
     Attributes:
         loaded: the scenario.
-        teams: by seat of the first half.
+        teams: by seat of the first half; a SuperTeam has a team for each robot of the seat.
         team_names: as shown and logged, by seat of the first half; overrides what the teams call themselves.
         seed: of everything that chance decides.
         match_id: as printed in MATCH_START.
         out: the folder in which the record's folder is made.
+        record_name: name of the record's folder; left out: time and scenario.
         sandbox: ``auto``, ``strict`` or ``off``.
         real_time: True delays the loop to the pace of the clock; it changes nothing else.
         show_output: robots whose output is shown while they play.
@@ -50,11 +53,12 @@ class MatchPlan:
     """
 
     loaded: Loaded
-    teams: Mapping[str, Team]
+    teams: Mapping[str, Team | SuperTeam]
     team_names: Mapping[str, str]
     seed: int = 1
     match_id: int = 0
     out: Path = Path("runs")
+    record_name: str | None = None
     sandbox: str = "auto"
     real_time: bool = False
     show_output: frozenset[str] = frozenset()
@@ -137,8 +141,9 @@ class _MatchPlay:
             sandbox={"mode": plan.sandbox, "layers": list(active_layers(plan.sandbox))},
             marks=("debug",) if plan.debug else (),
             logos=plan.logos,
+            members={team: members for team, opened in plan.teams.items() if (members := _members(opened))},
         )
-        with RecordWriter(plan.out, header) as record:
+        with RecordWriter(plan.out, header, name=plan.record_name) as record:
             try:
                 for number in range(1, self._scenario.match.halves + 1):
                     if self._play_half(number, record).ends_match:
@@ -214,10 +219,11 @@ class _MatchPlay:
         drivers: dict[int, Program] = {}
         for seat, entrant in self._scenario.entrants.items():
             team = self._plan.teams[half.teams[seat]]
-            for name, entry_points in entrant.robots.items():
+            for number, (name, entry_points) in enumerate(entrant.robots.items()):
                 robot = self._roster.index[name]
                 if robot in specs:
-                    drivers[robot] = crew.add(specs[robot], team, team.entry_for(name, entry_points))
+                    driving = team.driving(number)
+                    drivers[robot] = crew.add(specs[robot], driving, driving.entry_for(name, entry_points))
         crew.launch()
         return {robot: drivers[robot] for robot in sorted(drivers)}
 
@@ -234,6 +240,11 @@ class _MatchPlay:
             scores=by_seat(self._carried.scores, teams),
             kept=dict(self._carried.kept),
         )
+
+
+def _members(team: Team | SuperTeam) -> tuple[MemberResult, ...]:
+    members = team.members if isinstance(team, SuperTeam) else ()
+    return tuple(MemberResult(name=member.name, programs=member.digest) for member in members)
 
 
 def _waits(program: Program) -> Waits:

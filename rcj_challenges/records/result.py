@@ -32,11 +32,22 @@ Half = Annotated[int, _described("half of the match, from 1", ge=1)]
 Tick = Annotated[int, _described("tick of the half: 0.032 s each", ge=0)]
 
 
+class MemberResult(_Part):
+    """One of the teams of a SuperTeam."""
+
+    name: str = _described("name of the team")
+    programs: str = _described("SHA-256 of the files of its programs, hexadecimal")
+
+
 class EntrantResult(_Part):
     """A team, under the name of the seat that it had in the first half."""
 
     name: str = _described("name of the team")
-    programs: str = _described("SHA-256 of the files of its programs, hexadecimal")
+    programs: str = _described("SHA-256 of the files of its programs, hexadecimal; of a SuperTeam over its members'")
+    members: list[MemberResult] = Field(
+        default=[],
+        description="of a SuperTeam: the team of each robot, in the order of the entrant's robots; else empty",
+    )
 
 
 class HalfResult(_Part):

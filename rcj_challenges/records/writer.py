@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -33,7 +33,7 @@ from rcj_challenges.records.lines import json_line
 from rcj_challenges.records.logos import logo_path
 from rcj_challenges.records.pack import pack_trajectory
 from rcj_challenges.records.reflog import event_line, events_of, firing_line, reflog_lines
-from rcj_challenges.records.result import RunResult, versions
+from rcj_challenges.records.result import MemberResult, RunResult, versions
 from rcj_challenges.records.track import TrackWriter, write_all
 from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -52,6 +52,7 @@ class RunHeader:
         match_id: as in MATCH_START.
         sandbox: how programs are isolated, JSON-able.
         marks: what makes this run special, such as ``debug``.
+        members: of each SuperTeam, by its seat of the first half.
         logos: the teams' own ``logo.png`` as they gave it, by team; kept beside the record, looked at when shown.
     """
 
@@ -62,6 +63,7 @@ class RunHeader:
     match_id: int = 0
     sandbox: Mapping[str, Any] = field(default_factory=dict)
     marks: tuple[str, ...] = ()
+    members: Mapping[str, Sequence[MemberResult]] = field(default_factory=dict)
     logos: Mapping[str, bytes] = field(default_factory=dict)
 
 
@@ -335,7 +337,10 @@ class RecordWriter:
         """Keep what the result says now, and return it as it is written."""
         header = self._header
         simulated_s = round(sum(half["ticks"] for half in self._halves) * TICK_S, 3)
-        entrants = {team: {"name": name, "programs": header.programs[team]} for team, name in header.team_names.items()}
+        entrants = {
+            team: {"name": name, "programs": header.programs[team], "members": header.members.get(team, ())}
+            for team, name in header.team_names.items()
+        }
         fields: dict[str, Any] = {
             "record": RECORD_VERSION,
             "complete": False,
