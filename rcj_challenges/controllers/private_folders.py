@@ -20,12 +20,8 @@ from typing import Self
 from rcj_challenges.controllers import scratch
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.facts.errors import HostError, told_of
+from rcj_challenges.facts.file_lock import try_lock
 from rcj_challenges.facts.shown import shown
-
-if sys.platform == "win32":
-    import msvcrt
-else:
-    import fcntl
 
 PREFIX = "rcj-match-"
 LOCK_FILE = "in-use"
@@ -125,7 +121,7 @@ def _remove_if_nobodys(entry: os.DirEntry[str]) -> None:
     folder = Path(entry.path)
     fd = os.open(folder / LOCK_FILE, _FLAGS, 0o600)
     try:
-        nobodys = _lock(fd) and _is_in_its_place(fd, folder)
+        nobodys = try_lock(fd) and _is_in_its_place(fd, folder)
     except OSError:  # no locks here: nothing can be proved
         nobodys = False
     if nobodys:
@@ -146,7 +142,7 @@ def _made() -> tuple[Path, int]:
             folder.rmdir()
             raise
         try:
-            held = _lock(fd)
+            held = try_lock(fd)
         except OSError:
             held = True  # a file system without locks: nobody else gets one either
         if held and _is_in_its_place(fd, folder):
@@ -172,22 +168,3 @@ def _is_in_its_place(fd: int, folder: Path) -> bool:
     except OSError:
         return False
     return stat.S_ISREG(found.st_mode) and os.path.samestat(os.fstat(fd), found)
-
-
-def _lock(fd: int) -> bool:
-    """Lock a file until it is closed; return False if another process, or another place in this one, holds it.
-
-    Raises:
-        OSError: there are no locks in this file system.
-    """
-    if sys.platform == "win32":
-        try:
-            msvcrt.locking(fd, msvcrt.LK_NBLCK, 1)
-        except OSError:
-            return False
-        return True
-    try:
-        fcntl.flock(fd, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        return False
-    return True

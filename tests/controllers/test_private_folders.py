@@ -194,7 +194,7 @@ def test_the_places_of_other_users_are_left_alone(temporary: Path) -> None:
 def test_a_place_that_another_match_takes_for_a_left_over_before_it_is_locked_is_left_to_it(
     temporary: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    made, really_locked, opened = [], private_folders._lock, os.open
+    made, really_locked, opened = [], private_folders.try_lock, os.open
 
     def taken_before_it_is_opened(*arguments: object, **more: object) -> int:
         if not made:
@@ -210,7 +210,7 @@ def test_a_place_that_another_match_takes_for_a_left_over_before_it_is_locked_is
         return really_locked(fd)
 
     monkeypatch.setattr(os, "open", taken_before_it_is_opened)
-    monkeypatch.setattr(private_folders, "_lock", taken_before_it_is_locked)
+    monkeypatch.setattr(private_folders, "try_lock", taken_before_it_is_locked)
     folders = PrivateFolders()
     assert made == ["opened too late", "locked too late"]
     assert [path.resolve() for path in temporary.iterdir()] == [folders.place]
@@ -225,7 +225,7 @@ def test_where_files_cannot_be_locked_matches_play_and_nothing_is_removed(
     def none_here(fd: int) -> bool:
         raise OSError("no locks available")
 
-    monkeypatch.setattr(private_folders, "_lock", none_here)
+    monkeypatch.setattr(private_folders, "try_lock", none_here)
     left = left_over(temporary)
     folders = PrivateFolders()
     remove_left_overs(temporary)

@@ -1,0 +1,157 @@
+"""A match of a tournament as a job: plain data with a content address, and the folder that jobs work in."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any, Self
+
+from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.facts.errors import told_of
+from rcj_challenges.records.folder import replaced
+from rcj_challenges.records.lines import canonical
+from rcj_challenges.scenario.load import Loaded, load_resolved
+from rcj_challenges.tournament.records import Records
+
+_ID_LETTERS = 32
+"""128 bits tell any number of matches apart, and leave room for the rest of a path on Windows."""
+
+
+@dataclass(frozen=True)
+class Program:
+    """The programs of one team, for the robots of a side or for one of them.
+
+    Attributes:
+        archive: SHA-256 of the submission's file.
+        digest: SHA-256 over names and contents of its files, as records have it.
+        name: of the team, as shown.
+    """
+
+    archive: str
+    digest: str
+    name: str
+
+
+@dataclass(frozen=True)
+class MatchJob:
+    """One match that can be played on any computer that has the scenario and the submissions.
+
+    Attributes:
+        scenario: SHA-256 of the resolved scenario.
+        seats: by seat of the first half: one team, or one for each robot of the side.
+        names: by seat: as shown.
+        seed: of the match.
+        versions: as in ``result.json``: what decides the bits of a result beside the inputs.
+        records: what is kept.
+        sandbox: ``auto``, ``strict`` or ``off``.
+    """
+
+    scenario: str
+    seats: Mapping[str, tuple[Program, ...]]
+    names: Mapping[str, str]
+    seed: int
+    versions: Mapping[str, str]
+    records: Records = "replay"
+    sandbox: str = "auto"
+
+    @cached_property
+    def id(self) -> str:
+        """The content address: equal for two jobs exactly if the same match is played. Names do not count."""
+        seats = {seat: [one.digest for one in programs] for seat, programs in self.seats.items()}
+        inputs = [self.scenario, seats, self.seed, dict(self.versions)]
+        return hashlib.sha256(canonical(inputs)).hexdigest()[:_ID_LETTERS]
+
+    def to_json(self) -> dict[str, Any]:
+        """Return it as JSON-able data."""
+        return asdict(self)
+
+    @classmethod
+    def from_json(cls, data: Mapping[str, Any]) -> Self:
+        """Return the job that `to_json` has made data of."""
+        seats = {seat: tuple(Program(**one) for one in programs) for seat, programs in data["seats"].items()}
+        return cls(**{**data, "seats": seats})
+
+
+@dataclass(frozen=True)
+class Workplace:
+    """The folder of a tournament's data, as far as jobs use it.
+
+    Attributes:
+        folder: the folder.
+    """
+
+    folder: Path
+
+    @property
+    def submissions(self) -> Path:
+        """Where submissions are, by hash."""
+        return self.folder / "submissions"
+
+    @property
+    def records(self) -> Path:
+        """Where the records are, by job."""
+        return self.folder / "records"
+
+    @property
+    def playing(self) -> Path:
+        """Where the records of matches are that are being played; what a killed run left there is worthless."""
+        return self.records / ".playing"
+
+    def record_of(self, job_id: str) -> Path:
+        """Return the folder of a job's record."""
+        return self.records / job_id
+
+    def keep_scenario(self, loaded: Loaded) -> str:
+        """Write a resolved scenario where jobs find it; returns its hash.
+
+        Raises:
+            OSError: it cannot be written.
+        """
+        content = canonical(loaded.resolved)
+        scenario = hashlib.sha256(content).hexdigest()
+        path = self._scenario(scenario)
+        if not path.exists():
+            path.parent.mkdir(parents=True, exist_ok=True)
+            with replaced(path) as file:
+                file.write(content)
+        return scenario
+
+    def load_scenario(self, scenario: str) -> Loaded:
+        """Load a scenario by its hash.
+
+        Raises:
+            DiagnosticError: it is not there, or damaged.
+        """
+        path = self._scenario(scenario)
+        try:
+            content = path.read_bytes()
+        except OSError as error:
+            raise data_file_error(path, told_of(error)) from error
+        if hashlib.sha256(content).hexdigest() != scenario:
+            raise data_file_error(path, "its content does not match its name")
+        return load_resolved(json.loads(content))
+
+    def submission(self, archive: str) -> Path:
+        """Return the file of a submission by its hash.
+
+        Raises:
+            DiagnosticError: it is not there.
+        """
+        for suffix in (".zip", ".py"):
+            path = self.submissions / f"{archive}{suffix}"
+            if path.is_file():
+                return path
+        raise data_file_error(self.submissions / f"{archive}.zip", "no such file")
+
+    def _scenario(self, scenario: str) -> Path:
+        return self.folder / "scenarios" / f"{scenario}.json"
+
+
+def data_file_error(path: Path, why: str) -> DiagnosticError:
+    """Return the error that says that a file of the tournament's data cannot be used."""
+    message = f"a file of the tournament's data cannot be used: {path}: {why}"
+    return DiagnosticError(Diagnostic("data-file-missing", message, "put it back, or delete it and run again"))

@@ -1,0 +1,69 @@
+"""Playing a job in this process."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+
+from rcj_challenges.controllers.super_team import SuperTeam
+from rcj_challenges.controllers.team import Team, open_team
+from rcj_challenges.match.match import MatchPlan, PlayedMatch, play_match
+from rcj_challenges.scenario.load import Loaded
+from rcj_challenges.tournament.jobs import MatchJob, Program, Workplace, data_file_error
+from rcj_challenges.tournament.records import trim_record
+from rcj_challenges.views.replay import write_replay
+
+
+def play_job(job: MatchJob, place: Workplace) -> PlayedMatch:
+    """Play a job in this process; its record is in a folder of its own in ``place.playing``.
+
+    Raises:
+        RcjError: a submission or the scenario is missing, or the match cannot be played on this computer.
+        MatchInterruptedError: it was interrupted.
+    """
+    loaded = place.load_scenario(job.scenario)
+    with ExitStack() as stack:
+        teams = {seat: _opened(job, seat, loaded, place) for seat in loaded.scenario.entrants}
+        for team in teams.values():
+            stack.callback(team.close)
+        plan = MatchPlan(
+            loaded=loaded,
+            teams=teams,
+            team_names=job.names,
+            seed=job.seed,
+            out=place.playing,
+            record_name=job.id,
+            sandbox=job.sandbox,
+            record_sensors=job.records == "full",
+        )
+        played = play_match(plan)
+    if job.records != "result" and any(half["ticks"] for half in played.result["halves"]):
+        write_replay(played.folder)
+    trim_record(played.folder, job.records)
+    return played
+
+
+def _opened(job: MatchJob, seat: str, loaded: Loaded, place: Workplace) -> Team | SuperTeam:
+    """Open the programs of a seat.
+
+    Raises:
+        RcjError: one is missing, or is not what the job says.
+    """
+    programs = job.seats[seat]
+    members = tuple(open_program(program, seat, loaded, place) for program in programs)
+    return members[0] if len(members) == 1 else SuperTeam(members)
+
+
+def open_program(program: Program, seat: str, loaded: Loaded, place: Workplace) -> Team:
+    """Open a submission for a seat, as a match does.
+
+    Raises:
+        RcjError: it is missing, cannot be opened, or holds other programs than it should.
+    """
+    entrants = loaded.scenario.entrants
+    seats = tuple(entrants.values()) if loaded.scenario.match.swap_sides else (entrants[seat],)
+    path = place.submission(program.archive)
+    team = open_team(path, *seats)
+    if team.digest != program.digest:
+        team.close()
+        raise data_file_error(path, "its programs are not those that were handed in")
+    return team
