@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from functools import cached_property
@@ -12,9 +11,12 @@ from typing import Any, Self
 
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.facts.errors import told_of
+from rcj_challenges.records.digest import given_values
 from rcj_challenges.records.folder import replaced
-from rcj_challenges.records.lines import canonical
+from rcj_challenges.records.lines import canonical, parsed
+from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import Loaded, load_resolved
+from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.tournament.records import Records
 
 _ID_LETTERS = 32
@@ -41,7 +43,7 @@ class MatchJob:
     """One match that can be played on any computer that has the scenario and the submissions.
 
     Attributes:
-        scenario: SHA-256 of the resolved scenario.
+        scenario: its `scenario_hash`.
         seats: by seat of the first half: one team, or one for each robot of the side.
         names: by seat: as shown.
         seed: of the match.
@@ -111,13 +113,12 @@ class Workplace:
         Raises:
             OSError: it cannot be written.
         """
-        content = canonical(loaded.resolved)
-        scenario = hashlib.sha256(content).hexdigest()
+        scenario = scenario_hash(loaded.scenario)
         path = self._scenario(scenario)
         if not path.exists():
             path.parent.mkdir(parents=True, exist_ok=True)
             with replaced(path) as file:
-                file.write(content)
+                file.write(canonical(loaded.resolved))
         return scenario
 
     def load_scenario(self, scenario: str) -> Loaded:
@@ -128,12 +129,12 @@ class Workplace:
         """
         path = self._scenario(scenario)
         try:
-            content = path.read_bytes()
-        except OSError as error:
+            loaded = load_resolved(parsed(path.read_bytes()))
+        except (OSError, ValueError, ScenarioError) as error:
             raise data_file_error(path, told_of(error)) from error
-        if hashlib.sha256(content).hexdigest() != scenario:
+        if scenario_hash(loaded.scenario) != scenario:
             raise data_file_error(path, "its content does not match its name")
-        return load_resolved(json.loads(content))
+        return loaded
 
     def submission(self, archive: str) -> Path:
         """Return the file of a submission by its hash.
@@ -149,6 +150,11 @@ class Workplace:
 
     def _scenario(self, scenario: str) -> Path:
         return self.folder / "scenarios" / f"{scenario}.json"
+
+
+def scenario_hash(scenario: Scenario) -> str:
+    """Return the SHA-256 of a resolved scenario, without values that are defaults."""
+    return hashlib.sha256(canonical(given_values(scenario))).hexdigest()
 
 
 def data_file_error(path: Path, why: str) -> DiagnosticError:

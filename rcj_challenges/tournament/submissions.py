@@ -1,0 +1,224 @@
+"""What teams hand in: each submission is kept by the hash of its file, and checked before anything is played."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import zipfile
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+from rcj_challenges.checker.check import CheckOptions
+from rcj_challenges.checker.many import check_many
+from rcj_challenges.checker.report import FileReport, check_report
+from rcj_challenges.checker.report_files import write_page
+from rcj_challenges.checker.report_html import html_page
+from rcj_challenges.controllers.archive import MOST_PACKED_BYTES, Contents, TeamError, read_contents
+from rcj_challenges.controllers.team import opening_of, safe_name
+from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError, InFile
+from rcj_challenges.facts.errors import told_of
+from rcj_challenges.records.folder import replaced
+from rcj_challenges.records.lines import json_line
+from rcj_challenges.scenario.load import Loaded
+from rcj_challenges.tournament.entries import TeamEntry
+from rcj_challenges.tournament.store.store import Store
+
+_MAX_PACKED_BYTES = 4 * MOST_PACKED_BYTES
+"""What is larger is not even kept; between the two the check says what is wrong."""
+_EPOCH = (1980, 1, 1, 0, 0, 0)
+
+
+@dataclass(frozen=True)
+class Handed:
+    """The submission of a team, as it is now.
+
+    Attributes:
+        team: id.
+        archive: SHA-256 of its file.
+        file: name of that file in the folder of submissions.
+        name: what the team calls itself; safe to show.
+    """
+
+    team: str
+    archive: str
+    file: str
+    name: str
+
+
+def take_submissions(entries: Iterable[TeamEntry], store: Store) -> dict[str, Handed]:
+    """Keep a copy of what each team hands in now, and note what is new.
+
+    Raises:
+        DiagnosticError: some cannot be read, or the copies cannot be written.
+    """
+    before = store.current_submissions()
+    handed: dict[str, Handed] = {}
+    problems: list[Diagnostic] = []
+    for entry in entries:
+        try:
+            handed[entry.id] = _take(entry, store.place.submissions)
+        except (OSError, TeamError) as error:
+            message = f"the submission of {entry.id} cannot be read: {told_of(error)}"
+            problems.append(Diagnostic("submission-unreadable", message, _REPLACE, InFile(str(entry.source))))
+    if problems:
+        raise DiagnosticError(*problems)
+    for team, one in handed.items():
+        if team not in before or before[team].archive != one.archive:
+            store.add_submission(team, one.archive, one.file, one.name)
+    return handed
+
+
+_REPLACE = "replace it; or take the team out of the tournament with 'tournament decide FILE --withdraw TEAM'"
+
+
+def _take(entry: TeamEntry, folder: Path) -> Handed:
+    """Keep a copy of one submission.
+
+    Raises:
+        OSError: it cannot be read, or the copy cannot be written.
+        TeamError: there is nothing that can be opened.
+    """
+    suffix = ".py" if entry.source.suffix.casefold() == ".py" else ".zip"
+    content = _packed(read_contents(entry.source)) if entry.source.is_dir() else _bytes_of(entry.source)
+    archive = hashlib.sha256(content).hexdigest()
+    path = folder / f"{archive}{suffix}"
+    if not path.is_file() or path.stat().st_size != len(content):
+        with replaced(path) as file:
+            file.write(content)
+    return Handed(entry.id, archive, path.name, entry.name or _own_name(entry, path))
+
+
+def _own_name(entry: TeamEntry, path: Path) -> str:
+    """Return what a team calls itself in its submission; else its id."""
+    name = opening_of(path, read_contents(path)).name
+    return name.text if name.given else entry.id
+
+
+def _bytes_of(path: Path) -> bytes:
+    if path.stat().st_size > _MAX_PACKED_BYTES:
+        raise TeamError(f"it is larger than {_MAX_PACKED_BYTES // 1_000_000} MB")
+    return path.read_bytes()
+
+
+def _packed(contents: Contents) -> bytes:
+    """Return the files of a folder as a ZIP, the same bytes for the same files.
+
+    Raises:
+        TeamError: they cannot be used.
+    """
+    if contents.refused:
+        raise TeamError(str(contents.refused[0]))
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path, content in sorted(contents.files.items()):
+            archive.writestr(zipfile.ZipInfo(str(path), _EPOCH), content, zipfile.ZIP_DEFLATED)
+    return packed.getvalue()
+
+
+def display_names(handed: Mapping[str, Handed], entries: Mapping[str, TeamEntry]) -> dict[str, str]:
+    """Return what each team is called, safe to show; names that are equal without regard to case get the id."""
+    names = {team: safe_name(entries[team].name or one.name) or team for team, one in handed.items()}
+    counts: dict[str, int] = {}
+    for name in names.values():
+        counts[name.casefold()] = counts.get(name.casefold(), 0) + 1
+    return {team: name if counts[name.casefold()] == 1 else f"{name} ({team})" for team, name in names.items()}
+
+
+class CheckObserver(Protocol):
+    """Sees the checks as they are done."""
+
+    def checked(self, team: str, level: str, done: int, total: int) -> None:
+        """A submission was checked."""
+
+
+@dataclass(frozen=True)
+class Failure:
+    """A submission that does not pass the check.
+
+    Attributes:
+        team: id.
+        scenario: title of the scenario that it was checked for.
+        messages: what failed.
+        unchecked: whether it could not be checked, by no fault of its own.
+    """
+
+    team: str
+    scenario: str
+    messages: tuple[str, ...]
+    unchecked: bool
+
+
+def check_submissions(
+    handed: Mapping[str, Handed],
+    scenarios: Mapping[str, Loaded],
+    store: Store,
+    *,
+    jobs: int,
+    sandbox: str,
+    observer: CheckObserver,
+) -> list[Failure]:
+    """Check all submissions that were not checked before; return those that do not pass.
+
+    Args:
+        handed: submissions by team.
+        scenarios: that they are for, by hash.
+        store: remembers the verdicts.
+        jobs: how many checks at a time.
+        sandbox: how programs are isolated.
+        observer: sees each check as it is done.
+    """
+    failures: list[Failure] = []
+    for scenario, loaded in scenarios.items():
+        known = store.checks()
+        todo = list({one.archive: one for one in handed.values() if (one.archive, scenario) not in known}.values())
+        if todo:
+            on_done = _noting(todo, scenario, loaded, store, observer)
+            paths = [store.place.submissions / one.file for one in todo]
+            check_many(paths, loaded, CheckOptions(sandbox=sandbox), jobs, on_done)
+        known = store.checks()
+        for one in handed.values():
+            row = known.get((one.archive, scenario))
+            level, messages = ("unchecked", ()) if row is None else (row.level, tuple(row.findings))
+            if level in ("failure", "unchecked"):
+                failures.append(Failure(one.team, loaded.scenario.title, messages, level == "unchecked"))
+    return failures
+
+
+def _noting(
+    todo: Sequence[Handed], scenario: str, loaded: Loaded, store: Store, observer: CheckObserver
+) -> Callable[[FileReport], None]:
+    """Return what is to be done with each report: note the verdict, and keep the report for the team."""
+    by_file = {one.file: one for one in todo}
+    count = 0
+
+    def on_done(report: FileReport) -> None:
+        nonlocal count
+        count += 1
+        one = by_file[report.file]
+        messages = [
+            finding.message for stage in report.stages for finding in stage.findings if finding.level == "failure"
+        ]
+        if report.level != "unchecked":  # of what could not be checked nothing is known: next time it is tried again
+            _keep_report(report, one, scenario, loaded, store)
+            store.add_check(one.archive, scenario, report.level, messages)
+        observer.checked(one.team, report.level, count, len(todo))
+
+    return on_done
+
+
+def report_folder(place_folder: Path, archive: str) -> Path:
+    """Return the folder of the check's reports on a submission."""
+    return place_folder / "checks" / archive
+
+
+def _keep_report(report: FileReport, one: Handed, scenario: str, loaded: Loaded, store: Store) -> None:
+    folder = report_folder(store.place.folder, one.archive)
+    folder.mkdir(parents=True, exist_ok=True)
+    named = report.model_copy(update={"file": f"{one.team}{Path(one.file).suffix}"})
+    whole = check_report(loaded.scenario.id, loaded.scenario.title, "auto", [named], [])
+    stem = f"{loaded.scenario.id}-{scenario[:8]}"
+    with replaced(folder / f"{stem}.json") as file:
+        file.write(json_line(whole.model_dump(mode="json")))
+    write_page(folder / f"{stem}.html", html_page(whole, folder))
